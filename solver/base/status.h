@@ -1,0 +1,25 @@
+/* Status and error idiom: functions that can fail return a status and fill the
+ * caller's error; MPM_TRY passes a failure up.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_BASE_STATUS_H
+#define MPM_BASE_STATUS_H
+
+#include "mpm.h"
+
+/* Fills *error (if not NULL) with a printf-style message, returns `status`.
+ * Control characters in the text become '?', so that a message is one line. */
+enum mpm_status mpm_error_set(struct mpm_error *error, enum mpm_status status, const char *format,
+                              ...) __attribute__((format(printf, 3, 4)));
+
+/* "out of memory: N bytes for WHAT" */
+enum mpm_status mpm_error_memory(struct mpm_error *error, size_t bytes, const char *what);
+
+#define MPM_TRY(call)                                                                              \
+    do {                                                                                           \
+        const enum mpm_status mpm_try_status_ = (call);                                            \
+        if (mpm_try_status_ != MPM_OK)                                                             \
+            return mpm_try_status_;                                                                \
+    } while (0)
+
+#endif

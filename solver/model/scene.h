@@ -1,0 +1,109 @@
+/* What a scene file says, checked and with defaults filled in: the input of
+ * mpm_simulation_create. io/ reads it; the rest of the solver only looks.
+ *
+ * Lengths, masses and times are in the scene's own units.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_MODEL_SCENE_H
+#define MPM_MODEL_SCENE_H
+
+#include "base/status.h"
+
+enum { MPM_NAME_SIZE = 65 }; /* names up to 64 characters */
+
+enum mpm_stress_update { MPM_USL, MPM_MUSL, MPM_USF, MPM_USAVG };
+enum mpm_position_update { MPM_GRID_VELOCITY, MPM_MIDPOINT };
+enum mpm_radius_update { MPM_RADIUS_SHAPE, MPM_RADIUS_HOOP };
+
+enum mpm_region_kind {
+    MPM_REGION_RECTANGLE, /* a = from, b = to */
+    MPM_REGION_DISK,      /* a = center, outer = radius */
+    MPM_REGION_ANNULUS,   /* a = center, inner, outer */
+    MPM_REGION_POLYGON,   /* points */
+    MPM_REGION_LINE,      /* a = from, b = to */
+    MPM_REGION_ALL,
+};
+
+struct mpm_region {
+    enum mpm_region_kind kind;
+    double a[2], b[2];
+    double inner, outer;
+    double (*points)[2];
+    size_t point_count;
+};
+
+/* A vector of expressions; a NULL component is `free`. */
+struct mpm_vector_expression {
+    char *text[2];
+};
+
+struct mpm_material_spec {
+    char name[MPM_NAME_SIZE];
+    const char *law; /* "neo_hookean", "linear_elastic": a static string */
+    double density;
+    double bulk, shear; /* always both, whichever pair of constants the scene gives */
+    int line;           /* in the scene file, for messages */
+};
+
+struct mpm_body_spec {
+    char name[MPM_NAME_SIZE];
+    bool rigid;
+    size_t material; /* index; unused for a rigid body */
+    struct mpm_region region;
+    int particles_per_cell[2];
+    struct mpm_vector_expression velocity; /* initial (never NULL components), or a rigid body's */
+    int line;
+};
+
+struct mpm_boundary_spec {
+    struct mpm_region region; /* line or rectangle or all */
+    struct mpm_vector_expression velocity;
+    int line;
+};
+
+struct mpm_scene {
+    char *path; /* as given, for messages */
+    char *title;
+    enum mpm_geometry geometry;
+    char units_length[MPM_NAME_SIZE], units_mass[MPM_NAME_SIZE], units_time[MPM_NAME_SIZE],
+        units_temperature[MPM_NAME_SIZE];
+    double thickness; /* planar; 1 in axisymmetry */
+
+    double origin[2], cell[2]; /* refine already applied */
+    int64_t cells[2];
+
+    double end;              /* time */
+    double courant;          /* used when step == 0 */
+    double step;             /* fixed step, or 0 */
+    int64_t steps;           /* stop after so many, or 0 */
+    bool allow_unstable;
+
+    enum mpm_shape shape;
+    enum mpm_axis axis;
+    enum mpm_stress_update stress_update;
+    enum mpm_position_update position_update;
+    enum mpm_radius_update radius_update;
+    double flip_fraction;  /* 1 is pure FLIP */
+    int deformation_terms; /* of the series for dF, 1 or more */
+
+    struct mpm_material_spec *materials;
+    size_t material_count;
+    struct mpm_body_spec *bodies;
+    size_t body_count;
+    struct mpm_boundary_spec *boundaries;
+    size_t boundary_count;
+    struct mpm_vector_expression body_force; /* NULL components: none */
+
+    double history_interval, snapshot_interval; /* 0: only first and last */
+    int line_grid, line_time, line_body_force;  /* in the file, for messages */
+    unsigned char sha256[32];                   /* of the file's bytes */
+    char **settings;                            /* --set texts, for provenance */
+    size_t setting_count;
+};
+
+/* MPM_BAD_INPUT "path:line: key: message". line 0 leaves the line out. */
+enum mpm_status mpm_scene_error(struct mpm_error *error, const struct mpm_scene *scene, int line,
+                                const char *key, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
+
+#endif

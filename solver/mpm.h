@@ -1,0 +1,213 @@
+/* Touchstone: the public interface of the solver.
+ *
+ * A scene (one YAML file) becomes a simulation; the simulation advances step by
+ * step; its particles and its ledger can be read between steps or written to
+ * files by mpm_scene_run. Every function that can fail returns a status and
+ * fills a caller-owned error; nothing here prints, exits or aborts.
+ *
+ * Shapes and units: the scene's own unit system throughout. Axes are x, y in
+ * planar scenes and r, z in axisymmetric ones. Planar sums are for the scene's
+ * thickness, axisymmetric ones per radian.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_H
+#define MPM_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* ------------------------------------------------------------------ status */
+
+/* The values are the exit statuses of the command `mpm`. */
+enum mpm_status {
+    MPM_OK = 0,
+    MPM_BAD_INPUT = 2,          /* the scene or an argument is wrong: nothing was written */
+    MPM_RUN_FAILED = 3,         /* unstable, non-finite, inverted, left the grid */
+    MPM_ENVIRONMENT_FAILED = 4, /* memory, disk, a file that cannot be written */
+};
+
+enum { MPM_MESSAGE_SIZE = 1024 };
+
+struct mpm_error {
+    enum mpm_status status;
+    char message[MPM_MESSAGE_SIZE]; /* one line: what, where, value, what is allowed */
+};
+
+/* ------------------------------------------------------------------- scene */
+
+struct mpm_scene; /* read-only once read; may serve any number of simulations */
+
+/* Reads and validates a scene file. `settings` are `PATH=VALUE` texts applied in
+ * order before validation (the last wins). Errors name file, line, key, value
+ * and what is allowed: MPM_BAD_INPUT; out of memory: MPM_ENVIRONMENT_FAILED.
+ * On failure *scene is NULL. */
+enum mpm_status mpm_scene_read(const char *path, const char *const *settings, size_t setting_count,
+                               struct mpm_scene **scene, struct mpm_error *error);
+void mpm_scene_free(struct mpm_scene *scene);
+
+size_t mpm_scene_body_count(const struct mpm_scene *scene);
+const char *mpm_scene_body_name(const struct mpm_scene *scene, size_t body);
+double mpm_scene_end_time(const struct mpm_scene *scene);
+
+/* What a scene will cost: printed by `mpm check`. */
+struct mpm_plan {
+    size_t particles;
+    size_t cells;          /* without ghost rows */
+    size_t nodes;          /* with ghost rows */
+    size_t bytes;          /* of the simulation, all told */
+    double time_step;      /* the first one */
+    double expected_steps; /* time.end over the first time step, or time.steps if fewer */
+    const char *kernels;   /* name of the kernel set chosen */
+    const char *kernels_reason;
+};
+
+/* Validates all that needs geometry (bodies, boundaries, memory) and estimates the
+ * cost. Needs the memory of a simulation for a moment. */
+enum mpm_status mpm_scene_plan(const struct mpm_scene *scene, struct mpm_plan *plan,
+                               struct mpm_error *error);
+
+/* -------------------------------------------------------------- simulation */
+
+struct mpm_simulation;
+
+/* Takes all memory, fills the bodies, sets t = 0. `threads` >= 1; results do not
+ * depend on it. The scene must outlive the simulation. */
+enum mpm_status mpm_simulation_create(const struct mpm_scene *scene, int threads,
+                                      struct mpm_simulation **simulation, struct mpm_error *error);
+void mpm_simulation_free(struct mpm_simulation *simulation);
+
+/* Takes one step, shortened if need be to land on `time_limit` exactly.
+ * MPM_RUN_FAILED: the state is unusable for going on; the message names step,
+ * time, particle and value. mpm_simulation_field and _ledger then give the last
+ * good state only if mpm_simulation_has_good_state says so. */
+enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double time_limit,
+                                       struct mpm_error *error);
+
+double mpm_simulation_time(const struct mpm_simulation *simulation);
+uint64_t mpm_simulation_step(const struct mpm_simulation *simulation);
+double mpm_simulation_time_step(const struct mpm_simulation *simulation); /* the last one taken */
+size_t mpm_simulation_particle_count(const struct mpm_simulation *simulation);
+size_t mpm_simulation_bytes(const struct mpm_simulation *simulation); /* all memory held */
+
+/* What a particle carries, in the order of snapshots. */
+enum mpm_field {
+    MPM_FIELD_ID,                   /* 1: creation order, body by body, row by row */
+    MPM_FIELD_BODY,                 /* 1: index of the body in the scene */
+    MPM_FIELD_POSITION,             /* 2 */
+    MPM_FIELD_VELOCITY,             /* 2 */
+    MPM_FIELD_DEFORMATION_GRADIENT, /* 5: xx xy yx yy zz | rr rz zr zz tt */
+    MPM_FIELD_STRESS,               /* 4: Cauchy, xx yy zz xy | rr zz tt rz */
+    MPM_FIELD_VOLUME,               /* 1: current (per thickness or per radian) */
+    MPM_FIELD_MASS,                 /* 1 */
+    MPM_FIELD_COUNT,
+};
+
+struct mpm_field_info {
+    const char *name;
+    size_t components;
+    bool integer;
+    int length, mass, time; /* exponents of the unit; stress is {-1, 1, -2} */
+    const char *description;
+};
+
+/* The descriptor of a field; exponents for planar scenes (axisymmetric volume and
+ * mass are per radian and have the same units). */
+const struct mpm_field_info *mpm_field_describe(enum mpm_field field);
+
+/* Copies a field of all particles, sorted by id: particle-major,
+ * count * components values. Rigid bodies' particles are included. */
+void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_field field,
+                          double *values);
+
+/* Sums over all deformable particles at the end of the last step. */
+struct mpm_ledger {
+    double time;
+    uint64_t step;
+    double mass;
+    double momentum[2];
+    double angular_momentum; /* about the origin; 0 in axisymmetry */
+    double kinetic_energy;
+    double strain_energy;
+    double external_work; /* by body forces, boundaries and rigid bodies since t = 0 */
+    double total_energy;  /* kinetic + strain */
+    double j_min, j_max;  /* extremes of det F */
+};
+
+/* Cost: one pass over the particles; strain energy needs a logarithm each. */
+void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_ledger *ledger);
+
+/* Seconds spent in each phase of the step so far. */
+enum { MPM_PHASE_MAX = 16 };
+struct mpm_phases {
+    size_t count;
+    const char *name[MPM_PHASE_MAX];
+    double seconds[MPM_PHASE_MAX];
+};
+void mpm_simulation_phases(const struct mpm_simulation *simulation, struct mpm_phases *phases);
+const char *mpm_simulation_kernels(const struct mpm_simulation *simulation);
+
+/* --------------------------------------------------------------------- run */
+
+struct mpm_run_options {
+    const char *output;    /* folder for the results; NULL writes nothing */
+    int threads;           /* >= 1 */
+    bool overwrite;        /* allow a folder that holds results */
+    const char *scene_path;/* for provenance; may be NULL */
+    /* Called after each step, if not NULL; `fraction` of the run done, 0..1. */
+    void (*progress)(void *context, double fraction, const struct mpm_simulation *simulation);
+    void *progress_context;
+};
+
+/* Runs a scene to its end and writes run.json, history.csv and snapshots. Refuses
+ * (MPM_BAD_INPUT) an output that is a file or holds results. On MPM_RUN_FAILED the
+ * last good state has been written and run.json tells the reason. */
+enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_run_options *options,
+                              struct mpm_error *error);
+
+/* --------------------------------------------------------- shape functions */
+
+enum mpm_geometry { MPM_PLANE_STRAIN, MPM_PLANE_STRESS, MPM_AXISYMMETRIC };
+enum mpm_shape { MPM_CLASSIC, MPM_UGIMP, MPM_CPDI };
+enum mpm_axis { MPM_TRUNCATED, MPM_UNTRUNCATED };
+
+/* One particle domain over a regular grid whose node (0, 0) is at `origin`. */
+struct mpm_shape_query {
+    enum mpm_shape shape;
+    enum mpm_geometry geometry;
+    enum mpm_axis axis;             /* axisymmetric only */
+    double origin[2];               /* position of node (0, 0) */
+    double cell[2];                 /* cell size */
+    double position[2];             /* particle centre */
+    double half_size[2];            /* undeformed half edges, l_p * cell / 2 */
+    double deformation_gradient[4]; /* xx xy yx yy; used by CPDI */
+};
+
+enum { MPM_STENCIL_MAX = 16 };
+
+struct mpm_stencil_entry {
+    int64_t column, row; /* node, relative to node (0, 0); may be negative */
+    double s;            /* S_ip, N&G (6) */
+    double g[2];         /* G_ip, N&G (7), 1/length */
+    double t;            /* T_ip, N&G (8), 1/length; 0 in planar geometry */
+};
+
+/* S, G and T of every node that a particle reaches; each node at most once, entries
+ * with S = 0, G = 0 and T = 0 left out. Returns the number of entries. */
+size_t mpm_shape_evaluate(const struct mpm_shape_query *query,
+                          struct mpm_stencil_entry entries[MPM_STENCIL_MAX]);
+
+/* -------------------------------------------------------------- provenance */
+
+/* Facts compiled into the binary or read from the machine; never a build date. */
+struct mpm_build_info {
+    const char *version;
+    const char *revision; /* git, with "-dirty" if it was */
+    const char *compiler;
+    const char *flags;
+    const char *libraries; /* name version, comma separated */
+    const char *simd;      /* instruction set in use */
+};
+const struct mpm_build_info *mpm_build_info(void);
+
+#endif
