@@ -64,12 +64,13 @@ PACKAGES_SOLVER  = $(HDF5) libcyaml yaml-0.1 muparser glib-2.0 jansson
 PACKAGES_SUITE  := gsl libcmark-gfm
 PACKAGES_TESTS  := check
 remember = $(eval $(1) := $$(shell $(2)))$($(1))
-found    = $(if $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo yes),$(1),$(error \
-             no $(firstword $(PKG_CONFIG)) or no packages $(1): `make deps` installs them))
+missing  = $(shell for p in $(1); do $(PKG_CONFIG) --exists $$p 2>/dev/null || echo $$p; done)
+found    = $(1)$(if $(missing),$(error $(firstword $(PKG_CONFIG)) does not find $(missing): \
+             `make deps` installs what is needed))
 HDF5            = $(call remember,HDF5,$(PKG_CONFIG) --exists hdf5-serial 2>/dev/null && \
                     echo hdf5-serial || echo hdf5)
-PACKAGE_FLAGS   = $(call remember,PACKAGE_FLAGS,$(PKG_CONFIG) --cflags $(call found,$(PACKAGES_SOLVER) \
-                    $(PACKAGES_SUITE) $(PACKAGES_TESTS)) | sed 's/-I/-isystem /g')
+PACKAGE_FLAGS   = $(call remember,PACKAGE_FLAGS,$(PKG_CONFIG) --cflags $(call found,$(strip \
+                    $(PACKAGES_SOLVER) $(PACKAGES_SUITE) $(PACKAGES_TESTS))) | sed 's/-I/-isystem /g')
 LIBS_SOLVER     = $(call remember,LIBS_SOLVER,$(PKG_CONFIG) --libs $(PACKAGES_SOLVER); echo -lm)
 LIBS_SUITE      = $(call remember,LIBS_SUITE,$(PKG_CONFIG) --libs $(PACKAGES_SUITE); \
                     echo -lcmark-gfm-extensions)
