@@ -152,6 +152,12 @@ TEST_ENVIRONMENT_cov  := CK_TIMEOUT_MULTIPLIER=5
 test: $(TESTER) $(PROGRAMS) ## unit tests; also VARIANT=debug|asan|ubsan|tsan|cov
 	@MPM_BIN=$(abspath $(BUILD)/bin) $(TEST_ENVIRONMENT_$(VARIANT)) $(TESTER)
 
+.PHONY: coverage
+coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gcovr
+	@find build/cov -name '*.gcda' -delete 2>/dev/null || true
+	+@$(MAKE) VARIANT=cov CC=gcc test
+	gcovr --root . --filter solver/ --filter verification/ --exclude-throw-branches build/cov
+
 # ------------------------------------------------------------- verification
 .PHONY: verify verify-full
 verify: all ## the catalogue at CI size; report in build/reports/verify
