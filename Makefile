@@ -181,10 +181,11 @@ check-format:
 check-source:
 	@.ci/check-source $(SOURCES) $(HEADERS)
 check-includes: $(BUILD)/generated/build_facts.h
-	@.ci/check-includes --self-test
+	@mkdir -p build/check; : > build/check/includes
 	@for file in $(SOURCES) $(HEADERS); do \
-	  $(CC) $(CODE_FLAGS) -I. -Isolver -Itests -I$(BUILD)/generated $(PACKAGE_FLAGS) -x c -M -MT $$file $$file \
-	    || exit 1; done | .ci/check-includes
+	  $(CC) $(CODE_FLAGS) -I. -Isolver -Itests -I$(BUILD)/generated $(PACKAGE_FLAGS) \
+	    -x c -M -MT $$file $$file >> build/check/includes || exit 1; done
+	@.ci/check-includes --self-test && .ci/check-includes < build/check/includes
 check-warnings:
 	+@$(MAKE) VARIANT=release BUILD=build/check/gcc CC=gcc WERROR=1 objects
 	+@$(MAKE) VARIANT=debug BUILD=build/check/clang CC=clang WERROR=1 objects
