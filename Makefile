@@ -14,16 +14,14 @@ MAKEFLAGS += -j$(or $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN),1)
 endif
 MAKEFLAGS += --no-print-directory
 
+# Several goals run one after the other, each in a make of its own: `make deps verify` looks
+# for compilers and libraries after deps has run, and `make clean all` keeps what it builds.
 # Nothing below may need a package to be read: `make deps` starts with make alone.
-# `make deps verify` must look for compilers and libraries after deps has run, and
-# `make clean all` must not clean what it builds: the other goals get a make of their own.
-FIRST_GOALS := $(filter deps clean,$(MAKECMDGOALS))
-OTHER_GOALS := $(filter-out deps clean,$(MAKECMDGOALS))
-ifneq ($(and $(FIRST_GOALS),$(OTHER_GOALS)),)
-.PHONY: $(OTHER_GOALS) other-goals
-$(OTHER_GOALS): other-goals ;
-other-goals: $(FIRST_GOALS)
-	+@$(MAKE) $(OTHER_GOALS)
+ifneq ($(word 2,$(MAKECMDGOALS)),)
+.PHONY: $(sort $(MAKECMDGOALS)) one-by-one
+$(sort $(MAKECMDGOALS)): one-by-one ; @:
+one-by-one:
+	+@for goal in $(MAKECMDGOALS); do $(MAKE) $$goal || exit; done
 else
 
 # ---------------------------------------------------------------- toolchain
@@ -171,11 +169,12 @@ CLANG_TIDY   ?= $(or $(shell command -v clang-tidy-14),clang-tidy)
 JOBS         := $(or $(shell nproc 2>/dev/null),2)
 CHECKS := check-format check-source check-includes check-warnings check-cppcheck check-tidy \
           check-reference
-.PHONY: check $(CHECKS) format
+.PHONY: check check-all $(CHECKS) format
 check: ## format, lint, include directions, warnings of both compilers, checksums
-	+@$(MAKE) --keep-going $(CHECKS)
+	+@$(MAKE) --keep-going check-all
 	@echo 'make check: all passed'
 
+check-all: $(CHECKS)
 check-format:
 	@$(CLANG_FORMAT) --dry-run -Werror $(SOURCES) $(HEADERS)
 check-source:
@@ -218,10 +217,10 @@ install: all ## programs, mpm.h, libmpm.a and catalogue into PREFIX (/usr/local)
 help: ## this list
 	@awk -F ': .*## |: ## ' '/^[a-z-]+: .*## /{printf "make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
-endif
-
 .PHONY: deps clean
 deps: ## install the system packages (Debian, Ubuntu, Fedora, Homebrew)
 	@.ci/install-packages
 clean: ## remove everything built
 	rm -rf build
+
+endif
