@@ -76,6 +76,7 @@ LIBS_TESTS      = $(call remember,LIBS_TESTS,$(PKG_CONFIG) --libs $(PACKAGES_TES
 
 INCLUDES_solver       := -Isolver
 INCLUDES_verification := -Isolver -I.
+INCLUDES_reports      := -Isolver -I.
 INCLUDES_tests        := -Isolver -I. -Itests
 room     = $(firstword $(subst /, ,$(1)))
 includes = $(INCLUDES_$(call room,$(1))) -I$(BUILD)/generated $(PACKAGE_FLAGS)
@@ -154,7 +155,8 @@ test: $(TESTER) $(PROGRAMS) ## unit tests; also VARIANT=debug|asan|ubsan|tsan|co
 coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gcovr
 	@find build/cov -name '*.gcda' -delete 2>/dev/null || true
 	+@$(MAKE) VARIANT=cov CC=gcc test
-	gcovr --root . --filter solver/ --filter verification/ --exclude-throw-branches build/cov
+	gcovr --root . --filter solver/ --filter verification/ --filter reports/ \
+	  --exclude-throw-branches build/cov
 
 # ------------------------------------------------------------- verification
 .PHONY: verify verify-full
