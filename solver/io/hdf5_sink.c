@@ -167,6 +167,6 @@ hid_t mpm_hdf5_sink_access(struct mpm_hdf5_sink *sink)
         (void)H5Pclose(access);
         access = -1;
     }
-    (void)H5FDunregister(driver); /* the list and its files hold references of their own */
+    (void)H5FDunregister(driver); /* the list holds a reference of its own */
     return access;
 }

@@ -16,9 +16,10 @@ struct mpm_hdf5_sink {
 };
 
 /* A file access property list that makes H5Fcreate write to `sink`, whatever file
- * name it is given; negative on failure. The caller closes the list with H5Pclose,
- * keeps *sink until the file is closed, and then looks at error_number: if it is
- * not 0, the file is worthless. The descriptor stays the caller's. */
+ * name it is given; negative on failure. The caller closes the file first and the
+ * list after it (the list keeps the driver alive: H5FD_close of 1.10 lets go of a
+ * driver before it calls it), and then looks at error_number: if it is not 0, the
+ * file is worthless. *sink must live until then; the descriptor stays the caller's. */
 hid_t mpm_hdf5_sink_access(struct mpm_hdf5_sink *sink);
 
 #endif

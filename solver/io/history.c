@@ -60,7 +60,8 @@ static enum mpm_status append_line(struct mpm_history *history, const GString *l
         history->size += (off_t)line->len;
         return MPM_OK;
     }
-    (void)ftruncate(history->file, history->size);
+    const int kept = ftruncate(history->file, history->size);
+    (void)kept; /* the failure to report is the first one */
     return mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be written: %s", history->path,
                          g_strerror(failure));
 }

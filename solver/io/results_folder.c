@@ -61,8 +61,8 @@ enum mpm_status mpm_results_folder_check(const char *folder, bool overwrite,
          !overwrite && status == MPM_OK && (name = g_dir_read_name(directory)) != NULL;)
         if (is_result_name(name))
             status = mpm_error_set(error, MPM_BAD_INPUT,
-                                   "output: '%s' holds results (%s); name another folder or ask "
-                                   "to overwrite",
+                                   "output: '%s' holds results (%s); name another folder or "
+                                   "allow --overwrite",
                                    folder, name);
     g_dir_close(directory);
     return status;

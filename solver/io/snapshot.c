@@ -348,8 +348,8 @@ static void write_hdf5(struct snapshot *snapshot, struct mpm_hdf5_sink *sink)
     checked(snapshot, H5Tclose(snapshot->text));
     checked(snapshot, H5Sclose(snapshot->scalar));
     checked(snapshot, H5Pclose(creation));
-    checked(snapshot, H5Pclose(access));
     checked(snapshot, H5Fclose(snapshot->file));
+    checked(snapshot, H5Pclose(access));
 }
 
 /* The caller's way of reporting HDF5's errors is put aside for the while. */
