@@ -167,8 +167,9 @@ END_TEST
 
 START_TEST(check_prints_the_cost_and_writes_nothing)
 {
-    static const char *const names[] = {"particles  60", "cells      96", "memory",
-                                        "time step",     "steps",         "kernels    reference"};
+    static const char *const names[] = {"particles  60", "cells      96",
+                                        "memory",        "time step  0.0219089 ms",
+                                        "steps",         "kernels    reference"};
     struct test_command command = test_command_run("mpm", "check", fixture.scene, NULL);
     ck_assert_int_eq(command.exit_status, MPM_OK);
     ck_assert_str_eq(command.errors, "");
@@ -199,19 +200,19 @@ END_TEST
 
 START_TEST(quiet_prints_nothing_but_errors)
 {
-    struct test_command command =
-        test_command_run("mpm", "run", "--quiet", fixture.scene, "--output", fixture.output, NULL);
+    struct test_command command = test_command_run("mpm", "run", "--quiet", "--threads", "1",
+                                                   fixture.scene, "--output", fixture.output, NULL);
     ck_assert_int_eq(command.exit_status, MPM_OK);
     ck_assert_str_eq(command.output, "");
     ck_assert_str_eq(command.errors, "");
     test_command_free(&command);
-    command =
-        test_command_run("mpm", "run", "--quiet", fixture.scene, "--output", fixture.output, NULL);
+    command = test_command_run("mpm", "run", "--quiet", "--threads", "1", fixture.scene, "--output",
+                               fixture.output, NULL);
     ck_assert_int_eq(command.exit_status, MPM_BAD_INPUT);
     check_error(&command, "--overwrite");
     test_command_free(&command);
-    command = test_command_run("mpm", "run", "--quiet", "--overwrite", fixture.scene, "--output",
-                               fixture.output, NULL);
+    command = test_command_run("mpm", "run", "--quiet", "--threads", "1", "--overwrite",
+                               fixture.scene, "--output", fixture.output, NULL);
     ck_assert_int_eq(command.exit_status, MPM_OK);
     test_command_free(&command);
 }
@@ -220,7 +221,7 @@ END_TEST
 START_TEST(results_go_by_default_to_a_folder_named_after_the_scene)
 {
     struct test_command command =
-        run_in_shell("cd \"$(dirname \"$2\")\" && exec \"$1\" run --quiet blocks.yaml");
+        run_in_shell("cd \"$(dirname \"$2\")\" && exec \"$1\" run --quiet --threads 1 blocks.yaml");
     ck_assert_msg(command.exit_status == MPM_OK, "%s", command.errors);
     char *record = g_build_filename(fixture.folder, "blocks-results", "run.json", NULL);
     ck_assert(test_file_exists(record));
@@ -246,8 +247,9 @@ END_TEST
 
 START_TEST(a_run_that_blows_up_ends_with_3_and_says_where)
 {
-    struct test_command command = test_command_run("mpm", "run", "--quiet", fixture.unstable,
-                                                   "--output", fixture.output, NULL);
+    struct test_command command =
+        test_command_run("mpm", "run", "--quiet", "--threads", "1", fixture.unstable, "--output",
+                         fixture.output, NULL);
     ck_assert_int_eq(command.exit_status, MPM_RUN_FAILED);
     check_error(&command, "step");
     char *record = g_build_filename(fixture.output, "run.json", NULL);
@@ -260,8 +262,8 @@ END_TEST
 START_TEST(a_folder_that_cannot_be_written_ends_with_4)
 {
     char *below = test_folder_path(fixture.scene, "below-a-file");
-    struct test_command command =
-        test_command_run("mpm", "run", "--quiet", fixture.scene, "--output", below, NULL);
+    struct test_command command = test_command_run("mpm", "run", "--quiet", "--threads", "1",
+                                                   fixture.scene, "--output", below, NULL);
     ck_assert_int_eq(command.exit_status, MPM_ENVIRONMENT_FAILED);
     check_error(&command, below);
     g_free(below);
@@ -273,7 +275,7 @@ END_TEST
 START_TEST(a_full_disk_ends_with_4_and_names_the_state)
 {
     struct test_command command =
-        run_in_shell("ulimit -f 16; exec \"$1\" run --quiet \"$2\" --output \"$3\"");
+        run_in_shell("ulimit -f 16; exec \"$1\" run --quiet --threads 1 \"$2\" --output \"$3\"");
     ck_assert_int_eq(command.exit_status, MPM_ENVIRONMENT_FAILED);
     check_error(&command, "last complete snapshot: none");
     test_command_free(&command);

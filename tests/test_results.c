@@ -609,23 +609,26 @@ START_TEST(a_folder_with_results_is_refused_unless_it_may_be_overwritten)
 {
     static const char *const results[] = {"run.json",
                                           "history.csv",
-                                          "particles-000000.hdf",
                                           "particles-999999.hdf",
+                                          "particles-1234567.hdf",
                                           "particles.hdf.series",
                                           "checkpoint.h5",
                                           "particles-000007.hdf.partial"};
-    struct mpm_error error = {.status = MPM_OK};
-    ck_assert_int_eq(g_mkdir_with_parents(fixture.output, 0755), 0);
+    static const char stale[] = "stale\n";
     for (size_t i = 0; i < G_N_ELEMENTS(results); i++) {
-        char *path = test_folder_write(fixture.output, results[i], "old\n");
+        struct mpm_error error = {.status = MPM_OK};
+        g_free(fixture.output);
+        fixture.output = g_strdup_printf("%s/results-%zu", fixture.folder, i);
+        ck_assert_int_eq(g_mkdir_with_parents(fixture.output, 0755), 0);
+        char *path = test_folder_write(fixture.output, results[i], stale);
         ck_assert_int_eq(run(false, &error), MPM_BAD_INPUT);
         ck_assert(strstr(error.message, results[i]) != NULL);
         ck_assert_int_eq(run(true, &error), MPM_OK);
+        gchar *text = NULL;
+        ck_assert(!g_file_get_contents(path, &text, NULL, NULL) || strcmp(text, stale) != 0);
+        g_free(text);
         g_free(path);
     }
-    char *stale = test_folder_path(fixture.output, "particles-999999.hdf");
-    ck_assert(!test_file_exists(stale));
-    g_free(stale);
 }
 END_TEST
 

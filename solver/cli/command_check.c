@@ -3,16 +3,20 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"
 
+#include "io/units.h"
+
 #include <stdio.h>
 
-static void print_plan(const struct mpm_plan *plan)
+static void print_plan(const struct mpm_scene *scene, const struct mpm_plan *plan)
 {
+    char unit[MPM_UNIT_SIZE];
+    mpm_unit_text(scene, 0, 0, 1, unit);
     (void)printf("particles  %zu\n", plan->particles);
     (void)printf("cells      %zu (%zu nodes with ghost rows)\n", plan->cells, plan->nodes);
-    (void)printf("memory     %.1f MB", 1e-6 * (double)plan->bytes);
+    (void)printf("memory     %.4g MB", 1e-6 * (double)plan->bytes);
     if (plan->particles > 0)
         (void)printf(" (%.0f bytes a particle)", (double)plan->bytes / (double)plan->particles);
-    (void)printf("\ntime step  %.6g\n", plan->time_step);
+    (void)printf("\ntime step  %.6g %s\n", plan->time_step, unit);
     (void)printf("steps      about %.0f\n", plan->expected_steps);
     (void)printf("kernels    %s (%s)\n", plan->kernels, plan->kernels_reason);
 }
@@ -39,7 +43,7 @@ int cli_check(const struct cli_command *command, int argc, char **argv)
         if (planned != MPM_OK)
             status = cli_fail(planned, "%s", error.message);
         else
-            print_plan(&plan);
+            print_plan(scene, &plan);
     }
     mpm_scene_free(scene);
     g_strfreev(settings);
