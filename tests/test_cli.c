@@ -189,7 +189,7 @@ START_TEST(a_pipe_sees_a_line_for_each_tenth_and_one_summary)
     ck_assert_int_eq(command.exit_status, MPM_OK);
     char **lines = g_strsplit(g_strchomp(command.errors), "\n", -1);
     ck_assert_uint_eq(g_strv_length(lines), 10);
-    for (int i = 0; i < 10; i++)
+    for (gint64 i = 0; i < 10; i++)
         ck_assert_int_eq(g_ascii_strtoll(lines[i], NULL, 10), 10 * (i + 1));
     ck_assert(g_str_has_prefix(command.output, "done: "));
     ck_assert(strstr(command.output, fixture.output) != NULL);

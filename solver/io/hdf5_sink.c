@@ -7,6 +7,7 @@
 
 #include <H5FDpublic.h>
 #include <errno.h>
+#include <hdf5.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -156,7 +157,9 @@ static const H5FD_class_t sink_class = {
     .fl_map = H5FD_FLMAP_DICHOTOMY,
 };
 
-hid_t mpm_hdf5_sink_access(struct mpm_hdf5_sink *sink)
+_Static_assert(sizeof(hid_t) == sizeof(int64_t), "HDF5 1.10 or later");
+
+int64_t mpm_hdf5_sink_access(struct mpm_hdf5_sink *sink)
 {
     const struct driver_info info = {sink};
     const hid_t driver = H5FDregister(&sink_class);

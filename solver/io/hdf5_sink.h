@@ -8,18 +8,19 @@
 #ifndef MPM_IO_HDF5_SINK_H
 #define MPM_IO_HDF5_SINK_H
 
-#include <hdf5.h>
+#include <stdint.h>
 
 struct mpm_hdf5_sink {
     int file;         /* descriptor of an empty file, open for reading and writing */
     int error_number; /* errno of the first write that failed, or 0 */
 };
 
-/* A file access property list that makes H5Fcreate write to `sink`, whatever file
- * name it is given; negative on failure. The caller closes the file first and the
- * list after it (the list keeps the driver alive: H5FD_close of 1.10 lets go of a
- * driver before it calls it), and then looks at error_number: if it is not 0, the
- * file is worthless. *sink must live until then; the descriptor stays the caller's. */
-hid_t mpm_hdf5_sink_access(struct mpm_hdf5_sink *sink);
+/* A file access property list (an HDF5 hid_t) that makes H5Fcreate write to `sink`,
+ * whatever file name it is given; negative on failure. The caller closes the file
+ * first and the list after it (the list keeps the driver alive: H5FD_close of 1.10
+ * lets go of a driver before it calls it), and then looks at error_number: if it is
+ * not 0, the file is worthless. *sink must live until then; the descriptor stays the
+ * caller's. */
+int64_t mpm_hdf5_sink_access(struct mpm_hdf5_sink *sink);
 
 #endif
