@@ -132,13 +132,19 @@ static double draw_boundary(struct shape_sampler *sampler, const struct mpm_shap
     return fabs(place) + beside[pick(sampler, 8)];
 }
 
-/* Lowest r_p as a fraction of the reach, by shape. */
+/* A shrunk domain (CPDI, truncated) is as small as r_p: keep it to a fifth of its size. */
+static double clear_of_axis(const struct mpm_shape_query *query, double place)
+{
+    const bool shrinks = query->shape == MPM_CPDI && query->geometry == MPM_AXISYMMETRIC;
+    return shrinks && place < 0.2 * radial_reach(query) ? place + 1 : place;
+}
+
 static double draw_near_axis(struct shape_sampler *sampler, const struct mpm_shape_query *query)
 {
     const double reach = radial_reach(query);
     const bool cut_rectangle = query->shape == MPM_UGIMP && query->axis == MPM_TRUNCATED;
     if (query->shape == MPM_CLASSIC) {
-        return uniform(sampler, 0.001, 0.5);
+        return uniform(sampler, 0.01, 0.5);
     }
     switch (pick(sampler, 4)) {
     case 0: /* just touching the axis */
@@ -172,6 +178,7 @@ void shape_sampler_draw(struct shape_sampler *sampler, const struct mpm_shape_qu
             place = uniform(sampler, 0.02, 1) + (k == 0 || pick(sampler, 2) == 0 ? far : 0);
             place = exact ? snapped(place, POSITION_BITS) : place;
         }
+        place = k == 0 ? clear_of_axis(query, place) : place;
         const double base = axisymmetric && k == 0 ? 0 : query->origin[k];
         query->position[k] = base + place * query->cell[k];
     }

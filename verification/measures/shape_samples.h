@@ -8,15 +8,15 @@
 
 /* Where a domain lies. Lengths are in cells, r from the axis, x from node (0, 0). */
 enum shape_region {
-    /* Anywhere over nodes 0 to 5, r >= 0.02. */
+    /* Anywhere over nodes 0 to 5, r >= 0.02, CPDI r >= 0.2 of the domain's reach in r. */
     SHAPE_REGION_NEAR,
     /* A domain edge, its centre or (CPDI) a corner within 1e-12 of a grid line, on either
      * side of it; classic: the centre, never nearer than 1e-12, where grad N jumps. */
     SHAPE_REGION_BOUNDARY,
     /* Axisymmetry: the domain reaches r = 0 or just misses it, down to r_p = 0 for truncated
-     * uGIMP, 0.01 of the half width for untruncated uGIMP and 0.2 of the reach for CPDI
-     * (whose truncated domain shrinks with r_p, and with it the accuracy of any difference
-     * of N over it). Planar: as near. */
+     * uGIMP, 0.01 cells for classic, 0.01 of the half width for untruncated uGIMP and 0.2 of
+     * the reach for CPDI (whose truncated domain shrinks with r_p, and with it the accuracy
+     * of any difference of N over it). Planar: as near. */
     SHAPE_REGION_AXIS,
     /* Over node 1000, all sizes and positions such that they are exact in cells. */
     SHAPE_REGION_FAR,
