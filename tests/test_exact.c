@@ -5,6 +5,10 @@
 #include "verification/exact/compression.h"
 #include "verification/exact/shape_quadrature.h"
 #include "verification/measures/norms.h"
+#include "verification/measures/shape_comparison.h"
+#include "verification/measures/shape_identities.h"
+#include "verification/measures/shape_lines.h"
+#include "verification/measures/shape_samples.h"
 
 #include <check.h>
 #include <math.h>
@@ -186,6 +190,85 @@ START_TEST(domains_that_make_no_sense_are_refused)
 }
 END_TEST
 
+/* ---------------------------------------------------- the solver's functions */
+
+enum { SPOT_CHECKS = 40, VARIANTS = 9 };
+
+/* Classic, uGIMP, CPDI by planar, truncated, untruncated. */
+static struct mpm_shape_query variant(int index)
+{
+    static const enum mpm_shape shapes[] = {MPM_CLASSIC, MPM_UGIMP, MPM_CPDI};
+    return (struct mpm_shape_query){
+        .shape = shapes[index / 3],
+        .geometry = index % 3 == 0 ? MPM_PLANE_STRAIN : MPM_AXISYMMETRIC,
+        .axis = index % 3 == 1 ? MPM_TRUNCATED : MPM_UNTRUNCATED,
+    };
+}
+
+START_TEST(the_solvers_shape_functions_agree_with_their_quadrature)
+{
+    const struct mpm_shape_query kind = variant(_i % VARIANTS);
+    struct shape_sampler *sampler = shape_sampler_create(7);
+    struct shape_quadrature *quadrature = shape_quadrature_create();
+    struct shape_comparison comparison = {0};
+    for (size_t i = 0; i < SPOT_CHECKS; i++) {
+        struct mpm_shape_query query;
+        shape_sampler_draw(sampler, &kind, (enum shape_region)(_i / VARIANTS), &query);
+        ck_assert(shape_comparison_add(&comparison, quadrature, &query));
+    }
+    ck_assert_double_le(shape_comparison_error(&comparison), 1e-12);
+    ck_assert_double_le(shape_comparison_estimate(&comparison), 1e-13);
+    ck_assert_uint_eq(comparison.strays, 0);
+    ck_assert_uint_gt(comparison.nodes_outside, SPOT_CHECKS);
+    shape_quadrature_free(quadrature);
+    shape_sampler_free(sampler);
+}
+END_TEST
+
+START_TEST(the_solvers_shape_functions_keep_their_identities)
+{
+    const struct mpm_shape_query kind = variant(_i % VARIANTS);
+    struct shape_sampler *sampler = shape_sampler_create(7);
+    struct shape_residuals residuals = {0};
+    for (size_t i = 0; i < SPOT_CHECKS; i++) {
+        struct mpm_shape_query query;
+        shape_sampler_draw(sampler, &kind, (enum shape_region)(_i / VARIANTS), &query);
+        shape_residuals_add(&residuals, &query);
+    }
+    /* 16 entries, each moved by up to 330 eps (case S2). */
+    ck_assert_double_le(norm_maximum(residuals.residual, 1, SHAPE_IDENTITY_COUNT), 1.2e-12);
+    shape_sampler_free(sampler);
+}
+END_TEST
+
+START_TEST(the_same_seed_draws_the_same_domains)
+{
+    const struct mpm_shape_query kind = variant(8);
+    struct shape_sampler *one = shape_sampler_create(3), *two = shape_sampler_create(3);
+    for (int region = 0; region < SHAPE_REGION_COUNT; region++) {
+        struct mpm_shape_query a, b;
+        shape_sampler_draw(one, &kind, (enum shape_region)region, &a);
+        shape_sampler_draw(two, &kind, (enum shape_region)region, &b);
+        ck_assert_double_eq(a.position[0], b.position[0]);
+        ck_assert_double_eq(a.deformation_gradient[3], b.deformation_gradient[3]);
+    }
+    shape_sampler_free(one);
+    shape_sampler_free(two);
+}
+END_TEST
+
+START_TEST(the_factor_along_r_is_the_papers)
+{
+    /* N&G (20), (25), (28) at r = 1/8 of a cell, l_p = 1/2. */
+    const struct shape_line line = {MPM_UGIMP, CUT, 0.5};
+    const struct shape_line_value value = shape_line_at(&line, 0, 0.125);
+    ck_assert_double_eq_tol(value.s, 0.75, ROUND_OFF);
+    ck_assert_double_eq_tol(value.ds, -0.5, ROUND_OFF);
+    ck_assert_double_eq_tol(value.t, 13. / 3, 4 * ROUND_OFF);
+    ck_assert_double_eq(shape_line_at(&line, -1, 0.125).s, 0);
+}
+END_TEST
+
 /* -------------------------------------------------------------- compression */
 
 /* N&G 4.1, MPa. */
@@ -284,6 +367,14 @@ Suite *suite_exact(void)
                         18);
     tcase_add_test(quadrature, domains_that_make_no_sense_are_refused);
     suite_add_tcase(suite, quadrature);
+    TCase *solver = tcase_create("shape functions");
+    tcase_add_loop_test(solver, the_solvers_shape_functions_agree_with_their_quadrature, 0,
+                        SHAPE_REGION_FAR_ANYWHERE * VARIANTS);
+    tcase_add_loop_test(solver, the_solvers_shape_functions_keep_their_identities, 0,
+                        SHAPE_REGION_FAR_ANYWHERE * VARIANTS);
+    tcase_add_test(solver, the_same_seed_draws_the_same_domains);
+    tcase_add_test(solver, the_factor_along_r_is_the_papers);
+    suite_add_tcase(suite, solver);
     TCase *compression = tcase_create("radial compression");
     tcase_add_test(compression,
                    sixty_percent_radial_compression_leaves_sixteen_percent_of_the_volume);
