@@ -1,10 +1,10 @@
-/* Tests of the exact references and the norms: quadrature of the shape functions against
+/* Tests of the exact references and the statistics: quadrature of the shape functions against
  * integrals done by hand, radial compression against N&G's numbers and its own energy.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/exact/compression.h"
 #include "verification/exact/shape_quadrature.h"
-#include "verification/measures/norms.h"
+#include "verification/measures/fields.h"
 #include "verification/measures/shape_comparison.h"
 #include "verification/measures/shape_identities.h"
 #include "verification/measures/shape_lines.h"
@@ -236,7 +236,7 @@ START_TEST(the_solvers_shape_functions_keep_their_identities)
         shape_residuals_add(&residuals, &query);
     }
     /* 16 entries, each moved by up to 330 eps (case S2). */
-    ck_assert_double_le(norm_maximum(residuals.residual, 1, SHAPE_IDENTITY_COUNT), 1.2e-12);
+    ck_assert_double_le(field_maximum(residuals.residual, 1, SHAPE_IDENTITY_COUNT), 1.2e-12);
     shape_sampler_free(sampler);
 }
 END_TEST
@@ -318,40 +318,40 @@ START_TEST(an_undeformed_disk_has_no_stress_and_no_energy)
 }
 END_TEST
 
-/* -------------------------------------------------------------------- norms */
+/* -------------------------------------------------------------------- fields */
 
-START_TEST(norms_of_a_strided_field_use_its_own_component_only)
+START_TEST(statistics_of_a_strided_field_use_its_own_component_only)
 {
     const double field[] = {2, 100, 4, 100, 6, 100};
-    ck_assert_double_eq(norm_mean(field, 2, 3), 4);
-    ck_assert_double_eq_tol(norm_standard_deviation(field, 2, 3), sqrt(8. / 3), ROUND_OFF);
-    ck_assert_double_eq_tol(norm_relative_deviation(field, 2, 3), sqrt(8. / 3) / 4, ROUND_OFF);
-    ck_assert_double_eq(norm_relative_maximum(field, 2, 3, -4), 2.5);
-    ck_assert_double_eq(norm_maximum(field, 2, 3), 6);
-    ck_assert_double_eq(norm_standard_deviation(field, 2, 1), 0);
+    ck_assert_double_eq(field_mean(field, 2, 3), 4);
+    ck_assert_double_eq_tol(field_standard_deviation(field, 2, 3), sqrt(8. / 3), ROUND_OFF);
+    ck_assert_double_eq_tol(field_relative_deviation(field, 2, 3), sqrt(8. / 3) / 4, ROUND_OFF);
+    ck_assert_double_eq(field_relative_maximum(field, 2, 3, -4), 2.5);
+    ck_assert_double_eq(field_maximum(field, 2, 3), 6);
+    ck_assert_double_eq(field_standard_deviation(field, 2, 1), 0);
 }
 END_TEST
 
-START_TEST(a_nan_anywhere_makes_every_norm_nan)
+START_TEST(a_nan_anywhere_makes_every_statistic_nan)
 {
     double field[] = {-1, 2, -3};
     field[_i] = (double)NAN;
-    ck_assert_double_nan(norm_mean(field, 1, 3));
-    ck_assert_double_nan(norm_standard_deviation(field, 1, 3));
-    ck_assert_double_nan(norm_relative_deviation(field, 1, 3));
-    ck_assert_double_nan(norm_relative_maximum(field, 1, 3, 1));
-    ck_assert_double_nan(norm_maximum(field, 1, 3));
-    ck_assert_double_nan(norm_larger((double)NAN, 1));
-    ck_assert_double_nan(norm_larger(1, (double)NAN));
+    ck_assert_double_nan(field_mean(field, 1, 3));
+    ck_assert_double_nan(field_standard_deviation(field, 1, 3));
+    ck_assert_double_nan(field_relative_deviation(field, 1, 3));
+    ck_assert_double_nan(field_relative_maximum(field, 1, 3, 1));
+    ck_assert_double_nan(field_maximum(field, 1, 3));
+    ck_assert_double_nan(field_larger((double)NAN, 1));
+    ck_assert_double_nan(field_larger(1, (double)NAN));
 }
 END_TEST
 
-START_TEST(the_norms_of_nothing_are_nan)
+START_TEST(the_statistics_of_nothing_are_nan)
 {
-    ck_assert_double_nan(norm_mean(NULL, 1, 0));
-    ck_assert_double_nan(norm_standard_deviation(NULL, 1, 0));
-    ck_assert_double_nan(norm_relative_maximum(NULL, 1, 0, 1));
-    ck_assert_double_nan(norm_maximum(NULL, 1, 0));
+    ck_assert_double_nan(field_mean(NULL, 1, 0));
+    ck_assert_double_nan(field_standard_deviation(NULL, 1, 0));
+    ck_assert_double_nan(field_relative_maximum(NULL, 1, 0, 1));
+    ck_assert_double_nan(field_maximum(NULL, 1, 0));
 }
 END_TEST
 
@@ -381,10 +381,10 @@ Suite *suite_exact(void)
     tcase_add_loop_test(compression, stress_is_the_derivative_of_the_energy, 0, 5);
     tcase_add_test(compression, an_undeformed_disk_has_no_stress_and_no_energy);
     suite_add_tcase(suite, compression);
-    TCase *norms = tcase_create("norms");
-    tcase_add_test(norms, norms_of_a_strided_field_use_its_own_component_only);
-    tcase_add_loop_test(norms, a_nan_anywhere_makes_every_norm_nan, 0, 3);
-    tcase_add_test(norms, the_norms_of_nothing_are_nan);
-    suite_add_tcase(suite, norms);
+    TCase *fields = tcase_create("fields");
+    tcase_add_test(fields, statistics_of_a_strided_field_use_its_own_component_only);
+    tcase_add_loop_test(fields, a_nan_anywhere_makes_every_statistic_nan, 0, 3);
+    tcase_add_test(fields, the_statistics_of_nothing_are_nan);
+    suite_add_tcase(suite, fields);
     return suite;
 }

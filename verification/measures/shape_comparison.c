@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/shape_comparison.h"
-#include "verification/measures/norms.h"
+#include "verification/measures/fields.h"
 
 #include <math.h>
 
@@ -53,9 +53,9 @@ static void compare_values(struct shape_comparison *comparison,
     for (size_t i = 0; i < SHAPE_VALUES; i++) {
         const double scale = fmax(domain->magnification, fabs(reference->value[i]));
         comparison->error[i] =
-            norm_larger(comparison->error[i], fabs(value[i] - reference->value[i]) / scale);
+            field_larger(comparison->error[i], fabs(value[i] - reference->value[i]) / scale);
         comparison->estimate[i] =
-            norm_larger(comparison->estimate[i], reference->estimate[i] / scale);
+            field_larger(comparison->estimate[i], reference->estimate[i] / scale);
     }
 }
 
@@ -93,7 +93,7 @@ bool shape_comparison_add(struct shape_comparison *comparison, struct shape_quad
 
 static double largest(const double values[SHAPE_VALUES])
 {
-    return norm_maximum(values, 1, SHAPE_VALUES);
+    return field_maximum(values, 1, SHAPE_VALUES);
 }
 
 double shape_comparison_error(const struct shape_comparison *comparison)

@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/shape_identities.h"
-#include "verification/measures/norms.h"
+#include "verification/measures/fields.h"
 
 #include <math.h>
 
@@ -88,11 +88,11 @@ void shape_residuals_add(struct shape_residuals *residuals, const struct mpm_sha
     double residual[SHAPE_IDENTITY_COUNT] = {[SHAPE_SUM_S] = fabs(sums.s - 1)};
     for (size_t k = 0; k < 2; k++) {
         const double position = fabs(sums.x_s[k] - moments.offset[k] / query->cell[k]);
-        residual[SHAPE_SUM_XS] = norm_larger(residual[SHAPE_SUM_XS], position);
-        residual[SHAPE_SUM_G] = norm_larger(residual[SHAPE_SUM_G], fabs(sums.g[k]));
+        residual[SHAPE_SUM_XS] = field_larger(residual[SHAPE_SUM_XS], position);
+        residual[SHAPE_SUM_G] = field_larger(residual[SHAPE_SUM_G], fabs(sums.g[k]));
         for (size_t l = 0; l < 2; l++) {
             const double moment = fabs(sums.x_g[k][l] - (k == l ? 1 : 0));
-            residual[SHAPE_SUM_XG] = norm_larger(residual[SHAPE_SUM_XG], moment);
+            residual[SHAPE_SUM_XG] = field_larger(residual[SHAPE_SUM_XG], moment);
         }
     }
     if (query->geometry == MPM_AXISYMMETRIC) {
@@ -102,7 +102,7 @@ void shape_residuals_add(struct shape_residuals *residuals, const struct mpm_sha
     }
     for (size_t i = 0; i < SHAPE_IDENTITY_COUNT; i++) {
         residuals->residual[i] =
-            norm_larger(residuals->residual[i], residual[i] / moments.magnification);
+            field_larger(residuals->residual[i], residual[i] / moments.magnification);
     }
     residuals->samples++;
 }

@@ -1,7 +1,7 @@
 /* S2: sums of the shape functions over the nodes, and their planar limit.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/measures/norms.h"
+#include "verification/measures/fields.h"
 #include "verification/measures/shape_identities.h"
 #include "verification/measures/shape_lines.h"
 #include "verification/measures/shape_samples.h"

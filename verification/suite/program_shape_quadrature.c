@@ -1,7 +1,7 @@
 /* S1: shape functions against adaptive quadrature of their definitions.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/measures/norms.h"
+#include "verification/measures/fields.h"
 #include "verification/measures/shape_comparison.h"
 #include "verification/measures/shape_samples.h"
 #include "verification/suite/program_shape_kind.h"
@@ -38,12 +38,12 @@ static void report(struct measurement *measurement,
     size_t samples = 0, outside = 0, strays = 0;
     for (size_t region = 0; region < SHAPE_REGION_COUNT; region++) {
         const struct shape_comparison *comparison = &comparisons[region];
-        estimate = norm_larger(estimate, shape_comparison_estimate(comparison));
+        estimate = field_larger(estimate, shape_comparison_estimate(comparison));
         outside += comparison->nodes_outside;
         strays += comparison->strays;
         samples += comparison->samples;
         if (region != SHAPE_REGION_FAR_ANYWHERE) {
-            error = norm_larger(error, shape_comparison_error(comparison));
+            error = field_larger(error, shape_comparison_error(comparison));
         }
     }
     measurement_report(measurement, "max_error", error);
