@@ -15,8 +15,8 @@ struct mpm_expression;
  * allowed when `has_time`. `workers` >= 1 parsers are made. Constants pi, e;
  * muParser's functions with log = ln natural; ^; no assignment, no comma list.
  * A mistake is MPM_BAD_INPUT with its position (1-based column) in the message;
- * the message does not name file or key: the caller adds them. A text that is a plain number (1e-2, 1., .5)
- * becomes a constant and costs no parser. */
+ * the message does not name file or key: the caller adds them. A text that is a plain number
+ * (1e-2, 1., .5) becomes a constant and costs no parser. */
 enum mpm_status mpm_expression_create(const char *text, const char *const names[2], bool has_time,
                                       int workers, struct mpm_expression **expression,
                                       struct mpm_error *error);

@@ -72,10 +72,10 @@ struct mpm_scene {
     double origin[2], cell[2]; /* refine already applied */
     int64_t cells[2];
 
-    double end;              /* time */
-    double courant;          /* used when step == 0 */
-    double step;             /* fixed step, or 0 */
-    int64_t steps;           /* stop after so many, or 0 */
+    double end;     /* time */
+    double courant; /* used when step == 0 */
+    double step;    /* fixed step, or 0 */
+    int64_t steps;  /* stop after so many, or 0 */
     bool allow_unstable;
 
     enum mpm_shape shape;

@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/conditions.h"
+
+#include <math.h>
+
+static enum mpm_status not_finite(const struct mpm_state *state, const char *what,
+                                  const double position[2], double time, double value,
+                                  struct mpm_error *error)
+{
+    (void)state;
+    return mpm_error_set(error, MPM_RUN_FAILED,
+                         "the velocity prescribed by %s at (%g, %g), time %g is %g: not finite",
+                         what, position[0], position[1], time, value);
+}
+
+static void append(struct mpm_state *state, struct mpm_active_condition condition)
+{
+    state->active[state->active_count++] = condition;
+}
+
+/* -------------------------------------------------------------- boundaries */
+
+static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_error *error)
+{
+    for (size_t k = 0; k < state->condition_count; k++) {
+        const struct mpm_condition *const condition = &state->conditions[k];
+        const int64_t row = condition->node / state->grid.columns;
+        const int64_t column = condition->node % state->grid.columns;
+        if (column < state->row_low[row] || column > state->row_high[row] ||
+            state->grid.nodes[condition->node].mass == 0.0)
+            continue;
+        struct mpm_active_condition active = {condition->node, condition->component,
+                                              MPM_FROM_BOUNDARY, 0.0, 0.0};
+        if (condition->boundary != MPM_AXIS_CONDITION) {
+            const struct mpm_expression *const velocity =
+                state->boundary_velocity[condition->boundary].component[condition->component];
+            double position[2];
+            mpm_grid_position(&state->grid, condition->node, position);
+            const double end = state->time + state->time_step;
+            active.start = mpm_expression_value(velocity, 0, position, state->time);
+            active.end = mpm_expression_value(velocity, 0, position, end);
+            if (!isfinite(active.start) || !isfinite(active.end))
+                return not_finite(state, "a boundary", position, state->time,
+                                  isfinite(active.start) ? active.end : active.start, error);
+        }
+        append(state, active);
+    }
+    return MPM_OK;
+}
+
+/* ------------------------------------------------------------ rigid bodies */
+
+/* The node moves with the body during the step, so its velocity at the end is taken
+ * where it has got to: a body whose velocity varies in space deforms consistently. */
+static enum mpm_status rigid_velocity(const struct mpm_state *state, uint32_t body, int axis,
+                                      const double position[2], struct mpm_active_condition *active,
+                                      struct mpm_error *error)
+{
+    const struct mpm_vector_field *const field = &state->body_velocity[body];
+    const double dt = state->time_step;
+    double carried[2] = {position[0], position[1]};
+    for (int k = 0; k < 2; k++)
+        if (field->component[k] != NULL)
+            carried[k] += dt * mpm_expression_value(field->component[k], 0, position, state->time);
+    active->start = mpm_expression_value(field->component[axis], 0, position, state->time);
+    active->end = mpm_expression_value(field->component[axis], 0, carried, state->time + dt);
+    if (!isfinite(active->start) || !isfinite(active->end))
+        return not_finite(state, state->scene->bodies[body].name, position, state->time,
+                          isfinite(active->start) ? active->end : active->start, error);
+    return MPM_OK;
+}
+
+/* The condition that a rigid body has already put on a component of a node, or NULL. */
+static const struct mpm_active_condition *find_rigid(const struct mpm_state *state,
+                                                     size_t first_rigid, int64_t node, int axis)
+{
+    for (size_t k = first_rigid; k < state->active_count; k++)
+        if (state->active[k].node == node && state->active[k].component == axis)
+            return &state->active[k];
+    return NULL;
+}
+
+static enum mpm_status drive_node(struct mpm_state *state, size_t first_rigid, uint32_t body,
+                                  int64_t node, struct mpm_error *error)
+{
+    const bool contested = state->rigid_owner[node] != 0;
+    state->rigid_owner[node] = body + 1;
+    for (int axis = 0; axis < 2; axis++) {
+        if (state->body_velocity[body].component[axis] == NULL ||
+            (state->fixed[node] & (1u << axis)) != 0)
+            continue;
+        struct mpm_active_condition active = {node, axis, body, 0.0, 0.0};
+        double position[2];
+        mpm_grid_position(&state->grid, node, position);
+        MPM_TRY(rigid_velocity(state, body, axis, position, &active, error));
+        const struct mpm_active_condition *const other =
+            contested ? find_rigid(state, first_rigid, node, axis) : NULL;
+        if (other == NULL)
+            append(state, active);
+        else if (other->start != active.start || other->end != active.end)
+            return mpm_error_set(error, MPM_RUN_FAILED,
+                                 "rigid bodies '%s' and '%s' both drive the node at (%g, %g), with "
+                                 "different velocities %g and %g",
+                                 state->scene->bodies[other->source].name,
+                                 state->scene->bodies[body].name, position[0], position[1],
+                                 other->start, active.start);
+    }
+    return MPM_OK;
+}
+
+static void rigid_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+{
+    const struct mpm_rigid_particles *const rigid = &state->rigid;
+    const double *const half = state->bodies[rigid->body[p]].half_size;
+    const struct mpm_shape_domain domain = {
+        .position = {rigid->position[0][p], rigid->position[1][p]},
+        .half_size = {half[0], half[1]},
+        .edge = {half[0], 0.0, 0.0, half[1]},
+    };
+    state->family->evaluate(&state->shape_grid, &domain, stencil);
+}
+
+static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *error)
+{
+    const size_t first_rigid = state->active_count;
+    for (size_t p = 0; p < state->rigid.count; p++) {
+        const uint32_t body = state->rigid.body[p];
+        struct mpm_stencil stencil;
+        rigid_stencil(state, p, &stencil);
+        for (int k = 0; k < stencil.count; k++) {
+            if (stencil.node[k].s == 0.0)
+                continue;
+            const int64_t node = state->node_zero - state->grid.nodes + stencil.node[k].node;
+            const int64_t row = node / state->grid.columns, column = node % state->grid.columns;
+            if (column < state->row_low[row] || column > state->row_high[row] ||
+                state->grid.nodes[node].mass == 0.0 || state->rigid_owner[node] == body + 1)
+                continue;
+            MPM_TRY(drive_node(state, first_rigid, body, node, error));
+        }
+    }
+    for (size_t k = first_rigid; k < state->active_count; k++)
+        state->rigid_owner[state->active[k].node] = 0;
+    return MPM_OK;
+}
+
+enum mpm_status mpm_conditions_gather(struct mpm_state *state, struct mpm_error *error)
+{
+    state->active_count = 0;
+    MPM_TRY(gather_boundaries(state, error));
+    if (state->rigid.count > 0)
+        MPM_TRY(gather_rigid(state, error));
+    return MPM_OK;
+}
+
+enum mpm_status mpm_rigid_advance(struct mpm_state *state, struct mpm_error *error)
+{
+    struct mpm_rigid_particles *const rigid = &state->rigid;
+    for (size_t p = 0; p < rigid->count; p++) {
+        const double start[2] = {rigid->position[0][p], rigid->position[1][p]};
+        const struct mpm_vector_field *const field = &state->body_velocity[rigid->body[p]];
+        for (int axis = 0; axis < 2; axis++) {
+            if (field->component[axis] == NULL)
+                continue;
+            const double v = mpm_expression_value(field->component[axis], 0, start, state->time);
+            rigid->position[axis][p] += state->time_step * v;
+            rigid->velocity[axis][p] = v;
+        }
+        for (int axis = 0; axis < 2; axis++) {
+            const double x = rigid->position[axis][p], low = state->grid.origin[axis];
+            const double high = low + (double)state->grid.cells[axis] * state->grid.cell[axis];
+            const bool past_axis = axis == 0 && state->shape_grid.axisymmetric && !(x > 0.0);
+            if (x >= low && x < high && !past_axis)
+                continue;
+            return mpm_error_set(error, MPM_RUN_FAILED,
+                                 "particle %u of rigid body '%s' left the grid: %s = %g; allowed: "
+                                 "%g to %g",
+                                 rigid->id[p], state->scene->bodies[rigid->body[p]].name,
+                                 axis == 0 ? "first coordinate" : "second coordinate", x,
+                                 past_axis ? 0.0 : low, high);
+        }
+    }
+    return MPM_OK;
+}
+
+/* ----------------------------------------------------------------- applying */
+
+void mpm_conditions_apply_start(struct mpm_state *state)
+{
+    for (size_t k = 0; k < state->active_count; k++) {
+        const struct mpm_active_condition *const active = &state->active[k];
+        struct mpm_node *const node = &state->grid.nodes[active->node];
+        node->start[active->component] = active->start;
+        node->gradient[active->component] = active->start;
+    }
+}
+
+void mpm_conditions_apply_end(struct mpm_state *state)
+{
+    for (size_t k = 0; k < state->active_count; k++) {
+        const struct mpm_active_condition *const active = &state->active[k];
+        const int axis = active->component;
+        struct mpm_node *const node = &state->grid.nodes[active->node];
+        const double acceleration = (active->end - active->start) / state->time_step;
+        const double reaction = node->mass * acceleration - node->force[axis];
+        state->external_work += reaction * (0.5 * state->time_step * (active->start + active->end));
+        node->acceleration[axis] = acceleration;
+        node->end[axis] = active->end;
+        node->gradient[axis] = active->end;
+    }
+}
+
+void mpm_conditions_apply_extrapolated(struct mpm_state *state)
+{
+    for (size_t k = 0; k < state->active_count; k++) {
+        const struct mpm_active_condition *const active = &state->active[k];
+        state->grid.nodes[active->node].gradient[active->component] = active->end;
+    }
+}

@@ -1,0 +1,28 @@
+/* Velocity conditions within a step: boundaries and rigid bodies.
+ *
+ * A condition prescribes a component of a node's velocity at both ends of the step
+ * (CRAMP, Tasks 2 and 3): the acceleration handed to the particles is the difference
+ * over the step, and the force that makes it so works on the body.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_CONDITIONS_H
+#define MPM_METHOD_CONDITIONS_H
+
+#include "method/state.h"
+
+/* Lists the conditions on nodes that carry mass. Boundaries win over rigid bodies.
+ * MPM_RUN_FAILED: a prescribed velocity that is not finite; two rigid bodies that
+ * prescribe different velocities for one node. */
+enum mpm_status mpm_conditions_gather(struct mpm_state *state, struct mpm_error *error);
+
+/* Start velocities. */
+void mpm_conditions_apply_start(struct mpm_state *state);
+/* End velocities and accelerations; adds the conditions' work to external_work. */
+void mpm_conditions_apply_end(struct mpm_state *state);
+/* End velocities over the re-extrapolated ones. */
+void mpm_conditions_apply_extrapolated(struct mpm_state *state);
+
+/* Moves the rigid bodies' particles over the step. MPM_RUN_FAILED: one leaves the grid. */
+enum mpm_status mpm_rigid_advance(struct mpm_state *state, struct mpm_error *error);
+
+#endif

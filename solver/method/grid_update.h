@@ -1,0 +1,20 @@
+/* Passes over the active nodes, row by row. Signature and use: mpm_rows_run.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_GRID_UPDATE_H
+#define MPM_METHOD_GRID_UPDATE_H
+
+#include "method/state.h"
+
+/* From the strips' boxes: which columns of which node rows are active. */
+void mpm_grid_find_active(struct mpm_state *state);
+
+void mpm_row_clear(void *state, int64_t row, int worker);
+/* v_i = p_i / m_i: N&G (11), Notes (28) */
+void mpm_row_start_velocity(void *state, int64_t row, int worker);
+/* a_i = f_i / m_i, v_i^{n+1} = v_i^n + dt a_i: CRAMP (29), Notes (24) */
+void mpm_row_update(void *state, int64_t row, int worker);
+/* velocity of the re-extrapolated momentum: CRAMP (31), (34) */
+void mpm_row_extrapolated_velocity(void *state, int64_t row, int worker);
+
+#endif

@@ -1,0 +1,74 @@
+/* Shape functions: what a particle spreads over the nodes it reaches.
+ *
+ * A family is one file and one line of the table in shape.c. Every family fills a
+ * stencil: node by node S_ip, G_ip and T_ip of N&G (6)-(8). A node that the particle
+ * does not reach is not in the stencil: weights are exact zeros beyond the edge of the
+ * domain, never round-off left by a difference, which would make tiny nodal masses and
+ * arbitrary nodal velocities.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_SHAPE_H
+#define MPM_METHOD_SHAPE_H
+
+#include "mpm.h"
+
+struct mpm_stencil_node {
+    int64_t node; /* offset from node (0, 0): row * columns + column */
+    double s;     /* S_ip */
+    double g[2];  /* G_ip */
+    double t;     /* T_ip; 0 in planar geometry */
+};
+
+struct mpm_stencil {
+    int count;
+    struct mpm_stencil_node node[MPM_STENCIL_MAX];
+};
+
+/* What is the same for all particles of a scene. */
+struct mpm_shape_grid {
+    double origin[2];       /* of node (0, 0) */
+    double inverse_cell[2]; /* 1 / cell size */
+    int64_t columns;        /* distance of two node rows in offsets */
+    bool axisymmetric;
+    bool truncated; /* domains are cut or shrunk at r = 0 */
+};
+
+/* One particle's domain. */
+struct mpm_shape_domain {
+    double position[2];
+    double half_size[2]; /* undeformed half edges: uGIMP */
+    double edge[4];      /* half edges d1x d1y d2x d2y: CPDI */
+};
+
+struct mpm_shape_family {
+    const char *name;
+    bool convected; /* the domain deforms with the particle and has to be kept */
+    void (*evaluate)(const struct mpm_shape_grid *grid, const struct mpm_shape_domain *domain,
+                     struct mpm_stencil *stencil);
+    /* Largest distance of the domain from its centre along each axis. */
+    void (*reach)(const struct mpm_shape_domain *domain, double reach[2]);
+};
+
+const struct mpm_shape_family *mpm_shape_family(enum mpm_shape shape);
+
+extern const struct mpm_shape_family mpm_shape_classic;
+extern const struct mpm_shape_family mpm_shape_ugimp;
+extern const struct mpm_shape_family mpm_shape_cpdi;
+
+/* The largest integer not above x, for |x| < 2^62. */
+static inline int64_t mpm_floor(double x)
+{
+    const int64_t truncated = (int64_t)x;
+    return truncated - (x < (double)truncated);
+}
+
+/* A coordinate in cells; a value within round-off of a grid line is put on it. */
+static inline double mpm_shape_cells(double x)
+{
+    const double nearest = (double)mpm_floor(x + 0.5);
+    const double slack = 0x1p-51 * (1.0 + (nearest < 0.0 ? -nearest : nearest));
+    const double distance = x - nearest;
+    return distance < slack && distance > -slack ? nearest : x;
+}
+
+#endif

@@ -1,0 +1,113 @@
+/* All that one step works on: particles, grid, strips, conditions and the choices of
+ * the scene, made once when the simulation is created.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_STATE_H
+#define MPM_METHOD_STATE_H
+
+#include "base/expression.h"
+#include "method/shape.h"
+#include "model/boundary.h"
+#include "model/grid.h"
+#include "model/material.h"
+#include "model/particles.h"
+#include "model/scene.h"
+
+/* Where the stress update stands in the step, as parts of the time step: the rows of
+ * CRAMP's Appendix, Tasks 2 and 6. */
+struct mpm_stress_order {
+    const char *name;
+    double before;    /* part done with the velocities at the start of the step */
+    double after;     /* part done with velocities at its end */
+    bool extrapolate; /* those come from the updated particles (31), not from the grid (29) */
+};
+const struct mpm_stress_order *mpm_stress_order(enum mpm_stress_update update);
+
+/* Why a run cannot go on; the smallest particle id wins, so that the message does not
+ * depend on the number of workers. */
+enum mpm_failure_kind {
+    MPM_NO_FAILURE,
+    MPM_INVERTED,       /* value: det F */
+    MPM_NOT_FINITE,     /* value: the offending one */
+    MPM_LEFT_GRID,      /* value: the coordinate */
+    MPM_PAST_AXIS,      /* value: r */
+    MPM_OUTRAN_CELL,    /* value: cells travelled in the step */
+    MPM_DOMAIN_TOO_BIG, /* value: its reach in cells */
+};
+
+struct mpm_failure {
+    enum mpm_failure_kind kind;
+    uint32_t particle;
+    int axis;
+    double value;
+};
+
+struct mpm_strip {
+    size_t begin, end;               /* its particles */
+    int64_t column_low, column_high; /* box of the nodes that they reach; empty if low > high */
+    int64_t row_low, row_high;
+    double kinetic_energy;
+    double wave_speed_squared; /* largest */
+    double external_work;      /* of body forces in the step */
+    struct mpm_failure failure;
+};
+
+struct mpm_body {
+    double half_size[2];
+    struct mpm_material material;
+};
+
+/* A condition on a node that carries mass in this step. */
+struct mpm_active_condition {
+    int64_t node;
+    int32_t component;
+    uint32_t source; /* body index of a rigid body, or MPM_FROM_BOUNDARY */
+    double start, end;
+};
+#define MPM_FROM_BOUNDARY UINT32_MAX
+
+struct mpm_vector_field {
+    struct mpm_expression *component[2]; /* NULL: free, or no such field */
+};
+
+struct mpm_state {
+    const struct mpm_scene *scene;
+    const struct mpm_stress_order *order;
+    const struct mpm_shape_family *family;
+    struct mpm_shape_grid shape_grid;
+    struct mpm_grid grid;
+    struct mpm_node *node_zero; /* node (0, 0): stencil offsets count from it */
+    struct mpm_particles particles;
+    struct mpm_rigid_particles rigid;
+    struct mpm_body *bodies;
+
+    struct mpm_strip *strips;
+    int64_t strip_count;
+    int workers;
+    int64_t *row_low, *row_high; /* active columns of each node row, as node indices in the row */
+    int64_t first_row, last_row; /* active rows */
+    uint32_t *sort_counts;
+
+    struct mpm_condition *conditions;
+    size_t condition_count;
+    struct mpm_active_condition *active;
+    size_t active_count, active_capacity;
+    uint32_t
+        *rigid_owner; /* per node: body + 1 that drives it in this step; only with rigid bodies */
+    uint8_t *fixed;   /* per node: components held by boundaries; only with rigid bodies */
+    struct mpm_vector_field *boundary_velocity; /* per boundary */
+    struct mpm_vector_field *body_velocity;     /* per body: rigid ones */
+    struct mpm_vector_field body_force;
+
+    double time;      /* at the start of the step */
+    double time_step; /* of this step */
+    double external_work;
+    int steps_since_sort;
+    bool strips_touch_when_sorted; /* domains too long for the strips: sorting does not help */
+    struct mpm_failure failure;
+};
+
+/* Keeps the failure with the smaller id. */
+void mpm_failure_merge(struct mpm_failure *into, const struct mpm_failure *failure);
+
+#endif

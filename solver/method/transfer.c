@@ -1,0 +1,449 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/transfer.h"
+
+#include <float.h>
+
+/* ------------------------------------------------------------ the particle */
+
+static struct mpm_shape_domain domain_of(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const struct mpm_body *const body = &state->bodies[particles->body[p]];
+    struct mpm_shape_domain domain = {
+        .position = {particles->position[0][p], particles->position[1][p]},
+        .half_size = {body->half_size[0], body->half_size[1]},
+    };
+    if (state->family->convected)
+        for (int k = 0; k < 4; k++)
+            domain.edge[k] = particles->domain[k][p];
+    return domain;
+}
+
+static void stencil_of(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+{
+    const struct mpm_shape_domain domain = domain_of(state, p);
+    state->family->evaluate(&state->shape_grid, &domain, stencil);
+}
+
+static void record(struct mpm_strip *strip, enum mpm_failure_kind kind, uint32_t particle, int axis,
+                   double value)
+{
+    const struct mpm_failure failure = {kind, particle, axis, value};
+    mpm_failure_merge(&strip->failure, &failure);
+}
+
+/* ------------------------------------------------------ particles to grid */
+
+static void add_momentum(const struct mpm_state *state, size_t p, const struct mpm_stencil *stencil)
+{
+    const double mass = state->particles.mass[p];
+    const double px = mass * state->particles.velocity[0][p];
+    const double py = mass * state->particles.velocity[1][p];
+    for (int k = 0; k < stencil->count; k++) {
+        const struct mpm_stencil_node *const entry = &stencil->node[k];
+        struct mpm_node *const node = &state->node_zero[entry->node];
+        node->mass += mass * entry->s;
+        node->momentum[0] += px * entry->s;
+        node->momentum[1] += py * entry->s;
+    }
+}
+
+/* f_i -= m_p (tau / rho_0) . G_ip, and the hoop stress times T_ip (0 in planar). */
+static void add_internal_force(const struct mpm_state *state, size_t p,
+                               const struct mpm_stencil *stencil)
+{
+    const double mass = state->particles.mass[p];
+    const double xx = mass * state->particles.stress[MPM_SYM_XX][p];
+    const double yy = mass * state->particles.stress[MPM_SYM_YY][p];
+    const double zz = mass * state->particles.stress[MPM_SYM_ZZ][p];
+    const double xy = mass * state->particles.stress[MPM_SYM_XY][p];
+    for (int k = 0; k < stencil->count; k++) {
+        const struct mpm_stencil_node *const entry = &stencil->node[k];
+        struct mpm_node *const node = &state->node_zero[entry->node];
+        node->force[0] -= xx * entry->g[0] + xy * entry->g[1] + zz * entry->t;
+        node->force[1] -= xy * entry->g[0] + yy * entry->g[1];
+    }
+}
+
+void mpm_pass_momentum(void *context, int64_t strip, int worker)
+{
+    struct mpm_state *const state = context;
+    (void)worker;
+    for (size_t p = state->strips[strip].begin; p < state->strips[strip].end; p++) {
+        struct mpm_stencil stencil;
+        stencil_of(state, p, &stencil);
+        add_momentum(state, p, &stencil);
+    }
+}
+
+void mpm_pass_momentum_and_force(void *context, int64_t strip, int worker)
+{
+    struct mpm_state *const state = context;
+    (void)worker;
+    for (size_t p = state->strips[strip].begin; p < state->strips[strip].end; p++) {
+        struct mpm_stencil stencil;
+        stencil_of(state, p, &stencil);
+        add_momentum(state, p, &stencil);
+        add_internal_force(state, p, &stencil);
+    }
+}
+
+/* ------------------------------------------------------------ body forces */
+
+static bool body_force_at(const struct mpm_state *state, size_t p, int worker,
+                          struct mpm_strip *strip, double b[2])
+{
+    const double position[2] = {state->particles.position[0][p], state->particles.position[1][p]};
+    for (int axis = 0; axis < 2; axis++) {
+        b[axis] =
+            mpm_expression_value(state->body_force.component[axis], worker, position, state->time);
+        if (!isfinite(b[axis])) {
+            record(strip, MPM_NOT_FINITE, state->particles.id[p], axis, b[axis]);
+            return false;
+        }
+    }
+    return true;
+}
+
+void mpm_pass_body_force(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    struct mpm_strip *const strip = &state->strips[index];
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil stencil;
+        double b[2];
+        if (!body_force_at(state, p, worker, strip, b))
+            continue;
+        stencil_of(state, p, &stencil);
+        for (int k = 0; k < stencil.count; k++) {
+            struct mpm_node *const node = &state->node_zero[stencil.node[k].node];
+            const double weight = state->particles.mass[p] * stencil.node[k].s;
+            node->force[0] += weight * b[0];
+            node->force[1] += weight * b[1];
+        }
+    }
+}
+
+void mpm_pass_body_work(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    struct mpm_strip *const strip = &state->strips[index];
+    strip->external_work = 0.0;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil stencil;
+        double b[2], power = 0.0;
+        if (!body_force_at(state, p, worker, strip, b))
+            continue;
+        stencil_of(state, p, &stencil);
+        for (int k = 0; k < stencil.count; k++) {
+            const struct mpm_node *const node = &state->node_zero[stencil.node[k].node];
+            power += stencil.node[k].s * (b[0] * (node->start[0] + node->end[0]) +
+                                          b[1] * (node->start[1] + node->end[1]));
+        }
+        strip->external_work += 0.5 * state->time_step * state->particles.mass[p] * power;
+    }
+}
+
+/* -------------------------------------------------------- velocity update */
+
+void mpm_pass_flip_fraction(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    const struct mpm_strip *const strip = &state->strips[index];
+    const double part = 1.0 - state->scene->flip_fraction;
+    (void)worker;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil stencil;
+        double grid[2] = {0.0, 0.0};
+        stencil_of(state, p, &stencil);
+        for (int k = 0; k < stencil.count; k++) {
+            const struct mpm_node *const node = &state->node_zero[stencil.node[k].node];
+            grid[0] += stencil.node[k].s * node->start[0];
+            grid[1] += stencil.node[k].s * node->start[1];
+        }
+        for (int axis = 0; axis < 2; axis++) {
+            double *const v = &state->particles.velocity[axis][p];
+            *v -= part * (*v - grid[axis]);
+        }
+    }
+}
+
+static void update_velocity(const struct mpm_state *state, size_t p,
+                            const struct mpm_stencil *stencil, struct mpm_strip *strip)
+{
+    double a[2] = {0.0, 0.0};
+    for (int k = 0; k < stencil->count; k++) {
+        const struct mpm_node *const node = &state->node_zero[stencil->node[k].node];
+        a[0] += stencil->node[k].s * node->acceleration[0];
+        a[1] += stencil->node[k].s * node->acceleration[1];
+    }
+    const double vx = state->particles.velocity[0][p] + state->time_step * a[0];
+    const double vy = state->particles.velocity[1][p] + state->time_step * a[1];
+    state->particles.velocity[0][p] = vx;
+    state->particles.velocity[1][p] = vy;
+    const double square = vx * vx + vy * vy;
+    if (!(square <= DBL_MAX))
+        record(strip, MPM_NOT_FINITE, state->particles.id[p], 0, square);
+    strip->kinetic_energy += 0.5 * state->particles.mass[p] * square;
+}
+
+void mpm_pass_velocity(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    struct mpm_strip *const strip = &state->strips[index];
+    (void)worker;
+    strip->kinetic_energy = 0.0;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil stencil;
+        stencil_of(state, p, &stencil);
+        update_velocity(state, p, &stencil, strip);
+    }
+}
+
+void mpm_pass_velocity_and_momentum(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    struct mpm_strip *const strip = &state->strips[index];
+    (void)worker;
+    strip->kinetic_energy = 0.0;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil stencil;
+        stencil_of(state, p, &stencil);
+        update_velocity(state, p, &stencil, strip);
+        const double px = state->particles.mass[p] * state->particles.velocity[0][p];
+        const double py = state->particles.mass[p] * state->particles.velocity[1][p];
+        for (int k = 0; k < stencil.count; k++) {
+            struct mpm_node *const node = &state->node_zero[stencil.node[k].node];
+            node->momentum[0] += px * stencil.node[k].s;
+            node->momentum[1] += py * stencil.node[k].s;
+        }
+    }
+}
+
+/* ---------------------------------------------------------- stress update */
+
+/* dt grad v at the particle, N&G (10), (12)-(14) */
+static void displacement_gradient(const struct mpm_state *state, const struct mpm_stencil *stencil,
+                                  double dt, double h[MPM_GRADIENT_SIZE])
+{
+    double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0, zz = 0.0;
+    for (int k = 0; k < stencil->count; k++) {
+        const struct mpm_stencil_node *const entry = &stencil->node[k];
+        const double *const v = state->node_zero[entry->node].gradient;
+        xx += v[0] * entry->g[0];
+        xy += v[0] * entry->g[1];
+        yx += v[1] * entry->g[0];
+        yy += v[1] * entry->g[1];
+        zz += v[0] * entry->t;
+    }
+    h[MPM_XX] = dt * xx;
+    h[MPM_XY] = dt * xy;
+    h[MPM_YX] = dt * yx;
+    h[MPM_YY] = dt * yy;
+    h[MPM_ZZ] = dt * zz;
+}
+
+/* F := dF F, N&G (9), and the stress of the new F. */
+static void update_stress(const struct mpm_state *state, size_t p,
+                          const struct mpm_stencil *stencil, double part, struct mpm_strip *strip)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
+    double h[MPM_GRADIENT_SIZE], df[MPM_GRADIENT_SIZE], f[MPM_GRADIENT_SIZE];
+    displacement_gradient(state, stencil, part * state->time_step, h);
+    mpm_deformation_increment(h, state->scene->deformation_terms, df);
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        f[k] = particles->deformation[k][p];
+    mpm_deformation_compose(df, f);
+    double j = mpm_determinant(f);
+    if (j > 0.0 && state->scene->geometry == MPM_PLANE_STRESS) {
+        f[MPM_ZZ] = material->law->thickness_stretch(material, f);
+        j = mpm_determinant(f);
+    }
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        particles->deformation[k][p] = f[k];
+    if (!(j > 0.0)) {
+        record(strip, MPM_INVERTED, particles->id[p], 0, j);
+        return;
+    }
+    double stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
+    material->law->stress(material, f, stress, &wave_speed_squared);
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        particles->stress[k][p] = stress[k];
+    if (!(wave_speed_squared <= DBL_MAX))
+        record(strip, MPM_NOT_FINITE, particles->id[p], 0, wave_speed_squared);
+    if (wave_speed_squared > strip->wave_speed_squared)
+        strip->wave_speed_squared = wave_speed_squared;
+}
+
+void mpm_pass_stress_and_force(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    struct mpm_strip *const strip = &state->strips[index];
+    (void)worker;
+    strip->wave_speed_squared = 0.0;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil stencil;
+        stencil_of(state, p, &stencil);
+        update_stress(state, p, &stencil, state->order->before, strip);
+        add_internal_force(state, p, &stencil);
+    }
+}
+
+/* -------------------------------------------------------- position update */
+
+/* Node positions beyond the extremes, in cells: round-off must not decide. */
+static const double BOX_SLACK = 1e-9;
+
+struct extent {
+    double low[2], high[2];
+};
+
+static const struct extent NO_EXTENT = {{DBL_MAX, DBL_MAX}, {-DBL_MAX, -DBL_MAX}};
+
+/* Adds a particle's domain to the extent; false if it reaches beyond the ghost rows. */
+static bool add_domain(const struct mpm_state *state, size_t p, struct mpm_strip *strip,
+                       struct extent *extent)
+{
+    const struct mpm_grid *const grid = &state->grid;
+    const struct mpm_shape_domain domain = domain_of(state, p);
+    double reach[2];
+    state->family->reach(&domain, reach);
+    if (state->shape_grid.axisymmetric && state->shape_grid.truncated &&
+        reach[0] > domain.position[0])
+        reach[0] = domain.position[0];
+    for (int axis = 0; axis < 2; axis++) {
+        const double low = domain.position[axis] - reach[axis];
+        const double high = domain.position[axis] + reach[axis];
+        const double ghost = MPM_GHOST_ROWS * grid->cell[axis];
+        const double end = grid->origin[axis] + (double)grid->cells[axis] * grid->cell[axis];
+        if (!(low > grid->origin[axis] - ghost && high < end + ghost)) {
+            record(strip, MPM_DOMAIN_TOO_BIG, state->particles.id[p], axis,
+                   reach[axis] * grid->inverse_cell[axis]);
+            return false;
+        }
+        extent->low[axis] = low < extent->low[axis] ? low : extent->low[axis];
+        extent->high[axis] = high > extent->high[axis] ? high : extent->high[axis];
+    }
+    return true;
+}
+
+static void set_box(const struct mpm_state *state, struct mpm_strip *strip,
+                    const struct extent *extent)
+{
+    const struct mpm_grid *const grid = &state->grid;
+    int64_t low[2] = {0, 0}, high[2] = {-1, -1};
+    for (int axis = 0; axis < 2 && strip->begin < strip->end; axis++) {
+        const double scale = grid->inverse_cell[axis], origin = grid->origin[axis];
+        low[axis] = (int64_t)floor((extent->low[axis] - origin) * scale - BOX_SLACK);
+        high[axis] = (int64_t)floor((extent->high[axis] - origin) * scale + BOX_SLACK) + 1;
+    }
+    strip->column_low = low[0];
+    strip->column_high = high[0];
+    strip->row_low = low[1];
+    strip->row_high = high[1];
+}
+
+/* A particle that left the grid has no cell; one that outran a cell has no meaning. */
+static bool check_position(const struct mpm_state *state, size_t p, const double step[2],
+                           struct mpm_strip *strip)
+{
+    const struct mpm_grid *const grid = &state->grid;
+    const uint32_t id = state->particles.id[p];
+    if (state->shape_grid.axisymmetric && !(state->particles.position[0][p] > 0.0)) {
+        record(strip, MPM_PAST_AXIS, id, 0, state->particles.position[0][p]);
+        return false;
+    }
+    for (int axis = 0; axis < 2; axis++) {
+        const double x = state->particles.position[axis][p];
+        const double end = grid->origin[axis] + (double)grid->cells[axis] * grid->cell[axis];
+        if (!(x >= grid->origin[axis] && x < end)) {
+            record(strip, isfinite(x) ? MPM_LEFT_GRID : MPM_NOT_FINITE, id, axis, x);
+            return false;
+        }
+        const double cells = fabs(step[axis]) * grid->inverse_cell[axis];
+        if (!(cells <= 1.0)) {
+            record(strip, MPM_OUTRAN_CELL, id, axis, cells);
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The grid's velocity at the particle over the step: v^{n+1}, or the mean of start and
+ * end for the midpoint update (Notes (37), without damping). */
+static void update_position(const struct mpm_state *state, size_t p,
+                            const struct mpm_stencil *stencil, struct mpm_strip *strip,
+                            struct extent *extent)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const double back =
+        state->scene->position_update == MPM_MIDPOINT ? 0.5 * state->time_step : 0.0;
+    const bool hoop = state->scene->radius_update == MPM_RADIUS_HOOP;
+    double v[2] = {0.0, 0.0}, hoop_rate = 0.0;
+    for (int k = 0; k < stencil->count; k++) {
+        const struct mpm_stencil_node *const entry = &stencil->node[k];
+        const struct mpm_node *const node = &state->node_zero[entry->node];
+        const double vx = node->end[0] - back * node->acceleration[0];
+        v[0] += entry->s * vx;
+        v[1] += entry->s * (node->end[1] - back * node->acceleration[1]);
+        hoop_rate += entry->t * vx;
+    }
+    const double rate = hoop ? particles->position[0][p] * hoop_rate : v[0];
+    const double step[2] = {state->time_step * rate, state->time_step * v[1]};
+    particles->position[0][p] += step[0];
+    particles->position[1][p] += step[1];
+    if (state->family->convected) {
+        const double *const half = state->bodies[particles->body[p]].half_size;
+        particles->domain[0][p] = particles->deformation[MPM_XX][p] * half[0];
+        particles->domain[1][p] = particles->deformation[MPM_YX][p] * half[0];
+        particles->domain[2][p] = particles->deformation[MPM_XY][p] * half[1];
+        particles->domain[3][p] = particles->deformation[MPM_YY][p] * half[1];
+    }
+    if (check_position(state, p, step, strip))
+        (void)add_domain(state, p, strip, extent);
+}
+
+void mpm_pass_position(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    struct mpm_strip *const strip = &state->strips[index];
+    struct extent extent = NO_EXTENT;
+    (void)worker;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil stencil;
+        stencil_of(state, p, &stencil);
+        update_position(state, p, &stencil, strip, &extent);
+    }
+    if (strip->failure.kind == MPM_NO_FAILURE)
+        set_box(state, strip, &extent);
+}
+
+void mpm_pass_stress_and_position(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    struct mpm_strip *const strip = &state->strips[index];
+    struct extent extent = NO_EXTENT;
+    (void)worker;
+    strip->wave_speed_squared = 0.0;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil stencil;
+        stencil_of(state, p, &stencil);
+        update_stress(state, p, &stencil, state->order->after, strip);
+        update_position(state, p, &stencil, strip, &extent);
+    }
+    if (strip->failure.kind == MPM_NO_FAILURE)
+        set_box(state, strip, &extent);
+}
+
+void mpm_pass_measure(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    struct mpm_strip *const strip = &state->strips[index];
+    struct extent extent = NO_EXTENT;
+    (void)worker;
+    for (size_t p = strip->begin; p < strip->end; p++)
+        (void)add_domain(state, p, strip, &extent);
+    if (strip->failure.kind == MPM_NO_FAILURE)
+        set_box(state, strip, &extent);
+}

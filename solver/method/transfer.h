@@ -1,0 +1,35 @@
+/* Passes over the particles of a strip: reference kernels, one particle at a time over
+ * its stencil of (node, S, G, T), meant to be read beside the papers. Signature and
+ * use: mpm_strips_run.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_TRANSFER_H
+#define MPM_METHOD_TRANSFER_H
+
+#include "method/state.h"
+
+/* m_i, p_i: CRAMP (26), Notes (23), (25) */
+void mpm_pass_momentum(void *state, int64_t strip, int worker);
+/* the same and the internal force f_i of the stress at the start of the step: CRAMP
+ * (28), N&G (3), Notes (20), (120) */
+void mpm_pass_momentum_and_force(void *state, int64_t strip, int worker);
+/* stress update of the part `before` of the step, then f_i of the new stress */
+void mpm_pass_stress_and_force(void *state, int64_t strip, int worker);
+/* f_i += m_p b(x_p, t) S_ip: N&G (4) */
+void mpm_pass_body_force(void *state, int64_t strip, int worker);
+/* work of the body force over the step, m_p b . (v^n + v^{n+1})/2 dt at the particle */
+void mpm_pass_body_work(void *state, int64_t strip, int worker);
+/* v_p -= (1 - beta)(v_p - sum S v_i^n): Notes (45) without its last term */
+void mpm_pass_flip_fraction(void *state, int64_t strip, int worker);
+/* v_p += dt sum S a_i: CRAMP (30), Notes (40) */
+void mpm_pass_velocity(void *state, int64_t strip, int worker);
+/* the same and the re-extrapolated momentum: CRAMP (31) */
+void mpm_pass_velocity_and_momentum(void *state, int64_t strip, int worker);
+/* x_p += dt sum S v_i^{n+1}, or Notes (38); the domain of the next step */
+void mpm_pass_position(void *state, int64_t strip, int worker);
+/* stress update of the part `after` of the step, then the same */
+void mpm_pass_stress_and_position(void *state, int64_t strip, int worker);
+/* the box of nodes that the strip's particles reach */
+void mpm_pass_measure(void *state, int64_t strip, int worker);
+
+#endif

@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "model/boundary.h"
+
+#include "model/region.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* A node lies on a region within this distance, in cells. */
+static const double NODE_SLACK = 1e-6;
+
+typedef double (*value_function)(const void *context, int32_t boundary, int32_t component,
+                                 const double position[2], double time);
+
+struct list {
+    const struct mpm_scene *scene;
+    const struct mpm_grid *grid;
+    value_function value;
+    const void *context;
+    struct mpm_condition *conditions;
+    size_t count, capacity;
+    struct mpm_error *error;
+};
+
+static enum mpm_status append(struct list *list, struct mpm_condition condition)
+{
+    if (list->count == list->capacity) {
+        const size_t capacity = list->capacity == 0 ? 256 : 2 * list->capacity;
+        void *const grown = realloc(list->conditions, capacity * sizeof *list->conditions);
+        if (grown == NULL)
+            return mpm_error_memory(list->error, capacity * sizeof *list->conditions,
+                                    "the boundary conditions");
+        list->conditions = grown;
+        list->capacity = capacity;
+    }
+    list->conditions[list->count++] = condition;
+    return MPM_OK;
+}
+
+/* From a node to the last ghost row beyond it, if it is on the grid's edge. */
+static void ghost_range(int64_t index, int64_t last, int64_t range[2])
+{
+    range[0] = index == 0 ? -MPM_GHOST_ROWS : index;
+    range[1] = index == last ? last + MPM_GHOST_ROWS : index;
+}
+
+static enum mpm_status append_node(struct list *list, int64_t column, int64_t row,
+                                   int32_t component, int32_t boundary)
+{
+    int64_t columns[2], rows[2];
+    ghost_range(column, list->grid->cells[0], columns);
+    ghost_range(row, list->grid->cells[1], rows);
+    for (int64_t r = rows[0]; r <= rows[1]; r++)
+        for (int64_t c = columns[0]; c <= columns[1]; c++)
+            MPM_TRY(append(list, (struct mpm_condition){mpm_grid_index(list->grid, c, r), component,
+                                                        boundary}));
+    return MPM_OK;
+}
+
+/* Range of node columns or rows that can touch [low, high]. */
+static void node_range(const struct mpm_grid *grid, int axis, double low, double high,
+                       int64_t range[2])
+{
+    const double last = (double)grid->cells[axis];
+    const double from = floor((low - grid->origin[axis]) * grid->inverse_cell[axis]) - 1.0;
+    const double to = ceil((high - grid->origin[axis]) * grid->inverse_cell[axis]) + 1.0;
+    range[0] = (int64_t)fmin(fmax(from, 0.0), last);
+    range[1] = (int64_t)fmin(fmax(to, 0.0), last);
+}
+
+static enum mpm_status append_boundary(struct list *list, int32_t boundary)
+{
+    const struct mpm_boundary_spec *const spec = &list->scene->boundaries[boundary];
+    const struct mpm_grid *const grid = list->grid;
+    const double slack[2] = {NODE_SLACK * grid->cell[0], NODE_SLACK * grid->cell[1]};
+    double low[2], high[2];
+    mpm_region_bounds(&spec->region, low, high);
+    int64_t columns[2], rows[2];
+    node_range(grid, 0, low[0], high[0], columns);
+    node_range(grid, 1, low[1], high[1], rows);
+    size_t selected = 0;
+    for (int64_t row = rows[0]; row <= rows[1]; row++)
+        for (int64_t column = columns[0]; column <= columns[1]; column++) {
+            double position[2];
+            mpm_grid_position(grid, mpm_grid_index(grid, column, row), position);
+            if (!mpm_region_touches(&spec->region, position, slack))
+                continue;
+            selected++;
+            for (int32_t component = 0; component < 2; component++)
+                if (spec->velocity.text[component] != NULL)
+                    MPM_TRY(append_node(list, column, row, component, boundary));
+        }
+    if (selected > 0)
+        return MPM_OK;
+    char key[64];
+    (void)snprintf(key, sizeof key, "boundary.%d.region", (int)boundary);
+    return mpm_scene_error(list->error, list->scene, spec->line, key,
+                           "selects no node of the grid (spacing %g by %g from (%g, %g)); allowed: "
+                           "a line or rectangle with nodes on it to 1e-6 of a cell",
+                           grid->cell[0], grid->cell[1], grid->origin[0], grid->origin[1]);
+}
+
+static enum mpm_status append_axis(struct list *list)
+{
+    const struct mpm_grid *const grid = list->grid;
+    for (int64_t column = 0; column <= grid->cells[0]; column++) {
+        const double r = grid->origin[0] + grid->cell[0] * (double)column;
+        if (r > NODE_SLACK * grid->cell[0])
+            break;
+        for (int64_t row = 0; row <= grid->cells[1]; row++)
+            MPM_TRY(append_node(list, column, row, 0, MPM_AXIS_CONDITION));
+    }
+    return MPM_OK;
+}
+
+static int compare(const void *left, const void *right)
+{
+    const struct mpm_condition *const a = left, *const b = right;
+    if (a->node != b->node)
+        return a->node < b->node ? -1 : 1;
+    if (a->component != b->component)
+        return a->component < b->component ? -1 : 1;
+    return (a->boundary > b->boundary) - (a->boundary < b->boundary);
+}
+
+static double prescribed(const struct list *list, const struct mpm_condition *condition,
+                         const double position[2], double time)
+{
+    if (condition->boundary == MPM_AXIS_CONDITION)
+        return 0.0;
+    return list->value(list->context, condition->boundary, condition->component, position, time);
+}
+
+/* Two conditions on one component of one node: fine if they say the same. */
+static enum mpm_status check_pair(const struct list *list, const struct mpm_condition *first,
+                                  const struct mpm_condition *second)
+{
+    const double end = list->scene->end;
+    const double times[] = {0.0, 0.382 * end, end};
+    double position[2];
+    mpm_grid_position(list->grid, second->node, position);
+    for (size_t k = 0; k < sizeof times / sizeof times[0]; k++) {
+        const double a = prescribed(list, first, position, times[k]);
+        const double b = prescribed(list, second, position, times[k]);
+        if (a == b)
+            continue;
+        char key[64], other[64] = "the axis r = 0";
+        (void)snprintf(key, sizeof key, "boundary.%d.velocity.%d", (int)second->boundary,
+                       (int)second->component);
+        if (first->boundary != MPM_AXIS_CONDITION)
+            (void)snprintf(other, sizeof other, "boundary.%d", (int)first->boundary);
+        return mpm_scene_error(list->error, list->scene,
+                               list->scene->boundaries[second->boundary].line, key,
+                               "prescribes %g at the node (%g, %g) at time %g where %s prescribes "
+                               "%g; allowed: one value for each component of a node",
+                               b, position[0], position[1], times[k], other, a);
+    }
+    return MPM_OK;
+}
+
+static enum mpm_status merge(struct list *list)
+{
+    if (list->count == 0)
+        return MPM_OK;
+    qsort(list->conditions, list->count, sizeof *list->conditions, compare);
+    size_t kept = 1;
+    for (size_t k = 1; k < list->count; k++) {
+        const struct mpm_condition *const last = &list->conditions[kept - 1];
+        const struct mpm_condition *const next = &list->conditions[k];
+        if (next->node != last->node || next->component != last->component)
+            list->conditions[kept++] = *next;
+        else
+            MPM_TRY(check_pair(list, last, next));
+    }
+    list->count = kept;
+    return MPM_OK;
+}
+
+static enum mpm_status fill(struct list *list)
+{
+    if (list->scene->geometry == MPM_AXISYMMETRIC)
+        MPM_TRY(append_axis(list));
+    for (size_t boundary = 0; boundary < list->scene->boundary_count; boundary++)
+        MPM_TRY(append_boundary(list, (int32_t)boundary));
+    return merge(list);
+}
+
+enum mpm_status mpm_conditions_list(const struct mpm_scene *scene, const struct mpm_grid *grid,
+                                    value_function value, const void *context,
+                                    struct mpm_condition **conditions, size_t *count,
+                                    struct mpm_error *error)
+{
+    struct list list = {
+        .scene = scene, .grid = grid, .value = value, .context = context, .error = error};
+    const enum mpm_status status = fill(&list);
+    if (status != MPM_OK) {
+        free(list.conditions);
+        list = (struct list){0};
+    }
+    *conditions = list.conditions;
+    *count = list.count;
+    return status;
+}

@@ -1,0 +1,29 @@
+/* Velocity conditions on grid nodes: which nodes, which components, which expression.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_MODEL_BOUNDARY_H
+#define MPM_MODEL_BOUNDARY_H
+
+#include "model/grid.h"
+
+enum { MPM_AXIS_CONDITION = -1 };
+
+struct mpm_condition {
+    int64_t node;      /* index in the grid */
+    int32_t component; /* 0 or 1 */
+    int32_t boundary;  /* index in the scene, or MPM_AXIS_CONDITION: v_r = 0 on r <= 0 */
+};
+
+/* Lists the conditions of a scene, ghost rows included: a condition on the grid's edge
+ * row holds for the ghost rows beyond. In axisymmetry the nodes on the axis get
+ * v_r = 0 (N&G check list, 2). *conditions is malloc'ed and sorted by node. MPM_BAD_INPUT: a region
+ * that touches no node; two different values for one component of one node. `value`
+ * gives the velocity that a boundary prescribes at a place and time. */
+enum mpm_status mpm_conditions_list(const struct mpm_scene *scene, const struct mpm_grid *grid,
+                                    double (*value)(const void *context, int32_t boundary,
+                                                    int32_t component, const double position[2],
+                                                    double time),
+                                    const void *context, struct mpm_condition **conditions,
+                                    size_t *count, struct mpm_error *error);
+
+#endif

@@ -1,0 +1,54 @@
+/* The background grid: a regular lattice of nodes with ghost rows around the cells of
+ * the scene, and what a node holds during one step.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_MODEL_GRID_H
+#define MPM_MODEL_GRID_H
+
+#include "base/arena.h"
+#include "model/scene.h"
+
+enum { MPM_GHOST_ROWS = 2 };
+
+/* Valid within one step only; zeroed at its start where particles reach. */
+struct mpm_node {
+    double mass;
+    double momentum[2];     /* sum of m_p v_p S_ip, start of the step or re-extrapolated */
+    double force[2];        /* internal and body forces */
+    double acceleration[2]; /* of the step, conditions included */
+    double start[2];        /* velocity at the start of the step */
+    double end[2];          /* velocity at its end */
+    double gradient[2];     /* the velocity whose gradient updates the stress */
+};
+
+struct mpm_grid {
+    double origin[2]; /* of the first cell: node (0, 0) */
+    double cell[2];
+    double inverse_cell[2];
+    int64_t cells[2];
+    int64_t columns, rows; /* of nodes, ghost rows included */
+    struct mpm_node *nodes;
+};
+
+/* Sets sizes from the scene; allocates nothing. */
+struct mpm_grid mpm_grid_describe(const struct mpm_scene *scene);
+/* Takes the nodes from the arena. */
+void mpm_grid_layout(struct mpm_grid *grid, struct mpm_arena *arena);
+
+/* Index of node (column, row), counted from the first cell's corner; ghosts are
+ * negative or beyond cells. */
+static inline int64_t mpm_grid_index(const struct mpm_grid *grid, int64_t column, int64_t row)
+{
+    return (row + MPM_GHOST_ROWS) * grid->columns + (column + MPM_GHOST_ROWS);
+}
+
+/* Position of the node with that index. */
+static inline void mpm_grid_position(const struct mpm_grid *grid, int64_t index, double position[2])
+{
+    position[0] =
+        grid->origin[0] + grid->cell[0] * (double)(index % grid->columns - MPM_GHOST_ROWS);
+    position[1] =
+        grid->origin[1] + grid->cell[1] * (double)(index / grid->columns - MPM_GHOST_ROWS);
+}
+
+#endif

@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "model/particles.h"
+
+#include <string.h>
+
+void mpm_particles_layout(struct mpm_particles *particles, size_t count, bool has_domains,
+                          struct mpm_arena *arena)
+{
+    *particles = (struct mpm_particles){.count = count};
+    for (int axis = 0; axis < 2; axis++) {
+        particles->position[axis] = MPM_TAKE(arena, double, count);
+        particles->velocity[axis] = MPM_TAKE(arena, double, count);
+    }
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        particles->deformation[k] = MPM_TAKE(arena, double, count);
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        particles->stress[k] = MPM_TAKE(arena, double, count);
+    particles->mass = MPM_TAKE(arena, double, count);
+    for (int k = 0; has_domains && k < 4; k++)
+        particles->domain[k] = MPM_TAKE(arena, double, count);
+    particles->id = MPM_TAKE(arena, uint32_t, count);
+    particles->body = MPM_TAKE(arena, uint32_t, count);
+    particles->order = MPM_TAKE(arena, uint32_t, count);
+    particles->order_scratch = MPM_TAKE(arena, uint32_t, count);
+    particles->scratch = MPM_TAKE(arena, double, count);
+}
+
+void mpm_rigid_particles_layout(struct mpm_rigid_particles *particles, size_t count,
+                                struct mpm_arena *arena)
+{
+    *particles = (struct mpm_rigid_particles){.count = count};
+    for (int axis = 0; axis < 2; axis++) {
+        particles->position[axis] = MPM_TAKE(arena, double, count);
+        particles->velocity[axis] = MPM_TAKE(arena, double, count);
+    }
+    particles->id = MPM_TAKE(arena, uint32_t, count);
+    particles->body = MPM_TAKE(arena, uint32_t, count);
+}
+
+size_t mpm_particles_arrays(const struct mpm_particles *particles,
+                            double *arrays[MPM_PARTICLE_ARRAYS])
+{
+    size_t n = 0;
+    for (int axis = 0; axis < 2; axis++) {
+        arrays[n++] = particles->position[axis];
+        arrays[n++] = particles->velocity[axis];
+    }
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        arrays[n++] = particles->deformation[k];
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        arrays[n++] = particles->stress[k];
+    arrays[n++] = particles->mass;
+    for (int k = 0; particles->domain[0] != NULL && k < 4; k++)
+        arrays[n++] = particles->domain[k];
+    return n;
+}
+
+/* One stable counting sort of an order by the cell along one axis. */
+static void sort_axis(const struct mpm_particles *particles, const struct mpm_grid *grid, int axis,
+                      const uint32_t *from, uint32_t *to, uint32_t *counts)
+{
+    const double *const position = particles->position[axis];
+    const int64_t cells = grid->cells[axis];
+    memset(counts, 0, (size_t)(cells + 1) * sizeof *counts);
+    for (size_t p = 0; p < particles->count; p++)
+        counts[mpm_grid_cell(grid, axis, position[p]) + 1]++;
+    for (int64_t c = 0; c < cells; c++)
+        counts[c + 1] += counts[c];
+    for (size_t k = 0; k < particles->count; k++)
+        to[counts[mpm_grid_cell(grid, axis, position[from[k]])]++] = from[k];
+}
+
+static void gather_doubles(const struct mpm_particles *particles, double *array)
+{
+    for (size_t k = 0; k < particles->count; k++)
+        particles->scratch[k] = array[particles->order[k]];
+    memcpy(array, particles->scratch, particles->count * sizeof *array);
+}
+
+static void gather_indices(const struct mpm_particles *particles, uint32_t *array)
+{
+    for (size_t k = 0; k < particles->count; k++)
+        particles->order_scratch[k] = array[particles->order[k]];
+    memcpy(array, particles->order_scratch, particles->count * sizeof *array);
+}
+
+void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *grid,
+                        uint32_t *counts)
+{
+    for (size_t p = 0; p < particles->count; p++)
+        particles->order[p] = (uint32_t)p;
+    /* least significant key first: columns, then rows */
+    sort_axis(particles, grid, 0, particles->order, particles->order_scratch, counts);
+    sort_axis(particles, grid, 1, particles->order_scratch, particles->order, counts);
+    bool sorted = true;
+    for (size_t k = 0; k < particles->count && sorted; k++)
+        sorted = particles->order[k] == k;
+    if (sorted)
+        return;
+    double *arrays[MPM_PARTICLE_ARRAYS];
+    const size_t array_count = mpm_particles_arrays(particles, arrays);
+    for (size_t a = 0; a < array_count; a++)
+        gather_doubles(particles, arrays[a]);
+    gather_indices(particles, particles->id);
+    gather_indices(particles, particles->body);
+}

@@ -1,0 +1,59 @@
+/* The deformable particles: structure of arrays in stable cell order, and the rigid
+ * ones, which only drive nodes.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_MODEL_PARTICLES_H
+#define MPM_MODEL_PARTICLES_H
+
+#include "base/arena.h"
+#include "base/tensor.h"
+#include "model/grid.h"
+
+struct mpm_particles {
+    size_t count;
+    double *position[2];
+    double *velocity[2];
+    double *deformation[MPM_GRADIENT_SIZE];
+    double *stress[MPM_SYMMETRIC_SIZE]; /* Kirchhoff over initial density */
+    double *mass;                       /* for the thickness, or per radian */
+    double *domain[4];                  /* CPDI: half edges d1x d1y d2x d2y; else NULL */
+    uint32_t *id;                       /* creation order over all bodies */
+    uint32_t *body;                     /* index in the scene */
+    /* scratch of the sort */
+    uint32_t *order, *order_scratch;
+    double *scratch;
+};
+
+/* Particles of rigid bodies: no mass, no stress. */
+struct mpm_rigid_particles {
+    size_t count;
+    double *position[2];
+    double *velocity[2];
+    uint32_t *id;
+    uint32_t *body;
+};
+
+void mpm_particles_layout(struct mpm_particles *particles, size_t count, bool has_domains,
+                          struct mpm_arena *arena);
+void mpm_rigid_particles_layout(struct mpm_rigid_particles *particles, size_t count,
+                                struct mpm_arena *arena);
+
+/* Every array of doubles that a particle carries, for passes that treat all alike.
+ * Returns the number of arrays (at most MPM_PARTICLE_ARRAYS). */
+enum { MPM_PARTICLE_ARRAYS = 18 };
+size_t mpm_particles_arrays(const struct mpm_particles *particles,
+                            double *arrays[MPM_PARTICLE_ARRAYS]);
+
+/* The cell of a coordinate along one axis. */
+static inline int64_t mpm_grid_cell(const struct mpm_grid *grid, int axis, double coordinate)
+{
+    return (int64_t)floor((coordinate - grid->origin[axis]) * grid->inverse_cell[axis]);
+}
+
+/* Sorts the particles by cell, row by row; particles of one cell keep their order.
+ * `counts` is scratch for max(rows, columns) + 1 counters. Cost: O(particles + rows +
+ * columns), independent of the number of cells. */
+void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *grid,
+                        uint32_t *counts);
+
+#endif

@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "model/region.h"
+
+#include <math.h>
+
+static bool polygon_contains(const struct mpm_region *region, const double point[2])
+{
+    bool inside = false;
+    for (size_t k = 0, last = region->point_count - 1; k < region->point_count; last = k++) {
+        const double *const a = region->points[k];
+        const double *const b = region->points[last];
+        if ((a[1] > point[1]) == (b[1] > point[1]))
+            continue;
+        const double crossing = a[0] + (point[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+        if (point[0] < crossing)
+            inside = !inside;
+    }
+    return inside;
+}
+
+bool mpm_region_contains(const struct mpm_region *region, const double point[2], double slack)
+{
+    const double x = point[0] - region->a[0], y = point[1] - region->a[1];
+    switch (region->kind) {
+    case MPM_REGION_RECTANGLE:
+        return x >= -slack && y >= -slack && point[0] < region->b[0] - slack &&
+               point[1] < region->b[1] - slack;
+    case MPM_REGION_DISK:
+        return x * x + y * y < region->outer * region->outer;
+    case MPM_REGION_ANNULUS:
+        return x * x + y * y < region->outer * region->outer &&
+               x * x + y * y >= region->inner * region->inner;
+    case MPM_REGION_POLYGON:
+        return polygon_contains(region, point);
+    case MPM_REGION_ALL:
+        return true;
+    case MPM_REGION_LINE:
+        return false;
+    }
+    return false;
+}
+
+bool mpm_region_touches(const struct mpm_region *region, const double point[2],
+                        const double slack[2])
+{
+    if (region->kind == MPM_REGION_ALL)
+        return true;
+    for (int axis = 0; axis < 2; axis++) {
+        const double low = fmin(region->a[axis], region->b[axis]);
+        const double high = fmax(region->a[axis], region->b[axis]);
+        if (point[axis] < low - slack[axis] || point[axis] > high + slack[axis])
+            return false;
+    }
+    return true;
+}
+
+static void box(const double a[2], const double b[2], double low[2], double high[2])
+{
+    for (int axis = 0; axis < 2; axis++) {
+        low[axis] = fmin(a[axis], b[axis]);
+        high[axis] = fmax(a[axis], b[axis]);
+    }
+}
+
+void mpm_region_bounds(const struct mpm_region *region, double low[2], double high[2])
+{
+    switch (region->kind) {
+    case MPM_REGION_RECTANGLE:
+    case MPM_REGION_LINE:
+        box(region->a, region->b, low, high);
+        return;
+    case MPM_REGION_DISK:
+    case MPM_REGION_ANNULUS:
+        for (int axis = 0; axis < 2; axis++) {
+            low[axis] = region->a[axis] - region->outer;
+            high[axis] = region->a[axis] + region->outer;
+        }
+        return;
+    case MPM_REGION_POLYGON:
+        box(region->points[0], region->points[0], low, high);
+        for (size_t k = 1; k < region->point_count; k++)
+            for (int axis = 0; axis < 2; axis++) {
+                low[axis] = fmin(low[axis], region->points[k][axis]);
+                high[axis] = fmax(high[axis], region->points[k][axis]);
+            }
+        return;
+    case MPM_REGION_ALL:
+        low[0] = low[1] = -INFINITY;
+        high[0] = high[1] = INFINITY;
+        return;
+    }
+}

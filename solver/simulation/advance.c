@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/simulation.h"
+
+#include <math.h>
+
+static double kinetic_energy(const struct mpm_state *state)
+{
+    double sum = 0.0;
+    for (int64_t s = 0; s < state->strip_count; s++)
+        sum += state->strips[s].kinetic_energy;
+    return sum;
+}
+
+static double fastest_wave(const struct mpm_state *state)
+{
+    double square = 0.0;
+    for (int64_t s = 0; s < state->strip_count; s++)
+        if (state->strips[s].wave_speed_squared > square)
+            square = state->strips[s].wave_speed_squared;
+    return sqrt(square);
+}
+
+/* Keeps the message for good and goes back to the last good state. */
+static enum mpm_status fail(struct mpm_simulation *simulation, uint64_t good_step,
+                            struct mpm_error *error)
+{
+    simulation->failure = *error;
+    mpm_backup_restore(simulation, good_step);
+    return MPM_RUN_FAILED;
+}
+
+static enum mpm_status take_step(struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    struct mpm_state *const state = &simulation->state;
+    const double work = state->external_work;
+    const enum mpm_status status = mpm_step_advance(state, simulation->seconds, error);
+    if (status != MPM_OK && state->failure.kind == MPM_NO_FAILURE)
+        return status; /* the error tells all */
+    simulation->work_scale += fabs(state->external_work - work);
+    return mpm_health_check(simulation, kinetic_energy(state), error);
+}
+
+enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double time_limit,
+                                       struct mpm_error *error)
+{
+    struct mpm_state *const state = &simulation->state;
+    struct mpm_error unheard;
+    error = error == NULL ? &unheard : error;
+    if (simulation->failure.status != MPM_OK) {
+        *error = simulation->failure;
+        return error->status;
+    }
+    if (!(time_limit > state->time))
+        return mpm_error_set(error, MPM_BAD_INPUT, "time limit %g; allowed: after the time %g",
+                             time_limit, state->time);
+    if (mpm_step_wants_sort(state)) {
+        mpm_step_sort(state);
+        mpm_backup_save(simulation);
+    }
+    bool lands;
+    state->time_step = mpm_time_step_next(simulation, time_limit, &lands);
+    if (take_step(simulation, error) != MPM_OK)
+        return fail(simulation, simulation->step, error);
+    const uint64_t since = simulation->step - simulation->backup.step;
+    state->time = lands ? time_limit : state->time + state->time_step;
+    simulation->backup.time_steps[since] = state->time_step;
+    simulation->backup.times[since] = state->time;
+    simulation->wave_speed = fastest_wave(state);
+    simulation->step++;
+    return MPM_OK;
+}
+
+double mpm_simulation_time(const struct mpm_simulation *simulation)
+{
+    return simulation->state.time;
+}
+
+uint64_t mpm_simulation_step(const struct mpm_simulation *simulation)
+{
+    return simulation->step;
+}
+
+double mpm_simulation_time_step(const struct mpm_simulation *simulation)
+{
+    return simulation->state.time_step;
+}
+
+size_t mpm_simulation_particle_count(const struct mpm_simulation *simulation)
+{
+    return simulation->state.particles.count + simulation->state.rigid.count;
+}
+
+size_t mpm_simulation_bytes(const struct mpm_simulation *simulation)
+{
+    return simulation->arena.capacity + sizeof *simulation +
+           simulation->state.condition_count * sizeof *simulation->state.conditions;
+}
+
+const char *mpm_simulation_kernels(const struct mpm_simulation *simulation)
+{
+    (void)simulation;
+    return "reference";
+}
+
+void mpm_simulation_phases(const struct mpm_simulation *simulation, struct mpm_phases *phases)
+{
+    phases->count = MPM_PHASE_COUNT;
+    for (size_t k = 0; k < MPM_PHASE_COUNT; k++) {
+        phases->name[k] = mpm_phase_names[k];
+        phases->seconds[k] = simulation->seconds[k];
+    }
+}

@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/simulation.h"
+
+#include <assert.h>
+#include <string.h>
+
+/* What cannot be recomputed. Mass, id and body keep their places between two sorts;
+ * stress and domain are functions of F. */
+static void kept_arrays(const struct mpm_particles *particles, double *arrays[MPM_BACKUP_ARRAYS])
+{
+    size_t n = 0;
+    for (int axis = 0; axis < 2; axis++) {
+        arrays[n++] = particles->position[axis];
+        arrays[n++] = particles->velocity[axis];
+    }
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        arrays[n++] = particles->deformation[k];
+}
+
+void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena)
+{
+    struct mpm_backup *const backup = &simulation->backup;
+    for (int k = 0; k < MPM_BACKUP_ARRAYS; k++)
+        backup->arrays[k] = MPM_TAKE(arena, double, simulation->state.particles.count);
+    for (int axis = 0; axis < 2; axis++) {
+        backup->rigid_position[axis] = MPM_TAKE(arena, double, simulation->state.rigid.count);
+        backup->rigid_velocity[axis] = MPM_TAKE(arena, double, simulation->state.rigid.count);
+    }
+}
+
+void mpm_backup_save(struct mpm_simulation *simulation)
+{
+    const struct mpm_state *const state = &simulation->state;
+    struct mpm_backup *const backup = &simulation->backup;
+    double *kept[MPM_BACKUP_ARRAYS];
+    kept_arrays(&state->particles, kept);
+    for (int k = 0; k < MPM_BACKUP_ARRAYS; k++)
+        memcpy(backup->arrays[k], kept[k], state->particles.count * sizeof(double));
+    for (int axis = 0; axis < 2; axis++) {
+        const size_t bytes = state->rigid.count * sizeof(double);
+        memcpy(backup->rigid_position[axis], state->rigid.position[axis], bytes);
+        memcpy(backup->rigid_velocity[axis], state->rigid.velocity[axis], bytes);
+    }
+    backup->time = state->time;
+    backup->external_work = state->external_work;
+    backup->work_scale = simulation->work_scale;
+    backup->wave_speed = simulation->wave_speed;
+    backup->step = simulation->step;
+}
+
+static void recompute(struct mpm_state *state)
+{
+    struct mpm_particles *const particles = &state->particles;
+    for (size_t p = 0; p < particles->count; p++) {
+        const struct mpm_body *const body = &state->bodies[particles->body[p]];
+        double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], unused;
+        for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+            f[k] = particles->deformation[k][p];
+        body->material.law->stress(&body->material, f, stress, &unused);
+        for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+            particles->stress[k][p] = stress[k];
+        if (state->family->convected) {
+            particles->domain[0][p] = f[MPM_XX] * body->half_size[0];
+            particles->domain[1][p] = f[MPM_YX] * body->half_size[0];
+            particles->domain[2][p] = f[MPM_XY] * body->half_size[1];
+            particles->domain[3][p] = f[MPM_YY] * body->half_size[1];
+        }
+    }
+}
+
+static void copy_back(struct mpm_simulation *simulation)
+{
+    struct mpm_state *const state = &simulation->state;
+    const struct mpm_backup *const backup = &simulation->backup;
+    double *kept[MPM_BACKUP_ARRAYS];
+    kept_arrays(&state->particles, kept);
+    for (int k = 0; k < MPM_BACKUP_ARRAYS; k++)
+        memcpy(kept[k], backup->arrays[k], state->particles.count * sizeof(double));
+    for (int axis = 0; axis < 2; axis++) {
+        const size_t bytes = state->rigid.count * sizeof(double);
+        memcpy(state->rigid.position[axis], backup->rigid_position[axis], bytes);
+        memcpy(state->rigid.velocity[axis], backup->rigid_velocity[axis], bytes);
+    }
+    state->time = backup->time;
+    state->external_work = backup->external_work;
+    simulation->work_scale = backup->work_scale;
+    simulation->wave_speed = backup->wave_speed;
+    simulation->step = backup->step;
+}
+
+void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step)
+{
+    struct mpm_state *const state = &simulation->state;
+    const struct mpm_backup *const backup = &simulation->backup;
+    assert(step >= backup->step && step - backup->step < MPM_STEPS_BETWEEN_SORTS);
+    copy_back(simulation);
+    recompute(state);
+    state->failure = (struct mpm_failure){0};
+    for (int64_t s = 0; s < state->strip_count; s++)
+        state->strips[s].failure = (struct mpm_failure){0};
+    mpm_step_measure(state);
+    for (; simulation->step < step; simulation->step++) {
+        const uint64_t k = simulation->step - backup->step;
+        state->time_step = backup->time_steps[k];
+        (void)mpm_step_advance(state, simulation->seconds, NULL); /* it has succeeded before */
+        state->time = backup->times[k];
+    }
+}

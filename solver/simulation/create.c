@@ -1,0 +1,266 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/strips.h"
+#include "model/fill.h"
+#include "simulation/simulation.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* -------------------------------------------------------------- expressions */
+
+static enum mpm_status create_field(const struct mpm_scene *scene,
+                                    const struct mpm_vector_expression *text, bool has_time,
+                                    int workers, struct mpm_vector_field *field,
+                                    struct mpm_error *error)
+{
+    static const char *const planar[2] = {"x", "y"}, *const radial[2] = {"r", "z"};
+    const char *const *const names = scene->geometry == MPM_AXISYMMETRIC ? radial : planar;
+    for (int axis = 0; axis < 2; axis++)
+        if (text->text[axis] != NULL)
+            MPM_TRY(mpm_expression_create(text->text[axis], names, has_time, workers,
+                                          &field->component[axis], error));
+    return MPM_OK;
+}
+
+static void free_field(struct mpm_vector_field *field)
+{
+    for (int axis = 0; axis < 2; axis++)
+        mpm_expression_free(field->component[axis]);
+    *field = (struct mpm_vector_field){0};
+}
+
+static enum mpm_status create_expressions(struct mpm_simulation *simulation,
+                                          struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    struct mpm_state *const state = &simulation->state;
+    state->boundary_velocity = calloc(scene->boundary_count + 1, sizeof *state->boundary_velocity);
+    state->body_velocity = calloc(scene->body_count, sizeof *state->body_velocity);
+    if (state->boundary_velocity == NULL || state->body_velocity == NULL)
+        return mpm_error_memory(error, sizeof *state->boundary_velocity, "the expressions");
+    for (size_t k = 0; k < scene->boundary_count; k++)
+        MPM_TRY(create_field(scene, &scene->boundaries[k].velocity, true, 1,
+                             &state->boundary_velocity[k], error));
+    for (size_t k = 0; k < scene->body_count; k++)
+        if (scene->bodies[k].rigid)
+            MPM_TRY(create_field(scene, &scene->bodies[k].velocity, true, 1,
+                                 &state->body_velocity[k], error));
+    return create_field(scene, &scene->body_force, true, state->workers, &state->body_force, error);
+}
+
+static double boundary_value(const void *context, int32_t boundary, int32_t component,
+                             const double position[2], double time)
+{
+    const struct mpm_state *const state = context;
+    return mpm_expression_value(state->boundary_velocity[boundary].component[component], 0,
+                                position, time);
+}
+
+/* ------------------------------------------------------------------- memory */
+
+static void layout(struct mpm_simulation *simulation, const struct mpm_fill_counts *counts,
+                   struct mpm_arena *arena)
+{
+    struct mpm_state *const state = &simulation->state;
+    struct mpm_grid *const grid = &state->grid;
+    const size_t nodes = (size_t)(grid->columns * grid->rows);
+    const size_t rows = (size_t)grid->rows;
+    const size_t longest = (size_t)(grid->rows > grid->columns ? grid->rows : grid->columns);
+    mpm_particles_layout(&state->particles, counts->deformable, state->family->convected, arena);
+    mpm_rigid_particles_layout(&state->rigid, counts->rigid, arena);
+    mpm_grid_layout(grid, arena);
+    state->bodies = MPM_TAKE(arena, struct mpm_body, simulation->scene->body_count);
+    state->strips = MPM_TAKE(arena, struct mpm_strip, (size_t)state->strip_count);
+    state->row_low = MPM_TAKE(arena, int64_t, rows);
+    state->row_high = MPM_TAKE(arena, int64_t, rows);
+    state->sort_counts = MPM_TAKE(arena, uint32_t, longest + 1);
+    const size_t driven =
+        counts->rigid * MPM_STENCIL_MAX < nodes ? counts->rigid * MPM_STENCIL_MAX : nodes;
+    state->active_capacity = state->condition_count + 2 * driven;
+    state->active = MPM_TAKE(arena, struct mpm_active_condition, state->active_capacity);
+    if (counts->rigid > 0) {
+        state->rigid_owner = MPM_TAKE(arena, uint32_t, nodes);
+        state->fixed = MPM_TAKE(arena, uint8_t, nodes);
+    }
+    mpm_backup_layout(simulation, arena);
+}
+
+/* ------------------------------------------------------------------ filling */
+
+static void describe_bodies(struct mpm_simulation *simulation)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    struct mpm_state *const state = &simulation->state;
+    for (size_t k = 0; k < scene->body_count; k++) {
+        mpm_body_half_size(scene, &state->grid, k, state->bodies[k].half_size);
+        if (scene->bodies[k].rigid)
+            continue;
+        const struct mpm_material_spec *const spec = &scene->materials[scene->bodies[k].material];
+        state->bodies[k].material = mpm_material_make(mpm_material_law_find(spec->law),
+                                                      spec->density, spec->bulk, spec->shear);
+    }
+}
+
+static enum mpm_status set_velocities(struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    struct mpm_particles *const particles = &simulation->state.particles;
+    enum mpm_status status = MPM_OK;
+    size_t p = 0; /* still in creation order: the particles of a body stand together */
+    for (size_t body = 0; body < scene->body_count && status == MPM_OK; body++) {
+        struct mpm_vector_field field = {0};
+        if (scene->bodies[body].rigid)
+            continue;
+        status = create_field(scene, &scene->bodies[body].velocity, false, 1, &field, error);
+        for (; status == MPM_OK && p < particles->count && particles->body[p] == body; p++) {
+            const double position[2] = {particles->position[0][p], particles->position[1][p]};
+            for (int axis = 0; axis < 2 && status == MPM_OK; axis++) {
+                const double v = mpm_expression_value(field.component[axis], 0, position, 0.0);
+                particles->velocity[axis][p] = v;
+                if (!isfinite(v))
+                    status =
+                        mpm_scene_error(error, scene, scene->bodies[body].line, "bodies.velocity",
+                                        "initial velocity of body '%s' is %g at (%g, %g); "
+                                        "allowed: finite",
+                                        scene->bodies[body].name, v, position[0], position[1]);
+            }
+        }
+        free_field(&field);
+    }
+    return status;
+}
+
+static void set_domains(struct mpm_state *state)
+{
+    for (size_t p = 0; state->family->convected && p < state->particles.count; p++) {
+        const double *const half = state->bodies[state->particles.body[p]].half_size;
+        state->particles.domain[0][p] = half[0];
+        state->particles.domain[3][p] = half[1];
+    }
+}
+
+static void set_rigid_velocities(struct mpm_state *state)
+{
+    struct mpm_rigid_particles *const rigid = &state->rigid;
+    for (size_t p = 0; p < rigid->count; p++) {
+        const double position[2] = {rigid->position[0][p], rigid->position[1][p]};
+        for (int axis = 0; axis < 2; axis++) {
+            struct mpm_expression *const e = state->body_velocity[rigid->body[p]].component[axis];
+            rigid->velocity[axis][p] = e == NULL ? 0.0 : mpm_expression_value(e, 0, position, 0.0);
+        }
+    }
+    for (size_t k = 0; rigid->count > 0 && k < state->condition_count; k++)
+        state->fixed[state->conditions[k].node] |= (uint8_t)(1u << state->conditions[k].component);
+}
+
+static double initial_wave_speed(const struct mpm_simulation *simulation)
+{
+    static const double unit[MPM_GRADIENT_SIZE] = {[MPM_XX] = 1.0, [MPM_YY] = 1.0, [MPM_ZZ] = 1.0};
+    double fastest = 0.0;
+    for (size_t k = 0; k < simulation->scene->body_count; k++) {
+        const struct mpm_material *const material = &simulation->state.bodies[k].material;
+        double stress[MPM_SYMMETRIC_SIZE], square;
+        if (simulation->scene->bodies[k].rigid)
+            continue;
+        material->law->stress(material, unit, stress, &square);
+        fastest = fmax(fastest, square);
+    }
+    return sqrt(fastest);
+}
+
+static void describe_method(struct mpm_simulation *simulation, int threads)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    struct mpm_state *const state = &simulation->state;
+    state->scene = scene;
+    state->workers = threads;
+    state->order = mpm_stress_order(scene->stress_update);
+    state->family = mpm_shape_family(scene->shape);
+    state->grid = mpm_grid_describe(scene);
+    state->strip_count = (state->grid.cells[1] + MPM_STRIP_ROWS - 1) / MPM_STRIP_ROWS;
+    state->shape_grid = (struct mpm_shape_grid){
+        .origin = {state->grid.origin[0], state->grid.origin[1]},
+        .inverse_cell = {state->grid.inverse_cell[0], state->grid.inverse_cell[1]},
+        .columns = state->grid.columns,
+        .axisymmetric = scene->geometry == MPM_AXISYMMETRIC,
+        .truncated = scene->axis == MPM_TRUNCATED,
+    };
+}
+
+static void open_books(struct mpm_simulation *simulation)
+{
+    struct mpm_ledger ledger;
+    mpm_simulation_ledger(simulation, &ledger);
+    simulation->mass = ledger.mass;
+    simulation->energy_start = ledger.kinetic_energy + fabs(ledger.strain_energy);
+}
+
+static enum mpm_status build(struct mpm_simulation *simulation, int threads,
+                             struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    struct mpm_state *const state = &simulation->state;
+    struct mpm_fill_counts counts;
+    describe_method(simulation, threads);
+    MPM_TRY(create_expressions(simulation, error));
+    MPM_TRY(mpm_bodies_count(scene, &state->grid, &counts, error));
+    MPM_TRY(mpm_conditions_list(scene, &state->grid, boundary_value, state, &state->conditions,
+                                &state->condition_count, error));
+    layout(simulation, &counts, &simulation->arena);
+    MPM_TRY(mpm_arena_allocate(&simulation->arena, error));
+    layout(simulation, &counts, &simulation->arena);
+    state->node_zero = state->grid.nodes + mpm_grid_index(&state->grid, 0, 0);
+    state->last_row = -1;
+    for (int64_t row = 0; row < state->grid.rows; row++) {
+        state->row_low[row] = state->grid.columns;
+        state->row_high[row] = -1;
+    }
+    describe_bodies(simulation);
+    mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid);
+    MPM_TRY(set_velocities(simulation, error));
+    set_domains(state);
+    set_rigid_velocities(state);
+    simulation->wave_speed = initial_wave_speed(simulation);
+    MPM_TRY(mpm_time_step_check(simulation, error));
+    open_books(simulation);
+    mpm_step_sort(state);
+    mpm_backup_save(simulation);
+    return MPM_OK;
+}
+
+enum mpm_status mpm_simulation_create(const struct mpm_scene *scene, int threads,
+                                      struct mpm_simulation **simulation, struct mpm_error *error)
+{
+    *simulation = NULL;
+    if (threads < 1)
+        return mpm_error_set(error, MPM_BAD_INPUT, "threads: %d; allowed: 1 or more", threads);
+    struct mpm_simulation *const made = calloc(1, sizeof *made);
+    if (made == NULL)
+        return mpm_error_memory(error, sizeof *made, "the simulation");
+    made->scene = scene;
+    const enum mpm_status status = build(made, threads, error);
+    if (status != MPM_OK) {
+        mpm_simulation_free(made);
+        return status;
+    }
+    *simulation = made;
+    return MPM_OK;
+}
+
+void mpm_simulation_free(struct mpm_simulation *simulation)
+{
+    if (simulation == NULL)
+        return;
+    struct mpm_state *const state = &simulation->state;
+    for (size_t k = 0; state->boundary_velocity != NULL && k < simulation->scene->boundary_count;
+         k++)
+        free_field(&state->boundary_velocity[k]);
+    for (size_t k = 0; state->body_velocity != NULL && k < simulation->scene->body_count; k++)
+        free_field(&state->body_velocity[k]);
+    free_field(&state->body_force);
+    free(state->boundary_velocity);
+    free(state->body_velocity);
+    free(state->conditions);
+    mpm_arena_free(&simulation->arena);
+    free(simulation);
+}

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/simulation.h"
+
+static const struct mpm_field_info infos[MPM_FIELD_COUNT] = {
+    [MPM_FIELD_ID] = {"id", 1, true, 0, 0, 0, "number of the particle in creation order"},
+    [MPM_FIELD_BODY] = {"body", 1, true, 0, 0, 0, "index of the particle's body in the scene"},
+    [MPM_FIELD_POSITION] = {"position", 2, false, 1, 0, 0, "centre of the particle: x y, or r z"},
+    [MPM_FIELD_VELOCITY] = {"velocity", 2, false, 1, 0, -1, "velocity of the particle"},
+    [MPM_FIELD_DEFORMATION_GRADIENT] = {"deformation_gradient", 5, false, 0, 0, 0,
+                                        "xx xy yx yy zz; in axisymmetry rr rz zr zz tt"},
+    [MPM_FIELD_STRESS] = {"stress", 4, false, -1, 1, -2,
+                          "Cauchy stress xx yy zz xy; in axisymmetry rr zz tt rz"},
+    [MPM_FIELD_VOLUME] = {"volume", 1, false, 3, 0, 0,
+                          "current volume, for the thickness or per radian"},
+    [MPM_FIELD_MASS] = {"mass", 1, false, 0, 1, 0, "mass, for the thickness or per radian"},
+};
+
+const struct mpm_field_info *mpm_field_describe(enum mpm_field field)
+{
+    return &infos[field];
+}
+
+static double determinant_of(const struct mpm_particles *particles, size_t p)
+{
+    double f[MPM_GRADIENT_SIZE];
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        f[k] = particles->deformation[k][p];
+    return mpm_determinant(f);
+}
+
+static void copy(const struct mpm_simulation *simulation, enum mpm_field field, size_t p,
+                 double *out)
+{
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    const double density = simulation->state.bodies[particles->body[p]].material.density;
+    const double j = determinant_of(particles, p);
+    switch (field) {
+    case MPM_FIELD_ID:
+        out[0] = particles->id[p];
+        return;
+    case MPM_FIELD_BODY:
+        out[0] = particles->body[p];
+        return;
+    case MPM_FIELD_POSITION:
+    case MPM_FIELD_VELOCITY:
+        for (int k = 0; k < 2; k++)
+            out[k] =
+                (field == MPM_FIELD_POSITION ? particles->position : particles->velocity)[k][p];
+        return;
+    case MPM_FIELD_DEFORMATION_GRADIENT:
+        for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+            out[k] = particles->deformation[k][p];
+        return;
+    case MPM_FIELD_STRESS:
+        for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+            out[k] = particles->stress[k][p] * (density / j);
+        return;
+    case MPM_FIELD_VOLUME:
+        out[0] = particles->mass[p] * (j / density);
+        return;
+    case MPM_FIELD_MASS:
+        out[0] = particles->mass[p];
+        return;
+    case MPM_FIELD_COUNT:
+        return;
+    }
+}
+
+/* Rigid particles do not deform and carry no mass. */
+static void copy_rigid(const struct mpm_simulation *simulation, enum mpm_field field, size_t p,
+                       double *out)
+{
+    const struct mpm_rigid_particles *const rigid = &simulation->state.rigid;
+    for (size_t k = 0; k < infos[field].components; k++)
+        out[k] = 0.0;
+    if (field == MPM_FIELD_ID)
+        out[0] = rigid->id[p];
+    else if (field == MPM_FIELD_BODY)
+        out[0] = rigid->body[p];
+    else if (field == MPM_FIELD_DEFORMATION_GRADIENT)
+        out[MPM_XX] = out[MPM_YY] = out[MPM_ZZ] = 1.0;
+    else if (field == MPM_FIELD_POSITION || field == MPM_FIELD_VELOCITY)
+        for (int k = 0; k < 2; k++)
+            out[k] = (field == MPM_FIELD_POSITION ? rigid->position : rigid->velocity)[k][p];
+}
+
+void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_field field,
+                          double *values)
+{
+    const size_t components = infos[field].components;
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    for (size_t p = 0; p < particles->count; p++)
+        copy(simulation, field, p, values + components * particles->id[p]);
+    const struct mpm_rigid_particles *const rigid = &simulation->state.rigid;
+    for (size_t p = 0; p < rigid->count; p++)
+        copy_rigid(simulation, field, p, values + components * rigid->id[p]);
+}

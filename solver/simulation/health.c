@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/simulation.h"
+
+#include <stdio.h>
+
+/* Kinetic energy may exceed all energy ever put in by this factor: a sound run stays
+ * below 1, an unstable one grows without bound. */
+static const double RUNAWAY_FACTOR = 10.0;
+/* Round-off alone moves a body at rest: energies below this part of m c^2 mean nothing. */
+static const double NOISE = 1e-12;
+
+static const char *body_of(const struct mpm_simulation *simulation, uint32_t id)
+{
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    for (size_t p = 0; p < particles->count; p++)
+        if (particles->id[p] == id)
+            return simulation->scene->bodies[particles->body[p]].name;
+    return "?";
+}
+
+static void describe(const struct mpm_simulation *simulation, const struct mpm_failure *failure,
+                     char *text, size_t size)
+{
+    const bool axisymmetric = simulation->scene->geometry == MPM_AXISYMMETRIC;
+    const char *const names[2] = {axisymmetric ? "r" : "x", axisymmetric ? "z" : "y"};
+    const char *const name = names[failure->axis];
+    const struct mpm_grid *const grid = &simulation->state.grid;
+    const double low = grid->origin[failure->axis];
+    const double high = low + (double)grid->cells[failure->axis] * grid->cell[failure->axis];
+    switch (failure->kind) {
+    case MPM_INVERTED:
+        (void)snprintf(text, size, "is inverted: det F = %g; allowed: above 0", failure->value);
+        return;
+    case MPM_NOT_FINITE:
+        (void)snprintf(text, size, "is not finite: %g", failure->value);
+        return;
+    case MPM_LEFT_GRID:
+        (void)snprintf(text, size, "left the grid: %s = %g; allowed: %g to %g", name,
+                       failure->value, low, high);
+        return;
+    case MPM_PAST_AXIS:
+        (void)snprintf(text, size, "passed the axis: r = %g; allowed: above 0", failure->value);
+        return;
+    case MPM_OUTRAN_CELL:
+        (void)snprintf(text, size, "moved %g cells along %s in one step; allowed: up to 1",
+                       failure->value, name);
+        return;
+    case MPM_DOMAIN_TOO_BIG:
+        (void)snprintf(text, size,
+                       "has a domain that reaches %g cells along %s, beyond the ghost rows of "
+                       "the grid",
+                       failure->value, name);
+        return;
+    case MPM_NO_FAILURE:
+        break;
+    }
+    (void)snprintf(text, size, "is sound");
+}
+
+enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, double kinetic_energy,
+                                 struct mpm_error *error)
+{
+    const struct mpm_failure *const failure = &simulation->state.failure;
+    const unsigned long long step = (unsigned long long)simulation->step + 1;
+    const double time = simulation->state.time + simulation->state.time_step;
+    if (failure->kind != MPM_NO_FAILURE) {
+        char text[256];
+        describe(simulation, failure, text, sizeof text);
+        return mpm_error_set(error, MPM_RUN_FAILED,
+                             "unstable at step %llu, time %g: particle %u (body '%s') %s", step,
+                             time, failure->particle, body_of(simulation, failure->particle), text);
+    }
+    const double scale = simulation->mass * simulation->wave_speed * simulation->wave_speed;
+    const double limit =
+        RUNAWAY_FACTOR * (simulation->energy_start + simulation->work_scale) + NOISE * scale;
+    if (kinetic_energy <= limit)
+        return MPM_OK;
+    return mpm_error_set(error, MPM_RUN_FAILED,
+                         "unstable at step %llu, time %g: runaway kinetic energy %g; allowed: up "
+                         "to %g, %g times all energy put in",
+                         step, time, kinetic_energy, limit, RUNAWAY_FACTOR);
+}

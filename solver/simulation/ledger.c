@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/simulation.h"
+
+#include <math.h>
+
+static void add_particle(const struct mpm_simulation *simulation, size_t p,
+                         struct mpm_ledger *ledger)
+{
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    const struct mpm_material *const material =
+        &simulation->state.bodies[particles->body[p]].material;
+    const double mass = particles->mass[p];
+    const double x = particles->position[0][p], y = particles->position[1][p];
+    const double vx = particles->velocity[0][p], vy = particles->velocity[1][p];
+    double f[MPM_GRADIENT_SIZE];
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        f[k] = particles->deformation[k][p];
+    const double j = mpm_determinant(f);
+    ledger->mass += mass;
+    ledger->momentum[0] += mass * vx;
+    ledger->momentum[1] += mass * vy;
+    if (simulation->scene->geometry != MPM_AXISYMMETRIC)
+        ledger->angular_momentum += mass * (x * vy - y * vx);
+    ledger->kinetic_energy += 0.5 * mass * (vx * vx + vy * vy);
+    ledger->strain_energy += mass * material->law->energy(material, f);
+    ledger->j_min = fmin(ledger->j_min, j);
+    ledger->j_max = fmax(ledger->j_max, j);
+}
+
+void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_ledger *ledger)
+{
+    *ledger = (struct mpm_ledger){
+        .time = simulation->state.time,
+        .step = simulation->step,
+        .external_work = simulation->state.external_work,
+        .j_min = INFINITY,
+        .j_max = -INFINITY,
+    };
+    for (size_t p = 0; p < simulation->state.particles.count; p++)
+        add_particle(simulation, p, ledger);
+    ledger->total_energy = ledger->kinetic_energy + ledger->strain_energy;
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/simulation.h"
+
+#include <math.h>
+
+enum mpm_status mpm_scene_plan(const struct mpm_scene *scene, struct mpm_plan *plan,
+                               struct mpm_error *error)
+{
+    struct mpm_simulation *simulation = NULL;
+    MPM_TRY(mpm_simulation_create(scene, 1, &simulation, error));
+    const struct mpm_grid *const grid = &simulation->state.grid;
+    bool lands;
+    *plan = (struct mpm_plan){
+        .particles = mpm_simulation_particle_count(simulation),
+        .cells = (size_t)(grid->cells[0] * grid->cells[1]),
+        .nodes = (size_t)(grid->columns * grid->rows),
+        .bytes = mpm_simulation_bytes(simulation),
+        .time_step = mpm_time_step_next(simulation, INFINITY, &lands),
+        .kernels = mpm_simulation_kernels(simulation),
+        .kernels_reason = "the scalar kernels, one particle at a time, are the only ones",
+    };
+    plan->expected_steps = ceil(scene->end / plan->time_step * (1.0 - 1e-9));
+    if (scene->steps > 0)
+        plan->expected_steps = fmin(plan->expected_steps, (double)scene->steps);
+    mpm_simulation_free(simulation);
+    return MPM_OK;
+}

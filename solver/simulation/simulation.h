@@ -1,0 +1,57 @@
+/* A running simulation: the state that a step works on, the clock, the books, and the
+ * last good state.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_SIMULATION_SIMULATION_H
+#define MPM_SIMULATION_SIMULATION_H
+
+#include "base/arena.h"
+#include "method/state.h"
+#include "method/step.h"
+
+enum { MPM_BACKUP_ARRAYS = 4 + MPM_GRADIENT_SIZE };
+
+/* The state after the last sort. A step is undone by going back to it and repeating
+ * the steps since: they give the same bits, so nothing has to be copied each step. */
+struct mpm_backup {
+    double *arrays[MPM_BACKUP_ARRAYS];
+    double *rigid_position[2], *rigid_velocity[2];
+    double time, external_work, work_scale, wave_speed;
+    uint64_t step;
+    double time_steps[MPM_STEPS_BETWEEN_SORTS]; /* of the steps since, */
+    double times[MPM_STEPS_BETWEEN_SORTS];      /* and where they ended */
+};
+
+struct mpm_simulation {
+    const struct mpm_scene *scene;
+    struct mpm_arena arena;
+    struct mpm_state state;
+    struct mpm_backup backup;
+    uint64_t step;
+    double wave_speed; /* fastest in the material now */
+    double mass;
+    double energy_start; /* kinetic and strain energy at t = 0 */
+    double work_scale;   /* sum of |external work| of the steps */
+    double seconds[MPM_PHASE_COUNT];
+    struct mpm_error failure; /* status MPM_OK while the run is sound */
+};
+
+/* time_step.c: the next step from Courant number and wave speed, or the fixed one;
+ * shortened to land on `limit`. *lands tells whether it does. */
+double mpm_time_step_next(const struct mpm_simulation *simulation, double limit, bool *lands);
+/* Refuses a fixed step beyond the stability limit unless the scene allows it. */
+enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,
+                                    struct mpm_error *error);
+
+/* health.c: judges the step just taken. MPM_RUN_FAILED names step, time, particle and
+ * value. */
+enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, double kinetic_energy,
+                                 struct mpm_error *error);
+
+/* backup.c */
+void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);
+void mpm_backup_save(struct mpm_simulation *simulation);
+/* Goes back to the state after step `step`, which the backup must cover. */
+void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step);
+
+#endif
