@@ -9,7 +9,10 @@
 
 #define SUITES(SUITE)                                                                              \
     SUITE(support)                                                                                 \
-    SUITE(status)
+    SUITE(status)                                                                                  \
+    SUITE(results)                                                                                 \
+    SUITE(run)                                                                                     \
+    SUITE(cli)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)
