@@ -10,11 +10,14 @@
 #define SUITES(SUITE)                                                                              \
     SUITE(support)                                                                                 \
     SUITE(status)                                                                                  \
-    SUITE(cli)                                                                                     \
-    SUITE(exact)                                                                                   \
+    SUITE(base)                                                                                    \
+    SUITE(material)                                                                                \
+    SUITE(properties)                                                                              \
+    SUITE(guard)                                                                                   \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
-    SUITE(run)
+    SUITE(run)                                                                                     \
+    SUITE(cli)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)
