@@ -9,7 +9,12 @@
 
 #define SUITES(SUITE)                                                                              \
     SUITE(support)                                                                                 \
-    SUITE(status)
+    SUITE(status)                                                                                  \
+    SUITE(cli)                                                                                     \
+    SUITE(exact)                                                                                   \
+    SUITE(exact)                                                                                   \
+    SUITE(results)                                                                                 \
+    SUITE(run)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)
