@@ -14,7 +14,10 @@
     SUITE(exact)                                                                                   \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
-    SUITE(run)
+    SUITE(run)                                                                                     \
+    SUITE(expression)                                                                              \
+    SUITE(scene)                                                                                   \
+    SUITE(scene_settings)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)

@@ -24,8 +24,8 @@ static struct mpm_scene *read_with(const char *path, const char *const *settings
 
 START_TEST(a_setting_replaces_a_value)
 {
-    struct mpm_scene *scene =
-        READ(DISK, "method.shape=cpdi", "grid.cell.1=1.25", "time.end = 0.5", "title='a = b'");
+    struct mpm_scene *scene = READ(DISK, "method.shape=cpdi", "grid.cell.1=1.25", "grid.cells.1=8",
+                                   "time.end= 0.5 ", "title='a = b'");
     ck_assert_int_eq(scene->shape, MPM_CPDI);
     ck_assert_double_eq(scene->cell[0], 2.5);
     ck_assert_double_eq(scene->cell[1], 1.25);
