@@ -23,12 +23,16 @@ static void stress(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZ
     tau[MPM_SYM_ZZ] = mean + shear * b[MPM_SYM_ZZ];
     tau[MPM_SYM_XY] = shear * b[MPM_SYM_XY];
 
-    /* Longitudinal wave along the principal direction of stretch l:
-     * rho_0 c^2 = l^2 W_ll = K/2 (J^2 + 1) + G J^(-2/3) (5/9 tr B - l^2 / 3). */
+    /* Along a principal direction of stretch l: the longitudinal wave has rho_0 c^2 =
+     * l^2 W_ll = K/2 (J^2 + 1) + G J^(-2/3) (5/9 tr B - l^2 / 3), the shear waves have
+     * G J^(-2/3) l^2. The former is fastest along the smaller stretch, the latter along
+     * the larger one. */
     double principal[2];
     mpm_plane_eigenvalues(b, principal);
-    *wave_speed_squared =
+    const double longitudinal =
         0.5 * m->bulk * (j * j + 1.0) + shear * (5.0 / 9.0 * trace - principal[0] / 3.0);
+    const double transverse = shear * principal[1];
+    *wave_speed_squared = longitudinal > transverse ? longitudinal : transverse;
 }
 
 static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZE])

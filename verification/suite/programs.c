@@ -6,7 +6,12 @@
 #include <string.h>
 
 /* PROGRAM(name): `const struct measure_program program_<name>` in program_<name>.c */
-#define PROGRAMS
+#define PROGRAMS                                                                                   \
+    PROGRAM(shape_quadrature)                                                                      \
+    PROGRAM(shape_identities)                                                                      \
+    PROGRAM(shape_curves)                                                                          \
+    PROGRAM(compression)                                                                           \
+    PROGRAM(energy)
 
 #define PROGRAM(name) extern const struct measure_program program_##name;
 PROGRAMS

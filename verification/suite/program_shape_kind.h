@@ -1,0 +1,20 @@
+/* What the measuring programs of family S have in common: the variant's family, geometry
+ * and axis.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_SUITE_PROGRAM_SHAPE_KIND_H
+#define VERIFICATION_SUITE_PROGRAM_SHAPE_KIND_H
+
+#include "verification/suite/programs.h"
+
+/* Fills shape, geometry and axis of *query from the parameters `shape` (classic, ugimp,
+ * cpdi), `geometry` (plane_strain, plane_stress, axisymmetric) and `axis` (truncated,
+ * untruncated; axisymmetric only). Any other name is MPM_BAD_INPUT. */
+enum mpm_status shape_kind_read(const struct measurement *measurement,
+                                struct mpm_shape_query *query, struct mpm_error *error);
+
+/* A parameter that is a whole number from 1 to 1e9, as a count. */
+enum mpm_status shape_count_read(const struct measurement *measurement, const char *name,
+                                 size_t *count, struct mpm_error *error);
+
+#endif
