@@ -18,8 +18,8 @@
     SUITE(guard)                                                                                   \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
-    SUITE(run)                                                                                     \
     SUITE(cli)                                                                                     \
+    SUITE(scene_run)                                                                               \
     SUITE(scene_settings)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
