@@ -2,13 +2,43 @@
 # `make help` lists the targets.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-VERSION  := 0.1.0
-VARIANT  ?= release
-BUILD    := build/$(VARIANT)
-PREFIX   ?= /usr/local
-CC       := $(if $(filter default,$(origin CC)),gcc,$(CC))
+VERSION := 0.1.0
+VARIANT ?= release
+PREFIX  ?= /usr/local
+
+.DEFAULT_GOAL := all
+.DELETE_ON_ERROR:
+# All processors, unless -j is given on the command line.
+ifeq ($(MAKELEVEL),0)
+MAKEFLAGS += -j$(or $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN),1)
+endif
+MAKEFLAGS += --no-print-directory
+
+# Several goals run one after the other, each in a make of its own: `make deps verify` looks
+# for compilers and libraries after deps has run, and `make clean all` keeps what it builds.
+# Nothing below may need a package to be read: `make deps` starts with make alone.
+ifneq ($(word 2,$(MAKECMDGOALS)),)
+.PHONY: $(sort $(MAKECMDGOALS)) one-by-one
+$(sort $(MAKECMDGOALS)): one-by-one ; @:
+one-by-one:
+	+@for goal in $(MAKECMDGOALS); do $(MAKE) $$goal || exit; done
+else
 
 # ---------------------------------------------------------------- toolchain
+# macOS calls clang gcc, without OpenMP: there, Homebrew's newest.
+DEFAULT_CC := $(or $(notdir $(lastword $(sort $(wildcard /opt/homebrew/bin/gcc-[0-9][0-9] \
+                /usr/local/Cellar/gcc/*/bin/gcc-[0-9][0-9])))),gcc)
+# gcc's OpenMP run time is not built for the thread sanitizer and reports races of its own;
+# clang's tells the sanitizer about its barriers through the tool archer.
+ifeq ($(VARIANT),tsan)
+DEFAULT_CC := clang
+endif
+ifeq ($(origin CC),default)
+CC := $(DEFAULT_CC)
+endif
+# Compilers do not share objects: the default one has build/<variant>, others a suffix.
+BUILD ?= build/$(VARIANT)$(if $(filter gcc $(DEFAULT_CC),$(CC)),,-$(notdir $(lastword $(CC))))
+
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion \
             -Wstrict-prototypes -Wmissing-prototypes -Wvla -Wswitch-enum $(if $(WERROR),-Werror)
 FLAGS_release := -O3
@@ -17,90 +47,182 @@ FLAGS_asan    := -O1 -g -fsanitize=address -fno-omit-frame-pointer
 FLAGS_ubsan   := -O1 -g -fsanitize=undefined -fno-sanitize-recover=all
 FLAGS_tsan    := -O1 -g -fsanitize=thread
 FLAGS_cov     := -O0 -g --coverage
-$(if $(filter undefined,$(origin FLAGS_$(VARIANT))),$(error VARIANT=$(VARIANT): allowed are release debug asan ubsan tsan cov))
+ifeq ($(origin FLAGS_$(VARIANT)),undefined)
+$(error VARIANT=$(VARIANT): allowed are release debug asan ubsan tsan cov)
+endif
 
 # Contraction is off so that every compiler and SIMD level gives the same bits.
-CODE_FLAGS := -std=c11 -D_POSIX_C_SOURCE=200809L $(FLAGS_$(VARIANT)) -ffp-contract=off -fopenmp $(EXTRA_FLAGS)
+CODE_FLAGS := -std=c11 -D_POSIX_C_SOURCE=200809L $(FLAGS_$(VARIANT)) -ffp-contract=off -fopenmp \
+              $(EXTRA_FLAGS)
 
-PACKAGES_SOLVER := hdf5 libcyaml yaml-0.1 muparser glib-2.0 jansson
+# pkg-config is asked when a recipe first needs the answer, and once.
+# hdf5-serial before hdf5: where MPI builds are installed too, hdf5 may be one of them.
+PKG_CONFIG      ?= pkg-config
+PACKAGES_SOLVER  = $(HDF5) libcyaml yaml-0.1 muparser glib-2.0 jansson
 PACKAGES_SUITE  := gsl libcmark-gfm
 PACKAGES_TESTS  := check
-pkg_cflags = $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(1)))
-pkg_libs   = $(shell pkg-config --libs $(1))
+remember = $(eval $(1) := $$(shell $(2)))$($(1))
+missing  = $(shell for p in $(1); do $(PKG_CONFIG) --exists $$p 2>/dev/null || echo $$p; done)
+found    = $(1)$(if $(missing),$(error $(firstword $(PKG_CONFIG)) does not find $(missing): \
+             `make deps` installs what is needed))
+HDF5            = $(call remember,HDF5,$(PKG_CONFIG) --exists hdf5-serial 2>/dev/null && \
+                    echo hdf5-serial || echo hdf5)
+PACKAGE_FLAGS   = $(call remember,PACKAGE_FLAGS,$(PKG_CONFIG) --cflags $(call found,$(strip \
+                    $(PACKAGES_SOLVER) $(PACKAGES_SUITE) $(PACKAGES_TESTS))) | sed 's/-I/-isystem /g')
+LIBS_SOLVER     = $(call remember,LIBS_SOLVER,$(PKG_CONFIG) --libs $(PACKAGES_SOLVER); echo -lm)
+LIBS_SUITE      = $(call remember,LIBS_SUITE,$(PKG_CONFIG) --libs $(PACKAGES_SUITE); \
+                    echo -lcmark-gfm-extensions)
+LIBS_TESTS      = $(call remember,LIBS_TESTS,$(PKG_CONFIG) --libs $(PACKAGES_TESTS))
 
-INCLUDES := -Isolver -I$(BUILD)/generated $(call pkg_cflags,$(PACKAGES_SOLVER) $(PACKAGES_SUITE) $(PACKAGES_TESTS))
-LIBS_SOLVER := $(call pkg_libs,$(PACKAGES_SOLVER)) -lm
-LIBS_SUITE  := $(call pkg_libs,$(PACKAGES_SUITE)) -lcmark-gfm-extensions
-LIBS_TESTS  := $(call pkg_libs,$(PACKAGES_TESTS))
+INCLUDES_solver       := -Isolver
+INCLUDES_verification := -Isolver -I.
+INCLUDES_reports      := -Isolver -I.
+INCLUDES_tests        := -Isolver -I. -Itests
+room     = $(firstword $(subst /, ,$(1)))
+includes = $(INCLUDES_$(call room,$(1))) -I$(BUILD)/generated $(PACKAGE_FLAGS)
 
 # ------------------------------------------------------------------ sources
-SOLVER_SOURCES := $(wildcard solver/base/*.c solver/model/*.c solver/method/*.c solver/simulation/*.c solver/io/*.c)
-CLI_SOURCES    := $(wildcard solver/cli/*.c)
-VERIFY_SOURCES := $(wildcard verification/exact/*.c verification/measures/*.c verification/suite/*.c)
-VERIFY_MAIN    := verification/suite/main.c
-TEST_SOURCES   := $(wildcard tests/*.c tests/support/*.c)
-objects = $(patsubst %.c,$(BUILD)/objects/%.o,$(1))
+SOLVER_SOURCES := $(sort $(wildcard $(patsubst %,solver/%/*.c,base model method simulation io)))
+CLI_SOURCES    := $(sort $(wildcard solver/cli/*.c))
+VERIFY_MAIN    := $(wildcard verification/suite/main.c)
+VERIFY_SOURCES := $(filter-out $(VERIFY_MAIN),$(sort $(wildcard verification/*/*.c reports/*.c)))
+TEST_SOURCES   := $(sort $(wildcard tests/*.c tests/support/*.c))
+SOURCES := $(SOLVER_SOURCES) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) $(TEST_SOURCES)
+HEADERS := $(sort $(wildcard solver/*.h solver/*/*.h verification/*/*.h reports/*.h tests/*.h tests/*/*.h))
+objects  = $(patsubst %.c,$(BUILD)/objects/%.o,$(1))
 
 LIBRARY  := $(BUILD)/libmpm.a
-PROGRAMS := $(BUILD)/bin/mpm $(if $(wildcard $(VERIFY_MAIN)),$(BUILD)/bin/mpm-verify)
+PROGRAMS := $(if $(CLI_SOURCES),$(BUILD)/bin/mpm) $(if $(VERIFY_MAIN),$(BUILD)/bin/mpm-verify)
 TESTER   := $(BUILD)/bin/mpm-tests
 
+# Commands are shown in short; V=1 shows them whole.
+short = $(if $(V),,@echo '  $(1) $(2)';)
+
 .PHONY: all
-all: $(PROGRAMS) $(LIBRARY)
+all: $(PROGRAMS) $(LIBRARY) ## build the programs and libmpm.a in build/release (the default)
 
 $(LIBRARY): $(call objects,$(SOLVER_SOURCES))
-	@mkdir -p $(@D)
 	@rm -f $@
-	ar rcs $@ $^
+	$(call short,AR,$@)ar rcs $@ $(filter %.o,$^)
 
+link = $(call short,LINK,$@)$(CC) $(CODE_FLAGS) -o $@ $(filter %.o %.a,$^)
 $(BUILD)/bin/mpm: $(call objects,$(CLI_SOURCES)) $(LIBRARY)
+	$(link) $(LIBS_SOLVER)
+$(BUILD)/bin/mpm-verify: $(call objects,$(VERIFY_MAIN) $(VERIFY_SOURCES)) $(LIBRARY)
+	$(link) $(LIBS_SUITE) $(LIBS_SOLVER)
+$(TESTER): $(call objects,$(TEST_SOURCES) $(VERIFY_SOURCES)) $(LIBRARY)
+	$(link) $(LIBS_TESTS) $(LIBS_SUITE) $(LIBS_SOLVER)
+
+.PHONY: objects
+objects: $(call objects,$(SOURCES))
+$(BUILD)/objects/%.o: %.c $(BUILD)/generated/flags.txt | $(BUILD)/generated/build_facts.h
 	@mkdir -p $(@D)
-	$(CC) $(CODE_FLAGS) -o $@ $^ $(LIBS_SOLVER)
+	$(call short,CC,$<)$(CC) $(CODE_FLAGS) $(WARNINGS) $(call includes,$<) -MMD -MP -c -o $@ $<
 
-$(BUILD)/bin/mpm-verify: $(call objects,$(VERIFY_SOURCES)) $(LIBRARY)
-	@mkdir -p $(@D)
-	$(CC) $(CODE_FLAGS) -o $@ $^ $(LIBS_SUITE) $(LIBS_SOLVER)
+-include $(patsubst %.o,%.d,$(call objects,$(SOURCES)))
 
-$(TESTER): $(call objects,$(TEST_SOURCES) $(filter-out $(VERIFY_MAIN),$(VERIFY_SOURCES))) $(LIBRARY)
-	@mkdir -p $(@D)
-	$(CC) $(CODE_FLAGS) -o $@ $^ $(LIBS_TESTS) $(LIBS_SUITE) $(LIBS_SOLVER)
-
-$(BUILD)/objects/%.o: %.c $(BUILD)/generated/flags.txt
-	@mkdir -p $(@D)
-	$(CC) $(CODE_FLAGS) $(WARNINGS) $(INCLUDES) $(INCLUDES_$(firstword $(subst /, ,$*))) -MMD -MP -c -o $@ $<
-
-INCLUDES_verification := -I.
-INCLUDES_tests        := -I. -Itests
-
--include $(shell find $(BUILD)/objects -name '*.d' 2>/dev/null)
-
-# Facts recorded in the binary: rewritten only when they change; never a date.
-REVISION := $(shell git describe --always --dirty --abbrev=12 2>/dev/null || echo unknown)
-FACTS := CC=$(CC) $(CODE_FLAGS) $(WARNINGS)
+# Facts recorded in the binary: rewritten only when they change; never a date. The
+# revision is this tree's own, not that of a repository that it was unpacked into.
+REVISION = $(shell test -e .git && git describe --always --dirty --abbrev=12 2>/dev/null || echo unknown)
+replace_if_changed = cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 $(BUILD)/generated/flags.txt: FORCE
-	@mkdir -p $(@D)
-	@echo '$(FACTS)' | cmp -s - $@ || echo '$(FACTS)' > $@
+	@mkdir -p $(@D) $(BUILD)/bin
+	@echo '$(CC) $(CODE_FLAGS) $(WARNINGS) $(PACKAGE_FLAGS)' > $@.new; $(replace_if_changed)
 $(BUILD)/generated/build_facts.h: FORCE
 	@mkdir -p $(@D)
-	@printf '#define BUILD_VERSION "%s"\n#define BUILD_REVISION "%s"\n#define BUILD_FLAGS "%s"\n' \
-	  '$(VERSION)' '$(REVISION)' '$(CODE_FLAGS)' > $@.new
-	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
-$(BUILD)/objects/solver/io/build_info.o: $(BUILD)/generated/build_facts.h
+	@printf '#define BUILD_%s "%s"\n' VERSION '$(VERSION)' REVISION '$(REVISION)' \
+	  FLAGS '$(CODE_FLAGS)' > $@.new; $(replace_if_changed)
+# A source that goes away must leave the library and the programs too.
+$(LIBRARY) $(PROGRAMS) $(TESTER): $(BUILD)/generated/sources.txt
+$(BUILD)/generated/sources.txt: FORCE
+	@mkdir -p $(@D)
+	@echo '$(SOURCES)' > $@.new; $(replace_if_changed)
 .PHONY: FORCE
 FORCE:
 
 # -------------------------------------------------------------------- tests
+# Sanitizers slow a test down: Check's time-out is multiplied.
+# libomp itself is not built for the thread sanitizer: archer speaks for it.
+TEST_ENVIRONMENT_asan := CK_TIMEOUT_MULTIPLIER=5 ASAN_OPTIONS=detect_leaks=1:$(ASAN_OPTIONS)
+TEST_ENVIRONMENT_tsan := CK_TIMEOUT_MULTIPLIER=10 TSAN_OPTIONS=ignore_noninstrumented_modules=1:$(TSAN_OPTIONS)
+TEST_ENVIRONMENT_cov  := CK_TIMEOUT_MULTIPLIER=5
+
 .PHONY: test
-test: $(TESTER) $(PROGRAMS)
-	MPM_BIN=$(BUILD)/bin $(TESTER)
+test: $(TESTER) $(PROGRAMS) ## unit tests; also VARIANT=debug|asan|ubsan|tsan|cov
+	@MPM_BIN=$(abspath $(BUILD)/bin) $(TEST_ENVIRONMENT_$(VARIANT)) $(TESTER)
+
+.PHONY: coverage
+coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gcovr
+	@find build/cov -name '*.gcda' -delete 2>/dev/null || true
+	+@$(MAKE) VARIANT=cov CC=gcc test
+	gcovr --root . --filter solver/ --filter verification/ --filter reports/ \
+	  --exclude-throw-branches build/cov
 
 # ------------------------------------------------------------- verification
 .PHONY: verify verify-full
-verify: all
+verify: all ## the catalogue at CI size; report in build/reports/verify
 	$(BUILD)/bin/mpm-verify run --tier ci --output build/reports/verify
-verify-full: all
+verify-full: all ## the catalogue at full size
 	$(BUILD)/bin/mpm-verify run --tier full --output build/reports/verify
 
-.PHONY: clean
-clean:
+# ------------------------------------------------------------------- checks
+CLANG_FORMAT ?= $(or $(shell command -v clang-format-14),clang-format)
+CLANG_TIDY   ?= $(or $(shell command -v clang-tidy-14),clang-tidy)
+JOBS         := $(or $(shell nproc 2>/dev/null),2)
+CHECKS := check-format check-source check-includes check-warnings check-cppcheck check-tidy \
+          check-reference
+.PHONY: check check-all $(CHECKS) format
+check: ## format, lint, include directions, warnings of both compilers, checksums
+	+@$(MAKE) --keep-going check-all
+	@echo 'make check: all passed'
+
+check-all: $(CHECKS)
+check-format:
+	@$(CLANG_FORMAT) --dry-run -Werror $(SOURCES) $(HEADERS)
+check-source:
+	@.ci/check-source $(SOURCES) $(HEADERS)
+check-includes: $(BUILD)/generated/build_facts.h
+	@mkdir -p build/check; : > build/check/includes
+	@for file in $(SOURCES) $(HEADERS); do \
+	  $(CC) $(CODE_FLAGS) -I. -Isolver -Itests -I$(BUILD)/generated $(PACKAGE_FLAGS) \
+	    -x c -M -MT $$file $$file >> build/check/includes || exit 1; done
+	@.ci/check-includes --self-test && .ci/check-includes < build/check/includes
+check-warnings:
+	+@$(MAKE) VARIANT=release BUILD=build/check/gcc CC=gcc WERROR=1 objects
+	+@$(MAKE) VARIANT=debug BUILD=build/check/clang CC=clang WERROR=1 objects
+# POSIX makes NULL a void pointer, so it may end a list of arguments: no varFuncNullUB.
+check-cppcheck:
+	@mkdir -p build/check/cppcheck
+	@cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
+	  --error-exitcode=1 --suppress=missingIncludeSystem \
+	  --suppress=varFuncNullUB -D_POSIX_C_SOURCE=200809L \
+	  --cppcheck-build-dir=build/check/cppcheck -Isolver -I. -Itests $(SOURCES)
+check-tidy: $(BUILD)/generated/build_facts.h
+	@printf '%s\n' $(SOURCES) | xargs -P $(JOBS) -n 1 .ci/check-tidy $(CLANG_TIDY) \
+	  -std=c11 -D_POSIX_C_SOURCE=200809L -I. -Isolver -Itests -I$(BUILD)/generated $(PACKAGE_FLAGS) --
+check-reference:
+	@$(if $(wildcard reference_data),cd reference_data && sha256sum --quiet -c MANIFEST.sha256)
+
+format: ## rewrite the sources in the house format
+	$(CLANG_FORMAT) -i $(SOURCES) $(HEADERS)
+
+# ------------------------------------------------------------ install, help
+SHARE := $(DESTDIR)$(PREFIX)/share/touchstone
+.PHONY: install help
+install: all ## programs, mpm.h, libmpm.a and catalogue into PREFIX (/usr/local), under DESTDIR
+	install -d $(addprefix $(DESTDIR)$(PREFIX)/,bin include lib) $(SHARE)
+	install $(PROGRAMS) $(DESTDIR)$(PREFIX)/bin
+	install -m 644 solver/mpm.h $(DESTDIR)$(PREFIX)/include
+	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib
+	$(foreach folder,$(wildcard verification/catalogue reports),cp -R $(folder) $(SHARE)/ &&) true
+
+help: ## this list
+	@awk -F ': .*## |: ## ' '/^[a-z-]+: .*## /{printf "make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+.PHONY: deps clean
+deps: ## install the system packages (Debian, Ubuntu, Fedora, Homebrew)
+	@.ci/install-packages
+clean: ## remove everything built
 	rm -rf build
+
+endif

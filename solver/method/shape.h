@@ -55,14 +55,20 @@ extern const struct mpm_shape_family mpm_shape_classic;
 extern const struct mpm_shape_family mpm_shape_ugimp;
 extern const struct mpm_shape_family mpm_shape_cpdi;
 
-/* A coordinate in cells; a value within round-off of a grid line is put on it. */
-static inline double mpm_shape_cells(double length_in_cells)
+/* The largest integer not above x, for |x| < 2^62. */
+static inline int64_t mpm_floor(double x)
 {
-    const double nearest =
-        (double)(int64_t)(length_in_cells + (length_in_cells < 0.0 ? -0.5 : 0.5));
-    const double scale = nearest < 0.0 ? 1.0 - nearest : 1.0 + nearest;
-    const double distance = length_in_cells - nearest;
-    return distance < 0x1p-51 * scale && distance > -0x1p-51 * scale ? nearest : length_in_cells;
+    const int64_t truncated = (int64_t)x;
+    return truncated - (x < (double)truncated);
+}
+
+/* A coordinate in cells; a value within round-off of a grid line is put on it. */
+static inline double mpm_shape_cells(double x)
+{
+    const double nearest = (double)mpm_floor(x + 0.5);
+    const double slack = 0x1p-51 * (1.0 + (nearest < 0.0 ? -nearest : nearest));
+    const double distance = x - nearest;
+    return distance < slack && distance > -slack ? nearest : x;
 }
 
 #endif

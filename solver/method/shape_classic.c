@@ -15,9 +15,9 @@ struct hats {
 
 static struct hats hats_at(double coordinate)
 {
-    const double cell = floor(coordinate);
-    const double u = coordinate - cell;
-    return (struct hats){.first = (int64_t)cell, .n = {1.0 - u, u}};
+    const int64_t cell = mpm_floor(coordinate);
+    const double u = coordinate - (double)cell;
+    return (struct hats){.first = cell, .n = {1.0 - u, u}};
 }
 
 static void evaluate(const struct mpm_shape_grid *grid, const struct mpm_shape_domain *domain,

@@ -73,9 +73,8 @@ static void add_corner(const struct mpm_shape_grid *grid, const double position[
     for (int axis = 0; axis < 2; axis++) {
         const double coordinate =
             mpm_shape_cells((position[axis] - grid->origin[axis]) * grid->inverse_cell[axis]);
-        const double cell = floor(coordinate);
-        first[axis] = (int64_t)cell;
-        n[axis][1] = coordinate - cell;
+        first[axis] = mpm_floor(coordinate);
+        n[axis][1] = coordinate - (double)first[axis];
         n[axis][0] = 1.0 - n[axis][1];
     }
     for (int row = 0; row < 2; row++)

@@ -2,69 +2,82 @@
  *
  * The integrals N&G (17), (23) and Appendix (68), (69) are taken cell by cell over the
  * part of the domain in each cell, where N_i is linear. The sums are the piecewise
- * formulas N&G (19)-(21), (24)-(26), (27)-(29) for any l_p and any spacing; every term
+ * formulas N&G (19)-(21), (24)-(26), (27)-(29) for l_p <= 1 and any spacing; every term
  * is positive where the weight is, so nothing cancels, and a node beyond the domain's
  * edge gets no term at all. Truncation at r = 0 is a shorter interval of integration.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/shape.h"
 
-#include <math.h>
-
-enum { LINE_NODES = 4 }; /* a domain of up to one cell reaches 3 nodes; 4 after round-off */
-
-/* Weights of the nodes along one axis; gradients per cell. */
+/* Weights of the nodes along one axis; gradients per cell. A domain of up to one cell
+ * (l_p <= 1) lies in one cell or in two. */
 struct line {
     int64_t first;
     int count;
-    double s[LINE_NODES];
-    double ds[LINE_NODES];
-    double t[LINE_NODES]; /* radial: mean of N_i over mean of r, r in cells */
+    double s[3];
+    double ds[3];
+    double t[3]; /* radial: mean of N_i over mean of r, r in cells */
 };
 
-static struct line planar_line(double low, double high)
+/* The part [from, to] of a cell, 0 <= from < to <= 1, between the nodes k and k + 1:
+ * integrals of N_i and of its slope, times `norm`. */
+static inline void add_part(struct line *line, int k, double from, double to, double norm)
 {
-    const double begin = floor(low);
-    struct line line = {.first = (int64_t)begin, .count = 1};
-    const double inverse_width = 1.0 / (high - low);
-    for (double cell = begin; cell < high; cell += 1.0, line.count++) {
-        const double from = low > cell ? low - cell : 0.0;
-        const double to = high < cell + 1.0 ? high - cell : 1.0;
-        const double width = (to - from) * inverse_width;
-        const double right = width * (0.5 * (from + to));
-        const int k = line.count - 1;
-        line.s[k] += width * (1.0 - 0.5 * (from + to));
-        line.ds[k] -= width;
-        line.s[k + 1] = right;
-        line.ds[k + 1] = width;
+    const double length = (to - from) * norm;
+    const double mean = 0.5 * (from + to);
+    line->s[k] += length * (1.0 - mean);
+    line->ds[k] -= length;
+    line->s[k + 1] = length * mean;
+    line->ds[k + 1] = length;
+}
+
+/* The same with weight r; the node k is at radius r, in cells. */
+static inline void add_radial_part(struct line *line, int k, double from, double to, double norm,
+                                   double r)
+{
+    const double length = (to - from) * norm;
+    const double mean = 0.5 * (from + to);                           /* of u = r' - r */
+    const double square = (from * from + from * to + to * to) / 3.0; /* mean of u^2 */
+    const double weight = length * (r + mean);
+    line->s[k] += length * (r * (1.0 - mean) + (mean - square));
+    line->ds[k] -= weight;
+    line->t[k] += length * (1.0 - mean);
+    line->s[k + 1] = length * (r * mean + square);
+    line->ds[k + 1] = weight;
+    line->t[k + 1] = length * mean;
+}
+
+static inline struct line planar_line(double low, double high)
+{
+    const int64_t cell = mpm_floor(low);
+    const double from = low - (double)cell, to = high - (double)cell;
+    const double norm = 1.0 / (high - low);
+    struct line line = {.first = cell, .count = 2};
+    if (to <= 1.0) {
+        add_part(&line, 0, from, to, norm);
+    } else {
+        line.count = 3;
+        add_part(&line, 0, from, 1.0, norm);
+        add_part(&line, 1, 0.0, to - 1.0, norm);
     }
     return line;
 }
 
-/* The same with weight r, normalised by the integral of r over the domain, r_mean
- * times width; `axis` is the place of r = 0 in cells. */
-static struct line radial_line(double low, double high, double axis, double r_mean)
+/* Normalised by the integral of r over the domain, r_mean times width; `axis` is the
+ * place of r = 0 in cells. */
+static inline struct line radial_line(double low, double high, double axis, double r_mean)
 {
-    const double begin = floor(low);
-    struct line line = {.first = (int64_t)begin, .count = 1};
+    const int64_t cell = mpm_floor(low);
+    const double from = low - (double)cell, to = high - (double)cell;
     const double norm = 1.0 / ((high - low) * r_mean);
-    for (double cell = begin; cell < high; cell += 1.0, line.count++) {
-        const double from = low > cell ? low - cell : 0.0;
-        const double to = high < cell + 1.0 ? high - cell : 1.0;
-        const double r = cell - axis; /* of the left node */
-        const double length = (to - from) * norm;
-        const double mean = 0.5 * (from + to);
-        const double square = (from * from + from * to + to * to) / 3.0; /* mean of u^2 */
-        const double weight = length * (r + mean);                       /* integral of r */
-        const double right = length * (r * mean + square);               /* of r u */
-        const double left = length * (r * (1.0 - mean) + (mean - square));
-        const int k = line.count - 1;
-        line.s[k] += left;
-        line.ds[k] -= weight;
-        line.t[k] += length * (1.0 - mean);
-        line.s[k + 1] = right;
-        line.ds[k + 1] = weight;
-        line.t[k + 1] = length * mean;
+    const double r = (double)cell - axis;
+    struct line line = {.first = cell, .count = 2};
+    if (to <= 1.0) {
+        add_radial_part(&line, 0, from, to, norm, r);
+    } else {
+        line.count = 3;
+        add_radial_part(&line, 0, from, 1.0, norm, r);
+        add_radial_part(&line, 1, 0.0, to - 1.0, norm, r + 1.0);
     }
     return line;
 }

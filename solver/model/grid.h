@@ -45,10 +45,9 @@ static inline int64_t mpm_grid_index(const struct mpm_grid *grid, int64_t column
 /* Position of the node with that index. */
 static inline void mpm_grid_position(const struct mpm_grid *grid, int64_t index, double position[2])
 {
-    position[0] =
-        grid->origin[0] + grid->cell[0] * (double)(index % grid->columns - MPM_GHOST_ROWS);
-    position[1] =
-        grid->origin[1] + grid->cell[1] * (double)(index / grid->columns - MPM_GHOST_ROWS);
+    const int64_t row = index / grid->columns, column = index % grid->columns;
+    position[0] = grid->origin[0] + grid->cell[0] * (double)(column - MPM_GHOST_ROWS);
+    position[1] = grid->origin[1] + grid->cell[1] * (double)(row - MPM_GHOST_ROWS);
 }
 
 #endif

@@ -29,8 +29,8 @@ static void stress(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZ
      * the larger one. */
     double principal[2];
     mpm_plane_eigenvalues(b, principal);
-    const double longitudinal = 0.5 * m->bulk * (j * j + 1.0) +
-                                shear * (5.0 / 9.0 * trace - principal[0] / 3.0);
+    const double longitudinal =
+        0.5 * m->bulk * (j * j + 1.0) + shear * (5.0 / 9.0 * trace - principal[0] / 3.0);
     const double transverse = shear * principal[1];
     *wave_speed_squared = longitudinal > transverse ? longitudinal : transverse;
 }

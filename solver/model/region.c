@@ -85,8 +85,8 @@ void mpm_region_bounds(const struct mpm_region *region, double low[2], double hi
             }
         return;
     case MPM_REGION_ALL:
-        low[0] = low[1] = -INFINITY;
-        high[0] = high[1] = INFINITY;
+        low[0] = low[1] = -HUGE_VAL;
+        high[0] = high[1] = HUGE_VAL;
         return;
     }
 }

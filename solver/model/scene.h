@@ -9,7 +9,7 @@
 
 #include "base/status.h"
 
-enum { MPM_NAME_SIZE = 65 }; /* names up to 64 characters */
+enum { MPM_NAME_SIZE = 257 }; /* names up to 64 characters of UTF-8 */
 
 enum mpm_stress_update { MPM_USL, MPM_MUSL, MPM_USF, MPM_USAVG };
 enum mpm_position_update { MPM_GRID_VELOCITY, MPM_MIDPOINT };

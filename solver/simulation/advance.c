@@ -44,7 +44,7 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
                                        struct mpm_error *error)
 {
     struct mpm_state *const state = &simulation->state;
-    struct mpm_error unheard;
+    struct mpm_error unheard = {0};
     error = error == NULL ? &unheard : error;
     if (simulation->failure.status != MPM_OK) {
         *error = simulation->failure;

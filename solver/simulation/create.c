@@ -195,6 +195,16 @@ static void open_books(struct mpm_simulation *simulation)
     simulation->energy_start = ledger.kinetic_energy + fabs(ledger.strain_energy);
 }
 
+/* A few particles are done before a second worker has woken up. */
+enum { PARTICLES_PER_WORKER = 4096 };
+
+static void limit_workers(struct mpm_state *state, size_t particles)
+{
+    const size_t useful = particles / PARTICLES_PER_WORKER + 1;
+    if ((size_t)state->workers > useful)
+        state->workers = (int)useful;
+}
+
 static enum mpm_status build(struct mpm_simulation *simulation, int threads,
                              struct mpm_error *error)
 {
@@ -204,6 +214,7 @@ static enum mpm_status build(struct mpm_simulation *simulation, int threads,
     describe_method(simulation, threads);
     MPM_TRY(create_expressions(simulation, error));
     MPM_TRY(mpm_bodies_count(scene, &state->grid, &counts, error));
+    limit_workers(state, counts.deformable);
     MPM_TRY(mpm_conditions_list(scene, &state->grid, boundary_value, state, &state->conditions,
                                 &state->condition_count, error));
     layout(simulation, &counts, &simulation->arena);

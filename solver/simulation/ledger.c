@@ -33,8 +33,8 @@ void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_l
         .time = simulation->state.time,
         .step = simulation->step,
         .external_work = simulation->state.external_work,
-        .j_min = INFINITY,
-        .j_max = -INFINITY,
+        .j_min = HUGE_VAL,
+        .j_max = -HUGE_VAL,
     };
     for (size_t p = 0; p < simulation->state.particles.count; p++)
         add_particle(simulation, p, ledger);

@@ -15,7 +15,7 @@ enum mpm_status mpm_scene_plan(const struct mpm_scene *scene, struct mpm_plan *p
         .cells = (size_t)(grid->cells[0] * grid->cells[1]),
         .nodes = (size_t)(grid->columns * grid->rows),
         .bytes = mpm_simulation_bytes(simulation),
-        .time_step = mpm_time_step_next(simulation, INFINITY, &lands),
+        .time_step = mpm_time_step_next(simulation, HUGE_VAL, &lands),
         .kernels = mpm_simulation_kernels(simulation),
         .kernels_reason = "the scalar kernels, one particle at a time, are the only ones",
     };

@@ -9,7 +9,9 @@
 #define PROGRAMS                                                                                   \
     PROGRAM(shape_quadrature)                                                                      \
     PROGRAM(shape_identities)                                                                      \
-    PROGRAM(shape_curves)
+    PROGRAM(shape_curves)                                                                          \
+    PROGRAM(compression)                                                                           \
+    PROGRAM(energy)
 
 #define PROGRAM(name) extern const struct measure_program program_##name;
 PROGRAMS

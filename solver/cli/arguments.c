@@ -1,0 +1,91 @@
+/* What the commands have in common: options, the scene, messages.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/cli.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+int cli_fail(enum mpm_status status, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    char *message = g_strdup_vprintf(format, arguments);
+    va_end(arguments);
+    g_strdelimit(message, "\n\r", ' '); /* one line, whatever an argument holds */
+    (void)fprintf(stderr, "mpm: %s\n", message);
+    g_free(message);
+    return (int)status;
+}
+
+static enum cli_outcome bad_usage(const struct cli_command *command, const char *problem,
+                                  const char *value)
+{
+    (void)cli_fail(MPM_BAD_INPUT, "%s: %s%s; see 'mpm %s --help'", command->name, problem, value,
+                   command->name);
+    return CLI_BAD_USAGE;
+}
+
+/* Takes exactly the operands that the command has. */
+static enum cli_outcome take_scene(const struct cli_command *command, char **operands, char **scene)
+{
+    const guint count = operands != NULL ? g_strv_length(operands) : 0;
+    const guint wanted = scene != NULL ? 1 : 0;
+    if (count < wanted)
+        return bad_usage(command, "a scene file is missing", "");
+    if (count > wanted)
+        return bad_usage(command, "unexpected argument ", operands[wanted]);
+    if (scene != NULL)
+        *scene = g_strdup(operands[0]);
+    return CLI_GO_ON;
+}
+
+enum cli_outcome cli_arguments_read(const struct cli_arguments *arguments, int argc, char **argv,
+                                    char **scene)
+{
+    const struct cli_command *command = arguments->command;
+    gboolean help = FALSE;
+    char **operands = NULL;
+    const GOptionEntry common[] = {
+        {"help", 'h', 0, G_OPTION_ARG_NONE, &help, "Show this help", NULL},
+        {G_OPTION_REMAINING, 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &operands, NULL, NULL},
+        {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
+    };
+    char *program = g_strdup_printf("mpm %s", command->name);
+    g_set_prgname(program);
+    GOptionContext *context = g_option_context_new(command->operands);
+    g_option_context_set_help_enabled(context, FALSE); /* GLib's own would exit */
+    g_option_context_set_summary(context, command->summary);
+    g_option_context_set_description(context, arguments->description);
+    if (arguments->options != NULL)
+        g_option_context_add_main_entries(context, arguments->options, NULL);
+    g_option_context_add_main_entries(context, common, NULL);
+
+    GError *failure = NULL;
+    enum cli_outcome outcome = CLI_HELP_SHOWN;
+    if (!g_option_context_parse(context, &argc, &argv, &failure)) {
+        outcome = bad_usage(command, failure->message, "");
+    } else if (help) {
+        char *text = g_option_context_get_help(context, TRUE, NULL);
+        (void)fputs(text, stdout);
+        g_free(text);
+    } else {
+        outcome = take_scene(command, operands, scene);
+    }
+    g_clear_error(&failure);
+    g_strfreev(operands);
+    g_option_context_free(context);
+    g_free(program);
+    return outcome;
+}
+
+int cli_scene_read(const char *path, char *const *settings, struct mpm_scene **scene)
+{
+    size_t count = 0;
+    while (settings != NULL && settings[count] != NULL)
+        count++;
+    struct mpm_error error = {.status = MPM_OK};
+    const enum mpm_status status =
+        mpm_scene_read(path, (const char *const *)settings, count, scene, &error);
+    return status == MPM_OK ? MPM_OK : cli_fail(status, "%s", error.message);
+}

@@ -1,0 +1,52 @@
+/* mpm check: is the scene right, and what will it cost?
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/cli.h"
+
+#include "io/units.h"
+
+#include <stdio.h>
+
+static void print_plan(const struct mpm_scene *scene, const struct mpm_plan *plan)
+{
+    char unit[MPM_UNIT_SIZE];
+    mpm_unit_text(scene, 0, 0, 1, unit);
+    (void)printf("particles  %zu\n", plan->particles);
+    (void)printf("cells      %zu (%zu nodes with ghost rows)\n", plan->cells, plan->nodes);
+    (void)printf("memory     %.4g MB", 1e-6 * (double)plan->bytes);
+    if (plan->particles > 0)
+        (void)printf(" (%.0f bytes a particle)", (double)plan->bytes / (double)plan->particles);
+    (void)printf("\ntime step  %.6g %s\n", plan->time_step, unit);
+    (void)printf("steps      about %.0f\n", plan->expected_steps);
+    (void)printf("kernels    %s (%s)\n", plan->kernels, plan->kernels_reason);
+}
+
+int cli_check(const struct cli_command *command, int argc, char **argv)
+{
+    char **settings = NULL;
+    char *path = NULL;
+    const GOptionEntry options[] = {
+        {"set", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &settings,
+         "Set a value of the scene; the last one wins", "PATH=VALUE"},
+        {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
+    };
+    const struct cli_arguments arguments = {.command = command, .options = options};
+    const enum cli_outcome outcome = cli_arguments_read(&arguments, argc, argv, &path);
+    int status = outcome == CLI_BAD_USAGE ? MPM_BAD_INPUT : MPM_OK;
+    struct mpm_scene *scene = NULL;
+    if (outcome == CLI_GO_ON)
+        status = cli_scene_read(path, settings, &scene);
+    if (scene != NULL) {
+        struct mpm_plan plan = {.particles = 0};
+        struct mpm_error error = {.status = MPM_OK};
+        const enum mpm_status planned = mpm_scene_plan(scene, &plan, &error);
+        if (planned != MPM_OK)
+            status = cli_fail(planned, "%s", error.message);
+        else
+            print_plan(scene, &plan);
+    }
+    mpm_scene_free(scene);
+    g_strfreev(settings);
+    g_free(path);
+    return status;
+}

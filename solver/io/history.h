@@ -1,0 +1,28 @@
+/* history.csv: the sums over all particles, one row per sample.
+ *
+ * The first line names the columns, the second, a comment, their units. Numbers have
+ * 17 significant digits, so that they read back as the same bits.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_IO_HISTORY_H
+#define MPM_IO_HISTORY_H
+
+#include "model/scene.h"
+
+#define MPM_HISTORY_NAME "history.csv"
+
+struct mpm_history;
+
+/* Makes the file in `folder`, in place of one that may be there, with its two first
+ * lines. MPM_ENVIRONMENT_FAILED names the file and the system's reason. */
+enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *scene,
+                                   struct mpm_history **history, struct mpm_error *error);
+void mpm_history_free(struct mpm_history *history);
+
+/* Appends a row; nothing if the last row is of the same step. The row is handed to the
+ * system at once, so a run that ends badly keeps it. A row that does not fit on the
+ * disk is taken away again: the file holds whole rows only. */
+enum mpm_status mpm_history_write(struct mpm_history *history, const struct mpm_ledger *ledger,
+                                  struct mpm_error *error);
+
+#endif

@@ -1,0 +1,24 @@
+/* Where results come from: facts that every result file carries.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_IO_PROVENANCE_H
+#define MPM_IO_PROVENANCE_H
+
+#include "model/scene.h"
+
+enum { MPM_FACT_COUNT = 7, MPM_SHA256_TEXT_SIZE = 65 };
+
+struct mpm_provenance {
+    struct {
+        const char *name, *text;
+    } facts[MPM_FACT_COUNT];
+    char scene_sha256[MPM_SHA256_TEXT_SIZE];
+};
+
+/* Fills in what the scene and the binary decide: scene_sha256, version, revision,
+ * compiler, flags, libraries, simd. None of it depends on the machine, the date or
+ * the number of threads, so files that hold it stay the same byte by byte. The
+ * texts live as long as *provenance. */
+void mpm_provenance_fill(const struct mpm_scene *scene, struct mpm_provenance *provenance);
+
+#endif

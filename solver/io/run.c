@@ -1,0 +1,230 @@
+/* A scene run to its end, with its result files: mpm_scene_run.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/history.h"
+#include "io/results_folder.h"
+#include "io/run_record.h"
+#include "io/series.h"
+
+#include <glib.h>
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+/* An instant this close to the next one, in intervals, is taken to be it: products of
+ * the interval carry round-off, and a last sliver of a step would serve nobody. */
+static const double instant_tolerance = 1e-9;
+
+struct run {
+    const struct mpm_scene *scene;
+    const struct mpm_run_options *options;
+    struct mpm_simulation *simulation;
+    struct mpm_history *history; /* NULL, as the series, when nothing is written */
+    struct mpm_series *series;
+    double history_instant, snapshot_instant; /* number of the last one passed */
+    struct mpm_run_record record;
+};
+
+static double seconds_now(void)
+{
+    return 1e-6 * (double)g_get_monotonic_time();
+}
+
+/* ---------------------------------------------------------------- instants */
+
+/* Which instant of 0, interval, 2 interval, … has been reached; 0 without an interval. */
+static double instant_reached(double time, double interval)
+{
+    return interval > 0.0 ? floor(time / interval + instant_tolerance) : 0.0;
+}
+
+/* Time that the next step must not pass: the next snapshot, or the end. Counted from
+ * t = 0, so that no error adds up. */
+static double time_limit(const struct run *run)
+{
+    const double interval = run->scene->snapshot_interval, end = run->scene->end;
+    const double next = (run->snapshot_instant + 1.0) * interval;
+    return interval > 0.0 && next < end - instant_tolerance * interval ? next : end;
+}
+
+static bool has_taken_all_steps(const struct run *run)
+{
+    return run->scene->steps > 0 &&
+           mpm_simulation_step(run->simulation) >= (uint64_t)run->scene->steps;
+}
+
+static bool is_finished(const struct run *run)
+{
+    return mpm_simulation_time(run->simulation) >= run->scene->end || has_taken_all_steps(run);
+}
+
+/* ------------------------------------------------------------------ output */
+
+static enum mpm_status write_history(struct run *run, struct mpm_error *error)
+{
+    struct mpm_ledger ledger;
+    mpm_simulation_ledger(run->simulation, &ledger);
+    return mpm_history_write(run->history, &ledger, error);
+}
+
+/* A failure to write says at which state of the run that was and what there is. */
+static enum mpm_status add_state(const struct run *run, enum mpm_status status,
+                                 struct mpm_error *error)
+{
+    double time = 0.0;
+    const char *last = mpm_series_last(run->series, &time);
+    char *message = g_strdup(error->message);
+    char *complete = last != NULL ? g_strdup_printf("%s of time %.9g", last, time) : NULL;
+    (void)mpm_error_set(error, status,
+                        "%s; the run stopped at step %" PRIu64
+                        ", time %.9g; last complete snapshot: %s",
+                        message, mpm_simulation_step(run->simulation),
+                        mpm_simulation_time(run->simulation), complete != NULL ? complete : "none");
+    g_free(complete);
+    g_free(message);
+    return status;
+}
+
+/* Writes what is asked for; what is there already for this step is not written twice. */
+static enum mpm_status write_results(struct run *run, bool history, bool snapshot,
+                                     struct mpm_error *error)
+{
+    if (run->series == NULL || !(history || snapshot))
+        return MPM_OK;
+    const double start = seconds_now();
+    enum mpm_status status = history ? write_history(run, error) : MPM_OK;
+    if (status == MPM_OK && snapshot)
+        status = mpm_series_write(run->series, run->simulation, error);
+    run->record.seconds_output += seconds_now() - start;
+    return status == MPM_OK ? MPM_OK : add_state(run, status, error);
+}
+
+static enum mpm_status write_due_results(struct run *run, struct mpm_error *error)
+{
+    const double time = mpm_simulation_time(run->simulation);
+    const double history = instant_reached(time, run->scene->history_interval);
+    const double snapshot = instant_reached(time, run->scene->snapshot_interval);
+    const bool history_due = history > run->history_instant;
+    const bool snapshot_due = snapshot > run->snapshot_instant;
+    run->history_instant = history;
+    run->snapshot_instant = snapshot;
+    return write_results(run, history_due || is_finished(run), snapshot_due || is_finished(run),
+                         error);
+}
+
+/* The simulation still shows the last good step; the first failure stays the reason. */
+static enum mpm_status keep_last_good_state(struct run *run, enum mpm_status failed,
+                                            struct mpm_error *error)
+{
+    struct mpm_error second = {.status = MPM_OK};
+    if (write_results(run, true, true, &second) == MPM_OK)
+        return failed;
+    char *message = g_strdup(error->message);
+    (void)mpm_error_set(error, failed, "%s; and the last good state cannot be written: %s", message,
+                        second.message);
+    g_free(message);
+    return failed;
+}
+
+/* --------------------------------------------------------------------- run */
+
+static void report_progress(const struct run *run)
+{
+    if (run->options->progress == NULL)
+        return;
+    double fraction = mpm_simulation_time(run->simulation) / run->scene->end;
+    if (run->scene->steps > 0)
+        fraction =
+            MAX(fraction, (double)mpm_simulation_step(run->simulation) / (double)run->scene->steps);
+    run->options->progress(run->options->progress_context, MIN(fraction, 1.0), run->simulation);
+}
+
+static enum mpm_status march(struct run *run, struct mpm_error *error)
+{
+    MPM_TRY(write_results(run, true, true, error));
+    while (!is_finished(run)) {
+        const double start = seconds_now();
+        const enum mpm_status status =
+            mpm_simulation_advance(run->simulation, time_limit(run), error);
+        run->record.seconds_step += seconds_now() - start;
+        if (status != MPM_OK)
+            return keep_last_good_state(run, status, error);
+        MPM_TRY(write_due_results(run, error));
+        report_progress(run);
+    }
+    return MPM_OK;
+}
+
+static enum mpm_status open_results(struct run *run, struct mpm_error *error)
+{
+    const char *folder = run->options->output;
+    if (folder == NULL)
+        return MPM_OK;
+    MPM_TRY(mpm_results_folder_prepare(folder, error));
+    MPM_TRY(mpm_series_create(folder, run->scene, mpm_simulation_particle_count(run->simulation),
+                              &run->series, error));
+    return mpm_history_create(folder, run->scene, &run->history, error);
+}
+
+static enum mpm_status set_up(struct run *run, struct mpm_error *error)
+{
+    const double start = seconds_now();
+    MPM_TRY(mpm_simulation_create(run->scene, run->options->threads, &run->simulation, error));
+    MPM_TRY(open_results(run, error));
+    run->record.seconds_setup = seconds_now() - start;
+    return MPM_OK;
+}
+
+/* Written however the run ended; a failure to do so counts only if all else went well. */
+static enum mpm_status write_record(struct run *run, enum mpm_status status,
+                                    struct mpm_error *error)
+{
+    if (run->series == NULL)
+        return status;
+    struct mpm_run_record *record = &run->record;
+    record->status = status;
+    record->reason = status != MPM_OK           ? error->message
+                     : has_taken_all_steps(run) ? "time.steps taken"
+                                                : "time.end reached";
+    record->scene_path = run->options->scene_path;
+    record->kernels = mpm_simulation_kernels(run->simulation);
+    record->threads = run->options->threads;
+    record->steps = mpm_simulation_step(run->simulation);
+    record->particles = mpm_simulation_particle_count(run->simulation);
+    record->bytes = mpm_simulation_bytes(run->simulation) + mpm_series_bytes(run->series);
+    mpm_simulation_phases(run->simulation, &record->phases);
+    struct mpm_error second = {.status = MPM_OK};
+    if (mpm_run_record_write(run->options->output, run->scene, record, &second) == MPM_OK ||
+        status != MPM_OK)
+        return status;
+    *error = second;
+    return add_state(run, second.status, error);
+}
+
+static enum mpm_status check_options(const struct mpm_run_options *options, struct mpm_error *error)
+{
+    if (options->threads < 1)
+        return mpm_error_set(error, MPM_BAD_INPUT, "threads: %d; at least 1 is needed",
+                             options->threads);
+    return options->output != NULL
+               ? mpm_results_folder_check(options->output, options->overwrite, error)
+               : MPM_OK;
+}
+
+enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_run_options *options,
+                              struct mpm_error *error)
+{
+    struct mpm_error failure = {.status = MPM_OK};
+    struct run run = {.scene = scene, .options = options};
+    enum mpm_status status = check_options(options, &failure);
+    if (status == MPM_OK)
+        status = set_up(&run, &failure);
+    if (status == MPM_OK)
+        status = write_record(&run, march(&run, &failure), &failure);
+    mpm_history_free(run.history);
+    mpm_series_free(run.series);
+    mpm_simulation_free(run.simulation);
+    if (error != NULL && status != MPM_OK)
+        *error = failure;
+    return status;
+}

@@ -1,0 +1,29 @@
+/* run.json: how a run ended, what it cost and where it comes from.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_IO_RUN_RECORD_H
+#define MPM_IO_RUN_RECORD_H
+
+#include "model/scene.h"
+
+#define MPM_RUN_RECORD_NAME "run.json"
+
+struct mpm_run_record {
+    enum mpm_status status;
+    const char *reason;     /* why the run ended */
+    const char *scene_path; /* NULL: as the scene names itself */
+    const char *kernels;
+    int threads;
+    uint64_t steps;
+    size_t particles;
+    size_t bytes; /* of the simulation and the working space of its output */
+    double seconds_setup, seconds_step, seconds_output;
+    struct mpm_phases phases;
+};
+
+/* Writes run.json into `folder`, whole or not at all. `outcome` is "done" for MPM_OK
+ * and "failed" otherwise. MPM_ENVIRONMENT_FAILED names the file and the reason. */
+enum mpm_status mpm_run_record_write(const char *folder, const struct mpm_scene *scene,
+                                     const struct mpm_run_record *record, struct mpm_error *error);
+
+#endif

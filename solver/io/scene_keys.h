@@ -1,0 +1,219 @@
+/* Every key of a scene, once. From these lists come the C structs that libcyaml fills,
+ * libcyaml's schema, the checks of type and range, the defaults and `mpm schema`.
+ *
+ * A line is X(S, shape, key, value, where, need, unit, default, range, help):
+ *   S        what the user of the list wants to know in each line: the list's name
+ *   shape    ONE value, a PAIR of values, a list of POINTS (pairs), a CHOICE among names,
+ *            a GROUP of keys, a LIST of groups
+ *   value    kind of the value; for a CHOICE its list below; for GROUP and LIST the list
+ *            of their keys
+ *   where    geometry that the key belongs to: ANYWHERE, PLANAR, AXISYMMETRIC
+ *   default  YAML that stands in for a missing OPTIONAL key, or NULL: then the key stays
+ *            missing and `help` tells what that means
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_IO_SCENE_KEYS_H
+#define MPM_IO_SCENE_KEYS_H
+
+/* ----------------------------------------------------------------- choices */
+
+#define CHOICES_geometry(C)                                                                        \
+    C("plane_strain", MPM_PLANE_STRAIN)                                                            \
+    C("plane_stress", MPM_PLANE_STRESS)                                                            \
+    C("axisymmetric", MPM_AXISYMMETRIC)
+
+#define CHOICES_shape(C)                                                                           \
+    C("classic", MPM_CLASSIC)                                                                      \
+    C("ugimp", MPM_UGIMP)                                                                          \
+    C("cpdi", MPM_CPDI)
+
+#define CHOICES_axis(C)                                                                            \
+    C("truncated", MPM_TRUNCATED)                                                                  \
+    C("untruncated", MPM_UNTRUNCATED)
+
+#define CHOICES_stress_update(C)                                                                   \
+    C("usl", MPM_USL)                                                                              \
+    C("musl", MPM_MUSL)                                                                            \
+    C("usf", MPM_USF)                                                                              \
+    C("usavg", MPM_USAVG)
+
+#define CHOICES_position_update(C)                                                                 \
+    C("grid_velocity", MPM_GRID_VELOCITY)                                                          \
+    C("midpoint", MPM_MIDPOINT)
+
+#define CHOICES_radius_update(C)                                                                   \
+    C("shape", MPM_RADIUS_SHAPE)                                                                   \
+    C("hoop", MPM_RADIUS_HOOP)
+
+enum mpm_transfer_kind { MPM_TRANSFER_FLIP };
+
+#define CHOICES_transfer_kind(C) C("flip", MPM_TRANSFER_FLIP)
+
+#define MPM_CHOICE_LISTS(L)                                                                        \
+    L(geometry)                                                                                    \
+    L(shape)                                                                                       \
+    L(axis)                                                                                        \
+    L(stress_update)                                                                               \
+    L(position_update)                                                                             \
+    L(radius_update)                                                                               \
+    L(transfer_kind)
+
+/* -------------------------------------------------------------------- keys */
+
+/* clang-format off */
+#define KEYS_units(X, S)                                                                           \
+    X(S, ONE, length, name, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of length")     \
+    X(S, ONE, mass, name, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of mass")         \
+    X(S, ONE, time, name, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of time")         \
+    X(S, ONE, temperature, name, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of temperature")
+
+#define KEYS_grid(X, S)                                                                            \
+    X(S, PAIR, origin, number, ANYWHERE, OPTIONAL, "length", "[0, 0]", ANY,                        \
+      "position of the first node")                                                                \
+    X(S, PAIR, cell, number, ANYWHERE, REQUIRED, "length", NULL, FROM_TO(1e-100, 1e100),           \
+      "size of a cell")                                                                            \
+    X(S, PAIR, cells, integer, ANYWHERE, REQUIRED, "", NULL, FROM_TO(1, 2147483648.0),             \
+      "number of cells along each axis; with refine and ghost rows at most 2^31 nodes")            \
+    X(S, ONE, refine, integer, ANYWHERE, OPTIONAL, "", "1", FROM_TO(1, 1048576),                   \
+      "divides each cell into so many along each axis")
+
+#define KEYS_time(X, S)                                                                            \
+    X(S, ONE, end, number, ANYWHERE, REQUIRED, "time", NULL, ABOVE(0), "when the run ends")        \
+    X(S, ONE, courant, number, ANYWHERE, OPTIONAL, "", "0.4", ABOVE(0),                            \
+      "time step over the time that waves take through a cell; up to 1 unless allow_unstable; "    \
+      "not with step")                                                                             \
+    X(S, ONE, step, number, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                            \
+      "a fixed time step instead of courant; under the stability limit unless allow_unstable")     \
+    X(S, ONE, steps, integer, ANYWHERE, OPTIONAL, "", NULL, FROM_TO(1, 9007199254740992.0),        \
+      "stop after so many steps")                                                                  \
+    X(S, ONE, allow_unstable, boolean, ANYWHERE, OPTIONAL, "", "false", ANY,                       \
+      "take time steps beyond the stability limit")
+
+#define KEYS_transfer(X, S)                                                                        \
+    X(S, CHOICE, kind, transfer_kind, ANYWHERE, OPTIONAL, "", "flip", ANY,                         \
+      "how particle velocities follow the grid")                                                   \
+    X(S, ONE, fraction, number, ANYWHERE, OPTIONAL, "", "1", ABOVE_TO(0, 1),                       \
+      "share of FLIP; the rest takes the grid's velocity")
+
+#define KEYS_method(X, S)                                                                          \
+    X(S, CHOICE, shape, shape, ANYWHERE, OPTIONAL, "", "ugimp", ANY, "shape functions")            \
+    X(S, CHOICE, axis, axis, AXISYMMETRIC, OPTIONAL, "", "truncated", ANY,                         \
+      "are particle domains cut off at r = 0")                                                     \
+    X(S, CHOICE, stress_update, stress_update, ANYWHERE, OPTIONAL, "", "musl", ANY,                \
+      "where in the step stresses are updated")                                                    \
+    X(S, CHOICE, position_update, position_update, ANYWHERE, OPTIONAL, "", "grid_velocity", ANY,   \
+      "how particles move")                                                                        \
+    X(S, CHOICE, radius_update, radius_update, AXISYMMETRIC, OPTIONAL, "", "shape", ANY,           \
+      "how r moves: with S, or with the hoop strain's T (only axis: truncated)")                   \
+    X(S, GROUP, transfer, transfer, ANYWHERE, OPTIONAL, "", "{}", ANY, "grid to particle velocities") \
+    X(S, ONE, deformation_terms, integer, ANYWHERE, OPTIONAL, "", "2", FROM_TO(1, 20),             \
+      "terms of the series for the deformation increment exp(dt grad v)")
+
+#define KEYS_material(X, S)                                                                        \
+    X(S, ONE, name, name, ANYWHERE, REQUIRED, "", NULL, ANY, "name, one only in the scene")        \
+    X(S, ONE, law, law, ANYWHERE, REQUIRED, "", NULL, ANY, "constitutive law")                     \
+    X(S, ONE, density, number, ANYWHERE, REQUIRED, "mass/length^3", NULL, ABOVE(0),                \
+      "initial density")                                                                           \
+    X(S, ONE, bulk, number, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),            \
+      "bulk modulus, together with shear")                                                         \
+    X(S, ONE, shear, number, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),           \
+      "shear modulus, together with bulk")                                                         \
+    X(S, ONE, young, number, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),           \
+      "Young's modulus, together with poisson; instead of bulk and shear")                         \
+    X(S, ONE, poisson, number, ANYWHERE, OPTIONAL, "", NULL, BETWEEN(-1, 0.5),                     \
+      "Poisson's ratio, together with young; instead of bulk and shear")
+
+#define KEYS_rectangle(X, S)                                                                       \
+    X(S, PAIR, from, number, ANYWHERE, REQUIRED, "length", NULL, ANY, "lower left corner")         \
+    X(S, PAIR, to, number, ANYWHERE, REQUIRED, "length", NULL, ANY, "upper right corner")
+
+#define KEYS_disk(X, S)                                                                            \
+    X(S, PAIR, center, number, ANYWHERE, REQUIRED, "length", NULL, ANY, "centre")                  \
+    X(S, ONE, radius, number, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0), "radius")
+
+#define KEYS_annulus(X, S)                                                                         \
+    X(S, PAIR, center, number, ANYWHERE, REQUIRED, "length", NULL, ANY, "centre")                  \
+    X(S, ONE, inner, number, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0), "inner radius")         \
+    X(S, ONE, outer, number, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0), "outer radius")
+
+#define KEYS_polygon(X, S)                                                                         \
+    X(S, POINTS, points, number, ANYWHERE, REQUIRED, "length", NULL, ANY,                          \
+      "corners in order; edges must not cross")
+
+#define KEYS_line(X, S)                                                                            \
+    X(S, PAIR, from, number, ANYWHERE, REQUIRED, "length", NULL, ANY, "one end")                   \
+    X(S, PAIR, to, number, ANYWHERE, REQUIRED, "length", NULL, ANY,                                \
+      "other end; the line must be parallel to an axis")
+
+#define KEYS_body_region(X, S)                                                                     \
+    X(S, GROUP, rectangle, rectangle, ANYWHERE, OPTIONAL, "", NULL, ANY, "a rectangle")            \
+    X(S, GROUP, disk, disk, ANYWHERE, OPTIONAL, "", NULL, ANY, "a disk")                           \
+    X(S, GROUP, annulus, annulus, ANYWHERE, OPTIONAL, "", NULL, ANY, "a ring")                     \
+    X(S, GROUP, polygon, polygon, ANYWHERE, OPTIONAL, "", NULL, ANY, "a polygon")
+
+#define KEYS_boundary_region(X, S)                                                                 \
+    X(S, GROUP, line, line, ANYWHERE, OPTIONAL, "", NULL, ANY, "the nodes on a line")              \
+    X(S, GROUP, rectangle, rectangle, ANYWHERE, OPTIONAL, "", NULL, ANY, "the nodes in a rectangle") \
+    X(S, ONE, all, boolean, ANYWHERE, OPTIONAL, "", NULL, ANY,                                     \
+      "all nodes; `region: all` is the same as `region: {all: true}`")
+
+#define KEYS_rigid(X, S)                                                                           \
+    X(S, PAIR, velocity, drive, ANYWHERE, REQUIRED, "length/time", NULL, ANY,                      \
+      "velocity that it gives to the nodes it reaches, in coordinates and t")
+
+#define KEYS_body(X, S)                                                                            \
+    X(S, ONE, name, name, ANYWHERE, REQUIRED, "", NULL, ANY, "name, one only in the scene")        \
+    X(S, ONE, material, name, ANYWHERE, OPTIONAL, "", NULL, ANY,                                   \
+      "name of its material, for a deformable body")                                               \
+    X(S, GROUP, rigid, rigid, ANYWHERE, OPTIONAL, "", NULL, ANY,                                   \
+      "instead of material: a rigid body that drives nodes")                                       \
+    X(S, GROUP, region, body_region, ANYWHERE, REQUIRED, "", NULL, ANY,                            \
+      "where it is at t = 0: exactly one shape, inside the grid")                                  \
+    X(S, PAIR, particles_per_cell, integer, ANYWHERE, OPTIONAL, "", "[2, 2]", FROM_TO(1, 16),      \
+      "lattice sites of a cell along each axis")                                                   \
+    X(S, PAIR, velocity, expression, ANYWHERE, OPTIONAL, "length/time", "[0, 0]", ANY,             \
+      "initial velocity of a deformable body, in the coordinates")
+
+#define KEYS_boundary(X, S)                                                                        \
+    X(S, GROUP, region, boundary_region, ANYWHERE, REQUIRED, "", NULL, ANY,                        \
+      "which nodes: exactly one shape")                                                            \
+    X(S, PAIR, velocity, drive, ANYWHERE, REQUIRED, "length/time", NULL, ANY,                      \
+      "their velocity, in coordinates and t")
+
+#define KEYS_loads(X, S)                                                                           \
+    X(S, PAIR, body_force, expression, ANYWHERE, OPTIONAL, "length/time^2", "[0, 0]", ANY,         \
+      "force per unit mass, in coordinates and t")
+
+#define KEYS_output(X, S)                                                                          \
+    X(S, ONE, history, number, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                         \
+      "interval of rows in history.csv; without it only t = 0 and end")                            \
+    X(S, ONE, snapshots, number, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                       \
+      "interval of snapshots; without it only t = 0 and end")
+
+#define KEYS_scene(X, S)                                                                           \
+    X(S, ONE, format, integer, ANYWHERE, REQUIRED, "", NULL, FROM_TO(1, 1),                        \
+      "version of the scene's format")                                                             \
+    X(S, ONE, title, text, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "what the scene is about")         \
+    X(S, CHOICE, geometry, geometry, ANYWHERE, REQUIRED, "", NULL, ANY,                            \
+      "axes x, y in planar scenes, r, z in axisymmetric ones")                                     \
+    X(S, GROUP, units, units, ANYWHERE, OPTIONAL, "", "{}", ANY,                                   \
+      "any consistent system; outputs carry the names")                                            \
+    X(S, ONE, thickness, number, PLANAR, OPTIONAL, "length", "1", ABOVE(0), "out of the plane")    \
+    X(S, GROUP, grid, grid, ANYWHERE, REQUIRED, "", NULL, ANY, "regular background grid")          \
+    X(S, GROUP, time, time, ANYWHERE, REQUIRED, "", NULL, ANY, "end and step of time")             \
+    X(S, GROUP, method, method, ANYWHERE, OPTIONAL, "", "{}", ANY, "the numerical method")         \
+    X(S, LIST, materials, material, ANYWHERE, REQUIRED, "", NULL, ANY, "one or more materials")    \
+    X(S, LIST, bodies, body, ANYWHERE, REQUIRED, "", NULL, ANY,                                    \
+      "one or more bodies, one of them deformable")                                                \
+    X(S, LIST, boundary, boundary, ANYWHERE, OPTIONAL, "", "[]", ANY, "conditions on grid nodes")  \
+    X(S, GROUP, loads, loads, ANYWHERE, OPTIONAL, "", "{}", ANY, "forces on bodies")               \
+    X(S, GROUP, output, output, ANYWHERE, OPTIONAL, "", "{}", ANY, "what is written, how often")
+
+/* Children before those who hold them; `scene` last. */
+#define MPM_KEY_LISTS(L)                                                                           \
+    L(units) L(grid) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
+    L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary) L(loads)     \
+    L(output) L(scene)
+/* clang-format on */
+
+#endif

@@ -1,0 +1,26 @@
+/* The test suites, in the order they run. A new file tests/test_<module>.c exports
+ * `Suite *suite_<module>(void)`, includes this header and is one line here.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TESTS_SUITES_H
+#define TESTS_SUITES_H
+
+#include <check.h>
+
+#define SUITES(SUITE)                                                                              \
+    SUITE(support)                                                                                 \
+    SUITE(status)                                                                                  \
+    SUITE(base)                                                                                    \
+    SUITE(material)                                                                                \
+    SUITE(properties)                                                                              \
+    SUITE(guard)                                                                                   \
+    SUITE(exact)                                                                                   \
+    SUITE(results)                                                                                 \
+    SUITE(run)                                                                                     \
+    SUITE(cli)
+
+#define SUITE_DECLARE(name) Suite *suite_##name(void);
+SUITES(SUITE_DECLARE)
+#undef SUITE_DECLARE
+
+#endif

@@ -1,0 +1,24 @@
+/* Skipping a test, with its reason: Check itself knows only passed and failed.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TESTS_SUPPORT_SKIP_H
+#define TESTS_SUPPORT_SKIP_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+/* Ends the test that it stands in; counted as skipped, and the reason is printed.
+ * Not after a failed assertion, and not inside a helper function. */
+#define TEST_SKIP(reason)                                                                          \
+    do {                                                                                           \
+        test_skip_record(__func__, reason);                                                        \
+        return;                                                                                    \
+    } while (0)
+
+void test_skip_record(const char *test, const char *reason);
+
+/* For main: before the tests; after them, lists the skipped ones, returns how many. */
+bool test_skip_open(void);
+int test_skip_report(FILE *stream);
+
+#endif

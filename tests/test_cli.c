@@ -1,0 +1,321 @@
+/* The command mpm from outside: what it accepts, prints and returns.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mpm.h"
+#include "suites.h"
+#include "support/blocks.h"
+#include "support/command.h"
+#include "support/folder.h"
+
+#include <glib.h>
+#include <string.h>
+
+static struct {
+    char *folder, *scene, *unstable, *output;
+} fixture;
+
+static void set_up(void)
+{
+    fixture.folder = test_folder_create();
+    fixture.scene = test_folder_write(fixture.folder, "blocks.yaml", TEST_BLOCKS);
+    fixture.unstable = test_folder_write(fixture.folder, "unstable.yaml", TEST_BLOCKS_UNSTABLE);
+    fixture.output = test_folder_path(fixture.folder, "results");
+}
+
+static void tear_down(void)
+{
+    g_free(fixture.scene);
+    g_free(fixture.unstable);
+    g_free(fixture.output);
+    test_folder_remove(fixture.folder);
+    memset(&fixture, 0, sizeof fixture);
+}
+
+/* One line on stderr that begins with the program's name, nothing on stdout. */
+static void check_error(const struct test_command *command, const char *said)
+{
+    ck_assert_str_eq(command->output, "");
+    ck_assert_msg(g_str_has_prefix(command->errors, "mpm: "), "said: %s", command->errors);
+    ck_assert_msg(strchr(command->errors, '\n') == command->errors + strlen(command->errors) - 1,
+                  "not one line: %s", command->errors);
+    ck_assert_msg(strstr(command->errors, said) != NULL, "'%s' is not in: %s", said,
+                  command->errors);
+}
+
+/* The command in a shell: "$1" is the program, "$2" the scene, "$3" the output folder. */
+static struct test_command run_in_shell(const char *script)
+{
+    char *program = g_build_filename(
+        g_getenv("MPM_BIN") ? g_getenv("MPM_BIN") : "build/release/bin", "mpm", NULL);
+    char *absolute = g_canonicalize_filename(program, NULL);
+    struct test_command command = test_command_run("/bin/sh", "-c", script, "sh", absolute,
+                                                   fixture.scene, fixture.output, NULL);
+    g_free(absolute);
+    g_free(program);
+    return command;
+}
+
+/* ------------------------------------------------------------------- usage */
+
+/* SCENE stands for a good scene file, OUT for a folder that is not there. */
+static const struct bad_line {
+    const char *arguments[6];
+    const char *said;
+} bad_lines[] = {
+    {{NULL}, "a command is missing"},
+    {{""}, "unknown command ''"},
+    {{"rum"}, "unknown command 'rum'"},
+    {{"run me"}, "unknown command 'run me'"},
+    {{"two\nlines"}, "unknown command 'two lines'"},
+    {{"--bogus"}, "unknown command '--bogus'"},
+    {{"run"}, "a scene file is missing"},
+    {{"check"}, "a scene file is missing"},
+    {{"run", "SCENE", "more"}, "unexpected argument more"},
+    {{"check", "SCENE", "more"}, "unexpected argument more"},
+    {{"info", "more"}, "unexpected argument more"},
+    {{"schema", "more"}, "unexpected argument more"},
+    {{"run", "--bogus", "SCENE"}, "--bogus"},
+    {{"check", "--threads", "1", "SCENE"}, "--threads"},
+    {{"info", "--set", "a=1"}, "--set"},
+    {{"run", "SCENE", "--output"}, "--output"},
+    {{"run", "SCENE", "--threads"}, "--threads"},
+    {{"run", "SCENE", "--set"}, "--set"},
+    {{"run", "SCENE", "--output", ""}, "empty"},
+    {{"run", "SCENE", "--output", "SCENE"}, "is a file"},
+    {{"run", "SCENE", "--threads", "0"}, "'0' is not a whole number from 1 to 1024"},
+    {{"run", "SCENE", "--threads", "-1"}, "'-1' is not a whole number"},
+    {{"run", "SCENE", "--threads", "1.5"}, "'1.5' is not a whole number"},
+    {{"run", "SCENE", "--threads", "two"}, "'two' is not a whole number"},
+    {{"run", "SCENE", "--threads", ""}, "'' is not a whole number"},
+    {{"run", "SCENE", "--threads", "1025"}, "'1025' is not a whole number"},
+    {{"run", "SCENE", "--threads", "99999999999999999999"}, "is not a whole number"},
+    {{"run", "SCENE", "--resume", "--output", "OUT"}, "there is no checkpoint in"},
+    {{"run", "SCENE", "--set", "nonsense"}, "nonsense"},
+    {{"check", "SCENE", "--set", "no.such.key=1"}, "no"},
+    {{"check", "SCENE", "--set", "time.courant=nan"}, "courant"},
+    {{"run", "no-such-file.yaml"}, "no-such-file.yaml"},
+    {{"check", "no-such-file.yaml"}, "no-such-file.yaml"},
+    {{"check", "/"}, "/"},
+};
+
+static const char *filled(const char *argument)
+{
+    if (argument != NULL && strcmp(argument, "SCENE") == 0)
+        return fixture.scene;
+    return argument != NULL && strcmp(argument, "OUT") == 0 ? fixture.output : argument;
+}
+
+START_TEST(a_bad_command_line_is_refused_in_one_line)
+{
+    const struct bad_line *line = &bad_lines[_i];
+    const char *words[G_N_ELEMENTS(line->arguments)];
+    for (size_t i = 0; i < G_N_ELEMENTS(words); i++)
+        words[i] = filled(line->arguments[i]);
+    struct test_command command =
+        test_command_run("mpm", words[0], words[1], words[2], words[3], words[4], words[5], NULL);
+    ck_assert_int_eq(command.exit_status, MPM_BAD_INPUT);
+    check_error(&command, line->said);
+    ck_assert(!test_file_exists(fixture.output));
+    test_command_free(&command);
+}
+END_TEST
+
+START_TEST(help_and_version_end_well)
+{
+    static const struct {
+        const char *arguments[2], *said;
+    } lines[] = {
+        {{"--help", NULL}, "Exit status"}, {{"-h", NULL}, "Usage"},
+        {{"--version", NULL}, "mpm "},     {{"run", "--help"}, "--overwrite"},
+        {{"check", "--help"}, "--set"},    {{"info", "-h"}, "Usage"},
+        {{"schema", "--help"}, "Usage"},
+    };
+    for (size_t i = 0; i < G_N_ELEMENTS(lines); i++) {
+        struct test_command command =
+            test_command_run("mpm", lines[i].arguments[0], lines[i].arguments[1], NULL);
+        ck_assert_int_eq(command.exit_status, MPM_OK);
+        ck_assert_str_eq(command.errors, "");
+        ck_assert(strstr(command.output, lines[i].said) != NULL);
+        test_command_free(&command);
+    }
+}
+END_TEST
+
+START_TEST(info_tells_what_the_binary_is_made_of)
+{
+    static const char *const names[] = {"version", "revision",  "compiler",
+                                        "flags",   "libraries", "simd"};
+    struct test_command command = test_command_run("mpm", "info", NULL);
+    ck_assert_int_eq(command.exit_status, MPM_OK);
+    for (size_t i = 0; i < G_N_ELEMENTS(names); i++)
+        ck_assert(strstr(command.output, names[i]) != NULL);
+    ck_assert(strstr(command.output, mpm_build_info()->revision) != NULL);
+    test_command_free(&command);
+}
+END_TEST
+
+START_TEST(schema_names_the_required_keys)
+{
+    static const char *const keys[] = {"format", "geometry", "grid", "time", "materials", "bodies"};
+    struct test_command command = test_command_run("mpm", "schema", NULL);
+    ck_assert_int_eq(command.exit_status, MPM_OK);
+    for (size_t i = 0; i < G_N_ELEMENTS(keys); i++)
+        ck_assert(strstr(command.output, keys[i]) != NULL);
+    test_command_free(&command);
+}
+END_TEST
+
+START_TEST(check_prints_the_cost_and_writes_nothing)
+{
+    static const char *const names[] = {"particles  60", "cells      96",
+                                        "memory",        "time step  0.0219089 ms",
+                                        "steps",         "kernels    reference"};
+    struct test_command command = test_command_run("mpm", "check", fixture.scene, NULL);
+    ck_assert_int_eq(command.exit_status, MPM_OK);
+    ck_assert_str_eq(command.errors, "");
+    for (size_t i = 0; i < G_N_ELEMENTS(names); i++)
+        ck_assert_msg(strstr(command.output, names[i]) != NULL, "no %s in: %s", names[i],
+                      command.output);
+    test_command_free(&command);
+}
+END_TEST
+
+/* --------------------------------------------------------------------- run */
+
+START_TEST(a_pipe_sees_a_line_for_each_tenth_and_one_summary)
+{
+    struct test_command command =
+        test_command_run("mpm", "run", fixture.scene, "--output", fixture.output, NULL);
+    ck_assert_int_eq(command.exit_status, MPM_OK);
+    char **lines = g_strsplit(g_strchomp(command.errors), "\n", -1);
+    ck_assert_uint_eq(g_strv_length(lines), 10);
+    for (gint64 i = 0; i < 10; i++)
+        ck_assert_int_eq(g_ascii_strtoll(lines[i], NULL, 10), 10 * (i + 1));
+    ck_assert(g_str_has_prefix(command.output, "done: "));
+    ck_assert(strstr(command.output, fixture.output) != NULL);
+    g_strfreev(lines);
+    test_command_free(&command);
+}
+END_TEST
+
+START_TEST(quiet_prints_nothing_but_errors)
+{
+    struct test_command command = test_command_run("mpm", "run", "--quiet", "--threads", "1",
+                                                   fixture.scene, "--output", fixture.output, NULL);
+    ck_assert_int_eq(command.exit_status, MPM_OK);
+    ck_assert_str_eq(command.output, "");
+    ck_assert_str_eq(command.errors, "");
+    test_command_free(&command);
+    command = test_command_run("mpm", "run", "--quiet", "--threads", "1", fixture.scene, "--output",
+                               fixture.output, NULL);
+    ck_assert_int_eq(command.exit_status, MPM_BAD_INPUT);
+    check_error(&command, "--overwrite");
+    test_command_free(&command);
+    command = test_command_run("mpm", "run", "--quiet", "--threads", "1", "--overwrite",
+                               fixture.scene, "--output", fixture.output, NULL);
+    ck_assert_int_eq(command.exit_status, MPM_OK);
+    test_command_free(&command);
+}
+END_TEST
+
+START_TEST(results_go_by_default_to_a_folder_named_after_the_scene)
+{
+    struct test_command command =
+        run_in_shell("cd \"$(dirname \"$2\")\" && exec \"$1\" run --quiet --threads 1 blocks.yaml");
+    ck_assert_msg(command.exit_status == MPM_OK, "%s", command.errors);
+    char *record = g_build_filename(fixture.folder, "blocks-results", "run.json", NULL);
+    ck_assert(test_file_exists(record));
+    g_free(record);
+    test_command_free(&command);
+}
+END_TEST
+
+/* Every snapshot, the list and the history; run.json holds times and the number itself. */
+START_TEST(any_number_of_threads_gives_the_same_bytes)
+{
+    struct test_command command = run_in_shell(
+        "for n in 1 2 3; do OMP_NUM_THREADS=$n \"$1\" run -q -o \"$3-$n\" \"$2\" || exit; done; "
+        "\"$1\" run -q -o \"$3-4\" --threads 4 \"$2\" || exit; "
+        "for n in 2 3 4; do for f in \"$3-1\"/p* \"$3-1\"/h*; do "
+        "cmp \"$f\" \"$3-$n/$(basename \"$f\")\" || exit; done; done; "
+        "ls \"$3-1\" | grep -c 'particles-.*hdf$'");
+    ck_assert_msg(command.exit_status == 0, "%s%s", command.output, command.errors);
+    ck_assert_str_eq(command.output, "5\n");
+    test_command_free(&command);
+}
+END_TEST
+
+START_TEST(a_run_that_blows_up_ends_with_3_and_says_where)
+{
+    struct test_command command =
+        test_command_run("mpm", "run", "--quiet", "--threads", "1", fixture.unstable, "--output",
+                         fixture.output, NULL);
+    ck_assert_int_eq(command.exit_status, MPM_RUN_FAILED);
+    check_error(&command, "step");
+    char *record = g_build_filename(fixture.output, "run.json", NULL);
+    ck_assert(test_file_exists(record));
+    g_free(record);
+    test_command_free(&command);
+}
+END_TEST
+
+START_TEST(a_folder_that_cannot_be_written_ends_with_4)
+{
+    char *below = test_folder_path(fixture.scene, "below-a-file");
+    struct test_command command = test_command_run("mpm", "run", "--quiet", "--threads", "1",
+                                                   fixture.scene, "--output", below, NULL);
+    ck_assert_int_eq(command.exit_status, MPM_ENVIRONMENT_FAILED);
+    check_error(&command, below);
+    g_free(below);
+    test_command_free(&command);
+}
+END_TEST
+
+/* The shell's limit is in blocks of 512 bytes: the first snapshot does not fit. */
+START_TEST(a_full_disk_ends_with_4_and_names_the_state)
+{
+    struct test_command command =
+        run_in_shell("ulimit -f 16; exec \"$1\" run --quiet --threads 1 \"$2\" --output \"$3\"");
+    ck_assert_int_eq(command.exit_status, MPM_ENVIRONMENT_FAILED);
+    check_error(&command, "last complete snapshot: none");
+    test_command_free(&command);
+}
+END_TEST
+
+START_TEST(standard_output_that_is_full_or_gone_is_no_crash)
+{
+    struct test_command command = run_in_shell("exec \"$1\" schema > /dev/full");
+    ck_assert_int_eq(command.exit_status, MPM_ENVIRONMENT_FAILED);
+    check_error(&command, "standard output");
+    test_command_free(&command);
+    command = run_in_shell("{ sleep 0.2; \"$1\" schema; echo $? >&2; } | true");
+    ck_assert_str_eq(command.errors, "0\n");
+    test_command_free(&command);
+}
+END_TEST
+
+Suite *suite_cli(void)
+{
+    Suite *suite = suite_create("cli");
+    TCase *usage = tcase_create("usage");
+    tcase_add_checked_fixture(usage, set_up, tear_down);
+    tcase_add_loop_test(usage, a_bad_command_line_is_refused_in_one_line, 0,
+                        (int)G_N_ELEMENTS(bad_lines));
+    tcase_add_test(usage, help_and_version_end_well);
+    tcase_add_test(usage, info_tells_what_the_binary_is_made_of);
+    tcase_add_test(usage, schema_names_the_required_keys);
+    tcase_add_test(usage, check_prints_the_cost_and_writes_nothing);
+    suite_add_tcase(suite, usage);
+    TCase *runs = tcase_create("runs");
+    tcase_add_checked_fixture(runs, set_up, tear_down);
+    tcase_add_test(runs, a_pipe_sees_a_line_for_each_tenth_and_one_summary);
+    tcase_add_test(runs, quiet_prints_nothing_but_errors);
+    tcase_add_test(runs, results_go_by_default_to_a_folder_named_after_the_scene);
+    tcase_add_test(runs, any_number_of_threads_gives_the_same_bytes);
+    tcase_add_test(runs, a_run_that_blows_up_ends_with_3_and_says_where);
+    tcase_add_test(runs, a_folder_that_cannot_be_written_ends_with_4);
+    tcase_add_test(runs, a_full_disk_ends_with_4_and_names_the_state);
+    tcase_add_test(runs, standard_output_that_is_full_or_gone_is_no_crash);
+    suite_add_tcase(suite, runs);
+    return suite;
+}

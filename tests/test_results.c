@@ -1,0 +1,347 @@
+/* The files of results one by one, read back: snapshots, history, units.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/history.h"
+#include "io/snapshot.h"
+#include "io/units.h"
+#include "suites.h"
+#include "support/blocks.h"
+#include "support/folder.h"
+#include "support/results.h"
+#include "support/skip.h"
+
+#include <glib.h>
+#include <math.h>
+#include <string.h>
+
+/* Advances a simulation by some steps, so that nothing has its initial value. */
+static struct mpm_simulation *simulate(int steps)
+{
+    struct mpm_simulation *simulation = NULL;
+    ck_assert_int_eq(mpm_simulation_create(test_results.scene, 1, &simulation, NULL), MPM_OK);
+    for (int i = 0; i < steps; i++)
+        ck_assert_int_eq(
+            mpm_simulation_advance(simulation, mpm_scene_end_time(test_results.scene), NULL),
+            MPM_OK);
+    return simulation;
+}
+
+static char *write_snapshot(const struct mpm_simulation *simulation, const char *name)
+{
+    char *path = test_folder_path(test_results.folder, name);
+    double *work = g_new(double, mpm_snapshot_work_size(mpm_simulation_particle_count(simulation)));
+    struct mpm_error error = {.status = MPM_OK};
+    ck_assert_msg(mpm_snapshot_write(path, test_results.scene, simulation, work, &error) == MPM_OK,
+                  "%s", error.message);
+    g_free(work);
+    return path;
+}
+
+/* --------------------------------------------------------------- snapshots */
+
+START_TEST(a_snapshot_reads_back_as_the_bits_of_the_simulation)
+{
+    struct mpm_simulation *simulation = simulate(7);
+    char *path = write_snapshot(simulation, "one.hdf");
+    struct test_snapshot snapshot = test_snapshot_read(path);
+    ck_assert(snapshot.time == mpm_simulation_time(simulation));
+    ck_assert_int_eq(snapshot.step, 7);
+    ck_assert_uint_eq(snapshot.count, TEST_BLOCKS_PARTICLES);
+    for (int field = 0; field < MPM_FIELD_COUNT; field++) {
+        const size_t size = snapshot.count * mpm_field_describe((enum mpm_field)field)->components;
+        double *values = g_new(double, size);
+        mpm_simulation_field(simulation, (enum mpm_field)field, values);
+        ck_assert_mem_eq(values, snapshot.fields[field], size * sizeof *values);
+        g_free(values);
+    }
+    test_snapshot_free(&snapshot);
+    mpm_simulation_free(simulation);
+    g_free(path);
+}
+END_TEST
+
+START_TEST(every_dataset_names_its_unit_its_meaning_and_its_components)
+{
+    struct mpm_simulation *simulation = simulate(1);
+    char *path = write_snapshot(simulation, "one.hdf");
+    const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    for (int field = 0; field < MPM_FIELD_COUNT; field++) {
+        const struct mpm_field_info *info = mpm_field_describe((enum mpm_field)field);
+        char *object = g_strdup_printf("/mpm/particles/%s", info->name);
+        char *unit = test_attribute_text(file, object, "unit");
+        char *description = test_attribute_text(file, object, "description");
+        char *components = test_attribute_text(file, object, "components");
+        char expected[MPM_UNIT_SIZE];
+        mpm_unit_text(test_results.scene, info->length, info->mass, info->time, expected);
+        ck_assert_str_eq(unit, expected);
+        ck_assert_str_eq(description, info->description);
+        char **names = g_strsplit(components, ", ", -1);
+        ck_assert_uint_eq(g_strv_length(names), info->components);
+        g_strfreev(names);
+        g_free(unit);
+        g_free(description);
+        g_free(components);
+        g_free(object);
+    }
+    H5Fclose(file);
+    mpm_simulation_free(simulation);
+    g_free(path);
+}
+END_TEST
+
+START_TEST(a_snapshot_tells_where_it_comes_from)
+{
+    struct mpm_simulation *simulation = simulate(1);
+    char *path = write_snapshot(simulation, "one.hdf");
+    const struct mpm_build_info *build = mpm_build_info();
+    const struct {
+        const char *name, *value;
+    } facts[] = {
+        {"title", "Two blocks"},     {"geometry", "plane_strain"},  {"units_length", "mm"},
+        {"units_mass", "g"},         {"units_time", "ms"},          {"units_temperature", "K"},
+        {"version", build->version}, {"revision", build->revision}, {"compiler", build->compiler},
+        {"flags", build->flags},
+    };
+    const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    for (size_t i = 0; i < G_N_ELEMENTS(facts); i++) {
+        char *value = test_attribute_text(file, "/mpm", facts[i].name);
+        ck_assert_str_eq(value, facts[i].value);
+        g_free(value);
+    }
+    char *text = test_file_read(test_results.scene_path);
+    char *expected = g_compute_checksum_for_string(G_CHECKSUM_SHA256, text, -1);
+    char *sha256 = test_attribute_text(file, "/mpm", "scene_sha256");
+    ck_assert_str_eq(sha256, expected);
+    H5Fclose(file);
+    g_free(text);
+    g_free(expected);
+    g_free(sha256);
+    mpm_simulation_free(simulation);
+    g_free(path);
+}
+END_TEST
+
+/* Neither dates nor leftovers of memory: `ctime` and the like are 0 where none is kept. */
+START_TEST(the_same_state_makes_the_same_bytes)
+{
+    struct mpm_simulation *simulation = simulate(3);
+    char *paths[2] = {write_snapshot(simulation, "one.hdf"), write_snapshot(simulation, "two.hdf")};
+    char *bytes[2];
+    gsize sizes[2];
+    for (int i = 0; i < 2; i++)
+        ck_assert(g_file_get_contents(paths[i], &bytes[i], &sizes[i], NULL));
+    ck_assert_uint_eq(sizes[0], sizes[1]);
+    ck_assert_mem_eq(bytes[0], bytes[1], sizes[0]);
+    const hid_t file = H5Fopen(paths[0], H5F_ACC_RDONLY, H5P_DEFAULT);
+    const char *const objects[] = {
+        "/", "/mpm", "/mpm/particles", "/mpm/particles/mass", "/VTKHDF", "/VTKHDF/Points"};
+    for (size_t i = 0; i < G_N_ELEMENTS(objects); i++) {
+        H5O_info_t info;
+        ck_assert_int_ge(H5Oget_info_by_name(file, objects[i], &info, H5P_DEFAULT), 0);
+        ck_assert_msg(info.ctime == 0 && info.mtime == 0, "%s has a date", objects[i]);
+    }
+    H5Fclose(file);
+    for (int i = 0; i < 2; i++) {
+        g_free(bytes[i]);
+        g_free(paths[i]);
+    }
+    mpm_simulation_free(simulation);
+}
+END_TEST
+
+static haddr_t address_of(hid_t file, const char *group, const char *name)
+{
+    char *path = g_strdup_printf("%s/%s", group, name);
+    H5O_info_t info;
+    ck_assert_int_ge(H5Oget_info_by_name(file, path, &info, H5P_DEFAULT), 0);
+    g_free(path);
+    return info.addr;
+}
+
+START_TEST(vtk_sees_the_same_data_by_hard_links)
+{
+    struct mpm_simulation *simulation = simulate(2);
+    char *path = write_snapshot(simulation, "one.hdf");
+    struct test_snapshot snapshot = test_snapshot_read(path);
+    const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    for (int field = 0; field < MPM_FIELD_COUNT; field++) {
+        const char *name = mpm_field_describe((enum mpm_field)field)->name;
+        ck_assert_uint_eq(address_of(file, "/mpm/particles", name),
+                          address_of(file, "/VTKHDF/PointData", name));
+    }
+    size_t count = 0;
+    double *points = test_dataset_read(file, "/VTKHDF/Points", &count);
+    ck_assert_uint_eq(count, 3 * snapshot.count);
+    for (size_t i = 0; i < snapshot.count; i++) {
+        ck_assert(points[3 * i] == snapshot.fields[MPM_FIELD_POSITION][2 * i]);
+        ck_assert(points[3 * i + 1] == snapshot.fields[MPM_FIELD_POSITION][2 * i + 1]);
+        ck_assert(points[3 * i + 2] == 0.0);
+    }
+    double *offsets = test_dataset_read(file, "/VTKHDF/Offsets", &count);
+    ck_assert_uint_eq(count, snapshot.count + 1);
+    ck_assert(offsets[count - 1] == (double)snapshot.count);
+    g_free(points);
+    g_free(offsets);
+    test_snapshot_free(&snapshot);
+    H5Fclose(file);
+    mpm_simulation_free(simulation);
+    g_free(path);
+}
+END_TEST
+
+/* VTK itself, through Debian's python3-vtk9 where that is installed. Prints points,
+ * components of the stress, sum of the first components of position, and the time. */
+static const char vtk_script[] =
+    "import sys\n"
+    "from vtkmodules.vtkIOHDF import vtkHDFReader\n"
+    "reader = vtkHDFReader()\n"
+    "assert reader.CanReadFile(sys.argv[1])\n"
+    "reader.SetFileName(sys.argv[1])\n"
+    "reader.Update()\n"
+    "grid = reader.GetOutput()\n"
+    "stress = grid.GetPointData().GetArray('stress')\n"
+    "points = range(grid.GetNumberOfPoints())\n"
+    "print(grid.GetNumberOfPoints(), grid.GetNumberOfCells(),\n"
+    "      stress.GetNumberOfComponents(),\n"
+    "      repr(sum(grid.GetPoint(i)[0] for i in points)),\n"
+    "      repr(sum(stress.GetComponent(i, 3) for i in points)),\n"
+    "      repr(grid.GetFieldData().GetArray('TimeValue').GetValue(0)))\n";
+
+static bool python(const char *interpreter, const char *script, const char *argument, char **output)
+{
+    const char *const command[] = {interpreter, "-c", script, argument, NULL};
+    int status = 1;
+    g_clear_pointer(output, g_free);
+    return g_spawn_sync(NULL, (char **)(void *)command, NULL,
+                        G_SPAWN_SEARCH_PATH | G_SPAWN_STDERR_TO_DEV_NULL, NULL, NULL, output, NULL,
+                        &status, NULL) &&
+           status == 0;
+}
+
+START_TEST(vtk_reads_positions_stress_and_time)
+{
+    static const char *const interpreters[] = {"python3", "/usr/bin/python3"};
+    const char *found = NULL;
+    char *output = NULL;
+    for (size_t i = 0; i < G_N_ELEMENTS(interpreters) && found == NULL; i++)
+        if (python(interpreters[i], "import vtkmodules.vtkIOHDF", NULL, &output))
+            found = interpreters[i];
+    if (found == NULL)
+        TEST_SKIP("no Python with VTK 9.1 or later (python3-vtk9)");
+    struct mpm_simulation *simulation = simulate(5);
+    char *path = write_snapshot(simulation, "one.hdf");
+    ck_assert_msg(python(found, vtk_script, path, &output), "VTK cannot read the snapshot");
+
+    struct test_snapshot snapshot = test_snapshot_read(path);
+    double x = 0.0, shear = 0.0; /* summed in VTK's order: the same bits */
+    for (size_t i = 0; i < snapshot.count; i++) {
+        x += snapshot.fields[MPM_FIELD_POSITION][2 * i];
+        shear += snapshot.fields[MPM_FIELD_STRESS][4 * i + 3];
+    }
+    char **words = g_strsplit(g_strchomp(output), " ", -1);
+    ck_assert_uint_eq(g_strv_length(words), 6);
+    ck_assert_int_eq(g_ascii_strtoll(words[0], NULL, 10), TEST_BLOCKS_PARTICLES);
+    ck_assert_int_eq(g_ascii_strtoll(words[1], NULL, 10), TEST_BLOCKS_PARTICLES);
+    ck_assert_int_eq(g_ascii_strtoll(words[2], NULL, 10), 4);
+    ck_assert(g_ascii_strtod(words[3], NULL) == x);
+    ck_assert(g_ascii_strtod(words[4], NULL) == shear);
+    ck_assert(g_ascii_strtod(words[5], NULL) == snapshot.time);
+    g_strfreev(words);
+    g_free(output);
+    test_snapshot_free(&snapshot);
+    mpm_simulation_free(simulation);
+    g_free(path);
+}
+END_TEST
+
+/* ----------------------------------------------------------------- history */
+
+START_TEST(history_rows_read_back_as_the_same_bits)
+{
+    const struct mpm_ledger ledger = {
+        .time = 1.0 / 3.0,
+        .step = 9007199254740991u, /* 2^53 - 1: the largest that a double still tells apart */
+        .mass = 1e-300,
+        .momentum = {-0.1, 2e17},
+        .angular_momentum = nextafter(1.0, 2.0),
+        .kinetic_energy = 4.9e-324,
+        .strain_energy = 1.7976931348623157e308,
+        .external_work = -5.0,
+        .total_energy = 0.1 + 0.2,
+        .j_min = 0.5,
+        .j_max = 2.0,
+    };
+    const double expected[TEST_HISTORY_COLUMNS] = {
+        ledger.time,          (double)ledger.step,     ledger.mass,           ledger.momentum[0],
+        ledger.momentum[1],   ledger.angular_momentum, ledger.kinetic_energy, ledger.strain_energy,
+        ledger.external_work, ledger.total_energy,     ledger.j_min,          ledger.j_max};
+    struct mpm_history *history = NULL;
+    ck_assert_int_eq(mpm_history_create(test_results.folder, test_results.scene, &history, NULL),
+                     MPM_OK);
+    ck_assert_int_eq(mpm_history_write(history, &ledger, NULL), MPM_OK);
+    ck_assert_int_eq(mpm_history_write(history, &ledger, NULL), MPM_OK); /* same step: no row */
+    size_t rows = 0; /* read before the file is closed: rows reach the system at once */
+    double(*values)[TEST_HISTORY_COLUMNS] = test_results_history(test_results.folder, &rows);
+    ck_assert_uint_eq(rows, 1);
+    ck_assert_mem_eq(values[0], expected, sizeof expected);
+    g_free(values);
+    mpm_history_free(history);
+}
+END_TEST
+
+START_TEST(units_are_made_of_the_scenes_own)
+{
+    const struct {
+        int length, mass, time;
+        const char *named, *unnamed;
+    } units[] = {
+        {-1, 1, -2, "g mm^-1 ms^-2", "mass length^-1 time^-2"},
+        {0, 0, 0, "1", "1"},
+        {1, 0, 0, "mm", "length"},
+        {1, 0, -1, "mm ms^-1", "length time^-1"},
+        {2, 1, -2, "g mm^2 ms^-2", "mass length^2 time^-2"},
+    };
+    const struct mpm_scene unnamed = {.title = NULL};
+    for (size_t i = 0; i < G_N_ELEMENTS(units); i++) {
+        char text[MPM_UNIT_SIZE];
+        mpm_unit_text(test_results.scene, units[i].length, units[i].mass, units[i].time, text);
+        ck_assert_str_eq(text, units[i].named);
+        mpm_unit_text(&unnamed, units[i].length, units[i].mass, units[i].time, text);
+        ck_assert_str_eq(text, units[i].unnamed);
+    }
+}
+END_TEST
+
+START_TEST(the_binary_knows_what_it_is)
+{
+    const struct mpm_build_info *build = mpm_build_info();
+    const char *const facts[] = {build->version, build->revision,  build->compiler,
+                                 build->flags,   build->libraries, build->simd};
+    for (size_t i = 0; i < G_N_ELEMENTS(facts); i++)
+        ck_assert(facts[i] != NULL && facts[i][0] != '\0');
+    ck_assert(strstr(build->libraries, "HDF5 ") != NULL);
+    ck_assert(strstr(build->flags, "-ffp-contract=off") != NULL);
+}
+END_TEST
+
+Suite *suite_results(void)
+{
+    const TTest *const files[] = {
+        a_snapshot_reads_back_as_the_bits_of_the_simulation,
+        every_dataset_names_its_unit_its_meaning_and_its_components,
+        a_snapshot_tells_where_it_comes_from,
+        the_same_state_makes_the_same_bytes,
+        vtk_sees_the_same_data_by_hard_links,
+        vtk_reads_positions_stress_and_time,
+        history_rows_read_back_as_the_same_bits,
+        units_are_made_of_the_scenes_own,
+        the_binary_knows_what_it_is,
+    };
+    Suite *suite = suite_create("results");
+    TCase *test_case = tcase_create("files");
+    tcase_add_checked_fixture(test_case, test_results_set_up, test_results_tear_down);
+    for (size_t i = 0; i < G_N_ELEMENTS(files); i++)
+        tcase_add_test(test_case, files[i]);
+    suite_add_tcase(suite, test_case);
+    return suite;
+}

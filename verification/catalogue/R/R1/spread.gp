@@ -1,0 +1,18 @@
+# Spread of J during compression.
+# SPDX-License-Identifier: GPL-3.0-or-later
+load style
+set output output
+set xlabel 'volume compression 1 - J (%)'
+set ylabel 'spread of J: standard deviation over mean (%)'
+set xrange [0:100]
+set yrange [0:20]
+set key top left
+set label 1 stamp at graph 0.99, 0.02 right font ',8'
+plot 15 with lines ls 8 title 'broken', \
+     data.'/data-ugimp-curve.dat' using (100-$2):7 with lines ls 1 title 'uGIMP, all', \
+     '' using (100-$2):8 with lines ls 2 title 'uGIMP, inside', \
+     data.'/data-cpdi-curve.dat' using (100-$2):7 with lines ls 3 title 'CPDI, all', \
+     '' using (100-$2):8 with lines ls 4 title 'CPDI, inside', \
+     data.'/data-ugimp_hoop-curve.dat' using (100-$2):7 with lines ls 5 title 'uGIMP, hoop radius, all', \
+     data.'/data-ugimp_midpoint-curve.dat' using (100-$2):7 with lines ls 6 title 'uGIMP, midpoint, all', \
+     data.'/data-cpdi_midpoint-curve.dat' using (100-$2):7 with lines ls 7 title 'CPDI, midpoint, all'
