@@ -11,13 +11,16 @@
     SUITE(support)                                                                                 \
     SUITE(status)                                                                                  \
     SUITE(base)                                                                                    \
+    SUITE(expression)                                                                              \
     SUITE(material)                                                                                \
+    SUITE(scene)                                                                                   \
     SUITE(properties)                                                                              \
     SUITE(guard)                                                                                   \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
-    SUITE(run)                                                                                     \
-    SUITE(cli)
+    SUITE(cli)                                                                                     \
+    SUITE(scene_run)                                                                               \
+    SUITE(scene_settings)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)

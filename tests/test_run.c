@@ -348,7 +348,7 @@ static void add_case(Suite *suite, const char *name, const TTest *const *tests, 
     suite_add_tcase(suite, test_case);
 }
 
-Suite *suite_run(void)
+Suite *suite_scene_run(void)
 {
     const TTest *const runs[] = {
         snapshots_land_on_their_instants_and_on_the_end,

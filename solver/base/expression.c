@@ -114,18 +114,34 @@ static enum mpm_status refuse_extras(const char *text, struct mpm_error *error)
     return MPM_OK;
 }
 
+/* Where muParser says that the mistake is, as a byte: of signs like the second one in `--x`
+ * it gives the end, of other tokens the start, of some mistakes nothing (-1). */
+static size_t mistake_position(muParserHandle_t parser, const char *text)
+{
+    const size_t length = strlen(text);
+    const int said = mupGetErrorPos(parser);
+    if (said < 0 || (size_t)said > length)
+        return length;
+    const size_t position = (size_t)said;
+    const char *token = mupGetErrorToken(parser);
+    const size_t token_length = strlen(token);
+    if (token_length == 0 || token_length > position ||
+        strncmp(text + position, token, token_length) == 0)
+        return position;
+    const size_t start = position - token_length;
+    return strncmp(text + start, token, token_length) == 0 ? start : position;
+}
+
 /* muParser's message without its own (0-based, sometimes missing) position. */
 static enum mpm_status report(muParserHandle_t parser, const char *text, struct mpm_error *error)
 {
-    enum { UNEXPECTED_OPERATOR = 0, UNKNOWN_TOKEN = 1 }; /* muParser's codes */
+    enum { UNKNOWN_TOKEN = 1 }; /* muParser's code */
     static const char *const tails[] = {" found at position", " at position", " (position",
                                         " at expression position"};
-    const int code = mupGetErrorCode(parser);
-    const int position = mupGetErrorPos(parser);
-    /* For operators muParser gives the end of the token. */
-    size_t byte = position < 0 ? strlen(text) : (size_t)position;
-    if (code == UNEXPECTED_OPERATOR && byte > 0)
-        byte--;
+    static const char *const allowed = "; allowed: numbers, the coordinates, t where time has a "
+                                       "meaning, pi, e, operators and functions";
+    const bool unknown = mupGetErrorCode(parser) == UNKNOWN_TOKEN;
+    const int column = column_of(text, mistake_position(parser, text));
     char what[160];
     strncpy(what, mupGetErrorMsg(parser), sizeof what - 1);
     what[sizeof what - 1] = '\0';
@@ -134,11 +150,8 @@ static enum mpm_status report(muParserHandle_t parser, const char *text, struct 
         if (tail != NULL)
             *tail = '\0';
     }
-    return mpm_error_set(error, MPM_BAD_INPUT, "column %d: %s%s", column_of(text, byte), what,
-                         code == UNKNOWN_TOKEN
-                             ? "; allowed: numbers, the coordinates, t where time "
-                               "has a meaning, pi, e, operators and functions"
-                             : "");
+    return mpm_error_set(error, MPM_BAD_INPUT, "column %d: %s%s", column, what,
+                         unknown ? allowed : "");
 }
 
 static void ignore_error(muParserHandle_t parser)

@@ -46,7 +46,8 @@ enum mpm_status mpm_build_expressions(const struct mpm_reading *reading, const c
 
 /* ------------------------------------------------------------------- tools */
 
-/* MPM_BAD_INPUT with the place of the key at `path`, or of the nearest around it. */
+/* MPM_BAD_INPUT with the place of the key at `path`, or of the nearest around it; with the
+ * --set, if one gave a part of it. */
 enum mpm_status mpm_reading_fault(const struct mpm_reading *reading, const char *path,
                                   const char *format, ...) __attribute__((format(printf, 3, 4)));
 

@@ -10,6 +10,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A value under the node that a --set gave: it is what made several keys disagree. */
+static const struct mpm_tree_node *set_below(const struct mpm_tree_node *node)
+{
+    if (node->origin.setting > 0)
+        return node;
+    for (size_t i = 0; i < node->count; i++) {
+        const struct mpm_tree_node *found = set_below(node->entries[i].value);
+        if (found != NULL)
+            return found;
+    }
+    return NULL;
+}
+
 enum mpm_status mpm_reading_fault(const struct mpm_reading *reading, const char *path,
                                   const char *format, ...)
 {
@@ -20,7 +33,9 @@ enum mpm_status mpm_reading_fault(const struct mpm_reading *reading, const char 
     va_end(arguments);
     const struct mpm_tree_node *nearest = reading->root;
     (void)mpm_tree_find(reading->root, path, &nearest);
-    return mpm_tree_fault(reading->error, reading->scene, nearest->origin, path, "%s", message);
+    const struct mpm_tree_node *set = set_below(nearest);
+    return mpm_tree_fault(reading->error, reading->scene, (set != NULL ? set : nearest)->origin,
+                          path, "%s", message);
 }
 
 bool mpm_reading_given(const struct mpm_reading *reading, const char *path)
