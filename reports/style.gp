@@ -17,11 +17,11 @@
 #        for [v in variants] data.'/data-'.v.'-j.dat' using 1:2 title v with points ls 2
 #
 # Line styles (colours of Okabe and Ito; each has its own dash and point type, so that no
-# line is told from another by colour alone):
+# line is told from another by colour alone; yellow is left out, too faint on white):
 #   1 black, solid: the exact curve or the reference   5 purple
 #   2 blue                                             6 orange
 #   3 vermillion                                       7 sky blue
-#   4 green                                            8 yellow: fills only
+#   4 green                                            8 grey, solid: limits, levels
 # `variant_style(v)` gives 2 to 7 by the place of v in `variants`.
 # A warning of gnuplot (a missing file, an empty range) is an error of the report.
 #
@@ -38,7 +38,7 @@ set style line 4 lc rgb '#009E73' lw 1.8 dt (12,4,3,4) pt 9  ps 0.8
 set style line 5 lc rgb '#CC79A7' lw 1.8 dt (3,3)     pt 4  ps 0.6
 set style line 6 lc rgb '#E69F00' lw 1.8 dt (14,3,3,3,3,3) pt 11 ps 0.8
 set style line 7 lc rgb '#56B4E9' lw 1.8 dt (8,2,2,2) pt 13 ps 0.8
-set style line 8 lc rgb '#F0E442' lw 1.8 dt 1         pt 7  ps 0.7
+set style line 8 lc rgb '#808080' lw 1.4 dt 1         pt 7  ps 0.7
 set style line 20 lc rgb '#9a9a9a' lw 0.5 dt (1,3)
 
 set border 3 lw 1

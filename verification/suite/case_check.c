@@ -4,14 +4,20 @@
 #include "verification/suite/case_file.h"
 #include "verification/suite/yaml_place.h"
 
+#include <fnmatch.h>
 #include <glib.h>
 #include <stdarg.h>
 #include <string.h>
 
+bool glob_matches(const char *glob, const char *name)
+{
+    return fnmatch(glob, name, 0) == 0;
+}
+
 bool globs_match(char *const *globs, unsigned count, const char *name)
 {
     for (unsigned i = 0; i < count; i++)
-        if (g_pattern_match_simple(globs[i], name))
+        if (glob_matches(globs[i], name))
             return true;
     return false;
 }
@@ -45,7 +51,7 @@ static const char name_rule[] = "allowed are 1 to 64 letters, digits, '_' and '-
 static bool variant_matches(const struct case_file *file, const char *glob)
 {
     for (unsigned i = 0; i < file->variants_count; i++)
-        if (g_pattern_match_simple(glob, file->variants[i].name))
+        if (glob_matches(glob, file->variants[i].name))
             return true;
     return false;
 }

@@ -91,7 +91,8 @@ void catalogue_free(struct catalogue *catalogue);
 const char *basis_name(enum case_basis basis);
 const char *tier_name(enum tier tier);
 
-/* Whether any of the globs matches the name. */
+/* Whether the shell pattern (*, ?, [...]) matches the whole name; whether any does. */
+bool glob_matches(const char *glob, const char *name);
 bool globs_match(char *const *globs, unsigned count, const char *name);
 
 #endif

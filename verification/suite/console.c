@@ -140,9 +140,8 @@ void console_end(struct console *console, const struct records *records, const c
     print_failures(console, records);
     fprintf(console->out, "report: %s/index.html\n", output);
     if (known > 0)
-        fprintf(console->out,
-                "%zu of the passed %s a known weakness that shows itself as declared\n", known,
-                known == 1 ? "is" : "are");
+        fprintf(console->out, "%zu known weakness%s as declared, counted as passed\n", known,
+                known == 1 ? " shows" : "es show");
     fprintf(console->out, "%zu passed, %zu failed, %zu skipped\n", counts.passed, counts.failed,
             counts.skipped);
     fflush(console->out);

@@ -25,10 +25,12 @@ static size_t count_checks(const struct case_file *file, enum tier tier)
 
 static bool has_tag(const struct case_file *file, const char *tag)
 {
+    if (tag == NULL)
+        return true;
     for (unsigned i = 0; i < file->tags_count; i++)
         if (strcmp(file->tags[i], tag) == 0)
             return true;
-    return tag == NULL;
+    return false;
 }
 
 static void print_case(FILE *out, const struct case_file *file)
@@ -81,7 +83,7 @@ struct explanation {
 static bool part_matches(const struct explanation *explanation, size_t part, const char *name)
 {
     const size_t given = g_strv_length(explanation->globs);
-    return part >= given || g_pattern_match_simple(explanation->globs[part], name);
+    return part >= given || glob_matches(explanation->globs[part], name);
 }
 
 static const json_t *last_record(const struct records *records, const struct planned_job *job,

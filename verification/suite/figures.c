@@ -25,7 +25,7 @@ static char *variants_needed(const json_t *entry, const json_t *globs, char *rea
         for (size_t v = 0; glob != NULL && v < json_array_size(variants); v++) {
             const json_t *variant = json_array_get(variants, v);
             const char *name = record_text(variant, "variant");
-            if (!g_pattern_match_simple(glob, name))
+            if (!glob_matches(glob, name))
                 continue;
             matched++;
             if (!finished(variant)) {

@@ -42,7 +42,7 @@ void html_status(GString *html, enum verdict_status status)
 void html_quantity(GString *html, double value, const char *unit)
 {
     char *number = text_number(value);
-    char *exponent = strchr(number, 'e');
+    char *exponent = isfinite(value) ? strchr(number, 'e') : NULL;
     if (exponent == NULL) {
         text_markup(html, "%s", number);
     } else {
@@ -88,12 +88,25 @@ void html_counts(GString *html, const struct record_counts *counts)
     g_string_append(html, "</ul>\n");
 }
 
-enum verdict_status html_worst_status(const struct record_counts *counts)
+static enum verdict_status worst_status(const struct record_counts *counts)
 {
     for (size_t i = 0; i < VERDICT_STATUS_COUNT; i++)
         if (counts->of[looks[i].status] > 0)
             return looks[i].status;
     return VERDICT_SKIP;
+}
+
+void html_case_status(GString *html, const struct record_counts *counts)
+{
+    const enum verdict_status worst = worst_status(counts);
+    const size_t known = counts->of[VERDICT_EXPECTED_FAIL];
+    html_status(html, worst == VERDICT_EXPECTED_FAIL && counts->of[VERDICT_PASS] > 0 ? VERDICT_PASS
+                                                                                     : worst);
+    if (known > 0) {
+        char *text = g_strdup_printf("%zu", known);
+        text_markup(html, "<span class=\"about\">%s expected-fail</span>", text);
+        g_free(text);
+    }
 }
 
 static GString *provenance(const json_t *run)

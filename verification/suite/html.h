@@ -22,8 +22,8 @@ void html_margin(GString *html, double margin);
 /* "✓ 12 pass  ✗ 1 fail": the statuses that occur. */
 void html_counts(GString *html, const struct record_counts *counts);
 
-/* One line of status for a case: the worst that occurs. */
-enum verdict_status html_worst_status(const struct record_counts *counts);
+/* The status of a case: the worst that occurs; known weaknesses beside it. */
+void html_case_status(GString *html, const struct record_counts *counts);
 
 /* The page; takes navigation and content over. */
 char *html_page(const struct records *records, const struct report_style *style, const char *title,

@@ -4,9 +4,11 @@
 #include "verification/suite/output.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <glib.h>
 #include <glib/gstdio.h>
 #include <string.h>
+#include <unistd.h>
 
 static const char marker[] = ".mpm-verify";
 static const char *const top_names[] = {"checks.jsonl", "index.html", "summary.md", "junit.xml",
@@ -114,6 +116,32 @@ static enum mpm_status refuse_foreign(const char *folder, struct mpm_error *erro
     return status;
 }
 
+/* Takes the marker, and with it the folder, for this process alone: two runs at a time
+ * would remove each other's files. */
+static enum mpm_status take(const char *folder, int *lock, struct mpm_error *error)
+{
+    static const char text[] = "Output of mpm-verify: the next run replaces its files.\n";
+    char *path = g_build_filename(folder, marker, NULL);
+    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    enum mpm_status status = MPM_OK;
+    *lock = open(path, O_CREAT | O_RDWR | O_CLOEXEC, 0666);
+    if (*lock < 0)
+        status = cannot_write(path, error);
+    else if (fcntl(*lock, F_SETLK, &whole) != 0)
+        status =
+            failure_set(error, MPM_BAD_INPUT, "%s: another run is writing to this folder", folder);
+    else if (ftruncate(*lock, 0) != 0 || write(*lock, text, strlen(text)) < 0)
+        status = cannot_write(path, error);
+    g_free(path);
+    return status;
+}
+
+void output_release(int lock)
+{
+    if (lock >= 0)
+        close(lock);
+}
+
 static enum mpm_status clean_case(const char *path, struct mpm_error *error)
 {
     char *source = g_build_filename(path, "source", NULL);
@@ -174,13 +202,9 @@ static enum mpm_status prepare_style(const char *folder, const char *reports,
     return status;
 }
 
-enum mpm_status output_prepare(const char *folder, const char *reports, const struct plan *plan,
-                               struct mpm_error *error)
+static enum mpm_status fill(const char *folder, const char *reports, const struct plan *plan,
+                            struct mpm_error *error)
 {
-    TRY(refuse_foreign(folder, error));
-    TRY(make_folder(folder, error));
-    TRY(output_write(folder, marker, "Output of mpm-verify: the next run replaces its files.\n",
-                     error));
     /* a report must not outlive its results, so the old ones go before anything runs */
     TRY(each_file(folder, top_names, G_N_ELEMENTS(top_names), remove_file, NULL, error));
     TRY(clean_cases(folder, error));
@@ -189,4 +213,20 @@ enum mpm_status output_prepare(const char *folder, const char *reports, const st
         if (i == 0 || plan->jobs[i - 1].entry != plan->jobs[i].entry)
             TRY(prepare_case(folder, plan->jobs[i].entry, error));
     return MPM_OK;
+}
+
+enum mpm_status output_prepare(const char *folder, const char *reports, const struct plan *plan,
+                               int *lock, struct mpm_error *error)
+{
+    *lock = -1;
+    TRY(refuse_foreign(folder, error));
+    TRY(make_folder(folder, error));
+    enum mpm_status status = take(folder, lock, error);
+    if (status == MPM_OK)
+        status = fill(folder, reports, plan, error);
+    if (status != MPM_OK) {
+        output_release(*lock);
+        *lock = -1;
+    }
+    return status;
 }

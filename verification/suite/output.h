@@ -17,10 +17,12 @@
 #include "verification/suite/plan.h"
 
 /* Creates the folder, removes what an earlier run left, copies what the report needs
- * (`reports` is the folder of style.gp and its like). MPM_BAD_INPUT: a file, or a folder with
- * files that are not ours; MPM_ENVIRONMENT_FAILED: cannot be written. */
+ * (`reports` is the folder of style.gp and its like), and keeps the folder for this
+ * process until *lock is released. MPM_BAD_INPUT: a file, a folder with files that are
+ * not ours or that another run writes to; MPM_ENVIRONMENT_FAILED: cannot be written. */
 enum mpm_status output_prepare(const char *folder, const char *reports, const struct plan *plan,
-                               struct mpm_error *error);
+                               int *lock, struct mpm_error *error);
+void output_release(int lock);
 
 /* Writes <folder>/<name> through a temporary file, synced and renamed. */
 enum mpm_status output_write(const char *folder, const char *name, const char *text,

@@ -7,7 +7,7 @@
 
 static bool matches(const char *glob, const char *name)
 {
-    return glob == NULL || g_pattern_match_simple(glob, name);
+    return glob == NULL || glob_matches(glob, name);
 }
 
 static void plan_variant(const struct catalogue_case *entry, const struct case_variant *variant,

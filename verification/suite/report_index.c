@@ -52,7 +52,7 @@ static void add_failures(GString *html, const struct records *records)
         html_status(html, record_status(check));
         g_string_append(html, "</td><td class=\"n\">");
         html_quantity(html, record_number(check, "value"), record_text(check, "unit"));
-        text_markup(html, "</td><td>%s</td><td class=\"wide\">%s</td></tr>\n", band,
+        text_markup(html, "</td><td class=\"band\">%s</td><td class=\"wide\">%s</td></tr>\n", band,
                     record_text(check, "reason"));
         g_free(name);
         g_free(band);
@@ -79,7 +79,7 @@ static void add_case(GString *html, const struct records *records, const json_t 
     text_markup(html, "<tr><th scope=\"row\">%s</th><td class=\"wide\">", name);
     add_link(html, name, record_text(entry, "title"));
     text_markup(html, "<span class=\"about\">%s</span></td><td>", record_text(entry, "summary"));
-    html_status(html, html_worst_status(&counts));
+    html_case_status(html, &counts);
     text_markup(html, "</td><td class=\"n\">%s</td><td>", checks);
     if (worst != NULL) {
         html_margin(html, record_number(worst, "margin"));
@@ -153,7 +153,7 @@ static void add_closest(GString *html, const struct records *records)
         html_status(html, record_status(check));
         g_string_append(html, "</td><td class=\"n\">");
         html_quantity(html, record_number(check, "value"), record_text(check, "unit"));
-        text_markup(html, "</td><td>%s</td><td>", band);
+        text_markup(html, "</td><td class=\"band\">%s</td><td>", band);
         html_margin(html, record_number(check, "margin"));
         g_string_append(html, "</td></tr>\n");
         g_free(name);

@@ -40,7 +40,6 @@ static enum mpm_status run_plan(const struct run_options *options, const struct 
                                 struct console *console, struct record_counts *counts,
                                 struct mpm_error *error)
 {
-    TRY(output_prepare(options->output, options->reports, plan, error));
     const unsigned places = MIN(options->jobs, (unsigned)plan->job_count);
     const struct schedule_options schedule = {
         .output = options->output,
@@ -73,8 +72,12 @@ enum mpm_status suite_run(const struct run_options *options, struct program_tabl
     *counts = (struct record_counts){.total = 0};
     TRY(catalogue_read(options->catalogue, programs, &catalogue, error));
     enum mpm_status status = plan_make(catalogue, &options->selection, &plan, error);
+    int lock = -1;
     if (status == MPM_OK) {
-        status = run_plan(options, &plan, console, counts, error);
+        status = output_prepare(options->output, options->reports, &plan, &lock, error);
+        if (status == MPM_OK)
+            status = run_plan(options, &plan, console, counts, error);
+        output_release(lock);
         plan_clear(&plan);
     }
     catalogue_free(catalogue);
