@@ -17,6 +17,7 @@
     SUITE(run)                                                                                     \
     SUITE(expression)                                                                              \
     SUITE(scene)                                                                                   \
+    SUITE(scene_limits)                                                                            \
     SUITE(scene_settings)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);

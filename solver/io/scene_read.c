@@ -152,8 +152,10 @@ static enum mpm_status copy_arguments(struct mpm_scene *scene, const char *path,
 {
     const struct mpm_reading reading = {.scene = scene, .error = error};
     MPM_TRY(mpm_reading_copy(&reading, path, &scene->path));
-    MPM_TRY(mpm_reading_allocate(&reading, setting_count, sizeof *scene->settings, "settings",
-                                 &scene->settings));
+    scene->settings =
+        mpm_reading_allocate(&reading, setting_count, sizeof *scene->settings, "settings");
+    if (scene->settings == NULL)
+        return MPM_ENVIRONMENT_FAILED;
     for (size_t i = 0; i < setting_count; i++) {
         MPM_TRY(mpm_reading_copy(&reading, settings[i], &scene->settings[i]));
         scene->setting_count++;

@@ -21,15 +21,16 @@ enum {
 
 /* Numbers stay texts: mpm_number_parse reads them, whatever the locale. A missing
  * OPTIONAL key without default is NULL or 0. */
-#define MPM_RAW_number     char *
-#define MPM_RAW_expression char *
-#define MPM_RAW_drive      char *
-#define MPM_RAW_text       char *
-#define MPM_RAW_name       char *
-#define MPM_RAW_law        char *
-#define MPM_RAW_integer    int64_t
-#define MPM_RAW_boolean    bool
+#define MPM_RAW_NUMBER     char *
+#define MPM_RAW_EXPRESSION char *
+#define MPM_RAW_DRIVE      char *
+#define MPM_RAW_TEXT       char *
+#define MPM_RAW_NAME       char *
+#define MPM_RAW_LAW        char *
+#define MPM_RAW_INTEGER    int64_t
+#define MPM_RAW_BOOLEAN    bool
 
+/* NOLINTBEGIN(bugprone-macro-parentheses): declarations */
 #define MPM_MEMBER_ONE(key, value)  MPM_RAW_##value key;
 #define MPM_MEMBER_PAIR(key, value) MPM_RAW_##value key[2];
 #define MPM_MEMBER_POINTS(key, value)                                                              \
@@ -40,6 +41,7 @@ enum {
 #define MPM_MEMBER_LIST(key, value)                                                                \
     struct mpm_raw_##value *key;                                                                   \
     unsigned key##_count;
+/* NOLINTEND(bugprone-macro-parentheses) */
 #define MPM_MEMBER(list, shape, key, value, where, need, unit, fallback, range, help)              \
     MPM_MEMBER_##shape(key, value)
 #define MPM_RAW_STRUCT(list)                                                                       \
@@ -63,14 +65,14 @@ enum mpm_key_shape {
 };
 
 enum mpm_key_value {
-    MPM_VALUE_number,
-    MPM_VALUE_expression,
-    MPM_VALUE_drive, /* an expression or `free` */
-    MPM_VALUE_text,
-    MPM_VALUE_name,
-    MPM_VALUE_law,
-    MPM_VALUE_integer,
-    MPM_VALUE_boolean,
+    MPM_VALUE_NUMBER,
+    MPM_VALUE_EXPRESSION,
+    MPM_VALUE_DRIVE, /* an expression or `free` */
+    MPM_VALUE_TEXT,
+    MPM_VALUE_NAME,
+    MPM_VALUE_LAW,
+    MPM_VALUE_INTEGER,
+    MPM_VALUE_BOOLEAN,
     MPM_VALUE_NONE, /* choices, groups, lists */
 };
 
