@@ -10,11 +10,13 @@
 #include "support/folder.h"
 #include "support/near.h"
 #include "support/scenes.h"
+#include "support/skip.h"
 
 #include <glib.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* --------------------------------------------------------- folders of scenes */
 
@@ -84,12 +86,42 @@ START_TEST(every_good_scene_is_read)
 END_TEST
 
 /* Wrong only in what they fill or select: found when the simulation is made. */
-START_TEST(scenes_that_only_their_geometry_spoils_are_read)
+static void check_spoiled(const char *path, enum mpm_status expected_status)
+{
+    char *expected = NULL, *place = NULL;
+    read_promise(path, &expected, &place);
+    struct mpm_scene *scene = test_scene_read(path, NULL);
+    struct mpm_simulation *simulation = NULL;
+    struct mpm_error error = {.message = ""};
+    const enum mpm_status status = mpm_simulation_create(scene, 1, &simulation, &error);
+    ck_assert_msg(status == expected_status, "%s gave status %d: %s", path, (int)status,
+                  error.message);
+    ck_assert_ptr_null(simulation);
+    test_contains(error.message, expected);
+    if (status == MPM_BAD_INPUT)
+        ck_assert_msg(g_str_has_prefix(error.message, place), "got: %s\nnot at: %s", error.message,
+                      place);
+    mpm_scene_free(scene);
+    g_free(expected);
+    g_free(place);
+}
+
+START_TEST(every_scene_that_only_its_geometry_spoils_is_refused_at_creation)
 {
     GPtrArray *paths = scenes_in("tests/scenes/bad_model");
+    ck_assert_uint_ge(paths->len, 8);
     for (guint i = 0; i < paths->len; i++)
-        mpm_scene_free(test_scene_read(g_ptr_array_index(paths, i), NULL));
+        check_spoiled(g_ptr_array_index(paths, i), MPM_BAD_INPUT);
     g_ptr_array_free(paths, TRUE);
+}
+END_TEST
+
+START_TEST(a_grid_that_no_memory_holds_is_a_failure_of_the_environment)
+{
+    const double needed = 1e11; /* bytes: 2^31 nodes of some 100 */
+    if ((double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE) > needed)
+        TEST_SKIP("this machine might hold it");
+    check_spoiled("tests/scenes/too_big/huge_grid.yaml", MPM_ENVIRONMENT_FAILED);
 }
 END_TEST
 
@@ -354,7 +386,8 @@ Suite *suite_scene(void)
     TCase *folders = tcase_create("folders of scenes");
     tcase_add_test(folders, every_malformed_scene_is_refused_with_its_message_and_line);
     tcase_add_test(folders, every_good_scene_is_read);
-    tcase_add_test(folders, scenes_that_only_their_geometry_spoils_are_read);
+    tcase_add_test(folders, every_scene_that_only_its_geometry_spoils_is_refused_at_creation);
+    tcase_add_test(folders, a_grid_that_no_memory_holds_is_a_failure_of_the_environment);
     suite_add_tcase(suite, folders);
     TCase *content = tcase_create("content");
     tcase_add_test(content, a_scene_says_what_its_file_says);
