@@ -71,8 +71,8 @@ const cyaml_schema_value_t mpm_scene_cyaml = {
 /* ----------------------------------------------------------------- our view */
 
 /* In parentheses, so that the commas stay together on their way through the lists. */
-#define ANY            (-INFINITY, INFINITY, false, false)
-#define ABOVE(a)       (a, INFINITY, true, false)
+#define ANY            (-HUGE_VAL, HUGE_VAL, false, false)
+#define ABOVE(a)       (a, HUGE_VAL, true, false)
 #define ABOVE_TO(a, b) (a, b, true, false)
 #define FROM_TO(a, b)  (a, b, false, false)
 #define BETWEEN(a, b)  (a, b, true, true)
