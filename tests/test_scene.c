@@ -9,7 +9,7 @@
 #include "suites.h"
 #include "support/folder.h"
 #include "support/near.h"
-#include "support/scenes.h"
+#include "support/scene_files.h"
 #include "support/skip.h"
 
 #include <glib.h>

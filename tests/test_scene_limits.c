@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/folder.h"
-#include "support/scenes.h"
+#include "support/scene_files.h"
 #include "support/skip.h"
 
 #include <glib.h>

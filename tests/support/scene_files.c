@@ -1,7 +1,7 @@
 /* Reading scenes in tests.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "support/scenes.h"
+#include "support/scene_files.h"
 
 #include "support/folder.h"
 

@@ -1,8 +1,8 @@
 /* Reading scenes in tests.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef TESTS_SUPPORT_SCENES_H
-#define TESTS_SUPPORT_SCENES_H
+#ifndef TESTS_SUPPORT_SCENE_FILES_H
+#define TESTS_SUPPORT_SCENE_FILES_H
 
 #include "model/scene.h"
 
