@@ -10,15 +10,18 @@
 #define SUITES(SUITE)                                                                              \
     SUITE(support)                                                                                 \
     SUITE(status)                                                                                  \
-    SUITE(cli)                                                                                     \
-    SUITE(exact)                                                                                   \
-    SUITE(exact)                                                                                   \
-    SUITE(results)                                                                                 \
-    SUITE(run)                                                                                     \
+    SUITE(base)                                                                                    \
     SUITE(expression)                                                                              \
+    SUITE(material)                                                                                \
     SUITE(scene)                                                                                   \
     SUITE(scene_limits)                                                                            \
-    SUITE(scene_settings)
+    SUITE(scene_settings)                                                                          \
+    SUITE(properties)                                                                              \
+    SUITE(guard)                                                                                   \
+    SUITE(exact)                                                                                   \
+    SUITE(results)                                                                                 \
+    SUITE(cli)                                                                                     \
+    SUITE(scene_run)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)

@@ -34,18 +34,27 @@ START_TEST(snapshots_land_on_their_instants_and_on_the_end)
 }
 END_TEST
 
-/* 0.1 is not a binary fraction: 10 * 0.1 and 1 are one instant, not two. */
-START_TEST(the_last_instant_is_the_end)
+/* 0.01 is no binary fraction: 29 * 0.01 / 0.01 is below 29, and 30 * 0.01 and the end
+ * 0.3 are one instant, not two. */
+START_TEST(round_off_neither_loses_nor_doubles_an_instant)
 {
+    enum { INSTANTS = 30 };
     test_results_scene(
-        TEST_BLOCKS_WITH("{end: 1, courant: 0.4}", "{history: 0.1, snapshots: 0.1}"));
+        TEST_BLOCKS_WITH("{end: 0.3, courant: 0.4}", "{history: 0.01, snapshots: 0.01}"));
     test_results_run_well();
     json_t *files = NULL;
     json_t *list = test_results_series(&files);
-    ck_assert_uint_eq(json_array_size(files), 11);
-    struct test_snapshot last = test_results_listed(files, 10);
-    ck_assert(last.time == 1.0);
-    test_snapshot_free(&last);
+    size_t rows = 0;
+    double(*values)[TEST_HISTORY_COLUMNS] = test_results_history(test_results.output, &rows);
+    ck_assert_uint_eq(json_array_size(files), INSTANTS + 1);
+    ck_assert_uint_eq(rows, INSTANTS + 1);
+    for (size_t i = 0; i <= INSTANTS; i++) {
+        struct test_snapshot snapshot = test_results_listed(files, i);
+        ck_assert(snapshot.time == (i == INSTANTS ? 0.3 : (double)i * 0.01));
+        ck_assert(values[i][TEST_HISTORY_TIME] == snapshot.time);
+        test_snapshot_free(&snapshot);
+    }
+    g_free(values);
     json_decref(list);
 }
 END_TEST
@@ -170,14 +179,19 @@ END_TEST
 
 /* ----------------------------------------------------------------- refusal */
 
+/* Too few threads, and a body that turns out to be empty when it is filled. */
 START_TEST(bad_input_leaves_no_folder_behind)
 {
+    static const char *const settings[] = {"bodies.left.region.rectangle.to.0=2.1"};
     struct mpm_error error = {.status = MPM_OK};
     const struct mpm_run_options options = {.output = test_results.output, .threads = 0};
     ck_assert_int_eq(mpm_scene_run(test_results.scene, &options, &error), MPM_BAD_INPUT);
-    test_results_scene(TEST_BLOCKS_WITH("{end: 1}", "{snapshots: 1.0e-9}"));
+    ck_assert(strstr(error.message, "threads") != NULL);
+    mpm_scene_free(test_results.scene);
+    ck_assert_int_eq(
+        mpm_scene_read(test_results.scene_path, settings, 1, &test_results.scene, NULL), MPM_OK);
     ck_assert_int_eq(test_results_run(false, &error), MPM_BAD_INPUT);
-    ck_assert(strstr(error.message, "output.snapshots") != NULL);
+    ck_assert(strstr(error.message, "left") != NULL);
     ck_assert(!test_file_exists(test_results.output));
 }
 END_TEST
@@ -334,11 +348,11 @@ static void add_case(Suite *suite, const char *name, const TTest *const *tests, 
     suite_add_tcase(suite, test_case);
 }
 
-Suite *suite_run(void)
+Suite *suite_scene_run(void)
 {
     const TTest *const runs[] = {
         snapshots_land_on_their_instants_and_on_the_end,
-        the_last_instant_is_the_end,
+        round_off_neither_loses_nor_doubles_an_instant,
         history_has_the_first_step_at_or_after_each_interval,
         without_intervals_the_first_and_the_last_state_are_written,
         a_number_of_steps_ends_the_run,

@@ -201,17 +201,11 @@ static enum mpm_status write_record(struct run *run, enum mpm_status status,
     return add_state(run, second.status, error);
 }
 
-/* Six digits number the snapshots; more of them are surely a mistake. */
-static enum mpm_status check_options(const struct mpm_scene *scene,
-                                     const struct mpm_run_options *options, struct mpm_error *error)
+static enum mpm_status check_options(const struct mpm_run_options *options, struct mpm_error *error)
 {
     if (options->threads < 1)
         return mpm_error_set(error, MPM_BAD_INPUT, "threads: %d; at least 1 is needed",
                              options->threads);
-    if (scene->snapshot_interval > 0.0 && scene->end / scene->snapshot_interval >= MPM_SERIES_MAX)
-        return mpm_scene_error(error, scene, 0, "output.snapshots",
-                               "%g makes more than %d snapshots until time.end = %g",
-                               scene->snapshot_interval, MPM_SERIES_MAX, scene->end);
     return options->output != NULL
                ? mpm_results_folder_check(options->output, options->overwrite, error)
                : MPM_OK;
@@ -222,7 +216,7 @@ enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_ru
 {
     struct mpm_error failure = {.status = MPM_OK};
     struct run run = {.scene = scene, .options = options};
-    enum mpm_status status = check_options(scene, options, &failure);
+    enum mpm_status status = check_options(options, &failure);
     if (status == MPM_OK)
         status = set_up(&run, &failure);
     if (status == MPM_OK)

@@ -8,10 +8,7 @@
 
 #include "model/scene.h"
 
-enum {
-    MPM_SERIES_DIGITS = 6,
-    MPM_SERIES_MAX = 1000000, /* snapshots in one run: as many as the digits can number */
-};
+enum { MPM_SERIES_DIGITS = 6 }; /* more if there are more than a million */
 
 #define MPM_SERIES_PREFIX "particles-"
 #define MPM_SERIES_SUFFIX ".hdf"

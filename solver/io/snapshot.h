@@ -9,8 +9,10 @@
  *                 FieldData holds TimeValue and step
  *
  * Data is chunked, shuffled and carries Fletcher-32 checksums. Particle data is not
- * compressed: level 1 gained little and took longer than the writing itself. The
- * numbers that only say "particle i is vertex i" are compressed to almost nothing.
+ * compressed: deflate at level 1 halves the file of a moving body (163 MB for 10^6
+ * particles) and takes two and a half times as long (0.8 s instead of 0.3 s); h5repack
+ * does it afterwards. The numbers that only say "particle i is vertex i" are
+ * compressed to almost nothing.
  * Nothing in the file depends on the date, the machine or the number of threads.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

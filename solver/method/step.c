@@ -131,7 +131,8 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
                                  struct mpm_error *error)
 {
     const struct mpm_stress_order *const order = state->order;
-    const bool has_body_force = state->body_force.component[0] != NULL;
+    const bool has_body_force =
+        state->body_force.component[0] != NULL || state->body_force.component[1] != NULL;
     const int workers = strips_touch(state) ? 1 : state->workers;
     double mark = seconds_now();
 

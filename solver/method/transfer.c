@@ -95,8 +95,8 @@ static bool body_force_at(const struct mpm_state *state, size_t p, int worker,
 {
     const double position[2] = {state->particles.position[0][p], state->particles.position[1][p]};
     for (int axis = 0; axis < 2; axis++) {
-        b[axis] =
-            mpm_expression_value(state->body_force.component[axis], worker, position, state->time);
+        const struct mpm_expression *const force = state->body_force.component[axis];
+        b[axis] = force == NULL ? 0.0 : mpm_expression_value(force, worker, position, state->time);
         if (!isfinite(b[axis])) {
             record(strip, MPM_NOT_FINITE, state->particles.id[p], axis, b[axis]);
             return false;

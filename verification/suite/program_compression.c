@@ -112,7 +112,7 @@ static double volume_compression(double strain)
 static bool is_broken(const struct parameters *p, const struct look *look)
 {
     return !(look->spread <= p->spread_limit) || !(look->smallest >= p->volume_limit) ||
-           !(look->error_nominal[RR] <= p->stress_limit);
+           !(look->error_mean[RR] <= p->stress_limit);
 }
 
 static enum mpm_status keep_row(struct study *study, struct mpm_error *error)

@@ -1,0 +1,189 @@
+/* case.yaml: what no schema can say.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/suite/case_file.h"
+#include "verification/suite/yaml_place.h"
+
+#include <fnmatch.h>
+#include <glib.h>
+#include <stdarg.h>
+#include <string.h>
+
+bool glob_matches(const char *glob, const char *name)
+{
+    return fnmatch(glob, name, 0) == 0;
+}
+
+bool globs_match(char *const *globs, unsigned count, const char *name)
+{
+    for (unsigned i = 0; i < count; i++)
+        if (glob_matches(globs[i], name))
+            return true;
+    return false;
+}
+
+static enum mpm_status refuse(const char *path, struct mpm_error *error, const char *place,
+                              const char *format, ...) __attribute__((format(printf, 4, 5)));
+
+static enum mpm_status refuse(const char *path, struct mpm_error *error, const char *place,
+                              const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    char *text = g_strdup_vprintf(format, arguments);
+    va_end(arguments);
+    failure_set(error, MPM_BAD_INPUT, "%s:%u: %s: %s", path, yaml_place_line(path, place), place,
+                text);
+    g_free(text);
+    return MPM_BAD_INPUT;
+}
+
+/* Names become parts of file names, links and globs. */
+static bool is_name(const char *text)
+{
+    return *text != '\0' && strlen(text) <= 64 &&
+           strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") ==
+               strlen(text);
+}
+
+static const char name_rule[] = "allowed are 1 to 64 letters, digits, '_' and '-'";
+
+static bool variant_matches(const struct case_file *file, const char *glob)
+{
+    for (unsigned i = 0; i < file->variants_count; i++)
+        if (glob_matches(glob, file->variants[i].name))
+            return true;
+    return false;
+}
+
+static enum mpm_status check_globs(const char *path, const struct case_file *file,
+                                   const char *place, char *const *globs, unsigned count,
+                                   struct mpm_error *error)
+{
+    for (unsigned i = 0; i < count; i++)
+        if (!variant_matches(file, globs[i]))
+            return refuse(path, error, place, "\"%s\" matches no variant", globs[i]);
+    return MPM_OK;
+}
+
+static enum mpm_status check_parameters(const char *path, const char *place,
+                                        const struct case_parameter *parameters, unsigned count,
+                                        struct mpm_error *error)
+{
+    for (unsigned i = 0; i < count; i++)
+        for (unsigned j = 0; j < i; j++)
+            if (strcmp(parameters[i].name, parameters[j].name) == 0)
+                return refuse(path, error, place, "parameter \"%s\" is given twice",
+                              parameters[i].name);
+    return MPM_OK;
+}
+
+static enum mpm_status check_variant(const char *path, const struct case_file *file, unsigned index,
+                                     struct mpm_error *error)
+{
+    const struct case_variant *variant = &file->variants[index];
+    char place[48];
+    g_snprintf(place, sizeof place, "variants.%u", index);
+    if (!is_name(variant->name))
+        return refuse(path, error, place, "name \"%s\": %s", variant->name, name_rule);
+    for (unsigned i = 0; i < index; i++)
+        if (strcmp(variant->name, file->variants[i].name) == 0)
+            return refuse(path, error, place, "name \"%s\" is taken by another variant",
+                          variant->name);
+    if (!(variant->timeout > 0))
+        return refuse(path, error, place, "timeout %s: allowed are seconds > 0",
+                      variant->timeout_text);
+    if (variant->settings_count > 0 && file->scene == NULL)
+        return refuse(path, error, place, "settings are given, but the case has no scene");
+    for (unsigned i = 0; i < variant->settings_count; i++)
+        if (strchr(variant->settings[i], '=') == NULL)
+            return refuse(path, error, place, "setting \"%s\": allowed is PATH=VALUE",
+                          variant->settings[i]);
+    return check_parameters(path, place, variant->parameters, variant->parameters_count, error);
+}
+
+/* Two declarations of one check for one variant. */
+static const char *doubled_variant(const struct case_file *file, const struct case_check *one,
+                                   const struct case_check *other)
+{
+    if (strcmp(one->name, other->name) != 0)
+        return NULL;
+    for (unsigned v = 0; v < file->variants_count; v++) {
+        const char *variant = file->variants[v].name;
+        if (globs_match(one->variants, one->variants_count, variant) &&
+            globs_match(other->variants, other->variants_count, variant))
+            return variant;
+    }
+    return NULL;
+}
+
+static enum mpm_status check_check(const char *path, const struct case_file *file, unsigned index,
+                                   struct mpm_error *error)
+{
+    const struct case_check *check = &file->checks[index];
+    char place[48];
+    g_snprintf(place, sizeof place, "checks.%u", index);
+    if (!is_name(check->name))
+        return refuse(path, error, place, "check \"%s\": %s", check->name, name_rule);
+    TRY(check_globs(path, file, place, check->variants, check->variants_count, error));
+    const bool has_low = check->fails_low_text != NULL, has_high = check->fails_high_text != NULL;
+    if (check->outcome == OUTCOME_FAIL ? !(has_low && has_high) : has_low || has_high)
+        return refuse(path, error, place,
+                      "check \"%s\": fails_low and fails_high belong to outcome: fail, and it "
+                      "needs both",
+                      check->name);
+    const char *fault = verdict_band_fault(&check->band);
+    if (fault != NULL)
+        return refuse(path, error, place, "check \"%s\": %s", check->name, fault);
+    for (unsigned i = 0; i < index; i++) {
+        const char *variant = doubled_variant(file, check, &file->checks[i]);
+        if (variant != NULL)
+            return refuse(path, error, place, "check \"%s\" is declared twice for variant \"%s\"",
+                          check->name, variant);
+    }
+    return MPM_OK;
+}
+
+static enum mpm_status check_figure(const char *path, const struct case_file *file, unsigned index,
+                                    struct mpm_error *error)
+{
+    const struct case_figure *figure = &file->figures[index];
+    char place[48];
+    g_snprintf(place, sizeof place, "figures.%u", index);
+    if (!is_name(figure->name))
+        return refuse(path, error, place, "name \"%s\": %s", figure->name, name_rule);
+    for (unsigned i = 0; i < index; i++)
+        if (strcmp(figure->name, file->figures[i].name) == 0)
+            return refuse(path, error, place, "name \"%s\" is taken by another figure",
+                          figure->name);
+    if (strchr(figure->script, '/') != NULL || !g_str_has_suffix(figure->script, ".gp"))
+        return refuse(path, error, place, "script \"%s\": allowed is a file *.gp beside case.yaml",
+                      figure->script);
+    char *folder = g_path_get_dirname(path);
+    char *script = g_build_filename(folder, figure->script, NULL);
+    const bool there = g_file_test(script, G_FILE_TEST_IS_REGULAR);
+    g_free(folder);
+    g_free(script);
+    if (!there)
+        return refuse(path, error, place, "script \"%s\": no such file", figure->script);
+    return check_globs(path, file, place, figure->needs, figure->needs_count, error);
+}
+
+enum mpm_status case_file_check(const char *path, const struct case_file *file,
+                                struct mpm_error *error)
+{
+    if (file->format != 1)
+        return refuse(path, error, "format", "%d: allowed is 1", file->format);
+    if (!is_name(file->family))
+        return refuse(path, error, "family", "\"%s\": %s", file->family, name_rule);
+    if (!is_name(file->name))
+        return refuse(path, error, "case", "\"%s\": %s", file->name, name_rule);
+    TRY(check_parameters(path, "parameters", file->parameters, file->parameters_count, error));
+    for (unsigned i = 0; i < file->variants_count; i++)
+        TRY(check_variant(path, file, i, error));
+    for (unsigned i = 0; i < file->checks_count; i++)
+        TRY(check_check(path, file, i, error));
+    for (unsigned i = 0; i < file->figures_count; i++)
+        TRY(check_figure(path, file, i, error));
+    return MPM_OK;
+}

@@ -1,0 +1,98 @@
+/* The catalogue: folders <family>/<case>/ with case.yaml, README.md, and what the
+ * case needs (scene.yaml, *.gp, *.dat). Everything that the suite will run and judge
+ * is declared here and checked before anything runs.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_SUITE_CATALOGUE_H
+#define VERIFICATION_SUITE_CATALOGUE_H
+
+#include "verification/measures/verdict.h"
+#include "verification/suite/programs.h"
+
+#include <stdbool.h>
+
+enum tier { TIER_CI, TIER_FULL }; /* variants of tier ci run in full, too */
+
+struct case_parameter {
+    char *name, *value;
+};
+
+struct case_variant {
+    char *name;
+    enum tier tier;
+    char *timeout_text;
+    double timeout; /* seconds */
+    char **settings;
+    unsigned settings_count;
+    struct case_parameter *parameters;
+    unsigned parameters_count;
+};
+
+enum case_basis { BASIS_THEORY, BASIS_ROUND_OFF, BASIS_LITERATURE, BASIS_MEASURED };
+enum case_outcome { OUTCOME_PASS, OUTCOME_FAIL };
+
+struct case_check {
+    char *name, *title;
+    char **variants; /* globs */
+    unsigned variants_count;
+    char *quantity, *unit, *norm;
+    char *expected_text, *low_text, *high_text;
+    char *fails_low_text, *fails_high_text, *initial_text;
+    enum case_basis basis;
+    char *why;
+    enum case_outcome outcome;
+    struct verdict_band band;
+};
+
+struct case_figure {
+    char *name, *script, *title, *caption, *reference;
+    char **needs; /* globs over variants whose data files the script reads */
+    unsigned needs_count;
+};
+
+/* case.yaml as read; texts of numbers are kept beside their values. */
+struct case_file {
+    int format;
+    char *family, *name, *title, *summary;
+    char **tags;
+    unsigned tags_count;
+    char *program_name;
+    char *scene;
+    struct case_parameter *parameters;
+    unsigned parameters_count;
+    struct case_variant *variants;
+    unsigned variants_count;
+    struct case_check *checks;
+    unsigned checks_count;
+    struct case_figure *figures;
+    unsigned figures_count;
+};
+
+struct catalogue_case {
+    struct case_file *file;
+    char *folder;
+    char *scene_path; /* NULL if it has none */
+    char *readme;     /* Markdown */
+    const struct measure_program *program;
+};
+
+struct catalogue {
+    char *folder;
+    struct catalogue_case *cases; /* sorted by family and name */
+    size_t count;
+};
+
+/* Reads every case under `folder`. MPM_BAD_INPUT: a message with file, line where it
+ * is known, key, value and what is allowed. *catalogue is NULL on failure. */
+enum mpm_status catalogue_read(const char *folder, struct program_table programs,
+                               struct catalogue **catalogue, struct mpm_error *error);
+void catalogue_free(struct catalogue *catalogue);
+
+const char *basis_name(enum case_basis basis);
+const char *tier_name(enum tier tier);
+
+/* Whether the shell pattern (*, ?, [...]) matches the whole name; whether any does. */
+bool glob_matches(const char *glob, const char *name);
+bool globs_match(char *const *globs, unsigned count, const char *name);
+
+#endif

@@ -1,0 +1,148 @@
+/* What a run says.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/suite/console.h"
+
+#include "verification/suite/text.h"
+
+#include <string.h>
+
+enum { STATUS_WIDTH = 15, BAR_WIDTH = 30 };
+
+static int text_width(const char *text)
+{
+    return (int)g_utf8_strlen(text, -1);
+}
+
+/* Text padded to a width in characters (printf counts bytes). */
+static void print_padded(FILE *out, const char *text, int width)
+{
+    fprintf(out, "%s%*s", text, MAX(1, width + 2 - text_width(text)), "");
+}
+
+static json_t *record_of(const struct plan *plan, const struct planned_check *planned,
+                         const struct check_verdict *judged, double seconds)
+{
+    return record_check(&plan->jobs[planned->job], planned->check, judged, seconds);
+}
+
+void console_begin(struct console *console, const struct plan *plan)
+{
+    console->plan = plan;
+    console->value_width = text_width("value") + 8;
+    for (size_t i = 0; i < plan->check_count; i++) {
+        const struct check_verdict unknown = {.has_value = false};
+        json_t *record = record_of(plan, &plan->checks[i], &unknown, 0);
+        char *name = text_check_name(record), *band = text_band(record);
+        char *value = text_quantity(1.234e-10, record_text(record, "unit"));
+        console->name_width = MAX(console->name_width, text_width(name));
+        console->band_width = MAX(console->band_width, text_width(band));
+        console->value_width = MAX(console->value_width, text_width(value));
+        g_free(name);
+        g_free(band);
+        g_free(value);
+        json_decref(record);
+    }
+    print_padded(console->out, "status", STATUS_WIDTH);
+    print_padded(console->out, "check", console->name_width);
+    print_padded(console->out, "value", console->value_width);
+    print_padded(console->out, "band", console->band_width);
+    fprintf(console->out, "time\n");
+    fflush(console->out);
+}
+
+static void clear_progress(const struct console *console)
+{
+    if (console->terminal)
+        fprintf(console->out, "\r\033[K");
+}
+
+void console_progress(void *context, size_t done, size_t total)
+{
+    const struct console *console = context;
+    if (!console->terminal || done == total)
+        return;
+    const size_t filled = BAR_WIDTH * done / MAX(1, total);
+    clear_progress(console);
+    fputc('[', console->out);
+    for (size_t i = 0; i < BAR_WIDTH; i++)
+        fputc(i < filled ? '#' : '-', console->out);
+    fprintf(console->out, "] %zu of %zu programs", done, total);
+    fflush(console->out);
+}
+
+static const char *colour(const struct console *console, enum verdict_status status)
+{
+    if (!console->terminal || g_getenv("NO_COLOR") != NULL)
+        return "";
+    if (verdict_is_red(status))
+        return "\033[1;31m";
+    return status == VERDICT_PASS ? "\033[32m" : "\033[33m";
+}
+
+static void print_check(const struct console *console, const json_t *record)
+{
+    const enum verdict_status status = record_status(record);
+    const char *start = colour(console, status);
+    char *name = text_check_name(record), *band = text_band(record);
+    char *value = text_quantity(record_number(record, "value"), record_text(record, "unit"));
+    char *seconds = text_seconds(record_number(record, "seconds"));
+    fputs(start, console->out);
+    print_padded(console->out, verdict_status_name(status), STATUS_WIDTH);
+    fputs(*start == '\0' ? "" : "\033[0m", console->out);
+    print_padded(console->out, name, console->name_width);
+    print_padded(console->out, value, console->value_width);
+    print_padded(console->out, band, console->band_width);
+    fprintf(console->out, "%s\n", seconds);
+    g_free(name);
+    g_free(band);
+    g_free(value);
+    g_free(seconds);
+}
+
+void console_finished(void *context, size_t job, const struct job_result *result)
+{
+    const struct console *console = context;
+    const struct plan *plan = console->plan;
+    clear_progress(console);
+    for (size_t i = 0; i < plan->check_count; i++) {
+        if (plan->checks[i].job != job)
+            continue;
+        const struct check_verdict judged = judge_check(plan->checks[i].check, result);
+        json_t *record = record_of(plan, &plan->checks[i], &judged, result->seconds);
+        print_check(console, record);
+        json_decref(record);
+    }
+    fflush(console->out);
+}
+
+static void print_failures(const struct console *console, const struct records *records)
+{
+    for (size_t i = 0; i < json_array_size(records->checks); i++) {
+        const json_t *check = json_array_get(records->checks, i);
+        if (!verdict_is_red(record_status(check)))
+            continue;
+        char *name = text_check_name(check), *band = text_band(check);
+        char *value = text_quantity(record_number(check, "value"), record_text(check, "unit"));
+        fprintf(console->out, "%s: %s: value %s, band %s: %s\n", record_text(check, "status"), name,
+                value, band, record_text(check, "reason"));
+        g_free(name);
+        g_free(band);
+        g_free(value);
+    }
+}
+
+void console_end(struct console *console, const struct records *records, const char *output)
+{
+    const struct record_counts counts = records_count(records, NULL, NULL);
+    const size_t known = counts.of[VERDICT_EXPECTED_FAIL];
+    fputc('\n', console->out);
+    print_failures(console, records);
+    fprintf(console->out, "report: %s/index.html\n", output);
+    if (known > 0)
+        fprintf(console->out, "%zu known weakness%s as declared, counted as passed\n", known,
+                known == 1 ? " shows" : "es show");
+    fprintf(console->out, "%zu passed, %zu failed, %zu skipped\n", counts.passed, counts.failed,
+            counts.skipped);
+    fflush(console->out);
+}

@@ -1,0 +1,30 @@
+/* What a run says while it runs and at its end: a table and a progress bar on a
+ * terminal, plain lines in a pipe.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_SUITE_CONSOLE_H
+#define VERIFICATION_SUITE_CONSOLE_H
+
+#include "verification/suite/records.h"
+
+#include <stdio.h>
+
+struct console {
+    FILE *out;
+    bool terminal; /* progress bar and colours */
+    const struct plan *plan;
+    int name_width, value_width, band_width;
+};
+
+/* Fits the columns to the plan and prints the table's head. */
+void console_begin(struct console *console, const struct plan *plan);
+
+/* For schedule_options: `context` is the console. */
+void console_progress(void *context, size_t done, size_t total);
+void console_finished(void *context, size_t job, const struct job_result *result);
+
+/* Failures, expected failures, where the report is, and the last line
+ * `N passed, N failed, N skipped`. */
+void console_end(struct console *console, const struct records *records, const char *output);
+
+#endif

@@ -1,0 +1,199 @@
+/* Figures.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/suite/figures.h"
+
+#include <glib.h>
+#include <glib/gstdio.h>
+#include <string.h>
+
+static bool finished(const json_t *variant)
+{
+    return strcmp(record_text(variant, "outcome"), "returned") == 0;
+}
+
+/* The names, separated by blanks, of the variants that `globs` select; "" with a reason
+ * if a glob selects none of this run's or one that did not finish. */
+static char *variants_needed(const json_t *entry, const json_t *globs, char *reason, size_t size)
+{
+    GString *names = g_string_new(NULL);
+    const json_t *variants = json_object_get(entry, "variants");
+    bool whole = true;
+    for (size_t g = 0; g < json_array_size(globs); g++) {
+        const char *glob = json_string_value(json_array_get(globs, g));
+        size_t matched = 0;
+        for (size_t v = 0; glob != NULL && v < json_array_size(variants); v++) {
+            const json_t *variant = json_array_get(variants, v);
+            const char *name = record_text(variant, "variant");
+            if (!glob_matches(glob, name))
+                continue;
+            matched++;
+            if (!finished(variant)) {
+                g_snprintf(reason, size, "variant %s did not finish: %s", name,
+                           record_text(variant, "outcome"));
+                whole = false;
+            }
+            g_string_append_printf(names, "%s%s", names->len == 0 ? "" : " ", name);
+        }
+        if (matched == 0 && whole) {
+            g_snprintf(reason, size, "it needs variant %s, which this run did not select", glob);
+            whole = false;
+        }
+    }
+    if (!whole)
+        g_string_truncate(names, 0);
+    return g_string_free(names, FALSE);
+}
+
+/* A text between single quotes of gnuplot. */
+static char *quoted(const char *text)
+{
+    GString *result = g_string_new("'");
+    for (const char *c = text; *c != '\0'; c++)
+        if (*c == '\'')
+            g_string_append(result, "''");
+        else if (*c >= ' ')
+            g_string_append_c(result, *c);
+    g_string_append_c(result, '\'');
+    return g_string_free(result, FALSE);
+}
+
+/* Runs gnuplot in `home`; what it said is in *said. */
+static bool run_gnuplot(const char *home, const char *settings, const char *script, char **said,
+                        GError **failure)
+{
+    char *path = g_build_filename("source", script, NULL);
+    char *command[] = {"gnuplot", "-e", (char *)(uintptr_t)settings, path, NULL};
+    int state = 0;
+    const bool ran =
+        g_spawn_sync(home, command, NULL, G_SPAWN_SEARCH_PATH | G_SPAWN_STDOUT_TO_DEV_NULL, NULL,
+                     NULL, NULL, said, &state, failure) &&
+        g_spawn_check_wait_status(state, failure);
+    g_free(path);
+    return ran;
+}
+
+/* The first line of what gnuplot said that tells something. */
+static void take_complaint(const char *said, char *reason, size_t size)
+{
+    char **lines = g_strsplit(said, "\n", -1);
+    const char *complaint = "no message";
+    for (char **line = lines; *line != NULL; line++) {
+        g_strstrip(*line);
+        if (**line == '"' || strstr(*line, "warning:") != NULL) {
+            complaint = *line;
+            break;
+        }
+    }
+    g_snprintf(reason, size, "gnuplot: %s", complaint);
+    g_strfreev(lines);
+}
+
+static char *replace(char *text, const char *pattern, const char *replacement)
+{
+    GRegex *regex = g_regex_new(pattern, G_REGEX_DEFAULT, G_REGEX_MATCH_DEFAULT, NULL);
+    char *result = g_regex_replace(regex, text, -1, 0, replacement, G_REGEX_MATCH_DEFAULT, NULL);
+    g_regex_unref(regex);
+    g_free(text);
+    return result;
+}
+
+char *figure_dress(const char *svg, const char *title, const char *description)
+{
+    static const char look[] =
+        "<style>svg{color:#1f2328;background:#ffffff}"
+        "@media(prefers-color-scheme:dark){svg{color:#d8dee6;background:#15181c}}</style>";
+    char *head = g_markup_printf_escaped("<title id=\"title\">%s</title>\n"
+                                         "<desc id=\"description\">%s</desc>\n",
+                                         title, description);
+    char *text =
+        replace(g_strdup(svg), "(stroke|fill|color)=(['\"])(black|rgb\\( *0, *0, *0\\)|#000000)\\2",
+                "\\1=\\2currentColor\\2");
+    text = replace(text, "<svg\\s", "<svg role=\"img\" aria-labelledby=\"title description\" ");
+    text = replace(text, "<title>[^<]*</title>\\s*<desc>[^<]*</desc>\\s*", "<!--head-->");
+    char **parts = g_strsplit(text, "<!--head-->", 2);
+    char *dressed =
+        parts[1] == NULL ? g_strdup(text) : g_strconcat(parts[0], head, look, "\n", parts[1], NULL);
+    g_strfreev(parts);
+    g_free(text);
+    g_free(head);
+    return dressed;
+}
+
+/* The file that the script was to write, dressed. */
+static bool dress_file(const char *path, const json_t *figure)
+{
+    char *svg = NULL,
+         *description = g_strdup_printf("%s Reference: %s", record_text(figure, "caption"),
+                                        record_text(figure, "reference"));
+    bool good = g_file_get_contents(path, &svg, NULL, NULL) && strstr(svg, "</svg>") != NULL;
+    if (good) {
+        char *dressed = figure_dress(svg, record_text(figure, "title"), description);
+        good = g_file_set_contents(path, dressed, -1, NULL);
+        g_free(dressed);
+    }
+    g_free(svg);
+    g_free(description);
+    return good;
+}
+
+static char *settings_of(const json_t *run, const json_t *figure, const char *variants)
+{
+    char *stamp = g_strdup_printf("Touchstone %s, %s", record_text(run, "version"),
+                                  record_text(run, "revision"));
+    char *quoted_stamp = quoted(stamp), *quoted_name = quoted(record_text(figure, "figure"));
+    char *settings =
+        g_strdup_printf("style='../../style/style.gp'; output='figure-%s.svg'; name=%s; data='.'; "
+                        "source='source'; variants='%s'; stamp=%s",
+                        record_text(figure, "figure"), quoted_name, variants, quoted_stamp);
+    g_free(stamp);
+    g_free(quoted_stamp);
+    g_free(quoted_name);
+    return settings;
+}
+
+static void draw(const char *home, const char *settings, const json_t *figure,
+                 struct figure_result *result)
+{
+    char *file = g_strdup_printf("figure-%s.svg", record_text(figure, "figure"));
+    char *path = g_build_filename(home, file, NULL), *said = NULL;
+    GError *failure = NULL;
+    g_remove(path); /* or an old picture could stand for a new one */
+    result->state = FIGURE_FAILED;
+    const bool ran = run_gnuplot(home, settings, record_text(figure, "script"), &said, &failure);
+    if (said == NULL)
+        g_snprintf(result->reason, sizeof result->reason, "gnuplot cannot be run: %s",
+                   failure->message);
+    else if (!ran || strstr(said, "warning:") != NULL)
+        take_complaint(said, result->reason, sizeof result->reason);
+    else if (!dress_file(path, figure))
+        g_strlcpy(result->reason, "the script wrote no SVG file", sizeof result->reason);
+    else
+        result->state = FIGURE_DRAWN;
+    g_clear_error(&failure);
+    g_free(said);
+    g_free(path);
+    g_free(file);
+}
+
+struct figure_result figure_draw(const char *folder, const json_t *run, const json_t *entry,
+                                 const json_t *figure)
+{
+    struct figure_result result = {.state = FIGURE_WITHOUT_DATA};
+    char *home = g_build_filename(folder, "cases", record_text(entry, "case"), NULL);
+    char *variants = variants_needed(entry, json_object_get(figure, "needs"), result.reason,
+                                     sizeof result.reason);
+    char *source = g_build_filename(home, "source", NULL);
+    if (result.reason[0] == '\0' && !g_file_test(source, G_FILE_TEST_IS_DIR))
+        g_strlcpy(result.reason, "this folder holds the result lines alone, not the figure's data",
+                  sizeof result.reason);
+    g_free(source);
+    if (result.reason[0] == '\0') {
+        char *settings = settings_of(run, figure, variants);
+        draw(home, settings, figure, &result);
+        g_free(settings);
+    }
+    g_free(variants);
+    g_free(home);
+    return result;
+}

@@ -1,0 +1,30 @@
+/* Figures: gnuplot scripts of the cases, drawn as SVG that follows the reader's light or
+ * dark ground.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_SUITE_FIGURES_H
+#define VERIFICATION_SUITE_FIGURES_H
+
+#include "verification/suite/records.h"
+
+enum figure_state {
+    FIGURE_DRAWN,
+    FIGURE_WITHOUT_DATA, /* a variant that it needs was not selected, or did not finish */
+    FIGURE_FAILED,       /* gnuplot is missing, or the script failed or warned */
+};
+
+struct figure_result {
+    enum figure_state state;
+    char reason[MPM_MESSAGE_SIZE]; /* of anything but DRAWN */
+};
+
+/* Draws <folder>/cases/<case>/figure-<name>.svg from the data files beside it. `entry`
+ * and `figure` are objects of the run's record. */
+struct figure_result figure_draw(const char *folder, const json_t *run, const json_t *entry,
+                                 const json_t *figure);
+
+/* The SVG as gnuplot wrote it, with black as the text colour, colours for light and dark,
+ * a role, a title and a description; g_free. */
+char *figure_dress(const char *svg, const char *title, const char *description);
+
+#endif

@@ -1,0 +1,32 @@
+/* Pieces of HTML that the pages share; all append to a string.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_SUITE_HTML_H
+#define VERIFICATION_SUITE_HTML_H
+
+#include "verification/suite/report.h"
+#include "verification/suite/text.h"
+
+/* A status as mark and word: "✓ pass". */
+void html_status(GString *html, enum verdict_status status);
+
+/* A class name of report.css for the colour of a status. */
+const char *html_status_class(enum verdict_status status);
+
+/* A value and its unit, powers of ten written out: 1.3 × 10⁻¹⁵. */
+void html_quantity(GString *html, double value, const char *unit);
+
+/* A margin as a bar and a number. */
+void html_margin(GString *html, double margin);
+
+/* "✓ 12 pass  ✗ 1 fail": the statuses that occur. */
+void html_counts(GString *html, const struct record_counts *counts);
+
+/* The status of a case: the worst that occurs; known weaknesses beside it. */
+void html_case_status(GString *html, const struct record_counts *counts);
+
+/* The page; takes navigation and content over. */
+char *html_page(const struct records *records, const struct report_style *style, const char *title,
+                GString *navigation, GString *content);
+
+#endif

@@ -1,0 +1,12 @@
+/* Markdown of the cases as HTML.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_SUITE_MARKDOWN_H
+#define VERIFICATION_SUITE_MARKDOWN_H
+
+/* Renders Markdown (with tables) for a page that has its own first heading: a leading
+ * heading of level 1 is dropped, the others go one level down. Raw HTML and unsafe
+ * links are left out. g_free. */
+char *markdown_html(const char *text);
+
+#endif

@@ -1,0 +1,226 @@
+/* One run of a measuring program: what it may ask for and report.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/suite/measurement.h"
+
+#include "verification/suite/rows.h"
+
+#include <errno.h>
+#include <glib.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+struct measurement {
+    struct measurement_setup setup;
+    uint64_t particle_steps;
+    int write_error; /* errno of the first row that could not be written */
+};
+
+/* ------------------------------------------------------------------ asking */
+
+const char *measurement_case(const struct measurement *measurement)
+{
+    return measurement->setup.entry->file->name;
+}
+
+const char *measurement_variant(const struct measurement *measurement)
+{
+    return measurement->setup.variant->name;
+}
+
+int measurement_threads(const struct measurement *measurement)
+{
+    return measurement->setup.threads;
+}
+
+static const char *find(const struct case_parameter *parameters, unsigned count, const char *name)
+{
+    for (unsigned i = 0; i < count; i++)
+        if (strcmp(parameters[i].name, name) == 0)
+            return parameters[i].value;
+    return NULL;
+}
+
+static const char *parameter(const struct measurement *measurement, const char *name)
+{
+    const struct case_variant *variant = measurement->setup.variant;
+    const struct case_file *file = measurement->setup.entry->file;
+    const char *own = find(variant->parameters, variant->parameters_count, name);
+    return own != NULL ? own : find(file->parameters, file->parameters_count, name);
+}
+
+bool measurement_has(const struct measurement *measurement, const char *name)
+{
+    return parameter(measurement, name) != NULL;
+}
+
+enum mpm_status measurement_text(const struct measurement *measurement, const char *name,
+                                 const char **value, struct mpm_error *error)
+{
+    *value = parameter(measurement, name);
+    if (*value != NULL)
+        return MPM_OK;
+    return failure_set(error, MPM_BAD_INPUT, "case %s, variant %s: parameter \"%s\" is missing",
+                       measurement_case(measurement), measurement_variant(measurement), name);
+}
+
+enum mpm_status measurement_number(const struct measurement *measurement, const char *name,
+                                   double *value, struct mpm_error *error)
+{
+    const char *text;
+    TRY(measurement_text(measurement, name, &text, error));
+    if (row_number(text, value) && isfinite(*value))
+        return MPM_OK;
+    return failure_set(error, MPM_BAD_INPUT,
+                       "case %s, variant %s: parameter \"%s\": \"%s\" is not a finite number",
+                       measurement_case(measurement), measurement_variant(measurement), name, text);
+}
+
+enum mpm_status measurement_scene(const struct measurement *measurement,
+                                  const char *const *settings, size_t setting_count,
+                                  struct mpm_scene **scene, struct mpm_error *error)
+{
+    const struct case_variant *variant = measurement->setup.variant;
+    *scene = NULL;
+    if (measurement->setup.entry->scene_path == NULL)
+        return failure_set(error, MPM_BAD_INPUT, "case %s names no scene",
+                           measurement_case(measurement));
+    GPtrArray *all = g_ptr_array_new();
+    for (unsigned i = 0; i < variant->settings_count; i++)
+        g_ptr_array_add(all, variant->settings[i]);
+    for (size_t i = 0; i < setting_count; i++)
+        g_ptr_array_add(all, (void *)(uintptr_t)settings[i]);
+    const enum mpm_status status =
+        mpm_scene_read(measurement->setup.entry->scene_path, (const char *const *)all->pdata,
+                       all->len, scene, error);
+    g_ptr_array_unref(all);
+    return status;
+}
+
+/* --------------------------------------------------------------- reporting */
+
+static void send_line(struct measurement *measurement, char *line)
+{
+    const size_t length = strlen(line);
+    for (size_t sent = 0; sent < length && measurement->write_error == 0;) {
+        const ssize_t written = write(measurement->setup.rows, line + sent, length - sent);
+        if (written >= 0)
+            sent += (size_t)written;
+        else if (errno != EINTR)
+            measurement->write_error = errno;
+    }
+    g_free(line);
+}
+
+static void send_formatted(struct measurement *measurement, enum row_kind kind, const char *name,
+                           const char *format, va_list arguments)
+    __attribute__((format(printf, 4, 0)));
+
+static void send_formatted(struct measurement *measurement, enum row_kind kind, const char *name,
+                           const char *format, va_list arguments)
+{
+    char *text = g_strdup_vprintf(format, arguments);
+    send_line(measurement, row_line(kind, name, text));
+    g_free(text);
+}
+
+void measurement_report(struct measurement *measurement, const char *quantity, double value)
+{
+    send_line(measurement, row_line_value(quantity, value));
+}
+
+void measurement_inconclusive(struct measurement *measurement, const char *quantity,
+                              const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    send_formatted(measurement, ROW_INCONCLUSIVE, quantity, format, arguments);
+    va_end(arguments);
+}
+
+void measurement_skip(struct measurement *measurement, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    send_formatted(measurement, ROW_SKIP, "", format, arguments);
+    va_end(arguments);
+}
+
+void measurement_note(struct measurement *measurement, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    send_formatted(measurement, ROW_NOTE, "", format, arguments);
+    va_end(arguments);
+}
+
+void measurement_work(struct measurement *measurement, uint64_t particle_steps)
+{
+    measurement->particle_steps += particle_steps;
+}
+
+bool measurement_is_name(const char *text)
+{
+    for (const char *c = text; *c != '\0'; c++)
+        if (!g_ascii_isalnum(*c) && *c != '_' && *c != '-')
+            return false;
+    return *text != '\0';
+}
+
+static bool write_table(FILE *file, const char *columns, size_t column_count, size_t rows,
+                        const double *values)
+{
+    fprintf(file, "# %s\n", columns);
+    for (size_t i = 0; i < rows * column_count; i++) {
+        char number[G_ASCII_DTOSTR_BUF_SIZE];
+        g_ascii_formatd(number, sizeof number, "%.17g", values[i]);
+        fprintf(file, "%s%c", number, (i + 1) % column_count == 0 ? '\n' : ' ');
+    }
+    return !ferror(file);
+}
+
+enum mpm_status measurement_series(struct measurement *measurement, const char *name,
+                                   const char *columns, size_t column_count, size_t rows,
+                                   const double *values, struct mpm_error *error)
+{
+    if (!measurement_is_name(name) || column_count == 0)
+        return failure_set(error, MPM_BAD_INPUT,
+                           "series \"%s\": allowed are letters, digits, '_' and '-', and at least "
+                           "one column",
+                           name);
+    char *file_name = g_strdup_printf("data-%s-%s.dat", measurement_variant(measurement), name);
+    char *path = g_build_filename(measurement->setup.data_folder, file_name, NULL);
+    FILE *file = fopen(path, "wb");
+    bool good = file != NULL && write_table(file, columns, column_count, rows, values);
+    if (file != NULL)
+        good = fclose(file) == 0 && good;
+    if (good)
+        send_line(measurement, row_line(ROW_SERIES, file_name, ""));
+    else
+        failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be written: %s", path,
+                    g_strerror(errno));
+    g_free(file_name);
+    g_free(path);
+    return good ? MPM_OK : MPM_ENVIRONMENT_FAILED;
+}
+
+/* ----------------------------------------------------------------- running */
+
+enum mpm_status measurement_run(const struct measurement_setup *setup, struct mpm_error *error)
+{
+    struct measurement measurement = {.setup = *setup};
+    enum mpm_status status = setup->entry->program->run(&measurement, error);
+    if (status != MPM_OK)
+        send_line(&measurement, row_line(ROW_FAILURE, "", error->message));
+    char *work = g_strdup_printf("%" G_GUINT64_FORMAT, (guint64)measurement.particle_steps);
+    send_line(&measurement, row_line(ROW_WORK, "", work));
+    g_free(work);
+    send_line(&measurement, row_line(ROW_END, "", ""));
+    if (status == MPM_OK && measurement.write_error != 0)
+        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "results cannot be written: %s",
+                             g_strerror(measurement.write_error));
+    return status;
+}

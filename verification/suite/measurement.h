@@ -1,0 +1,24 @@
+/* One run of a measuring program: the inner side of programs.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_SUITE_MEASUREMENT_H
+#define VERIFICATION_SUITE_MEASUREMENT_H
+
+#include "verification/suite/catalogue.h"
+
+struct measurement_setup {
+    const struct catalogue_case *entry;
+    const struct case_variant *variant;
+    const char *data_folder; /* for data-<variant>-<name>.dat */
+    int threads;
+    int rows; /* file descriptor that the rows are written to */
+};
+
+/* Runs the program of the case for the variant and writes its rows. A failure's message
+ * is a row as well. */
+enum mpm_status measurement_run(const struct measurement_setup *setup, struct mpm_error *error);
+
+/* Whether `text` can be part of a data file's name. */
+bool measurement_is_name(const char *text);
+
+#endif

@@ -1,0 +1,68 @@
+/* The plan of a run.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/suite/plan.h"
+
+#include <glib.h>
+
+static bool matches(const char *glob, const char *name)
+{
+    return glob == NULL || glob_matches(glob, name);
+}
+
+static void plan_variant(const struct catalogue_case *entry, const struct case_variant *variant,
+                         GArray *jobs, GArray *checks)
+{
+    const struct planned_job job = {entry, variant};
+    const size_t before = checks->len;
+    for (unsigned i = 0; i < entry->file->checks_count; i++) {
+        const struct case_check *check = &entry->file->checks[i];
+        const struct planned_check planned = {jobs->len, check};
+        if (globs_match(check->variants, check->variants_count, variant->name))
+            g_array_append_val(checks, planned);
+    }
+    /* A variant without checks runs for its data files if a figure needs them. */
+    bool needed = checks->len > before;
+    for (unsigned i = 0; i < entry->file->figures_count; i++)
+        needed = needed || globs_match(entry->file->figures[i].needs,
+                                       entry->file->figures[i].needs_count, variant->name);
+    if (needed)
+        g_array_append_val(jobs, job);
+}
+
+enum mpm_status plan_make(const struct catalogue *catalogue, const struct plan_selection *selection,
+                          struct plan *plan, struct mpm_error *error)
+{
+    GArray *jobs = g_array_new(FALSE, FALSE, sizeof(struct planned_job));
+    GArray *checks = g_array_new(FALSE, FALSE, sizeof(struct planned_check));
+    for (size_t c = 0; c < catalogue->count; c++) {
+        const struct catalogue_case *entry = &catalogue->cases[c];
+        if (!matches(selection->case_glob, entry->file->name))
+            continue;
+        for (unsigned v = 0; v < entry->file->variants_count; v++) {
+            const struct case_variant *variant = &entry->file->variants[v];
+            if (variant->tier <= selection->tier && matches(selection->variant_glob, variant->name))
+                plan_variant(entry, variant, jobs, checks);
+        }
+    }
+    plan->job_count = jobs->len;
+    plan->check_count = checks->len;
+    plan->jobs = (struct planned_job *)(void *)g_array_free(jobs, FALSE);
+    plan->checks = (struct planned_check *)(void *)g_array_free(checks, FALSE);
+    if (plan->check_count > 0)
+        return MPM_OK;
+    plan_clear(plan);
+    return failure_set(error, MPM_BAD_INPUT,
+                       "no check matches --tier %s --case \"%s\" --variant \"%s\"; see mpm-verify "
+                       "list",
+                       tier_name(selection->tier),
+                       selection->case_glob == NULL ? "*" : selection->case_glob,
+                       selection->variant_glob == NULL ? "*" : selection->variant_glob);
+}
+
+void plan_clear(struct plan *plan)
+{
+    g_free(plan->jobs);
+    g_free(plan->checks);
+    *plan = (struct plan){.jobs = NULL};
+}

@@ -1,0 +1,68 @@
+/* Records: checks.jsonl, the one file that every report is rendered from.
+ *
+ * The first line is an object of kind "run": provenance, what was selected, and for
+ * each case its texts, figures and variants (time, work, notes, end of the log). Then
+ * one object per declared check, in the order of the catalogue.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_SUITE_RECORDS_H
+#define VERIFICATION_SUITE_RECORDS_H
+
+#include "verification/suite/judge.h"
+#include "verification/suite/plan.h"
+
+#include <jansson.h>
+
+struct records {
+    json_t *run;    /* object */
+    json_t *checks; /* array of objects */
+};
+
+struct record_context {
+    const char *output; /* folder: the ends of logs are read from it */
+    const char *command;
+    const struct plan_selection *selection;
+    unsigned jobs;
+    const char *started; /* UTC, ISO 8601 */
+    double seconds;
+};
+
+/* Builds the records of a finished run; results[i] belongs to plan->jobs[i]. */
+struct records records_make(const struct plan *plan, const struct job_result *results,
+                            const struct record_context *context);
+
+/* One check as an object; a missing or non-finite value is null. */
+json_t *record_check(const struct planned_job *job, const struct case_check *check,
+                     const struct check_verdict *judged, double seconds);
+
+void records_clear(struct records *records);
+
+/* Writes <folder>/checks.jsonl through a temporary file. */
+enum mpm_status records_write(const char *folder, const struct records *records,
+                              struct mpm_error *error);
+
+/* Reads it back. MPM_BAD_INPUT names file and line. */
+enum mpm_status records_read(const char *folder, struct records *records, struct mpm_error *error);
+
+/* ------------------------------------------------------------------- access */
+
+/* A text or number of an object; "" or NaN where it is null or missing. */
+const char *record_text(const json_t *object, const char *key);
+double record_number(const json_t *object, const char *key);
+enum verdict_status record_status(const json_t *check);
+
+struct record_counts {
+    size_t of[VERDICT_STATUS_COUNT];
+    size_t passed, failed, skipped; /* passed counts expected failures, too */
+    size_t total;
+    size_t mutations, mutations_red;
+};
+
+/* Counts the checks of a family and case (NULL: of all). */
+struct record_counts records_count(const struct records *records, const char *family,
+                                   const char *name);
+
+/* The check of that case (NULL: of all) with the least margin; NULL if none has one. */
+const json_t *records_worst(const struct records *records, const char *name);
+
+#endif

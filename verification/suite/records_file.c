@@ -1,0 +1,172 @@
+/* Records: checks.jsonl written, read, and looked up.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/suite/measurement.h"
+#include "verification/suite/output.h"
+#include "verification/suite/records.h"
+
+#include <glib.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void append_line(GString *text, const json_t *object)
+{
+    char *line = json_dumps(object, JSON_COMPACT | JSON_PRESERVE_ORDER);
+    g_string_append(text, line);
+    g_string_append_c(text, '\n');
+    free(line);
+}
+
+enum mpm_status records_write(const char *folder, const struct records *records,
+                              struct mpm_error *error)
+{
+    GString *text = g_string_new(NULL);
+    append_line(text, records->run);
+    for (size_t i = 0; i < json_array_size(records->checks); i++)
+        append_line(text, json_array_get(records->checks, i));
+    const enum mpm_status status = output_write(folder, "checks.jsonl", text->str, error);
+    g_string_free(text, TRUE);
+    return status;
+}
+
+static bool has_texts(const json_t *object, const char *const *keys, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!json_is_string(json_object_get(object, keys[i])))
+            return false;
+    return true;
+}
+
+/* Names become paths: one that could lead out of the folder is refused. */
+static bool has_safe_names(const json_t *cases)
+{
+    bool safe = true;
+    for (size_t i = 0; i < json_array_size(cases); i++) {
+        const json_t *entry = json_array_get(cases, i);
+        const json_t *figures = json_object_get(entry, "figures");
+        safe = safe && measurement_is_name(record_text(entry, "case"));
+        for (size_t f = 0; f < json_array_size(figures); f++) {
+            const json_t *figure = json_array_get(figures, f);
+            safe = safe && measurement_is_name(record_text(figure, "figure")) &&
+                   strchr(record_text(figure, "script"), '/') == NULL;
+        }
+    }
+    return safe;
+}
+
+static bool is_run(const json_t *object)
+{
+    static const char *const keys[] = {"kind", "version", "revision", "tier"};
+    return has_texts(object, keys, G_N_ELEMENTS(keys)) &&
+           strcmp(record_text(object, "kind"), "run") == 0 &&
+           json_is_array(json_object_get(object, "cases")) &&
+           has_safe_names(json_object_get(object, "cases"));
+}
+
+static bool is_check(const json_t *object)
+{
+    static const char *const keys[] = {"family", "case", "check", "variant", "quantity", "status"};
+    return has_texts(object, keys, G_N_ELEMENTS(keys)) &&
+           record_status(object) != VERDICT_STATUS_COUNT;
+}
+
+static bool add_line(struct records *records, const char *line)
+{
+    json_t *object = json_loads(line, JSON_REJECT_DUPLICATES, NULL);
+    if (records->run == NULL && is_run(object)) {
+        records->run = object;
+        return true;
+    }
+    if (records->run != NULL && is_check(object)) {
+        json_array_append_new(records->checks, object);
+        return true;
+    }
+    json_decref(object);
+    return false;
+}
+
+enum mpm_status records_read(const char *folder, struct records *records, struct mpm_error *error)
+{
+    char *path = g_build_filename(folder, "checks.jsonl", NULL), *text = NULL;
+    enum mpm_status status = MPM_OK;
+    *records = (struct records){NULL, json_array()};
+    if (!g_file_get_contents(path, &text, NULL, NULL))
+        status =
+            failure_set(error, MPM_BAD_INPUT,
+                        "%s: cannot be read: allowed is the output folder of mpm-verify run", path);
+    char **lines = g_strsplit(text == NULL ? "" : text, "\n", -1);
+    for (unsigned i = 0; status == MPM_OK && lines[i] != NULL; i++)
+        if (*lines[i] != '\0' && !add_line(records, lines[i]))
+            status = failure_set(error, MPM_BAD_INPUT, "%s:%u: is no %s", path, i + 1,
+                                 records->run == NULL ? "record of a run" : "record of a check");
+    if (status == MPM_OK && records->run == NULL)
+        status = failure_set(error, MPM_BAD_INPUT, "%s: is empty", path);
+    g_strfreev(lines);
+    g_free(text);
+    g_free(path);
+    if (status != MPM_OK)
+        records_clear(records);
+    return status;
+}
+
+/* ------------------------------------------------------------------- access */
+
+const char *record_text(const json_t *object, const char *key)
+{
+    const char *text = json_string_value(json_object_get(object, key));
+    return text == NULL ? "" : text;
+}
+
+double record_number(const json_t *object, const char *key)
+{
+    const json_t *number = json_object_get(object, key);
+    return json_is_number(number) ? json_number_value(number) : (double)NAN;
+}
+
+enum verdict_status record_status(const json_t *check)
+{
+    return verdict_status_find(record_text(check, "status"));
+}
+
+static bool belongs(const json_t *check, const char *family, const char *name)
+{
+    return (family == NULL || strcmp(record_text(check, "family"), family) == 0) &&
+           (name == NULL || strcmp(record_text(check, "case"), name) == 0);
+}
+
+struct record_counts records_count(const struct records *records, const char *family,
+                                   const char *name)
+{
+    struct record_counts counts = {.total = 0};
+    for (size_t i = 0; i < json_array_size(records->checks); i++) {
+        const json_t *check = json_array_get(records->checks, i);
+        if (!belongs(check, family, name))
+            continue;
+        const enum verdict_status status = record_status(check);
+        counts.of[status]++;
+        counts.total++;
+        counts.mutations += (size_t)json_integer_value(json_object_get(check, "mutations"));
+        counts.mutations_red += (size_t)json_integer_value(json_object_get(check, "mutations_red"));
+        if (verdict_is_red(status))
+            counts.failed++;
+        else if (status == VERDICT_SKIP)
+            counts.skipped++;
+        else
+            counts.passed++;
+    }
+    return counts;
+}
+
+const json_t *records_worst(const struct records *records, const char *name)
+{
+    const json_t *worst = NULL;
+    for (size_t i = 0; i < json_array_size(records->checks); i++) {
+        const json_t *check = json_array_get(records->checks, i);
+        const double margin = record_number(check, "margin");
+        if (belongs(check, NULL, name) && isfinite(margin) &&
+            (worst == NULL || margin < record_number(worst, "margin")))
+            worst = check;
+    }
+    return worst;
+}

@@ -1,0 +1,34 @@
+/* The report: everything a person or a CI reads, rendered from an output folder.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_SUITE_REPORT_H
+#define VERIFICATION_SUITE_REPORT_H
+
+#include "verification/suite/figures.h"
+#include "verification/suite/records.h"
+
+/* Renders index.html, the cases' pages and figures, summary.md, junit.xml and
+ * results.tap of `folder` from its checks.jsonl. The figures' scripts and data are those
+ * in the folder, the style as well, or else that of `reports` (may be NULL). The same
+ * folder gives the same bytes. MPM_BAD_INPUT: no such results. MPM_ENVIRONMENT_FAILED:
+ * gnuplot is missing, a script failed, or a file cannot be written; all that can be
+ * rendered has been, and the place of a missing figure says why. */
+enum mpm_status report_render(const char *folder, const char *reports, struct mpm_error *error);
+
+/* The parts, each a whole file's text; g_free. */
+char *report_markdown(const struct records *records);
+char *report_junit(const struct records *records);
+char *report_tap(const struct records *records);
+
+/* What a page is filled into. */
+struct report_style {
+    char *page; /* page.html, with {{title}}, {{style}}, ... */
+    char *css;
+};
+char *report_index(const struct records *records, const struct report_style *style);
+
+/* `figures` belongs to the figures of `entry`, an object of the run's cases. */
+char *report_case(const struct records *records, const json_t *entry,
+                  const struct figure_result *figures, const struct report_style *style);
+
+#endif

@@ -1,0 +1,18 @@
+/* Where the suite's own files are: in the repository, or installed.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_SUITE_RESOURCES_H
+#define VERIFICATION_SUITE_RESOURCES_H
+
+/* The catalogue: verification/catalogue below the current folder, or three folders above
+ * the executable's (build/<variant>/bin), or <prefix>/share/touchstone/catalogue. NULL
+ * if there is none; g_free. */
+char *resources_catalogue(const char *executable);
+
+/* The folder of style.gp, page.html and report.css, looked for in the same places. */
+char *resources_reports(const char *executable);
+
+/* build/reports/verify in the repository, ./verify-report elsewhere; g_free. */
+char *resources_output(void);
+
+#endif

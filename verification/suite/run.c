@@ -1,0 +1,85 @@
+/* A run of the suite.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/suite/run.h"
+
+#include "verification/suite/machine.h"
+#include "verification/suite/output.h"
+#include "verification/suite/report.h"
+#include "verification/suite/schedule.h"
+
+#include <glib.h>
+
+static char *now(void)
+{
+    GDateTime *time = g_date_time_new_now_utc();
+    char *text = g_date_time_format(time, "%Y-%m-%dT%H:%M:%SZ");
+    g_date_time_unref(time);
+    return text;
+}
+
+/* Records and reports what the jobs left. */
+static enum mpm_status conclude(const struct run_options *options, const struct plan *plan,
+                                const struct job_result *results, const char *started,
+                                double seconds, struct console *console,
+                                struct record_counts *counts, struct mpm_error *error)
+{
+    const struct record_context context = {options->output, options->command, &options->selection,
+                                           options->jobs,   started,          seconds};
+    struct records records = records_make(plan, results, &context);
+    *counts = records_count(&records, NULL, NULL);
+    enum mpm_status status = records_write(options->output, &records, error);
+    if (status == MPM_OK)
+        status = report_render(options->output, options->reports, error);
+    console_end(console, &records, options->output);
+    records_clear(&records);
+    return status;
+}
+
+static enum mpm_status run_plan(const struct run_options *options, const struct plan *plan,
+                                struct console *console, struct record_counts *counts,
+                                struct mpm_error *error)
+{
+    const unsigned places = MIN(options->jobs, (unsigned)plan->job_count);
+    const struct schedule_options schedule = {
+        .output = options->output,
+        .jobs = places,
+        .threads = (int)MAX(1, machine_processor_count() / places),
+        .progress = console_progress,
+        .finished = console_finished,
+        .context = console,
+    };
+    struct job_result *results = g_new0(struct job_result, plan->job_count);
+    char *started = now();
+    const gint64 start = g_get_monotonic_time();
+    console_begin(console, plan);
+    enum mpm_status status = schedule_run(plan, &schedule, results, error);
+    const double seconds = (double)(g_get_monotonic_time() - start) * 1e-6;
+    if (status == MPM_OK)
+        status = conclude(options, plan, results, started, seconds, console, counts, error);
+    schedule_clear(results, plan->job_count);
+    g_free(results);
+    g_free(started);
+    return status;
+}
+
+enum mpm_status suite_run(const struct run_options *options, struct program_table programs,
+                          struct console *console, struct record_counts *counts,
+                          struct mpm_error *error)
+{
+    struct catalogue *catalogue;
+    struct plan plan;
+    *counts = (struct record_counts){.total = 0};
+    TRY(catalogue_read(options->catalogue, programs, &catalogue, error));
+    enum mpm_status status = plan_make(catalogue, &options->selection, &plan, error);
+    int lock = -1;
+    if (status == MPM_OK) {
+        status = output_prepare(options->output, options->reports, &plan, &lock, error);
+        if (status == MPM_OK)
+            status = run_plan(options, &plan, console, counts, error);
+        output_release(lock);
+        plan_clear(&plan);
+    }
+    catalogue_free(catalogue);
+    return status;
+}

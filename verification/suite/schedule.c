@@ -1,0 +1,271 @@
+/* The scheduler.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/suite/schedule.h"
+
+#include "verification/suite/measurement.h"
+#include "verification/suite/rows.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <glib.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+/* ------------------------------------------------------------- interruption */
+
+static volatile sig_atomic_t interruption;
+
+static void note_interruption(int number)
+{
+    interruption = number;
+}
+
+struct handlers {
+    struct sigaction interrupt, terminate;
+};
+
+static void handlers_set(struct handlers *old)
+{
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = note_interruption;
+    interruption = 0;
+    sigaction(SIGINT, &action, &old->interrupt);
+    sigaction(SIGTERM, &action, &old->terminate);
+}
+
+static void handlers_restore(const struct handlers *old)
+{
+    sigaction(SIGINT, &old->interrupt, NULL);
+    sigaction(SIGTERM, &old->terminate, NULL);
+}
+
+/* ------------------------------------------------------------------- a child */
+
+char *schedule_path(const char *output, const struct planned_job *job, const char *prefix,
+                    const char *suffix)
+{
+    char *name = g_strconcat(prefix, "-", job->variant->name, suffix, NULL);
+    char *path = g_build_filename(output, "cases", job->entry->file->name, name, NULL);
+    g_free(name);
+    return path;
+}
+
+static int create_file(const char *output, const struct planned_job *job, const char *prefix,
+                       const char *suffix)
+{
+    char *path = schedule_path(output, job, prefix, suffix);
+    const int file = open(path, O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0666);
+    g_free(path);
+    return file;
+}
+
+static void child_detach(int log)
+{
+    setpgid(0, 0);
+    signal(SIGINT, SIG_DFL);
+    signal(SIGTERM, SIG_DFL);
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+    const int nothing = open("/dev/null", O_RDONLY);
+    dup2(nothing, STDIN_FILENO);
+    dup2(log, STDOUT_FILENO);
+    dup2(log, STDERR_FILENO);
+    close(nothing);
+}
+
+static void child_run(const struct planned_job *job, const struct schedule_options *options,
+                      int rows, int log)
+{
+    child_detach(log);
+    char *folder = g_build_filename(options->output, "cases", job->entry->file->name, NULL);
+    const struct measurement_setup setup = {job->entry, job->variant, folder, options->threads,
+                                            rows};
+    struct mpm_error error = {.status = MPM_OK};
+    const enum mpm_status status = measurement_run(&setup, &error);
+    if (status != MPM_OK)
+        fprintf(stderr, "%s\n", error.message);
+    g_free(folder);
+    fflush(NULL);
+    _exit((int)status);
+}
+
+/* ----------------------------------------------------------------- the parent */
+
+struct child {
+    pid_t process; /* 0: a free place */
+    size_t job;
+    gint64 started; /* microseconds */
+};
+
+struct scheduler {
+    const struct plan *plan;
+    const struct schedule_options *options;
+    struct job_result *results;
+    struct child *children; /* options->jobs places */
+    size_t next, done;
+};
+
+static void finish(struct scheduler *scheduler, size_t job)
+{
+    scheduler->done++;
+    if (scheduler->options->finished != NULL)
+        scheduler->options->finished(scheduler->options->context, job, &scheduler->results[job]);
+}
+
+static void start_failed(struct scheduler *scheduler, size_t job, const char *what)
+{
+    struct job_result *result = &scheduler->results[job];
+    char *text = g_strdup_printf("%s: %s", what, g_strerror(errno));
+    result->outcome = JOB_NOT_RUN;
+    result->rows = row_line(ROW_FAILURE, "", text);
+    g_free(text);
+    finish(scheduler, job);
+}
+
+static void start(struct scheduler *scheduler, struct child *child)
+{
+    const size_t job = scheduler->next++;
+    const struct planned_job *planned = &scheduler->plan->jobs[job];
+    const char *output = scheduler->options->output;
+    const int rows = create_file(output, planned, "rows", ".jsonl");
+    const int log = create_file(output, planned, "log", ".txt");
+    if (rows < 0 || log < 0) {
+        start_failed(scheduler, job, "the files of its results cannot be created");
+    } else {
+        fflush(NULL); /* or the child would write our buffers a second time */
+        const pid_t process = fork();
+        if (process == 0)
+            child_run(planned, scheduler->options, rows, log);
+        if (process < 0)
+            start_failed(scheduler, job, "no process could be created");
+        else
+            *child = (struct child){process, job, g_get_monotonic_time()};
+        if (process > 0)
+            setpgid(process, process); /* also here: whoever comes first */
+    }
+    if (rows >= 0)
+        close(rows);
+    if (log >= 0)
+        close(log);
+}
+
+static double seconds_since(gint64 start_time)
+{
+    return (double)(g_get_monotonic_time() - start_time) * 1e-6;
+}
+
+static char *read_rows(const struct scheduler *scheduler, size_t job)
+{
+    char *path =
+        schedule_path(scheduler->options->output, &scheduler->plan->jobs[job], "rows", ".jsonl");
+    char *text = NULL;
+    if (!g_file_get_contents(path, &text, NULL, NULL))
+        text = g_strdup("");
+    g_free(path);
+    return text;
+}
+
+/* Kills what is left of the group before the leader's number can be used again. */
+static void reap(struct scheduler *scheduler, struct child *child, bool timed_out)
+{
+    int state = 0;
+    kill(-child->process, SIGKILL);
+    while (waitpid(child->process, &state, 0) < 0 && errno == EINTR)
+        ;
+    struct job_result *result = &scheduler->results[child->job];
+    result->seconds = seconds_since(child->started);
+    result->rows = read_rows(scheduler, child->job);
+    if (timed_out) {
+        result->outcome = JOB_TIMED_OUT;
+    } else if (WIFSIGNALED(state)) {
+        result->outcome = JOB_CRASHED;
+        result->code = WTERMSIG(state);
+    } else {
+        result->outcome = JOB_RETURNED;
+        result->code = WEXITSTATUS(state);
+    }
+    child->process = 0;
+    finish(scheduler, child->job);
+}
+
+static bool has_ended(const struct child *child)
+{
+    siginfo_t information = {.si_pid = 0};
+    const int flags = WEXITED | WNOHANG | WNOWAIT;
+    return waitid(P_PID, (id_t)child->process, &information, flags) == 0 && information.si_pid != 0;
+}
+
+static void attend(struct scheduler *scheduler, struct child *child)
+{
+    if (child->process == 0) {
+        if (scheduler->next < scheduler->plan->job_count)
+            start(scheduler, child);
+    } else if (has_ended(child)) {
+        reap(scheduler, child, false);
+    } else if (seconds_since(child->started) > scheduler->results[child->job].timeout) {
+        reap(scheduler, child, true);
+    }
+}
+
+static void kill_all(struct scheduler *scheduler)
+{
+    for (unsigned i = 0; i < scheduler->options->jobs; i++)
+        if (scheduler->children[i].process != 0) {
+            kill(-scheduler->children[i].process, SIGKILL);
+            waitpid(scheduler->children[i].process, NULL, 0);
+        }
+}
+
+enum { POLL_MICROSECONDS = 5000, POLLS_PER_PROGRESS = 20 };
+
+static void loop(struct scheduler *scheduler)
+{
+    for (unsigned round = 0; scheduler->done < scheduler->plan->job_count && interruption == 0;
+         round++) {
+        const size_t before = scheduler->done;
+        for (unsigned i = 0; i < scheduler->options->jobs; i++)
+            attend(scheduler, &scheduler->children[i]);
+        if (scheduler->options->progress != NULL &&
+            (scheduler->done != before || round % POLLS_PER_PROGRESS == 0))
+            scheduler->options->progress(scheduler->options->context, scheduler->done,
+                                         scheduler->plan->job_count);
+        if (scheduler->done == before)
+            g_usleep(POLL_MICROSECONDS);
+    }
+}
+
+enum mpm_status schedule_run(const struct plan *plan, const struct schedule_options *options,
+                             struct job_result *results, struct mpm_error *error)
+{
+    struct scheduler scheduler = {plan, options, results, g_new0(struct child, options->jobs),
+                                  0,    0};
+    struct handlers old;
+    for (size_t i = 0; i < plan->job_count; i++)
+        results[i] =
+            (struct job_result){.outcome = JOB_NOT_RUN, .timeout = plan->jobs[i].variant->timeout};
+    handlers_set(&old);
+    loop(&scheduler);
+    kill_all(&scheduler);
+    handlers_restore(&old);
+    g_free(scheduler.children);
+    if (interruption != 0)
+        return failure_set(error, MPM_ENVIRONMENT_FAILED,
+                           "interrupted after %zu of %zu programs: no report was written",
+                           scheduler.done, plan->job_count);
+    return MPM_OK;
+}
+
+void schedule_clear(struct job_result *results, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        g_free(results[i].rows);
+}

@@ -1,0 +1,33 @@
+/* The scheduler: runs the jobs of a plan, each in a process (and process group) of its
+ * own, some at a time, each with its time-out.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_SUITE_SCHEDULE_H
+#define VERIFICATION_SUITE_SCHEDULE_H
+
+#include "verification/suite/judge.h"
+#include "verification/suite/plan.h"
+
+struct schedule_options {
+    const char *output; /* folder; the jobs of a case write in <output>/cases/<case> */
+    unsigned jobs;      /* at a time, >= 1 */
+    int threads;        /* that each job may use, >= 1 */
+    /* Called, if not NULL, about ten times a second and when a job ends. */
+    void (*progress)(void *context, size_t done, size_t total);
+    /* Called, if not NULL, when a job ends. */
+    void (*finished)(void *context, size_t job, const struct job_result *result);
+    void *context;
+};
+
+/* Runs every job; results[i] belongs to plan->jobs[i] and its rows are to be freed with
+ * schedule_clear. A job that fails, crashes or hangs is a result. MPM_ENVIRONMENT_FAILED:
+ * interrupted by SIGINT or SIGTERM, with every process group killed. */
+enum mpm_status schedule_run(const struct plan *plan, const struct schedule_options *options,
+                             struct job_result *results, struct mpm_error *error);
+void schedule_clear(struct job_result *results, size_t count);
+
+/* Path of a file of a job: <output>/cases/<case>/<prefix>-<variant><suffix>; g_free. */
+char *schedule_path(const char *output, const struct planned_job *job, const char *prefix,
+                    const char *suffix);
+
+#endif

@@ -1,0 +1,36 @@
+/* Small texts that the renderers share.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_SUITE_TEXT_H
+#define VERIFICATION_SUITE_TEXT_H
+
+#include "verification/suite/records.h"
+
+#include <glib.h>
+
+/* A number with four digits, "none" if it is not finite; the unit "1" is left out. */
+char *text_number(double value);
+char *text_quantity(double value, const char *unit);
+
+/* "0.05 .. 2 %": the band that the check is declared to be in. */
+char *text_band(const json_t *check);
+
+/* "340 ms", "12.3 s", "2 min 5 s" */
+char *text_seconds(double seconds);
+
+/* "1 check", "2 checks" */
+char *text_count(size_t count, const char *noun);
+
+/* The verdict of a run in one line. */
+char *text_verdict(const struct record_counts *counts);
+
+/* "R1/interior_sd_j [ugimp]" */
+char *text_check_name(const json_t *check);
+
+/* The command that runs the check again, for the shell. */
+char *text_command(const char *name, const char *variant, bool full);
+
+/* Appends with every %s escaped for HTML and XML. */
+void text_markup(GString *string, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+#endif

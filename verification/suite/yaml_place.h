@@ -1,0 +1,15 @@
+/* Where something stands in a YAML file: only asked once an error is known.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_SUITE_YAML_PLACE_H
+#define VERIFICATION_SUITE_YAML_PLACE_H
+
+/* Line (from 1) of the value at a dotted path of keys and positions ("checks.3.low"),
+ * or of the nearest parent that exists; 0 if the file has no such thing at all. */
+unsigned yaml_place_line(const char *file, const char *path);
+
+/* Line of the first scalar `text` at or after (line, column), both from 1; 0 if none.
+ * The schema reader points one token early: this finds the token that it means. */
+unsigned yaml_place_scalar(const char *file, const char *text, unsigned line, unsigned column);
+
+#endif
