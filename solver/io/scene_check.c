@@ -211,7 +211,7 @@ static enum mpm_status check_choice(struct checking *checking, const struct mpm_
     if (node->kind != MPM_TREE_SCALAR)
         return refuse(checking, key, node, false, "not a single value");
     for (size_t i = 0; i < key->choice_count; i++)
-        if (strcmp(node->text, key->choices[i].str) == 0)
+        if (strcmp(node->text, key->choices[i].name) == 0)
             return MPM_OK;
     return refuse(checking, key, node, false, "unknown choice");
 }
@@ -295,8 +295,8 @@ static void note_geometry(struct checking *checking, const struct mpm_key *key,
     if (strcmp(checking->path, "geometry") != 0)
         return;
     for (size_t i = 0; i < key->choice_count; i++)
-        if (strcmp(node->text, key->choices[i].str) == 0)
-            checking->geometry = (enum mpm_geometry)key->choices[i].val;
+        if (strcmp(node->text, key->choices[i].name) == 0)
+            checking->geometry = (enum mpm_geometry)key->choices[i].value;
     checking->geometry_known = true;
 }
 

@@ -5,16 +5,19 @@
 
 #include "model/material.h"
 
+#include <cyaml/cyaml.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 /* ----------------------------------------------------------------- choices */
 
-#define CHOICE_ROW(text, number) {.str = (text), .val = (number)},
-#define CHOICE_TABLE(list)                                                                         \
-    static const cyaml_strval_t choices_##list[] = {CHOICES_##list(CHOICE_ROW)};
-MPM_CHOICE_LISTS(CHOICE_TABLE)
+#define CHOICE_ROW(text, number)       {.name = (text), .value = (number)},
+#define CYAML_CHOICE_ROW(text, number) {.str = (text), .val = (number)},
+#define CHOICE_TABLES(list)                                                                        \
+    static const struct mpm_choice choices_##list[] = {CHOICES_##list(CHOICE_ROW)};                \
+    static const cyaml_strval_t cyaml_choices_##list[] = {CHOICES_##list(CYAML_CHOICE_ROW)};
+MPM_CHOICE_LISTS(CHOICE_TABLES)
 
 /* ---------------------------------------------------------- libcyaml's view */
 
@@ -48,8 +51,8 @@ static const cyaml_schema_value_t cyaml_point = {
     CYAML_FIELD_SEQUENCE(#key, CYAML_FLAG_POINTER | (need), raw, key, &cyaml_point,                \
                          MPM_POLYGON_POINTS_MIN, MPM_POLYGON_POINTS_MAX),
 #define CYAML_SHAPE_CHOICE(raw, key, value, need)                                                  \
-    CYAML_FIELD_ENUM(#key, CYAML_FLAG_STRICT | (need), raw, key, choices_##value,                  \
-                     CYAML_ARRAY_LEN(choices_##value)),
+    CYAML_FIELD_ENUM(#key, CYAML_FLAG_STRICT | (need), raw, key, cyaml_choices_##value,            \
+                     CYAML_ARRAY_LEN(cyaml_choices_##value)),
 #define CYAML_SHAPE_GROUP(raw, key, value, need)                                                   \
     CYAML_FIELD_MAPPING_PTR(#key, CYAML_FLAG_POINTER | (need), raw, key, cyaml_##value),
 #define CYAML_SHAPE_LIST(raw, key, value, need)                                                    \
@@ -178,7 +181,7 @@ static void choices_text(const struct mpm_key *key, char *buffer, size_t size)
     size_t used = 0;
     for (size_t i = 0; i < key->choice_count && used < size; i++)
         used += (size_t)snprintf(buffer + used, size - used, "%s%s", i > 0 ? " | " : "",
-                                 key->choices[i].str);
+                                 key->choices[i].name);
 }
 
 const char *mpm_key_range(const struct mpm_key *key, char buffer[MPM_ALLOWED_SIZE])

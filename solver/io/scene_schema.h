@@ -7,8 +7,6 @@
 #include "io/scene_keys.h"
 #include "model/scene.h"
 
-#include <cyaml/cyaml.h>
-
 enum {
     MPM_TITLE_LENGTH_MAX = 4096,
     MPM_NAME_LENGTH_MAX = 64, /* characters */
@@ -51,7 +49,8 @@ enum {
 MPM_KEY_LISTS(MPM_RAW_STRUCT)
 
 /* libcyaml's schema of a struct mpm_raw_scene. */
-extern const cyaml_schema_value_t mpm_scene_cyaml;
+struct cyaml_schema_value;
+extern const struct cyaml_schema_value mpm_scene_cyaml;
 
 /* ------------------------------------------------------------- description */
 
@@ -83,6 +82,11 @@ struct mpm_range {
     bool low_open, high_open; /* the end itself is not allowed */
 };
 
+struct mpm_choice {
+    const char *name;
+    int value; /* of the enum it stands for */
+};
+
 struct mpm_key {
     const char *name;
     enum mpm_key_shape shape;
@@ -94,7 +98,7 @@ struct mpm_key {
     struct mpm_range range;
     const char *help;
     const struct mpm_key *children; /* of a GROUP or of a LIST's entries; ends at name NULL */
-    const cyaml_strval_t *choices;
+    const struct mpm_choice *choices;
     size_t choice_count;
 };
 
