@@ -57,7 +57,7 @@ struct corner {
 
 static struct corner corner_at(const struct mpm_shape_grid *grid, const double position[2])
 {
-    struct corner corner;
+    struct corner corner = {0};
     int64_t *const first[2] = {&corner.column, &corner.row};
     for (int axis = 0; axis < 2; axis++) {
         const double coordinate =
