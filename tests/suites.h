@@ -20,7 +20,10 @@
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
     SUITE(scene_run)                                                                               \
-    SUITE(scene_settings)
+    SUITE(scene_settings)                                                                          \
+    SUITE(judge)                                                                                   \
+    SUITE(catalogue)                                                                               \
+    SUITE(suite)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)
