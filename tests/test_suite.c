@@ -14,8 +14,10 @@
 
 #include <glib.h>
 #include <glib/gstdio.h>
-#include <math.h>
+#include <signal.h>
 #include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 /* ------------------------------------------------------------------ support */
 
@@ -202,6 +204,69 @@ START_TEST(a_result_line_has_the_promised_keys)
     g_strfreev(lines);
     g_free(text);
     forget(&said);
+    test_folder_remove(output);
+    test_folder_remove(catalogue);
+}
+END_TEST
+
+/* A process that runs `act` and exits with what it returns. */
+static pid_t in_process(int (*act)(const char *one, const char *other), const char *one,
+                        const char *other)
+{
+    (void)fflush(NULL);
+    const pid_t process = fork();
+    ck_assert_int_ge(process, 0);
+    if (process == 0)
+        _exit(act(one, other));
+    return process;
+}
+
+static int exit_status_of(pid_t process)
+{
+    int state = 0;
+    ck_assert_int_eq(waitpid(process, &state, 0), process);
+    ck_assert(WIFEXITED(state));
+    return WEXITSTATUS(state);
+}
+
+static int run_all(const char *catalogue, const char *output)
+{
+    const struct said said =
+        command_with("mpm-verify run --catalogue @ --output @", catalogue, output);
+    return said.exit_status;
+}
+
+static void wait_for(const char *folder, const char *name)
+{
+    char *path = test_folder_path(folder, name);
+    for (int i = 0; i < 2000 && !g_file_test(path, G_FILE_TEST_EXISTS); i++)
+        g_usleep(5000);
+    ck_assert_msg(g_file_test(path, G_FILE_TEST_EXISTS), "%s", path);
+    g_free(path);
+}
+
+START_TEST(an_interrupted_run_ends_its_programs_and_leaves_no_report)
+{
+    char *catalogue = test_folder_create(), *output = test_folder_create();
+    char *text = test_case_text("hang", "hang");
+    char **parts = g_strsplit(text, "timeout: 0.5", 2);
+    char *patient = g_strjoinv("timeout: 500", parts);
+    test_case_write(catalogue, "hang", patient);
+    const pid_t process = in_process(run_all, catalogue, output);
+    wait_for(output, "cases/hang/rows-only.jsonl");
+    /* meanwhile the folder is taken */
+    struct said said = command_with("mpm-verify run --catalogue @ --output @", catalogue, output);
+    ck_assert_int_eq(said.exit_status, 2);
+    ck_assert_ptr_nonnull(strstr(said.err, "another run is writing"));
+    forget(&said);
+    ck_assert_int_eq(kill(process, SIGINT), 0);
+    ck_assert_int_eq(exit_status_of(process), 4);
+    char *lines = test_folder_path(output, "checks.jsonl");
+    ck_assert(!g_file_test(lines, G_FILE_TEST_EXISTS));
+    g_free(lines);
+    g_free(patient);
+    g_strfreev(parts);
+    g_free(text);
     test_folder_remove(output);
     test_folder_remove(catalogue);
 }
@@ -506,6 +571,7 @@ Suite *suite_suite(void)
     TCase *runs = tcase_create("runs");
     tcase_add_test(runs, whatever_a_program_does_each_declared_check_gets_its_status);
     tcase_add_test(runs, a_result_line_has_the_promised_keys);
+    tcase_add_test(runs, an_interrupted_run_ends_its_programs_and_leaves_no_report);
     tcase_add_test(runs, an_output_folder_keeps_what_is_not_ours);
     suite_add_tcase(suite, runs);
     TCase *reports = tcase_create("reports");
