@@ -14,14 +14,17 @@
     SUITE(expression)                                                                              \
     SUITE(material)                                                                                \
     SUITE(scene)                                                                                   \
-    SUITE(scene_limits)                                                                            \
-    SUITE(scene_settings)                                                                          \
     SUITE(properties)                                                                              \
     SUITE(guard)                                                                                   \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
-    SUITE(scene_run)
+    SUITE(catalogue)                                                                               \
+    SUITE(judge)                                                                                   \
+    SUITE(scene_run)                                                                               \
+    SUITE(scene_limits)                                                                            \
+    SUITE(scene_settings)                                                                          \
+    SUITE(suite)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)

@@ -27,7 +27,7 @@ static void add_figure(GString *html, const json_t *figure, const struct figure_
     if (result->state == FIGURE_DRAWN)
         text_markup(
             html,
-            "<figure>\n<img src=\"figure-%s.svg\" width=\"760\" height=\"470\" alt=\"%s. %s\">\n",
+            "<figure>\n<img src=\"figure-%s.svg\" width=\"760\" height=\"470\" alt=\"%s. %s\" />\n",
             record_text(figure, "figure"), title, record_text(figure, "caption"));
     else
         text_markup(html, "<figure>\n<p class=\"notice%s\"><strong>%s</strong> %s</p>\n",
@@ -157,7 +157,7 @@ static void add_settings(GString *html, const json_t *variant)
 {
     const json_t *settings = json_object_get(variant, "settings");
     for (size_t i = 0; i < json_array_size(settings); i++)
-        text_markup(html, "%s<code>%s</code>", i == 0 ? "" : "<br>",
+        text_markup(html, "%s<code>%s</code>", i == 0 ? "" : "<br />",
                     json_string_value(json_array_get(settings, i)));
 }
 
@@ -165,13 +165,14 @@ static void add_notes(GString *html, const json_t *variant)
 {
     const json_t *notes = json_object_get(variant, "notes");
     for (size_t i = 0; i < json_array_size(notes); i++)
-        text_markup(html, "%s%s", i == 0 ? "" : "<br>",
+        text_markup(html, "%s%s", i == 0 ? "" : "<br />",
                     json_string_value(json_array_get(notes, i)));
     const bool returned = strcmp(record_text(variant, "outcome"), "returned") == 0;
     const char *log = record_text(variant, "log_tail");
     if (!returned && *log != '\0')
-        text_markup(html, "<details open><summary>End of the log</summary><pre>%s</pre></details>",
-                    log);
+        text_markup(
+            html, "<details open=\"open\"><summary>End of the log</summary><pre>%s</pre></details>",
+            log);
 }
 
 static void add_variant(GString *html, const json_t *variant)
