@@ -170,9 +170,9 @@ CLANG_FORMAT ?= $(or $(shell command -v clang-format-14),clang-format)
 CLANG_TIDY   ?= $(or $(shell command -v clang-tidy-14),clang-tidy)
 JOBS         := $(or $(shell nproc 2>/dev/null),2)
 CHECKS := check-format check-source check-includes check-warnings check-cppcheck check-tidy \
-          check-reference
+          check-bits check-reference
 .PHONY: check check-all $(CHECKS) format
-check: ## format, lint, include directions, warnings of both compilers, checksums
+check: ## format, lint, include directions, warnings and bits of both compilers, checksums
 	+@$(MAKE) --keep-going check-all
 	@echo 'make check: all passed'
 
@@ -189,7 +189,7 @@ check-includes: $(BUILD)/generated/build_facts.h
 	@.ci/check-includes --self-test && .ci/check-includes < build/check/includes
 check-warnings:
 	+@$(MAKE) VARIANT=release BUILD=build/check/gcc CC=gcc WERROR=1 objects
-	+@$(MAKE) VARIANT=debug BUILD=build/check/clang CC=clang WERROR=1 objects
+	+@$(MAKE) VARIANT=release BUILD=build/check/clang CC=clang WERROR=1 objects
 # POSIX makes NULL a void pointer, so it may end a list of arguments: no varFuncNullUB.
 check-cppcheck:
 	@mkdir -p build/check/cppcheck
@@ -200,6 +200,14 @@ check-cppcheck:
 check-tidy: $(BUILD)/generated/build_facts.h
 	@printf '%s\n' $(SOURCES) | xargs -P $(JOBS) -n 1 .ci/check-tidy $(CLANG_TIDY) \
 	  -std=c11 -D_POSIX_C_SOURCE=200809L -I. -Isolver -Itests -I$(BUILD)/generated $(PACKAGE_FLAGS) --
+# The compilers and, where this machine runs it, another level of SIMD.
+WIDE := $(shell grep -qsw avx2 /proc/cpuinfo && echo x86-64-v3)
+check-bits: check-warnings
+	+@$(MAKE) VARIANT=release BUILD=build/check/gcc CC=gcc WERROR=1 all
+	+@$(MAKE) VARIANT=release BUILD=build/check/clang CC=clang WERROR=1 all
+	+@$(if $(WIDE),$(MAKE) VARIANT=release BUILD=build/check/gcc-wide CC=gcc WERROR=1 \
+	  EXTRA_FLAGS=-march=$(WIDE) all)
+	@.ci/check-bits $(patsubst %,build/check/%/bin/mpm,gcc clang $(if $(WIDE),gcc-wide))
 check-reference:
 	@$(if $(wildcard reference_data),cd reference_data && sha256sum --quiet -c MANIFEST.sha256)
 
