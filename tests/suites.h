@@ -23,7 +23,8 @@
     SUITE(scene_settings)                                                                          \
     SUITE(judge)                                                                                   \
     SUITE(catalogue)                                                                               \
-    SUITE(suite)
+    SUITE(suite)                                                                                   \
+    SUITE(report)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)
