@@ -19,12 +19,13 @@
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
-    SUITE(scene_run)                                                                               \
-    SUITE(scene_settings)                                                                          \
-    SUITE(judge)                                                                                   \
     SUITE(catalogue)                                                                               \
-    SUITE(suite)                                                                                   \
-    SUITE(report)
+    SUITE(judge)                                                                                   \
+    SUITE(report)                                                                                  \
+    SUITE(scene_run)                                                                               \
+    SUITE(scene_limits)                                                                            \
+    SUITE(scene_settings)                                                                          \
+    SUITE(suite)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)

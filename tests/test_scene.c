@@ -1,4 +1,4 @@
-/* Reading scenes: good ones, malformed ones, limits, defaults.
+/* Reading scenes: good ones, malformed ones, defaults.
  *
  * Malformed scenes are files: their first line is `# expect: <part of the message>`,
  * the second `# line: N` if the message names a line.
@@ -9,73 +9,14 @@
 #include "suites.h"
 #include "support/folder.h"
 #include "support/near.h"
+#include "support/scene_files.h"
 #include "support/skip.h"
 
 #include <glib.h>
-#include <glib/gstdio.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
-
-static const char *const MINIMAL = "tests/scenes/good/minimal.yaml";
-
-/* The least that a scene needs; tests put more behind it. */
-static const char *const LEAST =
-    "format: 1\ngeometry: plane_strain\ngrid: {cell: [1, 1], cells: [4, 4]}\ntime: {end: 1}\n"
-    "materials:\n  - {name: rubber, law: neo_hookean, density: 1, bulk: 100, shear: 50}\n"
-    "bodies:\n  - {name: block, material: rubber, region: {rectangle: {from: [1, 1], to: [3, "
-    "3]}}}\n";
-
-static struct mpm_scene *read_good(const char *path, const char *setting)
-{
-    struct mpm_scene *scene = NULL;
-    struct mpm_error error = {.message = ""};
-    const enum mpm_status status =
-        mpm_scene_read(path, &setting, setting != NULL ? 1 : 0, &scene, &error);
-    ck_assert_msg(status == MPM_OK, "%s: %s", path, error.message);
-    return scene;
-}
-
-static struct mpm_scene *read_text(const char *text)
-{
-    char *folder = test_folder_create();
-    char *path = test_folder_write(folder, "scene.yaml", text);
-    struct mpm_scene *scene = read_good(path, NULL);
-    g_free(path);
-    test_folder_remove(folder);
-    return scene;
-}
-
-/* The message of a scene that must be refused; g_free it. */
-static char *refusal(const char *path)
-{
-    struct mpm_scene *scene = NULL;
-    struct mpm_error error = {.message = ""};
-    const enum mpm_status status = mpm_scene_read(path, NULL, 0, &scene, &error);
-    ck_assert_msg(status == MPM_BAD_INPUT, "%s gave status %d: %s", path, (int)status,
-                  error.message);
-    ck_assert_int_eq(error.status, MPM_BAD_INPUT);
-    ck_assert_ptr_null(scene);
-    return g_strdup(error.message);
-}
-
-static char *refusal_of_text(const char *text)
-{
-    char *folder = test_folder_create();
-    char *path = test_folder_write(folder, "scene.yaml", text);
-    char *message = refusal(path);
-    g_free(path);
-    test_folder_remove(folder);
-    return message;
-}
-
-static void assert_contains(const char *message, const char *part)
-{
-    ck_assert_msg(strstr(message, part) != NULL, "got: %s\nwithout: %s", message, part);
-}
 
 /* --------------------------------------------------------- folders of scenes */
 
@@ -122,8 +63,8 @@ START_TEST(every_malformed_scene_is_refused_with_its_message_and_line)
         const char *path = g_ptr_array_index(paths, i);
         char *expected = NULL, *place = NULL;
         read_promise(path, &expected, &place);
-        char *message = refusal(path);
-        assert_contains(message, expected);
+        char *message = test_scene_refusal(path);
+        test_contains(message, expected);
         ck_assert_msg(g_str_has_prefix(message, place), "got: %s\nnot at: %s", message, place);
         ck_assert_msg(strchr(message, '\n') == NULL, "%s", message);
         g_free(message);
@@ -139,18 +80,48 @@ START_TEST(every_good_scene_is_read)
     GPtrArray *paths = scenes_in("tests/scenes/good");
     ck_assert_uint_ge(paths->len, 5);
     for (guint i = 0; i < paths->len; i++)
-        mpm_scene_free(read_good(g_ptr_array_index(paths, i), NULL));
+        mpm_scene_free(test_scene_read(g_ptr_array_index(paths, i), NULL));
     g_ptr_array_free(paths, TRUE);
 }
 END_TEST
 
 /* Wrong only in what they fill or select: found when the simulation is made. */
-START_TEST(scenes_that_only_their_geometry_spoils_are_read)
+static void check_spoiled(const char *path, enum mpm_status expected_status)
+{
+    char *expected = NULL, *place = NULL;
+    read_promise(path, &expected, &place);
+    struct mpm_scene *scene = test_scene_read(path, NULL);
+    struct mpm_simulation *simulation = NULL;
+    struct mpm_error error = {.message = ""};
+    const enum mpm_status status = mpm_simulation_create(scene, 1, &simulation, &error);
+    ck_assert_msg(status == expected_status, "%s gave status %d: %s", path, (int)status,
+                  error.message);
+    ck_assert_ptr_null(simulation);
+    test_contains(error.message, expected);
+    if (status == MPM_BAD_INPUT)
+        ck_assert_msg(g_str_has_prefix(error.message, place), "got: %s\nnot at: %s", error.message,
+                      place);
+    mpm_scene_free(scene);
+    g_free(expected);
+    g_free(place);
+}
+
+START_TEST(every_scene_that_only_its_geometry_spoils_is_refused_at_creation)
 {
     GPtrArray *paths = scenes_in("tests/scenes/bad_model");
+    ck_assert_uint_ge(paths->len, 8);
     for (guint i = 0; i < paths->len; i++)
-        mpm_scene_free(read_good(g_ptr_array_index(paths, i), NULL));
+        check_spoiled(g_ptr_array_index(paths, i), MPM_BAD_INPUT);
     g_ptr_array_free(paths, TRUE);
+}
+END_TEST
+
+START_TEST(a_grid_that_no_memory_holds_is_a_failure_of_the_environment)
+{
+    const double needed = 1e11; /* bytes: 2^31 nodes of some 100 */
+    if ((double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE) > needed)
+        TEST_SKIP("this machine might hold it");
+    check_spoiled("tests/scenes/too_big/huge_grid.yaml", MPM_ENVIRONMENT_FAILED);
 }
 END_TEST
 
@@ -158,7 +129,7 @@ END_TEST
 
 START_TEST(a_scene_says_what_its_file_says)
 {
-    struct mpm_scene *scene = read_good("tests/scenes/good/compressed_disk.yaml", NULL);
+    struct mpm_scene *scene = test_scene_read("tests/scenes/good/compressed_disk.yaml", NULL);
     ck_assert_str_eq(scene->title, "Radial compression of a disk");
     ck_assert_int_eq(scene->geometry, MPM_AXISYMMETRIC);
     ck_assert_str_eq(scene->units_length, "mm");
@@ -185,7 +156,7 @@ END_TEST
 
 START_TEST(bodies_and_boundaries_say_what_their_file_says)
 {
-    struct mpm_scene *scene = read_good("tests/scenes/good/compressed_disk.yaml", NULL);
+    struct mpm_scene *scene = test_scene_read("tests/scenes/good/compressed_disk.yaml", NULL);
     ck_assert_uint_eq(mpm_scene_body_count(scene), 2);
     ck_assert_str_eq(mpm_scene_body_name(scene, 0), "disk");
     ck_assert(!scene->bodies[0].rigid);
@@ -210,7 +181,7 @@ END_TEST
 
 START_TEST(every_shape_of_region_is_read)
 {
-    struct mpm_scene *scene = read_good("tests/scenes/good/shapes.yaml", NULL);
+    struct mpm_scene *scene = test_scene_read("tests/scenes/good/shapes.yaml", NULL);
     static const enum mpm_region_kind kinds[] = {MPM_REGION_RECTANGLE, MPM_REGION_DISK,
                                                  MPM_REGION_ANNULUS, MPM_REGION_POLYGON};
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
@@ -226,7 +197,7 @@ START_TEST(every_shape_of_region_is_read)
     ck_assert_double_eq(scene->boundaries[0].region.b[0], 10.0);
     ck_assert_double_eq(scene->step, 1e-3);
     mpm_scene_free(scene);
-    scene = read_good("tests/scenes/good/behind_the_axis.yaml", NULL);
+    scene = test_scene_read("tests/scenes/good/behind_the_axis.yaml", NULL);
     ck_assert_int_eq(scene->boundaries[0].region.kind, MPM_REGION_ALL);
     mpm_scene_free(scene);
 }
@@ -234,7 +205,7 @@ END_TEST
 
 START_TEST(numbers_have_one_value_in_every_spelling)
 {
-    struct mpm_scene *scene = read_good("tests/scenes/good/numbers.yaml", NULL);
+    struct mpm_scene *scene = test_scene_read("tests/scenes/good/numbers.yaml", NULL);
     ck_assert_str_eq(scene->title, "2024");
     ck_assert_double_eq(scene->thickness, 10.0);
     ck_assert_double_eq(scene->origin[0], -0.5);
@@ -256,7 +227,7 @@ END_TEST
 START_TEST(young_and_poisson_give_bulk_and_shear)
 {
     const double round_off = 1e-15;
-    struct mpm_scene *scene = read_good("tests/scenes/good/shapes.yaml", NULL);
+    struct mpm_scene *scene = test_scene_read("tests/scenes/good/shapes.yaml", NULL);
     const double bulk = 210.0 / (3.0 * (1.0 - 0.6)), shear = 210.0 / 2.6;
     ck_assert_near(scene->materials[0].bulk, bulk, round_off * bulk);
     ck_assert_near(scene->materials[0].shear, shear, round_off * shear);
@@ -266,9 +237,10 @@ END_TEST
 
 START_TEST(the_hash_is_that_of_the_bytes)
 {
-    char *text = test_file_read(MINIMAL);
+    char *text = test_file_read(TEST_MINIMAL_SCENE);
     char *expected = g_compute_checksum_for_string(G_CHECKSUM_SHA256, text, -1);
-    struct mpm_scene *scene = read_good(MINIMAL, "grid.refine=2"); /* of the file, not the edit */
+    struct mpm_scene *scene =
+        test_scene_read(TEST_MINIMAL_SCENE, "grid.refine=2"); /* of the file, not the edit */
     for (size_t i = 0; i < sizeof scene->sha256; i++) {
         char digits[3];
         (void)snprintf(digits, sizeof digits, "%02x", scene->sha256[i]);
@@ -286,7 +258,7 @@ END_TEST
 
 START_TEST(a_minimal_scene_has_the_documented_defaults)
 {
-    struct mpm_scene *scene = read_good(MINIMAL, NULL);
+    struct mpm_scene *scene = test_scene_read(TEST_MINIMAL_SCENE, NULL);
     ck_assert_str_eq(scene->title, "");
     ck_assert_double_eq(scene->thickness, 1.0);
     ck_assert_double_eq(scene->origin[0], 0.0);
@@ -331,12 +303,12 @@ static char *describe(const struct mpm_scene *scene)
 /* Setting a key to the default that the schema prints must change nothing. */
 static void check_default(const char *key, const char *value, bool axisymmetric)
 {
-    const char *base = axisymmetric ? "tests/scenes/good/compressed_disk.yaml" : MINIMAL;
+    const char *base = axisymmetric ? "tests/scenes/good/compressed_disk.yaml" : TEST_MINIMAL_SCENE;
     char **parts = g_strsplit(key, "[]", -1);
     char *path = g_strjoinv(".0", parts);
     char *setting = g_strdup_printf("%s=%s", path, value);
-    struct mpm_scene *with = read_good(base, setting);
-    struct mpm_scene *without = read_good(base, NULL);
+    struct mpm_scene *with = test_scene_read(base, setting);
+    struct mpm_scene *without = test_scene_read(base, NULL);
     char *left = describe(with), *right = describe(without);
     ck_assert_msg(strcmp(left, right) == 0, "%s: %s, without: %s", setting, left, right);
     mpm_scene_free(with);
@@ -408,198 +380,14 @@ START_TEST(the_schema_lists_keys_with_type_unit_default_and_range)
 }
 END_TEST
 
-/* ------------------------------------------------------------------- limits */
-
-START_TEST(a_name_may_have_64_characters_of_any_length_in_bytes)
-{
-    GString *text = g_string_new(LEAST);
-    GString *name = g_string_new("");
-    for (int i = 0; i < 64; i++)
-        g_string_append(name, "é");
-    g_string_append_printf(
-        text,
-        "  - {name: %s, material: rubber, region: {disk: {center: [3.5, 3.5], radius: .5}}}\n",
-        name->str);
-    struct mpm_scene *scene = read_text(text->str);
-    ck_assert_str_eq(mpm_scene_body_name(scene, 1), name->str);
-    mpm_scene_free(scene);
-    g_string_free(text, TRUE);
-    g_string_free(name, TRUE);
-}
-END_TEST
-
-static char *nested_title(int lists)
-{
-    GString *text = g_string_new(LEAST);
-    g_string_append(text, "title: ");
-    for (int i = 0; i < lists; i++)
-        g_string_append_c(text, '[');
-    for (int i = 0; i < lists; i++)
-        g_string_append_c(text, ']');
-    g_string_append_c(text, '\n');
-    return g_string_free(text, FALSE);
-}
-
-START_TEST(nesting_of_64_levels_is_the_deepest)
-{
-    static const struct {
-        int lists; /* the scene itself is one level more */
-        const char *message;
-    } cases[] = {{63, "title: not a single value"},
-                 {64, "nested too deeply; allowed: 64 levels"},
-                 {100000, "nested too deeply; allowed: 64 levels"}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char *text = nested_title(cases[i].lists);
-        char *message = refusal_of_text(text);
-        assert_contains(message, cases[i].message);
-        g_free(message);
-        g_free(text);
-    }
-}
-END_TEST
-
-/* A good scene filled up with comments to the size. */
-static char *padded_scene(size_t size)
-{
-    char *text = g_malloc(size + 1);
-    memset(text, '#', size);
-    memcpy(text, LEAST, strlen(LEAST));
-    for (size_t i = strlen(LEAST) + 1000; i < size; i += 1000)
-        text[i] = '\n';
-    text[size] = '\0';
-    return text;
-}
-
-START_TEST(a_file_of_16_mib_is_the_biggest)
-{
-    const size_t biggest = (size_t)16 * 1024 * 1024;
-    char *text = padded_scene(biggest);
-    mpm_scene_free(read_text(text));
-    g_free(text);
-    text = padded_scene(biggest + 1);
-    char *message = refusal_of_text(text);
-    assert_contains(message, "the file is too big; allowed: a readable scene file of up to 16 MiB");
-    g_free(message);
-    g_free(text);
-}
-END_TEST
-
-/* 46336 + 4 ghost rows + 1 = 46341 > sqrt(2^31); two columns fewer are within. */
-START_TEST(a_grid_of_two_to_the_31_nodes_is_the_biggest)
-{
-    char *settings[] = {"grid.cells=[46336, 46333]", "grid.cells=[46336, 46336]"};
-    mpm_scene_free(read_good(MINIMAL, settings[0]));
-    struct mpm_scene *scene = NULL;
-    struct mpm_error error = {.message = ""};
-    const char *const setting[] = {settings[1]};
-    ck_assert_int_eq(mpm_scene_read(MINIMAL, setting, 1, &scene, &error), MPM_BAD_INPUT);
-    assert_contains(error.message, "too many nodes, got 46341 x 46341");
-}
-END_TEST
-
-/* -------------------------------------------------------------------- files */
-
-START_TEST(a_scene_that_is_no_readable_file_is_refused)
-{
-    char *folder = test_folder_create();
-    char *path = test_folder_path(folder, "missing.yaml");
-    char *message = refusal(path);
-    assert_contains(message, "missing.yaml: No such file or directory");
-    g_free(message);
-    message = refusal(folder);
-    assert_contains(message, "is a folder");
-    g_free(message);
-    ck_assert_int_eq(mkfifo(path, 0600), 0); /* nobody writes to it: reading must not wait */
-    message = refusal(path);
-    assert_contains(message, "is not a regular file");
-    g_free(message);
-    message = refusal("");
-    g_free(message);
-    g_free(path);
-    test_folder_remove(folder);
-}
-END_TEST
-
-START_TEST(a_scene_that_may_not_be_read_is_refused)
-{
-    if (geteuid() == 0)
-        TEST_SKIP("root may read every file");
-    char *folder = test_folder_create();
-    char *path = test_folder_write(folder, "secret.yaml", LEAST);
-    ck_assert_int_eq(g_chmod(path, 0), 0);
-    char *message = refusal(path);
-    assert_contains(message, "Permission denied");
-    g_free(message);
-    g_free(path);
-    test_folder_remove(folder);
-}
-END_TEST
-
-START_TEST(an_empty_file_is_refused)
-{
-    char *message = refusal_of_text("");
-    assert_contains(message, "empty; allowed: a YAML document");
-    g_free(message);
-}
-END_TEST
-
-START_TEST(a_long_path_leaves_room_for_the_message)
-{
-    char path[3000];
-    memset(path, 'p', sizeof path);
-    memcpy(path + sizeof path - 12, "/scene.yaml", 12);
-    char *message = refusal(path);
-    assert_contains(message, "pp/scene.yaml: ");
-    assert_contains(message, "allowed: a readable scene file");
-    g_free(message);
-}
-END_TEST
-
-/* ------------------------------------------------------------------- damage */
-
-static enum mpm_status read_damaged(const char *path, const char *text, size_t length)
-{
-    struct mpm_scene *scene = NULL;
-    struct mpm_error error = {.message = ""};
-    ck_assert(g_file_set_contents(path, text, (gssize)length, NULL));
-    const enum mpm_status status = mpm_scene_read(path, NULL, 0, &scene, &error);
-    ck_assert_msg((status == MPM_OK) == (scene != NULL), "%.*s", (int)length, text);
-    ck_assert_msg(status == MPM_OK || status == MPM_BAD_INPUT, "%s", error.message);
-    ck_assert((status == MPM_OK) == (error.message[0] == '\0'));
-    mpm_scene_free(scene);
-    return status;
-}
-
-/* Cut anywhere, or with one character replaced by a sign of YAML: read or refused. */
-START_TEST(a_damaged_scene_is_read_or_refused)
-{
-    static const char signs[] = "{}[]:,-#&*!|>'\"%@ \n0";
-    char *folder = test_folder_create();
-    char *path = test_folder_path(folder, "scene.yaml");
-    char *text = test_file_read("tests/scenes/good/compressed_disk.yaml");
-    const size_t length = strlen(text);
-    int refused = 0;
-    for (size_t i = 0; i < length; i += 7) {
-        refused += read_damaged(path, text, i) != MPM_OK;
-        const char kept = text[i];
-        text[i] = signs[(i / 7) % (sizeof signs - 1)];
-        refused += read_damaged(path, text, length) != MPM_OK;
-        text[i] = kept;
-    }
-    ck_assert_int_gt(refused, 100);
-    g_free(text);
-    g_free(path);
-    test_folder_remove(folder);
-}
-END_TEST
-
 Suite *suite_scene(void)
 {
     Suite *suite = suite_create("scene");
     TCase *folders = tcase_create("folders of scenes");
     tcase_add_test(folders, every_malformed_scene_is_refused_with_its_message_and_line);
     tcase_add_test(folders, every_good_scene_is_read);
-    tcase_add_test(folders, scenes_that_only_their_geometry_spoils_are_read);
+    tcase_add_test(folders, every_scene_that_only_its_geometry_spoils_is_refused_at_creation);
+    tcase_add_test(folders, a_grid_that_no_memory_holds_is_a_failure_of_the_environment);
     suite_add_tcase(suite, folders);
     TCase *content = tcase_create("content");
     tcase_add_test(content, a_scene_says_what_its_file_says);
@@ -612,18 +400,5 @@ Suite *suite_scene(void)
     tcase_add_test(content, every_default_is_what_the_schema_prints);
     tcase_add_test(content, the_schema_lists_keys_with_type_unit_default_and_range);
     suite_add_tcase(suite, content);
-    TCase *limits = tcase_create("limits");
-    tcase_add_test(limits, a_name_may_have_64_characters_of_any_length_in_bytes);
-    tcase_add_test(limits, nesting_of_64_levels_is_the_deepest);
-    tcase_add_test(limits, a_file_of_16_mib_is_the_biggest);
-    tcase_add_test(limits, a_grid_of_two_to_the_31_nodes_is_the_biggest);
-    suite_add_tcase(suite, limits);
-    TCase *files = tcase_create("files");
-    tcase_add_test(files, a_scene_that_is_no_readable_file_is_refused);
-    tcase_add_test(files, a_scene_that_may_not_be_read_is_refused);
-    tcase_add_test(files, an_empty_file_is_refused);
-    tcase_add_test(files, a_long_path_leaves_room_for_the_message);
-    tcase_add_test(files, a_damaged_scene_is_read_or_refused);
-    suite_add_tcase(suite, files);
     return suite;
 }

@@ -81,7 +81,7 @@ struct body_paths {
 
 static struct body_paths body_paths(size_t position)
 {
-    struct body_paths paths;
+    struct body_paths paths = {.body = ""};
     (void)mpm_path_entry("bodies", position, paths.body);
     (void)mpm_path_join(paths.body, "velocity", paths.velocity);
     (void)mpm_path_join(paths.body, "material", paths.material);
@@ -162,7 +162,9 @@ enum mpm_status mpm_build_bodies(const struct mpm_reading *reading)
 {
     struct mpm_scene *scene = reading->scene;
     const size_t count = reading->raw->bodies_count;
-    MPM_TRY(mpm_reading_allocate(reading, count, sizeof *scene->bodies, "bodies", &scene->bodies));
+    scene->bodies = mpm_reading_allocate(reading, count, sizeof *scene->bodies, "bodies");
+    if (scene->bodies == NULL)
+        return MPM_ENVIRONMENT_FAILED;
     scene->body_count = count;
     struct mpm_indexed_name *materials = NULL;
     MPM_TRY(mpm_reading_index(reading, "materials", scene->material_count, scene->materials[0].name,
@@ -178,8 +180,10 @@ enum mpm_status mpm_build_boundaries(const struct mpm_reading *reading)
 {
     struct mpm_scene *scene = reading->scene;
     const size_t count = reading->raw->boundary_count;
-    MPM_TRY(mpm_reading_allocate(reading, count, sizeof *scene->boundaries, "boundaries",
-                                 &scene->boundaries));
+    scene->boundaries =
+        mpm_reading_allocate(reading, count, sizeof *scene->boundaries, "boundaries");
+    if (scene->boundaries == NULL)
+        return MPM_ENVIRONMENT_FAILED;
     scene->boundary_count = count;
     for (size_t i = 0; i < count; i++) {
         const struct mpm_raw_boundary *raw = &reading->raw->boundary[i];

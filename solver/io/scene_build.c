@@ -215,8 +215,9 @@ enum mpm_status mpm_build_materials(const struct mpm_reading *reading)
 {
     struct mpm_scene *scene = reading->scene;
     const size_t count = reading->raw->materials_count;
-    MPM_TRY(mpm_reading_allocate(reading, count, sizeof *scene->materials, "materials",
-                                 &scene->materials));
+    scene->materials = mpm_reading_allocate(reading, count, sizeof *scene->materials, "materials");
+    if (scene->materials == NULL)
+        return MPM_ENVIRONMENT_FAILED;
     scene->material_count = count;
     for (size_t i = 0; i < count; i++) {
         const struct mpm_raw_material *raw = &reading->raw->materials[i];

@@ -66,9 +66,9 @@ const char *mpm_path_entry(const char *list, size_t position, char buffer[MPM_PA
 /* The number that the checks found in a text; 0 for NULL. */
 double mpm_raw_double(const char *text);
 
-/* calloc with the error filled in. */
-enum mpm_status mpm_reading_allocate(const struct mpm_reading *reading, size_t count, size_t size,
-                                     const char *what, void *array);
+/* calloc; NULL with the error (MPM_ENVIRONMENT_FAILED) filled in. */
+void *mpm_reading_allocate(const struct mpm_reading *reading, size_t count, size_t size,
+                           const char *what);
 
 /* Sorts the names of a list's entries, which stand `stride` bytes apart from `first` on;
  * refuses repeats. The caller frees *names. */

@@ -148,10 +148,10 @@ static const char *check_drive(const struct mpm_key *key, struct mpm_tree_node *
 }
 
 static scalar_check *const scalar_checks[] = {
-    [MPM_VALUE_number] = check_number,   [MPM_VALUE_expression] = check_expression,
-    [MPM_VALUE_drive] = check_drive,     [MPM_VALUE_text] = check_text,
-    [MPM_VALUE_name] = check_name,       [MPM_VALUE_law] = check_law,
-    [MPM_VALUE_integer] = check_integer, [MPM_VALUE_boolean] = check_boolean,
+    [MPM_VALUE_NUMBER] = check_number,   [MPM_VALUE_EXPRESSION] = check_expression,
+    [MPM_VALUE_DRIVE] = check_drive,     [MPM_VALUE_TEXT] = check_text,
+    [MPM_VALUE_NAME] = check_name,       [MPM_VALUE_LAW] = check_law,
+    [MPM_VALUE_INTEGER] = check_integer, [MPM_VALUE_BOOLEAN] = check_boolean,
 };
 
 static enum mpm_status check_scalar(struct checking *checking, const struct mpm_key *key,
@@ -211,7 +211,7 @@ static enum mpm_status check_choice(struct checking *checking, const struct mpm_
     if (node->kind != MPM_TREE_SCALAR)
         return refuse(checking, key, node, false, "not a single value");
     for (size_t i = 0; i < key->choice_count; i++)
-        if (strcmp(node->text, key->choices[i].str) == 0)
+        if (strcmp(node->text, key->choices[i].name) == 0)
             return MPM_OK;
     return refuse(checking, key, node, false, "unknown choice");
 }
@@ -295,8 +295,8 @@ static void note_geometry(struct checking *checking, const struct mpm_key *key,
     if (strcmp(checking->path, "geometry") != 0)
         return;
     for (size_t i = 0; i < key->choice_count; i++)
-        if (strcmp(node->text, key->choices[i].str) == 0)
-            checking->geometry = (enum mpm_geometry)key->choices[i].val;
+        if (strcmp(node->text, key->choices[i].name) == 0)
+            checking->geometry = (enum mpm_geometry)key->choices[i].value;
     checking->geometry_known = true;
 }
 
@@ -319,7 +319,7 @@ static enum mpm_status expand_short_form(struct checking *checking, const struct
     if (node->kind != MPM_TREE_SCALAR)
         return MPM_OK;
     const struct mpm_key *key = mpm_key_find(group, node->text);
-    if (key == NULL || key->value != MPM_VALUE_boolean || node->quoted)
+    if (key == NULL || key->value != MPM_VALUE_BOOLEAN || node->quoted)
         return MPM_OK;
     struct mpm_tree_node *yes = mpm_tree_new(MPM_TREE_SCALAR, node->origin);
     if (yes != NULL)

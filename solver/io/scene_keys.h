@@ -17,6 +17,8 @@
 
 /* ----------------------------------------------------------------- choices */
 
+/* NOLINTBEGIN(readability-identifier-naming): pasted from the names of keys */
+
 #define CHOICES_geometry(C)                                                                        \
     C("plane_strain", MPM_PLANE_STRAIN)                                                            \
     C("plane_stress", MPM_PLANE_STRESS)                                                            \
@@ -49,6 +51,8 @@ enum mpm_transfer_kind { MPM_TRANSFER_FLIP };
 
 #define CHOICES_transfer_kind(C) C("flip", MPM_TRANSFER_FLIP)
 
+/* NOLINTEND(readability-identifier-naming) */
+
 #define MPM_CHOICE_LISTS(L)                                                                        \
     L(geometry)                                                                                    \
     L(shape)                                                                                       \
@@ -62,37 +66,37 @@ enum mpm_transfer_kind { MPM_TRANSFER_FLIP };
 
 /* clang-format off */
 #define KEYS_units(X, S)                                                                           \
-    X(S, ONE, length, name, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of length")     \
-    X(S, ONE, mass, name, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of mass")         \
-    X(S, ONE, time, name, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of time")         \
-    X(S, ONE, temperature, name, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of temperature")
+    X(S, ONE, length, NAME, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of length")     \
+    X(S, ONE, mass, NAME, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of mass")         \
+    X(S, ONE, time, NAME, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of time")         \
+    X(S, ONE, temperature, NAME, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of temperature")
 
 #define KEYS_grid(X, S)                                                                            \
-    X(S, PAIR, origin, number, ANYWHERE, OPTIONAL, "length", "[0, 0]", ANY,                        \
+    X(S, PAIR, origin, NUMBER, ANYWHERE, OPTIONAL, "length", "[0, 0]", ANY,                        \
       "position of the first node")                                                                \
-    X(S, PAIR, cell, number, ANYWHERE, REQUIRED, "length", NULL, FROM_TO(1e-100, 1e100),           \
+    X(S, PAIR, cell, NUMBER, ANYWHERE, REQUIRED, "length", NULL, FROM_TO(1e-100, 1e100),           \
       "size of a cell")                                                                            \
-    X(S, PAIR, cells, integer, ANYWHERE, REQUIRED, "", NULL, FROM_TO(1, 2147483648.0),             \
+    X(S, PAIR, cells, INTEGER, ANYWHERE, REQUIRED, "", NULL, FROM_TO(1, 2147483648.0),             \
       "number of cells along each axis; with refine and ghost rows at most 2^31 nodes")            \
-    X(S, ONE, refine, integer, ANYWHERE, OPTIONAL, "", "1", FROM_TO(1, 1048576),                   \
+    X(S, ONE, refine, INTEGER, ANYWHERE, OPTIONAL, "", "1", FROM_TO(1, 1048576),                   \
       "divides each cell into so many along each axis")
 
 #define KEYS_time(X, S)                                                                            \
-    X(S, ONE, end, number, ANYWHERE, REQUIRED, "time", NULL, ABOVE(0), "when the run ends")        \
-    X(S, ONE, courant, number, ANYWHERE, OPTIONAL, "", "0.4", ABOVE(0),                            \
+    X(S, ONE, end, NUMBER, ANYWHERE, REQUIRED, "time", NULL, ABOVE(0), "when the run ends")        \
+    X(S, ONE, courant, NUMBER, ANYWHERE, OPTIONAL, "", "0.4", ABOVE(0),                            \
       "time step over the time that waves take through a cell; up to 1 unless allow_unstable; "    \
       "not with step")                                                                             \
-    X(S, ONE, step, number, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                            \
+    X(S, ONE, step, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                            \
       "a fixed time step instead of courant; under the stability limit unless allow_unstable")     \
-    X(S, ONE, steps, integer, ANYWHERE, OPTIONAL, "", NULL, FROM_TO(1, 9007199254740992.0),        \
+    X(S, ONE, steps, INTEGER, ANYWHERE, OPTIONAL, "", NULL, FROM_TO(1, 9007199254740992.0),        \
       "stop after so many steps")                                                                  \
-    X(S, ONE, allow_unstable, boolean, ANYWHERE, OPTIONAL, "", "false", ANY,                       \
+    X(S, ONE, allow_unstable, BOOLEAN, ANYWHERE, OPTIONAL, "", "false", ANY,                       \
       "take time steps beyond the stability limit")
 
 #define KEYS_transfer(X, S)                                                                        \
     X(S, CHOICE, kind, transfer_kind, ANYWHERE, OPTIONAL, "", "flip", ANY,                         \
       "how particle velocities follow the grid")                                                   \
-    X(S, ONE, fraction, number, ANYWHERE, OPTIONAL, "", "1", ABOVE_TO(0, 1),                       \
+    X(S, ONE, fraction, NUMBER, ANYWHERE, OPTIONAL, "", "1", ABOVE_TO(0, 1),                       \
       "share of FLIP; the rest takes the grid's velocity")
 
 #define KEYS_method(X, S)                                                                          \
@@ -106,43 +110,43 @@ enum mpm_transfer_kind { MPM_TRANSFER_FLIP };
     X(S, CHOICE, radius_update, radius_update, AXISYMMETRIC, OPTIONAL, "", "shape", ANY,           \
       "how r moves: with S, or with the hoop strain's T (only axis: truncated)")                   \
     X(S, GROUP, transfer, transfer, ANYWHERE, OPTIONAL, "", "{}", ANY, "grid to particle velocities") \
-    X(S, ONE, deformation_terms, integer, ANYWHERE, OPTIONAL, "", "2", FROM_TO(1, 20),             \
+    X(S, ONE, deformation_terms, INTEGER, ANYWHERE, OPTIONAL, "", "2", FROM_TO(1, 20),             \
       "terms of the series for the deformation increment exp(dt grad v)")
 
 #define KEYS_material(X, S)                                                                        \
-    X(S, ONE, name, name, ANYWHERE, REQUIRED, "", NULL, ANY, "name, one only in the scene")        \
-    X(S, ONE, law, law, ANYWHERE, REQUIRED, "", NULL, ANY, "constitutive law")                     \
-    X(S, ONE, density, number, ANYWHERE, REQUIRED, "mass/length^3", NULL, ABOVE(0),                \
+    X(S, ONE, name, NAME, ANYWHERE, REQUIRED, "", NULL, ANY, "name, one only in the scene")        \
+    X(S, ONE, law, LAW, ANYWHERE, REQUIRED, "", NULL, ANY, "constitutive law")                     \
+    X(S, ONE, density, NUMBER, ANYWHERE, REQUIRED, "mass/length^3", NULL, ABOVE(0),                \
       "initial density")                                                                           \
-    X(S, ONE, bulk, number, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),            \
+    X(S, ONE, bulk, NUMBER, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),            \
       "bulk modulus, together with shear")                                                         \
-    X(S, ONE, shear, number, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),           \
+    X(S, ONE, shear, NUMBER, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),           \
       "shear modulus, together with bulk")                                                         \
-    X(S, ONE, young, number, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),           \
+    X(S, ONE, young, NUMBER, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),           \
       "Young's modulus, together with poisson; instead of bulk and shear")                         \
-    X(S, ONE, poisson, number, ANYWHERE, OPTIONAL, "", NULL, BETWEEN(-1, 0.5),                     \
+    X(S, ONE, poisson, NUMBER, ANYWHERE, OPTIONAL, "", NULL, BETWEEN(-1, 0.5),                     \
       "Poisson's ratio, together with young; instead of bulk and shear")
 
 #define KEYS_rectangle(X, S)                                                                       \
-    X(S, PAIR, from, number, ANYWHERE, REQUIRED, "length", NULL, ANY, "lower left corner")         \
-    X(S, PAIR, to, number, ANYWHERE, REQUIRED, "length", NULL, ANY, "upper right corner")
+    X(S, PAIR, from, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ANY, "lower left corner")         \
+    X(S, PAIR, to, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ANY, "upper right corner")
 
 #define KEYS_disk(X, S)                                                                            \
-    X(S, PAIR, center, number, ANYWHERE, REQUIRED, "length", NULL, ANY, "centre")                  \
-    X(S, ONE, radius, number, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0), "radius")
+    X(S, PAIR, center, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ANY, "centre")                  \
+    X(S, ONE, radius, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0), "radius")
 
 #define KEYS_annulus(X, S)                                                                         \
-    X(S, PAIR, center, number, ANYWHERE, REQUIRED, "length", NULL, ANY, "centre")                  \
-    X(S, ONE, inner, number, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0), "inner radius")         \
-    X(S, ONE, outer, number, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0), "outer radius")
+    X(S, PAIR, center, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ANY, "centre")                  \
+    X(S, ONE, inner, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0), "inner radius")         \
+    X(S, ONE, outer, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0), "outer radius")
 
 #define KEYS_polygon(X, S)                                                                         \
-    X(S, POINTS, points, number, ANYWHERE, REQUIRED, "length", NULL, ANY,                          \
+    X(S, POINTS, points, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ANY,                          \
       "corners in order; edges must not cross")
 
 #define KEYS_line(X, S)                                                                            \
-    X(S, PAIR, from, number, ANYWHERE, REQUIRED, "length", NULL, ANY, "one end")                   \
-    X(S, PAIR, to, number, ANYWHERE, REQUIRED, "length", NULL, ANY,                                \
+    X(S, PAIR, from, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ANY, "one end")                   \
+    X(S, PAIR, to, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ANY,                                \
       "other end; the line must be parallel to an axis")
 
 #define KEYS_body_region(X, S)                                                                     \
@@ -154,51 +158,51 @@ enum mpm_transfer_kind { MPM_TRANSFER_FLIP };
 #define KEYS_boundary_region(X, S)                                                                 \
     X(S, GROUP, line, line, ANYWHERE, OPTIONAL, "", NULL, ANY, "the nodes on a line")              \
     X(S, GROUP, rectangle, rectangle, ANYWHERE, OPTIONAL, "", NULL, ANY, "the nodes in a rectangle") \
-    X(S, ONE, all, boolean, ANYWHERE, OPTIONAL, "", NULL, ANY,                                     \
+    X(S, ONE, all, BOOLEAN, ANYWHERE, OPTIONAL, "", NULL, ANY,                                     \
       "all nodes; `region: all` is the same as `region: {all: true}`")
 
 #define KEYS_rigid(X, S)                                                                           \
-    X(S, PAIR, velocity, drive, ANYWHERE, REQUIRED, "length/time", NULL, ANY,                      \
+    X(S, PAIR, velocity, DRIVE, ANYWHERE, REQUIRED, "length/time", NULL, ANY,                      \
       "velocity that it gives to the nodes it reaches, in coordinates and t")
 
 #define KEYS_body(X, S)                                                                            \
-    X(S, ONE, name, name, ANYWHERE, REQUIRED, "", NULL, ANY, "name, one only in the scene")        \
-    X(S, ONE, material, name, ANYWHERE, OPTIONAL, "", NULL, ANY,                                   \
+    X(S, ONE, name, NAME, ANYWHERE, REQUIRED, "", NULL, ANY, "name, one only in the scene")        \
+    X(S, ONE, material, NAME, ANYWHERE, OPTIONAL, "", NULL, ANY,                                   \
       "name of its material, for a deformable body")                                               \
     X(S, GROUP, rigid, rigid, ANYWHERE, OPTIONAL, "", NULL, ANY,                                   \
       "instead of material: a rigid body that drives nodes")                                       \
     X(S, GROUP, region, body_region, ANYWHERE, REQUIRED, "", NULL, ANY,                            \
       "where it is at t = 0: exactly one shape, inside the grid")                                  \
-    X(S, PAIR, particles_per_cell, integer, ANYWHERE, OPTIONAL, "", "[2, 2]", FROM_TO(1, 16),      \
+    X(S, PAIR, particles_per_cell, INTEGER, ANYWHERE, OPTIONAL, "", "[2, 2]", FROM_TO(1, 16),      \
       "lattice sites of a cell along each axis")                                                   \
-    X(S, PAIR, velocity, expression, ANYWHERE, OPTIONAL, "length/time", "[0, 0]", ANY,             \
+    X(S, PAIR, velocity, EXPRESSION, ANYWHERE, OPTIONAL, "length/time", "[0, 0]", ANY,             \
       "initial velocity of a deformable body, in the coordinates")
 
 #define KEYS_boundary(X, S)                                                                        \
     X(S, GROUP, region, boundary_region, ANYWHERE, REQUIRED, "", NULL, ANY,                        \
       "which nodes: exactly one shape")                                                            \
-    X(S, PAIR, velocity, drive, ANYWHERE, REQUIRED, "length/time", NULL, ANY,                      \
+    X(S, PAIR, velocity, DRIVE, ANYWHERE, REQUIRED, "length/time", NULL, ANY,                      \
       "their velocity, in coordinates and t")
 
 #define KEYS_loads(X, S)                                                                           \
-    X(S, PAIR, body_force, expression, ANYWHERE, OPTIONAL, "length/time^2", "[0, 0]", ANY,         \
+    X(S, PAIR, body_force, EXPRESSION, ANYWHERE, OPTIONAL, "length/time^2", "[0, 0]", ANY,         \
       "force per unit mass, in coordinates and t")
 
 #define KEYS_output(X, S)                                                                          \
-    X(S, ONE, history, number, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                         \
+    X(S, ONE, history, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                         \
       "interval of rows in history.csv; without it only t = 0 and end")                            \
-    X(S, ONE, snapshots, number, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                       \
+    X(S, ONE, snapshots, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                       \
       "interval of snapshots; without it only t = 0 and end")
 
 #define KEYS_scene(X, S)                                                                           \
-    X(S, ONE, format, integer, ANYWHERE, REQUIRED, "", NULL, FROM_TO(1, 1),                        \
+    X(S, ONE, format, INTEGER, ANYWHERE, REQUIRED, "", NULL, FROM_TO(1, 1),                        \
       "version of the scene's format")                                                             \
-    X(S, ONE, title, text, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "what the scene is about")         \
+    X(S, ONE, title, TEXT, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "what the scene is about")         \
     X(S, CHOICE, geometry, geometry, ANYWHERE, REQUIRED, "", NULL, ANY,                            \
       "axes x, y in planar scenes, r, z in axisymmetric ones")                                     \
     X(S, GROUP, units, units, ANYWHERE, OPTIONAL, "", "{}", ANY,                                   \
       "any consistent system; outputs carry the names")                                            \
-    X(S, ONE, thickness, number, PLANAR, OPTIONAL, "length", "1", ABOVE(0), "out of the plane")    \
+    X(S, ONE, thickness, NUMBER, PLANAR, OPTIONAL, "length", "1", ABOVE(0), "out of the plane")    \
     X(S, GROUP, grid, grid, ANYWHERE, REQUIRED, "", NULL, ANY, "regular background grid")          \
     X(S, GROUP, time, time, ANYWHERE, REQUIRED, "", NULL, ANY, "end and step of time")             \
     X(S, GROUP, method, method, ANYWHERE, OPTIONAL, "", "{}", ANY, "the numerical method")         \

@@ -52,7 +52,8 @@ static enum mpm_status refuse_file(const struct mpm_scene *scene, const char *wh
                            "%s; allowed: a readable scene file of up to 16 MiB", what);
 }
 
-static enum mpm_status check_kind(const struct mpm_scene *scene, int file, struct mpm_error *error)
+static enum mpm_status check_kind(const struct mpm_scene *scene, int file, size_t *size,
+                                  struct mpm_error *error)
 {
     struct stat facts;
     if (fstat(file, &facts) != 0)
@@ -63,15 +64,17 @@ static enum mpm_status check_kind(const struct mpm_scene *scene, int file, struc
         return refuse_file(scene, "is not a regular file", error);
     if (facts.st_size > FILE_SIZE_MAX)
         return refuse_file(scene, "the file is too big", error);
+    *size = (size_t)facts.st_size;
     return MPM_OK;
 }
 
-/* Reads up to one byte past the limit, so that a file that grows is noticed. */
+/* Reads up to one byte past the size, so that a file that grows is noticed. */
 static enum mpm_status read_bytes(const struct mpm_scene *scene, int file, struct bytes *bytes,
                                   struct mpm_error *error)
 {
-    MPM_TRY(check_kind(scene, file, error));
-    const size_t capacity = (size_t)FILE_SIZE_MAX + 1;
+    size_t size = 0;
+    MPM_TRY(check_kind(scene, file, &size, error));
+    const size_t capacity = size + 1;
     bytes->data = malloc(capacity);
     if (bytes->data == NULL)
         return mpm_error_memory(error, capacity, "a scene file");
@@ -82,8 +85,8 @@ static enum mpm_status read_bytes(const struct mpm_scene *scene, int file, struc
         if (got < 0)
             return refuse_file(scene, g_strerror(errno), error);
         bytes->length += (size_t)got;
-        if (bytes->length > FILE_SIZE_MAX)
-            return refuse_file(scene, "the file is too big", error);
+        if (bytes->length > size)
+            return refuse_file(scene, "the file grows while it is read", error);
         if (got == 0)
             return MPM_OK;
     }
@@ -152,8 +155,10 @@ static enum mpm_status copy_arguments(struct mpm_scene *scene, const char *path,
 {
     const struct mpm_reading reading = {.scene = scene, .error = error};
     MPM_TRY(mpm_reading_copy(&reading, path, &scene->path));
-    MPM_TRY(mpm_reading_allocate(&reading, setting_count, sizeof *scene->settings, "settings",
-                                 &scene->settings));
+    scene->settings =
+        mpm_reading_allocate(&reading, setting_count, sizeof *scene->settings, "settings");
+    if (scene->settings == NULL)
+        return MPM_ENVIRONMENT_FAILED;
     for (size_t i = 0; i < setting_count; i++) {
         MPM_TRY(mpm_reading_copy(&reading, settings[i], &scene->settings[i]));
         scene->setting_count++;

@@ -158,8 +158,10 @@ static enum mpm_status build_polygon(const struct mpm_reading *reading, const ch
                                      const struct mpm_raw_polygon *raw, struct mpm_region *region)
 {
     region->kind = MPM_REGION_POLYGON;
-    MPM_TRY(mpm_reading_allocate(reading, raw->points_count, sizeof region->points[0],
-                                 "a polygon's points", &region->points));
+    region->points = mpm_reading_allocate(reading, raw->points_count, sizeof region->points[0],
+                                          "a polygon's points");
+    if (region->points == NULL)
+        return MPM_ENVIRONMENT_FAILED;
     region->point_count = raw->points_count;
     for (size_t i = 0; i < region->point_count; i++)
         read_pair(*raw->points[i], region->points[i]);

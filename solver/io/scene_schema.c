@@ -5,16 +5,19 @@
 
 #include "model/material.h"
 
+#include <cyaml/cyaml.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 /* ----------------------------------------------------------------- choices */
 
-#define CHOICE_ROW(text, number) {.str = (text), .val = (number)},
-#define CHOICE_TABLE(list)                                                                         \
-    static const cyaml_strval_t choices_##list[] = {CHOICES_##list(CHOICE_ROW)};
-MPM_CHOICE_LISTS(CHOICE_TABLE)
+#define CHOICE_ROW(text, number)       {.name = (text), .value = (number)},
+#define CYAML_CHOICE_ROW(text, number) {.str = (text), .val = (number)},
+#define CHOICE_TABLES(list)                                                                        \
+    static const struct mpm_choice choices_##list[] = {CHOICES_##list(CHOICE_ROW)};                \
+    static const cyaml_strval_t cyaml_choices_##list[] = {CHOICES_##list(CYAML_CHOICE_ROW)};
+MPM_CHOICE_LISTS(CHOICE_TABLES)
 
 /* ---------------------------------------------------------- libcyaml's view */
 
@@ -27,29 +30,29 @@ static const cyaml_schema_value_t cyaml_point = {
 #define CYAML_NEED_REQUIRED CYAML_FLAG_DEFAULT
 #define CYAML_NEED_OPTIONAL CYAML_FLAG_OPTIONAL
 
-#define CYAML_COMPONENT_number     cyaml_text
-#define CYAML_COMPONENT_expression cyaml_text
-#define CYAML_COMPONENT_drive      cyaml_text
-#define CYAML_COMPONENT_integer    cyaml_whole
+#define CYAML_COMPONENT_NUMBER     cyaml_text
+#define CYAML_COMPONENT_EXPRESSION cyaml_text
+#define CYAML_COMPONENT_DRIVE      cyaml_text
+#define CYAML_COMPONENT_INTEGER    cyaml_whole
 
-#define CYAML_TEXT(raw, key, need)                                                                 \
+#define CYAML_ONE_STRING(raw, key, need)                                                           \
     CYAML_FIELD_STRING_PTR(#key, CYAML_FLAG_POINTER | (need), raw, key, 0, CYAML_UNLIMITED),
-#define CYAML_number                  CYAML_TEXT
-#define CYAML_text                    CYAML_TEXT
-#define CYAML_name                    CYAML_TEXT
-#define CYAML_law                     CYAML_TEXT
-#define CYAML_integer(raw, key, need) CYAML_FIELD_INT(#key, need, raw, key),
-#define CYAML_boolean(raw, key, need) CYAML_FIELD_BOOL(#key, need, raw, key),
+#define CYAML_ONE_NUMBER(raw, key, need)  CYAML_ONE_STRING(raw, key, need)
+#define CYAML_ONE_TEXT(raw, key, need)    CYAML_ONE_STRING(raw, key, need)
+#define CYAML_ONE_NAME(raw, key, need)    CYAML_ONE_STRING(raw, key, need)
+#define CYAML_ONE_LAW(raw, key, need)     CYAML_ONE_STRING(raw, key, need)
+#define CYAML_ONE_INTEGER(raw, key, need) CYAML_FIELD_INT(#key, need, raw, key),
+#define CYAML_ONE_BOOLEAN(raw, key, need) CYAML_FIELD_BOOL(#key, need, raw, key),
 
-#define CYAML_SHAPE_ONE(raw, key, value, need) CYAML_##value(raw, key, need)
+#define CYAML_SHAPE_ONE(raw, key, value, need) CYAML_ONE_##value(raw, key, need)
 #define CYAML_SHAPE_PAIR(raw, key, value, need)                                                    \
     CYAML_FIELD_SEQUENCE_FIXED(#key, need, raw, key, &CYAML_COMPONENT_##value, 2),
 #define CYAML_SHAPE_POINTS(raw, key, value, need)                                                  \
     CYAML_FIELD_SEQUENCE(#key, CYAML_FLAG_POINTER | (need), raw, key, &cyaml_point,                \
                          MPM_POLYGON_POINTS_MIN, MPM_POLYGON_POINTS_MAX),
 #define CYAML_SHAPE_CHOICE(raw, key, value, need)                                                  \
-    CYAML_FIELD_ENUM(#key, CYAML_FLAG_STRICT | (need), raw, key, choices_##value,                  \
-                     CYAML_ARRAY_LEN(choices_##value)),
+    CYAML_FIELD_ENUM(#key, CYAML_FLAG_STRICT | (need), raw, key, cyaml_choices_##value,            \
+                     CYAML_ARRAY_LEN(cyaml_choices_##value)),
 #define CYAML_SHAPE_GROUP(raw, key, value, need)                                                   \
     CYAML_FIELD_MAPPING_PTR(#key, CYAML_FLAG_POINTER | (need), raw, key, cyaml_##value),
 #define CYAML_SHAPE_LIST(raw, key, value, need)                                                    \
@@ -70,25 +73,15 @@ const cyaml_schema_value_t mpm_scene_cyaml = {
 
 /* ----------------------------------------------------------------- our view */
 
-#define ANY                                                                                        \
+/* In parentheses, so that the commas stay together on their way through the lists. */
+#define ANY            (-HUGE_VAL, HUGE_VAL, false, false)
+#define ABOVE(a)       (a, HUGE_VAL, true, false)
+#define ABOVE_TO(a, b) (a, b, true, false)
+#define FROM_TO(a, b)  (a, b, false, false)
+#define BETWEEN(a, b)  (a, b, true, true)
+#define RANGE(from, to, from_open, to_open)                                                        \
     {                                                                                              \
-        -INFINITY, INFINITY, false, false                                                          \
-    }
-#define ABOVE(a)                                                                                   \
-    {                                                                                              \
-        (a), INFINITY, true, false                                                                 \
-    }
-#define ABOVE_TO(a, b)                                                                             \
-    {                                                                                              \
-        (a), (b), true, false                                                                      \
-    }
-#define FROM_TO(a, b)                                                                              \
-    {                                                                                              \
-        (a), (b), false, false                                                                     \
-    }
-#define BETWEEN(a, b)                                                                              \
-    {                                                                                              \
-        (a), (b), true, true                                                                       \
+        (from), (to), (from_open), (to_open)                                                       \
     }
 #define REQUIRED           true
 #define OPTIONAL           false
@@ -112,7 +105,7 @@ const cyaml_schema_value_t mpm_scene_cyaml = {
      .required = (need),                                                                           \
      .unit = (units),                                                                              \
      .fallback = (stand_in),                                                                       \
-     .range = limits,                                                                              \
+     .range = RANGE limits,                                                                        \
      .help = (text),                                                                               \
      KEY_##form(content)},
 #define KEY_TABLE(list)                                                                            \
@@ -135,14 +128,14 @@ const struct mpm_key *mpm_key_find(const struct mpm_key *group, const char *name
 static const struct {
     const char *one, *pair;
 } value_names[] = {
-    [MPM_VALUE_number] = {"number", "2 numbers"},
-    [MPM_VALUE_expression] = {"expression", "2 expressions"},
-    [MPM_VALUE_drive] = {"expression or free", "2 expressions or free"},
-    [MPM_VALUE_text] = {"text", "2 texts"},
-    [MPM_VALUE_name] = {"name", "2 names"},
-    [MPM_VALUE_law] = {"choice", "2 choices"},
-    [MPM_VALUE_integer] = {"integer", "2 integers"},
-    [MPM_VALUE_boolean] = {"boolean", "2 booleans"},
+    [MPM_VALUE_NUMBER] = {"number", "2 numbers"},
+    [MPM_VALUE_EXPRESSION] = {"expression", "2 expressions"},
+    [MPM_VALUE_DRIVE] = {"expression or free", "2 expressions or free"},
+    [MPM_VALUE_TEXT] = {"text", "2 texts"},
+    [MPM_VALUE_NAME] = {"name", "2 names"},
+    [MPM_VALUE_LAW] = {"choice", "2 choices"},
+    [MPM_VALUE_INTEGER] = {"integer", "2 integers"},
+    [MPM_VALUE_BOOLEAN] = {"boolean", "2 booleans"},
     [MPM_VALUE_NONE] = {"", ""},
 };
 
@@ -188,7 +181,7 @@ static void choices_text(const struct mpm_key *key, char *buffer, size_t size)
     size_t used = 0;
     for (size_t i = 0; i < key->choice_count && used < size; i++)
         used += (size_t)snprintf(buffer + used, size - used, "%s%s", i > 0 ? " | " : "",
-                                 key->choices[i].str);
+                                 key->choices[i].name);
 }
 
 const char *mpm_key_range(const struct mpm_key *key, char buffer[MPM_ALLOWED_SIZE])
@@ -199,15 +192,15 @@ const char *mpm_key_range(const struct mpm_key *key, char buffer[MPM_ALLOWED_SIZ
     else if (key->shape == MPM_KEY_POINTS)
         (void)snprintf(buffer, MPM_ALLOWED_SIZE, "%d to %d points", MPM_POLYGON_POINTS_MIN,
                        MPM_POLYGON_POINTS_MAX);
-    else if (key->value == MPM_VALUE_law)
+    else if (key->value == MPM_VALUE_LAW)
         (void)snprintf(buffer, MPM_ALLOWED_SIZE, "%s", mpm_material_law_names());
-    else if (key->value == MPM_VALUE_boolean)
+    else if (key->value == MPM_VALUE_BOOLEAN)
         (void)snprintf(buffer, MPM_ALLOWED_SIZE, "true | false");
-    else if (key->value == MPM_VALUE_name)
+    else if (key->value == MPM_VALUE_NAME)
         (void)snprintf(buffer, MPM_ALLOWED_SIZE, "up to %d characters", MPM_NAME_LENGTH_MAX);
-    else if (key->value == MPM_VALUE_text)
+    else if (key->value == MPM_VALUE_TEXT)
         (void)snprintf(buffer, MPM_ALLOWED_SIZE, "up to %d characters", MPM_TITLE_LENGTH_MAX);
-    else if (key->value == MPM_VALUE_number || key->value == MPM_VALUE_integer)
+    else if (key->value == MPM_VALUE_NUMBER || key->value == MPM_VALUE_INTEGER)
         range_text(&key->range, buffer, MPM_ALLOWED_SIZE);
     return buffer;
 }
@@ -218,7 +211,7 @@ const char *mpm_key_allowed(const struct mpm_key *key, bool component,
     char range[MPM_ALLOWED_SIZE];
     (void)mpm_key_range(key, range);
     const char *type = component ? value_names[key->value].one : mpm_key_type(key);
-    if (strcmp(type, "choice") == 0 || key->value == MPM_VALUE_boolean)
+    if (strcmp(type, "choice") == 0 || key->value == MPM_VALUE_BOOLEAN)
         type = "";
     const char *between = type[0] != '\0' && range[0] != '\0' ? " " : "";
     (void)snprintf(buffer, MPM_ALLOWED_SIZE, "%s%s%.400s", type, between, range);

@@ -7,8 +7,6 @@
 #include "io/scene_keys.h"
 #include "model/scene.h"
 
-#include <cyaml/cyaml.h>
-
 enum {
     MPM_TITLE_LENGTH_MAX = 4096,
     MPM_NAME_LENGTH_MAX = 64, /* characters */
@@ -21,15 +19,16 @@ enum {
 
 /* Numbers stay texts: mpm_number_parse reads them, whatever the locale. A missing
  * OPTIONAL key without default is NULL or 0. */
-#define MPM_RAW_number     char *
-#define MPM_RAW_expression char *
-#define MPM_RAW_drive      char *
-#define MPM_RAW_text       char *
-#define MPM_RAW_name       char *
-#define MPM_RAW_law        char *
-#define MPM_RAW_integer    int64_t
-#define MPM_RAW_boolean    bool
+#define MPM_RAW_NUMBER     char *
+#define MPM_RAW_EXPRESSION char *
+#define MPM_RAW_DRIVE      char *
+#define MPM_RAW_TEXT       char *
+#define MPM_RAW_NAME       char *
+#define MPM_RAW_LAW        char *
+#define MPM_RAW_INTEGER    int64_t
+#define MPM_RAW_BOOLEAN    bool
 
+/* NOLINTBEGIN(bugprone-macro-parentheses): declarations */
 #define MPM_MEMBER_ONE(key, value)  MPM_RAW_##value key;
 #define MPM_MEMBER_PAIR(key, value) MPM_RAW_##value key[2];
 #define MPM_MEMBER_POINTS(key, value)                                                              \
@@ -40,6 +39,7 @@ enum {
 #define MPM_MEMBER_LIST(key, value)                                                                \
     struct mpm_raw_##value *key;                                                                   \
     unsigned key##_count;
+/* NOLINTEND(bugprone-macro-parentheses) */
 #define MPM_MEMBER(list, shape, key, value, where, need, unit, fallback, range, help)              \
     MPM_MEMBER_##shape(key, value)
 #define MPM_RAW_STRUCT(list)                                                                       \
@@ -49,7 +49,8 @@ enum {
 MPM_KEY_LISTS(MPM_RAW_STRUCT)
 
 /* libcyaml's schema of a struct mpm_raw_scene. */
-extern const cyaml_schema_value_t mpm_scene_cyaml;
+struct cyaml_schema_value;
+extern const struct cyaml_schema_value mpm_scene_cyaml;
 
 /* ------------------------------------------------------------- description */
 
@@ -63,14 +64,14 @@ enum mpm_key_shape {
 };
 
 enum mpm_key_value {
-    MPM_VALUE_number,
-    MPM_VALUE_expression,
-    MPM_VALUE_drive, /* an expression or `free` */
-    MPM_VALUE_text,
-    MPM_VALUE_name,
-    MPM_VALUE_law,
-    MPM_VALUE_integer,
-    MPM_VALUE_boolean,
+    MPM_VALUE_NUMBER,
+    MPM_VALUE_EXPRESSION,
+    MPM_VALUE_DRIVE, /* an expression or `free` */
+    MPM_VALUE_TEXT,
+    MPM_VALUE_NAME,
+    MPM_VALUE_LAW,
+    MPM_VALUE_INTEGER,
+    MPM_VALUE_BOOLEAN,
     MPM_VALUE_NONE, /* choices, groups, lists */
 };
 
@@ -79,6 +80,11 @@ enum mpm_key_where { MPM_ANYWHERE, MPM_ONLY_PLANAR, MPM_ONLY_AXISYMMETRIC };
 struct mpm_range {
     double low, high;
     bool low_open, high_open; /* the end itself is not allowed */
+};
+
+struct mpm_choice {
+    const char *name;
+    int value; /* of the enum it stands for */
 };
 
 struct mpm_key {
@@ -92,7 +98,7 @@ struct mpm_key {
     struct mpm_range range;
     const char *help;
     const struct mpm_key *children; /* of a GROUP or of a LIST's entries; ends at name NULL */
-    const cyaml_strval_t *choices;
+    const struct mpm_choice *choices;
     size_t choice_count;
 };
 

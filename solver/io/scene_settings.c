@@ -160,11 +160,11 @@ static enum mpm_status apply(struct setting *setting, const char *text, struct m
     memcpy(setting->path, text, length);
     setting->path[length] = '\0';
     setting->segments = setting->path;
-    struct mpm_tree_node **slot = NULL;
+    struct mpm_tree_node **slot = root;
     struct mpm_tree_node *value = NULL;
     MPM_TRY(mpm_tree_parse(setting->scene, setting->origin, equals + 1, strlen(equals + 1), &value,
                            setting->error));
-    const enum mpm_status status = find_slot(setting, root, &slot);
+    const enum mpm_status status = find_slot(setting, slot, &slot);
     if (status != MPM_OK) {
         mpm_tree_free(value);
         return status;

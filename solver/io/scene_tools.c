@@ -70,12 +70,13 @@ double mpm_raw_double(const char *text)
     return value;
 }
 
-enum mpm_status mpm_reading_allocate(const struct mpm_reading *reading, size_t count, size_t size,
-                                     const char *what, void *array)
+void *mpm_reading_allocate(const struct mpm_reading *reading, size_t count, size_t size,
+                           const char *what)
 {
     void *memory = calloc(count > 0 ? count : 1, size);
-    memcpy(array, &memory, sizeof memory);
-    return memory != NULL ? MPM_OK : mpm_error_memory(reading->error, count * size, what);
+    if (memory == NULL)
+        (void)mpm_error_memory(reading->error, count * size, what);
+    return memory;
 }
 
 enum mpm_status mpm_reading_copy(const struct mpm_reading *reading, const char *text, char **copy)
@@ -88,8 +89,9 @@ enum mpm_status mpm_reading_index(const struct mpm_reading *reading, const char 
                                   const char *first, size_t stride, struct mpm_indexed_name **names)
 {
     *names = NULL;
-    struct mpm_indexed_name *index = NULL;
-    MPM_TRY(mpm_reading_allocate(reading, count, sizeof *index, "names", &index));
+    struct mpm_indexed_name *index = mpm_reading_allocate(reading, count, sizeof *index, "names");
+    if (index == NULL)
+        return MPM_ENVIRONMENT_FAILED;
     for (size_t i = 0; i < count; i++)
         index[i] = (struct mpm_indexed_name){.text = first + i * stride, .index = i};
     mpm_names_sort(index, count);

@@ -15,7 +15,7 @@ const struct mpm_shape_family *mpm_shape_family(enum mpm_shape shape)
 }
 
 /* Wide enough that column and row can be told apart from an offset. */
-static const int64_t QUERY_COLUMNS = INT64_C(1) << 31;
+static const int64_t QUERY_COLUMNS = INT64_C(1) << 32;
 
 size_t mpm_shape_evaluate(const struct mpm_shape_query *query,
                           struct mpm_stencil_entry entries[MPM_STENCIL_MAX])

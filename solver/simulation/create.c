@@ -232,6 +232,7 @@ static enum mpm_status build(struct mpm_simulation *simulation, int threads,
     set_domains(state);
     set_rigid_velocities(state);
     simulation->wave_speed = initial_wave_speed(simulation);
+    simulation->wave_speed_start = simulation->wave_speed;
     MPM_TRY(mpm_time_step_check(simulation, error));
     open_books(simulation);
     mpm_step_sort(state);

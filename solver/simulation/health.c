@@ -9,6 +9,10 @@ static const double RUNAWAY_FACTOR = 10.0;
 /* Round-off alone moves a body at rest: energies below this part of m c^2 mean nothing. */
 static const double NOISE = 1e-12;
 
+/* A wave speed grown by this factor has taken the time step with it: the run would go on
+ * for ever. No solid gets there; J would be 1e-12. */
+static const double RUNAWAY_WAVE = 1e4;
+
 static const char *body_of(const struct mpm_simulation *simulation, uint32_t id)
 {
     const struct mpm_particles *const particles = &simulation->state.particles;
@@ -16,6 +20,21 @@ static const char *body_of(const struct mpm_simulation *simulation, uint32_t id)
         if (particles->id[p] == id)
             return simulation->scene->bodies[particles->body[p]].name;
     return "?";
+}
+
+static uint32_t fastest_particle(const struct mpm_particles *particles)
+{
+    size_t fastest = 0;
+    double largest = 0.0;
+    for (size_t p = 0; p < particles->count; p++) {
+        const double vx = particles->velocity[0][p], vy = particles->velocity[1][p];
+        const double square = vx * vx + vy * vy;
+        if (square > largest) {
+            largest = square;
+            fastest = p;
+        }
+    }
+    return particles->id[fastest];
 }
 
 static void describe(const struct mpm_simulation *simulation, const struct mpm_failure *failure,
@@ -70,13 +89,21 @@ enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, double
                              "unstable at step %llu, time %g: particle %u (body '%s') %s", step,
                              time, failure->particle, body_of(simulation, failure->particle), text);
     }
+    if (!(simulation->wave_speed <= RUNAWAY_WAVE * simulation->wave_speed_start))
+        return mpm_error_set(error, MPM_RUN_FAILED,
+                             "unstable at step %llu, time %g: wave speed %g; allowed: up to %g, %g "
+                             "times that of the start",
+                             step, time, simulation->wave_speed,
+                             RUNAWAY_WAVE * simulation->wave_speed_start, RUNAWAY_WAVE);
     const double scale = simulation->mass * simulation->wave_speed * simulation->wave_speed;
     const double limit =
         RUNAWAY_FACTOR * (simulation->energy_start + simulation->work_scale) + NOISE * scale;
     if (kinetic_energy <= limit)
         return MPM_OK;
+    const uint32_t fastest = fastest_particle(&simulation->state.particles);
     return mpm_error_set(error, MPM_RUN_FAILED,
                          "unstable at step %llu, time %g: runaway kinetic energy %g; allowed: up "
-                         "to %g, %g times all energy put in",
-                         step, time, kinetic_energy, limit, RUNAWAY_FACTOR);
+                         "to %g, %g times all energy put in; fastest is particle %u (body '%s')",
+                         step, time, kinetic_energy, limit, RUNAWAY_FACTOR, fastest,
+                         body_of(simulation, fastest));
 }

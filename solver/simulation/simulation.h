@@ -29,6 +29,7 @@ struct mpm_simulation {
     struct mpm_backup backup;
     uint64_t step;
     double wave_speed; /* fastest in the material now */
+    double wave_speed_start;
     double mass;
     double energy_start; /* kinetic and strain energy at t = 0 */
     double work_scale;   /* sum of |external work| of the steps */

@@ -59,7 +59,7 @@ void shape_quadrature_free(struct shape_quadrature *quadrature);
 
 /* Takes a particle's domain: half_size up to one cell for uGIMP, |F| without limit for
  * CPDI, r_p > 0 (truncated uGIMP: r_p >= 0). Returns false if a value is not finite, out of
- * that range, or if a quadrature did not reach its tolerance. Cost: 30 us for uGIMP. */
+ * that range, or if a quadrature did not reach its tolerance. Cost: a few us for uGIMP. */
 bool shape_quadrature_prepare(struct shape_quadrature *quadrature,
                               const struct mpm_shape_query *query, struct shape_domain *domain);
 

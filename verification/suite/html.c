@@ -104,7 +104,7 @@ void html_case_status(GString *html, const struct record_counts *counts)
                                                                                      : worst);
     if (known > 0) {
         char *text = g_strdup_printf("%zu", known);
-        text_markup(html, "<span class=\"about\">%s expected-fail</span>", text);
+        text_markup(html, "<span class=\"about kept\">%s expected-fail</span>", text);
         g_free(text);
     }
 }

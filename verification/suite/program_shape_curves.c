@@ -19,26 +19,26 @@ enum value { VALUE_S, VALUE_DS, VALUE_T };
 struct point {
     const char *quantity;
     enum mpm_axis axis;
+    enum value value;
     int64_t node;
     double radius; /* in cells */
-    enum value value;
 };
 
 static const struct point POINTS[] = {
-    {"s0_on_axis", MPM_TRUNCATED, 0, 0, VALUE_S},
-    {"s1_on_axis", MPM_TRUNCATED, 1, 0, VALUE_S},
-    {"ds0_near_axis", MPM_TRUNCATED, 0, 0.125, VALUE_DS},
-    {"ds1_near_axis", MPM_TRUNCATED, 1, 0.125, VALUE_DS},
-    {"t0_near_axis", MPM_TRUNCATED, 0, 0.125, VALUE_T},
-    {"t1_near_axis", MPM_TRUNCATED, 1, 0.125, VALUE_T},
-    {"s_minus_1_untruncated", MPM_UNTRUNCATED, -1, 0.125, VALUE_S},
-    {"s0_untruncated", MPM_UNTRUNCATED, 0, 0.125, VALUE_S},
-    {"s1_untruncated", MPM_UNTRUNCATED, 1, 0.125, VALUE_S},
-    {"ds0_untruncated", MPM_UNTRUNCATED, 0, 0.125, VALUE_DS},
-    {"s0_at_node_1", MPM_TRUNCATED, 0, 1, VALUE_S},
-    {"ds0_at_node_1", MPM_TRUNCATED, 0, 1, VALUE_DS},
-    {"ds1_at_node_1", MPM_TRUNCATED, 1, 1, VALUE_DS},
-    {"s1_between_nodes", MPM_TRUNCATED, 1, 1.5, VALUE_S},
+    {"s0_on_axis", MPM_TRUNCATED, VALUE_S, 0, 0},
+    {"s1_on_axis", MPM_TRUNCATED, VALUE_S, 1, 0},
+    {"ds0_near_axis", MPM_TRUNCATED, VALUE_DS, 0, 0.125},
+    {"ds1_near_axis", MPM_TRUNCATED, VALUE_DS, 1, 0.125},
+    {"t0_near_axis", MPM_TRUNCATED, VALUE_T, 0, 0.125},
+    {"t1_near_axis", MPM_TRUNCATED, VALUE_T, 1, 0.125},
+    {"s_minus_1_untruncated", MPM_UNTRUNCATED, VALUE_S, -1, 0.125},
+    {"s0_untruncated", MPM_UNTRUNCATED, VALUE_S, 0, 0.125},
+    {"s1_untruncated", MPM_UNTRUNCATED, VALUE_S, 1, 0.125},
+    {"ds0_untruncated", MPM_UNTRUNCATED, VALUE_DS, 0, 0.125},
+    {"s0_at_node_1", MPM_TRUNCATED, VALUE_S, 0, 1},
+    {"ds0_at_node_1", MPM_TRUNCATED, VALUE_DS, 0, 1},
+    {"ds1_at_node_1", MPM_TRUNCATED, VALUE_DS, 1, 1},
+    {"s1_between_nodes", MPM_TRUNCATED, VALUE_S, 1, 1.5},
 };
 
 struct curve {

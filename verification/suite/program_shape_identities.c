@@ -1,13 +1,12 @@
 /* S2: sums of the shape functions over the nodes, and their planar limit.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/measures/fields.h"
+#include "verification/measures/norms.h"
 #include "verification/measures/shape_identities.h"
 #include "verification/measures/shape_lines.h"
 #include "verification/measures/shape_samples.h"
 #include "verification/suite/program_shape_kind.h"
 
-#include <gsl/gsl_fit.h>
 #include <math.h>
 
 static const char *const QUANTITY[SHAPE_IDENTITY_COUNT] = {
@@ -72,20 +71,16 @@ static enum mpm_status report_limit(struct measurement *measurement,
 {
     struct limit_level levels[LEVELS];
     limit_levels(kind, levels);
-    double x[LEVELS], y[LEVELS], rows[LEVELS * 3];
+    double h[LEVELS], difference[LEVELS], rows[LEVELS * 3];
     for (size_t i = 0; i < LEVELS; i++) {
-        x[i] = log(levels[i].radius);
-        y[i] = log(levels[i].s);
+        h[i] = 1 / levels[i].radius;
+        difference[i] = levels[i].s;
         rows[3 * i] = levels[i].radius;
         rows[3 * i + 1] = levels[i].s;
         rows[3 * i + 2] = levels[i].g;
     }
-    double intercept, slope, variance[3], squares;
-    gsl_fit_linear(x, 1, y, 1, LEVELS, &intercept, &slope, &variance[0], &variance[1], &variance[2],
-                   &squares);
-    measurement_report(measurement, "limit_order_fitted", -slope);
-    measurement_report(measurement, "limit_order_last",
-                       -(y[LEVELS - 1] - y[LEVELS - 2]) / (x[LEVELS - 1] - x[LEVELS - 2]));
+    measurement_report(measurement, "limit_order_fitted", norm_fitted_order(LEVELS, h, difference));
+    measurement_report(measurement, "limit_order_last", norm_last_order(LEVELS, h, difference));
     measurement_report(measurement, "limit_constant_s", levels[0].s * levels[0].radius);
     if (kind->shape == MPM_UGIMP) {
         measurement_report(measurement, "limit_constant_g", levels[0].g * (levels[0].radius - 0.5));

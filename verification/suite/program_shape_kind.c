@@ -24,7 +24,7 @@ static enum mpm_status choice_read(const struct measurement *measurement, const 
                                    const struct choice *choices, int *value,
                                    struct mpm_error *error)
 {
-    const char *text;
+    const char *text = NULL;
     TRY(measurement_text(measurement, parameter, &text, error));
     for (; choices->name != NULL; choices++) {
         if (strcmp(text, choices->name) == 0) {
@@ -40,7 +40,7 @@ static enum mpm_status choice_read(const struct measurement *measurement, const 
 enum mpm_status shape_kind_read(const struct measurement *measurement,
                                 struct mpm_shape_query *query, struct mpm_error *error)
 {
-    int shape, geometry, axis = MPM_TRUNCATED;
+    int shape = 0, geometry = 0, axis = MPM_TRUNCATED;
     TRY(choice_read(measurement, "shape", SHAPES, &shape, error));
     TRY(choice_read(measurement, "geometry", GEOMETRIES, &geometry, error));
     if (geometry == MPM_AXISYMMETRIC) {
@@ -55,7 +55,7 @@ enum mpm_status shape_kind_read(const struct measurement *measurement,
 enum mpm_status shape_count_read(const struct measurement *measurement, const char *name,
                                  size_t *count, struct mpm_error *error)
 {
-    double value;
+    double value = 0;
     TRY(measurement_number(measurement, name, &value, error));
     if (!(value >= 1 && value <= 1e9) || value > floor(value)) {
         return failure_set(error, MPM_BAD_INPUT,

@@ -46,7 +46,7 @@ static void add_figures(GString *html, const json_t *entry, const struct figure_
     const json_t *figures = json_object_get(entry, "figures");
     if (json_array_size(figures) == 0)
         return;
-    g_string_append(html, "<h2>Pictures</h2>\n");
+    g_string_append(html, "<h2 id=\"pictures\">Pictures</h2>\n");
     for (size_t i = 0; i < json_array_size(figures); i++)
         add_figure(html, json_array_get(figures, i), &results[i]);
 }
@@ -122,7 +122,8 @@ static void add_checks(GString *html, const struct records *records, const char 
 {
     GPtrArray *checks = checks_of(records, name);
     g_string_append(html,
-                    "<h2>Checks</h2>\n<div class=\"scroll\"><table>\n<caption>Each check with its "
+                    "<h2 id=\"checks\">Checks</h2>\n<div class=\"scroll\"><table>\n<caption>Each "
+                    "check with its "
                     "band and the reason for it, then one row per variant. “Proven” counts the "
                     "spoiled results that turned the check red on this run.</caption>\n"
                     "<thead><tr><th scope=\"col\">Status</th><th scope=\"col\">Variant</th>"
@@ -198,13 +199,14 @@ static void add_variant(GString *html, const json_t *variant)
 static void add_variants(GString *html, const json_t *entry)
 {
     const json_t *variants = json_object_get(entry, "variants");
-    g_string_append(html, "<h2>Runs</h2>\n<div class=\"scroll\"><table>\n<caption>One process per "
-                          "variant. Times are shown, never judged.</caption>\n<thead><tr>"
-                          "<th scope=\"col\">Variant</th><th scope=\"col\">Settings</th>"
-                          "<th scope=\"col\">Program</th><th scope=\"col\" class=\"n\">Time</th>"
-                          "<th scope=\"col\" class=\"n\">Particle-steps</th>"
-                          "<th scope=\"col\" class=\"n\">Rate</th>"
-                          "<th scope=\"col\">Notes</th></tr></thead>\n<tbody>\n");
+    g_string_append(
+        html, "<h2 id=\"runs\">Runs</h2>\n<div class=\"scroll\"><table>\n<caption>One process per "
+              "variant. Times are shown, never judged.</caption>\n<thead><tr>"
+              "<th scope=\"col\">Variant</th><th scope=\"col\">Settings</th>"
+              "<th scope=\"col\">Program</th><th scope=\"col\" class=\"n\">Time</th>"
+              "<th scope=\"col\" class=\"n\">Particle-steps</th>"
+              "<th scope=\"col\" class=\"n\">Rate</th>"
+              "<th scope=\"col\">Notes</th></tr></thead>\n<tbody>\n");
     for (size_t i = 0; i < json_array_size(variants); i++)
         add_variant(html, json_array_get(variants, i));
     g_string_append(html, "</tbody>\n</table></div>\n");
@@ -213,7 +215,7 @@ static void add_variants(GString *html, const json_t *entry)
 static void add_commands(GString *html, const json_t *entry)
 {
     const json_t *variants = json_object_get(entry, "variants");
-    g_string_append(html, "<h2>Reproduce</h2>\n<pre><code>");
+    g_string_append(html, "<h2 id=\"reproduce\">Reproduce</h2>\n<pre><code>");
     for (size_t i = 0; i < json_array_size(variants); i++) {
         const json_t *variant = json_array_get(variants, i);
         char *command = text_command(record_text(entry, "case"), record_text(variant, "variant"),

@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void add_link(GString *html, const char *name, const char *text)
+static void add_link(GString *html, const char *name, const char *place, const char *text)
 {
-    text_markup(html, "<a href=\"cases/%s/index.html\">%s</a>", name, text);
+    text_markup(html, "<a href=\"cases/%s/index.html%s\">%s</a>", name, place, text);
 }
 
 static void add_verdict(GString *html, const struct records *records,
@@ -47,7 +47,7 @@ static void add_failures(GString *html, const struct records *records)
             continue;
         char *name = text_check_name(check), *band = text_band(check);
         g_string_append(html, "<tr><th scope=\"row\">");
-        add_link(html, record_text(check, "case"), name);
+        add_link(html, record_text(check, "case"), "#checks", name);
         g_string_append(html, "</th><td>");
         html_status(html, record_status(check));
         g_string_append(html, "</td><td class=\"n\">");
@@ -77,7 +77,7 @@ static void add_case(GString *html, const struct records *records, const json_t 
     char *seconds = text_seconds(case_seconds(entry));
     char *checks = g_strdup_printf("%zu", counts.total);
     text_markup(html, "<tr><th scope=\"row\">%s</th><td class=\"wide\">", name);
-    add_link(html, name, record_text(entry, "title"));
+    add_link(html, name, "", record_text(entry, "title"));
     text_markup(html, "<span class=\"about\">%s</span></td><td>", record_text(entry, "summary"));
     html_case_status(html, &counts);
     text_markup(html, "</td><td class=\"n\">%s</td><td>", checks);
@@ -148,7 +148,7 @@ static void add_closest(GString *html, const struct records *records)
         const json_t *check = checks->pdata[i];
         char *name = text_check_name(check), *band = text_band(check);
         g_string_append(html, "<tr><th scope=\"row\">");
-        add_link(html, record_text(check, "case"), name);
+        add_link(html, record_text(check, "case"), "#checks", name);
         g_string_append(html, "</th><td>");
         html_status(html, record_status(check));
         g_string_append(html, "</td><td class=\"n\">");

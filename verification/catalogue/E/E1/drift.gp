@@ -7,7 +7,6 @@ set ylabel 'drift of the total energy (%)'
 set xrange [0:6]
 set yrange [-0.5:0.5]
 set key top left
-set label 1 stamp at graph 0.99, 0.02 right font ',8'
 plot 0.4 with lines ls 8 notitle, -0.4 with lines ls 8 notitle, \
      0.02 with lines ls 8 dt 3 notitle, -0.02 with lines ls 8 dt 3 notitle, \
      data.'/data-ugimp_usl-energy.dat' using 1:(100*($2-1)) with lines ls 1 title 'USL', \

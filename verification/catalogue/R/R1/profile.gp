@@ -7,7 +7,6 @@ set ylabel 'relative volume J (%)'
 set xrange [0:50]
 set yrange [8:22]
 set key top left
-set label 1 stamp at graph 0.99, 0.02 right font ',8'
 plot 16 with lines ls 8 title 'exact', \
      data.'/data-ugimp-profile.dat' using 1:3 with points ls 1 title 'uGIMP', \
      data.'/data-cpdi-profile.dat' using 1:3 with points ls 2 title 'CPDI'

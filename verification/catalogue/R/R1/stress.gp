@@ -7,10 +7,9 @@ set ylabel 'mean stress (MPa)'
 set xrange [100:10]
 set yrange [-20000:8000]
 set key bottom left
-set label 1 stamp at graph 0.99, 0.02 right font ',8'
-plot data.'/data-cpdi-curve.dat' using 2:5 with lines ls 1 dt 2 title 'exact {/Symbol s}_{rr} (66)', \
-     '' using 2:6 with lines ls 2 dt 2 title 'exact {/Symbol s}_{zz} (67)', \
-     data.'/data-ugimp-curve.dat' using 2:3 every 12 with points ls 3 title 'uGIMP {/Symbol s}_{rr}', \
-     '' using 2:4 every 12 with points ls 4 title 'uGIMP {/Symbol s}_{zz}', \
-     data.'/data-cpdi-curve.dat' using 2:3 every 12::6 with points ls 5 title 'CPDI {/Symbol s}_{rr}', \
-     '' using 2:4 every 12::6 with points ls 6 title 'CPDI {/Symbol s}_{zz}'
+plot data.'/data-cpdi-curve.dat' using 2:5 with lines ls 1 dt 2 title 'exact σ_{rr} (66)', \
+     '' using 2:6 with lines ls 2 dt 2 title 'exact σ_{zz} (67)', \
+     data.'/data-ugimp-curve.dat' using 2:3 every 12 with points ls 3 title 'uGIMP σ_{rr}', \
+     '' using 2:4 every 12 with points ls 4 title 'uGIMP σ_{zz}', \
+     data.'/data-cpdi-curve.dat' using 2:3 every 12::6 with points ls 5 title 'CPDI σ_{rr}', \
+     '' using 2:4 every 12::6 with points ls 6 title 'CPDI σ_{zz}'

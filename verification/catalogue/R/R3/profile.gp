@@ -7,7 +7,6 @@ set ylabel 'relative volume J (%)'
 set xrange [30:50]
 set yrange [8:24]
 set key top left
-set label 1 stamp at graph 0.99, 0.02 right font ',8'
 h4 = data.'/data-h4-profile.dat'
 has_h4 = int(system('test -f "'.h4.'" && echo 1 || echo 0'))
 plot 16 with lines ls 8 title 'exact', \
