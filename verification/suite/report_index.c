@@ -45,17 +45,17 @@ static void add_failures(GString *html, const struct records *records)
         const json_t *check = json_array_get(records->checks, i);
         if (!verdict_is_red(record_status(check)))
             continue;
-        char *name = text_check_name(check), *band = text_band(check);
+        char *name = text_check_name(check);
         g_string_append(html, "<tr><th scope=\"row\">");
         add_link(html, record_text(check, "case"), "#checks", name);
         g_string_append(html, "</th><td>");
         html_status(html, record_status(check));
         g_string_append(html, "</td><td class=\"n\">");
-        html_quantity(html, record_number(check, "value"), record_text(check, "unit"));
-        text_markup(html, "</td><td class=\"band\">%s</td><td class=\"wide\">%s</td></tr>\n", band,
-                    record_text(check, "reason"));
+        html_numbers(html, text_value(check));
+        g_string_append(html, "</td><td class=\"band\">");
+        html_numbers(html, text_band(check));
+        text_markup(html, "</td><td class=\"wide\">%s</td></tr>\n", record_text(check, "reason"));
         g_free(name);
-        g_free(band);
     }
     g_string_append(html, "</tbody>\n</table></div>\n");
 }
@@ -146,18 +146,19 @@ static void add_closest(GString *html, const struct records *records)
                           "<th scope=\"col\">Margin</th></tr></thead>\n<tbody>\n");
     for (unsigned i = 0; i < MIN(checks->len, CLOSEST_SHOWN); i++) {
         const json_t *check = checks->pdata[i];
-        char *name = text_check_name(check), *band = text_band(check);
+        char *name = text_check_name(check);
         g_string_append(html, "<tr><th scope=\"row\">");
         add_link(html, record_text(check, "case"), "#checks", name);
         g_string_append(html, "</th><td>");
         html_status(html, record_status(check));
         g_string_append(html, "</td><td class=\"n\">");
-        html_quantity(html, record_number(check, "value"), record_text(check, "unit"));
-        text_markup(html, "</td><td class=\"band\">%s</td><td>", band);
+        html_numbers(html, text_value(check));
+        g_string_append(html, "</td><td class=\"band\">");
+        html_numbers(html, text_band(check));
+        g_string_append(html, "</td><td>");
         html_margin(html, record_number(check, "margin"));
         g_string_append(html, "</td></tr>\n");
         g_free(name);
-        g_free(band);
     }
     g_string_append(html, "</tbody>\n</table></div>\n");
     g_ptr_array_unref(checks);
