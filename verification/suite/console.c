@@ -138,7 +138,8 @@ void console_end(struct console *console, const struct records *records, const c
     const size_t known = counts.of[VERDICT_EXPECTED_FAIL];
     fputc('\n', console->out);
     print_failures(console, records);
-    fprintf(console->out, "report: %s/index.html\n", output);
+    if (output != NULL)
+        fprintf(console->out, "report: %s/index.html\n", output);
     if (known > 0)
         fprintf(console->out, "%zu known weakness%s as declared, counted as passed\n", known,
                 known == 1 ? " shows" : "es show");
