@@ -45,7 +45,7 @@ set border 3 lw 1
 set tics nomirror out scale 0.6
 set grid ls 20
 set key top right noopaque samplen 3 spacing 1.15
-set lmargin 9
+set lmargin 11
 set bmargin 4
 
 position_of(v) = sum [i = 1:words(variants)] (word(variants, i) eq v ? i : 0)

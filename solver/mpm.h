@@ -49,6 +49,8 @@ void mpm_scene_free(struct mpm_scene *scene);
 size_t mpm_scene_body_count(const struct mpm_scene *scene);
 const char *mpm_scene_body_name(const struct mpm_scene *scene, size_t body);
 double mpm_scene_end_time(const struct mpm_scene *scene);
+/* Does the scene ask for checkpoints? This version writes none. */
+bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene);
 
 /* What a scene will cost: printed by `mpm check`. */
 struct mpm_plan {

@@ -100,6 +100,8 @@ static int run_scene(const struct run_arguments *arguments)
         status = cli_scene_read(arguments->scene, arguments->settings, &scene);
     if (status != MPM_OK)
         return status;
+    if (mpm_scene_wants_checkpoints(scene) && !arguments->quiet)
+        (void)fprintf(stderr, "mpm: output.checkpoint: this version writes no checkpoints\n");
     struct cli_progress progress;
     cli_progress_start(&progress, arguments->quiet);
     const struct mpm_run_options options = {

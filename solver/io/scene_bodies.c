@@ -216,6 +216,9 @@ enum mpm_status mpm_build_loads(const struct mpm_reading *reading)
     const struct mpm_region everywhere = {.kind = MPM_REGION_ALL};
     double place[2];
     mpm_region_sample(scene, &everywhere, place);
+    if (reading->raw->loads->tractions_count > 0)
+        return mpm_reading_fault(reading, "loads.tractions",
+                                 "this version knows no tractions; allowed: an empty list");
     scene->line_body_force = mpm_reading_line(reading, "loads.body_force");
     MPM_TRY(mpm_build_expressions(reading, "loads.body_force", reading->raw->loads->body_force,
                                   true, place, &scene->body_force));

@@ -51,6 +51,10 @@ enum mpm_transfer_kind { MPM_TRANSFER_FLIP };
 
 #define CHOICES_transfer_kind(C) C("flip", MPM_TRANSFER_FLIP)
 
+enum mpm_form { MPM_FORM_VELOCITY };
+
+#define CHOICES_form(C) C("velocity", MPM_FORM_VELOCITY)
+
 /* NOLINTEND(readability-identifier-naming) */
 
 #define MPM_CHOICE_LISTS(L)                                                                        \
@@ -60,6 +64,7 @@ enum mpm_transfer_kind { MPM_TRANSFER_FLIP };
     L(stress_update)                                                                               \
     L(position_update)                                                                             \
     L(radius_update)                                                                               \
+    L(form)                                                                                        \
     L(transfer_kind)
 
 /* -------------------------------------------------------------------- keys */
@@ -109,6 +114,8 @@ enum mpm_transfer_kind { MPM_TRANSFER_FLIP };
       "how particles move")                                                                        \
     X(S, CHOICE, radius_update, radius_update, AXISYMMETRIC, OPTIONAL, "", "shape", ANY,           \
       "how r moves: with S, or with the hoop strain's T (only axis: truncated)")                   \
+    X(S, CHOICE, form, form, ANYWHERE, OPTIONAL, "", "velocity", ANY,                              \
+      "what the grid carries in the particle updates")                                             \
     X(S, GROUP, transfer, transfer, ANYWHERE, OPTIONAL, "", "{}", ANY, "grid to particle velocities") \
     X(S, ONE, deformation_terms, INTEGER, ANYWHERE, OPTIONAL, "", "2", FROM_TO(1, 20),             \
       "terms of the series for the deformation increment exp(dt grad v)")
@@ -184,15 +191,22 @@ enum mpm_transfer_kind { MPM_TRANSFER_FLIP };
     X(S, PAIR, velocity, DRIVE, ANYWHERE, REQUIRED, "length/time", NULL, ANY,                      \
       "their velocity, in coordinates and t")
 
+#define KEYS_traction(X, S)                                                                        \
+    X(S, ONE, body, NAME, ANYWHERE, REQUIRED, "", NULL, ANY, "reserved")
+
 #define KEYS_loads(X, S)                                                                           \
     X(S, PAIR, body_force, EXPRESSION, ANYWHERE, OPTIONAL, "length/time^2", "[0, 0]", ANY,         \
-      "force per unit mass, in coordinates and t")
+      "force per unit mass, in coordinates and t")                                                 \
+    X(S, LIST, tractions, traction, ANYWHERE, OPTIONAL, "", "[]", ANY,                             \
+      "reserved: this version knows no tractions and takes an empty list only")
 
 #define KEYS_output(X, S)                                                                          \
     X(S, ONE, history, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                         \
       "interval of rows in history.csv; without it only t = 0 and end")                            \
     X(S, ONE, snapshots, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                       \
-      "interval of snapshots; without it only t = 0 and end")
+      "interval of snapshots; without it only t = 0 and end")                                      \
+    X(S, ONE, checkpoint, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                      \
+      "reserved: this version writes no checkpoints, and mpm run says so")
 
 #define KEYS_scene(X, S)                                                                           \
     X(S, ONE, format, INTEGER, ANYWHERE, REQUIRED, "", NULL, FROM_TO(1, 1),                        \
@@ -216,8 +230,8 @@ enum mpm_transfer_kind { MPM_TRANSFER_FLIP };
 /* Children before those who hold them; `scene` last. */
 #define MPM_KEY_LISTS(L)                                                                           \
     L(units) L(grid) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
-    L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary) L(loads)     \
-    L(output) L(scene)
+    L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary)            \
+    L(traction) L(loads) L(output) L(scene)
 /* clang-format on */
 
 #endif

@@ -239,3 +239,8 @@ double mpm_scene_end_time(const struct mpm_scene *scene)
 {
     return scene->end;
 }
+
+bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene)
+{
+    return scene->checkpoint_interval > 0.0;
+}

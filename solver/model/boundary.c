@@ -132,13 +132,6 @@ static double prescribed(const struct list *list, const struct mpm_condition *co
     return list->value(list->context, condition->boundary, condition->component, position, time);
 }
 
-static bool is_ghost(const struct mpm_grid *grid, int64_t node)
-{
-    const int64_t column = node % grid->columns - MPM_GHOST_ROWS;
-    const int64_t row = node / grid->columns - MPM_GHOST_ROWS;
-    return column < 0 || row < 0 || column > grid->cells[0] || row > grid->cells[1];
-}
-
 /* Two conditions on one component of one node: fine if they say the same. On a ghost node,
  * where conditions only continue those of the edge, the first one stands. */
 static enum mpm_status check_pair(const struct list *list, const struct mpm_condition *first,
@@ -147,7 +140,7 @@ static enum mpm_status check_pair(const struct list *list, const struct mpm_cond
     const double end = list->scene->end;
     const double times[] = {0.0, 0.382 * end, end};
     double position[2];
-    if (is_ghost(list->grid, second->node))
+    if (mpm_grid_is_ghost(list->grid, second->node))
         return MPM_OK;
     mpm_grid_position(list->grid, second->node, position);
     for (size_t k = 0; k < sizeof times / sizeof times[0]; k++) {

@@ -42,6 +42,13 @@ static inline int64_t mpm_grid_index(const struct mpm_grid *grid, int64_t column
     return (row + MPM_GHOST_ROWS) * grid->columns + (column + MPM_GHOST_ROWS);
 }
 
+static inline bool mpm_grid_is_ghost(const struct mpm_grid *grid, int64_t index)
+{
+    const int64_t row = index / grid->columns - MPM_GHOST_ROWS;
+    const int64_t column = index % grid->columns - MPM_GHOST_ROWS;
+    return column < 0 || row < 0 || column > grid->cells[0] || row > grid->cells[1];
+}
+
 /* Position of the node with that index. */
 static inline void mpm_grid_position(const struct mpm_grid *grid, int64_t index, double position[2])
 {

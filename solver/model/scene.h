@@ -95,6 +95,7 @@ struct mpm_scene {
     struct mpm_vector_expression body_force; /* NULL components: none */
 
     double history_interval, snapshot_interval; /* 0: only first and last */
+    double checkpoint_interval;                 /* 0: none asked for */
     int line_grid, line_time, line_body_force;  /* in the file, for messages */
     unsigned char sha256[32];                   /* of the file's bytes */
     char **settings;                            /* --set texts, for provenance */

@@ -153,6 +153,53 @@ static void set_rigid_velocities(struct mpm_state *state)
         state->fixed[state->conditions[k].node] |= (uint8_t)(1u << state->conditions[k].component);
 }
 
+/* Velocities and forces that are prescribed must be finite at the start. */
+static enum mpm_status check_field(const struct mpm_simulation *simulation,
+                                   const struct mpm_vector_field *field, const double position[2],
+                                   int line, const char *key, struct mpm_error *error)
+{
+    for (int axis = 0; axis < 2; axis++) {
+        if (field->component[axis] == NULL)
+            continue;
+        const double value = mpm_expression_value(field->component[axis], 0, position, 0.0);
+        if (!isfinite(value))
+            return mpm_scene_error(error, simulation->scene, line, key,
+                                   "'%s' is %g at (%g, %g), time 0; allowed: finite",
+                                   mpm_expression_text(field->component[axis]), value, position[0],
+                                   position[1]);
+    }
+    return MPM_OK;
+}
+
+static enum mpm_status check_start(const struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    const struct mpm_state *const state = &simulation->state;
+    const struct mpm_particles *const particles = &state->particles;
+    const struct mpm_rigid_particles *const rigid = &state->rigid;
+    for (size_t k = 0; k < state->condition_count; k++) {
+        const struct mpm_condition *const condition = &state->conditions[k];
+        double position[2];
+        mpm_grid_position(&state->grid, condition->node, position);
+        if (condition->boundary != MPM_AXIS_CONDITION &&
+            !mpm_grid_is_ghost(&state->grid, condition->node))
+            MPM_TRY(check_field(simulation, &state->boundary_velocity[condition->boundary],
+                                position, scene->boundaries[condition->boundary].line,
+                                "boundary.velocity", error));
+    }
+    for (size_t p = 0; p < rigid->count; p++) {
+        const double position[2] = {rigid->position[0][p], rigid->position[1][p]};
+        MPM_TRY(check_field(simulation, &state->body_velocity[rigid->body[p]], position,
+                            scene->bodies[rigid->body[p]].line, "bodies.rigid.velocity", error));
+    }
+    for (size_t p = 0; p < particles->count; p++) {
+        const double position[2] = {particles->position[0][p], particles->position[1][p]};
+        MPM_TRY(check_field(simulation, &state->body_force, position, scene->line_body_force,
+                            "loads.body_force", error));
+    }
+    return MPM_OK;
+}
+
 static double initial_wave_speed(const struct mpm_simulation *simulation)
 {
     static const double unit[MPM_GRADIENT_SIZE] = {[MPM_XX] = 1.0, [MPM_YY] = 1.0, [MPM_ZZ] = 1.0};
@@ -231,6 +278,7 @@ static enum mpm_status build(struct mpm_simulation *simulation, int threads,
     MPM_TRY(set_velocities(simulation, error));
     set_domains(state);
     set_rigid_velocities(state);
+    MPM_TRY(check_start(simulation, error));
     simulation->wave_speed = initial_wave_speed(simulation);
     simulation->wave_speed_start = simulation->wave_speed;
     MPM_TRY(mpm_time_step_check(simulation, error));

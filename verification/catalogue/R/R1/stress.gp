@@ -3,13 +3,13 @@
 load style
 set output output
 set xlabel 'relative volume J (%)'
-set ylabel 'mean stress (MPa)'
+set ylabel 'mean stress (GPa)'
 set xrange [100:10]
-set yrange [-20000:8000]
+set yrange [-20:8]
 set key bottom left
-plot data.'/data-cpdi-curve.dat' using 2:5 with lines ls 1 dt 2 title 'exact σ_{rr} (66)', \
-     '' using 2:6 with lines ls 2 dt 2 title 'exact σ_{zz} (67)', \
-     data.'/data-ugimp-curve.dat' using 2:3 every 12 with points ls 3 title 'uGIMP σ_{rr}', \
-     '' using 2:4 every 12 with points ls 4 title 'uGIMP σ_{zz}', \
-     data.'/data-cpdi-curve.dat' using 2:3 every 12::6 with points ls 5 title 'CPDI σ_{rr}', \
-     '' using 2:4 every 12::6 with points ls 6 title 'CPDI σ_{zz}'
+plot data.'/data-cpdi-curve.dat' using 2:($5/1000) with lines ls 1 dt 2 title 'exact σ_{rr} (66)', \
+     '' using 2:($6/1000) with lines ls 2 dt 2 title 'exact σ_{zz} (67)', \
+     data.'/data-ugimp-curve.dat' using 2:($3/1000) every 12 with points ls 3 title 'uGIMP σ_{rr}', \
+     '' using 2:($4/1000) every 12 with points ls 4 title 'uGIMP σ_{zz}', \
+     data.'/data-cpdi-curve.dat' using 2:($3/1000) every 12::6 with points ls 5 title 'CPDI σ_{rr}', \
+     '' using 2:($4/1000) every 12::6 with points ls 6 title 'CPDI σ_{zz}'
