@@ -21,6 +21,7 @@
     SUITE(cli)                                                                                     \
     SUITE(catalogue)                                                                               \
     SUITE(judge)                                                                                   \
+    SUITE(report)                                                                                  \
     SUITE(scene_run)                                                                               \
     SUITE(scene_limits)                                                                            \
     SUITE(scene_settings)                                                                          \

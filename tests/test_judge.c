@@ -258,7 +258,7 @@ START_TEST(values_survive_the_way_through_a_row)
         ck_assert_uint_eq(rows->len, 1);
         ck_assert_str_eq(g_array_index(rows, struct row, 0).name, "q \"\\ \n é");
         ck_assert(row_number(g_array_index(rows, struct row, 0).text, &value));
-        ck_assert(memcmp(&value, &values[i], sizeof value) == 0);
+        ck_assert_double_eq(value, values[i]);
         g_array_unref(rows);
         g_free(line);
     }

@@ -109,21 +109,29 @@ struct verdict verdict_without_value(enum verdict_status status, const char *for
     return verdict;
 }
 
+/* Digits that tell the numbers of a band apart, and a value from its edges. */
+static int digits_of(double low, double high)
+{
+    const double relative = (high - low) / fmax(fabs(low), fabs(high));
+    return relative > 1e-3 ? 6 : 15;
+}
+
 static void judge_weakness(const struct verdict_band *band, double value, struct verdict *verdict)
 {
+    const int digits = digits_of(band->fails_low, band->fails_high);
     verdict->margin = verdict_margin(band->fails_low, band->fails_high, value);
     if (inside(band->low, band->high, value)) {
         verdict->status = VERDICT_UNEXPECTED_PASS;
-        explain(verdict, "the known weakness does not show: %.6g lies in %.6g .. %.6g", value,
-                band->low, band->high);
+        explain(verdict, "the known weakness does not show: %.*g lies in %.*g .. %.*g", digits,
+                value, digits, band->low, digits, band->high);
     } else if (inside(band->fails_low, band->fails_high, value)) {
         verdict->status = VERDICT_EXPECTED_FAIL;
-        explain(verdict, "known weakness: %.6g, as declared in %.6g .. %.6g", value,
-                band->fails_low, band->fails_high);
+        explain(verdict, "known weakness: %.*g, as declared in %.*g .. %.*g", digits, value, digits,
+                band->fails_low, digits, band->fails_high);
     } else {
         verdict->status = VERDICT_FAIL;
-        explain(verdict, "fails in another way than declared: %.6g is outside %.6g .. %.6g", value,
-                band->fails_low, band->fails_high);
+        explain(verdict, "fails in another way than declared: %.*g is outside %.*g .. %.*g", digits,
+                value, digits, band->fails_low, digits, band->fails_high);
     }
 }
 
@@ -141,9 +149,10 @@ struct verdict verdict_judge(const struct verdict_band *band, double value)
     if (inside(band->low, band->high, value)) {
         verdict.status = VERDICT_PASS;
     } else {
+        const int digits = digits_of(band->low, band->high);
         verdict.status = VERDICT_FAIL;
-        explain(&verdict, "%.6g is %s the band %.6g .. %.6g", value,
-                value < band->low ? "below" : "above", band->low, band->high);
+        explain(&verdict, "%.*g is %s the band %.*g .. %.*g", digits, value,
+                value < band->low ? "below" : "above", digits, band->low, digits, band->high);
     }
     return verdict;
 }

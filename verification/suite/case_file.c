@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* ------------------------------------------------------------------ schema */
@@ -113,14 +114,15 @@ struct reader_log {
 static void reader_logged(cyaml_log_t level, void *context, const char *format, va_list arguments)
 {
     (void)level;
+    static const char line_key[] = "(line: ", column_key[] = "column: ";
     struct reader_log *log = context;
     char text[400];
     vsnprintf(text, sizeof text, format, arguments);
     g_strchomp(text);
-    const char *place = strstr(text, "(line: ");
-    if (log->line == 0 && place != NULL) {
-        if (sscanf(place, "(line: %u, column: %u)", &log->line, &log->column) != 2)
-            log->line = 0;
+    const char *line = strstr(text, line_key), *column = strstr(text, column_key);
+    if (log->line == 0 && line != NULL && column != NULL) {
+        log->line = (unsigned)strtoul(line + strlen(line_key), NULL, 10);
+        log->column = (unsigned)strtoul(column + strlen(column_key), NULL, 10);
     } else if (log->message[0] == '\0') {
         const char *said = g_str_has_prefix(text, "Load: ") ? text + strlen("Load: ") : text;
         g_strlcpy(log->message, said, sizeof log->message);

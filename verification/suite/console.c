@@ -85,7 +85,7 @@ static void print_check(const struct console *console, const json_t *record)
     const enum verdict_status status = record_status(record);
     const char *start = colour(console, status);
     char *name = text_check_name(record), *band = text_band(record);
-    char *value = text_quantity(record_number(record, "value"), record_text(record, "unit"));
+    char *value = text_value(record);
     char *seconds = text_seconds(record_number(record, "seconds"));
     fputs(start, console->out);
     print_padded(console->out, verdict_status_name(status), STATUS_WIDTH);
@@ -123,7 +123,7 @@ static void print_failures(const struct console *console, const struct records *
         if (!verdict_is_red(record_status(check)))
             continue;
         char *name = text_check_name(check), *band = text_band(check);
-        char *value = text_quantity(record_number(check, "value"), record_text(check, "unit"));
+        char *value = text_value(check);
         fprintf(console->out, "%s: %s: value %s, band %s: %s\n", record_text(check, "status"), name,
                 value, band, record_text(check, "reason"));
         g_free(name);
@@ -138,7 +138,8 @@ void console_end(struct console *console, const struct records *records, const c
     const size_t known = counts.of[VERDICT_EXPECTED_FAIL];
     fputc('\n', console->out);
     print_failures(console, records);
-    fprintf(console->out, "report: %s/index.html\n", output);
+    if (output != NULL)
+        fprintf(console->out, "report: %s/index.html\n", output);
     if (known > 0)
         fprintf(console->out, "%zu known weakness%s as declared, counted as passed\n", known,
                 known == 1 ? " shows" : "es show");

@@ -23,8 +23,8 @@ void console_begin(struct console *console, const struct plan *plan);
 void console_progress(void *context, size_t done, size_t total);
 void console_finished(void *context, size_t job, const struct job_result *result);
 
-/* Failures, expected failures, where the report is, and the last line
- * `N passed, N failed, N skipped`. */
+/* Failures, expected failures, where the report is (`output` NULL: there is none whole),
+ * and the last line `N passed, N failed, N skipped`. */
 void console_end(struct console *console, const struct records *records, const char *output);
 
 #endif

@@ -107,7 +107,7 @@ static void print_last(const struct explanation *explanation, const struct plann
         fprintf(explanation->out, "  last run   none in %s\n", explanation->output);
         return;
     }
-    char *value = text_quantity(record_number(last, "value"), check->unit);
+    char *value = text_value(last);
     char *margin = text_number(record_number(last, "margin"));
     fprintf(explanation->out, "  last run   %s, %s, margin %s (%s)%s%s\n", value,
             record_text(last, "status"), margin, explanation->output,
@@ -121,24 +121,23 @@ static void print_declaration(FILE *out, const struct planned_job *job,
 {
     const struct verdict_band *band = &check->band;
     char *expected = text_quantity(band->expected, check->unit);
-    char *high = text_quantity(band->high, check->unit);
-    char *fails_high = text_quantity(band->fails_high, check->unit);
+    char *good = text_range(band->low, band->high, check->unit);
+    char *weak = text_range(band->fails_low, band->fails_high, check->unit);
     char *command =
         text_command(job->entry->file->name, job->variant->name, job->variant->tier == TIER_FULL);
     fprintf(out, "%s/%s/%s: %s\n", job->entry->file->name, check->name, job->variant->name,
             check->title);
     fprintf(out, "  quantity   %s, norm: %s\n", check->quantity, check->norm);
     fprintf(out, "  expected   %s\n", expected);
-    fprintf(out, "  band       %.4g .. %s%s, from %s\n", band->low, high,
-            band->weakness ? " for a good method" : "", basis_name(check->basis));
+    fprintf(out, "  band       %s%s, from %s\n", good, band->weakness ? " for a good method" : "",
+            basis_name(check->basis));
     if (band->weakness)
-        fprintf(out, "  weakness   known to fail: required to lie in %.4g .. %s\n", band->fails_low,
-                fails_high);
+        fprintf(out, "  weakness   known to fail: required to lie in %s\n", weak);
     fprintf(out, "  why        %s\n", check->why);
     fprintf(out, "  reproduce  %s\n", command);
     g_free(expected);
-    g_free(high);
-    g_free(fails_high);
+    g_free(good);
+    g_free(weak);
     g_free(command);
 }
 

@@ -39,23 +39,23 @@ void html_status(GString *html, enum verdict_status status)
         looks[look].class, looks[look].mark, verdict_status_name(status));
 }
 
-void html_quantity(GString *html, double value, const char *unit)
+static char *replace(char *text, const char *pattern, const char *replacement)
 {
-    char *number = text_number(value);
-    char *exponent = isfinite(value) ? strchr(number, 'e') : NULL;
-    if (exponent == NULL) {
-        text_markup(html, "%s", number);
-    } else {
-        *exponent = '\0';
-        const gint64 power = g_ascii_strtoll(exponent + 1, NULL, 10);
-        char *digits = g_strdup_printf("%s%" G_GINT64_FORMAT, power < 0 ? "−" : "",
-                                       power < 0 ? -power : power);
-        text_markup(html, "%s × 10<sup>%s</sup>", number, digits);
-        g_free(digits);
-    }
-    if (isfinite(value) && strcmp(unit, "1") != 0 && *unit != '\0')
-        text_markup(html, "\u00a0%s", unit);
-    g_free(number);
+    GRegex *regex = g_regex_new(pattern, G_REGEX_DEFAULT, G_REGEX_MATCH_DEFAULT, NULL);
+    char *result = g_regex_replace(regex, text, -1, 0, replacement, G_REGEX_MATCH_DEFAULT, NULL);
+    g_regex_unref(regex);
+    g_free(text);
+    return result;
+}
+
+void html_numbers(GString *html, char *text)
+{
+    char *markup = g_markup_escape_text(text, -1);
+    markup = replace(markup, "(?<=[0-9])e-0*([0-9]+)", " × 10<sup>−\\1</sup>");
+    markup = replace(markup, "(?<=[0-9])e\\+0*([0-9]+)", " × 10<sup>\\1</sup>");
+    g_string_append(html, markup);
+    g_free(markup);
+    g_free(text);
 }
 
 void html_margin(GString *html, double margin)
@@ -104,7 +104,7 @@ void html_case_status(GString *html, const struct record_counts *counts)
                                                                                      : worst);
     if (known > 0) {
         char *text = g_strdup_printf("%zu", known);
-        text_markup(html, "<span class=\"about\">%s expected-fail</span>", text);
+        text_markup(html, "<span class=\"about kept\">%s expected-fail</span>", text);
         g_free(text);
     }
 }

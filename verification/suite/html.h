@@ -13,8 +13,8 @@ void html_status(GString *html, enum verdict_status status);
 /* A class name of report.css for the colour of a status. */
 const char *html_status_class(enum verdict_status status);
 
-/* A value and its unit, powers of ten written out: 1.3 × 10⁻¹⁵. */
-void html_quantity(GString *html, double value, const char *unit);
+/* A text with numbers (of text.h; taken over), powers of ten written out: 1.3 × 10⁻¹⁵. */
+void html_numbers(GString *html, char *text);
 
 /* A margin as a bar and a number. */
 void html_margin(GString *html, double margin);

@@ -8,7 +8,6 @@
 #include <cmark-gfm.h>
 #include <glib.h>
 #include <gsl/gsl_version.h>
-#include <jansson.h>
 #include <string.h>
 #include <sys/utsname.h>
 
@@ -56,8 +55,6 @@ char *machine_gnuplot(void)
 
 char *machine_libraries(void)
 {
-    return g_strdup_printf("%s, GSL %s, cmark-gfm %s, GLib %u.%u.%u, jansson %s",
-                           mpm_build_info()->libraries, gsl_version, cmark_version_string(),
-                           glib_major_version, glib_minor_version, glib_micro_version,
-                           JANSSON_VERSION);
+    return g_strdup_printf("%s, GSL %s, cmark-gfm %s", mpm_build_info()->libraries, gsl_version,
+                           cmark_version_string());
 }

@@ -125,12 +125,11 @@ static enum mpm_status take(const char *folder, int *lock, struct mpm_error *err
     struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
     enum mpm_status status = MPM_OK;
     *lock = open(path, O_CREAT | O_RDWR | O_CLOEXEC, 0666);
-    if (*lock < 0)
-        status = cannot_write(path, error);
-    else if (fcntl(*lock, F_SETLK, &whole) != 0)
+    const bool locked = *lock >= 0 && fcntl(*lock, F_SETLK, &whole) == 0;
+    if (!locked && *lock >= 0 && (errno == EAGAIN || errno == EACCES))
         status =
             failure_set(error, MPM_BAD_INPUT, "%s: another run is writing to this folder", folder);
-    else if (ftruncate(*lock, 0) != 0 || write(*lock, text, strlen(text)) < 0)
+    else if (!locked || ftruncate(*lock, 0) != 0 || write(*lock, text, strlen(text)) < 0)
         status = cannot_write(path, error);
     g_free(path);
     return status;

@@ -46,7 +46,7 @@ static void add_figures(GString *html, const json_t *entry, const struct figure_
     const json_t *figures = json_object_get(entry, "figures");
     if (json_array_size(figures) == 0)
         return;
-    g_string_append(html, "<h2>Pictures</h2>\n");
+    g_string_append(html, "<h2 id=\"pictures\">Pictures</h2>\n");
     for (size_t i = 0; i < json_array_size(figures); i++)
         add_figure(html, json_array_get(figures, i), &results[i]);
 }
@@ -68,28 +68,23 @@ static void add_declaration(GString *html, const json_t *check)
 {
     const char *unit = record_text(check, "unit");
     const bool weakness = json_is_number(json_object_get(check, "fails_low"));
-    char *band = text_band(check);
     text_markup(html,
                 "<tr><th scope=\"rowgroup\" colspan=\"6\">%s <code>%s</code><span class=\"facts\">"
                 "<span>Quantity <code>%s</code></span><span>Norm: %s</span><span>Expected: ",
                 record_text(check, "title"), record_text(check, "check"),
                 record_text(check, "quantity"), record_text(check, "norm"));
-    html_quantity(html, record_number(check, "expected"), unit);
+    html_numbers(html, text_quantity(record_number(check, "expected"), unit));
     if (weakness) {
         g_string_append(html, "</span><span>A good method: ");
-        html_quantity(html, record_number(check, "low"), "1");
-        g_string_append(html, " .. ");
-        html_quantity(html, record_number(check, "high"), unit);
+        html_numbers(html,
+                     text_range(record_number(check, "low"), record_number(check, "high"), unit));
     }
     text_markup(html, "</span><span>%s: ", weakness ? "Known weakness, fails in" : "Band");
-    html_quantity(html, record_number(check, weakness ? "fails_low" : "low"), "1");
-    g_string_append(html, " .. ");
-    html_quantity(html, record_number(check, weakness ? "fails_high" : "high"), unit);
+    html_numbers(html, text_band(check));
     text_markup(
         html,
         "</span><span>Band from: %s</span></span><span class=\"why about\">%s</span></th></tr>\n",
         record_text(check, "basis"), record_text(check, "why"));
-    g_free(band);
 }
 
 static void add_check(GString *html, const json_t *check)
@@ -97,7 +92,7 @@ static void add_check(GString *html, const json_t *check)
     g_string_append(html, "<tr><td>");
     html_status(html, record_status(check));
     text_markup(html, "</td><td>%s</td><td class=\"n\">", record_text(check, "variant"));
-    html_quantity(html, record_number(check, "value"), record_text(check, "unit"));
+    html_numbers(html, text_value(check));
     g_string_append(html, "</td><td>");
     html_margin(html, record_number(check, "margin"));
     char *proof = g_strdup_printf("%.0f of %.0f", record_number(check, "mutations_red"),
@@ -122,7 +117,8 @@ static void add_checks(GString *html, const struct records *records, const char 
 {
     GPtrArray *checks = checks_of(records, name);
     g_string_append(html,
-                    "<h2>Checks</h2>\n<div class=\"scroll\"><table>\n<caption>Each check with its "
+                    "<h2 id=\"checks\">Checks</h2>\n<div class=\"scroll\"><table>\n<caption>Each "
+                    "check with its "
                     "band and the reason for it, then one row per variant. “Proven” counts the "
                     "spoiled results that turned the check red on this run.</caption>\n"
                     "<thead><tr><th scope=\"col\">Status</th><th scope=\"col\">Variant</th>"
@@ -185,10 +181,10 @@ static void add_variant(GString *html, const json_t *variant)
     text_markup(html, "</td><td>%s</td><td class=\"n\">%s</td><td class=\"n\">",
                 record_text(variant, "outcome"), time);
     if (work > 0)
-        html_quantity(html, work, "1");
+        html_numbers(html, text_number(work));
     g_string_append(html, "</td><td class=\"n\">");
     if (work > 0 && seconds > 0)
-        html_quantity(html, work / seconds, "1/s");
+        html_numbers(html, text_quantity(work / seconds, "1/s"));
     g_string_append(html, "</td><td class=\"wide\">");
     add_notes(html, variant);
     g_string_append(html, "</td></tr>\n");
@@ -198,13 +194,14 @@ static void add_variant(GString *html, const json_t *variant)
 static void add_variants(GString *html, const json_t *entry)
 {
     const json_t *variants = json_object_get(entry, "variants");
-    g_string_append(html, "<h2>Runs</h2>\n<div class=\"scroll\"><table>\n<caption>One process per "
-                          "variant. Times are shown, never judged.</caption>\n<thead><tr>"
-                          "<th scope=\"col\">Variant</th><th scope=\"col\">Settings</th>"
-                          "<th scope=\"col\">Program</th><th scope=\"col\" class=\"n\">Time</th>"
-                          "<th scope=\"col\" class=\"n\">Particle-steps</th>"
-                          "<th scope=\"col\" class=\"n\">Rate</th>"
-                          "<th scope=\"col\">Notes</th></tr></thead>\n<tbody>\n");
+    g_string_append(
+        html, "<h2 id=\"runs\">Runs</h2>\n<div class=\"scroll\"><table>\n<caption>One process per "
+              "variant. Times are shown, never judged.</caption>\n<thead><tr>"
+              "<th scope=\"col\">Variant</th><th scope=\"col\">Settings</th>"
+              "<th scope=\"col\">Program</th><th scope=\"col\" class=\"n\">Time</th>"
+              "<th scope=\"col\" class=\"n\">Particle-steps</th>"
+              "<th scope=\"col\" class=\"n\">Rate</th>"
+              "<th scope=\"col\">Notes</th></tr></thead>\n<tbody>\n");
     for (size_t i = 0; i < json_array_size(variants); i++)
         add_variant(html, json_array_get(variants, i));
     g_string_append(html, "</tbody>\n</table></div>\n");
@@ -213,7 +210,7 @@ static void add_variants(GString *html, const json_t *entry)
 static void add_commands(GString *html, const json_t *entry)
 {
     const json_t *variants = json_object_get(entry, "variants");
-    g_string_append(html, "<h2>Reproduce</h2>\n<pre><code>");
+    g_string_append(html, "<h2 id=\"reproduce\">Reproduce</h2>\n<pre><code>");
     for (size_t i = 0; i < json_array_size(variants); i++) {
         const json_t *variant = json_array_get(variants, i);
         char *command = text_command(record_text(entry, "case"), record_text(variant, "variant"),

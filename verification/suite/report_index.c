@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void add_link(GString *html, const char *name, const char *text)
+static void add_link(GString *html, const char *name, const char *place, const char *text)
 {
-    text_markup(html, "<a href=\"cases/%s/index.html\">%s</a>", name, text);
+    text_markup(html, "<a href=\"cases/%s/index.html%s\">%s</a>", name, place, text);
 }
 
 static void add_verdict(GString *html, const struct records *records,
@@ -45,17 +45,17 @@ static void add_failures(GString *html, const struct records *records)
         const json_t *check = json_array_get(records->checks, i);
         if (!verdict_is_red(record_status(check)))
             continue;
-        char *name = text_check_name(check), *band = text_band(check);
+        char *name = text_check_name(check);
         g_string_append(html, "<tr><th scope=\"row\">");
-        add_link(html, record_text(check, "case"), name);
+        add_link(html, record_text(check, "case"), "#checks", name);
         g_string_append(html, "</th><td>");
         html_status(html, record_status(check));
         g_string_append(html, "</td><td class=\"n\">");
-        html_quantity(html, record_number(check, "value"), record_text(check, "unit"));
-        text_markup(html, "</td><td class=\"band\">%s</td><td class=\"wide\">%s</td></tr>\n", band,
-                    record_text(check, "reason"));
+        html_numbers(html, text_value(check));
+        g_string_append(html, "</td><td class=\"band\">");
+        html_numbers(html, text_band(check));
+        text_markup(html, "</td><td class=\"wide\">%s</td></tr>\n", record_text(check, "reason"));
         g_free(name);
-        g_free(band);
     }
     g_string_append(html, "</tbody>\n</table></div>\n");
 }
@@ -77,7 +77,7 @@ static void add_case(GString *html, const struct records *records, const json_t 
     char *seconds = text_seconds(case_seconds(entry));
     char *checks = g_strdup_printf("%zu", counts.total);
     text_markup(html, "<tr><th scope=\"row\">%s</th><td class=\"wide\">", name);
-    add_link(html, name, record_text(entry, "title"));
+    add_link(html, name, "", record_text(entry, "title"));
     text_markup(html, "<span class=\"about\">%s</span></td><td>", record_text(entry, "summary"));
     html_case_status(html, &counts);
     text_markup(html, "</td><td class=\"n\">%s</td><td>", checks);
@@ -146,18 +146,19 @@ static void add_closest(GString *html, const struct records *records)
                           "<th scope=\"col\">Margin</th></tr></thead>\n<tbody>\n");
     for (unsigned i = 0; i < MIN(checks->len, CLOSEST_SHOWN); i++) {
         const json_t *check = checks->pdata[i];
-        char *name = text_check_name(check), *band = text_band(check);
+        char *name = text_check_name(check);
         g_string_append(html, "<tr><th scope=\"row\">");
-        add_link(html, record_text(check, "case"), name);
+        add_link(html, record_text(check, "case"), "#checks", name);
         g_string_append(html, "</th><td>");
         html_status(html, record_status(check));
         g_string_append(html, "</td><td class=\"n\">");
-        html_quantity(html, record_number(check, "value"), record_text(check, "unit"));
-        text_markup(html, "</td><td class=\"band\">%s</td><td>", band);
+        html_numbers(html, text_value(check));
+        g_string_append(html, "</td><td class=\"band\">");
+        html_numbers(html, text_band(check));
+        g_string_append(html, "</td><td>");
         html_margin(html, record_number(check, "margin"));
         g_string_append(html, "</td></tr>\n");
         g_free(name);
-        g_free(band);
     }
     g_string_append(html, "</tbody>\n</table></div>\n");
     g_ptr_array_unref(checks);

@@ -49,8 +49,7 @@ static void markdown_failures(GString *markdown, const struct records *records)
             continue;
         add_owned_cell(markdown, text_check_name(check));
         add_cell(markdown, record_text(check, "status"));
-        add_owned_cell(markdown,
-                       text_quantity(record_number(check, "value"), record_text(check, "unit")));
+        add_owned_cell(markdown, text_value(check));
         add_owned_cell(markdown, text_band(check));
         add_cell(markdown, record_text(check, "reason"));
         g_string_append(markdown, "|\n");
@@ -112,7 +111,7 @@ char *report_markdown(const struct records *records)
 /* What a reader of a failed check needs: value, band, reason. */
 static char *details(const json_t *check)
 {
-    char *value = text_quantity(record_number(check, "value"), record_text(check, "unit"));
+    char *value = text_value(check);
     char *band = text_band(check);
     char *text =
         g_strdup_printf("value %s, band %s: %s", value, band, record_text(check, "reason"));

@@ -31,7 +31,8 @@ static enum mpm_status conclude(const struct run_options *options, const struct 
     enum mpm_status status = records_write(options->output, &records, error);
     if (status == MPM_OK)
         status = report_render(options->output, options->reports, error);
-    console_end(console, &records, options->output);
+    /* said on any outcome: the counts are known even if they could not be written */
+    console_end(console, &records, status == MPM_OK ? options->output : NULL);
     records_clear(&records);
     return status;
 }

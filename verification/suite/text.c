@@ -7,34 +7,79 @@
 #include <stdarg.h>
 #include <string.h>
 
-char *text_number(double value)
+static char *number_with(double value, int digits)
 {
-    char text[G_ASCII_DTOSTR_BUF_SIZE];
+    char text[G_ASCII_DTOSTR_BUF_SIZE], format[16];
     if (!isfinite(value))
         return g_strdup("none");
-    return g_strdup(g_ascii_formatd(text, sizeof text, "%.4g", value));
+    /* counts are written out: 12000, not 1.2e+04 */
+    const bool count = value == floor(value) && fabs(value) < 1e7;
+    g_snprintf(format, sizeof format, count ? "%%.0f" : "%%.%dg", digits);
+    return g_strdup(g_ascii_formatd(text, sizeof text, format, value));
 }
 
-char *text_quantity(double value, const char *unit)
+/* Takes the number over. */
+static char *with_unit(char *number, const char *unit)
 {
-    char *number = text_number(value);
-    char *text = !isfinite(value) || strcmp(unit, "1") == 0 || *unit == '\0'
-                     ? g_strdup(number)
-                     : g_strdup_printf("%s %s", number, unit);
+    if (strcmp(unit, "1") == 0 || *unit == '\0' || strcmp(number, "none") == 0)
+        return number;
+    char *text = g_strdup_printf("%s %s", number, unit);
     g_free(number);
     return text;
 }
 
+enum { DIGITS = 4, DIGITS_MAX = 15 };
+
+char *text_number(double value)
+{
+    return number_with(value, DIGITS);
+}
+
+char *text_quantity(double value, const char *unit)
+{
+    return with_unit(text_number(value), unit);
+}
+
+/* Width of a band over its larger end: what a number needs digits for. */
+static double relative_width(double low, double high)
+{
+    return (high - low) / fmax(fabs(low), fabs(high));
+}
+
+char *text_range(double low, double high, const char *unit)
+{
+    const bool narrow = relative_width(low, high) < 1e-3;
+    char *first = narrow ? number_with(0.5 * (low + high), DIGITS_MAX) : text_number(low);
+    char *last = narrow ? number_with(0.5 * (high - low), 2) : text_number(high);
+    char *text = g_strconcat(first, narrow ? " ± " : " .. ", last, NULL);
+    g_free(first);
+    g_free(last);
+    return with_unit(text, unit);
+}
+
+static bool is_weakness(const json_t *check)
+{
+    return json_is_number(json_object_get(check, "fails_low"));
+}
+
 char *text_band(const json_t *check)
 {
-    const bool weakness = json_is_number(json_object_get(check, "fails_low"));
-    char *low = text_number(record_number(check, weakness ? "fails_low" : "low"));
-    char *high = text_quantity(record_number(check, weakness ? "fails_high" : "high"),
-                               record_text(check, "unit"));
-    char *band = g_strdup_printf("%s .. %s", low, high);
-    g_free(low);
-    g_free(high);
-    return band;
+    const bool weakness = is_weakness(check);
+    return text_range(record_number(check, weakness ? "fails_low" : "low"),
+                      record_number(check, weakness ? "fails_high" : "high"),
+                      record_text(check, "unit"));
+}
+
+char *text_value(const json_t *check)
+{
+    const bool weakness = is_weakness(check);
+    const double low = record_number(check, weakness ? "fails_low" : "low");
+    const double high = record_number(check, weakness ? "fails_high" : "high");
+    const double width = relative_width(low, high);
+    const bool narrow = width > 0 && width < 1e-2 && verdict_is_red(record_status(check));
+    const int digits = narrow ? (int)fmin(DIGITS_MAX, 2 + ceil(-log10(width))) : DIGITS;
+    return with_unit(number_with(record_number(check, "value"), MAX(digits, DIGITS)),
+                     record_text(check, "unit"));
 }
 
 char *text_seconds(double seconds)

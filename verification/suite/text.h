@@ -12,7 +12,13 @@
 char *text_number(double value);
 char *text_quantity(double value, const char *unit);
 
-/* "0.05 .. 2 %": the band that the check is declared to be in. */
+/* "0.05 .. 2 %", or "0.8333 ± 1e-12" where the ends do not differ in four digits. */
+char *text_range(double low, double high, const char *unit);
+
+/* The value of a check: four digits, or as many as tell it from its band where it is red. */
+char *text_value(const json_t *check);
+
+/* The band that the check is declared to be in. */
 char *text_band(const json_t *check);
 
 /* "340 ms", "12.3 s", "2 min 5 s" */
