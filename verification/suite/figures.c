@@ -64,11 +64,14 @@ static bool run_gnuplot(const char *home, const char *settings, const char *scri
 {
     char *path = g_build_filename("source", script, NULL);
     char *command[] = {"gnuplot", "-e", (char *)(uintptr_t)settings, path, NULL};
+    /* the scripts are UTF-8, and a picture must not depend on the caller's locale */
+    char **environment = g_environ_setenv(g_get_environ(), "LC_ALL", "C.UTF-8", TRUE);
     int state = 0;
     const bool ran =
-        g_spawn_sync(home, command, NULL, G_SPAWN_SEARCH_PATH | G_SPAWN_STDOUT_TO_DEV_NULL, NULL,
-                     NULL, NULL, said, &state, failure) &&
+        g_spawn_sync(home, command, environment, G_SPAWN_SEARCH_PATH | G_SPAWN_STDOUT_TO_DEV_NULL,
+                     NULL, NULL, NULL, said, &state, failure) &&
         g_spawn_check_wait_status(state, failure);
+    g_strfreev(environment);
     g_free(path);
     return ran;
 }
