@@ -89,7 +89,7 @@ static inline double mpm_inverse_cube_root(double x)
     bits = UINT64_C(0x553ef0ff289dd796) - bits / 3;
     double y;
     memcpy(&y, &bits, sizeof y);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 2; k++) {
         const double e = 1.0 - x * y * y * y;
         y += y * e * (1.0 / 3.0 + e * (2.0 / 9.0));
     }

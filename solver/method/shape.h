@@ -12,6 +12,8 @@
 
 #include "mpm.h"
 
+#include <math.h>
+
 struct mpm_stencil_node {
     int64_t node; /* offset from node (0, 0): row * columns + column */
     double s;     /* S_ip */
@@ -62,13 +64,12 @@ static inline int64_t mpm_floor(double x)
     return truncated - (x < (double)truncated);
 }
 
-/* A coordinate in cells; a value within round-off of a grid line is put on it. */
+/* A coordinate in cells, |x| < 2^51; a value within round-off of a grid line is put on
+ * it. Adding and taking away 1.5 2^52 rounds to the nearest integer. */
 static inline double mpm_shape_cells(double x)
 {
-    const double nearest = (double)mpm_floor(x + 0.5);
-    const double slack = 0x1p-51 * (1.0 + (nearest < 0.0 ? -nearest : nearest));
-    const double distance = x - nearest;
-    return distance < slack && distance > -slack ? nearest : x;
+    const double nearest = (x + 0x1.8p52) - 0x1.8p52;
+    return fabs(x - nearest) < 0x1p-51 * (1.0 + fabs(nearest)) ? nearest : x;
 }
 
 #endif

@@ -17,7 +17,7 @@ static void stress(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZ
     mpm_left_cauchy_green(f, b);
     const double trace = b[MPM_SYM_XX] + b[MPM_SYM_YY] + b[MPM_SYM_ZZ];
     const double pressure = 0.5 * m->bulk * ((j - 1.0) * (j + 1.0));
-    const double mean = pressure - shear * (trace / 3.0);
+    const double mean = pressure - shear * (trace * (1.0 / 3.0));
     tau[MPM_SYM_XX] = mean + shear * b[MPM_SYM_XX];
     tau[MPM_SYM_YY] = mean + shear * b[MPM_SYM_YY];
     tau[MPM_SYM_ZZ] = mean + shear * b[MPM_SYM_ZZ];
@@ -30,7 +30,7 @@ static void stress(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZ
     double principal[2];
     mpm_plane_eigenvalues(b, principal);
     const double longitudinal =
-        0.5 * m->bulk * (j * j + 1.0) + shear * (5.0 / 9.0 * trace - principal[0] / 3.0);
+        0.5 * m->bulk * (j * j + 1.0) + shear * (5.0 / 9.0 * trace - 1.0 / 3.0 * principal[0]);
     const double transverse = shear * principal[1];
     *wave_speed_squared = longitudinal > transverse ? longitudinal : transverse;
 }
