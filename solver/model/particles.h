@@ -44,10 +44,12 @@ enum { MPM_PARTICLE_ARRAYS = 18 };
 size_t mpm_particles_arrays(const struct mpm_particles *particles,
                             double *arrays[MPM_PARTICLE_ARRAYS]);
 
-/* The cell of a coordinate along one axis. */
+/* The cell of a coordinate along one axis. One that is inside by less than round-off
+ * belongs to the last cell. */
 static inline int64_t mpm_grid_cell(const struct mpm_grid *grid, int axis, double coordinate)
 {
-    return (int64_t)floor((coordinate - grid->origin[axis]) * grid->inverse_cell[axis]);
+    const int64_t cell = (int64_t)((coordinate - grid->origin[axis]) * grid->inverse_cell[axis]);
+    return cell < grid->cells[axis] ? cell : grid->cells[axis] - 1;
 }
 
 /* Sorts the particles by cell, row by row; particles of one cell keep their order.

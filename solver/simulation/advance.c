@@ -34,8 +34,12 @@ static enum mpm_status take_step(struct mpm_simulation *simulation, struct mpm_e
     struct mpm_state *const state = &simulation->state;
     const double work = state->external_work;
     const enum mpm_status status = mpm_step_advance(state, simulation->seconds, error);
-    if (status != MPM_OK && state->failure.kind == MPM_NO_FAILURE)
-        return status; /* the error tells all */
+    if (status != MPM_OK && state->failure.kind == MPM_NO_FAILURE) {
+        const struct mpm_error cause = *error;
+        return mpm_error_set(error, status, "step %llu, time %g: %s",
+                             (unsigned long long)simulation->step + 1,
+                             state->time + state->time_step, cause.message);
+    }
     simulation->work_scale += fabs(state->external_work - work);
     return mpm_health_check(simulation, kinetic_energy(state), error);
 }
