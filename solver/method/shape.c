@@ -27,13 +27,12 @@ size_t mpm_shape_evaluate(const struct mpm_shape_query *query,
         .axisymmetric = query->geometry == MPM_AXISYMMETRIC,
         .truncated = query->axis == MPM_TRUNCATED,
     };
-    const double *const f = query->deformation_gradient;
     const double *const half = query->half_size;
-    const struct mpm_shape_domain domain = {
+    struct mpm_shape_domain domain = {
         .position = {query->position[0], query->position[1]},
         .half_size = {half[0], half[1]},
-        .edge = {f[0] * half[0], f[2] * half[0], f[1] * half[1], f[3] * half[1]},
     };
+    mpm_shape_push_forward(query->deformation_gradient, half, domain.edge);
     struct mpm_stencil stencil;
     mpm_shape_family(query->shape)->evaluate(&grid, &domain, &stencil);
     for (int k = 0; k < stencil.count; k++) {

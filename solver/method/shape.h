@@ -57,6 +57,17 @@ extern const struct mpm_shape_family mpm_shape_classic;
 extern const struct mpm_shape_family mpm_shape_ugimp;
 extern const struct mpm_shape_family mpm_shape_cpdi;
 
+/* Half edges of a convected domain: the initial ones, half_size along each axis, pushed
+ * forward by F (xx xy yx yy first). N&G (31) prints this for square cells and l_p = 1/2. */
+static inline void mpm_shape_push_forward(const double f[], const double half_size[2],
+                                          double edge[4])
+{
+    edge[0] = f[0] * half_size[0];
+    edge[1] = f[2] * half_size[0];
+    edge[2] = f[1] * half_size[1];
+    edge[3] = f[3] * half_size[1];
+}
+
 /* The largest integer not above x, for |x| < 2^62. */
 static inline int64_t mpm_floor(double x)
 {

@@ -19,6 +19,19 @@ static struct mpm_shape_domain domain_of(const struct mpm_state *state, size_t p
     return domain;
 }
 
+void mpm_particle_set_domain(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    if (!state->family->convected)
+        return;
+    double f[MPM_GRADIENT_SIZE], edge[4];
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        f[k] = particles->deformation[k][p];
+    mpm_shape_push_forward(f, state->bodies[particles->body[p]].half_size, edge);
+    for (int k = 0; k < 4; k++)
+        particles->domain[k][p] = edge[k];
+}
+
 static void stencil_of(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
 {
     const struct mpm_shape_domain domain = domain_of(state, p);
@@ -393,13 +406,7 @@ static void update_position(const struct mpm_state *state, size_t p,
     const double step[2] = {state->time_step * rate, state->time_step * v[1]};
     particles->position[0][p] += step[0];
     particles->position[1][p] += step[1];
-    if (state->family->convected) {
-        const double *const half = state->bodies[particles->body[p]].half_size;
-        particles->domain[0][p] = particles->deformation[MPM_XX][p] * half[0];
-        particles->domain[1][p] = particles->deformation[MPM_YX][p] * half[0];
-        particles->domain[2][p] = particles->deformation[MPM_XY][p] * half[1];
-        particles->domain[3][p] = particles->deformation[MPM_YY][p] * half[1];
-    }
+    mpm_particle_set_domain(state, p);
     if (check_position(state, p, step, strip))
         (void)add_domain(state, p, strip, extent);
 }

@@ -8,6 +8,10 @@
 
 #include "method/state.h"
 
+/* Puts the domain of a particle's F into its place; nothing for families whose domains do
+ * not deform. */
+void mpm_particle_set_domain(const struct mpm_state *state, size_t p);
+
 /* m_i, p_i: CRAMP (26), Notes (23), (25) */
 void mpm_pass_momentum(void *state, int64_t strip, int worker);
 /* the same and the internal force f_i of the stress at the start of the step: CRAMP

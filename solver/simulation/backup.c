@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/transfer.h"
 #include "simulation/simulation.h"
 
 #include <assert.h>
@@ -59,12 +60,7 @@ static void recompute(struct mpm_state *state)
         body->material.law->stress(&body->material, f, stress, &unused);
         for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
             particles->stress[k][p] = stress[k];
-        if (state->family->convected) {
-            particles->domain[0][p] = f[MPM_XX] * body->half_size[0];
-            particles->domain[1][p] = f[MPM_YX] * body->half_size[0];
-            particles->domain[2][p] = f[MPM_XY] * body->half_size[1];
-            particles->domain[3][p] = f[MPM_YY] * body->half_size[1];
-        }
+        mpm_particle_set_domain(state, p);
     }
 }
 

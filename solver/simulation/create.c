@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/strips.h"
+#include "method/transfer.h"
 #include "model/fill.h"
 #include "simulation/simulation.h"
 
@@ -128,15 +129,6 @@ static enum mpm_status set_velocities(struct mpm_simulation *simulation, struct 
         free_field(&field);
     }
     return status;
-}
-
-static void set_domains(struct mpm_state *state)
-{
-    for (size_t p = 0; state->family->convected && p < state->particles.count; p++) {
-        const double *const half = state->bodies[state->particles.body[p]].half_size;
-        state->particles.domain[0][p] = half[0];
-        state->particles.domain[3][p] = half[1];
-    }
 }
 
 static void set_rigid_velocities(struct mpm_state *state)
@@ -276,7 +268,8 @@ static enum mpm_status build(struct mpm_simulation *simulation, int threads,
     describe_bodies(simulation);
     mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid);
     MPM_TRY(set_velocities(simulation, error));
-    set_domains(state);
+    for (size_t p = 0; p < state->particles.count; p++)
+        mpm_particle_set_domain(state, p);
     set_rigid_velocities(state);
     MPM_TRY(check_start(simulation, error));
     simulation->wave_speed = initial_wave_speed(simulation);

@@ -101,6 +101,15 @@ double shape_comparison_error(const struct shape_comparison *comparison)
     return largest(comparison->error);
 }
 
+double shape_comparison_least(const struct shape_comparison *comparison, bool has_t)
+{
+    double least = comparison->error[SHAPE_S];
+    for (size_t i = 0; i < SHAPE_VALUES; i++)
+        if (i != SHAPE_T || has_t)
+            least = -field_larger(-least, -comparison->error[i]);
+    return least;
+}
+
 double shape_comparison_estimate(const struct shape_comparison *comparison)
 {
     return largest(comparison->estimate);

@@ -14,6 +14,7 @@ enum { STRESS = 4, RR = 0, ZZ = 1, CURVE_COLUMNS = 8, RADIAL_COLUMNS = 3 };
 
 struct parameters {
     double radius;       /* R0 */
+    double height;       /* of the disk */
     double speed;        /* of the rim */
     double strain;       /* radial compression at which the fields are judged */
     double inner;        /* part of R0 that counts as inside */
@@ -45,6 +46,7 @@ struct study {
     double strain;       /* now */
     struct look look[PARTS];
     double broken[PARTS]; /* volume compression in % at which the part broke; 0: not yet */
+    double start_energy;
     double judged_spread; /* of J over all particles at the stated strain */
     double *curve;
     size_t curve_rows, curve_capacity;
@@ -58,6 +60,7 @@ static enum mpm_status read_parameters(const struct measurement *m, struct param
         double *value;
     } table[] = {
         {"radius", &p->radius},
+        {"height", &p->height},
         {"speed", &p->speed},
         {"strain", &p->strain},
         {"inner", &p->inner},
@@ -159,6 +162,22 @@ static enum mpm_status look_now(struct study *study, struct mpm_error *error)
     return study->broken[ALL] == 0.0 ? keep_row(study, error) : MPM_OK;
 }
 
+/* The books: strain energy per radian over the exact density N&G (64) times the volume
+ * R0^2/2 height, and the work of ring and supports over the energy gained. */
+static void report_books(struct study *study)
+{
+    const struct parameters *const p = &study->parameters;
+    const double stretch[3] = {1.0 - study->strain, 1.0, 1.0 - study->strain};
+    const double volume = 0.5 * p->radius * p->radius * p->height;
+    struct mpm_ledger ledger;
+    mpm_simulation_ledger(study->simulation, &ledger);
+    measurement_report(study->measurement, "strain_energy",
+                       100.0 * ledger.strain_energy /
+                           (volume * compression_energy(&p->material, stretch)));
+    measurement_report(study->measurement, "work",
+                       100.0 * ledger.external_work / (ledger.total_energy - study->start_energy));
+}
+
 static enum mpm_status report_fields(struct study *study, struct mpm_error *error)
 {
     struct measurement *const m = study->measurement;
@@ -224,7 +243,10 @@ static enum mpm_status follow(struct study *study, double end, struct mpm_error 
     const struct parameters *const p = &study->parameters;
     const double unit = p->radius / p->speed; /* time to a strain of one */
     bool alive = true, judged = false;
+    struct mpm_ledger ledger;
     TRY(look_now(study, error));
+    mpm_simulation_ledger(study->simulation, &ledger);
+    study->start_energy = ledger.total_energy;
     for (size_t k = 1; alive && study->broken[ALL] * study->broken[INNER] == 0.0; k++) {
         double time = unit * p->sampling * (double)k;
         const bool last = time >= end;
@@ -235,6 +257,7 @@ static enum mpm_status follow(struct study *study, double end, struct mpm_error 
         if (!judged && study->strain >= p->strain * (1.0 - 1e-9)) {
             judged = true;
             study->judged_spread = study->look[ALL].spread;
+            report_books(study);
             TRY(report_fields(study, error));
         }
         if (last)

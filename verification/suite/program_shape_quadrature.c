@@ -32,7 +32,7 @@ static enum mpm_status compare_region(struct shape_sampler *sampler,
 }
 
 static void report(struct measurement *measurement,
-                   const struct shape_comparison comparisons[SHAPE_REGION_COUNT])
+                   const struct shape_comparison comparisons[SHAPE_REGION_COUNT], bool has_t)
 {
     double error = 0, estimate = 0;
     size_t samples = 0, outside = 0, strays = 0;
@@ -47,6 +47,8 @@ static void report(struct measurement *measurement,
         }
     }
     measurement_report(measurement, "max_error", error);
+    measurement_report(measurement, "least_error",
+                       shape_comparison_least(&comparisons[SHAPE_REGION_NEAR], has_t));
     measurement_report(measurement, "far_error",
                        shape_comparison_error(&comparisons[SHAPE_REGION_FAR_ANYWHERE]));
     measurement_report(measurement, "quadrature_estimate", estimate);
@@ -74,7 +76,7 @@ static enum mpm_status measure_with(struct measurement *measurement, struct shap
         }
         row[5] = shape_comparison_estimate(&comparisons[region]);
     }
-    report(measurement, comparisons);
+    report(measurement, comparisons, kind.geometry == MPM_AXISYMMETRIC);
     return measurement_series(measurement, "errors", "region S Gx Gy T estimate", COLUMNS,
                               SHAPE_REGION_COUNT, rows, error);
 }
