@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/catalogue.h"
+#include "support/command.h"
 #include "support/folder.h"
 
 #include "verification/suite/catalogue.h"
@@ -169,6 +170,15 @@ START_TEST(a_folder_without_cases_or_without_a_readme_is_refused)
 }
 END_TEST
 
+START_TEST(the_catalogue_of_this_tree_is_sound)
+{
+    struct test_command list = test_command_run("mpm-verify", "list", NULL);
+    ck_assert_msg(list.exit_status == 0, "%s", list.errors);
+    ck_assert_ptr_nonnull(strstr(list.output, "R1b"));
+    test_command_free(&list);
+}
+END_TEST
+
 START_TEST(the_programs_of_the_suite_have_names_of_their_own)
 {
     const struct program_table table = programs_all();
@@ -188,6 +198,7 @@ Suite *suite_catalogue(void)
     tcase_add_test(cases, the_plan_owes_every_check_of_every_variant_of_the_size);
     tcase_add_test(cases, a_bad_case_is_refused_with_file_line_and_reason);
     tcase_add_test(cases, a_folder_without_cases_or_without_a_readme_is_refused);
+    tcase_add_test(cases, the_catalogue_of_this_tree_is_sound);
     tcase_add_test(cases, the_programs_of_the_suite_have_names_of_their_own);
     suite_add_tcase(suite, cases);
     return suite;

@@ -289,6 +289,89 @@ START_TEST(a_symmetric_problem_stays_symmetric)
 }
 END_TEST
 
+/* ------------------------------------------------------------ mass and volume */
+
+START_TEST(mass_is_that_of_the_body_for_the_thickness_or_per_radian)
+{
+    static const double DENSITY = 1.5, THICKNESS = 2.5, ROUND_OFF = 1e-12;
+    for (int g = 0; g < GEOMETRIES; g++) {
+        const bool axisymmetric = strcmp(geometries[g], "axisymmetric") == 0;
+        char *const geometry = g_strdup_printf("geometry=%s", geometries[g]);
+        const char *const settings[] = {geometry, "materials.rubber.density=1.5",
+                                        axisymmetric ? "title=A ring" : "thickness=2.5", NULL};
+        struct test_run run = test_run_open(BLOCK, settings, 1);
+        struct mpm_ledger ledger;
+        mpm_simulation_ledger(run.simulation, &ledger);
+        /* 5 by 4; r from 3 to 8: height (b^2 - a^2) / 2 per radian */
+        const double volume = axisymmetric ? 4.0 * (64.0 - 9.0) / 2.0 : 5.0 * 4.0 * THICKNESS;
+        ck_assert_near(ledger.mass, DENSITY * volume, ROUND_OFF * DENSITY * volume);
+        g_free(geometry);
+        test_run_close(&run);
+    }
+}
+END_TEST
+
+START_TEST(volume_follows_the_deformation_and_momentum_the_mass)
+{
+    static const double DENSITY = 1.0, ROUND_OFF = 1e-13;
+    struct combination c = combination_of(_i);
+    struct mpm_ledger ledger;
+    set_wild_velocity(&c);
+    struct test_run run = open_block(&c);
+    size_t n;
+    double momentum = 0.0, smallest = 2.0;
+    test_run_steps(&run, 20);
+    mpm_simulation_ledger(run.simulation, &ledger);
+    double *const f = test_run_field(&run, MPM_FIELD_DEFORMATION_GRADIENT, &n);
+    double *const mass = test_run_field(&run, MPM_FIELD_MASS, NULL);
+    double *const volume = test_run_field(&run, MPM_FIELD_VOLUME, NULL);
+    double *const v = test_run_field(&run, MPM_FIELD_VELOCITY, NULL);
+    for (size_t p = 0; p < n; p++) {
+        const double *const fp = &f[5 * p];
+        const double j = (fp[0] * fp[3] - fp[1] * fp[2]) * fp[4];
+        ck_assert_near(volume[p], mass[p] / DENSITY * j, ROUND_OFF * mass[p]);
+        momentum += mass[p] * v[2 * p + 1];
+        smallest = fmin(smallest, j);
+    }
+    ck_assert(smallest < 0.999);
+    ck_assert_near(ledger.momentum[1], momentum, ROUND_OFF * ledger.mass);
+    free(f);
+    free(mass);
+    free(volume);
+    free(v);
+    test_run_close(&run);
+}
+END_TEST
+
+/* A disk whose sites lie on its rim, centred on a site: left is right and up is down. */
+START_TEST(a_symmetric_body_has_symmetric_particles)
+{
+    static const char *const regions[] = {
+        "bodies.block.region={disk: {center: [%.2f, %.2f], radius: 0.5}}",
+        "bodies.block.region={annulus: {center: [%.2f, %.2f], inner: 0.5, outer: 1}}"};
+    for (int k = 0; k < 2; k++)
+        for (int place = 0; place < 4; place++) {
+            const double x = 2.75 + 0.1 * place, y = 3.05 - 0.1 * place;
+            char *const region = g_strdup_printf(regions[k], x, y);
+            const char *const settings[] = {region, "grid.cell=[0.1, 0.1]", "grid.cells=[60, 60]",
+                                            "bodies.block.particles_per_cell=[1, 1]", NULL};
+            struct test_run run = test_run_open(BLOCK, settings, 1);
+            size_t n;
+            double *const position = test_run_field(&run, MPM_FIELD_POSITION, &n);
+            double sum[2] = {0.0, 0.0};
+            for (size_t p = 0; p < n; p++) {
+                sum[0] += position[2 * p] - x;
+                sum[1] += position[2 * p + 1] - y;
+            }
+            ck_assert_near(sum[0], 0.0, 1e-10);
+            ck_assert_near(sum[1], 0.0, 1e-10);
+            free(position);
+            g_free(region);
+            test_run_close(&run);
+        }
+}
+END_TEST
+
 /* -------------------------------------------------------------- plane stress */
 
 START_TEST(plane_stress_holds_through_a_run)
@@ -386,6 +469,12 @@ Suite *suite_properties(void)
     tcase_add_loop_test(symmetry, a_symmetric_problem_stays_symmetric, 0, COMBINATIONS);
     tcase_add_loop_test(symmetry, plane_stress_holds_through_a_run, 0, SHAPES);
     suite_add_tcase(suite, symmetry);
+    TCase *const bodies = tcase_create("bodies");
+    tcase_add_test(bodies, mass_is_that_of_the_body_for_the_thickness_or_per_radian);
+    tcase_add_loop_test(bodies, volume_follows_the_deformation_and_momentum_the_mass, 0,
+                        SHAPES * GEOMETRIES);
+    tcase_add_test(bodies, a_symmetric_body_has_symmetric_particles);
+    suite_add_tcase(suite, bodies);
     TCase *const bits = tcase_create("bits");
     tcase_add_loop_test(bits, any_number_of_threads_gives_the_same_bits, 0, ORDERS);
     suite_add_tcase(suite, bits);

@@ -35,7 +35,7 @@ static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_err
             const struct mpm_expression *const velocity =
                 state->boundary_velocity[condition->boundary].component[condition->component];
             double position[2];
-            mpm_grid_position(&state->grid, condition->node, position);
+            mpm_grid_edge_position(&state->grid, condition->node, position);
             const double end = state->time + state->time_step;
             active.start = mpm_expression_value(velocity, 0, position, state->time);
             active.end = mpm_expression_value(velocity, 0, position, end);

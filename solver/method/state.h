@@ -27,12 +27,13 @@ const struct mpm_stress_order *mpm_stress_order(enum mpm_stress_update update);
  * depend on the number of workers. */
 enum mpm_failure_kind {
     MPM_NO_FAILURE,
-    MPM_INVERTED,       /* value: det F */
-    MPM_NOT_FINITE,     /* value: the offending one */
-    MPM_LEFT_GRID,      /* value: the coordinate */
-    MPM_PAST_AXIS,      /* value: r */
-    MPM_OUTRAN_CELL,    /* value: cells travelled in the step */
-    MPM_DOMAIN_TOO_BIG, /* value: its reach in cells */
+    MPM_INVERTED,        /* value: det F */
+    MPM_NOT_FINITE,      /* value: the offending one */
+    MPM_LEFT_GRID,       /* value: the coordinate */
+    MPM_PAST_AXIS,       /* value: r */
+    MPM_OUTRAN_CELL,     /* value: cells travelled in the step */
+    MPM_DOMAIN_TOO_BIG,  /* value: its reach in cells */
+    MPM_LOAD_NOT_FINITE, /* value: the body force along the axis */
 };
 
 struct mpm_failure {

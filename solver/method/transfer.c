@@ -111,7 +111,7 @@ static bool body_force_at(const struct mpm_state *state, size_t p, int worker,
         const struct mpm_expression *const force = state->body_force.component[axis];
         b[axis] = force == NULL ? 0.0 : mpm_expression_value(force, worker, position, state->time);
         if (!isfinite(b[axis])) {
-            record(strip, MPM_NOT_FINITE, state->particles.id[p], axis, b[axis]);
+            record(strip, MPM_LOAD_NOT_FINITE, state->particles.id[p], axis, b[axis]);
             return false;
         }
     }

@@ -138,14 +138,15 @@ static enum mpm_status check_pair(const struct list *list, const struct mpm_cond
                                   const struct mpm_condition *second)
 {
     const double end = list->scene->end;
-    const double times[] = {0.0, 0.382 * end, end};
+    enum { TIMES = 33 };
     double position[2];
     if (mpm_grid_is_ghost(list->grid, second->node))
         return MPM_OK;
     mpm_grid_position(list->grid, second->node, position);
-    for (size_t k = 0; k < sizeof times / sizeof times[0]; k++) {
-        const double a = prescribed(list, first, position, times[k]);
-        const double b = prescribed(list, second, position, times[k]);
+    for (int k = 0; k < TIMES; k++) {
+        const double time = end * k / (TIMES - 1);
+        const double a = prescribed(list, first, position, time);
+        const double b = prescribed(list, second, position, time);
         if (a == b)
             continue;
         char key[64], other[64] = "the axis r = 0";
@@ -157,7 +158,7 @@ static enum mpm_status check_pair(const struct list *list, const struct mpm_cond
                                list->scene->boundaries[second->boundary].line, key,
                                "prescribes %g at the node (%g, %g) at time %g where %s prescribes "
                                "%g; allowed: one value for each component of a node",
-                               b, position[0], position[1], times[k], other, a);
+                               b, position[0], position[1], time, other, a);
     }
     return MPM_OK;
 }

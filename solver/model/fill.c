@@ -60,19 +60,28 @@ struct counter {
     struct mpm_error *error;
 };
 
+/* Reported at the later of the two bodies, whichever has the finer lattice. */
+static enum mpm_status overlap(const struct counter *counter, size_t body, size_t other,
+                               const double site[2])
+{
+    const struct mpm_scene *const scene = counter->scene;
+    const size_t later = body > other ? body : other, earlier = body > other ? other : body;
+    char key[2 * MPM_NAME_SIZE];
+    (void)snprintf(key, sizeof key, "bodies.%s.region", scene->bodies[later].name);
+    return mpm_scene_error(counter->error, scene, scene->bodies[later].line, key,
+                           "the site at (%g, %g) is also claimed by body '%s'; bodies may touch "
+                           "but not overlap",
+                           site[0], site[1], scene->bodies[earlier].name);
+}
+
 static enum mpm_status count_site(void *context, size_t body, const double site[2])
 {
     struct counter *const counter = context;
     const struct mpm_scene *const scene = counter->scene;
-    for (size_t other = 0; other < body; other++)
-        if (mpm_region_contains(&scene->bodies[other].region, site, counter->slack)) {
-            char key[2 * MPM_NAME_SIZE];
-            (void)snprintf(key, sizeof key, "bodies.%s.region", scene->bodies[body].name);
-            return mpm_scene_error(counter->error, scene, scene->bodies[body].line, key,
-                                   "the site at (%g, %g) is also claimed by body '%s'; bodies "
-                                   "may touch but not overlap",
-                                   site[0], site[1], scene->bodies[other].name);
-        }
+    for (size_t other = 0; other < scene->body_count; other++)
+        if (other != body &&
+            mpm_region_contains(&scene->bodies[other].region, site, counter->slack))
+            return overlap(counter, body, other, site);
     counter->sites++;
     return MPM_OK;
 }

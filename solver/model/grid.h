@@ -57,4 +57,16 @@ static inline void mpm_grid_position(const struct mpm_grid *grid, int64_t index,
     position[1] = grid->origin[1] + grid->cell[1] * (double)(row - MPM_GHOST_ROWS);
 }
 
+/* The same; for a ghost node the place of the edge node whose condition it continues. */
+static inline void mpm_grid_edge_position(const struct mpm_grid *grid, int64_t index,
+                                          double position[2])
+{
+    int64_t row = index / grid->columns, column = index % grid->columns;
+    const int64_t last_row = MPM_GHOST_ROWS + grid->cells[1];
+    const int64_t last_column = MPM_GHOST_ROWS + grid->cells[0];
+    row = row < MPM_GHOST_ROWS ? MPM_GHOST_ROWS : row > last_row ? last_row : row;
+    column = column < MPM_GHOST_ROWS ? MPM_GHOST_ROWS : column > last_column ? last_column : column;
+    mpm_grid_position(grid, row * grid->columns + column, position);
+}
+
 #endif

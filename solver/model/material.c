@@ -3,10 +3,8 @@
 
 #include <string.h>
 
-static const struct mpm_material_law *const laws[] = {
-    &mpm_neo_hookean,
-    &mpm_linear_elastic,
-};
+#define LAW_ADDRESS(name) &mpm_##name,
+static const struct mpm_material_law *const laws[] = {MPM_MATERIAL_LAWS(LAW_ADDRESS)};
 
 const struct mpm_material_law *mpm_material_law_find(const char *name)
 {
@@ -18,7 +16,9 @@ const struct mpm_material_law *mpm_material_law_find(const char *name)
 
 const char *mpm_material_law_names(void)
 {
-    return "neo_hookean, linear_elastic";
+#define LAW_NAME(name) ", " #name
+    static const char names[] = MPM_MATERIAL_LAWS(LAW_NAME);
+    return names + strlen(", ");
 }
 
 struct mpm_material mpm_material_make(const struct mpm_material_law *law, double density,

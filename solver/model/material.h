@@ -1,4 +1,4 @@
-/* Constitutive laws: a law is one file and one line of the table in material.c.
+/* Constitutive laws: a law is one file and one line of the list below.
  *
  * Laws are hyperelastic functions of the whole deformation gradient. They give the
  * Kirchhoff stress over the initial density, tau / rho_0 (Notes 18-22): with it a
@@ -36,8 +36,14 @@ struct mpm_material_law {
                                 const double f[MPM_GRADIENT_SIZE]);
 };
 
-extern const struct mpm_material_law mpm_neo_hookean;
-extern const struct mpm_material_law mpm_linear_elastic;
+/* One line a law: `const struct mpm_material_law mpm_<name>` in <name>.c. */
+#define MPM_MATERIAL_LAWS(LAW)                                                                     \
+    LAW(neo_hookean)                                                                               \
+    LAW(linear_elastic)
+
+#define MPM_DECLARE_LAW(name) extern const struct mpm_material_law mpm_##name;
+MPM_MATERIAL_LAWS(MPM_DECLARE_LAW)
+#undef MPM_DECLARE_LAW
 
 /* The law of that name, or NULL. */
 const struct mpm_material_law *mpm_material_law_find(const char *name);

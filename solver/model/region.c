@@ -3,35 +3,44 @@
 
 #include <math.h>
 
-static bool polygon_contains(const struct mpm_region *region, const double point[2])
+static bool polygon_contains(const struct mpm_region *region, double x, double y)
 {
     bool inside = false;
     for (size_t k = 0, last = region->point_count - 1; k < region->point_count; last = k++) {
         const double *const a = region->points[k];
         const double *const b = region->points[last];
-        if ((a[1] > point[1]) == (b[1] > point[1]))
+        if ((a[1] > y) == (b[1] > y))
             continue;
-        const double crossing = a[0] + (point[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
-        if (point[0] < crossing)
+        const double crossing = a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+        if (x < crossing)
             inside = !inside;
     }
     return inside;
 }
 
+/* Sites on a rim are outside the smaller circle: disk and annulus fill a ring and its hole
+ * without gap or overlap. */
+static bool circle_contains(const double centre[2], double radius, const double point[2],
+                            double slack)
+{
+    const double x = point[0] - centre[0], y = point[1] - centre[1];
+    const double reach = radius - slack;
+    return reach > 0.0 && x * x + y * y < reach * reach;
+}
+
 bool mpm_region_contains(const struct mpm_region *region, const double point[2], double slack)
 {
-    const double x = point[0] - region->a[0], y = point[1] - region->a[1];
     switch (region->kind) {
     case MPM_REGION_RECTANGLE:
-        return x >= -slack && y >= -slack && point[0] < region->b[0] - slack &&
-               point[1] < region->b[1] - slack;
+        return point[0] - region->a[0] >= -slack && point[1] - region->a[1] >= -slack &&
+               point[0] < region->b[0] - slack && point[1] < region->b[1] - slack;
     case MPM_REGION_DISK:
-        return x * x + y * y < region->outer * region->outer;
+        return circle_contains(region->a, region->outer, point, slack);
     case MPM_REGION_ANNULUS:
-        return x * x + y * y < region->outer * region->outer &&
-               x * x + y * y >= region->inner * region->inner;
+        return circle_contains(region->a, region->outer, point, slack) &&
+               !circle_contains(region->a, region->inner, point, slack);
     case MPM_REGION_POLYGON:
-        return polygon_contains(region, point);
+        return polygon_contains(region, point[0] + slack, point[1] + slack);
     case MPM_REGION_ALL:
         return true;
     case MPM_REGION_LINE:

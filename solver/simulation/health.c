@@ -70,6 +70,10 @@ static void describe(const struct mpm_simulation *simulation, const struct mpm_f
                        "the grid",
                        failure->value, name);
         return;
+    case MPM_LOAD_NOT_FINITE:
+        (void)snprintf(text, size, "has a body force that is not finite: loads.body_force.%d = %g",
+                       failure->axis, failure->value);
+        return;
     case MPM_NO_FAILURE:
         break;
     }

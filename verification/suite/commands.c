@@ -9,9 +9,10 @@
 #include "verification/suite/run.h"
 
 #include <glib.h>
+#include <limits.h>
 #include <string.h>
 
-enum { CHECKS_FAILED = 1, JOBS_MAX = 1024 };
+enum { CHECKS_FAILED = 1, JOBS_MAX = 1024, JOBS_DEFAULT = INT_MIN /* not given */ };
 
 #define NO_CATALOGUE "no verification/catalogue here: name one with --catalogue DIR"
 
@@ -146,10 +147,10 @@ static enum mpm_status run_with(struct run_options *run, struct command *command
     struct console console = {.out = command->world->out, .terminal = command->world->terminal};
     struct record_counts counts;
     TRY(read_tier(options->tier, &run->selection.tier, error));
-    if (options->jobs < 0 || options->jobs > JOBS_MAX)
+    if (options->jobs != JOBS_DEFAULT && (options->jobs < 1 || options->jobs > JOBS_MAX))
         return failure_set(error, MPM_BAD_INPUT, "--jobs %d: allowed are 1 to %d", options->jobs,
                            JOBS_MAX);
-    run->jobs = options->jobs == 0 ? machine_processor_count() : (unsigned)options->jobs;
+    run->jobs = options->jobs == JOBS_DEFAULT ? machine_processor_count() : (unsigned)options->jobs;
     if (run->catalogue == NULL)
         return failure_set(error, MPM_BAD_INPUT, NO_CATALOGUE);
     if (run->reports == NULL)
@@ -215,6 +216,7 @@ static enum mpm_status dispatch(size_t which, struct command *command, struct mp
 {
     /* the parser reorders its copy; the originals stay the caller's */
     char **arguments = g_memdup2(command->argv + 1, sizeof(char *) * (size_t)command->argc);
+    command->options.jobs = JOBS_DEFAULT;
     enum mpm_status status =
         parse(command->argc - 1, arguments, commands[which].takes, &command->options, error);
     if (status == MPM_OK)

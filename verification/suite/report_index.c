@@ -109,10 +109,11 @@ static void add_cases(GString *html, const struct records *records)
         if (family == NULL || strcmp(family, own) != 0) {
             const struct record_counts counts = records_count(records, own, NULL);
             char *checks = text_count(counts.total, "check");
+            g_string_append(html, family == NULL ? "" : "</tbody>\n");
             text_markup(html,
-                        "%s<tbody class=\"group\">\n<tr><th scope=\"rowgroup\" colspan=\"6\">"
+                        "<tbody class=\"group\">\n<tr><th scope=\"rowgroup\" colspan=\"6\">"
                         "Family %s <span class=\"about\">%s</span></th></tr>\n",
-                        family == NULL ? "" : "</tbody>\n", own, checks);
+                        own, checks);
             g_free(checks);
         }
         family = own;

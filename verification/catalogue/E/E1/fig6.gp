@@ -9,7 +9,7 @@ set multiplot layout 1,3
 do for [family in 'classic ugimp cpdi'] {
     set title family
     if (family eq 'classic') { set ylabel 'total energy / start' } else { unset ylabel }
-    if (family eq 'classic') { set key top left } else { unset key }
+    if (family eq 'ugimp') { set key top left } else { unset key }
     plot data.'/data-'.family.'_usl-energy.dat' using 1:2 with lines ls 1 title 'USL', \
          data.'/data-'.family.'_musl-energy.dat' using 1:2 with lines ls 2 title 'MUSL', \
          data.'/data-'.family.'_usf-energy.dat' using 1:2 with lines ls 3 title 'USF', \

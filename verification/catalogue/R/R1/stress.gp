@@ -11,5 +11,5 @@ plot data.'/data-cpdi-curve.dat' using 2:($5/1000) with lines ls 1 dt 2 title 'e
      '' using 2:($6/1000) with lines ls 2 dt 2 title 'exact σ_{zz} (67)', \
      data.'/data-ugimp-curve.dat' using 2:($3/1000) every 12 with points ls 3 title 'uGIMP σ_{rr}', \
      '' using 2:($4/1000) every 12 with points ls 4 title 'uGIMP σ_{zz}', \
-     data.'/data-cpdi-curve.dat' using 2:($3/1000) every 12::6 with points ls 5 title 'CPDI σ_{rr}', \
+     data.'/data-cpdi-curve.dat' using 2:($3/1000) every 12::6 with points ls 7 title 'CPDI σ_{rr}', \
      '' using 2:($4/1000) every 12::6 with points ls 6 title 'CPDI σ_{zz}'
