@@ -5,6 +5,8 @@ set output output
 set xlabel 'time (ms)'
 set xrange [0:6]
 set yrange [0.8:1.2]
+set lmargin 8
+set rmargin 1
 set multiplot layout 1,3
 do for [family in 'classic ugimp cpdi'] {
     set title family
