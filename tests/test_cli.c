@@ -6,6 +6,7 @@
 #include "support/blocks.h"
 #include "support/command.h"
 #include "support/folder.h"
+#include "support/skip.h"
 
 #include <glib.h>
 #include <string.h>
@@ -274,6 +275,8 @@ END_TEST
 /* The shell's limit is in blocks of 512 bytes: the first snapshot does not fit. */
 START_TEST(a_full_disk_ends_with_4_and_names_the_state)
 {
+    if (TEST_UNDER_TSAN)
+        TEST_SKIP("the thread sanitizer's own memory does not bear a limit on file sizes");
     struct test_command command =
         run_in_shell("ulimit -f 16; exec \"$1\" run --quiet --threads 1 \"$2\" --output \"$3\"");
     ck_assert_int_eq(command.exit_status, MPM_ENVIRONMENT_FAILED);

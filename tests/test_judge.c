@@ -1,10 +1,10 @@
 /* Verdicts, bands and margins; the judge of a job's rows and its proof that each check
- * can fail; norms.
+ * can fail; observed orders.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 
-#include "verification/measures/norms.h"
+#include "verification/measures/orders.h"
 #include "verification/measures/verdict.h"
 #include "verification/suite/judge.h"
 #include "verification/suite/rows.h"
@@ -265,25 +265,7 @@ START_TEST(values_survive_the_way_through_a_row)
 }
 END_TEST
 
-/* -------------------------------------------------------------------- norms */
-
-START_TEST(norms_give_known_values_and_pass_a_nan_on)
-{
-    const double round = 1e-14; /* a few roundings of numbers near one */
-    const double values[] = {1, 2, 3, 4}, exact[] = {1, 2, 3, 6};
-    const double spoiled[] = {1, (double)NAN, 3, 4};
-    ck_assert_double_eq_tol(norm_mean(4, values), 2.5, round);
-    ck_assert_double_eq_tol(norm_relative_spread(4, values), sqrt(1.25) / 2.5, round);
-    ck_assert_double_eq_tol(norm_max_error(4, values, exact), 2, round);
-    ck_assert_double_eq_tol(norm_rms_error(4, values, exact, NULL), 1, round);
-    ck_assert(isnan(norm_mean(4, spoiled)));
-    ck_assert(isnan(norm_relative_spread(4, spoiled)));
-    ck_assert(isnan(norm_max_error(4, spoiled, exact)));
-    ck_assert(isnan(norm_rms_error(4, spoiled, exact, NULL)));
-    ck_assert(isnan(norm_mean(0, values)));
-    ck_assert(isnan(norm_max_error(0, values, NULL)));
-}
-END_TEST
+/* ------------------------------------------------------------------- orders */
 
 START_TEST(an_observed_order_is_that_of_the_power_law)
 {
@@ -293,11 +275,11 @@ START_TEST(an_observed_order_is_that_of_the_power_law)
         h[i] = pow(0.5, i);
         error[i] = 3 * pow(h[i], 1.75);
     }
-    ck_assert_double_eq_tol(norm_fitted_order(4, h, error), 1.75, round);
-    ck_assert_double_eq_tol(norm_last_order(4, h, error), 1.75, round);
-    ck_assert(isnan(norm_fitted_order(1, h, error)));
+    ck_assert_double_eq_tol(order_fitted(4, h, error), 1.75, round);
+    ck_assert_double_eq_tol(order_last(4, h, error), 1.75, round);
+    ck_assert(isnan(order_fitted(1, h, error)));
     error[2] = 0;
-    ck_assert(isnan(norm_fitted_order(4, h, error)));
+    ck_assert(isnan(order_fitted(4, h, error)));
 }
 END_TEST
 
@@ -317,9 +299,8 @@ Suite *suite_judge(void)
     tcase_add_test(rows, a_check_that_accepts_zero_is_found_out_by_the_proof);
     tcase_add_test(rows, values_survive_the_way_through_a_row);
     suite_add_tcase(suite, rows);
-    TCase *norms = tcase_create("norms");
-    tcase_add_test(norms, norms_give_known_values_and_pass_a_nan_on);
-    tcase_add_test(norms, an_observed_order_is_that_of_the_power_law);
-    suite_add_tcase(suite, norms);
+    TCase *orders = tcase_create("orders");
+    tcase_add_test(orders, an_observed_order_is_that_of_the_power_law);
+    suite_add_tcase(suite, orders);
     return suite;
 }

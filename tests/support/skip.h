@@ -15,6 +15,19 @@
         return;                                                                                    \
     } while (0)
 
+/* Is this a build for the thread sanitizer? */
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define TEST_UNDER_TSAN true
+#endif
+#endif
+#if defined(__SANITIZE_THREAD__)
+#define TEST_UNDER_TSAN true
+#endif
+#ifndef TEST_UNDER_TSAN
+#define TEST_UNDER_TSAN false
+#endif
+
 void test_skip_record(const char *test, const char *reason);
 
 /* For main: before the tests; after them, lists the skipped ones, returns how many. */

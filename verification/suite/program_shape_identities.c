@@ -1,7 +1,7 @@
 /* S2: sums of the shape functions over the nodes, and their planar limit.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/measures/norms.h"
+#include "verification/measures/orders.h"
 #include "verification/measures/shape_identities.h"
 #include "verification/measures/shape_lines.h"
 #include "verification/measures/shape_samples.h"
@@ -79,8 +79,8 @@ static enum mpm_status report_limit(struct measurement *measurement,
         rows[3 * i + 1] = levels[i].s;
         rows[3 * i + 2] = levels[i].g;
     }
-    measurement_report(measurement, "limit_order_fitted", norm_fitted_order(LEVELS, h, difference));
-    measurement_report(measurement, "limit_order_last", norm_last_order(LEVELS, h, difference));
+    measurement_report(measurement, "limit_order_fitted", order_fitted(LEVELS, h, difference));
+    measurement_report(measurement, "limit_order_last", order_last(LEVELS, h, difference));
     measurement_report(measurement, "limit_constant_s", levels[0].s * levels[0].radius);
     if (kind->shape == MPM_UGIMP) {
         measurement_report(measurement, "limit_constant_g", levels[0].g * (levels[0].radius - 0.5));
