@@ -75,72 +75,71 @@ static char *refusal(const char *text)
     return g_strdup(error.message);
 }
 
+static const struct {
+    const char *from, *to; /* a change to the good text */
+    const char *message;   /* part of the refusal */
+} refusals[] = {
+    {"format: 1", "format: 2", "case.yaml:1: format: 2: allowed is 1"},
+    {"format: 1", "format: one", "case.yaml:1: Invalid INT value: 'one'"},
+    {"format: 1\n", "", "Missing required mapping field: format"},
+    {"family: T", "family: U", "must be the folder's: T/A"},
+    {"case: A", "case: B", "must be the folder's: T/A"},
+    {"case: A", "case: ../A", "case.yaml:3: case"},
+    {"tags: [small]", "tog: [small]", "case.yaml:6: Unexpected key: tog"},
+    {"tags: [small]", "title: again", "case.yaml:6: Mapping field already seen: title"},
+    {"program: pass", "program: pss", "case.yaml:7: program: \"pss\": allowed are quadrature"},
+    {"program: pass", "program: pass\nscene: none.yaml",
+     "case.yaml:8: scene: \"none.yaml\": no such"},
+    {"{name: speed, value: 1}", "{name: speed, value: 1}\n  - {name: speed, value: 2}",
+     "parameter \"speed\" is given twice"},
+    {"tier: ci", "tier: fast", "case.yaml:11: "},
+    {"timeout: 0.5", "timeout: 0", "case.yaml:11: variants.0: timeout 0: allowed are seconds > 0"},
+    {"timeout: 0.5", "timeout: 5 s", "\"5 s\" is not a finite number"},
+    {"timeout: 0.5", "timeout: 1, settings: [\"a=1\"]", "has no scene"},
+    {"tier: ci, timeout: 0.5}", "tier: ci, timeout: 1}\n  - {name: only, tier: ci, timeout: 1}",
+     "case.yaml:12: variants.1: name \"only\" is taken"},
+    {"name: only", "name: on/ly", "allowed are 1 to 64 letters"},
+    {"variants: [only]", "variants: [\"nly*\"]",
+     "case.yaml:13: checks.0: \"nly*\" matches no variant"},
+    {"variants: [only]", "variants: []", "case.yaml:15: "},
+    {"low: 0.5", "low: 0", "case.yaml:13: checks.0: check \"value\": the band holds zero"},
+    {"low: 0.5", "low: -1", "holds zero"},
+    {"low: 0.5", "low: 3", "low must be less than high"},
+    {"low: 0.5", "low: nan", "case.yaml:20: checks.0: low: \"nan\" is not a finite number"},
+    {"high: 2", "high: .inf", "\".inf\" is not a finite number"},
+    {"high: 2", "high: 2 %", "\"2 %\" is not a finite number"},
+    {"high: 2", "high: 0x2", "\"0x2\" is not a finite number"},
+    {"expected: 1", "expected: 9", "expected must lie"},
+    {"expected: 1", "expected: [1]", "case.yaml:19: "},
+    {"basis: theory", "basis: hope", "case.yaml:22: "},
+    {"basis: theory", "basis: theory\n    outcome: fail", "needs both"},
+    {"basis: theory", "basis: theory\n    fails_low: 3\n    fails_high: 4", "needs both"},
+    {"basis: theory", "basis: theory\n    outcome: fail\n    fails_low: -1\n    fails_high: 0.1",
+     "weakness holds zero"},
+    {"basis: theory", "basis: theory\n    initial: 1", "initial value"},
+    {"    unit: \"%\"\n", "", "Missing required mapping field: unit"},
+    {"checks:\n",
+     "checks:\n  - {check: value, title: t, variants: [\"*\"], quantity: q, unit: m, norm: n, "
+     "expected: 1, low: 0.5, high: 2, basis: measured, why: w}\n",
+     "case.yaml:14: checks.1: check \"value\" is declared twice for variant \"only\""},
+    {"why: it is <one> & only\n",
+     "why: w\nfigures:\n  - {name: f, script: no.gp, title: t, caption: c, reference: r}\n",
+     "case.yaml:25: figures.0: script \"no.gp\": no such file"},
+    {"why: it is <one> & only\n",
+     "why: w\nfigures:\n  - {name: f, script: ../x.gp, title: t, caption: c, reference: r}\n",
+     "allowed is a file *.gp beside case.yaml"},
+    {"title: the value", "title: [the", "case.yaml:"},
+};
+
 START_TEST(a_bad_case_is_refused_with_file_line_and_reason)
 {
-    const struct {
-        const char *from, *to; /* a change to the good text */
-        const char *message;   /* part of the refusal */
-    } table[] = {
-        {"format: 1", "format: 2", "case.yaml:1: format: 2: allowed is 1"},
-        {"format: 1", "format: one", "case.yaml:1: Invalid INT value: 'one'"},
-        {"format: 1\n", "", "Missing required mapping field: format"},
-        {"family: T", "family: U", "must be the folder's: T/A"},
-        {"case: A", "case: B", "must be the folder's: T/A"},
-        {"case: A", "case: ../A", "case.yaml:3: case"},
-        {"tags: [small]", "tog: [small]", "case.yaml:6: Unexpected key: tog"},
-        {"tags: [small]", "title: again", "case.yaml:6: Mapping field already seen: title"},
-        {"program: pass", "program: pss", "case.yaml:7: program: \"pss\": allowed are quadrature"},
-        {"program: pass", "program: pass\nscene: none.yaml",
-         "case.yaml:8: scene: \"none.yaml\": no such"},
-        {"{name: speed, value: 1}", "{name: speed, value: 1}\n  - {name: speed, value: 2}",
-         "parameter \"speed\" is given twice"},
-        {"tier: ci", "tier: fast", "case.yaml:11: "},
-        {"timeout: 0.5", "timeout: 0",
-         "case.yaml:11: variants.0: timeout 0: allowed are seconds > 0"},
-        {"timeout: 0.5", "timeout: 5 s", "\"5 s\" is not a finite number"},
-        {"timeout: 0.5", "timeout: 1, settings: [\"a=1\"]", "has no scene"},
-        {"tier: ci, timeout: 0.5}", "tier: ci, timeout: 1}\n  - {name: only, tier: ci, timeout: 1}",
-         "case.yaml:12: variants.1: name \"only\" is taken"},
-        {"name: only", "name: on/ly", "allowed are 1 to 64 letters"},
-        {"variants: [only]", "variants: [\"nly*\"]",
-         "case.yaml:13: checks.0: \"nly*\" matches no variant"},
-        {"variants: [only]", "variants: []", "case.yaml:15: "},
-        {"low: 0.5", "low: 0", "case.yaml:13: checks.0: check \"value\": the band holds zero"},
-        {"low: 0.5", "low: -1", "holds zero"},
-        {"low: 0.5", "low: 3", "low must be less than high"},
-        {"low: 0.5", "low: nan", "case.yaml:20: checks.0: low: \"nan\" is not a finite number"},
-        {"high: 2", "high: .inf", "\".inf\" is not a finite number"},
-        {"high: 2", "high: 2 %", "\"2 %\" is not a finite number"},
-        {"high: 2", "high: 0x2", "\"0x2\" is not a finite number"},
-        {"expected: 1", "expected: 9", "expected must lie"},
-        {"expected: 1", "expected: [1]", "case.yaml:19: "},
-        {"basis: theory", "basis: hope", "case.yaml:22: "},
-        {"basis: theory", "basis: theory\n    outcome: fail", "needs both"},
-        {"basis: theory", "basis: theory\n    fails_low: 3\n    fails_high: 4", "needs both"},
-        {"basis: theory",
-         "basis: theory\n    outcome: fail\n    fails_low: -1\n    fails_high: 0.1",
-         "weakness holds zero"},
-        {"basis: theory", "basis: theory\n    initial: 1", "initial value"},
-        {"    unit: \"%\"\n", "", "Missing required mapping field: unit"},
-        {"checks:\n",
-         "checks:\n  - {check: value, title: t, variants: [\"*\"], quantity: q, unit: m, norm: n, "
-         "expected: 1, low: 0.5, high: 2, basis: measured, why: w}\n",
-         "case.yaml:14: checks.1: check \"value\" is declared twice for variant \"only\""},
-        {"why: it is <one> & only\n",
-         "why: w\nfigures:\n  - {name: f, script: no.gp, title: t, caption: c, reference: r}\n",
-         "case.yaml:25: figures.0: script \"no.gp\": no such file"},
-        {"why: it is <one> & only\n",
-         "why: w\nfigures:\n  - {name: f, script: ../x.gp, title: t, caption: c, reference: r}\n",
-         "allowed is a file *.gp beside case.yaml"},
-        {"title: the value", "title: [the", "case.yaml:"},
-    };
     char *good = test_case_text("A", "pass");
-    for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
-        char **parts = g_strsplit(good, table[i].from, 2);
+    for (size_t i = 0; i < G_N_ELEMENTS(refusals); i++) {
+        char **parts = g_strsplit(good, refusals[i].from, 2);
         ck_assert_msg(g_strv_length(parts) == 2, "row %zu changes nothing", i);
-        char *text = g_strconcat(parts[0], table[i].to, parts[1], NULL);
+        char *text = g_strconcat(parts[0], refusals[i].to, parts[1], NULL);
         char *message = refusal(text);
-        ck_assert_msg(strstr(message, table[i].message) != NULL, "row %zu: %s", i, message);
+        ck_assert_msg(strstr(message, refusals[i].message) != NULL, "row %zu: %s", i, message);
         g_free(message);
         g_free(text);
         g_strfreev(parts);

@@ -3,11 +3,9 @@
 
 #include <math.h>
 
-static enum mpm_status not_finite(const struct mpm_state *state, const char *what,
-                                  const double position[2], double time, double value,
-                                  struct mpm_error *error)
+static enum mpm_status not_finite(const char *what, const double position[2], double time,
+                                  double value, struct mpm_error *error)
 {
-    (void)state;
     return mpm_error_set(error, MPM_RUN_FAILED,
                          "the velocity prescribed by %s at (%g, %g), time %g is %g: not finite",
                          what, position[0], position[1], time, value);
@@ -40,7 +38,7 @@ static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_err
             active.start = mpm_expression_value(velocity, 0, position, state->time);
             active.end = mpm_expression_value(velocity, 0, position, end);
             if (!isfinite(active.start) || !isfinite(active.end))
-                return not_finite(state, "a boundary", position, state->time,
+                return not_finite("a boundary", position, state->time,
                                   isfinite(active.start) ? active.end : active.start, error);
         }
         append(state, active);
@@ -65,7 +63,7 @@ static enum mpm_status rigid_velocity(const struct mpm_state *state, uint32_t bo
     active->start = mpm_expression_value(field->component[axis], 0, position, state->time);
     active->end = mpm_expression_value(field->component[axis], 0, carried, state->time + dt);
     if (!isfinite(active->start) || !isfinite(active->end))
-        return not_finite(state, state->scene->bodies[body].name, position, state->time,
+        return not_finite(state->scene->bodies[body].name, position, state->time,
                           isfinite(active->start) ? active->end : active->start, error);
     return MPM_OK;
 }

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/shape.h"
 
-#include <assert.h>
-
 static const struct mpm_shape_family *const families[] = {
     [MPM_CLASSIC] = &mpm_shape_classic,
     [MPM_UGIMP] = &mpm_shape_ugimp,

@@ -12,6 +12,21 @@ static void add_link(GString *html, const char *name, const char *place, const c
     text_markup(html, "<a href=\"cases/%s/index.html%s\">%s</a>", name, place, text);
 }
 
+/* Name, status, value and band of a check: the first cells of its row. */
+static void begin_row(GString *html, const json_t *check)
+{
+    char *name = text_check_name(check);
+    g_string_append(html, "<tr><th scope=\"row\">");
+    add_link(html, record_text(check, "case"), "#checks", name);
+    g_string_append(html, "</th><td>");
+    html_status(html, record_status(check));
+    g_string_append(html, "</td><td class=\"n\">");
+    html_numbers(html, text_value(check));
+    g_string_append(html, "</td><td class=\"band\">");
+    html_numbers(html, text_band(check));
+    g_free(name);
+}
+
 static void add_verdict(GString *html, const struct records *records,
                         const struct record_counts *counts)
 {
@@ -45,17 +60,8 @@ static void add_failures(GString *html, const struct records *records)
         const json_t *check = json_array_get(records->checks, i);
         if (!verdict_is_red(record_status(check)))
             continue;
-        char *name = text_check_name(check);
-        g_string_append(html, "<tr><th scope=\"row\">");
-        add_link(html, record_text(check, "case"), "#checks", name);
-        g_string_append(html, "</th><td>");
-        html_status(html, record_status(check));
-        g_string_append(html, "</td><td class=\"n\">");
-        html_numbers(html, text_value(check));
-        g_string_append(html, "</td><td class=\"band\">");
-        html_numbers(html, text_band(check));
+        begin_row(html, check);
         text_markup(html, "</td><td class=\"wide\">%s</td></tr>\n", record_text(check, "reason"));
-        g_free(name);
     }
     g_string_append(html, "</tbody>\n</table></div>\n");
 }
@@ -147,19 +153,10 @@ static void add_closest(GString *html, const struct records *records)
                           "<th scope=\"col\">Margin</th></tr></thead>\n<tbody>\n");
     for (unsigned i = 0; i < MIN(checks->len, CLOSEST_SHOWN); i++) {
         const json_t *check = checks->pdata[i];
-        char *name = text_check_name(check);
-        g_string_append(html, "<tr><th scope=\"row\">");
-        add_link(html, record_text(check, "case"), "#checks", name);
-        g_string_append(html, "</th><td>");
-        html_status(html, record_status(check));
-        g_string_append(html, "</td><td class=\"n\">");
-        html_numbers(html, text_value(check));
-        g_string_append(html, "</td><td class=\"band\">");
-        html_numbers(html, text_band(check));
+        begin_row(html, check);
         g_string_append(html, "</td><td>");
         html_margin(html, record_number(check, "margin"));
         g_string_append(html, "</td></tr>\n");
-        g_free(name);
     }
     g_string_append(html, "</tbody>\n</table></div>\n");
     g_ptr_array_unref(checks);
