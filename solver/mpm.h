@@ -52,6 +52,31 @@ double mpm_scene_end_time(const struct mpm_scene *scene);
 /* Does the scene ask for checkpoints? This version writes none. */
 bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene);
 
+/* Two sets of kernels take a step. The reference kernels go particle by particle and are
+ * meant to be read beside the papers; the fast ones take several at once. Both agree to
+ * round-off. */
+enum mpm_kernels {
+    MPM_KERNELS_AUTO, /* fast wherever the scene allows */
+    MPM_KERNELS_REFERENCE,
+    MPM_KERNELS_FAST, /* MPM_BAD_INPUT, with the reason, where the scene does not allow them */
+};
+
+/* The instructions that fast kernels are built for; results are the same bits. */
+enum mpm_simd {
+    MPM_SIMD_AUTO,      /* the widest that build and machine have */
+    MPM_SIMD_BASELINE,  /* what every processor of the kind has */
+    MPM_SIMD_X86_64_V3, /* AVX2; MPM_BAD_INPUT where build or machine lacks it */
+    MPM_SIMD_COUNT,
+};
+/* "auto", "baseline", "x86-64-v3" */
+const char *mpm_simd_name(enum mpm_simd simd);
+
+struct mpm_simulation_options {
+    int threads; /* >= 1; results do not depend on it */
+    enum mpm_kernels kernels;
+    enum mpm_simd simd;
+};
+
 /* What a scene will cost: printed by `mpm check`. */
 struct mpm_plan {
     size_t particles;
@@ -60,22 +85,25 @@ struct mpm_plan {
     size_t bytes;          /* of the simulation, all told */
     double time_step;      /* the first one */
     double expected_steps; /* time.end over the first time step, or time.steps if fewer */
-    const char *kernels;   /* name of the kernel set chosen */
+    const char *kernels;   /* name of the kernel set chosen: "fast" or "reference" */
     const char *kernels_reason;
+    const char *simd; /* the instructions that it uses */
 };
 
 /* Validates all that needs geometry (bodies, boundaries, memory) and estimates the
  * cost. Needs the memory of a simulation for a moment. */
-enum mpm_status mpm_scene_plan(const struct mpm_scene *scene, struct mpm_plan *plan,
+enum mpm_status mpm_scene_plan(const struct mpm_scene *scene,
+                               const struct mpm_simulation_options *options, struct mpm_plan *plan,
                                struct mpm_error *error);
 
 /* -------------------------------------------------------------- simulation */
 
 struct mpm_simulation;
 
-/* Takes all memory, fills the bodies, sets t = 0. `threads` >= 1; results do not
- * depend on it. The scene must outlive the simulation. */
-enum mpm_status mpm_simulation_create(const struct mpm_scene *scene, int threads,
+/* Takes all memory, fills the bodies, sets t = 0. The scene must outlive the
+ * simulation, the options need not. */
+enum mpm_status mpm_simulation_create(const struct mpm_scene *scene,
+                                      const struct mpm_simulation_options *options,
                                       struct mpm_simulation **simulation, struct mpm_error *error);
 void mpm_simulation_free(struct mpm_simulation *simulation);
 
@@ -147,13 +175,14 @@ struct mpm_phases {
     double seconds[MPM_PHASE_MAX];
 };
 void mpm_simulation_phases(const struct mpm_simulation *simulation, struct mpm_phases *phases);
-const char *mpm_simulation_kernels(const struct mpm_simulation *simulation);
+const char *mpm_simulation_kernels(const struct mpm_simulation *simulation); /* "fast", ... */
+const char *mpm_simulation_simd(const struct mpm_simulation *simulation);    /* "x86-64-v3", ... */
 
 /* --------------------------------------------------------------------- run */
 
 struct mpm_run_options {
-    const char *output;     /* folder for the results; NULL writes nothing */
-    int threads;            /* >= 1 */
+    const char *output; /* folder for the results; NULL writes nothing */
+    struct mpm_simulation_options simulation;
     bool overwrite;         /* allow a folder that holds results */
     const char *scene_path; /* for provenance; may be NULL */
     /* Called after each step, if not NULL; `fraction` of the run done, 0..1. */

@@ -18,7 +18,10 @@
 static struct mpm_simulation *simulate(int steps)
 {
     struct mpm_simulation *simulation = NULL;
-    ck_assert_int_eq(mpm_simulation_create(test_results.scene, 1, &simulation, NULL), MPM_OK);
+    ck_assert_int_eq(mpm_simulation_create(test_results.scene,
+                                           &(struct mpm_simulation_options){.threads = 1},
+                                           &simulation, NULL),
+                     MPM_OK);
     for (int i = 0; i < steps; i++)
         ck_assert_int_eq(
             mpm_simulation_advance(simulation, mpm_scene_end_time(test_results.scene), NULL),

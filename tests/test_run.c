@@ -171,7 +171,7 @@ END_TEST
 
 START_TEST(a_run_without_a_folder_writes_nothing)
 {
-    const struct mpm_run_options options = {.threads = 1};
+    const struct mpm_run_options options = {.simulation = {.threads = 1}};
     ck_assert_int_eq(mpm_scene_run(test_results.scene, &options, NULL), MPM_OK);
     ck_assert(!test_file_exists(test_results.output));
 }
@@ -184,7 +184,8 @@ START_TEST(bad_input_leaves_no_folder_behind)
 {
     static const char *const settings[] = {"bodies.left.region.rectangle.to.0=2.1"};
     struct mpm_error error = {.status = MPM_OK};
-    const struct mpm_run_options options = {.output = test_results.output, .threads = 0};
+    const struct mpm_run_options options = {.output = test_results.output,
+                                            .simulation = {.threads = 0}};
     ck_assert_int_eq(mpm_scene_run(test_results.scene, &options, &error), MPM_BAD_INPUT);
     ck_assert(strstr(error.message, "threads") != NULL);
     mpm_scene_free(test_results.scene);

@@ -93,7 +93,8 @@ static void check_spoiled(const char *path, enum mpm_status expected_status)
     struct mpm_scene *scene = test_scene_read(path, NULL);
     struct mpm_simulation *simulation = NULL;
     struct mpm_error error = {.message = ""};
-    const enum mpm_status status = mpm_simulation_create(scene, 1, &simulation, &error);
+    const enum mpm_status status = mpm_simulation_create(
+        scene, &(struct mpm_simulation_options){.threads = 1}, &simulation, &error);
     ck_assert_msg(status == expected_status, "%s gave status %d: %s", path, (int)status,
                   error.message);
     ck_assert_ptr_null(simulation);

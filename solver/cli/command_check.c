@@ -37,9 +37,10 @@ int cli_check(const struct cli_command *command, int argc, char **argv)
     if (outcome == CLI_GO_ON)
         status = cli_scene_read(path, settings, &scene);
     if (scene != NULL) {
+        const struct mpm_simulation_options simulation = {.threads = 1};
         struct mpm_plan plan = {.particles = 0};
         struct mpm_error error = {.status = MPM_OK};
-        const enum mpm_status planned = mpm_scene_plan(scene, &plan, &error);
+        const enum mpm_status planned = mpm_scene_plan(scene, &simulation, &plan, &error);
         if (planned != MPM_OK)
             status = cli_fail(planned, "%s", error.message);
         else

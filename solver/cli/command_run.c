@@ -106,7 +106,7 @@ static int run_scene(const struct run_arguments *arguments)
     cli_progress_start(&progress, arguments->quiet);
     const struct mpm_run_options options = {
         .output = arguments->output,
-        .threads = threads,
+        .simulation = {.threads = threads},
         .overwrite = arguments->overwrite,
         .scene_path = arguments->scene,
         .progress = cli_progress_step,

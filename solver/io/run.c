@@ -169,7 +169,7 @@ static enum mpm_status open_results(struct run *run, struct mpm_error *error)
 static enum mpm_status set_up(struct run *run, struct mpm_error *error)
 {
     const double start = seconds_now();
-    MPM_TRY(mpm_simulation_create(run->scene, run->options->threads, &run->simulation, error));
+    MPM_TRY(mpm_simulation_create(run->scene, &run->options->simulation, &run->simulation, error));
     MPM_TRY(open_results(run, error));
     run->record.seconds_setup = seconds_now() - start;
     return MPM_OK;
@@ -188,7 +188,7 @@ static enum mpm_status write_record(struct run *run, enum mpm_status status,
                                                 : "time.end reached";
     record->scene_path = run->options->scene_path;
     record->kernels = mpm_simulation_kernels(run->simulation);
-    record->threads = run->options->threads;
+    record->threads = run->options->simulation.threads;
     record->steps = mpm_simulation_step(run->simulation);
     record->particles = mpm_simulation_particle_count(run->simulation);
     record->bytes = mpm_simulation_bytes(run->simulation) + mpm_series_bytes(run->series);
@@ -203,9 +203,9 @@ static enum mpm_status write_record(struct run *run, enum mpm_status status,
 
 static enum mpm_status check_options(const struct mpm_run_options *options, struct mpm_error *error)
 {
-    if (options->threads < 1)
+    if (options->simulation.threads < 1)
         return mpm_error_set(error, MPM_BAD_INPUT, "threads: %d; at least 1 is needed",
-                             options->threads);
+                             options->simulation.threads);
     return options->output != NULL
                ? mpm_results_folder_check(options->output, options->overwrite, error)
                : MPM_OK;

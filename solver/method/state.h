@@ -6,6 +6,7 @@
 #define MPM_METHOD_STATE_H
 
 #include "base/expression.h"
+#include "method/kernels.h"
 #include "method/shape.h"
 #include "model/boundary.h"
 #include "model/grid.h"
@@ -74,6 +75,7 @@ struct mpm_vector_field {
 struct mpm_state {
     const struct mpm_scene *scene;
     const struct mpm_stress_order *order;
+    struct mpm_kernel_choice kernels;
     const struct mpm_shape_family *family;
     struct mpm_shape_grid shape_grid;
     struct mpm_grid grid;

@@ -69,9 +69,10 @@ static bool strips_touch(const struct mpm_state *state)
     return false;
 }
 
-static void run_particles(struct mpm_state *state, int workers, void (*pass)(void *, int64_t, int))
+static void run_particles(struct mpm_state *state, int workers, mpm_pass *pass)
 {
-    mpm_strips_run(state->strip_count, workers, pass, state);
+    if (pass != NULL)
+        mpm_strips_run(state->strip_count, workers, pass, state);
 }
 
 static void run_rows(struct mpm_state *state, void (*pass)(void *, int64_t, int))
@@ -133,6 +134,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     const struct mpm_stress_order *const order = state->order;
     const bool has_body_force =
         state->body_force.component[0] != NULL || state->body_force.component[1] != NULL;
+    const struct mpm_passes *const passes = state->kernels.passes;
     const int workers = strips_touch(state) ? 1 : state->workers;
     double mark = seconds_now();
 
@@ -141,8 +143,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     charge(seconds, MPM_PHASE_GRID, &mark);
 
     /* Task 1: mass and momentum of the nodes (26); with the stress at hand also Task 3 */
-    run_particles(state, workers,
-                  order->before > 0.0 ? mpm_pass_momentum : mpm_pass_momentum_and_force);
+    run_particles(state, workers, passes->to_grid);
     charge(seconds, MPM_PHASE_TO_GRID, &mark);
 
     /* Task 2: velocities at the start, conditions */
@@ -152,8 +153,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     charge(seconds, MPM_PHASE_GRID, &mark);
 
     /* Task 2 for USF and USAVG: stress update (35), (36); Task 3: forces (28) */
-    if (order->before > 0.0)
-        run_particles(state, workers, mpm_pass_stress_and_force);
+    run_particles(state, workers, passes->stress_before);
     if (has_body_force)
         run_particles(state, workers, mpm_pass_body_force);
     charge(seconds, MPM_PHASE_STRESS, &mark);
@@ -166,8 +166,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     /* Task 5: particle velocities (30); Task 6 for MUSL and USAVG: extrapolate them (31) */
     if (state->scene->flip_fraction < 1.0)
         run_particles(state, workers, mpm_pass_flip_fraction);
-    run_particles(state, workers,
-                  order->extrapolate ? mpm_pass_velocity_and_momentum : mpm_pass_velocity);
+    run_particles(state, workers, passes->to_particles);
     charge(seconds, MPM_PHASE_TO_PARTICLES, &mark);
     if (order->extrapolate) {
         run_rows(state, mpm_row_extrapolated_velocity);
@@ -179,8 +178,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
      * task uses the shape functions of the positions at the start */
     if (has_body_force)
         run_particles(state, workers, mpm_pass_body_work);
-    run_particles(state, workers,
-                  order->after > 0.0 ? mpm_pass_stress_and_position : mpm_pass_position);
+    run_particles(state, workers, passes->finish);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
     if (has_body_force)

@@ -102,8 +102,12 @@ size_t mpm_simulation_bytes(const struct mpm_simulation *simulation)
 
 const char *mpm_simulation_kernels(const struct mpm_simulation *simulation)
 {
-    (void)simulation;
-    return "reference";
+    return simulation->state.kernels.name;
+}
+
+const char *mpm_simulation_simd(const struct mpm_simulation *simulation)
+{
+    return simulation->state.kernels.simd;
 }
 
 void mpm_simulation_phases(const struct mpm_simulation *simulation, struct mpm_phases *phases)

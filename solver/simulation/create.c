@@ -244,13 +244,14 @@ static void limit_workers(struct mpm_state *state, size_t particles)
         state->workers = (int)useful;
 }
 
-static enum mpm_status build(struct mpm_simulation *simulation, int threads,
-                             struct mpm_error *error)
+static enum mpm_status build(struct mpm_simulation *simulation,
+                             const struct mpm_simulation_options *options, struct mpm_error *error)
 {
     const struct mpm_scene *const scene = simulation->scene;
     struct mpm_state *const state = &simulation->state;
     struct mpm_fill_counts counts;
-    describe_method(simulation, threads);
+    describe_method(simulation, options->threads);
+    MPM_TRY(mpm_kernels_choose(scene, options, &state->kernels, error));
     MPM_TRY(create_expressions(simulation, error));
     MPM_TRY(mpm_bodies_count(scene, &state->grid, &counts, error));
     limit_workers(state, counts.deformable);
@@ -281,17 +282,19 @@ static enum mpm_status build(struct mpm_simulation *simulation, int threads,
     return MPM_OK;
 }
 
-enum mpm_status mpm_simulation_create(const struct mpm_scene *scene, int threads,
+enum mpm_status mpm_simulation_create(const struct mpm_scene *scene,
+                                      const struct mpm_simulation_options *options,
                                       struct mpm_simulation **simulation, struct mpm_error *error)
 {
     *simulation = NULL;
-    if (threads < 1)
-        return mpm_error_set(error, MPM_BAD_INPUT, "threads: %d; allowed: 1 or more", threads);
+    if (options->threads < 1)
+        return mpm_error_set(error, MPM_BAD_INPUT, "threads: %d; allowed: 1 or more",
+                             options->threads);
     struct mpm_simulation *const made = calloc(1, sizeof *made);
     if (made == NULL)
         return mpm_error_memory(error, sizeof *made, "the simulation");
     made->scene = scene;
-    const enum mpm_status status = build(made, threads, error);
+    const enum mpm_status status = build(made, options, error);
     if (status != MPM_OK) {
         mpm_simulation_free(made);
         return status;

@@ -3,11 +3,12 @@
 
 #include <math.h>
 
-enum mpm_status mpm_scene_plan(const struct mpm_scene *scene, struct mpm_plan *plan,
+enum mpm_status mpm_scene_plan(const struct mpm_scene *scene,
+                               const struct mpm_simulation_options *options, struct mpm_plan *plan,
                                struct mpm_error *error)
 {
     struct mpm_simulation *simulation = NULL;
-    MPM_TRY(mpm_simulation_create(scene, 1, &simulation, error));
+    MPM_TRY(mpm_simulation_create(scene, options, &simulation, error));
     const struct mpm_grid *const grid = &simulation->state.grid;
     bool lands;
     *plan = (struct mpm_plan){
@@ -17,7 +18,8 @@ enum mpm_status mpm_scene_plan(const struct mpm_scene *scene, struct mpm_plan *p
         .bytes = mpm_simulation_bytes(simulation),
         .time_step = mpm_time_step_next(simulation, HUGE_VAL, &lands),
         .kernels = mpm_simulation_kernels(simulation),
-        .kernels_reason = "the scalar kernels, one particle at a time, are the only ones",
+        .kernels_reason = simulation->state.kernels.reason,
+        .simd = mpm_simulation_simd(simulation),
     };
     plan->expected_steps = ceil(scene->end / plan->time_step * (1.0 - 1e-9));
     if (scene->steps > 0)

@@ -43,7 +43,7 @@ void test_results_tear_down(void)
 enum mpm_status test_results_run(bool overwrite, struct mpm_error *error)
 {
     const struct mpm_run_options options = {
-        .output = test_results.output, .threads = 1, .overwrite = overwrite};
+        .output = test_results.output, .simulation = {.threads = 1}, .overwrite = overwrite};
     return mpm_scene_run(test_results.scene, &options, error);
 }
 

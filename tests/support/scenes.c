@@ -19,7 +19,8 @@ struct test_run test_run_open(const char *text, const char *const *settings, int
     char *const path = test_folder_write(folder, "scene.yaml", text);
     enum mpm_status status = mpm_scene_read(path, settings, count, &run.scene, &error);
     ck_assert_msg(status == MPM_OK, "scene refused: %s", error.message);
-    status = mpm_simulation_create(run.scene, threads, &run.simulation, &error);
+    status = mpm_simulation_create(run.scene, &(struct mpm_simulation_options){.threads = threads},
+                                   &run.simulation, &error);
     ck_assert_msg(status == MPM_OK, "simulation refused: %s", error.message);
     g_free(path);
     test_folder_remove(folder);

@@ -31,9 +31,9 @@ const char *measurement_variant(const struct measurement *measurement)
     return measurement->setup.variant->name;
 }
 
-int measurement_threads(const struct measurement *measurement)
+const struct mpm_simulation_options *measurement_options(const struct measurement *measurement)
 {
-    return measurement->setup.threads;
+    return &measurement->setup.simulation;
 }
 
 static const char *find(const struct case_parameter *parameters, unsigned count, const char *name)

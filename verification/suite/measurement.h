@@ -10,7 +10,7 @@ struct measurement_setup {
     const struct catalogue_case *entry;
     const struct case_variant *variant;
     const char *data_folder; /* for data-<variant>-<name>.dat */
-    int threads;
+    struct mpm_simulation_options simulation;
     int rows; /* file descriptor that the rows are written to */
 };
 

@@ -278,7 +278,7 @@ static enum mpm_status open_study(struct study *study, const char *setting,
 {
     const struct parameters *const p = &study->parameters;
     TRY(measurement_scene(study->measurement, &setting, setting == NULL ? 0 : 1, scene, error));
-    TRY(mpm_simulation_create(*scene, measurement_threads(study->measurement), &study->simulation,
+    TRY(mpm_simulation_create(*scene, measurement_options(study->measurement), &study->simulation,
                               error));
     TRY(particle_set_create(study->simulation, 0, &study->set, error));
     study->count[ALL] = study->set.count;

@@ -99,7 +99,7 @@ static enum mpm_status run(struct measurement *measurement, struct mpm_error *er
     struct mpm_simulation *simulation = NULL;
     enum mpm_status status = measurement_scene(measurement, NULL, 0, &scene, error);
     if (status == MPM_OK)
-        status = mpm_simulation_create(scene, measurement_threads(measurement), &simulation, error);
+        status = mpm_simulation_create(scene, measurement_options(measurement), &simulation, error);
     if (status == MPM_OK)
         status = measure(measurement, scene, simulation, error);
     mpm_simulation_free(simulation);

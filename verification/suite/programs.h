@@ -62,8 +62,8 @@ const struct measure_program *programs_find(struct program_table table, const ch
 const char *measurement_case(const struct measurement *measurement);
 const char *measurement_variant(const struct measurement *measurement);
 
-/* Threads that this process should use, >= 1. */
-int measurement_threads(const struct measurement *measurement);
+/* Threads and kernels that this process should use. */
+const struct mpm_simulation_options *measurement_options(const struct measurement *measurement);
 
 /* A parameter as a number or as text: the variant's own, or else the case's. One that
  * is missing or is no finite number is MPM_BAD_INPUT naming case, variant, parameter. */

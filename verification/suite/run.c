@@ -45,7 +45,7 @@ static enum mpm_status run_plan(const struct run_options *options, const struct 
     const struct schedule_options schedule = {
         .output = options->output,
         .jobs = places,
-        .threads = (int)MAX(1, machine_processor_count() / places),
+        .simulation = {.threads = (int)MAX(1, machine_processor_count() / places)},
         .progress = console_progress,
         .finished = console_finished,
         .context = console,

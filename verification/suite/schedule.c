@@ -87,7 +87,7 @@ static void child_run(const struct planned_job *job, const struct schedule_optio
 {
     child_detach(log);
     char *folder = g_build_filename(options->output, "cases", job->entry->file->name, NULL);
-    const struct measurement_setup setup = {job->entry, job->variant, folder, options->threads,
+    const struct measurement_setup setup = {job->entry, job->variant, folder, options->simulation,
                                             rows};
     struct mpm_error error = {.status = MPM_OK};
     const enum mpm_status status = measurement_run(&setup, &error);

@@ -11,7 +11,7 @@
 struct schedule_options {
     const char *output; /* folder; the jobs of a case write in <output>/cases/<case> */
     unsigned jobs;      /* at a time, >= 1 */
-    int threads;        /* that each job may use, >= 1 */
+    struct mpm_simulation_options simulation; /* of each job */
     /* Called, if not NULL, about ten times a second and when a job ends. */
     void (*progress)(void *context, size_t done, size_t total);
     /* Called, if not NULL, when a job ends. */

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/kernels.h"
+
+#include "method/transfer.h"
+
+static const struct mpm_passes reference_passes[] = {
+    [MPM_USL] = {mpm_pass_momentum_and_force, NULL, mpm_pass_velocity,
+                 mpm_pass_stress_and_position},
+    [MPM_MUSL] = {mpm_pass_momentum_and_force, NULL, mpm_pass_velocity_and_momentum,
+                  mpm_pass_stress_and_position},
+    [MPM_USF] = {mpm_pass_momentum, mpm_pass_stress_and_force, mpm_pass_velocity,
+                 mpm_pass_position},
+    [MPM_USAVG] = {mpm_pass_momentum, mpm_pass_stress_and_force, mpm_pass_velocity_and_momentum,
+                   mpm_pass_stress_and_position},
+};
+
+static const char *const simd_names[MPM_SIMD_COUNT] = {
+    [MPM_SIMD_AUTO] = "auto",
+    [MPM_SIMD_BASELINE] = "baseline",
+    [MPM_SIMD_X86_64_V3] = "x86-64-v3",
+};
+
+const char *mpm_simd_name(enum mpm_simd simd)
+{
+    return simd_names[simd];
+}
+
+enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
+                                   const struct mpm_simulation_options *options,
+                                   struct mpm_kernel_choice *choice, struct mpm_error *error)
+{
+    if (options->kernels == MPM_KERNELS_FAST)
+        return mpm_error_set(error, MPM_BAD_INPUT, "no fast kernels yet");
+    *choice = (struct mpm_kernel_choice){
+        .passes = &reference_passes[scene->stress_update],
+        .name = "reference",
+        .reason = "the scalar kernels, one particle at a time, were asked for",
+        .simd = "none",
+    };
+    return MPM_OK;
+}

@@ -1,0 +1,35 @@
+/* The two sets of kernels: which passes over the particles a step consists of, and which
+ * set a scene gets.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_KERNELS_H
+#define MPM_METHOD_KERNELS_H
+
+#include "model/scene.h"
+
+/* One pass over the particles of a strip; see mpm_strips_run. */
+typedef void mpm_pass(void *state, int64_t strip, int worker);
+
+/* The passes of one step, in their order; NULL: nothing to do there. */
+struct mpm_passes {
+    mpm_pass *to_grid;       /* Task 1; with the stress at hand also Task 3 */
+    mpm_pass *stress_before; /* Tasks 2 and 3 of USF and USAVG */
+    mpm_pass *to_particles;  /* Task 5, velocities; with (31) for MUSL and USAVG */
+    mpm_pass *finish;        /* Task 6 of USL, MUSL and USAVG; positions */
+};
+
+/* What a simulation was created with. */
+struct mpm_kernel_choice {
+    const struct mpm_passes *passes;
+    const char *name;   /* "fast" or "reference" */
+    const char *reason; /* why this set */
+    const char *simd;   /* the instructions it uses */
+};
+
+/* Looks the passes up for a scene. MPM_BAD_INPUT: fast kernels or a level of SIMD were asked
+ * for that scene, build or machine do not have; the message says why. */
+enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
+                                   const struct mpm_simulation_options *options,
+                                   struct mpm_kernel_choice *choice, struct mpm_error *error);
+
+#endif
