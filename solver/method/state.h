@@ -79,7 +79,7 @@ struct mpm_state {
     const struct mpm_shape_family *family;
     struct mpm_shape_grid shape_grid;
     struct mpm_grid grid;
-    struct mpm_node *node_zero; /* node (0, 0): stencil offsets count from it */
+    int64_t node_zero; /* index of node (0, 0): stencil offsets count from it */
     struct mpm_particles particles;
     struct mpm_rigid_particles rigid;
     struct mpm_body *bodies;

@@ -54,10 +54,10 @@ static void add_momentum(const struct mpm_state *state, size_t p, const struct m
     const double py = mass * state->particles.velocity[1][p];
     for (int k = 0; k < stencil->count; k++) {
         const struct mpm_stencil_node *const entry = &stencil->node[k];
-        struct mpm_node *const node = &state->node_zero[entry->node];
-        node->mass += mass * entry->s;
-        node->momentum[0] += px * entry->s;
-        node->momentum[1] += py * entry->s;
+        const int64_t node = state->node_zero + entry->node;
+        state->grid.mass[node] += mass * entry->s;
+        state->grid.sum[node][0].momentum += px * entry->s;
+        state->grid.sum[node][1].momentum += py * entry->s;
     }
 }
 
@@ -72,9 +72,9 @@ static void add_internal_force(const struct mpm_state *state, size_t p,
     const double xy = mass * state->particles.stress[MPM_SYM_XY][p];
     for (int k = 0; k < stencil->count; k++) {
         const struct mpm_stencil_node *const entry = &stencil->node[k];
-        struct mpm_node *const node = &state->node_zero[entry->node];
-        node->force[0] -= xx * entry->g[0] + xy * entry->g[1] + zz * entry->t;
-        node->force[1] -= xy * entry->g[0] + yy * entry->g[1];
+        struct mpm_node_sum *const sum = state->grid.sum[state->node_zero + entry->node];
+        sum[0].force -= xx * entry->g[0] + xy * entry->g[1] + zz * entry->t;
+        sum[1].force -= xy * entry->g[0] + yy * entry->g[1];
     }
 }
 
@@ -129,10 +129,11 @@ void mpm_pass_body_force(void *context, int64_t index, int worker)
             continue;
         stencil_of(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
-            struct mpm_node *const node = &state->node_zero[stencil.node[k].node];
+            struct mpm_node_sum *const sum =
+                state->grid.sum[state->node_zero + stencil.node[k].node];
             const double weight = state->particles.mass[p] * stencil.node[k].s;
-            node->force[0] += weight * b[0];
-            node->force[1] += weight * b[1];
+            sum[0].force += weight * b[0];
+            sum[1].force += weight * b[1];
         }
     }
 }
@@ -149,9 +150,10 @@ void mpm_pass_body_work(void *context, int64_t index, int worker)
             continue;
         stencil_of(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
-            const struct mpm_node *const node = &state->node_zero[stencil.node[k].node];
-            power += stencil.node[k].s * (b[0] * (node->start[0] + node->end[0]) +
-                                          b[1] * (node->start[1] + node->end[1]));
+            const int64_t node = state->node_zero + stencil.node[k].node;
+            const double *const start = state->grid.start[node];
+            const double *const end = state->grid.motion[node].end;
+            power += stencil.node[k].s * (b[0] * (start[0] + end[0]) + b[1] * (start[1] + end[1]));
         }
         strip->external_work += 0.5 * state->time_step * state->particles.mass[p] * power;
     }
@@ -170,9 +172,9 @@ void mpm_pass_flip_fraction(void *context, int64_t index, int worker)
         double grid[2] = {0.0, 0.0};
         stencil_of(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
-            const struct mpm_node *const node = &state->node_zero[stencil.node[k].node];
-            grid[0] += stencil.node[k].s * node->start[0];
-            grid[1] += stencil.node[k].s * node->start[1];
+            const double *const start = state->grid.start[state->node_zero + stencil.node[k].node];
+            grid[0] += stencil.node[k].s * start[0];
+            grid[1] += stencil.node[k].s * start[1];
         }
         for (int axis = 0; axis < 2; axis++) {
             double *const v = &state->particles.velocity[axis][p];
@@ -186,9 +188,10 @@ static void update_velocity(const struct mpm_state *state, size_t p,
 {
     double a[2] = {0.0, 0.0};
     for (int k = 0; k < stencil->count; k++) {
-        const struct mpm_node *const node = &state->node_zero[stencil->node[k].node];
-        a[0] += stencil->node[k].s * node->acceleration[0];
-        a[1] += stencil->node[k].s * node->acceleration[1];
+        const double *const acceleration =
+            state->grid.motion[state->node_zero + stencil->node[k].node].acceleration;
+        a[0] += stencil->node[k].s * acceleration[0];
+        a[1] += stencil->node[k].s * acceleration[1];
     }
     const double vx = state->particles.velocity[0][p] + state->time_step * a[0];
     const double vy = state->particles.velocity[1][p] + state->time_step * a[1];
@@ -226,9 +229,10 @@ void mpm_pass_velocity_and_momentum(void *context, int64_t index, int worker)
         const double px = state->particles.mass[p] * state->particles.velocity[0][p];
         const double py = state->particles.mass[p] * state->particles.velocity[1][p];
         for (int k = 0; k < stencil.count; k++) {
-            struct mpm_node *const node = &state->node_zero[stencil.node[k].node];
-            node->momentum[0] += px * stencil.node[k].s;
-            node->momentum[1] += py * stencil.node[k].s;
+            double(*const sum)[2] =
+                state->grid.gradient[state->node_zero + stencil.node[k].node];
+            sum[0][0] += px * stencil.node[k].s;
+            sum[1][0] += py * stencil.node[k].s;
         }
     }
 }
@@ -242,12 +246,13 @@ static void displacement_gradient(const struct mpm_state *state, const struct mp
     double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0, zz = 0.0;
     for (int k = 0; k < stencil->count; k++) {
         const struct mpm_stencil_node *const entry = &stencil->node[k];
-        const double *const v = state->node_zero[entry->node].gradient;
-        xx += v[0] * entry->g[0];
-        xy += v[0] * entry->g[1];
-        yx += v[1] * entry->g[0];
-        yy += v[1] * entry->g[1];
-        zz += v[0] * entry->t;
+        const double(*const v)[2] =
+            (const double(*)[2])state->grid.gradient[state->node_zero + entry->node];
+        xx += v[0][0] * entry->g[0];
+        xy += v[0][0] * entry->g[1];
+        yx += v[1][0] * entry->g[0];
+        yy += v[1][0] * entry->g[1];
+        zz += v[0][0] * entry->t;
     }
     h[MPM_XX] = dt * xx;
     h[MPM_XY] = dt * xy;
@@ -396,10 +401,11 @@ static void update_position(const struct mpm_state *state, size_t p,
     double v[2] = {0.0, 0.0}, hoop_rate = 0.0;
     for (int k = 0; k < stencil->count; k++) {
         const struct mpm_stencil_node *const entry = &stencil->node[k];
-        const struct mpm_node *const node = &state->node_zero[entry->node];
-        const double vx = node->end[0] - back * node->acceleration[0];
+        const struct mpm_node_motion *const motion =
+            &state->grid.motion[state->node_zero + entry->node];
+        const double vx = motion->end[0] - back * motion->acceleration[0];
         v[0] += entry->s * vx;
-        v[1] += entry->s * (node->end[1] - back * node->acceleration[1]);
+        v[1] += entry->s * (motion->end[1] - back * motion->acceleration[1]);
         hoop_rate += entry->t * vx;
     }
     const double rate = hoop ? particles->position[0][p] * hoop_rate : v[0];

@@ -260,7 +260,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     layout(simulation, &counts, &simulation->arena);
     MPM_TRY(mpm_arena_allocate(&simulation->arena, error));
     layout(simulation, &counts, &simulation->arena);
-    state->node_zero = state->grid.nodes + mpm_grid_index(&state->grid, 0, 0);
+    state->node_zero = mpm_grid_index(&state->grid, 0, 0);
     state->last_row = -1;
     for (int64_t row = 0; row < state->grid.rows; row++) {
         state->row_low[row] = state->grid.columns;
