@@ -87,6 +87,7 @@ struct mpm_state {
     struct mpm_strip *strips;
     int64_t strip_count;
     int workers;
+    size_t deformable_bodies;
     int64_t *row_low, *row_high; /* active columns of each node row, as node indices in the row */
     int64_t first_row, last_row; /* active rows */
     uint32_t *sort_counts;

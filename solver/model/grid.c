@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model/grid.h"
 
-#include "base/simd.h"
-
 struct mpm_grid mpm_grid_describe(const struct mpm_scene *scene)
 {
     struct mpm_grid grid = {0};
@@ -20,7 +18,7 @@ struct mpm_grid mpm_grid_describe(const struct mpm_scene *scene)
 void mpm_grid_layout(struct mpm_grid *grid, struct mpm_arena *arena)
 {
     /* vectors over the nodes of a row may read a few places past the last one */
-    const size_t nodes = (size_t)(grid->columns * grid->rows) + MPM_VECTOR_SIZE;
+    const size_t nodes = (size_t)(grid->columns * grid->rows) + MPM_ROW_PADDING;
     grid->mass = MPM_TAKE(arena, double, nodes);
     grid->sum = mpm_arena_take(arena, nodes, sizeof *grid->sum);
     grid->start = mpm_arena_take(arena, nodes, sizeof *grid->start);

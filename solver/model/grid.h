@@ -8,7 +8,7 @@
 #include "base/arena.h"
 #include "model/scene.h"
 
-enum { MPM_GHOST_ROWS = 2 };
+enum { MPM_GHOST_ROWS = 2, MPM_ROW_PADDING = 4 };
 
 /* What particles spread along one axis: sum of m_p v_p S_ip, and internal and body forces. */
 struct mpm_node_sum {
