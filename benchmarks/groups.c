@@ -11,7 +11,7 @@ static const struct bench_group groups[] = {
     {"limit", "Against the machine's limit",
      "arithmetic and memory limit of one core, measured in the rounds of the target rows",
      bench_limit},
-    {"scaling", "Scaling", "threads, particles, particles per cell, empty grid", bench_scaling},
+    {"scaling", "Scaling", "threads at three sizes, particles per cell, empty grid", bench_scaling},
 };
 
 const struct bench_group *bench_groups(size_t *count)
