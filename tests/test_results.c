@@ -115,6 +115,10 @@ START_TEST(a_snapshot_tells_where_it_comes_from)
     char *expected = g_compute_checksum_for_string(G_CHECKSUM_SHA256, text, -1);
     char *sha256 = test_attribute_text(file, "/mpm", "scene_sha256");
     ck_assert_str_eq(sha256, expected);
+    /* what changes no bit of the data changes none of the file */
+    static const char *const absent[] = {"simd", "kernels", "threads", "processor"};
+    for (size_t i = 0; i < G_N_ELEMENTS(absent); i++)
+        ck_assert_int_eq(H5Aexists_by_name(file, "/mpm", absent[i], H5P_DEFAULT), 0);
     H5Fclose(file);
     g_free(text);
     g_free(expected);
