@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "support/kernel_pair.h"
+
+#include "model/scene.h"
+
+#include <glib.h>
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+const enum mpm_field kernel_pair_fields[KERNEL_PAIR_FIELDS] = {
+    MPM_FIELD_POSITION, MPM_FIELD_VELOCITY, MPM_FIELD_DEFORMATION_GRADIENT, MPM_FIELD_STRESS};
+
+bool kernel_pair_is_long(void)
+{
+    return g_getenv("MPM_TEST_LONG") != NULL;
+}
+
+/* K + 4/3 G of the stiffest material. */
+static double stiffness_of(const struct mpm_scene *scene)
+{
+    double largest = 0.0;
+    for (size_t k = 0; k < scene->material_count; k++)
+        largest = fmax(largest, scene->materials[k].bulk + 4.0 / 3.0 * scene->materials[k].shear);
+    return largest;
+}
+
+/* --------------------------------------------------------------- comparison */
+
+static double largest(const double *values, size_t count)
+{
+    double found = 0.0;
+    for (size_t i = 0; i < count; i++)
+        found = fmax(found, fabs(values[i]));
+    return found;
+}
+
+static double scale_of(struct kernel_pair *pair, enum mpm_field field, size_t count)
+{
+    const double now = largest(pair->values[0], count);
+    if (field == MPM_FIELD_VELOCITY)
+        return pair->speed = fmax(pair->speed, now);
+    return field == MPM_FIELD_STRESS ? fmax(now, pair->stiffness) : now;
+}
+
+/* Not a number on one side only is a difference without bound. */
+static double difference(double one, double other, double scale)
+{
+    if (one == other || (isnan(one) && isnan(other)))
+        return 0.0;
+    const double part = fabs(one - other) / scale;
+    return isnan(part) ? HUGE_VAL : part;
+}
+
+static void compare_field(struct kernel_pair *pair, int index)
+{
+    const enum mpm_field field = kernel_pair_fields[index];
+    const size_t components = mpm_field_describe(field)->components;
+    const size_t count = components * mpm_simulation_particle_count(pair->simulation[0]);
+    struct kernel_difference *const worst = &pair->worst[index];
+    for (int k = 0; k < 2; k++)
+        mpm_simulation_field(pair->simulation[k], field, pair->values[k]);
+    const double scale = scale_of(pair, field, count);
+    for (size_t i = 0; i < count; i++) {
+        const double part = difference(pair->values[0][i], pair->values[1][i], scale);
+        if (part > worst->part)
+            *worst = (struct kernel_difference){
+                .part = part,
+                .step = mpm_simulation_step(pair->simulation[0]),
+                .particle = i / components,
+                .component = i % components,
+                .values = {pair->values[0][i], pair->values[1][i]},
+            };
+    }
+}
+
+static void compare(struct kernel_pair *pair)
+{
+    const double times[2] = {mpm_simulation_time(pair->simulation[0]),
+                             mpm_simulation_time(pair->simulation[1])};
+    pair->time_difference =
+        fmax(pair->time_difference, difference(times[0], times[1], fabs(times[0])));
+    for (int index = 0; index < KERNEL_PAIR_FIELDS; index++)
+        compare_field(pair, index);
+}
+
+/* ------------------------------------------------------------------ a pair */
+
+static enum mpm_status open_side(const char *path, const struct kernel_side *side,
+                                 struct mpm_scene **scene, struct mpm_simulation **simulation,
+                                 struct mpm_error *error)
+{
+    size_t count = 0;
+    while (side->settings != NULL && side->settings[count] != NULL)
+        count++;
+    const enum mpm_status status = mpm_scene_read(path, side->settings, count, scene, error);
+    return status == MPM_OK ? mpm_simulation_create(*scene, &side->options, simulation, error)
+                            : status;
+}
+
+enum mpm_status kernel_pair_open(const char *path, const struct kernel_side sides[2],
+                                 struct kernel_pair *pair, struct mpm_error *error)
+{
+    enum mpm_status status = MPM_OK;
+    *pair = (struct kernel_pair){.speed = 0.0};
+    for (int k = 0; k < 2 && status == MPM_OK; k++)
+        status = open_side(path, &sides[k], &pair->scene[k], &pair->simulation[k], error);
+    if (status != MPM_OK) {
+        kernel_pair_close(pair);
+        return status;
+    }
+    const size_t widest = mpm_field_describe(MPM_FIELD_DEFORMATION_GRADIENT)->components;
+    const size_t particles = mpm_simulation_particle_count(pair->simulation[0]);
+    for (int k = 0; k < 2; k++)
+        pair->values[k] = g_new(double, widest *particles);
+    pair->stiffness = stiffness_of(pair->scene[0]);
+    compare(pair);
+    return MPM_OK;
+}
+
+void kernel_pair_close(struct kernel_pair *pair)
+{
+    for (int k = 0; k < 2; k++) {
+        mpm_simulation_free(pair->simulation[k]);
+        mpm_scene_free(pair->scene[k]);
+        g_free(pair->values[k]);
+    }
+    *pair = (struct kernel_pair){.speed = 0.0};
+}
+
+bool kernel_pair_step(struct kernel_pair *pair)
+{
+    const double end = mpm_scene_end_time(pair->scene[0]);
+    bool going = true;
+    for (int k = 0; k < 2; k++)
+        going = going && mpm_simulation_time(pair->simulation[k]) < end;
+    if (!going)
+        return false;
+    for (int k = 0; k < 2; k++)
+        if (mpm_simulation_advance(pair->simulation[k], end, &pair->error[k]) != MPM_OK)
+            going = false;
+    if (going || kernel_pair_ended_alike(pair))
+        compare(pair);
+    return going;
+}
+
+bool kernel_pair_ended_alike(const struct kernel_pair *pair)
+{
+    return pair->error[0].status == pair->error[1].status &&
+           strcmp(pair->error[0].message, pair->error[1].message) == 0 &&
+           mpm_simulation_step(pair->simulation[0]) == mpm_simulation_step(pair->simulation[1]);
+}
+
+double kernel_pair_worst(const struct kernel_pair *pair)
+{
+    double part = pair->time_difference;
+    for (int index = 0; index < KERNEL_PAIR_FIELDS; index++)
+        part = fmax(part, pair->worst[index].part);
+    return part;
+}
+
+char *kernel_pair_text(const struct kernel_pair *pair)
+{
+    GString *text = g_string_new(NULL);
+    g_string_append_printf(text, "%" PRIu64 " steps, time %.2g",
+                           mpm_simulation_step(pair->simulation[0]), pair->time_difference);
+    for (int index = 0; index < KERNEL_PAIR_FIELDS; index++) {
+        const struct kernel_difference *const worst = &pair->worst[index];
+        g_string_append_printf(text, ", %s %.2g",
+                               mpm_field_describe(kernel_pair_fields[index])->name, worst->part);
+        if (worst->part > 0.0)
+            g_string_append_printf(
+                text, " (step %" PRIu64 ", particle %zu, component %zu: %.17g, %.17g)", worst->step,
+                worst->particle, worst->component, worst->values[0], worst->values[1]);
+    }
+    if (!kernel_pair_ended_alike(pair))
+        g_string_append_printf(text,
+                               "; ended as '%s' at step %" PRIu64 " and as '%s' at step %" PRIu64,
+                               pair->error[0].message, mpm_simulation_step(pair->simulation[0]),
+                               pair->error[1].message, mpm_simulation_step(pair->simulation[1]));
+    return g_string_free(text, FALSE);
+}

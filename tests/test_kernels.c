@@ -1,0 +1,195 @@
+/* Fast kernels against reference kernels on every scene of the catalogue.
+ *
+ * The short tier takes the first steps of each; the long one (`make test-kernels`) runs each
+ * to its end and prints what it finds.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "model/scene.h"
+#include "suites.h"
+#include "support/kernel_pair.h"
+
+#include "verification/suite/plan.h"
+
+#include <glib.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { LONG_TIMEOUT = 7200 };
+
+/* Some scenes have nothing to compare in their first steps: these settings bring forward what
+ * they are about. Not in the long tier, which goes the whole way. */
+static const struct {
+    const char *name, *setting;
+} brought_forward[] = {
+    {"E1", "bodies.impactor.region.disk.center=[0, 16.2]"}, /* in free flight until t = 0.8 */
+};
+
+static GPtrArray *settings_of(const struct planned_job *job)
+{
+    GPtrArray *settings = g_ptr_array_new_with_free_func(g_free);
+    for (unsigned i = 0; i < job->variant->settings_count; i++)
+        g_ptr_array_add(settings, g_strdup(job->variant->settings[i]));
+    for (size_t i = 0; i < G_N_ELEMENTS(brought_forward) && !kernel_pair_is_long(); i++)
+        if (strcmp(job->entry->file->name, brought_forward[i].name) == 0)
+            g_ptr_array_add(settings, g_strdup(brought_forward[i].setting));
+    g_ptr_array_add(settings, NULL);
+    return settings;
+}
+
+/* -------------------------------------------------------------- comparisons */
+
+struct comparison {
+    bool compared;   /* both sets of kernels take the scene */
+    double early;    /* largest difference in the first KERNEL_PAIR_STEPS steps, */
+    double all;      /* and in all of them */
+    uint64_t within; /* steps before the difference first passed the bound */
+    char *text;
+};
+
+static struct comparison follow(struct kernel_pair *pair)
+{
+    struct comparison comparison = {.compared = true, .early = kernel_pair_worst(pair)};
+    for (uint64_t step = 1; kernel_pair_step(pair); step++) {
+        comparison.all = kernel_pair_worst(pair);
+        if (comparison.all <= KERNEL_PAIR_BOUND)
+            comparison.within = step;
+        if (step <= KERNEL_PAIR_STEPS)
+            comparison.early = comparison.all;
+        if (step == KERNEL_PAIR_STEPS && !kernel_pair_is_long())
+            break;
+    }
+    comparison.text = kernel_pair_text(pair);
+    return comparison;
+}
+
+static struct comparison compare_kernels(const char *path, char **settings)
+{
+    const char *const *given = (const char *const *)(void *)settings;
+    const struct kernel_side sides[2] = {
+        {given, {.threads = 1, .kernels = MPM_KERNELS_REFERENCE}},
+        {given, {.threads = 1, .kernels = KERNEL_PAIR_OTHER}},
+    };
+    struct kernel_pair pair;
+    struct mpm_error error;
+    if (kernel_pair_open(path, sides, &pair, &error) != MPM_OK)
+        return (struct comparison){.text = g_strdup(error.message)};
+    const struct comparison comparison = follow(&pair);
+    kernel_pair_close(&pair);
+    return comparison;
+}
+
+/* time.courant of the scene, longer by one unit in the last place. */
+static char *longer_step(const char *path, char **settings)
+{
+    struct mpm_scene *scene = NULL;
+    struct mpm_error error;
+    ck_assert_int_eq(mpm_scene_read(path, (const char *const *)(void *)settings,
+                                    g_strv_length(settings), &scene, &error),
+                     MPM_OK);
+    char number[G_ASCII_DTOSTR_BUF_SIZE];
+    g_ascii_dtostr(number, sizeof number, nextafter(scene->courant, HUGE_VAL));
+    mpm_scene_free(scene);
+    return g_strconcat("time.courant=", number, NULL);
+}
+
+/* How far a run gets from itself when its time step is longer by a rounding error. */
+static struct comparison compare_steps(const char *path, char **settings)
+{
+    const guint count = g_strv_length(settings);
+    char **changed = g_new0(char *, count + 2);
+    char *longer = longer_step(path, settings);
+    for (guint i = 0; i < count; i++)
+        changed[i] = settings[i];
+    changed[count] = longer;
+    const struct mpm_simulation_options options = {.threads = 1, .kernels = KERNEL_PAIR_OTHER};
+    const struct kernel_side sides[2] = {{(const char *const *)(void *)settings, options},
+                                         {(const char *const *)(void *)changed, options}};
+    struct kernel_pair pair;
+    struct mpm_error error;
+    ck_assert_int_eq(kernel_pair_open(path, sides, &pair, &error), MPM_OK);
+    const struct comparison comparison = follow(&pair);
+    kernel_pair_close(&pair);
+    g_free(changed);
+    g_free(longer);
+    return comparison;
+}
+
+/* -------------------------------------------------------------------- tests */
+
+static struct catalogue *catalogue;
+static struct plan plan;
+
+static void set_up(void)
+{
+    const struct plan_selection selection = {.tier = TIER_FULL};
+    struct mpm_error error;
+    ck_assert_msg(catalogue_read("verification/catalogue", programs_all(), &catalogue, &error) ==
+                      MPM_OK,
+                  "%s", error.message);
+    ck_assert_int_eq(plan_make(catalogue, &selection, &plan, &error), MPM_OK);
+}
+
+static void tear_down(void)
+{
+    plan_clear(&plan);
+    catalogue_free(catalogue);
+}
+
+/* A whole run is held to the bound unless it is chaotic: a rounding error in its time step
+ * grows past a tenth of the bound by itself. Then its first steps are. */
+static bool holds(const struct comparison *comparison, const char *path, char **settings,
+                  const char *name)
+{
+    bool good = comparison->compared && comparison->early <= KERNEL_PAIR_BOUND;
+    if (kernel_pair_is_long() && comparison->compared) {
+        struct comparison steps = compare_steps(path, settings);
+        good =
+            good && (comparison->all <= KERNEL_PAIR_BOUND || steps.all > 0.1 * KERNEL_PAIR_BOUND);
+        (void)printf("%-32s first steps %.1e, all %.1e, within the bound for %" PRIu64
+                     " steps; a rounding error in the time step: %.1e\n",
+                     name, comparison->early, comparison->all, comparison->within, steps.all);
+        (void)fflush(stdout);
+        g_free(steps.text);
+    }
+    return good;
+}
+
+START_TEST(fast_kernels_agree_with_reference_kernels_on_every_scene_of_the_catalogue)
+{
+    GString *wrong = g_string_new(NULL);
+    size_t compared = 0;
+    for (size_t i = 0; i < plan.job_count; i++) {
+        const struct planned_job *job = &plan.jobs[i];
+        if (job->entry->scene_path == NULL)
+            continue;
+        GPtrArray *settings = settings_of(job);
+        char **texts = (char **)settings->pdata;
+        char *name = g_strconcat(job->entry->file->name, " ", job->variant->name, NULL);
+        struct comparison comparison = compare_kernels(job->entry->scene_path, texts);
+        if (!holds(&comparison, job->entry->scene_path, texts, name))
+            g_string_append_printf(wrong, "%s: %s\n", name, comparison.text);
+        compared++;
+        g_free(comparison.text);
+        g_free(name);
+        g_ptr_array_unref(settings);
+    }
+    ck_assert_uint_gt(compared, 0);
+    ck_assert_msg(wrong->len == 0, "%s", wrong->str);
+    g_string_free(wrong, TRUE);
+}
+END_TEST
+
+Suite *suite_kernels(void)
+{
+    Suite *suite = suite_create("kernels");
+    TCase *scenes = tcase_create("catalogue");
+    tcase_add_checked_fixture(scenes, set_up, tear_down);
+    if (kernel_pair_is_long())
+        tcase_set_timeout(scenes, LONG_TIMEOUT);
+    tcase_add_test(scenes,
+                   fast_kernels_agree_with_reference_kernels_on_every_scene_of_the_catalogue);
+    suite_add_tcase(suite, scenes);
+    return suite;
+}
