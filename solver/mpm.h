@@ -158,6 +158,13 @@ const struct mpm_field_info *mpm_field_describe(enum mpm_field field);
 void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_field field,
                           double *values);
 
+/* The same for the particles with ids first .. first + count - 1, all of which must be there:
+ * all of a simulation block by block, in a buffer of the caller's choice. Finds the ids' places
+ * in scratch memory of the simulation, once after each sort: not for several threads at a time.
+ */
+void mpm_simulation_field_range(const struct mpm_simulation *simulation, enum mpm_field field,
+                                size_t first, size_t count, double *values);
+
 /* Sums over all deformable particles at the end of the last step. */
 struct mpm_ledger {
     double time;
