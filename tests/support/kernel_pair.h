@@ -18,7 +18,7 @@
 #include "mpm.h"
 
 /* The set that is held against the reference kernels. */
-#define KERNEL_PAIR_OTHER MPM_KERNELS_AUTO
+#define KERNEL_PAIR_OTHER MPM_KERNELS_FAST
 
 /* What both may differ by, in parts of a field's scale. Sums in another order and the same
  * functions by other formulas differ by a few units in the last place (1e-16) a step; over
