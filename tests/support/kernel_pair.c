@@ -16,13 +16,21 @@ bool kernel_pair_is_long(void)
     return g_getenv("MPM_TEST_LONG") != NULL;
 }
 
-/* K + 4/3 G of the stiffest material. */
-static double stiffness_of(const struct mpm_scene *scene)
+/* K + 4/3 G and wave speed of the materials. */
+static void set_floors(struct kernel_pair *pair)
 {
-    double largest = 0.0;
-    for (size_t k = 0; k < scene->material_count; k++)
-        largest = fmax(largest, scene->materials[k].bulk + 4.0 / 3.0 * scene->materials[k].shear);
-    return largest;
+    const struct mpm_scene *scene = pair->scene[0];
+    for (size_t k = 0; k < scene->material_count; k++) {
+        const struct mpm_material_spec *spec = &scene->materials[k];
+        const double stiffness = spec->bulk + 4.0 / 3.0 * spec->shear;
+        for (int index = 0; index < KERNEL_PAIR_FIELDS; index++) {
+            double *floor = &pair->floors[index];
+            if (kernel_pair_fields[index] == MPM_FIELD_STRESS)
+                *floor = fmax(*floor, stiffness);
+            else if (kernel_pair_fields[index] == MPM_FIELD_VELOCITY)
+                *floor = fmax(*floor, sqrt(stiffness / spec->density));
+        }
+    }
 }
 
 /* --------------------------------------------------------------- comparison */
@@ -33,14 +41,6 @@ static double largest(const double *values, size_t count)
     for (size_t i = 0; i < count; i++)
         found = fmax(found, fabs(values[i]));
     return found;
-}
-
-static double scale_of(struct kernel_pair *pair, enum mpm_field field, size_t count)
-{
-    const double now = largest(pair->values[0], count);
-    if (field == MPM_FIELD_VELOCITY)
-        return pair->speed = fmax(pair->speed, now);
-    return field == MPM_FIELD_STRESS ? fmax(now, pair->stiffness) : now;
 }
 
 /* Not a number on one side only is a difference without bound. */
@@ -60,12 +60,13 @@ static void compare_field(struct kernel_pair *pair, int index)
     struct kernel_difference *const worst = &pair->worst[index];
     for (int k = 0; k < 2; k++)
         mpm_simulation_field(pair->simulation[k], field, pair->values[k]);
-    const double scale = scale_of(pair, field, count);
+    const double own = largest(pair->values[0], count), scale = fmax(own, pair->floors[index]);
     for (size_t i = 0; i < count; i++) {
         const double part = difference(pair->values[0][i], pair->values[1][i], scale);
         if (part > worst->part)
             *worst = (struct kernel_difference){
                 .part = part,
+                .of_largest = part * scale / own,
                 .step = mpm_simulation_step(pair->simulation[0]),
                 .particle = i / components,
                 .component = i % components,
@@ -102,7 +103,7 @@ enum mpm_status kernel_pair_open(const char *path, const struct kernel_side side
                                  struct kernel_pair *pair, struct mpm_error *error)
 {
     enum mpm_status status = MPM_OK;
-    *pair = (struct kernel_pair){.speed = 0.0};
+    *pair = (struct kernel_pair){.time_difference = 0.0};
     for (int k = 0; k < 2 && status == MPM_OK; k++)
         status = open_side(path, &sides[k], &pair->scene[k], &pair->simulation[k], error);
     if (status != MPM_OK) {
@@ -113,7 +114,7 @@ enum mpm_status kernel_pair_open(const char *path, const struct kernel_side side
     const size_t particles = mpm_simulation_particle_count(pair->simulation[0]);
     for (int k = 0; k < 2; k++)
         pair->values[k] = g_new(double, widest *particles);
-    pair->stiffness = stiffness_of(pair->scene[0]);
+    set_floors(pair);
     compare(pair);
     return MPM_OK;
 }
@@ -125,7 +126,7 @@ void kernel_pair_close(struct kernel_pair *pair)
         mpm_scene_free(pair->scene[k]);
         g_free(pair->values[k]);
     }
-    *pair = (struct kernel_pair){.speed = 0.0};
+    *pair = (struct kernel_pair){.time_difference = 0.0};
 }
 
 bool kernel_pair_step(struct kernel_pair *pair)
@@ -166,12 +167,14 @@ char *kernel_pair_text(const struct kernel_pair *pair)
                            mpm_simulation_step(pair->simulation[0]), pair->time_difference);
     for (int index = 0; index < KERNEL_PAIR_FIELDS; index++) {
         const struct kernel_difference *const worst = &pair->worst[index];
-        g_string_append_printf(text, ", %s %.2g",
+        g_string_append_printf(text, ", %s %.1e",
                                mpm_field_describe(kernel_pair_fields[index])->name, worst->part);
         if (worst->part > 0.0)
-            g_string_append_printf(
-                text, " (step %" PRIu64 ", particle %zu, component %zu: %.17g, %.17g)", worst->step,
-                worst->particle, worst->component, worst->values[0], worst->values[1]);
+            g_string_append_printf(text,
+                                   " (%.1e of the largest; step %" PRIu64
+                                   ", particle %zu, component %zu: %.17g, %.17g)",
+                                   worst->of_largest, worst->step, worst->particle,
+                                   worst->component, worst->values[0], worst->values[1]);
     }
     if (!kernel_pair_ended_alike(pair))
         g_string_append_printf(text,
