@@ -26,7 +26,8 @@
     SUITE(scene_limits)                                                                            \
     SUITE(scene_settings)                                                                          \
     SUITE(suite)                                                                                   \
-    SUITE(kernels)
+    SUITE(kernels)                                                                                 \
+    SUITE(kernel_table)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)

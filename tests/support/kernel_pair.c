@@ -3,6 +3,7 @@
 
 #include "model/scene.h"
 
+#include <float.h>
 #include <glib.h>
 #include <inttypes.h>
 #include <math.h>
@@ -16,19 +17,22 @@ bool kernel_pair_is_long(void)
     return g_getenv("MPM_TEST_LONG") != NULL;
 }
 
-/* K + 4/3 G and wave speed of the materials. */
+static double stiffness(const struct mpm_material_spec *material)
+{
+    return material->bulk + 4.0 / 3.0 * material->shear;
+}
+
 static void set_floors(struct kernel_pair *pair)
 {
     const struct mpm_scene *scene = pair->scene[0];
     for (size_t k = 0; k < scene->material_count; k++) {
         const struct mpm_material_spec *spec = &scene->materials[k];
-        const double stiffness = spec->bulk + 4.0 / 3.0 * spec->shear;
         for (int index = 0; index < KERNEL_PAIR_FIELDS; index++) {
             double *floor = &pair->floors[index];
             if (kernel_pair_fields[index] == MPM_FIELD_STRESS)
-                *floor = fmax(*floor, stiffness);
+                *floor = fmax(*floor, stiffness(spec));
             else if (kernel_pair_fields[index] == MPM_FIELD_VELOCITY)
-                *floor = fmax(*floor, sqrt(stiffness / spec->density));
+                *floor = fmax(*floor, sqrt(stiffness(spec) / spec->density));
         }
     }
 }
@@ -117,6 +121,48 @@ enum mpm_status kernel_pair_open(const char *path, const struct kernel_side side
     set_floors(pair);
     compare(pair);
     return MPM_OK;
+}
+
+/* Settings that add a noise to the initial velocity of every deformable body: a rounding error
+ * of the wave speed, another one at each particle. */
+static void add_noise(const struct mpm_scene *scene, GPtrArray *settings)
+{
+    const bool axisymmetric = scene->geometry == MPM_AXISYMMETRIC;
+    const char *x = axisymmetric ? "r" : "x", *y = axisymmetric ? "z" : "y";
+    for (size_t k = 0; k < scene->body_count; k++) {
+        const struct mpm_body_spec *body = &scene->bodies[k];
+        char e[G_ASCII_DTOSTR_BUF_SIZE];
+        if (body->rigid)
+            continue;
+        const struct mpm_material_spec *material = &scene->materials[body->material];
+        g_ascii_dtostr(e, sizeof e, DBL_EPSILON * sqrt(stiffness(material) / material->density));
+        g_ptr_array_add(settings,
+                        g_strdup_printf("bodies.%zu.velocity=['%s+%s*sin(1000*%s+777*%s)',"
+                                        " '%s+%s*cos(777*%s-1000*%s)']",
+                                        k, body->velocity.text[0], e, x, y, body->velocity.text[1],
+                                        e, x, y));
+    }
+}
+
+enum mpm_status kernel_pair_open_noisy(const char *path, const char *const *settings,
+                                       struct kernel_pair *pair, struct mpm_error *error)
+{
+    const struct mpm_simulation_options options = {.threads = 1, .kernels = KERNEL_PAIR_OTHER};
+    GPtrArray *noisy = g_ptr_array_new_with_free_func(g_free);
+    struct mpm_scene *scene = NULL;
+    for (size_t i = 0; settings != NULL && settings[i] != NULL; i++)
+        g_ptr_array_add(noisy, g_strdup(settings[i]));
+    enum mpm_status status = mpm_scene_read(path, settings, noisy->len, &scene, error);
+    if (status == MPM_OK) {
+        add_noise(scene, noisy);
+        g_ptr_array_add(noisy, NULL);
+        const struct kernel_side sides[2] = {{settings, options},
+                                             {(const char *const *)noisy->pdata, options}};
+        status = kernel_pair_open(path, sides, pair, error);
+    }
+    mpm_scene_free(scene);
+    g_ptr_array_unref(noisy);
+    return status;
 }
 
 void kernel_pair_close(struct kernel_pair *pair)

@@ -62,6 +62,13 @@ struct kernel_pair {
  * says why; MPM_BAD_INPUT: also where kernels refuse the scene. */
 enum mpm_status kernel_pair_open(const char *path, const struct kernel_side sides[2],
                                  struct kernel_pair *pair, struct mpm_error *error);
+
+/* A pair of one set of kernels (KERNEL_PAIR_OTHER): the scene, and the same with a rounding
+ * error of the wave speed in the initial velocity of each particle. How far the two get apart
+ * is in no code's hands. */
+enum mpm_status kernel_pair_open_noisy(const char *path, const char *const *settings,
+                                       struct kernel_pair *pair, struct mpm_error *error);
+
 void kernel_pair_close(struct kernel_pair *pair);
 
 /* Takes one step with each and compares. False: the end of the scene or of either run; both
