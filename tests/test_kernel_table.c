@@ -210,8 +210,8 @@ static const char CROWD[] =
     "  - {region: {line: {from: [4, 1.6], to: [6, 1.6]}}, velocity: ['0.02*sin(3*t)', -0.03]}\n";
 
 static const char *const crowd_velocities[] = {
-    "bodies.block.velocity=['0.08*sin(3*X+Y)*X/(X+1)+0.03*sin(37*X+91*Y)*X/(X+1)', "
-    "'0.06*cos(2*Y-X)+0.03*cos(53*Y-71*X)']",
+    ("bodies.block.velocity=['0.08*sin(3*X+Y)*X/(X+1)+0.03*sin(37*X+91*Y)*X/(X+1)', "
+     "'0.06*cos(2*Y-X)+0.03*cos(53*Y-71*X)']"),
     "bodies.side.velocity=['-0.05+0.04*cos(41*X*Y)', '0.05*sin(29*X-3*Y)']",
     "bodies.five.velocity=['0.1*sin(60*X)', '-0.1']",
 };
