@@ -25,7 +25,9 @@
     SUITE(scene_run)                                                                               \
     SUITE(scene_limits)                                                                            \
     SUITE(scene_settings)                                                                          \
-    SUITE(suite)
+    SUITE(suite)                                                                                   \
+    SUITE(pareto)                                                                                  \
+    SUITE(accuracy)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)
