@@ -14,7 +14,7 @@ static const struct bench_group groups[] = {
     {"accuracy", "Error against run time",
      "R1 and a vibrating bar on ladders of grids: error and processor time of every variant",
      bench_accuracy},
-    {"scaling", "Scaling", "threads, particles, particles per cell, empty grid", bench_scaling},
+    {"scaling", "Scaling", "threads at three sizes, particles per cell, empty grid", bench_scaling},
 };
 
 const struct bench_group *bench_groups(size_t *count)

@@ -26,6 +26,7 @@
     SUITE(scene_limits)                                                                            \
     SUITE(scene_settings)                                                                          \
     SUITE(suite)                                                                                   \
+    SUITE(bench)                                                                                   \
     SUITE(pareto)                                                                                  \
     SUITE(accuracy)
 
