@@ -11,7 +11,7 @@
 
 /* Short runs are repeated until a timing is this long. */
 static const double SHORTEST = 0.02;
-enum { ROUNDS = BENCH_ROUNDS_MIN, REPEATS_MAX = 16, QUICK_LADDER = 3 };
+enum { ROUNDS = BENCH_ROUNDS_MIN, REPEATS_MAX = 16, QUICK_LADDER = 2 };
 
 static const struct accuracy_problem *const problems[] = {
     &accuracy_compression,
