@@ -77,10 +77,10 @@ static void look_small(const struct particle_set *particles, double time, struct
 }
 
 #define BAR_TEXT                                                                                   \
-    "linear elastic, uniaxial strain, both ends held, three periods; exact solution u = A sin(pi " \
-    "X/L) sin(omega t). The error is that of the displacement, root mean square over all "         \
+    "linear elastic, uniaxial strain, both ends held, three periods; exact solution u = A "        \
+    "sin(πX/L) sin ωt. The error is that of the displacement, root mean square over all "        \
     "particles and 120 instants, over A. USF and USAVG update F before the first force of the "    \
-    "start, an error of first order that no scene can avoid and that is counted here"
+    "start: an error of first order that no scene can avoid and that is counted here"
 
 const struct accuracy_problem accuracy_bar_small = {
     .name = "bar_small",

@@ -141,8 +141,9 @@ static void html_cell(GString *html, const struct cell *cell, const char *column
 static void html_table(GString *html, const struct block *block)
 {
     const unsigned columns = g_strv_length(block->columns);
-    g_string_append(html, "<div class=\"scroll\"><table>\n");
-    text_markup(html, "<caption>%s</caption>\n<thead><tr>", block->text);
+    /* above the table, not in it: a caption would scroll away with a wide one */
+    text_markup(html, "<p class=\"about\">%s</p>\n", block->text);
+    g_string_append(html, "<div class=\"scroll\"><table>\n<thead><tr>");
     for (unsigned c = 0; c < columns; c++) {
         g_string_append(html, is_number(block->columns[c]) ? "<th scope=\"col\" class=\"n\">"
                                                            : "<th scope=\"col\">");

@@ -77,17 +77,19 @@ static char *data_of(const struct study *study, const GPtrArray *lines)
     return g_string_free(data, FALSE);
 }
 
-static void add_table(struct report *report, const struct study *study, const GPtrArray *lines)
+static void add_table(struct report *report, const GPtrArray *lines)
 {
-    const char *const columns[] = {"Point", ">Million particle-steps/s", ">Rate ratio", "Against",
-                                   NULL};
-    document_table(report->document, study->caption, columns);
+    const char *const columns[] = {"Point", ">Rate", ">Rate ratio", "Against", NULL};
+    document_table(
+        report->document,
+        "The same in numbers: million particle-steps a second; ratios are paired by round.",
+        columns);
     for (unsigned i = 0; i < lines->len; i++) {
         const json_t *line = lines->pdata[i], *comparison = report_comparison(report, line);
-        report_cell(report, record_text(line, "point"));
+        report_cell_point(report, line, "point", NULL);
         report_cell_result(report, line, MILLION);
         report_cell_ratio(report, comparison, false);
-        report_cell(report, record_text(comparison, "against"));
+        report_cell_point(report, comparison, "against", NULL);
     }
 }
 
@@ -106,7 +108,7 @@ static void add_study(struct report *report, const struct study *study)
         report_add_figure(report, &(struct report_figure){study->name, "scaling", study->settings,
                                                           data, study->title, study->caption});
         if (strcmp(study->group, "scaling") == 0) /* the others stand in a table above */
-            add_table(report, study, lines);
+            add_table(report, lines);
         g_free(data);
     }
     g_ptr_array_unref(lines);

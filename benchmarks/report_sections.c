@@ -88,15 +88,70 @@ char *report_variant(const json_t *line)
     return g_string_free(text, FALSE);
 }
 
+/* Thousands set apart, from five digits on. */
+static void group_digits(GString *number)
+{
+    const gssize start = number->str[0] == '-' ? 1 : 0;
+    if ((gssize)number->len - start < 5)
+        return;
+    for (gssize place = (gssize)number->len - 3; place > start; place -= 3)
+        g_string_insert(number, place, "\u202f");
+}
+
 char *report_digits(double value, double scale)
 {
     char text[G_ASCII_DTOSTR_BUF_SIZE];
-    const double scaled = value / scale;
+    const double scaled = value / scale, size = fabs(scaled);
     if (!isfinite(scaled))
         return g_strdup("none");
-    if (fabs(scaled) >= 1000 && fabs(scaled) < 1e7)
-        return g_strdup(g_ascii_formatd(text, sizeof text, "%.0f", scaled));
-    return g_strdup(g_ascii_formatd(text, sizeof text, "%.3g", scaled));
+    if (size < 1 || size >= 1e12)
+        return g_strdup(g_ascii_formatd(text, sizeof text, size > 0 ? "%#.3g" : "%.0f", scaled));
+    /* three digits, zeros at the end included; large numbers whole */
+    const char *format = size < 9.995 ? "%.2f" : size < 99.95 ? "%.1f" : "%.0f";
+    GString *number = g_string_new(g_ascii_formatd(text, sizeof text, format, scaled));
+    if (size >= 99.95)
+        group_digits(number);
+    return g_string_free(number, FALSE);
+}
+
+/* "10^4" with a raised 4. */
+static void raise_exponents(GString *text)
+{
+    static const char *const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    for (char *mark = strchr(text->str, '^'); mark != NULL; mark = strchr(text->str, '^')) {
+        gssize place = mark - text->str;
+        g_string_erase(text, place, 1);
+        while (g_ascii_isdigit(text->str[place])) {
+            const char *digit = raised[text->str[place] - '0'];
+            g_string_erase(text, place, 1);
+            g_string_insert(text, place, digit);
+            place += (gssize)strlen(digit);
+        }
+    }
+}
+
+char *report_point(const struct report *report, const char *group, const char *point)
+{
+    const json_t *line = bench_records_find(report->records, "result", group, point, NULL);
+    char *variant = report_variant(line);
+    const char *more = strstr(point, ", ");
+    GString *text = g_string_new(NULL);
+    if (*variant == '\0')
+        g_string_append(text, point);
+    else
+        g_string_append_printf(text, "%s%s", variant, more == NULL ? "" : more);
+    raise_exponents(text);
+    g_free(variant);
+    return g_string_free(text, FALSE);
+}
+
+void report_cell_point(struct report *report, const json_t *line, const char *key, char *about)
+{
+    const char *point = record_text(line, key);
+    document_cell(report->document,
+                  *point == '\0' ? g_strdup("")
+                                 : report_point(report, record_text(line, "group"), point),
+                  about);
 }
 
 static char *interval(double low, double high, double scale)

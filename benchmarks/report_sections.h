@@ -50,7 +50,10 @@ const char *report_word(const char *name);
 /* "uGIMP, MUSL, plane strain" of a line's settings; g_free. */
 char *report_variant(const json_t *line);
 
-/* Four digits at most, of value / scale; g_free. */
+/* The name of a point in words: "uGIMP, MUSL, plane strain, 10⁵"; g_free. */
+char *report_point(const struct report *report, const char *group, const char *point);
+
+/* Three digits, or all of a larger number, of value / scale; g_free. */
 char *report_digits(double value, double scale);
 
 /* Cells: a result's median with its interval below, over `scale`. */
@@ -61,6 +64,10 @@ void report_cell_result(struct report *report, const json_t *line, double scale)
 void report_cell_ratio(struct report *report, const json_t *comparison, bool inverted);
 
 void report_cell(struct report *report, const char *text);
+
+/* The point that a line names under `key` ("point", "against"; NULL line: an empty cell).
+ * `about` is taken over. */
+void report_cell_point(struct report *report, const json_t *line, const char *key, char *about);
 
 /* ------------------------------------------------------------------ figures */
 

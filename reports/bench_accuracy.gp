@@ -11,8 +11,10 @@ set ylabel label
 set format xy '10^{%T}'
 set mxtics 10
 set yrange [*:200]
-set offsets graph 0.05, graph 0.05, 0, 0
-set key outside bottom center horizontal maxrows 2 samplen 2.5
+set autoscale x noextend
+set offsets graph 0.04, graph 0.04, 0, 0
+unset bmargin
+set key outside bottom center horizontal maxcols 4 samplen 2.5 height 1 width -1
 
 array shape_names[3] = ['classic', 'uGIMP', 'CPDI']
 array order_names[4] = ['USL', 'MUSL', 'USF', 'USAVG']
@@ -21,7 +23,7 @@ shape_of(i) = int(word(blocks, i)[1:1])
 order_of(i) = int(word(blocks, i)[2:2])
 count = words(blocks)
 
-plot data index count using 1:2 with lines lw 5 lc rgb '#b0b0b0' dt 1 title 'Pareto front', \
+plot data index count using 1:2 with steps lw 5 lc rgb '#b0b0b0' dt 1 title 'Pareto front', \
      for [i = 1:count] data index (i - 1) using 1:2 with linespoints ls (1 + shape_of(i)) lw 1 \
          pt marker[order_of(i)] ps 0.8 notitle, \
      for [s = 1:3] NaN with lines ls (1 + s) lw 1.6 title shape_names[s], \

@@ -8,10 +8,11 @@ set xlabel label
 set ylabel 'million particle-steps / s'
 set yrange [0:*]
 if (logarithmic) { set logscale x; set format x '10^{%T}' } else { set xtics 1 }
-set offsets graph 0.05, graph 0.05, graph 0.1, 0
+set autoscale x noextend
+set offsets graph 0.06, graph 0.06, graph 0.1, 0
 stats data using 1 nooutput
 count = STATS_blocks
 if (count > 1) { set key outside right title 'particles' } else { unset key }
-plot for [i = 0:count - 1] data index i using 1:2 with lines ls (2 + i) notitle, \
-     for [i = 0:count - 1] data index i using 1:2:3:4 with yerrorbars ls (2 + i) \
-         title columnheader(1)
+plot for [i = 0:count - 1] data index i using 1:2 with linespoints ls (2 + i) title columnheader(1), \
+     for [i = 0:count - 1] data index i using 1:3:(0):($4 - $3) with vectors nohead ls (2 + i) \
+         dt 1 lw 2.5 notitle

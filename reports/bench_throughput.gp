@@ -1,18 +1,23 @@
-# Throughput of every variant: two bars each, with intervals.
+# Throughput of every variant: two bars each, with intervals. `shown` names those of the two
+# geometries (0 plane strain, 1 axisymmetric) that have bars.
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set output output
 set datafile missing '-'
-set style data histograms
-set style histogram errorbars gap 1 lw 1
-set boxwidth 0.9
 set ylabel 'million particle-steps / s'
 set yrange [0:*]
+set autoscale x noextend
+set offsets 0.2, 0.2, 0, 0
 set key top right
-set bmargin 5
-unset mxtics
 set grid noxtics ytics
 set xtics scale 0 font ',12'
-plot data using 3:4:5:xtic(sprintf("%s\n%s", strcol(2), strcol(1))) title 'plane strain' \
-         fs solid 0.9 lc rgb '#0072B2', \
-     '' using 6:7:8 title 'axisymmetric' fs pattern 4 lc rgb '#D55E00'
+array name_of[2] = ['plane strain', 'axisymmetric']
+place(g) = g eq '0' ? -0.2 : 0.2
+first(g) = 3 + 3 * g
+plot for [g in shown] data using ($0 + place(g)):(column(first(g))):(0.38) with boxes \
+         lc rgb (g eq '0' ? '#0072B2' : '#E69F00') fs pattern (g eq '0' ? 3 : 4) \
+         title name_of[g + 1], \
+     for [g in shown] data \
+         using ($0 + place(g)):(column(first(g) + 1)):(0):(column(first(g) + 2) - column(first(g) + 1)) \
+         with vectors nohead lw 2 lc rgb '#000000' notitle, \
+     data using 0:(NaN):xtic(sprintf("%s\n%s", strcol(2), strcol(1))) with points notitle
