@@ -42,8 +42,9 @@ static char *machine_of(const json_t *run)
 static char **facts(const struct bench_records *records)
 {
     static const char *const rows[][2] = {
-        {"Compiler", "compiler"},   {"Flags", "flags"}, {"Revision", "revision"},
-        {"Libraries", "libraries"}, {"Size", "tier"},   {"Command", "command"},
+        {"Compiler", "compiler"}, {"Flags", "flags"},         {"Revision", "revision"},
+        {"Compiled for", "simd"}, {"Libraries", "libraries"}, {"Size", "tier"},
+        {"Command", "command"},
     };
     const json_t *run = records->run;
     GPtrArray *texts = g_ptr_array_new();
@@ -55,7 +56,7 @@ static char **facts(const struct bench_records *records)
     }
     g_ptr_array_add(texts, g_strdup("Kernels"));
     g_ptr_array_add(texts, distinct(records, "kernels"));
-    g_ptr_array_add(texts, g_strdup("Instruction sets"));
+    g_ptr_array_add(texts, g_strdup("Instructions used"));
     g_ptr_array_add(texts, distinct(records, "simd"));
     g_ptr_array_add(texts, g_strdup("Version"));
     g_ptr_array_add(texts, g_strdup_printf("Touchstone %s", record_text(run, "version")));

@@ -28,7 +28,8 @@
     SUITE(suite)                                                                                   \
     SUITE(bench)                                                                                   \
     SUITE(pareto)                                                                                  \
-    SUITE(accuracy)
+    SUITE(accuracy)                                                                                \
+    SUITE(bench_report)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)
