@@ -58,7 +58,7 @@ START_TEST(the_interval_holds_the_percentiles_of_the_exact_bootstrap_distributio
         while (probability_up_to(n, most) < 0.025 + slack)
             most++;
         const struct bench_interval interval = bench_interval_of(values, (size_t)n);
-        ck_assert_double_eq(interval.median, (n + 1) / 2);
+        ck_assert_double_eq(interval.median, 0.5 * (n + 1));
         ck_assert_double_ge(interval.low, least);
         ck_assert_double_le(interval.low, most);
         ck_assert_double_le(interval.high, n + 1 - least);
