@@ -125,6 +125,13 @@ static const char *name_of(const char *column)
     return is_number(column) ? column + 1 : column;
 }
 
+/* At least 1. */
+static unsigned column_count(const struct block *block)
+{
+    const unsigned count = g_strv_length(block->columns);
+    return count == 0 ? 1 : count;
+}
+
 static void html_cell(GString *html, const struct cell *cell, const char *column, bool first)
 {
     g_string_append(html, first ? "<th scope=\"row\"" : "<td");
@@ -140,7 +147,7 @@ static void html_cell(GString *html, const struct cell *cell, const char *column
 
 static void html_table(GString *html, const struct block *block)
 {
-    const unsigned columns = g_strv_length(block->columns);
+    const unsigned columns = column_count(block);
     /* above the table, not in it: a caption would scroll away with a wide one */
     text_markup(html, "<p class=\"about\">%s</p>\n", block->text);
     g_string_append(html, "<div class=\"scroll\"><table>\n<thead><tr>");
@@ -162,7 +169,7 @@ static void html_table(GString *html, const struct block *block)
 
 static void markdown_table(GString *markdown, const struct block *block)
 {
-    const unsigned columns = g_strv_length(block->columns);
+    const unsigned columns = column_count(block);
     text_markdown(markdown, block->text);
     g_string_append(markdown, "\n\n");
     for (unsigned c = 0; c < columns; c++) {

@@ -85,8 +85,8 @@ static char *figure_data(const struct ladder *ladder, GString *settings)
     size_t shape_count, order_count;
     const char *const *shapes = accuracy_shapes(&shape_count);
     const char *const *orders = accuracy_orders(&order_count);
-    struct pareto_point *points = g_new(struct pareto_point, ladder->lines->len);
-    size_t *front = g_new(size_t, ladder->lines->len);
+    struct pareto_point *points = g_new0(struct pareto_point, ladder->lines->len);
+    size_t *front = g_new0(size_t, ladder->lines->len);
     GString *data = g_string_new("# CPU seconds, error in per cent\n");
     g_string_append(settings, "blocks='");
     for (size_t v = 0; v < shape_count * order_count; v++) {
@@ -150,7 +150,7 @@ static char *cost_text(const struct pareto_cost *cost)
 static void cell_cost(struct report *report, const struct ladder *ladder, const char *shape,
                       const char *order, double error)
 {
-    struct pareto_point *points = g_new(struct pareto_point, ladder->lines->len);
+    struct pareto_point *points = g_new0(struct pareto_point, ladder->lines->len);
     struct pareto_cost cost[BOUNDS];
     for (int b = 0; b < BOUNDS; b++) {
         const size_t count = points_of(ladder, shape, order, (enum bound)b, points);
