@@ -33,7 +33,7 @@ static char *distinct(const struct bench_records *records, const char *key)
 
 static char *machine_of(const json_t *run)
 {
-    return g_strdup_printf("%s; %.0f for this process, %.1f GB of memory",
+    return g_strdup_printf("%s; %.0f cores for this process, %.1f GB of memory",
                            record_text(run, "processor"), record_number(run, "cores"),
                            1e-9 * record_number(run, "memory_bytes"));
 }
