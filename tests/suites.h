@@ -27,6 +27,8 @@
     SUITE(scene_settings)                                                                          \
     SUITE(suite)                                                                                   \
     SUITE(bench)                                                                                   \
+    SUITE(kernels)                                                                                 \
+    SUITE(kernel_table)                                                                            \
     SUITE(pareto)                                                                                  \
     SUITE(accuracy)                                                                                \
     SUITE(bench_report)

@@ -82,6 +82,8 @@ char *report_markdown(const struct records *records)
     text_markdown(markdown, record_text(records->run, "revision"));
     g_string_append(markdown, ", ");
     text_markdown(markdown, record_text(records->run, "compiler"));
+    g_string_append(markdown, ", kernels ");
+    text_markdown(markdown, record_text(records->run, "kernels"));
     g_string_append(markdown, ", size ");
     text_markdown(markdown, record_text(records->run, "tier"));
     g_string_append(markdown, ".\n");
