@@ -11,6 +11,9 @@ static const struct bench_group groups[] = {
     {"limit", "Against the machine's limit",
      "arithmetic and memory limit of one core, measured in the rounds of the target rows",
      bench_limit},
+    {"accuracy", "Error against run time",
+     "R1 and a vibrating bar on ladders of grids: error and processor time of every variant",
+     bench_accuracy},
     {"scaling", "Scaling", "threads at three sizes, particles per cell, empty grid", bench_scaling},
 };
 
