@@ -26,11 +26,6 @@ typedef int64_t mpm_half_mask __attribute__((vector_size(16)));
 
 #define MPM_INLINE static inline __attribute__((always_inline))
 
-MPM_INLINE mpm_vector mpm_splat(double x)
-{
-    return (mpm_vector){x, x, x, x};
-}
-
 MPM_INLINE mpm_vector mpm_load(const double *from)
 {
     mpm_vector v;
@@ -43,12 +38,57 @@ MPM_INLINE void mpm_store(double *to, mpm_vector v)
     memcpy(to, &v, sizeof v);
 }
 
+#if defined __SSE2__ && !defined __AVX__
+/* Two numbers in one register. gcc would store them one by one, and whoever loads both
+ * would wait for that. */
+MPM_INLINE mpm_half_vector mpm_pair(double a, double b)
+{
+    mpm_half_vector pair = {a, b};
+    __asm__("" : "+x"(pair));
+    return pair;
+}
+#else
+MPM_INLINE mpm_half_vector mpm_pair(double a, double b)
+{
+    return (mpm_half_vector){a, b};
+}
+#endif
+
+MPM_INLINE mpm_vector mpm_join(mpm_half_vector low, mpm_half_vector high)
+{
+    return (mpm_vector){low[0], low[1], high[0], high[1]};
+}
+
 /* from[0] from[1] from[0] from[1] */
 MPM_INLINE mpm_vector mpm_load_pair(const double *from)
 {
     mpm_half_vector v;
     memcpy(&v, from, sizeof v);
+#ifdef __AVX__
     return __builtin_shufflevector(v, v, 0, 1, 0, 1);
+#else
+    return mpm_join(v, v);
+#endif
+}
+
+MPM_INLINE mpm_vector mpm_splat(double x)
+{
+#ifdef __AVX__
+    return (mpm_vector){x, x, x, x};
+#else
+    return mpm_join(mpm_pair(x, x), mpm_pair(x, x));
+#endif
+}
+
+/* s v. Where registers are short, gcc would write the four copies of s one by one. */
+MPM_INLINE mpm_vector mpm_scale(double s, mpm_vector v)
+{
+#ifdef __AVX__
+    return s * v;
+#else
+    const mpm_half_vector low = {v[0], v[1]}, high = {v[2], v[3]};
+    return mpm_join(s * low, s * high);
+#endif
 }
 
 MPM_INLINE mpm_vector mpm_select(mpm_mask mask, mpm_vector yes, mpm_vector no)
@@ -139,26 +179,25 @@ MPM_INLINE mpm_mask mpm_to_integer(mpm_vector whole)
     return (mpm_mask)(whole + MPM_ROUNDING) - (mpm_mask)zero;
 }
 
+/* Two lanes of a vector and the same ones of another, in the order of the names. */
+#define MPM_MIX(a, i, b, j, c, k, d, l) mpm_join(mpm_pair((a)[i], (b)[j]), mpm_pair((c)[k], (d)[l]))
+
 /* Pairs (a, b) of each lane, in the order of lanes 0 2 1 3, which interleaving leaves. */
 MPM_INLINE void mpm_store_pairs(mpm_vector a, mpm_vector b, double pairs[8])
 {
-#if defined __SSE2__ && !defined __AVX__
-    /* gcc would store the two of a pair one by one, and a load of both would wait for them */
-    for (int half = 0; half < 4; half++) {
-        const int lane = half < 2 ? 2 * half : 2 * half - 3;
-        mpm_half_vector pair = {a[lane], b[lane]};
-        __asm__("" : "+x"(pair));
-        memcpy(pairs + 2 * half, &pair, sizeof pair);
-    }
-#else
+#ifdef __AVX__
     mpm_store(pairs, __builtin_shufflevector(a, b, 0, 4, 2, 6));
     mpm_store(pairs + 4, __builtin_shufflevector(a, b, 1, 5, 3, 7));
+#else
+    mpm_store(pairs, MPM_MIX(a, 0, b, 0, a, 2, b, 2));
+    mpm_store(pairs + 4, MPM_MIX(a, 1, b, 1, a, 3, b, 3));
 #endif
 }
 
 /* Rows become columns. */
 MPM_INLINE void mpm_transpose(mpm_vector v[4])
 {
+#ifdef __AVX__
     const mpm_vector a = __builtin_shufflevector(v[0], v[1], 0, 4, 2, 6);
     const mpm_vector b = __builtin_shufflevector(v[0], v[1], 1, 5, 3, 7);
     const mpm_vector c = __builtin_shufflevector(v[2], v[3], 0, 4, 2, 6);
@@ -167,6 +206,13 @@ MPM_INLINE void mpm_transpose(mpm_vector v[4])
     v[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
     v[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
     v[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
+#else
+    const mpm_vector a = v[0], b = v[1], c = v[2], d = v[3];
+    v[0] = MPM_MIX(a, 0, b, 0, c, 0, d, 0);
+    v[1] = MPM_MIX(a, 1, b, 1, c, 1, d, 1);
+    v[2] = MPM_MIX(a, 2, b, 2, c, 2, d, 2);
+    v[3] = MPM_MIX(a, 3, b, 3, c, 3, d, 3);
+#endif
 }
 
 MPM_INLINE double mpm_largest_lane(mpm_vector v)

@@ -92,9 +92,9 @@ MPM_INLINE void spread_corner(double *row, int64_t stride, double x, double y, m
 {
     for (int j = 0; j < 2; j++) {
         double *const node = row + 4 * j * stride;
-        const mpm_vector part = (j == 0 ? 1.0 - y : y) * value;
-        mpm_store(node, mpm_load(node) + (1.0 - x) * part);
-        mpm_store(node + 4, mpm_load(node + 4) + x * part);
+        const mpm_vector part = mpm_scale(j == 0 ? 1.0 - y : y, value);
+        mpm_store(node, mpm_load(node) + mpm_scale(1.0 - x, part));
+        mpm_store(node + 4, mpm_load(node + 4) + mpm_scale(x, part));
     }
 }
 
@@ -164,9 +164,9 @@ MPM_INLINE void fast_corners_spread_momentum(const struct fast_constants *k,
 MPM_INLINE mpm_vector gather_corner(const double *row, int64_t stride, double x, double y)
 {
     const double *const upper = row + 4 * stride;
-    const mpm_vector low = (1.0 - x) * mpm_load(row) + x * mpm_load(row + 4);
-    const mpm_vector high = (1.0 - x) * mpm_load(upper) + x * mpm_load(upper + 4);
-    return (1.0 - y) * low + y * high;
+    const mpm_vector low = mpm_scale(1.0 - x, mpm_load(row)) + mpm_scale(x, mpm_load(row + 4));
+    const mpm_vector high = mpm_scale(1.0 - x, mpm_load(upper)) + mpm_scale(x, mpm_load(upper + 4));
+    return mpm_scale(1.0 - y, low) + mpm_scale(y, high);
 }
 
 MPM_INLINE void gather_corners(const struct fast_constants *k, const struct fast_corners *corners,

@@ -154,17 +154,17 @@ MPM_INLINE void spread_lane(const struct fast_spec *spec, const struct fast_cons
     const int nodes = line_nodes(spec), pair = fast_pair[lane];
     mpm_vector d[MPM_LINE_NODES];
     for (int i = 0; spec->force && i < nodes; i++) {
-        d[i] = lines->x[i][pair] * along_x;
+        d[i] = mpm_scale(lines->x[i][pair], along_x);
         if (spec->axisymmetric)
-            d[i] += lines->t[i][lane] * hoop;
+            d[i] += mpm_scale(lines->t[i][lane], hoop);
     }
     for (int j = 0; j < nodes; j++) {
         double *const row = fast_row(k->sum, lines->node[lane], j, k);
         const mpm_vector e = mpm_load_pair(&lines->y[j][pair]) * along_y;
         for (int i = 0; i < nodes; i++) {
-            mpm_vector add = lines->x[i][pair + 1] * e;
+            mpm_vector add = mpm_scale(lines->x[i][pair + 1], e);
             if (spec->force)
-                add += lines->y[j][pair] * d[i];
+                add += mpm_scale(lines->y[j][pair], d[i]);
             mpm_store(row + 4 * i, mpm_load(row + 4 * i) + add);
         }
     }
@@ -212,9 +212,9 @@ MPM_INLINE void spread_momentum_lane(const struct fast_spec *spec, const struct 
     const int nodes = line_nodes(spec), pair = fast_pair[lane];
     for (int j = 0; j < nodes; j++) {
         double *const row = fast_row(k->gradient, lines->node[lane], j, k);
-        const mpm_vector part = lines->y[j][pair] * momentum;
+        const mpm_vector part = mpm_scale(lines->y[j][pair], momentum);
         for (int i = 0; i < nodes; i++)
-            mpm_store(row + 4 * i, mpm_load(row + 4 * i) + lines->x[i][pair + 1] * part);
+            mpm_store(row + 4 * i, mpm_load(row + 4 * i) + mpm_scale(lines->x[i][pair + 1], part));
     }
 }
 
@@ -241,16 +241,16 @@ MPM_INLINE mpm_vector motion_lane(const struct fast_spec *spec, const struct fas
     mpm_vector sum = mpm_splat(0.0), hoop_sum = mpm_splat(0.0);
     for (int j = 0; j < nodes; j++) {
         const double *const row = fast_row(k->motion, lines->node[lane], j, k);
-        mpm_vector part = lines->x[0][pair + 1] * mpm_load(row);
+        mpm_vector part = mpm_scale(lines->x[0][pair + 1], mpm_load(row));
         for (int i = 1; i < nodes; i++)
-            part += lines->x[i][pair + 1] * mpm_load(row + 4 * i);
-        part *= lines->y[j][pair];
+            part += mpm_scale(lines->x[i][pair + 1], mpm_load(row + 4 * i));
+        part = mpm_scale(lines->y[j][pair], part);
         sum = j == 0 ? part : sum + part;
         if (wants_hoop) {
-            mpm_vector hoop_part = lines->t[0][lane] * mpm_load(row);
+            mpm_vector hoop_part = mpm_scale(lines->t[0][lane], mpm_load(row));
             for (int i = 1; i < nodes; i++)
-                hoop_part += lines->t[i][lane] * mpm_load(row + 4 * i);
-            hoop_part *= lines->y[j][pair];
+                hoop_part += mpm_scale(lines->t[i][lane], mpm_load(row + 4 * i));
+            hoop_part = mpm_scale(lines->y[j][pair], hoop_part);
             hoop_sum = j == 0 ? hoop_part : hoop_sum + hoop_part;
         }
     }
