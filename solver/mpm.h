@@ -252,7 +252,7 @@ struct mpm_build_info {
     const char *compiler;
     const char *flags;
     const char *libraries; /* name version, comma separated */
-    const char *simd;      /* instruction set in use */
+    const char *simd;      /* the widest that fast kernels have on this machine */
 };
 const struct mpm_build_info *mpm_build_info(void);
 

@@ -164,6 +164,9 @@ START_TEST(info_tells_what_the_binary_is_made_of)
     for (size_t i = 0; i < G_N_ELEMENTS(names); i++)
         ck_assert(strstr(command.output, names[i]) != NULL);
     ck_assert(strstr(command.output, mpm_build_info()->revision) != NULL);
+    char *simd = g_strdup_printf("\nsimd       %s\n", mpm_build_info()->simd);
+    ck_assert(strstr(command.output, simd) != NULL);
+    g_free(simd);
     test_command_free(&command);
 }
 END_TEST
@@ -208,6 +211,8 @@ START_TEST(check_tells_the_kernels_and_why)
         const struct mpm_simulation_options options = {.threads = 1, .kernels = sets[i].kernels};
         ck_assert_int_eq(mpm_scene_read(fixture.scene, NULL, 0, &scene, NULL), MPM_OK);
         ck_assert_int_eq(mpm_scene_plan(scene, &options, &plan, NULL), MPM_OK);
+        if (strcmp(plan.kernels, "fast") == 0)
+            ck_assert_str_eq(plan.simd, mpm_build_info()->simd);
         char *expected = g_strdup_printf("\nkernels    %s (%s)\nsimd       %s\n", plan.kernels,
                                          plan.kernels_reason, plan.simd);
         struct test_command command =

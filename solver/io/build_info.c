@@ -4,6 +4,7 @@
 #include "mpm.h"
 
 #include "build_facts.h"
+#include "method/fast.h"
 
 #include <cyaml/cyaml.h>
 #include <glib.h>
@@ -23,20 +24,6 @@
         __GNUC_PATCHLEVEL__)
 #else
 #define COMPILER "unknown"
-#endif
-
-#if defined __AVX512F__
-#define SIMD "AVX-512"
-#elif defined __AVX2__
-#define SIMD "AVX2"
-#elif defined __AVX__
-#define SIMD "AVX"
-#elif defined __SSE2__
-#define SIMD "SSE2 (x86-64 baseline)"
-#elif defined __ARM_NEON
-#define SIMD "NEON"
-#else
-#define SIMD "none (scalar)"
 #endif
 
 /* "2.3.3" of "2.3.3 (Release)"; the library tells it only through a parser. */
@@ -73,11 +60,11 @@ const struct mpm_build_info *mpm_build_info(void)
         .revision = BUILD_REVISION,
         .compiler = COMPILER,
         .flags = BUILD_FLAGS,
-        .simd = SIMD,
     };
     static gsize ready = 0;
     if (g_once_init_enter(&ready)) {
         info.libraries = library_versions();
+        info.simd = mpm_simd_name(mpm_fast_widest());
         g_once_init_leave(&ready, 1);
     }
     return &info;
