@@ -1,0 +1,31 @@
+/* The runs that have a budget, and counting them.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef BENCHMARKS_BUDGET_RUNS_H
+#define BENCHMARKS_BUDGET_RUNS_H
+
+#include "benchmarks/budget.h"
+
+struct budget_run {
+    const char *name;
+    const char *case_folder; /* of the catalogue whose scene it is; NULL: scenes/budget.yaml */
+    const char *kernels;     /* NULL: the program's choice */
+    const char *settings[6]; /* PATH=VALUE, ends with NULL */
+};
+
+extern const struct budget_run budget_runs[];
+extern const size_t budget_run_count;
+
+/* Where the programs and scenes are. */
+struct budget_places {
+    const char *program;    /* mpm */
+    const char *benchmarks; /* folder that holds scenes/ and budget.json */
+    const char *catalogue;  /* folder of the suite's cases */
+};
+
+/* Takes the run's steps under callgrind. The errors of instructions_count. */
+enum mpm_status budget_run_count_cost(const struct budget_run *run,
+                                      const struct budget_places *places, struct budget_cost *cost,
+                                      struct mpm_error *error);
+
+#endif

@@ -1,0 +1,52 @@
+/* Instructions that the steps of a scene execute, counted by valgrind's callgrind.
+ *
+ * Counted is what mpm_simulation_advance executes, all that it calls included: setting up
+ * and writing results are not. The run has one thread, no environment, and sees the scene,
+ * the program and its results under names that do not depend on where they are, so that
+ * the same binary gives the same number anywhere (README.md tells how nearly).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef BENCHMARKS_INSTRUCTIONS_H
+#define BENCHMARKS_INSTRUCTIONS_H
+
+#include "mpm.h"
+
+struct instructions_request {
+    const char *program;         /* path of `mpm` */
+    const char *scene;           /* path of the scene */
+    const char *const *settings; /* PATH=VALUE, ends with NULL; NULL for none */
+    const char *kernels;         /* of `mpm run --kernels`; NULL leaves it to the program */
+    unsigned steps;              /* to take, from t = 0 */
+};
+
+enum { INSTRUCTIONS_TEXT = 256 };
+
+struct instructions {
+    uint64_t total;    /* executed in the steps */
+    uint64_t branches; /* conditional ones among them */
+    /* of the program's own record of the run */
+    uint64_t steps, particles, particle_steps;
+    uint64_t bytes;
+    double bytes_per_particle;
+    char kernels[INSTRUCTIONS_TEXT], simd[INSTRUCTIONS_TEXT];
+    char compiler[INSTRUCTIONS_TEXT], flags[INSTRUCTIONS_TEXT];
+};
+
+/* Per particle and step. */
+double instructions_rate(const struct instructions *counted);
+double instructions_branch_rate(const struct instructions *counted);
+
+/* MPM_ENVIRONMENT_FAILED, with what to do about it, where there is no valgrind. */
+enum mpm_status instructions_available(struct mpm_error *error);
+
+/* Counts. Cost: the run, some 50 times slower, and 1.5 s. MPM_ENVIRONMENT_FAILED: no
+ * valgrind, no scratch folder, valgrind or the program could not run; a failure of the
+ * program itself keeps its status and message. */
+enum mpm_status instructions_count(const struct instructions_request *request,
+                                   struct instructions *counted, struct mpm_error *error);
+
+/* Reads the totals of callgrind's file: `text` must have the events Ir and Bc. */
+enum mpm_status instructions_parse(const char *text, struct instructions *counted,
+                                   struct mpm_error *error);
+
+#endif
