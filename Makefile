@@ -76,6 +76,7 @@ LIBS_TESTS      = $(call remember,LIBS_TESTS,$(PKG_CONFIG) --libs $(PACKAGES_TES
 
 INCLUDES_solver       := -Isolver
 INCLUDES_verification := -Isolver -I.
+INCLUDES_benchmarks   := -Isolver -I.
 INCLUDES_reports      := -Isolver -I.
 INCLUDES_tests        := -Isolver -I. -Itests
 room     = $(firstword $(subst /, ,$(1)))
@@ -86,13 +87,18 @@ SOLVER_SOURCES := $(sort $(wildcard $(patsubst %,solver/%/*.c,base model method 
 CLI_SOURCES    := $(sort $(wildcard solver/cli/*.c))
 VERIFY_MAIN    := $(wildcard verification/suite/main.c)
 VERIFY_SOURCES := $(filter-out $(VERIFY_MAIN),$(sort $(wildcard verification/*/*.c reports/*.c)))
+BENCH_MAIN     := $(wildcard benchmarks/main.c)
+BENCH_SOURCES  := $(filter-out $(BENCH_MAIN),$(sort $(wildcard benchmarks/*.c)))
 TEST_SOURCES   := $(sort $(wildcard tests/*.c tests/support/*.c))
-SOURCES := $(SOLVER_SOURCES) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) $(TEST_SOURCES)
-HEADERS := $(sort $(wildcard solver/*.h solver/*/*.h verification/*/*.h reports/*.h tests/*.h tests/*/*.h))
+SOURCES := $(SOLVER_SOURCES) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) $(BENCH_SOURCES) \
+           $(BENCH_MAIN) $(TEST_SOURCES)
+HEADERS := $(sort $(wildcard solver/*.h solver/*/*.h verification/*/*.h benchmarks/*.h reports/*.h \
+             tests/*.h tests/*/*.h))
 objects  = $(patsubst %.c,$(BUILD)/objects/%.o,$(1))
 
 LIBRARY  := $(BUILD)/libmpm.a
-PROGRAMS := $(if $(CLI_SOURCES),$(BUILD)/bin/mpm) $(if $(VERIFY_MAIN),$(BUILD)/bin/mpm-verify)
+PROGRAMS := $(if $(CLI_SOURCES),$(BUILD)/bin/mpm) $(if $(VERIFY_MAIN),$(BUILD)/bin/mpm-verify) \
+            $(if $(BENCH_MAIN),$(BUILD)/bin/mpm-bench)
 TESTER   := $(BUILD)/bin/mpm-tests
 
 # Commands are shown in short; V=1 shows them whole.
@@ -110,7 +116,9 @@ $(BUILD)/bin/mpm: $(call objects,$(CLI_SOURCES)) $(LIBRARY)
 	$(link) $(LIBS_SOLVER)
 $(BUILD)/bin/mpm-verify: $(call objects,$(VERIFY_MAIN) $(VERIFY_SOURCES)) $(LIBRARY)
 	$(link) $(LIBS_SUITE) $(LIBS_SOLVER)
-$(TESTER): $(call objects,$(TEST_SOURCES) $(VERIFY_SOURCES)) $(LIBRARY)
+$(BUILD)/bin/mpm-bench: $(call objects,$(BENCH_MAIN) $(BENCH_SOURCES) $(VERIFY_SOURCES)) $(LIBRARY)
+	$(link) $(LIBS_SUITE) $(LIBS_SOLVER)
+$(TESTER): $(call objects,$(TEST_SOURCES) $(BENCH_SOURCES) $(VERIFY_SOURCES)) $(LIBRARY)
 	$(link) $(LIBS_TESTS) $(LIBS_SUITE) $(LIBS_SOLVER)
 
 .PHONY: objects
@@ -155,7 +163,8 @@ test: $(TESTER) $(PROGRAMS) ## unit tests; also VARIANT=debug|asan|ubsan|tsan|co
 coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gcovr
 	@find build/cov -name '*.gcda' -delete 2>/dev/null || true
 	+@$(MAKE) VARIANT=cov CC=gcc test
-	gcovr --root . --filter solver/ --filter verification/ --filter reports/ \
+	gcovr --root . --filter solver/ --filter verification/ --filter benchmarks/ \
+	  --filter reports/ \
 	  --exclude-throw-branches build/cov
 
 # ------------------------------------------------------------- verification
@@ -164,6 +173,11 @@ verify: all ## the catalogue at CI size; report in build/reports/verify
 	$(BUILD)/bin/mpm-verify run --tier ci --output build/reports/verify
 verify-full: all ## the catalogue at full size
 	$(BUILD)/bin/mpm-verify run --tier full --output build/reports/verify
+
+# --------------------------------------------------------------- benchmarks
+.PHONY: bench
+bench: all ## speed, memory, scaling, error against run time; report in build/reports/bench
+	$(BUILD)/bin/mpm-bench run --output build/reports/bench
 
 # ------------------------------------------------------------------- checks
 CLANG_FORMAT ?= $(or $(shell command -v clang-format-14),clang-format)
@@ -218,11 +232,12 @@ format: ## rewrite the sources in the house format
 SHARE := $(DESTDIR)$(PREFIX)/share/touchstone
 .PHONY: install help
 install: all ## programs, mpm.h, libmpm.a and catalogue into PREFIX (/usr/local), under DESTDIR
-	install -d $(addprefix $(DESTDIR)$(PREFIX)/,bin include lib) $(SHARE)
+	install -d $(addprefix $(DESTDIR)$(PREFIX)/,bin include lib) $(SHARE)/benchmarks
 	install $(PROGRAMS) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 solver/mpm.h $(DESTDIR)$(PREFIX)/include
 	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib
 	$(foreach folder,$(wildcard verification/catalogue reports),cp -R $(folder) $(SHARE)/ &&) true
+	cp -R benchmarks/scenes $(SHARE)/benchmarks/
 
 help: ## this list
 	@awk -F ': .*## |: ## ' '/^[a-z-]+: .*## /{printf "make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)

@@ -47,6 +47,11 @@ char *resources_reports(const char *executable)
     return find(executable, "reports", "reports", "style.gp");
 }
 
+char *resources_benchmarks(const char *executable)
+{
+    return find(executable, "benchmarks", "benchmarks", "scenes");
+}
+
 char *resources_output(void)
 {
     const bool repository = g_file_test("Makefile", G_FILE_TEST_IS_REGULAR) &&

@@ -12,6 +12,9 @@ char *resources_catalogue(const char *executable);
 /* The folder of style.gp, page.html and report.css, looked for in the same places. */
 char *resources_reports(const char *executable);
 
+/* The folder of the benchmarks' scenes/, looked for in the same places. */
+char *resources_benchmarks(const char *executable);
+
 /* build/reports/verify in the repository, ./verify-report elsewhere; g_free. */
 char *resources_output(void);
 

@@ -1,0 +1,255 @@
+/* The commands of mpm-bench: arguments and exit statuses.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "benchmarks/commands.h"
+
+#include "benchmarks/bench.h"
+#include "benchmarks/compare.h"
+#include "benchmarks/run.h"
+#include "verification/suite/failure.h"
+
+#include <glib.h>
+#include <string.h>
+
+static const char usage[] =
+    "usage: mpm-bench COMMAND\n"
+    "\n"
+    "  list                            the groups of benchmarks\n"
+    "  run [--group NAME]... [--tier quick|standard] [--output DIR]\n"
+    "      [--kernels auto|reference|fast] [--simd auto|baseline|x86-64-v3]\n"
+    "                                  measure, and write results and report\n"
+    "  report DIR                      render the report of DIR again from its result lines\n"
+    "  compare DIR_A DIR_B             what differs between two runs, beyond noise and 5 %\n"
+    "  help, --help, --version\n"
+    "\n"
+    "--tier is standard unless given: all groups in under 10 minutes on two processors.\n"
+    "--output is build/reports/bench in the repository and bench-report elsewhere.\n"
+    "Exit status: 0 done; 2 bad usage or bad input; 3 a run failed; 4 the environment failed.\n";
+
+/* ---------------------------------------------------------------- arguments */
+
+struct options {
+    char *tier, *output, *kernels, *simd;
+    char **groups, **rest; /* rest: what stands beside the options */
+};
+
+struct command {
+    struct options options;
+    int argc;
+    char **argv; /* as given to the program */
+    const struct bench_world *world;
+    int verdict; /* exit status of a command that was done */
+};
+
+static void options_clear(struct options *options)
+{
+    g_free(options->tier);
+    g_free(options->output);
+    g_free(options->kernels);
+    g_free(options->simd);
+    g_strfreev(options->groups);
+    g_strfreev(options->rest);
+}
+
+/* Which options a command takes; bits of `takes` in the table of commands. */
+enum { TAKES_REST = 1, TAKES_RUN = 2 };
+
+static enum mpm_status parse(int argc, char **argv, unsigned takes, struct options *options,
+                             struct mpm_error *error)
+{
+    const struct {
+        unsigned takes;
+        GOptionEntry entry;
+    } all[] = {
+        {TAKES_RUN, {"group", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options->groups, NULL, NULL}},
+        {TAKES_RUN, {"tier", 0, 0, G_OPTION_ARG_STRING, &options->tier, NULL, NULL}},
+        {TAKES_RUN, {"output", 0, 0, G_OPTION_ARG_FILENAME, &options->output, NULL, NULL}},
+        {TAKES_RUN, {"kernels", 0, 0, G_OPTION_ARG_STRING, &options->kernels, NULL, NULL}},
+        {TAKES_RUN, {"simd", 0, 0, G_OPTION_ARG_STRING, &options->simd, NULL, NULL}},
+        {TAKES_REST,
+         {G_OPTION_REMAINING, 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &options->rest, NULL, NULL}},
+    };
+    GOptionEntry entries[G_N_ELEMENTS(all) + 1];
+    size_t count = 0;
+    for (size_t i = 0; i < G_N_ELEMENTS(all); i++)
+        if ((all[i].takes & (takes | TAKES_REST)) != 0)
+            entries[count++] = all[i].entry;
+    memset(&entries[count], 0, sizeof entries[count]);
+
+    GOptionContext *context = g_option_context_new(NULL);
+    GError *failure = NULL;
+    g_option_context_set_help_enabled(context, FALSE);
+    g_option_context_add_main_entries(context, entries, NULL);
+    enum mpm_status status = MPM_OK;
+    if (!g_option_context_parse(context, &argc, &argv, &failure)) {
+        status = failure_set(error, MPM_BAD_INPUT, "%s; see mpm-bench help", failure->message);
+        g_error_free(failure);
+    }
+    g_option_context_free(context);
+    return status;
+}
+
+static enum mpm_status expect_rest(const struct options *options, size_t count, const char *what,
+                                   struct mpm_error *error)
+{
+    const size_t given = options->rest == NULL ? 0 : g_strv_length(options->rest);
+    if (given == count)
+        return MPM_OK;
+    if (given > count)
+        return failure_set(error, MPM_BAD_INPUT, "\"%s\": unexpected argument; see mpm-bench help",
+                           options->rest[count]);
+    return failure_set(error, MPM_BAD_INPUT, "%s is missing; see mpm-bench help", what);
+}
+
+/* The place of `text` in a list of names; the first one if NULL. */
+static enum mpm_status choose(const char *option, const char *text, const char *const *names,
+                              size_t count, size_t *choice, struct mpm_error *error)
+{
+    GString *allowed = g_string_new(NULL);
+    for (*choice = 0; *choice < count; ++*choice) {
+        if (text == NULL || strcmp(text, names[*choice]) == 0)
+            break;
+        g_string_append_printf(allowed, "%s%s", *choice == 0 ? "" : ", ", names[*choice]);
+    }
+    const enum mpm_status status =
+        *choice < count ? MPM_OK
+                        : failure_set(error, MPM_BAD_INPUT, "--%s \"%s\": allowed are %s", option,
+                                      text, allowed->str);
+    g_string_free(allowed, TRUE);
+    return status;
+}
+
+/* ----------------------------------------------------------------- commands */
+
+static enum mpm_status command_list(struct command *command, struct mpm_error *error)
+{
+    size_t count;
+    const struct bench_group *groups = bench_groups(&count);
+    (void)error;
+    for (size_t i = 0; i < count; i++)
+        fprintf(command->world->out, "%-12s %s\n", groups[i].name, groups[i].description);
+    return MPM_OK;
+}
+
+/* The command as typed, quoted for the shell. */
+static char *typed(int argc, char **argv)
+{
+    GString *text = g_string_new("mpm-bench");
+    for (int i = 1; i < argc; i++) {
+        char *quoted = g_shell_quote(argv[i]);
+        const bool plain = strpbrk(argv[i], " \t\n*?[]'\"\\$`;&|<>(){}~#!") == NULL;
+        g_string_append_printf(text, " %s", plain ? argv[i] : quoted);
+        g_free(quoted);
+    }
+    return g_string_free(text, FALSE);
+}
+
+static enum mpm_status command_run(struct command *command, struct mpm_error *error)
+{
+    static const char *const tiers[] = {"standard", "quick"};
+    static const char *const kernels[] = {"auto", "reference", "fast"};
+    const char *simd[MPM_SIMD_COUNT];
+    const struct options *options = &command->options;
+    size_t tier, kernel, instructions;
+    for (int i = 0; i < MPM_SIMD_COUNT; i++)
+        simd[i] = mpm_simd_name((enum mpm_simd)i);
+    TRY(choose("tier", options->tier, tiers, G_N_ELEMENTS(tiers), &tier, error));
+    TRY(choose("kernels", options->kernels, kernels, G_N_ELEMENTS(kernels), &kernel, error));
+    TRY(choose("simd", options->simd, simd, G_N_ELEMENTS(simd), &instructions, error));
+    char *text = typed(command->argc, command->argv);
+    struct bench_console console = {.out = command->world->out,
+                                    .terminal = command->world->terminal};
+    const struct bench_run run = {
+        .executable = command->argv[0],
+        .command = text,
+        .output = options->output,
+        .groups = options->groups,
+        .tier = tier == 0 ? BENCH_STANDARD : BENCH_QUICK,
+        .simulation = {.threads = 1,
+                       .kernels = (enum mpm_kernels)kernel,
+                       .simd = (enum mpm_simd)instructions},
+    };
+    const enum mpm_status status = bench_run(&run, &console, error);
+    g_free(text);
+    return status;
+}
+
+static enum mpm_status command_report(struct command *command, struct mpm_error *error)
+{
+    struct bench_records records;
+    TRY(bench_records_read(command->options.rest[0], &records, error));
+    bench_records_clear(&records);
+    return failure_set(error, MPM_ENVIRONMENT_FAILED, "report: not built in this version");
+}
+
+static enum mpm_status command_compare(struct command *command, struct mpm_error *error)
+{
+    return bench_compare(command->options.rest[0], command->options.rest[1], command->world->out,
+                         error);
+}
+
+/* ----------------------------------------------------------------- dispatch */
+
+static const struct {
+    const char *name;
+    unsigned takes;
+    size_t rest;
+    const char *rest_name;
+    enum mpm_status (*run)(struct command *command, struct mpm_error *error);
+} commands[] = {
+    {"list", 0, 0, "", command_list},
+    {"run", TAKES_RUN, 0, "", command_run},
+    {"report", 0, 1, "report: the folder DIR", command_report},
+    {"compare", 0, 2, "compare: a folder", command_compare},
+};
+
+static enum mpm_status dispatch(size_t which, struct command *command, struct mpm_error *error)
+{
+    /* the parser reorders its copy; the originals stay the caller's */
+    char **arguments = g_memdup2(command->argv + 1, sizeof(char *) * (size_t)command->argc);
+    enum mpm_status status =
+        parse(command->argc - 1, arguments, commands[which].takes, &command->options, error);
+    if (status == MPM_OK)
+        status =
+            expect_rest(&command->options, commands[which].rest, commands[which].rest_name, error);
+    if (status == MPM_OK)
+        status = commands[which].run(command, error);
+    options_clear(&command->options);
+    g_free(arguments);
+    return status;
+}
+
+static bool asks(int argc, char **argv, const char *word)
+{
+    for (int i = 1; i < argc; i++)
+        if (strcmp(argv[i], word) == 0)
+            return true;
+    return false;
+}
+
+int bench_command(int argc, char **argv, const struct bench_world *world)
+{
+    if (asks(argc, argv, "--help") || (argc > 1 && strcmp(argv[1], "help") == 0)) {
+        fputs(usage, world->out);
+        return 0;
+    }
+    if (argc > 1 && strcmp(argv[1], "--version") == 0) {
+        fprintf(world->out, "mpm-bench %s (%s)\n", mpm_build_info()->version,
+                mpm_build_info()->revision);
+        return 0;
+    }
+    size_t which = 0;
+    while (argc > 1 && which < G_N_ELEMENTS(commands) && strcmp(argv[1], commands[which].name) != 0)
+        which++;
+    if (argc < 2 || which == G_N_ELEMENTS(commands)) {
+        fprintf(world->err, "mpm-bench: %s%s\n%s", argc < 2 ? "no command" : "unknown command ",
+                argc < 2 ? "" : argv[1], usage);
+        return MPM_BAD_INPUT;
+    }
+    struct mpm_error error = {.status = MPM_OK};
+    struct command command = {.argc = argc, .argv = argv, .world = world};
+    const enum mpm_status status = dispatch(which, &command, &error);
+    if (status != MPM_OK)
+        fprintf(world->err, "mpm-bench: %s\n", error.message);
+    return status == MPM_OK ? command.verdict : (int)status;
+}
