@@ -6,11 +6,13 @@
 
 #include "benchmarks/budget.h"
 
+enum { BUDGET_SETTINGS = 3 };
+
 struct budget_run {
     const char *name;
-    const char *case_folder; /* of the catalogue whose scene it is; NULL: scenes/budget.yaml */
-    const char *kernels;     /* NULL: the program's choice */
-    const char *settings[6]; /* PATH=VALUE, ends with NULL */
+    const char *scene;       /* of benchmarks/scenes, or a case's folder in the catalogue */
+    enum mpm_kernels kernels;
+    const char *settings[BUDGET_SETTINGS]; /* PATH=VALUE, ends with NULL */
 };
 
 extern const struct budget_run budget_runs[];

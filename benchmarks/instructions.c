@@ -9,6 +9,7 @@
 #include <errno.h>
 #include <glib.h>
 #include <jansson.h>
+#include <stdarg.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -160,34 +161,34 @@ static enum mpm_status link_into(const char *folder, const char *name, const cha
     return status;
 }
 
+/* Adds copies of the texts that follow, up to NULL. */
+static void __attribute__((sentinel)) add(GPtrArray *words, ...)
+{
+    va_list list;
+    va_start(list, words);
+    for (const char *word = va_arg(list, const char *); word != NULL;
+         word = va_arg(list, const char *))
+        g_ptr_array_add(words, g_strdup(word));
+    va_end(list);
+}
+
 static GPtrArray *command_line(const char *valgrind, const struct instructions_request *request)
 {
+    static const char *const steps[] = {"mpm_simulation_advance", NULL};
+    const char *const *functions = request->functions != NULL ? request->functions : steps;
     GPtrArray *words = g_ptr_array_new_with_free_func(g_free);
-    const char *const fixed[] = {valgrind,
-                                 "--quiet",
-                                 "--tool=callgrind",
-                                 "--callgrind-out-file=" COUNTS,
-                                 "--toggle-collect=mpm_simulation_advance",
-                                 "--branch-sim=yes",
-                                 "./" PROGRAM,
-                                 "run",
-                                 SCENE,
-                                 "--quiet",
-                                 "--output",
-                                 RESULTS,
-                                 "--threads",
-                                 "1"};
-    for (size_t i = 0; i < G_N_ELEMENTS(fixed); i++)
-        g_ptr_array_add(words, g_strdup(fixed[i]));
-    if (request->kernels != NULL) {
-        g_ptr_array_add(words, g_strdup("--kernels"));
-        g_ptr_array_add(words, g_strdup(request->kernels));
-    }
-    for (size_t i = 0; request->settings != NULL && request->settings[i] != NULL; i++) {
-        g_ptr_array_add(words, g_strdup("--set"));
-        g_ptr_array_add(words, g_strdup(request->settings[i]));
-    }
-    g_ptr_array_add(words, g_strdup("--set"));
+    add(words, valgrind, "--quiet", "--tool=callgrind", "--branch-sim=yes",
+        "--callgrind-out-file=" COUNTS, NULL);
+    for (size_t i = 0; functions[i] != NULL; i++)
+        g_ptr_array_add(words, g_strconcat("--toggle-collect=", functions[i], NULL));
+    add(words, "./" PROGRAM, "run", SCENE, "--quiet", "--output", RESULTS, "--threads", "1", NULL);
+    if (request->simulation.kernels != MPM_KERNELS_AUTO)
+        add(words, "--kernels", mpm_kernels_name(request->simulation.kernels), NULL);
+    if (request->simulation.simd != MPM_SIMD_AUTO)
+        add(words, "--simd", mpm_simd_name(request->simulation.simd), NULL);
+    for (size_t i = 0; request->settings != NULL && request->settings[i] != NULL; i++)
+        add(words, "--set", request->settings[i], NULL);
+    add(words, "--set", NULL);
     g_ptr_array_add(words, g_strdup_printf("time.steps=%u", request->steps));
     g_ptr_array_add(words, NULL);
     return words;

@@ -211,9 +211,6 @@ static enum mpm_status count_with(const char *scene, const char *const *settings
     return status;
 }
 
-static const char *const few_particles[] = {"bodies.0.particles_per_cell=[1, 1]",
-                                            "grid.cell=[2, 2]", NULL};
-
 START_TEST(the_same_program_counts_the_same_twice)
 {
     const char *reason = reason_not_to_count();
@@ -221,11 +218,11 @@ START_TEST(the_same_program_counts_the_same_twice)
         TEST_SKIP(reason);
     struct instructions first, second;
     struct mpm_error error = {.message = ""};
-    ck_assert_msg(count_with("benchmarks/scenes/budget.yaml", few_particles, &first, &error) ==
+    ck_assert_msg(count_with("benchmarks/scenes/block.yaml", NULL, &first, &error) ==
                       MPM_OK,
                   "%s", error.message);
     ck_assert(g_setenv("SOME_VARIABLE", "a longer environment than the first time", TRUE));
-    ck_assert_int_eq(count_with("benchmarks/scenes/budget.yaml", few_particles, &second, &error),
+    ck_assert_int_eq(count_with("benchmarks/scenes/block.yaml", NULL, &second, &error),
                      MPM_OK);
     ck_assert_uint_eq(first.total, second.total);
     ck_assert_uint_eq(first.branches, second.branches);
@@ -247,7 +244,7 @@ START_TEST(a_run_that_is_refused_passes_on_what_the_program_said)
     const char *const settings[] = {"method.shape=round", NULL};
     struct instructions counted;
     struct mpm_error error;
-    ck_assert_int_eq(count_with("benchmarks/scenes/budget.yaml", settings, &counted, &error),
+    ck_assert_int_eq(count_with("benchmarks/scenes/block.yaml", settings, &counted, &error),
                      MPM_BAD_INPUT);
     test_contains(error.message, "exit status 2");
     test_contains(error.message, "round");
@@ -271,7 +268,7 @@ START_TEST(without_valgrind_it_is_said_what_to_do)
     ck_assert(g_setenv("PATH", "/no/such/folder", TRUE));
     struct instructions counted;
     struct mpm_error error;
-    ck_assert_int_eq(count_with("benchmarks/scenes/budget.yaml", NULL, &counted, &error),
+    ck_assert_int_eq(count_with("benchmarks/scenes/block.yaml", NULL, &counted, &error),
                      MPM_ENVIRONMENT_FAILED);
     test_contains(error.message, "make deps");
 }
