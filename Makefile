@@ -83,18 +83,29 @@ room     = $(firstword $(subst /, ,$(1)))
 includes = $(INCLUDES_$(call room,$(1))) -I$(BUILD)/generated $(PACKAGE_FLAGS)
 
 # ------------------------------------------------------------------ sources
-SOLVER_SOURCES := $(sort $(wildcard $(patsubst %,solver/%/*.c,base model method simulation io)))
+# One file of fast kernels is compiled for each shape family and level of SIMD.
+FAST_SOURCE    := solver/method/fast_kernels.c
+SOLVER_SOURCES := $(filter-out $(FAST_SOURCE),\
+                    $(sort $(wildcard $(patsubst %,solver/%/*.c,base model method simulation io))))
 CLI_SOURCES    := $(sort $(wildcard solver/cli/*.c))
 VERIFY_MAIN    := $(wildcard verification/suite/main.c)
 VERIFY_SOURCES := $(filter-out $(VERIFY_MAIN),$(sort $(wildcard verification/*/*.c reports/*.c)))
 BENCH_MAIN     := $(wildcard benchmarks/main.c)
 BENCH_SOURCES  := $(filter-out $(BENCH_MAIN),$(sort $(wildcard benchmarks/*.c)))
 TEST_SOURCES   := $(sort $(wildcard tests/*.c tests/support/*.c))
-SOURCES := $(SOLVER_SOURCES) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) $(BENCH_SOURCES) \
-           $(BENCH_MAIN) $(TEST_SOURCES)
+SOURCES := $(SOLVER_SOURCES) $(FAST_SOURCE) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) \
+           $(BENCH_SOURCES) $(BENCH_MAIN) $(TEST_SOURCES)
 HEADERS := $(sort $(wildcard solver/*.h solver/*/*.h verification/*/*.h benchmarks/*.h reports/*.h \
              tests/*.h tests/*/*.h))
 objects  = $(patsubst %.c,$(BUILD)/objects/%.o,$(1))
+
+FAST_LEVELS  := baseline $(if $(findstring x86_64,$(shell $(CC) -dumpmachine 2>/dev/null)),v3)
+FAST_OBJECTS := $(foreach family,classic ugimp cpdi,$(foreach level,$(FAST_LEVELS),\
+                  $(BUILD)/objects/fast/$(family).$(level).o))
+# Square roots never set errno here: without that, lanes would be taken one by one.
+FAST_FLAGS    = -fno-math-errno $(FAST_FLAGS_$(2)) -DFAST_FAMILY=$(1) -DFAST_LEVEL=$(2) \
+                -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z)
+FAST_FLAGS_v3 := -march=x86-64-v3
 
 LIBRARY  := $(BUILD)/libmpm.a
 PROGRAMS := $(if $(CLI_SOURCES),$(BUILD)/bin/mpm) $(if $(VERIFY_MAIN),$(BUILD)/bin/mpm-verify) \
@@ -107,7 +118,7 @@ short = $(if $(V),,@echo '  $(1) $(2)';)
 .PHONY: all
 all: $(PROGRAMS) $(LIBRARY) ## build the programs and libmpm.a in build/release (the default)
 
-$(LIBRARY): $(call objects,$(SOLVER_SOURCES))
+$(LIBRARY): $(call objects,$(SOLVER_SOURCES)) $(FAST_OBJECTS)
 	@rm -f $@
 	$(call short,AR,$@)ar rcs $@ $(filter %.o,$^)
 
@@ -122,12 +133,17 @@ $(TESTER): $(call objects,$(TEST_SOURCES) $(BENCH_SOURCES) $(VERIFY_SOURCES)) $(
 	$(link) $(LIBS_TESTS) $(LIBS_SUITE) $(LIBS_SOLVER)
 
 .PHONY: objects
-objects: $(call objects,$(SOURCES))
+objects: $(call objects,$(filter-out $(FAST_SOURCE),$(SOURCES))) $(FAST_OBJECTS)
 $(BUILD)/objects/%.o: %.c $(BUILD)/generated/flags.txt | $(BUILD)/generated/build_facts.h
 	@mkdir -p $(@D)
 	$(call short,CC,$<)$(CC) $(CODE_FLAGS) $(WARNINGS) $(call includes,$<) -MMD -MP -c -o $@ $<
 
--include $(patsubst %.o,%.d,$(call objects,$(SOURCES)))
+$(FAST_OBJECTS): $(BUILD)/objects/fast/%.o: $(FAST_SOURCE) $(BUILD)/generated/flags.txt
+	@mkdir -p $(@D)
+	$(call short,CC,$< ($*))$(CC) $(CODE_FLAGS) $(WARNINGS) \
+	  $(call FAST_FLAGS,$(basename $*),$(patsubst .%,%,$(suffix $*))) -Isolver -MMD -MP -c -o $@ $<
+
+-include $(patsubst %.o,%.d,$(call objects,$(SOURCES)) $(FAST_OBJECTS))
 
 # Facts recorded in the binary: rewritten only when they change; never a date. The
 # revision is this tree's own, not that of a repository that it was unpacked into.

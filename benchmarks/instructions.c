@@ -20,6 +20,9 @@
 #define RESULTS "results"
 #define COUNTS  "callgrind.out"
 
+/* Of `mpm run --kernels`, in the order of enum mpm_kernels. */
+static const char *const kernel_names[] = {"auto", "reference", "fast"};
+
 double instructions_rate(const struct instructions *counted)
 {
     return (double)counted->total / (double)counted->particle_steps;
@@ -183,7 +186,7 @@ static GPtrArray *command_line(const char *valgrind, const struct instructions_r
         g_ptr_array_add(words, g_strconcat("--toggle-collect=", functions[i], NULL));
     add(words, "./" PROGRAM, "run", SCENE, "--quiet", "--output", RESULTS, "--threads", "1", NULL);
     if (request->simulation.kernels != MPM_KERNELS_AUTO)
-        add(words, "--kernels", mpm_kernels_name(request->simulation.kernels), NULL);
+        add(words, "--kernels", kernel_names[request->simulation.kernels], NULL);
     if (request->simulation.simd != MPM_SIMD_AUTO)
         add(words, "--simd", mpm_simd_name(request->simulation.simd), NULL);
     for (size_t i = 0; request->settings != NULL && request->settings[i] != NULL; i++)

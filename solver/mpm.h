@@ -199,7 +199,7 @@ enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_ru
 /* --------------------------------------------------------- shape functions */
 
 enum mpm_geometry { MPM_PLANE_STRAIN, MPM_PLANE_STRESS, MPM_AXISYMMETRIC };
-enum mpm_shape { MPM_CLASSIC, MPM_UGIMP, MPM_CPDI };
+enum mpm_shape { MPM_CLASSIC, MPM_UGIMP, MPM_CPDI, MPM_SHAPE_COUNT };
 enum mpm_axis { MPM_TRUNCATED, MPM_UNTRUNCATED };
 
 /* One particle domain over a regular grid whose node (0, 0) is at `origin`. */

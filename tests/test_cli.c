@@ -170,7 +170,7 @@ START_TEST(check_prints_the_cost_and_writes_nothing)
 {
     static const char *const names[] = {"particles  60", "cells      96",
                                         "memory",        "time step  0.0219089 ms",
-                                        "steps",         "kernels    reference"};
+                                        "steps",         "kernels    fast"};
     struct test_command command = test_command_run("mpm", "check", fixture.scene, NULL);
     ck_assert_int_eq(command.exit_status, MPM_OK);
     ck_assert_str_eq(command.errors, "");

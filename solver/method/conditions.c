@@ -25,7 +25,7 @@ static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_err
         const int64_t row = condition->node / state->grid.columns;
         const int64_t column = condition->node % state->grid.columns;
         if (column < state->row_low[row] || column > state->row_high[row] ||
-            state->grid.nodes[condition->node].mass == 0.0)
+            state->grid.mass[condition->node] == 0.0)
             continue;
         struct mpm_active_condition active = {condition->node, condition->component,
                                               MPM_FROM_BOUNDARY, 0.0, 0.0};
@@ -128,10 +128,10 @@ static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *e
         for (int k = 0; k < stencil.count; k++) {
             if (stencil.node[k].s == 0.0)
                 continue;
-            const int64_t node = state->node_zero - state->grid.nodes + stencil.node[k].node;
+            const int64_t node = state->node_zero + stencil.node[k].node;
             const int64_t row = node / state->grid.columns, column = node % state->grid.columns;
             if (column < state->row_low[row] || column > state->row_high[row] ||
-                state->grid.nodes[node].mass == 0.0 || state->rigid_owner[node] == body + 1)
+                state->grid.mass[node] == 0.0 || state->rigid_owner[node] == body + 1)
                 continue;
             MPM_TRY(drive_node(state, first_rigid, body, node, error));
         }
@@ -182,13 +182,19 @@ enum mpm_status mpm_rigid_advance(struct mpm_state *state, struct mpm_error *err
 
 /* ----------------------------------------------------------------- applying */
 
+static void set_gradient(struct mpm_state *state, const struct mpm_active_condition *active,
+                         double velocity)
+{
+    double *const gradient = state->grid.gradient[active->node][active->component];
+    gradient[0] = gradient[1] = velocity;
+}
+
 void mpm_conditions_apply_start(struct mpm_state *state)
 {
     for (size_t k = 0; k < state->active_count; k++) {
         const struct mpm_active_condition *const active = &state->active[k];
-        struct mpm_node *const node = &state->grid.nodes[active->node];
-        node->start[active->component] = active->start;
-        node->gradient[active->component] = active->start;
+        state->grid.start[active->node][active->component] = active->start;
+        set_gradient(state, active, active->start);
     }
 }
 
@@ -197,20 +203,20 @@ void mpm_conditions_apply_end(struct mpm_state *state)
     for (size_t k = 0; k < state->active_count; k++) {
         const struct mpm_active_condition *const active = &state->active[k];
         const int axis = active->component;
-        struct mpm_node *const node = &state->grid.nodes[active->node];
+        struct mpm_node_motion *const motion = &state->grid.motion[active->node];
         const double acceleration = (active->end - active->start) / state->time_step;
-        const double reaction = node->mass * acceleration - node->force[axis];
+        const double force = state->grid.sum[active->node][axis].force;
+        const double reaction = state->grid.mass[active->node] * acceleration - force;
         state->external_work += reaction * (0.5 * state->time_step * (active->start + active->end));
-        node->acceleration[axis] = acceleration;
-        node->end[axis] = active->end;
-        node->gradient[axis] = active->end;
+        motion->acceleration[axis] = acceleration;
+        motion->end[axis] = active->end;
+        if (!state->order->extrapolate)
+            set_gradient(state, active, active->end);
     }
 }
 
 void mpm_conditions_apply_extrapolated(struct mpm_state *state)
 {
-    for (size_t k = 0; k < state->active_count; k++) {
-        const struct mpm_active_condition *const active = &state->active[k];
-        state->grid.nodes[active->node].gradient[active->component] = active->end;
-    }
+    for (size_t k = 0; k < state->active_count; k++)
+        set_gradient(state, &state->active[k], state->active[k].end);
 }

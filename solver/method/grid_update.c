@@ -28,64 +28,85 @@ void mpm_grid_find_active(struct mpm_state *state)
     }
 }
 
-static struct mpm_node *first_node(const struct mpm_state *state, int64_t row)
+/* The active nodes of a row: indices first..end - 1. */
+struct span {
+    int64_t first, end;
+};
+
+static struct span span_of(const struct mpm_state *state, int64_t row)
 {
-    return state->grid.nodes + row * state->grid.columns + state->row_low[row];
+    const int64_t start = row * state->grid.columns;
+    if (state->row_low[row] > state->row_high[row])
+        return (struct span){start, start};
+    return (struct span){start + state->row_low[row], start + state->row_high[row] + 1};
 }
 
-static struct mpm_node *end_node(const struct mpm_state *state, int64_t row)
+/* 1 / m_i; 0 for a node without mass, so that it has no motion. */
+static inline double inverse_mass(double mass)
 {
-    return state->grid.nodes + row * state->grid.columns + state->row_high[row] + 1;
+    return mass == 0.0 ? 0.0 : 1.0 / mass;
+}
+
+static inline void set_gradient(const struct mpm_grid *grid, int64_t node, const double v[2])
+{
+    for (int axis = 0; axis < 2; axis++)
+        grid->gradient[node][axis][0] = grid->gradient[node][axis][1] = v[axis];
 }
 
 void mpm_row_clear(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
+    const struct span span = span_of(state, row);
+    const size_t count = (size_t)(span.end - span.first);
     (void)worker;
-    if (state->row_low[row] > state->row_high[row])
-        return;
-    struct mpm_node *const first = first_node(state, row);
-    memset(first, 0, (size_t)(end_node(state, row) - first) * sizeof *first);
+    memset(state->grid.mass + span.first, 0, count * sizeof *state->grid.mass);
+    memset(state->grid.sum + span.first, 0, count * sizeof *state->grid.sum);
 }
 
 void mpm_row_start_velocity(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
+    const struct mpm_grid *const grid = &state->grid;
+    const struct span span = span_of(state, row);
     (void)worker;
-    for (struct mpm_node *node = first_node(state, row); node < end_node(state, row); node++) {
-        if (node->mass == 0.0)
-            continue;
-        for (int axis = 0; axis < 2; axis++) {
-            node->start[axis] = node->momentum[axis] / node->mass;
-            node->gradient[axis] = node->start[axis];
-            node->momentum[axis] = 0.0;
-        }
+    for (int64_t node = span.first; node < span.end; node++) {
+        const double inverse = inverse_mass(grid->mass[node]);
+        for (int axis = 0; axis < 2; axis++)
+            grid->start[node][axis] = grid->sum[node][axis].momentum * inverse;
+        set_gradient(grid, node, grid->start[node]);
     }
 }
 
 void mpm_row_update(void *context, int64_t row, int worker)
 {
+    static const double nothing_yet[2] = {0.0, 0.0};
     const struct mpm_state *const state = context;
+    const struct mpm_grid *const grid = &state->grid;
+    const struct span span = span_of(state, row);
+    const bool extrapolate = state->order->extrapolate;
     (void)worker;
-    for (struct mpm_node *node = first_node(state, row); node < end_node(state, row); node++) {
-        if (node->mass == 0.0)
-            continue;
+    for (int64_t node = span.first; node < span.end; node++) {
+        const double inverse = inverse_mass(grid->mass[node]);
+        struct mpm_node_motion *const motion = &grid->motion[node];
         for (int axis = 0; axis < 2; axis++) {
-            node->acceleration[axis] = node->force[axis] / node->mass;
-            node->end[axis] = node->start[axis] + state->time_step * node->acceleration[axis];
-            node->gradient[axis] = node->end[axis];
+            motion->acceleration[axis] = grid->sum[node][axis].force * inverse;
+            motion->end[axis] =
+                grid->start[node][axis] + state->time_step * motion->acceleration[axis];
         }
+        set_gradient(grid, node, extrapolate ? nothing_yet : motion->end);
     }
 }
 
 void mpm_row_extrapolated_velocity(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
+    const struct mpm_grid *const grid = &state->grid;
+    const struct span span = span_of(state, row);
     (void)worker;
-    for (struct mpm_node *node = first_node(state, row); node < end_node(state, row); node++) {
-        if (node->mass == 0.0)
-            continue;
-        node->gradient[0] = node->momentum[0] / node->mass;
-        node->gradient[1] = node->momentum[1] / node->mass;
+    for (int64_t node = span.first; node < span.end; node++) {
+        const double inverse = inverse_mass(grid->mass[node]);
+        const double velocity[2] = {grid->gradient[node][0][0] * inverse,
+                                    grid->gradient[node][1][0] * inverse};
+        set_gradient(grid, node, velocity);
     }
 }

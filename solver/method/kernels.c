@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/kernels.h"
 
+#include "method/fast.h"
 #include "method/transfer.h"
 
 static const struct mpm_passes reference_passes[] = {
-    [MPM_USL] = {mpm_pass_momentum_and_force, NULL, mpm_pass_velocity,
-                 mpm_pass_stress_and_position},
+    [MPM_USL] = {mpm_pass_momentum_and_force, NULL, mpm_pass_velocity, mpm_pass_stress_and_position,
+                 mpm_pass_recompute},
     [MPM_MUSL] = {mpm_pass_momentum_and_force, NULL, mpm_pass_velocity_and_momentum,
-                  mpm_pass_stress_and_position},
-    [MPM_USF] = {mpm_pass_momentum, mpm_pass_stress_and_force, mpm_pass_velocity,
-                 mpm_pass_position},
+                  mpm_pass_stress_and_position, mpm_pass_recompute},
+    [MPM_USF] = {mpm_pass_momentum, mpm_pass_stress_and_force, mpm_pass_velocity, mpm_pass_position,
+                 mpm_pass_recompute},
     [MPM_USAVG] = {mpm_pass_momentum, mpm_pass_stress_and_force, mpm_pass_velocity_and_momentum,
-                   mpm_pass_stress_and_position},
+                   mpm_pass_stress_and_position, mpm_pass_recompute},
 };
 
 static const char *const simd_names[MPM_SIMD_COUNT] = {
@@ -29,13 +30,26 @@ enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
                                    const struct mpm_simulation_options *options,
                                    struct mpm_kernel_choice *choice, struct mpm_error *error)
 {
-    if (options->kernels == MPM_KERNELS_FAST)
-        return mpm_error_set(error, MPM_BAD_INPUT, "no fast kernels yet");
-    *choice = (struct mpm_kernel_choice){
-        .passes = &reference_passes[scene->stress_update],
-        .name = "reference",
-        .reason = "the scalar kernels, one particle at a time, were asked for",
-        .simd = "none",
-    };
+    const enum mpm_simd simd = options->simd == MPM_SIMD_AUTO ? mpm_fast_widest() : options->simd;
+    const struct mpm_passes *const fast = mpm_fast_passes(scene, simd);
+    if (fast == NULL)
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "simd: %s is not what this build and this machine have; allowed: "
+                             "auto, baseline",
+                             simd_names[simd]);
+    if (options->kernels == MPM_KERNELS_REFERENCE)
+        *choice = (struct mpm_kernel_choice){
+            .passes = &reference_passes[scene->stress_update],
+            .name = "reference",
+            .reason = "asked for; scalar, one particle at a time",
+            .simd = "none",
+        };
+    else
+        *choice = (struct mpm_kernel_choice){
+            .passes = fast,
+            .name = "fast",
+            .reason = "every feature of the scene has them; four particles at a time",
+            .simd = simd_names[simd],
+        };
     return MPM_OK;
 }

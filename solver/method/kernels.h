@@ -16,6 +16,7 @@ struct mpm_passes {
     mpm_pass *stress_before; /* Tasks 2 and 3 of USF and USAVG */
     mpm_pass *to_particles;  /* Task 5, velocities; with (31) for MUSL and USAVG */
     mpm_pass *finish;        /* Task 6 of USL, MUSL and USAVG; positions */
+    mpm_pass *recompute;     /* not part of a step: stress and domain of the F at hand */
 };
 
 /* What a simulation was created with. */

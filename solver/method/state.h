@@ -79,7 +79,7 @@ struct mpm_state {
     const struct mpm_shape_family *family;
     struct mpm_shape_grid shape_grid;
     struct mpm_grid grid;
-    struct mpm_node *node_zero; /* node (0, 0): stencil offsets count from it */
+    int64_t node_zero; /* index of node (0, 0): stencil offsets count from it */
     struct mpm_particles particles;
     struct mpm_rigid_particles rigid;
     struct mpm_body *bodies;
@@ -87,6 +87,7 @@ struct mpm_state {
     struct mpm_strip *strips;
     int64_t strip_count;
     int workers;
+    size_t deformable_bodies;
     int64_t *row_low, *row_high; /* active columns of each node row, as node indices in the row */
     int64_t first_row, last_row; /* active rows */
     uint32_t *sort_counts;

@@ -95,13 +95,14 @@ void mpm_step_sort(struct mpm_state *state)
             p++;
         strip->end = p;
     }
-    mpm_step_measure(state);
+    run_particles(state, state->workers, mpm_pass_measure);
     state->strips_touch_when_sorted = strips_touch(state);
     state->steps_since_sort = 0;
 }
 
-void mpm_step_measure(struct mpm_state *state)
+void mpm_step_recompute(struct mpm_state *state)
 {
+    run_particles(state, state->workers, state->kernels.passes->recompute);
     run_particles(state, state->workers, mpm_pass_measure);
 }
 

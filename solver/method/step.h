@@ -33,7 +33,7 @@ void mpm_step_sort(struct mpm_state *state);
  * nodes. The answer depends on the state only. */
 bool mpm_step_wants_sort(const struct mpm_state *state);
 
-/* Boxes of the nodes that each strip's particles reach. */
-void mpm_step_measure(struct mpm_state *state);
+/* After positions and F were put back: all that follows from them. */
+void mpm_step_recompute(struct mpm_state *state);
 
 #endif

@@ -1,9 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/transfer.h"
 
+#include "method/extent.h"
+
 #include <float.h>
 
 /* ------------------------------------------------------------ the particle */
+
+static void edges_of(const struct mpm_state *state, size_t p, double edge[4])
+{
+    const struct mpm_particles *const particles = &state->particles;
+    double f[MPM_GRADIENT_SIZE];
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        f[k] = particles->deformation[k][p];
+    mpm_shape_push_forward(f, state->bodies[particles->body[p]].half_size, edge);
+}
 
 static struct mpm_shape_domain domain_of(const struct mpm_state *state, size_t p)
 {
@@ -13,36 +24,28 @@ static struct mpm_shape_domain domain_of(const struct mpm_state *state, size_t p
         .position = {particles->position[0][p], particles->position[1][p]},
         .half_size = {body->half_size[0], body->half_size[1]},
     };
-    if (state->family->convected)
+    if (particles->domain[0] != NULL)
         for (int k = 0; k < 4; k++)
             domain.edge[k] = particles->domain[k][p];
+    else if (state->family->convected)
+        edges_of(state, p, domain.edge);
     return domain;
 }
 
 void mpm_particle_set_domain(const struct mpm_state *state, size_t p)
 {
-    const struct mpm_particles *const particles = &state->particles;
-    if (!state->family->convected)
+    double edge[4];
+    if (state->particles.domain[0] == NULL)
         return;
-    double f[MPM_GRADIENT_SIZE], edge[4];
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        f[k] = particles->deformation[k][p];
-    mpm_shape_push_forward(f, state->bodies[particles->body[p]].half_size, edge);
+    edges_of(state, p, edge);
     for (int k = 0; k < 4; k++)
-        particles->domain[k][p] = edge[k];
+        state->particles.domain[k][p] = edge[k];
 }
 
 static void stencil_of(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
 {
     const struct mpm_shape_domain domain = domain_of(state, p);
     state->family->evaluate(&state->shape_grid, &domain, stencil);
-}
-
-static void record(struct mpm_strip *strip, enum mpm_failure_kind kind, uint32_t particle, int axis,
-                   double value)
-{
-    const struct mpm_failure failure = {kind, particle, axis, value};
-    mpm_failure_merge(&strip->failure, &failure);
 }
 
 /* ------------------------------------------------------ particles to grid */
@@ -54,10 +57,10 @@ static void add_momentum(const struct mpm_state *state, size_t p, const struct m
     const double py = mass * state->particles.velocity[1][p];
     for (int k = 0; k < stencil->count; k++) {
         const struct mpm_stencil_node *const entry = &stencil->node[k];
-        struct mpm_node *const node = &state->node_zero[entry->node];
-        node->mass += mass * entry->s;
-        node->momentum[0] += px * entry->s;
-        node->momentum[1] += py * entry->s;
+        const int64_t node = state->node_zero + entry->node;
+        state->grid.mass[node] += mass * entry->s;
+        state->grid.sum[node][0].momentum += px * entry->s;
+        state->grid.sum[node][1].momentum += py * entry->s;
     }
 }
 
@@ -72,9 +75,9 @@ static void add_internal_force(const struct mpm_state *state, size_t p,
     const double xy = mass * state->particles.stress[MPM_SYM_XY][p];
     for (int k = 0; k < stencil->count; k++) {
         const struct mpm_stencil_node *const entry = &stencil->node[k];
-        struct mpm_node *const node = &state->node_zero[entry->node];
-        node->force[0] -= xx * entry->g[0] + xy * entry->g[1] + zz * entry->t;
-        node->force[1] -= xy * entry->g[0] + yy * entry->g[1];
+        struct mpm_node_sum *const sum = state->grid.sum[state->node_zero + entry->node];
+        sum[0].force -= xx * entry->g[0] + xy * entry->g[1] + zz * entry->t;
+        sum[1].force -= xy * entry->g[0] + yy * entry->g[1];
     }
 }
 
@@ -111,7 +114,7 @@ static bool body_force_at(const struct mpm_state *state, size_t p, int worker,
         const struct mpm_expression *const force = state->body_force.component[axis];
         b[axis] = force == NULL ? 0.0 : mpm_expression_value(force, worker, position, state->time);
         if (!isfinite(b[axis])) {
-            record(strip, MPM_LOAD_NOT_FINITE, state->particles.id[p], axis, b[axis]);
+            mpm_strip_record(strip, MPM_LOAD_NOT_FINITE, state->particles.id[p], axis, b[axis]);
             return false;
         }
     }
@@ -129,10 +132,11 @@ void mpm_pass_body_force(void *context, int64_t index, int worker)
             continue;
         stencil_of(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
-            struct mpm_node *const node = &state->node_zero[stencil.node[k].node];
+            struct mpm_node_sum *const sum =
+                state->grid.sum[state->node_zero + stencil.node[k].node];
             const double weight = state->particles.mass[p] * stencil.node[k].s;
-            node->force[0] += weight * b[0];
-            node->force[1] += weight * b[1];
+            sum[0].force += weight * b[0];
+            sum[1].force += weight * b[1];
         }
     }
 }
@@ -149,9 +153,10 @@ void mpm_pass_body_work(void *context, int64_t index, int worker)
             continue;
         stencil_of(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
-            const struct mpm_node *const node = &state->node_zero[stencil.node[k].node];
-            power += stencil.node[k].s * (b[0] * (node->start[0] + node->end[0]) +
-                                          b[1] * (node->start[1] + node->end[1]));
+            const int64_t node = state->node_zero + stencil.node[k].node;
+            const double *const start = state->grid.start[node];
+            const double *const end = state->grid.motion[node].end;
+            power += stencil.node[k].s * (b[0] * (start[0] + end[0]) + b[1] * (start[1] + end[1]));
         }
         strip->external_work += 0.5 * state->time_step * state->particles.mass[p] * power;
     }
@@ -170,9 +175,9 @@ void mpm_pass_flip_fraction(void *context, int64_t index, int worker)
         double grid[2] = {0.0, 0.0};
         stencil_of(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
-            const struct mpm_node *const node = &state->node_zero[stencil.node[k].node];
-            grid[0] += stencil.node[k].s * node->start[0];
-            grid[1] += stencil.node[k].s * node->start[1];
+            const double *const start = state->grid.start[state->node_zero + stencil.node[k].node];
+            grid[0] += stencil.node[k].s * start[0];
+            grid[1] += stencil.node[k].s * start[1];
         }
         for (int axis = 0; axis < 2; axis++) {
             double *const v = &state->particles.velocity[axis][p];
@@ -186,9 +191,10 @@ static void update_velocity(const struct mpm_state *state, size_t p,
 {
     double a[2] = {0.0, 0.0};
     for (int k = 0; k < stencil->count; k++) {
-        const struct mpm_node *const node = &state->node_zero[stencil->node[k].node];
-        a[0] += stencil->node[k].s * node->acceleration[0];
-        a[1] += stencil->node[k].s * node->acceleration[1];
+        const double *const acceleration =
+            state->grid.motion[state->node_zero + stencil->node[k].node].acceleration;
+        a[0] += stencil->node[k].s * acceleration[0];
+        a[1] += stencil->node[k].s * acceleration[1];
     }
     const double vx = state->particles.velocity[0][p] + state->time_step * a[0];
     const double vy = state->particles.velocity[1][p] + state->time_step * a[1];
@@ -196,7 +202,7 @@ static void update_velocity(const struct mpm_state *state, size_t p,
     state->particles.velocity[1][p] = vy;
     const double square = vx * vx + vy * vy;
     if (!(square <= DBL_MAX))
-        record(strip, MPM_NOT_FINITE, state->particles.id[p], 0, square);
+        mpm_strip_record(strip, MPM_NOT_FINITE, state->particles.id[p], 0, square);
     strip->kinetic_energy += 0.5 * state->particles.mass[p] * square;
 }
 
@@ -226,9 +232,9 @@ void mpm_pass_velocity_and_momentum(void *context, int64_t index, int worker)
         const double px = state->particles.mass[p] * state->particles.velocity[0][p];
         const double py = state->particles.mass[p] * state->particles.velocity[1][p];
         for (int k = 0; k < stencil.count; k++) {
-            struct mpm_node *const node = &state->node_zero[stencil.node[k].node];
-            node->momentum[0] += px * stencil.node[k].s;
-            node->momentum[1] += py * stencil.node[k].s;
+            double(*const sum)[2] = state->grid.gradient[state->node_zero + stencil.node[k].node];
+            sum[0][0] += px * stencil.node[k].s;
+            sum[1][0] += py * stencil.node[k].s;
         }
     }
 }
@@ -242,12 +248,13 @@ static void displacement_gradient(const struct mpm_state *state, const struct mp
     double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0, zz = 0.0;
     for (int k = 0; k < stencil->count; k++) {
         const struct mpm_stencil_node *const entry = &stencil->node[k];
-        const double *const v = state->node_zero[entry->node].gradient;
-        xx += v[0] * entry->g[0];
-        xy += v[0] * entry->g[1];
-        yx += v[1] * entry->g[0];
-        yy += v[1] * entry->g[1];
-        zz += v[0] * entry->t;
+        const double(*const v)[2] =
+            (const double(*)[2])state->grid.gradient[state->node_zero + entry->node];
+        xx += v[0][0] * entry->g[0];
+        xy += v[0][0] * entry->g[1];
+        yx += v[1][0] * entry->g[0];
+        yy += v[1][0] * entry->g[1];
+        zz += v[0][0] * entry->t;
     }
     h[MPM_XX] = dt * xx;
     h[MPM_XY] = dt * xy;
@@ -276,7 +283,7 @@ static void update_stress(const struct mpm_state *state, size_t p,
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
         particles->deformation[k][p] = f[k];
     if (!(j > 0.0)) {
-        record(strip, MPM_INVERTED, particles->id[p], 0, j);
+        mpm_strip_record(strip, MPM_INVERTED, particles->id[p], 0, j);
         return;
     }
     double stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
@@ -284,7 +291,7 @@ static void update_stress(const struct mpm_state *state, size_t p,
     for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
         particles->stress[k][p] = stress[k];
     if (!(wave_speed_squared <= DBL_MAX))
-        record(strip, MPM_NOT_FINITE, particles->id[p], 0, wave_speed_squared);
+        mpm_strip_record(strip, MPM_NOT_FINITE, particles->id[p], 0, wave_speed_squared);
     if (wave_speed_squared > strip->wave_speed_squared)
         strip->wave_speed_squared = wave_speed_squared;
 }
@@ -305,89 +312,22 @@ void mpm_pass_stress_and_force(void *context, int64_t index, int worker)
 
 /* -------------------------------------------------------- position update */
 
-/* Node positions beyond the extremes, in cells: round-off must not decide. */
-static const double BOX_SLACK = 1e-9;
-
-struct extent {
-    double low[2], high[2];
-};
-
-static const struct extent NO_EXTENT = {{DBL_MAX, DBL_MAX}, {-DBL_MAX, -DBL_MAX}};
-
-/* Adds a particle's domain to the extent; false if it reaches beyond the ghost rows. */
-static bool add_domain(const struct mpm_state *state, size_t p, struct mpm_strip *strip,
-                       struct extent *extent)
+static struct mpm_placement placement_of(const struct mpm_state *state, size_t p)
 {
-    const struct mpm_grid *const grid = &state->grid;
     const struct mpm_shape_domain domain = domain_of(state, p);
-    double reach[2];
-    state->family->reach(&domain, reach);
+    struct mpm_placement placement = {.position = {domain.position[0], domain.position[1]}};
+    state->family->reach(&domain, placement.reach);
     if (state->shape_grid.axisymmetric && state->shape_grid.truncated &&
-        reach[0] > domain.position[0])
-        reach[0] = domain.position[0];
-    for (int axis = 0; axis < 2; axis++) {
-        const double low = domain.position[axis] - reach[axis];
-        const double high = domain.position[axis] + reach[axis];
-        const double ghost = MPM_GHOST_ROWS * grid->cell[axis];
-        const double end = grid->origin[axis] + (double)grid->cells[axis] * grid->cell[axis];
-        if (!(low > grid->origin[axis] - ghost && high < end + ghost)) {
-            record(strip, MPM_DOMAIN_TOO_BIG, state->particles.id[p], axis,
-                   reach[axis] * grid->inverse_cell[axis]);
-            return false;
-        }
-        extent->low[axis] = low < extent->low[axis] ? low : extent->low[axis];
-        extent->high[axis] = high > extent->high[axis] ? high : extent->high[axis];
-    }
-    return true;
-}
-
-static void set_box(const struct mpm_state *state, struct mpm_strip *strip,
-                    const struct extent *extent)
-{
-    const struct mpm_grid *const grid = &state->grid;
-    int64_t low[2] = {0, 0}, high[2] = {-1, -1};
-    for (int axis = 0; axis < 2 && strip->begin < strip->end; axis++) {
-        const double scale = grid->inverse_cell[axis], origin = grid->origin[axis];
-        low[axis] = (int64_t)floor((extent->low[axis] - origin) * scale - BOX_SLACK);
-        high[axis] = (int64_t)floor((extent->high[axis] - origin) * scale + BOX_SLACK) + 1;
-    }
-    strip->column_low = low[0];
-    strip->column_high = high[0];
-    strip->row_low = low[1];
-    strip->row_high = high[1];
-}
-
-/* A particle that left the grid has no cell; one that outran a cell has no meaning. */
-static bool check_position(const struct mpm_state *state, size_t p, const double step[2],
-                           struct mpm_strip *strip)
-{
-    const struct mpm_grid *const grid = &state->grid;
-    const uint32_t id = state->particles.id[p];
-    if (state->shape_grid.axisymmetric && !(state->particles.position[0][p] > 0.0)) {
-        record(strip, MPM_PAST_AXIS, id, 0, state->particles.position[0][p]);
-        return false;
-    }
-    for (int axis = 0; axis < 2; axis++) {
-        const double x = state->particles.position[axis][p];
-        const double end = grid->origin[axis] + (double)grid->cells[axis] * grid->cell[axis];
-        if (!(x >= grid->origin[axis] && x < end)) {
-            record(strip, isfinite(x) ? MPM_LEFT_GRID : MPM_NOT_FINITE, id, axis, x);
-            return false;
-        }
-        const double cells = fabs(step[axis]) * grid->inverse_cell[axis];
-        if (!(cells <= 1.0)) {
-            record(strip, MPM_OUTRAN_CELL, id, axis, cells);
-            return false;
-        }
-    }
-    return true;
+        placement.reach[0] > domain.position[0])
+        placement.reach[0] = domain.position[0];
+    return placement;
 }
 
 /* The grid's velocity at the particle over the step: v^{n+1}, or the mean of start and
  * end for the midpoint update (Notes (37), without damping). */
 static void update_position(const struct mpm_state *state, size_t p,
                             const struct mpm_stencil *stencil, struct mpm_strip *strip,
-                            struct extent *extent)
+                            struct mpm_extent *extent)
 {
     const struct mpm_particles *const particles = &state->particles;
     const double back =
@@ -396,10 +336,11 @@ static void update_position(const struct mpm_state *state, size_t p,
     double v[2] = {0.0, 0.0}, hoop_rate = 0.0;
     for (int k = 0; k < stencil->count; k++) {
         const struct mpm_stencil_node *const entry = &stencil->node[k];
-        const struct mpm_node *const node = &state->node_zero[entry->node];
-        const double vx = node->end[0] - back * node->acceleration[0];
+        const struct mpm_node_motion *const motion =
+            &state->grid.motion[state->node_zero + entry->node];
+        const double vx = motion->end[0] - back * motion->acceleration[0];
         v[0] += entry->s * vx;
-        v[1] += entry->s * (node->end[1] - back * node->acceleration[1]);
+        v[1] += entry->s * (motion->end[1] - back * motion->acceleration[1]);
         hoop_rate += entry->t * vx;
     }
     const double rate = hoop ? particles->position[0][p] * hoop_rate : v[0];
@@ -407,15 +348,18 @@ static void update_position(const struct mpm_state *state, size_t p,
     particles->position[0][p] += step[0];
     particles->position[1][p] += step[1];
     mpm_particle_set_domain(state, p);
-    if (check_position(state, p, step, strip))
-        (void)add_domain(state, p, strip, extent);
+    struct mpm_placement placement = placement_of(state, p);
+    placement.step[0] = step[0];
+    placement.step[1] = step[1];
+    if (mpm_placement_check(state, &placement, particles->id[p], strip))
+        mpm_extent_add(extent, &placement);
 }
 
 void mpm_pass_position(void *context, int64_t index, int worker)
 {
     struct mpm_state *const state = context;
     struct mpm_strip *const strip = &state->strips[index];
-    struct extent extent = NO_EXTENT;
+    struct mpm_extent extent = MPM_NO_EXTENT;
     (void)worker;
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil stencil;
@@ -423,14 +367,14 @@ void mpm_pass_position(void *context, int64_t index, int worker)
         update_position(state, p, &stencil, strip, &extent);
     }
     if (strip->failure.kind == MPM_NO_FAILURE)
-        set_box(state, strip, &extent);
+        mpm_strip_set_box(state, strip, &extent);
 }
 
 void mpm_pass_stress_and_position(void *context, int64_t index, int worker)
 {
     struct mpm_state *const state = context;
     struct mpm_strip *const strip = &state->strips[index];
-    struct extent extent = NO_EXTENT;
+    struct mpm_extent extent = MPM_NO_EXTENT;
     (void)worker;
     strip->wave_speed_squared = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
@@ -440,17 +384,37 @@ void mpm_pass_stress_and_position(void *context, int64_t index, int worker)
         update_position(state, p, &stencil, strip, &extent);
     }
     if (strip->failure.kind == MPM_NO_FAILURE)
-        set_box(state, strip, &extent);
+        mpm_strip_set_box(state, strip, &extent);
+}
+
+void mpm_pass_recompute(void *context, int64_t index, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_particles *const particles = &state->particles;
+    (void)worker;
+    for (size_t p = state->strips[index].begin; p < state->strips[index].end; p++) {
+        const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
+        double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
+        for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+            f[k] = particles->deformation[k][p];
+        material->law->stress(material, f, stress, &wave_speed_squared);
+        for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+            particles->stress[k][p] = stress[k];
+        mpm_particle_set_domain(state, p);
+    }
 }
 
 void mpm_pass_measure(void *context, int64_t index, int worker)
 {
     struct mpm_state *const state = context;
     struct mpm_strip *const strip = &state->strips[index];
-    struct extent extent = NO_EXTENT;
+    struct mpm_extent extent = MPM_NO_EXTENT;
     (void)worker;
-    for (size_t p = strip->begin; p < strip->end; p++)
-        (void)add_domain(state, p, strip, &extent);
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        const struct mpm_placement placement = placement_of(state, p);
+        if (mpm_domain_check(state, &placement, state->particles.id[p], strip))
+            mpm_extent_add(&extent, &placement);
+    }
     if (strip->failure.kind == MPM_NO_FAILURE)
-        set_box(state, strip, &extent);
+        mpm_strip_set_box(state, strip, &extent);
 }

@@ -8,8 +8,7 @@
 
 #include "method/state.h"
 
-/* Puts the domain of a particle's F into its place; nothing for families whose domains do
- * not deform. */
+/* Puts the domain of a particle's F into its place, where domains are kept. */
 void mpm_particle_set_domain(const struct mpm_state *state, size_t p);
 
 /* m_i, p_i: CRAMP (26), Notes (23), (25) */
@@ -33,6 +32,8 @@ void mpm_pass_velocity_and_momentum(void *state, int64_t strip, int worker);
 void mpm_pass_position(void *state, int64_t strip, int worker);
 /* stress update of the part `after` of the step, then the same */
 void mpm_pass_stress_and_position(void *state, int64_t strip, int worker);
+/* stress and domain from F: they are functions of it */
+void mpm_pass_recompute(void *state, int64_t strip, int worker);
 /* the box of nodes that the strip's particles reach */
 void mpm_pass_measure(void *state, int64_t strip, int worker);
 

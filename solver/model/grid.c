@@ -17,5 +17,11 @@ struct mpm_grid mpm_grid_describe(const struct mpm_scene *scene)
 
 void mpm_grid_layout(struct mpm_grid *grid, struct mpm_arena *arena)
 {
-    grid->nodes = MPM_TAKE(arena, struct mpm_node, (size_t)(grid->columns * grid->rows));
+    /* vectors over the nodes of a row may read a few places past the last one */
+    const size_t nodes = (size_t)(grid->columns * grid->rows) + MPM_ROW_PADDING;
+    grid->mass = MPM_TAKE(arena, double, nodes);
+    grid->sum = mpm_arena_take(arena, nodes, sizeof *grid->sum);
+    grid->start = mpm_arena_take(arena, nodes, sizeof *grid->start);
+    grid->motion = MPM_TAKE(arena, struct mpm_node_motion, nodes);
+    grid->gradient = mpm_arena_take(arena, nodes, sizeof *grid->gradient);
 }

@@ -8,17 +8,17 @@
 #include "base/arena.h"
 #include "model/scene.h"
 
-enum { MPM_GHOST_ROWS = 2 };
+enum { MPM_GHOST_ROWS = 2, MPM_ROW_PADDING = 4 };
 
-/* Valid within one step only; zeroed at its start where particles reach. */
-struct mpm_node {
-    double mass;
-    double momentum[2];     /* sum of m_p v_p S_ip, start of the step or re-extrapolated */
-    double force[2];        /* internal and body forces */
+/* What particles spread along one axis: sum of m_p v_p S_ip, and internal and body forces. */
+struct mpm_node_sum {
+    double momentum, force;
+};
+
+/* What they read back: along both axes. */
+struct mpm_node_motion {
     double acceleration[2]; /* of the step, conditions included */
-    double start[2];        /* velocity at the start of the step */
-    double end[2];          /* velocity at its end */
-    double gradient[2];     /* the velocity whose gradient updates the stress */
+    double end[2];          /* velocity at the end of the step */
 };
 
 struct mpm_grid {
@@ -27,12 +27,20 @@ struct mpm_grid {
     double inverse_cell[2];
     int64_t cells[2];
     int64_t columns, rows; /* of nodes, ghost rows included */
-    struct mpm_node *nodes;
+    /* Per node, one array for what one pass uses; valid within one step only, and where
+     * particles reach. A node without mass has no motion: all zero. */
+    double *mass;
+    struct mpm_node_sum (*sum)[2];
+    double (*start)[2]; /* velocity at the start of the step */
+    struct mpm_node_motion *motion;
+    /* The velocity whose gradient updates the stress, before that the re-extrapolated
+     * momentum; each component twice, to meet both parts of a gradient. */
+    double (*gradient)[2][2];
 };
 
 /* Sets sizes from the scene; allocates nothing. */
 struct mpm_grid mpm_grid_describe(const struct mpm_scene *scene);
-/* Takes the nodes from the arena. */
+/* Takes the nodes' arrays from the arena. */
 void mpm_grid_layout(struct mpm_grid *grid, struct mpm_arena *arena);
 
 /* Index of node (column, row), counted from the first cell's corner; ghosts are

@@ -16,9 +16,9 @@ struct mpm_particles {
     double *deformation[MPM_GRADIENT_SIZE];
     double *stress[MPM_SYMMETRIC_SIZE]; /* Kirchhoff over initial density */
     double *mass;                       /* for the thickness, or per radian */
-    double *domain[4];                  /* CPDI: half edges d1x d1y d2x d2y; else NULL */
-    uint32_t *id;                       /* creation order over all bodies */
-    uint32_t *body;                     /* index in the scene */
+    double *domain[4]; /* half edges d1x d1y d2x d2y, where F does not tell them; else NULL */
+    uint32_t *id;      /* creation order over all bodies */
+    uint32_t *body;    /* index in the scene */
     /* scratch of the sort */
     uint32_t *order, *order_scratch;
     double *scratch;

@@ -11,7 +11,7 @@
 
 enum { MPM_NAME_SIZE = 257 }; /* names up to 64 characters of UTF-8 */
 
-enum mpm_stress_update { MPM_USL, MPM_MUSL, MPM_USF, MPM_USAVG };
+enum mpm_stress_update { MPM_USL, MPM_MUSL, MPM_USF, MPM_USAVG, MPM_ORDER_COUNT };
 enum mpm_position_update { MPM_GRID_VELOCITY, MPM_MIDPOINT };
 enum mpm_radius_update { MPM_RADIUS_SHAPE, MPM_RADIUS_HOOP };
 

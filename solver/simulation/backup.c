@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/transfer.h"
 #include "simulation/simulation.h"
 
 #include <assert.h>
@@ -49,21 +48,6 @@ void mpm_backup_save(struct mpm_simulation *simulation)
     backup->step = simulation->step;
 }
 
-static void recompute(struct mpm_state *state)
-{
-    struct mpm_particles *const particles = &state->particles;
-    for (size_t p = 0; p < particles->count; p++) {
-        const struct mpm_body *const body = &state->bodies[particles->body[p]];
-        double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], unused;
-        for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-            f[k] = particles->deformation[k][p];
-        body->material.law->stress(&body->material, f, stress, &unused);
-        for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
-            particles->stress[k][p] = stress[k];
-        mpm_particle_set_domain(state, p);
-    }
-}
-
 static void copy_back(struct mpm_simulation *simulation)
 {
     struct mpm_state *const state = &simulation->state;
@@ -90,11 +74,10 @@ void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step)
     const struct mpm_backup *const backup = &simulation->backup;
     assert(step >= backup->step && step - backup->step < MPM_STEPS_BETWEEN_SORTS);
     copy_back(simulation);
-    recompute(state);
     state->failure = (struct mpm_failure){0};
     for (int64_t s = 0; s < state->strip_count; s++)
         state->strips[s].failure = (struct mpm_failure){0};
-    mpm_step_measure(state);
+    mpm_step_recompute(state);
     for (; simulation->step < step; simulation->step++) {
         const uint64_t k = simulation->step - backup->step;
         state->time_step = backup->time_steps[k];

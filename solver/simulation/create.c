@@ -59,6 +59,13 @@ static double boundary_value(const void *context, int32_t boundary, int32_t comp
 
 /* ------------------------------------------------------------------- memory */
 
+/* Domains are functions of F, and kept only where F changes while they must not: before
+ * the step's last task. */
+static bool keeps_domains(const struct mpm_state *state)
+{
+    return state->family->convected && state->order->before > 0.0;
+}
+
 static void layout(struct mpm_simulation *simulation, const struct mpm_fill_counts *counts,
                    struct mpm_arena *arena)
 {
@@ -67,7 +74,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     const size_t nodes = (size_t)(grid->columns * grid->rows);
     const size_t rows = (size_t)grid->rows;
     const size_t longest = (size_t)(grid->rows > grid->columns ? grid->rows : grid->columns);
-    mpm_particles_layout(&state->particles, counts->deformable, state->family->convected, arena);
+    mpm_particles_layout(&state->particles, counts->deformable, keeps_domains(state), arena);
     mpm_rigid_particles_layout(&state->rigid, counts->rigid, arena);
     mpm_grid_layout(grid, arena);
     state->bodies = MPM_TAKE(arena, struct mpm_body, simulation->scene->body_count);
@@ -96,6 +103,7 @@ static void describe_bodies(struct mpm_simulation *simulation)
         mpm_body_half_size(scene, &state->grid, k, state->bodies[k].half_size);
         if (scene->bodies[k].rigid)
             continue;
+        state->deformable_bodies++;
         const struct mpm_material_spec *const spec = &scene->materials[scene->bodies[k].material];
         state->bodies[k].material = mpm_material_make(mpm_material_law_find(spec->law),
                                                       spec->density, spec->bulk, spec->shear);
@@ -260,7 +268,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     layout(simulation, &counts, &simulation->arena);
     MPM_TRY(mpm_arena_allocate(&simulation->arena, error));
     layout(simulation, &counts, &simulation->arena);
-    state->node_zero = state->grid.nodes + mpm_grid_index(&state->grid, 0, 0);
+    state->node_zero = mpm_grid_index(&state->grid, 0, 0);
     state->last_row = -1;
     for (int64_t row = 0; row < state->grid.rows; row++) {
         state->row_low[row] = state->grid.columns;

@@ -1,0 +1,154 @@
+/* Vectors of four doubles: the compiler's own vector types, so that every processor with
+ * or without such registers gives the same bits. Loads and stores need no alignment.
+ *
+ * Everything is forced inline: a vector never crosses a call, whose convention would
+ * depend on the instructions that a file is compiled for.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_BASE_SIMD_H
+#define MPM_BASE_SIMD_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+/* gcc warns of that convention even where nothing is called. */
+#if defined __GNUC__ && !defined __clang__
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+enum { MPM_VECTOR_SIZE = 4 };
+
+typedef double mpm_vector __attribute__((vector_size(32)));
+typedef double mpm_half_vector __attribute__((vector_size(16)));
+typedef int64_t mpm_mask __attribute__((vector_size(32))); /* all bits of a lane, or none */
+
+#define MPM_INLINE static inline __attribute__((always_inline))
+
+MPM_INLINE mpm_vector mpm_splat(double x)
+{
+    return (mpm_vector){x, x, x, x};
+}
+
+MPM_INLINE mpm_vector mpm_load(const double *from)
+{
+    mpm_vector v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+MPM_INLINE void mpm_store(double *to, mpm_vector v)
+{
+    memcpy(to, &v, sizeof v);
+}
+
+/* from[0] from[1] from[0] from[1] */
+MPM_INLINE mpm_vector mpm_load_pair(const double *from)
+{
+    mpm_half_vector v;
+    memcpy(&v, from, sizeof v);
+    return __builtin_shufflevector(v, v, 0, 1, 0, 1);
+}
+
+MPM_INLINE mpm_vector mpm_select(mpm_mask mask, mpm_vector yes, mpm_vector no)
+{
+    return (mpm_vector)((mask & (mpm_mask)yes) | (~mask & (mpm_mask)no));
+}
+
+MPM_INLINE mpm_vector mpm_absolute(mpm_vector x)
+{
+    const mpm_mask sign = {INT64_MIN, INT64_MIN, INT64_MIN, INT64_MIN};
+    return (mpm_vector)((mpm_mask)x & ~sign);
+}
+
+/* The smaller and the larger; b where one is not a number. */
+MPM_INLINE mpm_vector mpm_smaller(mpm_vector a, mpm_vector b)
+{
+    return mpm_select(a < b, a, b);
+}
+
+MPM_INLINE mpm_vector mpm_larger(mpm_vector a, mpm_vector b)
+{
+    return mpm_select(a > b, a, b);
+}
+
+MPM_INLINE bool mpm_any(mpm_mask mask)
+{
+    return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
+}
+
+MPM_INLINE mpm_vector mpm_square_root(mpm_vector x)
+{
+    mpm_vector root;
+    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+        root[lane] = __builtin_sqrt(x[lane]);
+    return root;
+}
+
+/* Nearest integer, for |x| < 2^51: the sum leaves no digits after the point. */
+static const double MPM_ROUNDING = 0x1.8p52;
+
+MPM_INLINE mpm_vector mpm_nearest(mpm_vector x)
+{
+    return (x + MPM_ROUNDING) - MPM_ROUNDING;
+}
+
+MPM_INLINE mpm_vector mpm_floor_vector(mpm_vector x)
+{
+    const mpm_vector nearest = mpm_nearest(x);
+    return nearest - mpm_select(x < nearest, mpm_splat(1.0), mpm_splat(0.0));
+}
+
+/* A whole number as an integer: its bits stand in the low end of the sum. */
+MPM_INLINE mpm_mask mpm_to_integer(mpm_vector whole)
+{
+    const mpm_vector zero = mpm_splat(MPM_ROUNDING);
+    return (mpm_mask)(whole + MPM_ROUNDING) - (mpm_mask)zero;
+}
+
+/* Rows become columns. */
+MPM_INLINE void mpm_transpose(mpm_vector v[4])
+{
+    const mpm_vector a = __builtin_shufflevector(v[0], v[1], 0, 4, 2, 6);
+    const mpm_vector b = __builtin_shufflevector(v[0], v[1], 1, 5, 3, 7);
+    const mpm_vector c = __builtin_shufflevector(v[2], v[3], 0, 4, 2, 6);
+    const mpm_vector d = __builtin_shufflevector(v[2], v[3], 1, 5, 3, 7);
+    v[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5);
+    v[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
+    v[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
+    v[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
+}
+
+MPM_INLINE double mpm_largest_lane(mpm_vector v)
+{
+    const double a = v[0] > v[1] ? v[0] : v[1], b = v[2] > v[3] ? v[2] : v[3];
+    return a > b ? a : b;
+}
+
+MPM_INLINE double mpm_smallest_lane(mpm_vector v)
+{
+    return -mpm_largest_lane(-v);
+}
+
+MPM_INLINE double mpm_sum_of_lanes(mpm_vector v)
+{
+    return (v[0] + v[1]) + (v[2] + v[3]);
+}
+
+/* x^(-1/3) for normal x > 0, as mpm_inverse_cube_root; the first guess takes a third of
+ * the upper half of the bits, as there is no integer division by lanes. */
+MPM_INLINE mpm_vector mpm_inverse_cube_root_vector(mpm_vector x)
+{
+    const mpm_mask upper = (mpm_mask)(((mpm_mask)x) >> 32);
+    const mpm_vector number = (mpm_vector)(upper | (mpm_mask)mpm_splat(0x1p52)) - 0x1p52;
+    const mpm_vector third = number * (1.0 / 3.0) + 0x1p52;
+    const mpm_mask bits = ((mpm_mask)third - (mpm_mask)mpm_splat(0x1p52)) << 32;
+    mpm_vector y = (mpm_vector)(INT64_C(0x553ef0ff289dd796) - bits);
+    for (int k = 0; k < 2; k++) {
+        const mpm_vector e = 1.0 - x * y * y * y;
+        y += y * e * (1.0 / 3.0 + e * (2.0 / 9.0));
+    }
+    return y + y * (1.0 - x * y * y * y) * (1.0 / 3.0);
+}
+
+#endif

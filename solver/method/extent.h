@@ -1,0 +1,39 @@
+/* Where the particles of a strip are after a step: may they be there, and which nodes will
+ * they reach?
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_EXTENT_H
+#define MPM_METHOD_EXTENT_H
+
+#include "method/state.h"
+
+/* The hull of the domains of a strip's particles. */
+struct mpm_extent {
+    double low[2], high[2];
+};
+#define MPM_NO_EXTENT ((struct mpm_extent){{DBL_MAX, DBL_MAX}, {-DBL_MAX, -DBL_MAX}})
+
+/* One particle's domain and the way it went in the step. */
+struct mpm_placement {
+    double position[2], step[2];
+    double reach[2]; /* of the domain from its centre */
+};
+
+/* Notes a failure, unless one of a particle with a smaller id is known. */
+void mpm_strip_record(struct mpm_strip *strip, enum mpm_failure_kind kind, uint32_t particle,
+                      int axis, double value);
+
+/* A particle that left the grid has no cell; one that outran a cell has no meaning; a domain
+ * beyond the ghost rows has no nodes. Each is recorded. */
+bool mpm_placement_check(const struct mpm_state *state, const struct mpm_placement *placement,
+                         uint32_t particle, struct mpm_strip *strip);
+/* The same without the way. */
+bool mpm_domain_check(const struct mpm_state *state, const struct mpm_placement *placement,
+                      uint32_t particle, struct mpm_strip *strip);
+void mpm_extent_add(struct mpm_extent *extent, const struct mpm_placement *placement);
+
+/* Sets the box of the nodes that an extent reaches. */
+void mpm_strip_set_box(const struct mpm_state *state, struct mpm_strip *strip,
+                       const struct mpm_extent *extent);
+
+#endif

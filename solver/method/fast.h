@@ -1,0 +1,37 @@
+/* Fast kernels: four particles at a time in the registers that the machine has, for scenes
+ * of ordinary single-field nodes. They do what the reference kernels in transfer.c do, to
+ * round-off; sums over the nodes go in the same order, so that results are the same bits
+ * for every level of SIMD, every compiler and every number of threads.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_FAST_H
+#define MPM_METHOD_FAST_H
+
+#include "method/kernels.h"
+
+enum mpm_fast_geometry {
+    MPM_FAST_PLANE_STRAIN,
+    MPM_FAST_PLANE_STRESS,
+    MPM_FAST_AXISYMMETRIC,
+    MPM_FAST_HOOP_RADIUS, /* axisymmetric, with radius_update: hoop */
+    MPM_FAST_GEOMETRIES,
+};
+
+/* A family's kernels, by geometry and order of the stress update. */
+typedef const struct mpm_passes mpm_fast_family[MPM_FAST_GEOMETRIES][MPM_ORDER_COUNT];
+
+/* The levels of SIMD that this build has: one file, compiled for each. */
+#define MPM_FAST_FAMILIES(level)                                                                   \
+    extern mpm_fast_family mpm_fast_classic_##level, mpm_fast_ugimp_##level, mpm_fast_cpdi_##level;
+MPM_FAST_FAMILIES(baseline)
+#ifdef __x86_64__
+MPM_FAST_FAMILIES(v3)
+#endif
+
+/* The widest level that this machine runs. */
+enum mpm_simd mpm_fast_widest(void);
+
+/* The kernels of a scene at a level; NULL where this build or machine lacks the level. */
+const struct mpm_passes *mpm_fast_passes(const struct mpm_scene *scene, enum mpm_simd simd);
+
+#endif

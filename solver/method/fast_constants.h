@@ -1,0 +1,59 @@
+/* Fast kernels: what is known when a kernel is compiled, and what stays the same for all
+ * particles of one body in a strip.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_FAST_CONSTANTS_H
+#define MPM_METHOD_FAST_CONSTANTS_H
+
+#include "base/simd.h"
+#include "method/state.h"
+
+/* Which kernel: constants of an instance, so that what is off leaves no trace. */
+struct fast_spec {
+    enum mpm_shape shape;
+    bool axisymmetric, plane_stress;
+    bool hoop_radius; /* r moves with r_p sum T v_r */
+    bool kept_domain; /* CPDI: half edges are read, not recomputed from F */
+    bool momentum;    /* spread mass and momentum */
+    bool force;       /* spread internal forces */
+    bool velocity;    /* update velocities in the last pass */
+    bool stress;      /* update stresses in the last pass */
+};
+
+struct fast_constants {
+    double origin[2], inverse_cell[2];
+    double half[2];    /* half edges of the undeformed domain */
+    double axis;       /* place of r = 0, in cells */
+    double cut;        /* domains are cut off there (uGIMP), in cells; or minus infinity */
+    bool truncated;    /* domains shrink to r = 0 (CPDI) */
+    double columns;    /* distance of two rows of nodes in offsets, */
+    int64_t stride;    /* the same */
+    int64_t node_zero; /* index of node (0, 0) */
+    double *mass;      /* arrays of the grid, by node index */
+    struct mpm_node_sum (*sum)[2];
+    struct mpm_node_motion *motion;
+    double (*gradient)[2][2];
+    double time_step, stress_step; /* the latter is the part that this update stands for */
+    double back;                   /* of the midpoint update: v^{n+1} - back a */
+    int deformation_terms;
+    double lowest[2], highest[2];             /* where particles may be, */
+    double lowest_reach[2], highest_reach[2]; /* and their domains */
+    struct mpm_material material;
+};
+
+/* What four particles spread. */
+struct fast_load {
+    mpm_vector mass;
+    mpm_vector momentum[2];
+    mpm_vector stress[MPM_SYMMETRIC_SIZE]; /* -m tau / rho_0 */
+};
+
+/* See mpm_shape_cells. */
+MPM_INLINE mpm_vector fast_cells(mpm_vector x)
+{
+    const mpm_vector nearest = mpm_nearest(x);
+    const mpm_mask close = mpm_absolute(x - nearest) < 0x1p-51 * (1.0 + mpm_absolute(nearest));
+    return mpm_select(close, nearest, x);
+}
+
+#endif

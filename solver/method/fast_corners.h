@@ -1,0 +1,220 @@
+/* Fast kernels: CPDI stencils, sums over the four corners of a parallelogram of the hat
+ * functions there, for four particles at once. A corner spreads to the four nodes of its
+ * cell by itself, however far the corners are apart. Weights as in shape_cpdi.c, nodal
+ * vectors as in fast_lines.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_FAST_CORNERS_H
+#define MPM_METHOD_FAST_CORNERS_H
+
+#include "method/fast_lines.h"
+
+enum { MPM_CORNERS = 4 };
+
+struct fast_corners {
+    int64_t node[MPM_CORNERS][MPM_VECTOR_SIZE]; /* lower left of the corner's cell */
+    double x[MPM_CORNERS][MPM_VECTOR_SIZE];     /* place in that cell */
+    double y[MPM_CORNERS][MPM_VECTOR_SIZE];
+    mpm_vector s[MPM_CORNERS];    /* S of the corner; planar: 1/4 */
+    mpm_vector g[MPM_CORNERS][2]; /* G of the corner */
+    mpm_vector t;                 /* T of every corner */
+};
+
+/* Corners go counter clockwise: (-,-) (+,-) (+,+) (-,+). */
+static const double fast_sign1[MPM_CORNERS] = {-1.0, 1.0, 1.0, -1.0};
+static const double fast_sign2[MPM_CORNERS] = {-1.0, -1.0, 1.0, 1.0};
+
+/* Half edges that would pass r = 0 shrink until the domain touches it. */
+MPM_INLINE void shrink_to_axis_vector(mpm_vector r, mpm_vector d[4])
+{
+    const mpm_vector extent = mpm_absolute(d[0]) + mpm_absolute(d[2]);
+    const mpm_vector scale = mpm_select(extent <= r, mpm_splat(1.0), r / extent);
+    for (int k = 0; k < 4; k++)
+        d[k] *= scale;
+}
+
+MPM_INLINE void corner_weights_vector(const struct fast_spec *spec, const mpm_vector d[4],
+                                      mpm_vector inverse_r, struct fast_corners *corners)
+{
+    const mpm_vector inverse_area = 1.0 / (4.0 * (d[0] * d[3] - d[2] * d[1]));
+    const mpm_vector third_over_r = inverse_r * (1.0 / 3.0);
+    const mpm_vector beta = (d[0] * d[1] - d[2] * d[3]) * third_over_r;
+#pragma GCC unroll 4
+    for (int c = 0; c < MPM_CORNERS; c++) {
+        const double a = fast_sign1[c], b = fast_sign2[c];
+        corners->g[c][0] = a * d[3] - b * d[1];
+        corners->g[c][1] = b * d[0] - a * d[2];
+        corners->s[c] = mpm_splat(0.25);
+        if (spec->axisymmetric) {
+            const mpm_vector radial = 1.0 + (a * d[0] + b * d[2]) * third_over_r;
+            corners->s[c] *= radial;
+            corners->g[c][0] -= a * b * beta;
+            corners->g[c][1] *= radial;
+        }
+        corners->g[c][0] *= inverse_area;
+        corners->g[c][1] *= inverse_area;
+    }
+    corners->t = 0.25 * inverse_r;
+}
+
+MPM_INLINE void fast_corners_evaluate(const struct fast_spec *spec, const struct fast_constants *k,
+                                      const mpm_vector position[2], const mpm_vector edge[4],
+                                      struct fast_corners *corners)
+{
+    mpm_vector d[4] = {edge[0], edge[1], edge[2], edge[3]};
+    mpm_vector inverse_r = mpm_splat(0.0);
+    if (spec->axisymmetric) {
+        inverse_r = 1.0 / position[0];
+        if (k->truncated)
+            shrink_to_axis_vector(position[0], d);
+    }
+    corner_weights_vector(spec, d, inverse_r, corners);
+#pragma GCC unroll 4
+    for (int c = 0; c < MPM_CORNERS; c++) {
+        mpm_vector first[2], place[2];
+        for (int axis = 0; axis < 2; axis++) {
+            const mpm_vector x =
+                position[axis] + fast_sign1[c] * d[axis] + fast_sign2[c] * d[2 + axis];
+            place[axis] = fast_cells((x - k->origin[axis]) * k->inverse_cell[axis]);
+            first[axis] = mpm_floor_vector(place[axis]);
+            place[axis] -= first[axis];
+        }
+        const mpm_mask node = mpm_to_integer(first[1] * k->columns + first[0]) + k->node_zero;
+        memcpy(corners->node[c], &node, sizeof node);
+        mpm_store(corners->x[c], place[0]);
+        mpm_store(corners->y[c], place[1]);
+    }
+}
+
+/* ------------------------------------------------------------------ scatter */
+
+/* Adds a corner's vector to the four nodes of its cell. */
+MPM_INLINE void spread_corner(double *row, int64_t stride, double x, double y, mpm_vector value)
+{
+    for (int j = 0; j < 2; j++) {
+        double *const node = row + 4 * j * stride;
+        const mpm_vector part = (j == 0 ? 1.0 - y : y) * value;
+        mpm_store(node, mpm_load(node) + (1.0 - x) * part);
+        mpm_store(node + 4, mpm_load(node + 4) + x * part);
+    }
+}
+
+/* Masses of two neighbours: half a vector. */
+MPM_INLINE void spread_corner_mass(double *row, int64_t stride, double x, double y, double mass)
+{
+    const mpm_half_vector along_x = mass * (mpm_half_vector){1.0 - x, x};
+    for (int j = 0; j < 2; j++) {
+        mpm_half_vector sum;
+        memcpy(&sum, row + j * stride, sizeof sum);
+        sum += (j == 0 ? 1.0 - y : y) * along_x;
+        memcpy(row + j * stride, &sum, sizeof sum);
+    }
+}
+
+MPM_INLINE void fast_corners_spread(const struct fast_spec *spec, const struct fast_constants *k,
+                                    const struct fast_corners *corners,
+                                    const struct fast_load *load)
+{
+    const mpm_vector *const p = load->momentum, *const f = load->stress;
+#pragma GCC unroll 4
+    for (int c = 0; c < MPM_CORNERS; c++) {
+        const mpm_vector *const g = corners->g[c];
+        mpm_vector value[4] = {{0}};
+        double mass[MPM_VECTOR_SIZE];
+        if (spec->momentum) {
+            value[0] = p[0] * corners->s[c];
+            value[2] = p[1] * corners->s[c];
+            mpm_store(mass, load->mass * corners->s[c]);
+        }
+        if (spec->force) {
+            value[1] = f[MPM_SYM_XX] * g[0] + f[MPM_SYM_XY] * g[1];
+            value[3] = f[MPM_SYM_XY] * g[0] + f[MPM_SYM_YY] * g[1];
+            if (spec->axisymmetric)
+                value[1] += f[MPM_SYM_ZZ] * corners->t;
+        }
+        mpm_transpose(value);
+#pragma GCC unroll 4
+        for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
+            const int64_t node = corners->node[c][lane];
+            const double x = corners->x[c][lane], y = corners->y[c][lane];
+            spread_corner((double *)(k->sum + node), k->stride, x, y, value[lane]);
+            if (spec->momentum)
+                spread_corner_mass(k->mass + node, k->stride, x, y, mass[lane]);
+        }
+    }
+}
+
+MPM_INLINE void fast_corners_spread_momentum(const struct fast_constants *k,
+                                             const struct fast_corners *corners,
+                                             const mpm_vector momentum[2])
+{
+#pragma GCC unroll 4
+    for (int c = 0; c < MPM_CORNERS; c++) {
+        const mpm_vector px = momentum[0] * corners->s[c], py = momentum[1] * corners->s[c];
+        mpm_vector value[4] = {px, px, py, py};
+        mpm_transpose(value);
+#pragma GCC unroll 4
+        for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+            spread_corner((double *)(k->gradient + corners->node[c][lane]), k->stride,
+                          corners->x[c][lane], corners->y[c][lane], value[lane]);
+    }
+}
+
+/* ------------------------------------------------------------------- gather */
+
+MPM_INLINE mpm_vector gather_corner(const double *row, int64_t stride, double x, double y)
+{
+    const double *const upper = row + 4 * stride;
+    const mpm_vector low = (1.0 - x) * mpm_load(row) + x * mpm_load(row + 4);
+    const mpm_vector high = (1.0 - x) * mpm_load(upper) + x * mpm_load(upper + 4);
+    return (1.0 - y) * low + y * high;
+}
+
+MPM_INLINE void gather_corners(const struct fast_constants *k, const struct fast_corners *corners,
+                               int c, const double *array, mpm_vector value[4])
+{
+#pragma GCC unroll 4
+    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+        value[lane] = gather_corner(array + 4 * corners->node[c][lane], k->stride,
+                                    corners->x[c][lane], corners->y[c][lane]);
+    mpm_transpose(value);
+}
+
+MPM_INLINE void fast_corners_motion(const struct fast_constants *k,
+                                    const struct fast_corners *corners, bool wants_hoop,
+                                    mpm_vector motion[4], mpm_vector hoop[4])
+{
+    for (int i = 0; i < 4; i++)
+        motion[i] = hoop[i] = mpm_splat(0.0);
+#pragma GCC unroll 4
+    for (int c = 0; c < MPM_CORNERS; c++) {
+        mpm_vector value[4];
+        gather_corners(k, corners, c, (const double *)k->motion, value);
+        for (int i = 0; i < 4; i++) {
+            motion[i] += corners->s[c] * value[i];
+            if (wants_hoop)
+                hoop[i] += corners->t * value[i];
+        }
+    }
+}
+
+MPM_INLINE void fast_corners_gradient(const struct fast_spec *spec, const struct fast_constants *k,
+                                      const struct fast_corners *corners,
+                                      mpm_vector gradient[MPM_GRADIENT_SIZE])
+{
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        gradient[i] = mpm_splat(0.0);
+#pragma GCC unroll 4
+    for (int c = 0; c < MPM_CORNERS; c++) {
+        mpm_vector v[4];
+        gather_corners(k, corners, c, (const double *)k->gradient, v);
+        gradient[MPM_XX] += v[0] * corners->g[c][0];
+        gradient[MPM_XY] += v[0] * corners->g[c][1];
+        gradient[MPM_YX] += v[2] * corners->g[c][0];
+        gradient[MPM_YY] += v[2] * corners->g[c][1];
+        if (spec->axisymmetric)
+            gradient[MPM_ZZ] += v[0] * corners->t;
+    }
+}
+
+#endif

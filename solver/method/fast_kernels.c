@@ -1,0 +1,157 @@
+/* The fast kernels of one shape family and one level of SIMD: this file is compiled for each
+ * pair, with FAST_FAMILY (classic, ugimp, cpdi), FAST_SHAPE (the same in capitals) and
+ * FAST_LEVEL (baseline, v3).
+ *
+ * A kernel is one of four bodies in fast_passes.h with constants. Planar kernels of plane
+ * strain and plane stress differ in the stress update only; the axisymmetric ones move r
+ * with S or with T.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/fast.h"
+#include "method/fast_passes.h"
+
+typedef void fast_block(const struct fast_spec *spec, enum fast_law law,
+                        const struct fast_constants *k, const struct mpm_particles *particles,
+                        size_t p, struct fast_sums *sums);
+
+/* A run of particles of one body, block by block. */
+MPM_INLINE void run_blocks(const struct fast_spec *spec, enum fast_law law,
+                           const struct fast_constants *k, const struct mpm_particles *particles,
+                           size_t begin, size_t end, struct fast_sums *sums, fast_block *block)
+{
+    struct fast_tail tail;
+    for (size_t p = begin; p < end; p += MPM_VECTOR_SIZE) {
+        const bool whole = p + MPM_VECTOR_SIZE <= end;
+        if (!whole)
+            mpm_fast_tail_fill(&tail, particles, p, end - p);
+        block(spec, law, k, whole ? particles : &tail.particles, whole ? p : 0, sums);
+        if (!whole)
+            mpm_fast_tail_write(&tail, particles, p, end - p);
+    }
+}
+
+MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state, int64_t index,
+                          double part, bool needs_law, struct fast_sums *sums, fast_block *block)
+{
+    struct mpm_strip *const strip = &state->strips[index];
+    const mpm_vector zero = mpm_splat(0.0), most = mpm_splat(DBL_MAX);
+    *sums = (struct fast_sums){zero, zero, {most, most}, {-most, -most}, state, strip};
+    for (size_t begin = strip->begin, end; begin < strip->end; begin = end) {
+        struct fast_constants k;
+        const uint32_t body = state->particles.body[begin];
+        end = mpm_fast_run_end(state, begin, strip->end);
+        mpm_fast_constants(state, body, part, &k);
+        if (!needs_law || k.material.law == &mpm_neo_hookean)
+            run_blocks(spec, FAST_neo_hookean, &k, &state->particles, begin, end, sums, block);
+        else
+            run_blocks(spec, FAST_linear_elastic, &k, &state->particles, begin, end, sums, block);
+    }
+}
+
+static void recompute(void *state, int64_t strip, int worker)
+{
+    static const struct fast_spec spec = {.shape = FAST_SHAPE};
+    struct fast_sums sums;
+    (void)worker;
+    run_strip(&spec, state, strip, 0.0, true, &sums, block_recompute);
+}
+
+static void set_box(struct mpm_state *state, const struct fast_sums *sums)
+{
+    struct mpm_extent extent;
+    for (int axis = 0; axis < 2; axis++) {
+        extent.low[axis] = mpm_smallest_lane(sums->low[axis]);
+        extent.high[axis] = mpm_largest_lane(sums->high[axis]);
+    }
+    if (sums->strip->failure.kind == MPM_NO_FAILURE)
+        mpm_strip_set_box(state, sums->strip, &extent);
+}
+
+/* --------------------------------------------------------------- the passes */
+
+MPM_INLINE void pass_to_grid(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
+{
+    struct fast_sums sums;
+    run_strip(spec, state, strip, 0.0, false, &sums, block_to_grid);
+}
+
+MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_state *state,
+                                   int64_t strip)
+{
+    struct fast_sums sums;
+    run_strip(spec, state, strip, state->order->before, true, &sums, block_stress_before);
+    sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
+}
+
+MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state *state,
+                                  int64_t strip)
+{
+    struct fast_sums sums;
+    run_strip(spec, state, strip, 0.0, false, &sums, block_to_particles);
+    sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
+}
+
+MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
+{
+    struct fast_sums sums;
+    run_strip(spec, state, strip, state->order->after, spec->stress, &sums, block_finish);
+    if (spec->velocity)
+        sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
+    if (spec->stress)
+        sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
+    set_box(state, &sums);
+}
+
+/* ------------------------------------------------------------- the instances */
+
+#define KERNEL(body, name, ...)                                                                    \
+    static void name(void *state, int64_t strip, int worker)                                       \
+    {                                                                                              \
+        static const struct fast_spec spec = {.shape = FAST_SHAPE, __VA_ARGS__};                   \
+        (void)worker;                                                                              \
+        body(&spec, state, strip);                                                                 \
+    }
+
+/* Passes that know of axisymmetry only */
+#define TRANSFERS(geometry, ...)                                                                   \
+    KERNEL(pass_to_grid, geometry##_momentum_force, .momentum = true, .force = true, __VA_ARGS__)  \
+    KERNEL(pass_to_grid, geometry##_momentum, .momentum = true, .kept_domain = true, __VA_ARGS__)  \
+    KERNEL(pass_to_particles, geometry##_extrapolate, __VA_ARGS__)                                 \
+    KERNEL(pass_to_particles, geometry##_extrapolate_kept, .kept_domain = true, __VA_ARGS__)
+
+/* Passes that know the whole geometry */
+#define UPDATES(geometry, ...)                                                                     \
+    KERNEL(pass_stress_before, geometry##_stress_force, .force = true, .kept_domain = true,        \
+           __VA_ARGS__)                                                                            \
+    KERNEL(pass_finish, geometry##_velocity_stress, .velocity = true, .stress = true, __VA_ARGS__) \
+    KERNEL(pass_finish, geometry##_stress, .stress = true, __VA_ARGS__)                            \
+    KERNEL(pass_finish, geometry##_stress_kept, .stress = true, .kept_domain = true, __VA_ARGS__)  \
+    KERNEL(pass_finish, geometry##_velocity, .velocity = true, .kept_domain = true, __VA_ARGS__)
+
+#define ORDERS(plane, geometry)                                                                    \
+    {                                                                                              \
+        [MPM_USL] = {plane##_momentum_force, NULL, NULL, geometry##_velocity_stress, recompute},   \
+        [MPM_MUSL] = {plane##_momentum_force, NULL, plane##_extrapolate, geometry##_stress,        \
+                      recompute},                                                                  \
+        [MPM_USF] = {plane##_momentum, geometry##_stress_force, NULL, geometry##_velocity,         \
+                     recompute},                                                                   \
+        [MPM_USAVG] = {plane##_momentum, geometry##_stress_force, plane##_extrapolate_kept,        \
+                       geometry##_stress_kept, recompute},                                         \
+    }
+
+TRANSFERS(planar, .axisymmetric = false)
+TRANSFERS(axisymmetric, .axisymmetric = true)
+UPDATES(strain, .axisymmetric = false)
+UPDATES(stress, .plane_stress = true)
+UPDATES(radial, .axisymmetric = true)
+UPDATES(hoop, .axisymmetric = true, .hoop_radius = true)
+
+#define JOIN(family, level) mpm_fast_##family##_##level
+#define NAME(family, level) JOIN(family, level)
+
+const struct mpm_passes NAME(FAST_FAMILY, FAST_LEVEL)[MPM_FAST_GEOMETRIES][MPM_ORDER_COUNT] = {
+    [MPM_FAST_PLANE_STRAIN] = ORDERS(planar, strain),
+    [MPM_FAST_PLANE_STRESS] = ORDERS(planar, stress),
+    [MPM_FAST_AXISYMMETRIC] = ORDERS(axisymmetric, radial),
+    [MPM_FAST_HOOP_RADIUS] = ORDERS(axisymmetric, hoop),
+};

@@ -1,0 +1,309 @@
+/* Fast kernels: stencils that are products of lines, S_ip = s(x) s(y), of classic MPM and
+ * uGIMP, for four particles at once. A stencil always has MPM_LINE_NODES nodes a line;
+ * those beyond the domain's edge have exact zeros.
+ *
+ * Nodal data are vectors too: what particles spread is (p_x, f_x, p_y, f_y), what they read
+ * (a_x, a_y, v_x, v_y) and (v_x, v_x, v_y, v_y). So a weight is stored beside its slope,
+ * and a pair of them meets both axes in one product.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_FAST_LINES_H
+#define MPM_METHOD_FAST_LINES_H
+
+#include "base/simd.h"
+#include "method/fast_constants.h"
+
+enum { MPM_LINE_NODES = 3 };
+
+/* Weights along one axis, by node; gradients per length. */
+struct fast_line {
+    mpm_vector first; /* the first node */
+    mpm_vector s[MPM_LINE_NODES], d[MPM_LINE_NODES];
+    mpm_vector t[MPM_LINE_NODES]; /* radial lines only */
+};
+
+/* In memory, to be read lane by lane. */
+struct fast_lines {
+    int64_t node[MPM_VECTOR_SIZE]; /* first of each particle */
+    double x[MPM_LINE_NODES][8];   /* pairs (slope, weight), see fast_pair */
+    double y[MPM_LINE_NODES][8];   /* pairs (weight, slope) */
+    double t[MPM_LINE_NODES][MPM_VECTOR_SIZE];
+    mpm_vector sx[MPM_LINE_NODES]; /* the weights of x once more, by particles */
+};
+
+/* The place of a lane's pair: interleaving leaves them in the order 0 2 1 3. */
+static const int fast_pair[MPM_VECTOR_SIZE] = {0, 4, 2, 6};
+
+MPM_INLINE void fast_interleave(mpm_vector a, mpm_vector b, double pairs[8])
+{
+    mpm_store(pairs, __builtin_shufflevector(a, b, 0, 4, 2, 6));
+    mpm_store(pairs + 4, __builtin_shufflevector(a, b, 1, 5, 3, 7));
+}
+
+/* ------------------------------------------------------------ along one axis */
+
+/* See shape_ugimp.c: the part [from, to] of a cell, and what it gives both its nodes. */
+MPM_INLINE void add_part(struct fast_line *line, int k, mpm_vector from, mpm_vector to,
+                         mpm_vector norm)
+{
+    const mpm_vector length = (to - from) * norm;
+    const mpm_vector mean = 0.5 * (from + to);
+    line->s[k] += length * (1.0 - mean);
+    line->d[k] -= length;
+    line->s[k + 1] = length * mean;
+    line->d[k + 1] = length;
+}
+
+MPM_INLINE void add_radial_part(struct fast_line *line, int k, mpm_vector from, mpm_vector to,
+                                mpm_vector norm, mpm_vector r)
+{
+    const mpm_vector length = (to - from) * norm;
+    const mpm_vector mean = 0.5 * (from + to);
+    const mpm_vector square = (from * from + from * to + to * to) * (1.0 / 3.0);
+    const mpm_vector weight = length * (r + mean);
+    line->s[k] += length * (r * (1.0 - mean) + (mean - square));
+    line->d[k] -= weight;
+    line->t[k] += length * (1.0 - mean);
+    line->s[k + 1] = length * (r * mean + square);
+    line->d[k + 1] = weight;
+    line->t[k + 1] = length * mean;
+}
+
+/* A domain within one cell has an empty part in the next one: weights are products with an
+ * exact zero. */
+MPM_INLINE struct fast_line fast_line_ugimp(const struct fast_constants *k, int axis, bool radial,
+                                            mpm_vector position)
+{
+    const mpm_vector zero = mpm_splat(0.0), one = mpm_splat(1.0);
+    const mpm_vector centre = position - k->origin[axis];
+    mpm_vector low = fast_cells((centre - k->half[axis]) * k->inverse_cell[axis]);
+    const mpm_vector high = fast_cells((centre + k->half[axis]) * k->inverse_cell[axis]);
+    if (radial)
+        low = mpm_larger(low, mpm_splat(k->cut));
+    struct fast_line line = {.first = mpm_floor_vector(low)};
+    const mpm_vector from = low - line.first, to = high - line.first;
+    const mpm_vector middle = mpm_smaller(to, one), rest = mpm_larger(to - 1.0, zero);
+    if (radial) {
+        const mpm_vector norm = 1.0 / ((high - low) * (0.5 * (low + high) - k->axis));
+        const mpm_vector r = line.first - k->axis;
+        add_radial_part(&line, 0, from, middle, norm, r);
+        add_radial_part(&line, 1, zero, rest, norm, r + 1.0);
+    } else {
+        const mpm_vector norm = 1.0 / (high - low);
+        add_part(&line, 0, from, middle, norm);
+        add_part(&line, 1, zero, rest, norm);
+    }
+    for (int i = 0; i < MPM_LINE_NODES; i++) {
+        line.d[i] *= k->inverse_cell[axis];
+        if (radial)
+            line.t[i] *= k->inverse_cell[axis];
+    }
+    return line;
+}
+
+MPM_INLINE struct fast_line fast_line_classic(const struct fast_constants *k, int axis, bool radial,
+                                              mpm_vector position)
+{
+    const mpm_vector place = fast_cells((position - k->origin[axis]) * k->inverse_cell[axis]);
+    struct fast_line line = {.first = mpm_floor_vector(place)};
+    line.s[1] = place - line.first;
+    line.s[0] = 1.0 - line.s[1];
+    line.d[0] = mpm_splat(-k->inverse_cell[axis]);
+    line.d[1] = mpm_splat(k->inverse_cell[axis]);
+    if (radial) {
+        const mpm_vector hoop = 1.0 / position;
+        line.t[0] = line.s[0] * hoop;
+        line.t[1] = line.s[1] * hoop;
+    }
+    return line;
+}
+
+/* ----------------------------------------------------------------- stencils */
+
+/* Nodes a line, known when the kernel is compiled. */
+MPM_INLINE int line_nodes(const struct fast_spec *spec)
+{
+    return spec->shape == MPM_CLASSIC ? 2 : MPM_LINE_NODES;
+}
+
+MPM_INLINE void fast_lines_evaluate(const struct fast_spec *spec, const struct fast_constants *k,
+                                    const mpm_vector position[2], struct fast_lines *lines)
+{
+    const bool classic = spec->shape == MPM_CLASSIC;
+    const struct fast_line x = classic ? fast_line_classic(k, 0, spec->axisymmetric, position[0])
+                                       : fast_line_ugimp(k, 0, spec->axisymmetric, position[0]);
+    const struct fast_line y = classic ? fast_line_classic(k, 1, false, position[1])
+                                       : fast_line_ugimp(k, 1, false, position[1]);
+    const mpm_mask node = mpm_to_integer(y.first * k->columns + x.first) + k->node_zero;
+    memcpy(lines->node, &node, sizeof node);
+    for (int i = 0; i < line_nodes(spec); i++) {
+        fast_interleave(x.d[i], x.s[i], lines->x[i]);
+        fast_interleave(y.s[i], y.d[i], lines->y[i]);
+        if (spec->axisymmetric)
+            mpm_store(lines->t[i], x.t[i]);
+        lines->sx[i] = x.s[i];
+    }
+}
+
+/* ------------------------------------------------------------------ scatter */
+
+/* For one particle: sums += sx E_j + sy D_i with E_j = (sy, dy, sy, dy) (p_x, -xy, p_y, -yy)
+ * and D_i = dx (0, -xx, 0, -xy) + t (0, -zz, 0, 0), stresses times mass. */
+MPM_INLINE void spread_lane(const struct fast_spec *spec, const struct fast_constants *k,
+                            const struct fast_lines *lines, int lane, mpm_vector along_y,
+                            mpm_vector along_x, mpm_vector hoop)
+{
+    const int nodes = line_nodes(spec), pair = fast_pair[lane];
+    mpm_vector d[MPM_LINE_NODES];
+    for (int i = 0; spec->force && i < nodes; i++) {
+        d[i] = lines->x[i][pair] * along_x;
+        if (spec->axisymmetric)
+            d[i] += lines->t[i][lane] * hoop;
+    }
+    for (int j = 0; j < nodes; j++) {
+        double *const row = (double *)(k->sum + lines->node[lane] + j * k->stride);
+        const mpm_vector e = mpm_load_pair(&lines->y[j][pair]) * along_y;
+        for (int i = 0; i < nodes; i++) {
+            mpm_vector add = lines->x[i][pair + 1] * e;
+            if (spec->force)
+                add += lines->y[j][pair] * d[i];
+            mpm_store(row + 4 * i, mpm_load(row + 4 * i) + add);
+        }
+    }
+}
+
+/* Masses of a row of nodes are neighbours: one vector. */
+MPM_INLINE void spread_mass_lane(const struct fast_spec *spec, const struct fast_constants *k,
+                                 const struct fast_lines *lines, int lane, mpm_vector along_x)
+{
+    for (int j = 0; j < line_nodes(spec); j++) {
+        double *const row = k->mass + lines->node[lane] + j * k->stride;
+        mpm_store(row, mpm_load(row) + lines->y[j][fast_pair[lane]] * along_x);
+    }
+}
+
+MPM_INLINE void fast_lines_spread(const struct fast_spec *spec, const struct fast_constants *k,
+                                  const struct fast_lines *lines, const struct fast_load *load)
+{
+    const mpm_vector zero = mpm_splat(0.0);
+    const mpm_vector *const p = load->momentum, *const f = load->stress;
+    mpm_vector along_y[4] = {p[0], f[MPM_SYM_XY], p[1], f[MPM_SYM_YY]};
+    mpm_vector along_x[4] = {zero, f[MPM_SYM_XX], zero, f[MPM_SYM_XY]};
+    mpm_vector hoop[4] = {zero, f[MPM_SYM_ZZ], zero, zero};
+    mpm_vector mass[4] = {load->mass * lines->sx[0], load->mass * lines->sx[1],
+                          spec->shape == MPM_CLASSIC ? zero : load->mass * lines->sx[2], zero};
+    mpm_transpose(along_y);
+    if (spec->force)
+        mpm_transpose(along_x);
+    if (spec->force && spec->axisymmetric)
+        mpm_transpose(hoop);
+    if (spec->momentum)
+        mpm_transpose(mass);
+#pragma GCC unroll 4
+    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
+        spread_lane(spec, k, lines, lane, along_y[lane], along_x[lane], hoop[lane]);
+        if (spec->momentum)
+            spread_mass_lane(spec, k, lines, lane, mass[lane]);
+    }
+}
+
+/* The re-extrapolated momentum (p_x, p_x, p_y, p_y). */
+MPM_INLINE void spread_momentum_lane(const struct fast_spec *spec, const struct fast_constants *k,
+                                     const struct fast_lines *lines, int lane, mpm_vector momentum)
+{
+    const int nodes = line_nodes(spec), pair = fast_pair[lane];
+    for (int j = 0; j < nodes; j++) {
+        double *const row = (double *)(k->gradient + lines->node[lane] + j * k->stride);
+        const mpm_vector part = lines->y[j][pair] * momentum;
+        for (int i = 0; i < nodes; i++)
+            mpm_store(row + 4 * i, mpm_load(row + 4 * i) + lines->x[i][pair + 1] * part);
+    }
+}
+
+MPM_INLINE void fast_lines_spread_momentum(const struct fast_spec *spec,
+                                           const struct fast_constants *k,
+                                           const struct fast_lines *lines,
+                                           const mpm_vector momentum[2])
+{
+    mpm_vector p[4] = {momentum[0], momentum[0], momentum[1], momentum[1]};
+    mpm_transpose(p);
+#pragma GCC unroll 4
+    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+        spread_momentum_lane(spec, k, lines, lane, p[lane]);
+}
+
+/* ------------------------------------------------------------------- gather */
+
+/* sum S (a_x, a_y, v_x, v_y); *hoop: sum T of the same, if asked for */
+MPM_INLINE mpm_vector motion_lane(const struct fast_spec *spec, const struct fast_constants *k,
+                                  const struct fast_lines *lines, int lane, bool wants_hoop,
+                                  mpm_vector *hoop)
+{
+    const int nodes = line_nodes(spec), pair = fast_pair[lane];
+    mpm_vector sum = {0}, hoop_sum = {0};
+    for (int j = 0; j < nodes; j++) {
+        const double *const row = (const double *)(k->motion + lines->node[lane] + j * k->stride);
+        mpm_vector part = lines->x[0][pair + 1] * mpm_load(row);
+        for (int i = 1; i < nodes; i++)
+            part += lines->x[i][pair + 1] * mpm_load(row + 4 * i);
+        sum += lines->y[j][pair] * part;
+        if (wants_hoop) {
+            mpm_vector hoop_part = lines->t[0][lane] * mpm_load(row);
+            for (int i = 1; i < nodes; i++)
+                hoop_part += lines->t[i][lane] * mpm_load(row + 4 * i);
+            hoop_sum += lines->y[j][pair] * hoop_part;
+        }
+    }
+    *hoop = hoop_sum;
+    return sum;
+}
+
+/* grad v: (xx, xy, yx, yy); *hoop: sum T v_x */
+MPM_INLINE mpm_vector gradient_lane(const struct fast_spec *spec, const struct fast_constants *k,
+                                    const struct fast_lines *lines, int lane, double *hoop)
+{
+    const int nodes = line_nodes(spec), pair = fast_pair[lane];
+    mpm_vector sum = {0};
+    double hoop_sum = 0.0;
+    for (int j = 0; j < nodes; j++) {
+        const double *const row = (const double *)(k->gradient + lines->node[lane] + j * k->stride);
+        mpm_vector part = mpm_load_pair(&lines->x[0][pair]) * mpm_load(row);
+        for (int i = 1; i < nodes; i++)
+            part += mpm_load_pair(&lines->x[i][pair]) * mpm_load(row + 4 * i);
+        sum += mpm_load_pair(&lines->y[j][pair]) * part;
+        if (spec->axisymmetric) {
+            double hoop_part = lines->t[0][lane] * row[0];
+            for (int i = 1; i < nodes; i++)
+                hoop_part += lines->t[i][lane] * row[4 * i];
+            hoop_sum += lines->y[j][pair] * hoop_part;
+        }
+    }
+    *hoop = hoop_sum;
+    return sum;
+}
+
+MPM_INLINE void fast_lines_motion(const struct fast_spec *spec, const struct fast_constants *k,
+                                  const struct fast_lines *lines, bool wants_hoop,
+                                  mpm_vector motion[4], mpm_vector hoop[4])
+{
+#pragma GCC unroll 4
+    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+        motion[lane] = motion_lane(spec, k, lines, lane, wants_hoop, &hoop[lane]);
+    mpm_transpose(motion);
+    if (wants_hoop)
+        mpm_transpose(hoop);
+}
+
+MPM_INLINE void fast_lines_gradient(const struct fast_spec *spec, const struct fast_constants *k,
+                                    const struct fast_lines *lines,
+                                    mpm_vector gradient[MPM_GRADIENT_SIZE])
+{
+    double hoop[MPM_VECTOR_SIZE];
+#pragma GCC unroll 4
+    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+        gradient[lane] = gradient_lane(spec, k, lines, lane, &hoop[lane]);
+    mpm_transpose(gradient);
+    gradient[MPM_ZZ] = mpm_load(hoop);
+}
+
+#endif

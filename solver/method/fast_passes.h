@@ -1,0 +1,291 @@
+/* Fast kernels: what a pass does with a block of four particles, and how a strip is cut
+ * into blocks. Compare transfer.c, which does the same one particle at a time.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_FAST_PASSES_H
+#define MPM_METHOD_FAST_PASSES_H
+
+#include "method/extent.h"
+#include "method/fast_block.h"
+#include "method/fast_corners.h"
+#include "method/fast_lines.h"
+#include "method/fast_stress.h"
+
+/* ----------------------------------------------------------- either stencil */
+
+union fast_stencil {
+    struct fast_lines lines;
+    struct fast_corners corners;
+};
+
+/* Half edges of CPDI domains: kept where F changes within a step, else of F. */
+MPM_INLINE void edges_of(const struct fast_constants *k, const mpm_vector f[MPM_GRADIENT_SIZE],
+                         mpm_vector edge[4])
+{
+    edge[0] = f[MPM_XX] * k->half[0];
+    edge[1] = f[MPM_YX] * k->half[0];
+    edge[2] = f[MPM_XY] * k->half[1];
+    edge[3] = f[MPM_YY] * k->half[1];
+}
+
+MPM_INLINE void load_deformation(const struct mpm_particles *particles, size_t p,
+                                 mpm_vector f[MPM_GRADIENT_SIZE])
+{
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        f[i] = mpm_load(particles->deformation[i] + p);
+}
+
+MPM_INLINE void evaluate(const struct fast_spec *spec, const struct fast_constants *k,
+                         const struct mpm_particles *particles, size_t p,
+                         union fast_stencil *stencil)
+{
+    const mpm_vector position[2] = {mpm_load(particles->position[0] + p),
+                                    mpm_load(particles->position[1] + p)};
+    if (spec->shape != MPM_CPDI) {
+        fast_lines_evaluate(spec, k, position, &stencil->lines);
+        return;
+    }
+    mpm_vector f[MPM_GRADIENT_SIZE], edge[4];
+    if (spec->kept_domain) {
+        for (int i = 0; i < 4; i++)
+            edge[i] = mpm_load(particles->domain[i] + p);
+    } else {
+        load_deformation(particles, p, f);
+        edges_of(k, f, edge);
+    }
+    fast_corners_evaluate(spec, k, position, edge, &stencil->corners);
+}
+
+MPM_INLINE void spread(const struct fast_spec *spec, const struct fast_constants *k,
+                       const union fast_stencil *stencil, const struct fast_load *load)
+{
+    if (spec->shape == MPM_CPDI)
+        fast_corners_spread(spec, k, &stencil->corners, load);
+    else
+        fast_lines_spread(spec, k, &stencil->lines, load);
+}
+
+MPM_INLINE void spread_momentum(const struct fast_spec *spec, const struct fast_constants *k,
+                                const union fast_stencil *stencil, const mpm_vector momentum[2])
+{
+    if (spec->shape == MPM_CPDI)
+        fast_corners_spread_momentum(k, &stencil->corners, momentum);
+    else
+        fast_lines_spread_momentum(spec, k, &stencil->lines, momentum);
+}
+
+/* sum S and sum T of (a_x, a_y, v_x, v_y) */
+MPM_INLINE void gather_motion(const struct fast_spec *spec, const struct fast_constants *k,
+                              const union fast_stencil *stencil, bool wants_hoop,
+                              mpm_vector motion[4], mpm_vector hoop[4])
+{
+    if (spec->shape == MPM_CPDI)
+        fast_corners_motion(k, &stencil->corners, wants_hoop, motion, hoop);
+    else
+        fast_lines_motion(spec, k, &stencil->lines, wants_hoop, motion, hoop);
+}
+
+MPM_INLINE void gather_gradient(const struct fast_spec *spec, const struct fast_constants *k,
+                                const union fast_stencil *stencil,
+                                mpm_vector gradient[MPM_GRADIENT_SIZE])
+{
+    if (spec->shape == MPM_CPDI)
+        fast_corners_gradient(spec, k, &stencil->corners, gradient);
+    else
+        fast_lines_gradient(spec, k, &stencil->lines, gradient);
+}
+
+/* ------------------------------------------------------- parts of the passes */
+
+MPM_INLINE void load_stress(const struct mpm_particles *particles, size_t p, struct fast_load *load)
+{
+    for (int i = 0; i < MPM_SYMMETRIC_SIZE; i++)
+        load->stress[i] = -load->mass * mpm_load(particles->stress[i] + p);
+}
+
+MPM_INLINE void update_velocity_block(const struct fast_constants *k,
+                                      const struct mpm_particles *particles, size_t p,
+                                      const mpm_vector motion[4], struct fast_sums *sums,
+                                      mpm_vector momentum[2])
+{
+    const mpm_vector mass = mpm_load(particles->mass + p);
+    mpm_vector v[2];
+    for (int axis = 0; axis < 2; axis++) {
+        v[axis] = mpm_load(particles->velocity[axis] + p) + k->time_step * motion[axis];
+        mpm_store(particles->velocity[axis] + p, v[axis]);
+        momentum[axis] = mass * v[axis];
+    }
+    const mpm_vector square = v[0] * v[0] + v[1] * v[1];
+    sums->kinetic += 0.5 * mass * square;
+    if (mpm_any(~(square <= DBL_MAX)))
+        mpm_fast_report_velocity(sums->strip, particles, p);
+}
+
+/* F := dF F and the stress of the new F. */
+MPM_INLINE void update_stress_block(const struct fast_spec *spec, enum fast_law law,
+                                    const struct fast_constants *k,
+                                    const struct mpm_particles *particles, size_t p,
+                                    mpm_vector h[MPM_GRADIENT_SIZE], struct fast_sums *sums)
+{
+    mpm_vector f[MPM_GRADIENT_SIZE], tau[MPM_SYMMETRIC_SIZE], wave;
+    load_deformation(particles, p, f);
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        h[i] = k->stress_step * h[i];
+    deform_vector(h, k->deformation_terms, spec->axisymmetric, f);
+    if (spec->plane_stress)
+        f[MPM_ZZ] = mpm_select(determinant_vector(f) > 0.0,
+                               fast_law_thickness(law, &k->material, f), f[MPM_ZZ]);
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        if (i != MPM_ZZ || spec->axisymmetric || spec->plane_stress)
+            mpm_store(particles->deformation[i] + p, f[i]);
+    fast_law_stress(law, &k->material, f, tau, &wave);
+    for (int i = 0; i < MPM_SYMMETRIC_SIZE; i++)
+        mpm_store(particles->stress[i] + p, tau[i]);
+    sums->wave = mpm_larger(wave, sums->wave);
+    const mpm_vector j = determinant_vector(f);
+    if (mpm_any(~(j > 0.0) | ~(wave <= DBL_MAX))) {
+        double values[2][MPM_VECTOR_SIZE];
+        mpm_store(values[0], j);
+        mpm_store(values[1], wave);
+        mpm_fast_report_stress(sums->strip, particles, p, values[0], values[1]);
+    }
+}
+
+/* x += dt v, and the box of the next step. */
+MPM_INLINE void update_position_block(const struct fast_spec *spec, const struct fast_constants *k,
+                                      const struct mpm_particles *particles, size_t p,
+                                      const mpm_vector motion[4], const mpm_vector hoop[4],
+                                      struct fast_sums *sums)
+{
+    mpm_vector position[2], step[2], reach[2];
+    for (int axis = 0; axis < 2; axis++) {
+        position[axis] = mpm_load(particles->position[axis] + p);
+        mpm_vector rate = motion[2 + axis] - k->back * motion[axis];
+        if (spec->hoop_radius && axis == 0)
+            rate = position[0] * (hoop[2] - k->back * hoop[0]);
+        step[axis] = k->time_step * rate;
+        position[axis] += step[axis];
+        mpm_store(particles->position[axis] + p, position[axis]);
+        reach[axis] = mpm_splat(spec->shape == MPM_CLASSIC ? 0.0 : k->half[axis]);
+    }
+    if (spec->shape == MPM_CPDI) {
+        mpm_vector f[MPM_GRADIENT_SIZE], edge[4];
+        load_deformation(particles, p, f);
+        edges_of(k, f, edge);
+        for (int i = 0; spec->kept_domain && i < 4; i++)
+            mpm_store(particles->domain[i] + p, edge[i]);
+        for (int axis = 0; axis < 2; axis++)
+            reach[axis] = mpm_absolute(edge[axis]) + mpm_absolute(edge[2 + axis]);
+    }
+    if (spec->axisymmetric && k->truncated)
+        reach[0] = mpm_smaller(position[0], reach[0]);
+    mpm_mask sound = {-1, -1, -1, -1};
+    for (int axis = 0; axis < 2; axis++) {
+        const mpm_vector low = position[axis] - reach[axis], high = position[axis] + reach[axis];
+        sums->low[axis] = mpm_smaller(low, sums->low[axis]);
+        sums->high[axis] = mpm_larger(high, sums->high[axis]);
+        sound &= (position[axis] >= k->lowest[axis]) & (position[axis] < k->highest[axis]);
+        sound &= (low > k->lowest_reach[axis]) & (high < k->highest_reach[axis]);
+        sound &= mpm_absolute(step[axis]) * k->inverse_cell[axis] <= 1.0;
+    }
+    if (spec->axisymmetric)
+        sound &= position[0] > 0.0;
+    if (mpm_any(~sound)) {
+        double values[6][MPM_VECTOR_SIZE];
+        for (int axis = 0; axis < 2; axis++) {
+            mpm_store(values[axis], position[axis]);
+            mpm_store(values[2 + axis], step[axis]);
+            mpm_store(values[4 + axis], reach[axis]);
+        }
+        mpm_fast_report_position(sums->state, sums->strip, particles, p,
+                                 (const double(*)[MPM_VECTOR_SIZE])values);
+    }
+}
+
+/* --------------------------------------------------------------- the passes */
+
+/* Task 1, with the stress at hand also Task 3 */
+MPM_INLINE void block_to_grid(const struct fast_spec *spec, enum fast_law law,
+                              const struct fast_constants *k, const struct mpm_particles *particles,
+                              size_t p, struct fast_sums *sums)
+{
+    union fast_stencil stencil;
+    struct fast_load load = {.mass = mpm_load(particles->mass + p)};
+    (void)law;
+    (void)sums;
+    evaluate(spec, k, particles, p, &stencil);
+    for (int axis = 0; axis < 2; axis++)
+        load.momentum[axis] = load.mass * mpm_load(particles->velocity[axis] + p);
+    if (spec->force)
+        load_stress(particles, p, &load);
+    spread(spec, k, &stencil, &load);
+}
+
+/* Tasks 2 and 3 of USF and USAVG */
+MPM_INLINE void block_stress_before(const struct fast_spec *spec, enum fast_law law,
+                                    const struct fast_constants *k,
+                                    const struct mpm_particles *particles, size_t p,
+                                    struct fast_sums *sums)
+{
+    union fast_stencil stencil;
+    struct fast_load load = {.mass = mpm_load(particles->mass + p)};
+    mpm_vector h[MPM_GRADIENT_SIZE];
+    evaluate(spec, k, particles, p, &stencil);
+    gather_gradient(spec, k, &stencil, h);
+    update_stress_block(spec, law, k, particles, p, h, sums);
+    load_stress(particles, p, &load);
+    spread(spec, k, &stencil, &load);
+}
+
+/* Task 5, velocities, and (31) */
+MPM_INLINE void block_to_particles(const struct fast_spec *spec, enum fast_law law,
+                                   const struct fast_constants *k,
+                                   const struct mpm_particles *particles, size_t p,
+                                   struct fast_sums *sums)
+{
+    union fast_stencil stencil;
+    mpm_vector motion[4], hoop[4], momentum[2];
+    (void)law;
+    evaluate(spec, k, particles, p, &stencil);
+    gather_motion(spec, k, &stencil, false, motion, hoop);
+    update_velocity_block(k, particles, p, motion, sums, momentum);
+    spread_momentum(spec, k, &stencil, momentum);
+}
+
+/* Not part of a step: stress and domain of F. */
+MPM_INLINE void block_recompute(const struct fast_spec *spec, enum fast_law law,
+                                const struct fast_constants *k,
+                                const struct mpm_particles *particles, size_t p,
+                                struct fast_sums *sums)
+{
+    mpm_vector f[MPM_GRADIENT_SIZE], edge[4], tau[MPM_SYMMETRIC_SIZE], wave;
+    (void)spec;
+    (void)sums;
+    load_deformation(particles, p, f);
+    fast_law_stress(law, &k->material, f, tau, &wave);
+    for (int i = 0; i < MPM_SYMMETRIC_SIZE; i++)
+        mpm_store(particles->stress[i] + p, tau[i]);
+    edges_of(k, f, edge);
+    for (int i = 0; particles->domain[0] != NULL && i < 4; i++)
+        mpm_store(particles->domain[i] + p, edge[i]);
+}
+
+/* The rest of the step, with the velocities where (31) is not asked for. */
+MPM_INLINE void block_finish(const struct fast_spec *spec, enum fast_law law,
+                             const struct fast_constants *k, const struct mpm_particles *particles,
+                             size_t p, struct fast_sums *sums)
+{
+    union fast_stencil stencil;
+    mpm_vector motion[4], hoop[4], momentum[2], h[MPM_GRADIENT_SIZE];
+    evaluate(spec, k, particles, p, &stencil);
+    gather_motion(spec, k, &stencil, spec->hoop_radius, motion, hoop);
+    if (spec->velocity)
+        update_velocity_block(k, particles, p, motion, sums, momentum);
+    if (spec->stress) {
+        gather_gradient(spec, k, &stencil, h);
+        update_stress_block(spec, law, k, particles, p, h, sums);
+    }
+    update_position_block(spec, k, particles, p, motion, hoop, sums);
+}
+
+#endif
