@@ -12,8 +12,8 @@
 /* ------------------------------------------------------------------- verdicts */
 
 const struct budget_figure_kind budget_figures[BUDGET_FIGURES] = {
-    [BUDGET_INSTRUCTIONS] = {"instructions", "instructions", BUDGET_COUNT_TOLERANCE},
-    [BUDGET_BRANCHES] = {"branches", "branches", BUDGET_COUNT_TOLERANCE},
+    [BUDGET_INSTRUCTIONS] = {"instructions", "instructions", BUDGET_INSTRUCTIONS_TOLERANCE},
+    [BUDGET_BRANCHES] = {"branches", "branches", BUDGET_BRANCHES_TOLERANCE},
     [BUDGET_BYTES] = {"bytes", "bytes", BUDGET_BYTES_TOLERANCE},
 };
 

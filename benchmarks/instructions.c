@@ -25,12 +25,12 @@ static const char *const kernel_names[] = {"auto", "reference", "fast"};
 
 double instructions_rate(const struct instructions *counted)
 {
-    return (double)counted->total / (double)counted->particle_steps;
+    return (double)counted->counts.instructions / (double)counted->particle_steps;
 }
 
 double instructions_branch_rate(const struct instructions *counted)
 {
-    return (double)counted->branches / (double)counted->particle_steps;
+    return (double)counted->counts.branches / (double)counted->particle_steps;
 }
 
 static char *find_valgrind(struct mpm_error *error)
@@ -49,51 +49,6 @@ enum mpm_status instructions_available(struct mpm_error *error)
     const enum mpm_status status = path != NULL ? MPM_OK : MPM_ENVIRONMENT_FAILED;
     g_free(path);
     return status;
-}
-
-/* ------------------------------------------------------------- reading counts */
-
-/* The line of callgrind's file that begins with `key`, without it, as words; g_strfreev. */
-static char **header_words(const char *text, const char *key)
-{
-    char *sought = g_strconcat("\n", key, ": ", NULL);
-    const char *line = strstr(text, sought);
-    char **words = NULL;
-    if (line != NULL) {
-        const char *start = line + strlen(sought);
-        char *rest = g_strndup(start, strcspn(start, "\n"));
-        words = g_strsplit(g_strstrip(rest), " ", -1);
-        g_free(rest);
-    }
-    g_free(sought);
-    return words;
-}
-
-static bool find_count(char **events, char **totals, const char *event, uint64_t *count)
-{
-    for (size_t i = 0; events[i] != NULL && totals[i] != NULL; i++)
-        if (strcmp(events[i], event) == 0)
-            return g_ascii_string_to_unsigned(totals[i], 10, 0, G_MAXUINT64, count, NULL);
-    return false;
-}
-
-enum mpm_status instructions_parse(const char *text, struct instructions *counted,
-                                   struct mpm_error *error)
-{
-    char **events = header_words(text, "events"), **totals = header_words(text, "totals");
-    const bool complete = events != NULL && totals != NULL &&
-                          find_count(events, totals, "Ir", &counted->total) &&
-                          find_count(events, totals, "Bc", &counted->branches);
-    g_strfreev(events);
-    g_strfreev(totals);
-    if (!complete)
-        return failure_set(error, MPM_ENVIRONMENT_FAILED,
-                           "callgrind's file has no totals of the events Ir and Bc");
-    if (counted->total == 0)
-        return failure_set(error, MPM_ENVIRONMENT_FAILED,
-                           "callgrind counted nothing: the program has no function "
-                           "mpm_simulation_advance, or took no step");
-    return MPM_OK;
 }
 
 /* ------------------------------------------------------ reading the run record */
@@ -138,7 +93,7 @@ static enum mpm_status read_counts(const char *folder, struct instructions *coun
     GError *failure = NULL;
     enum mpm_status status = MPM_OK;
     if (g_file_get_contents(path, &text, NULL, &failure))
-        status = instructions_parse(text, counted, error);
+        status = callgrind_file_parse(text, &counted->counts, error);
     else
         status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s", failure->message);
     g_clear_error(&failure);
@@ -181,7 +136,7 @@ static GPtrArray *command_line(const char *valgrind, const struct instructions_r
     const char *const *functions = request->functions != NULL ? request->functions : steps;
     GPtrArray *words = g_ptr_array_new_with_free_func(g_free);
     add(words, valgrind, "--quiet", "--tool=callgrind", "--branch-sim=yes",
-        "--callgrind-out-file=" COUNTS, NULL);
+        "--compress-strings=no", "--compress-pos=no", "--callgrind-out-file=" COUNTS, NULL);
     for (size_t i = 0; functions[i] != NULL; i++)
         g_ptr_array_add(words, g_strconcat("--toggle-collect=", functions[i], NULL));
     add(words, "./" PROGRAM, "run", SCENE, "--quiet", "--output", RESULTS, "--threads", "1", NULL);

@@ -11,6 +11,8 @@
 
 #include "mpm.h"
 
+#include "benchmarks/callgrind_file.h"
+
 struct instructions_request {
     const char *program;         /* path of `mpm` */
     const char *scene;           /* path of the scene */
@@ -25,8 +27,7 @@ struct instructions_request {
 enum { INSTRUCTIONS_TEXT = 256 };
 
 struct instructions {
-    uint64_t total;    /* executed in the steps */
-    uint64_t branches; /* conditional ones among them */
+    struct callgrind_counts counts;
     /* of the program's own record of the run */
     uint64_t steps, particles, particle_steps;
     uint64_t bytes;
@@ -35,7 +36,7 @@ struct instructions {
     char compiler[INSTRUCTIONS_TEXT], flags[INSTRUCTIONS_TEXT];
 };
 
-/* Per particle and step. */
+/* Per particle and step; branches are those of the program itself. */
 double instructions_rate(const struct instructions *counted);
 double instructions_branch_rate(const struct instructions *counted);
 
@@ -47,9 +48,5 @@ enum mpm_status instructions_available(struct mpm_error *error);
  * program itself keeps its status and message. */
 enum mpm_status instructions_count(const struct instructions_request *request,
                                    struct instructions *counted, struct mpm_error *error);
-
-/* Reads the totals of callgrind's file: `text` must have the events Ir and Bc. */
-enum mpm_status instructions_parse(const char *text, struct instructions *counted,
-                                   struct mpm_error *error);
 
 #endif
