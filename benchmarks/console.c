@@ -3,17 +3,29 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/console.h"
 
+#include "benchmarks/records.h"
 #include "verification/suite/text.h"
 
 #include <glib.h>
 #include <string.h>
 
-enum { POINT_WIDTH = 44, QUANTITY_WIDTH = 34 };
+enum { POINT_WIDTH = 48, QUANTITY_WIDTH = 30 };
 
 static void clear_progress(const struct bench_console *console)
 {
     if (console->terminal)
         fprintf(console->out, "\r\033[K");
+}
+
+void bench_console_load(struct bench_console *console, const struct bench_records *records)
+{
+    static const double busy = 0.3;
+    const double load = record_number(records->run, "load");
+    if (load > busy)
+        fprintf(console->out,
+                "Other programs use this machine (load %.1f on %.0f processors): intervals will be "
+                "wide,\nand two or more threads slower than they are.\n",
+                load, record_number(records->run, "cores"));
 }
 
 void bench_console_group(struct bench_console *console, const char *title, const char *description)

@@ -13,6 +13,11 @@ struct bench_console {
     bool terminal; /* out is one */
 };
 
+struct bench_records;
+
+/* Says so if other programs used the machine when the run began. */
+void bench_console_load(struct bench_console *console, const struct bench_records *records);
+
 /* The heading of a group. */
 void bench_console_group(struct bench_console *console, const char *title, const char *description);
 

@@ -11,9 +11,9 @@ static const struct bench_group groups[] = {
     {"limit", "Against the machine's limit",
      "arithmetic and memory limit of one core, measured in the rounds of the target rows",
      bench_limit},
+    {"scaling", "Scaling", "threads at three sizes, particles per cell, empty grid", bench_scaling},
     {"pays", "What a scene pays", "each feature off and on: times and counted instructions",
      bench_pays},
-    {"scaling", "Scaling", "threads, particles, particles per cell, empty grid", bench_scaling},
 };
 
 const struct bench_group *bench_groups(size_t *count)

@@ -27,6 +27,17 @@ static double memory_bytes(void)
     return (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
 }
 
+/* Processes that ran or wanted to over the last minute; NaN where the system does not tell. */
+static double load(void)
+{
+    char *text = NULL;
+    double processes = NAN;
+    if (g_file_get_contents("/proc/loadavg", &text, NULL, NULL))
+        processes = g_ascii_strtod(text, NULL);
+    g_free(text);
+    return processes;
+}
+
 struct bench_records bench_records_make(const char *tier, const char *command, size_t rounds)
 {
     const struct mpm_build_info *info = mpm_build_info();
@@ -44,6 +55,7 @@ struct bench_records bench_records_make(const char *tier, const char *command, s
     json_object_set_new(run, "processor", json_string(processor));
     json_object_set_new(run, "cores", json_integer((json_int_t)machine_processor_count()));
     json_object_set_new(run, "memory_bytes", json_integer((json_int_t)memory_bytes()));
+    json_object_set_new(run, "load", number(load()));
     json_object_set_new(run, "simd", json_string(info->simd));
     json_object_set_new(run, "rounds", json_integer((json_int_t)rounds));
     g_free(libraries);

@@ -2,7 +2,7 @@
  * object a line; "settings" holds what varies, as texts or numbers:
  *
  *     {"kind":"run","format":1,"tier","command","version","revision","compiler","flags",
- *      "libraries","processor","cores","memory_bytes","simd","rounds"}
+ *      "libraries","processor","cores","memory_bytes","load","simd","rounds"}
  *     {"kind":"result","group","point","settings","quantity","unit","median","low","high",
  *      "rounds":[values]}
  *     {"kind":"value","group","point","settings","quantity","unit","value"}
@@ -31,7 +31,8 @@ struct bench_subject {
     json_t *settings; /* object, borrowed; NULL: {} */
 };
 
-/* Records with the facts of this machine and build. `rounds`: the most that a point gets. */
+/* Records with the facts of this machine and build. `rounds`: the most that a point gets.
+ * "load" is the number of processes that wanted a processor when the run began. */
 struct bench_records bench_records_make(const char *tier, const char *command, size_t rounds);
 void bench_records_clear(struct bench_records *records);
 

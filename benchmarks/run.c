@@ -84,6 +84,21 @@ static char *usual_output(void)
     return g_strdup(repository ? "build/reports/bench" : "bench-report");
 }
 
+/* Kernels or instructions that this machine or build does not have are bad input: found out
+ * before anything is written. */
+static enum mpm_status check_options(const struct bench_context *context, struct mpm_error *error)
+{
+    struct mpm_scene *scene = NULL;
+    struct mpm_plan plan;
+    char *path = bench_scene(context, "block.yaml");
+    enum mpm_status status = mpm_scene_read(path, NULL, 0, &scene, error);
+    if (status == MPM_OK)
+        status = mpm_scene_plan(scene, &context->simulation, &plan, error);
+    mpm_scene_free(scene);
+    g_free(path);
+    return status;
+}
+
 static enum mpm_status run_in(const struct bench_run *run, struct bench_context *context,
                               struct mpm_error *error)
 {
@@ -91,10 +106,12 @@ static enum mpm_status run_in(const struct bench_run *run, struct bench_context 
         return failure_set(error, MPM_ENVIRONMENT_FAILED,
                            "the scenes are found neither in benchmarks/ and "
                            "verification/catalogue/ nor beside the program");
+    TRY(check_options(context, error));
     TRY(prepare(context->output, error));
     struct bench_records records =
         bench_records_make(bench_tier_name(run->tier), run->command, BENCH_ROUNDS_MAX);
     context->records = &records;
+    bench_console_load(context->console, &records);
     /* before the first group: a folder that cannot be written is found out now */
     enum mpm_status status = bench_records_write(context->output, &records, error);
     if (status == MPM_OK)

@@ -44,7 +44,8 @@ struct course {
     struct mpm_scene *scene; /* NULL for a probe */
     unsigned steps;
     double step_seconds, other_seconds; /* of the clock: a step; creation and warm-up, or a probe */
-    size_t particles;
+    size_t particles;                   /* deformable ones: what makes a particle-step */
+    size_t bytes;
     struct bench_sample *samples; /* by round */
     struct mpm_phases *phases;    /* by round: of the timed steps */
 };
@@ -95,16 +96,28 @@ static enum mpm_status visit(struct course *course, size_t round, struct mpm_err
 
 /* ------------------------------------------------------------------ rehearsal */
 
+/* Rigid particles have no mass. */
+static size_t deformable(const struct mpm_simulation *simulation)
+{
+    const size_t all = mpm_simulation_particle_count(simulation);
+    double *mass = g_new(double, all);
+    size_t count = 0;
+    mpm_simulation_field(simulation, MPM_FIELD_MASS, mass);
+    for (size_t i = 0; i < all; i++)
+        count += mass[i] > 0;
+    g_free(mass);
+    return count;
+}
+
 static void note_facts(struct course *course, const struct mpm_simulation *simulation)
 {
     struct bench_point *point = course->point;
-    course->particles = mpm_simulation_particle_count(simulation);
+    course->particles = deformable(simulation);
     bench_point_number(point, "particles", (double)course->particles);
     bench_point_number(point, "threads", point->simulation.threads);
     bench_point_text(point, "kernels", mpm_simulation_kernels(simulation));
     bench_point_text(point, "simd", mpm_simulation_simd(simulation));
-    bench_point_number(point, "bytes_per_particle",
-                       (double)mpm_simulation_bytes(simulation) / (double)course->particles);
+    course->bytes = mpm_simulation_bytes(simulation);
 }
 
 /* How long a step takes. */
@@ -219,17 +232,31 @@ static void write_rates(struct bench_context *context, const struct bench_subjec
     g_free(beside);
 }
 
+static void write_bytes(struct bench_context *context, const struct bench_subject *subject,
+                        const struct course *course)
+{
+    (void)bench_records_value(context->records, subject, "bytes_per_particle", "B",
+                              (double)course->bytes / (double)course->particles);
+}
+
+/* Nanoseconds of the clock for a particle-step; "rest" is what no phase counts. */
 static void write_phases(struct bench_context *context, const struct bench_subject *subject,
                          const struct course *course, size_t rounds)
 {
-    double *values = g_new(double, rounds);
+    double *values = g_new(double, rounds), *rest = g_new(double, rounds);
+    for (size_t r = 0; r < rounds; r++)
+        rest[r] = 1e9 * course->samples[r].wall / course->samples[r].work;
     for (size_t k = 0; k < course->phases[0].count; k++) {
         char *quantity = g_strdup_printf("phase_%s", course->phases[0].name[k]);
-        for (size_t r = 0; r < rounds; r++)
+        for (size_t r = 0; r < rounds; r++) {
             values[r] = 1e9 * course->phases[r].seconds[k] / course->samples[r].work;
+            rest[r] -= values[r];
+        }
         bench_detail(context, subject, quantity, "ns", values, rounds);
         g_free(quantity);
     }
+    bench_detail(context, subject, "phase_rest", "ns", rest, rounds);
+    g_free(rest);
     g_free(values);
 }
 
@@ -251,8 +278,10 @@ static void write_lines(struct bench_context *context, const char *group,
         if (point->probe == NULL)
             bench_point_number(courses[i].point, "steps", courses[i].steps);
         write_rates(context, &subject, &courses[i], bench_rates_of(rates, i), rates->rounds);
-        if (point->phases)
+        if (point->phases) {
+            write_bytes(context, &subject, &courses[i]);
             write_phases(context, &subject, &courses[i], rates->rounds);
+        }
     }
     for (size_t i = 0; i < rates->points; i++) {
         const struct bench_point *point = courses[i].point;
@@ -344,5 +373,20 @@ enum mpm_status bench_measure(struct bench_context *context, const char *group, 
         *rates = found;
     else
         bench_rates_clear(&found);
+    return status;
+}
+
+enum mpm_status bench_measure_lists(struct bench_context *context, const char *group,
+                                    const struct bench_list *lists, size_t count,
+                                    struct mpm_error *error)
+{
+    const double part = context->tier == BENCH_STANDARD ? 1 : 0.1;
+    enum mpm_status status = MPM_OK;
+    for (size_t i = 0; i < count && status == MPM_OK; i++) {
+        GArray *points = bench_points_new();
+        lists[i].add(context, points);
+        status = bench_measure(context, group, points, part * lists[i].seconds, NULL, error);
+        g_array_unref(points);
+    }
     return status;
 }

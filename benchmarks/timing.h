@@ -25,11 +25,23 @@ void bench_rates_clear(struct bench_rates *rates);
 const double *bench_rates_of(const struct bench_rates *rates, size_t point);
 
 /* Measures the list and writes its lines: for each point a result
- * "particle_steps_per_second" in 1/s (or the probe's quantity), a result of the wall clock
- * beside it, and a comparison where `against` names a point. The rates are handed out if
- * `rates` is not NULL. Failures of a scene are passed on with the name of the point. */
+ * "particle_steps_per_second" in 1/s (or the probe's quantity) by the clock of the point, one
+ * by the other clock ("..._wall" or "..._cpu"), a value "bytes_per_particle" and results
+ * "phase_NAME" in ns a particle-step where phases are asked for, and a comparison where
+ * `against` names a point. Rigid particles do not count. The rates are handed out if `rates`
+ * is not NULL. Failures of a scene are passed on with the name of the point. */
 enum mpm_status bench_measure(struct bench_context *context, const char *group, GArray *points,
                               double seconds, struct bench_rates *rates, struct mpm_error *error);
+
+/* The usual group: lists measured one after the other. In the quick tier each has a tenth of
+ * its seconds. */
+struct bench_list {
+    void (*add)(struct bench_context *context, GArray *points);
+    double seconds; /* in the standard tier */
+};
+enum mpm_status bench_measure_lists(struct bench_context *context, const char *group,
+                                    const struct bench_list *lists, size_t count,
+                                    struct mpm_error *error);
 
 /* Seconds: of the clock; of the processor, all threads of this process. */
 double bench_clock_wall(void);

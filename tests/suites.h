@@ -26,7 +26,8 @@
     SUITE(budget)                                                                                  \
     SUITE(scene_limits)                                                                            \
     SUITE(scene_settings)                                                                          \
-    SUITE(suite)
+    SUITE(suite)                                                                                   \
+    SUITE(bench)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)
