@@ -5,8 +5,8 @@
 
 #include <string.h>
 
-#define PLANAR       "block.yaml"
-#define AXISYMMETRIC "block_axisymmetric.yaml"
+#define PLANAR       "free_block.yaml"
+#define AXISYMMETRIC "free_cylinder.yaml"
 
 #define STEPS_ALONE   "plain"
 #define START_AND_END "run, start and end written"

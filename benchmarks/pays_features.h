@@ -9,7 +9,7 @@
 
 enum { PAYS_SETTINGS = 4 };
 
-/* One way to run the block of scenes/block.yaml. */
+/* One way to run the block of scenes/free_block.yaml. */
 struct pays_feature {
     const char *name;
     const char *against; /* name of the row without the feature; NULL: such a row */
