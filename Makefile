@@ -200,7 +200,7 @@ CLANG_FORMAT ?= $(or $(shell command -v clang-format-14),clang-format)
 CLANG_TIDY   ?= $(or $(shell command -v clang-tidy-14),clang-tidy)
 JOBS         := $(or $(shell nproc 2>/dev/null),2)
 CHECKS := check-format check-source check-includes check-warnings check-cppcheck check-tidy \
-          check-bits check-reference
+          check-bits check-budget check-reference
 .PHONY: check check-all $(CHECKS) format
 check: ## format, lint, include directions, warnings and bits of both compilers, checksums
 	+@$(MAKE) --keep-going check-all
@@ -238,6 +238,10 @@ check-bits: check-warnings
 	+@$(if $(WIDE),$(MAKE) VARIANT=release BUILD=build/check/gcc-wide CC=gcc WERROR=1 \
 	  EXTRA_FLAGS=-march=$(WIDE) all)
 	@.ci/check-bits $(patsubst %,build/check/%/bin/mpm,gcc clang $(if $(WIDE),gcc-wide))
+# Counts instructions of the same gcc build, whatever compiler is at hand.
+check-budget: check-warnings
+	+@$(MAKE) VARIANT=release BUILD=build/check/gcc CC=gcc WERROR=1 all
+	@build/check/gcc/bin/mpm-bench budget
 check-reference:
 	@$(if $(wildcard reference_data),cd reference_data && sha256sum --quiet -c MANIFEST.sha256)
 

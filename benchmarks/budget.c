@@ -26,12 +26,11 @@ enum budget_verdict budget_judge(double measured, double stored, double toleranc
 
 struct budget_cost budget_cost_of(const struct instructions *counted)
 {
-    struct budget_cost cost = {
-        .figures = {
-            [BUDGET_INSTRUCTIONS] = instructions_rate(counted),
-            [BUDGET_BRANCHES] = instructions_branch_rate(counted),
-            [BUDGET_BYTES] = counted->bytes_per_particle,
-        }};
+    struct budget_cost cost = {.figures = {
+                                   [BUDGET_INSTRUCTIONS] = instructions_rate(counted),
+                                   [BUDGET_BRANCHES] = instructions_branch_rate(counted),
+                                   [BUDGET_BYTES] = counted->bytes_per_particle,
+                               }};
     g_strlcpy(cost.kernels, counted->kernels, sizeof cost.kernels);
     g_strlcpy(cost.simd, counted->simd, sizeof cost.simd);
     return cost;

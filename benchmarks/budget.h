@@ -20,8 +20,8 @@
  * four particles is 0.25 of some 8, 3 %. Bytes: 0.2 %, room for a few hundred bytes that a
  * simulation has once; one byte more for each particle is 0.23 % of R1's 426. */
 #define BUDGET_INSTRUCTIONS_TOLERANCE 0.03
-#define BUDGET_BRANCHES_TOLERANCE 0.02
-#define BUDGET_BYTES_TOLERANCE 0.002
+#define BUDGET_BRANCHES_TOLERANCE     0.02
+#define BUDGET_BYTES_TOLERANCE        0.002
 
 enum budget_verdict {
     BUDGET_KEPT,

@@ -60,8 +60,7 @@ static char *verdict_text(const struct budget_cost *cost, const struct budget_co
             budget_judge(cost->figures[i], stored->figures[i], budget_figures[i].tolerance);
         GString *list = verdict == BUDGET_EXCEEDED ? over : verdict == BUDGET_BETTER ? under : NULL;
         if (list != NULL)
-            g_string_append_printf(list, "%s%s", list->len > 0 ? ", " : "",
-                                   budget_figures[i].name);
+            g_string_append_printf(list, "%s%s", list->len > 0 ? ", " : "", budget_figures[i].name);
     }
     tally->exceeded += over->len > 0;
     tally->better += over->len == 0 && under->len > 0;
@@ -73,8 +72,8 @@ static char *verdict_text(const struct budget_cost *cost, const struct budget_co
     return text;
 }
 
-static void judge_run(const struct budget *budget, const char *name,
-                      const struct budget_cost *cost, struct tally *tally, FILE *out)
+static void judge_run(const struct budget *budget, const char *name, const struct budget_cost *cost,
+                      struct tally *tally, FILE *out)
 {
     struct budget_cost stored;
     char *verdict = NULL;
@@ -98,7 +97,7 @@ static void judge_run(const struct budget *budget, const char *name,
 
 static void print_sum(const struct tally *tally, FILE *out)
 {
-    const size_t kept = budget_run_count - tally->exceeded - tally->better - tally->skipped;
+    const size_t kept = budget_runs_count - tally->exceeded - tally->better - tally->skipped;
     (void)fprintf(out, "budget: %zu kept, %zu better, %zu over, %zu skipped\n", kept, tally->better,
                   tally->exceeded, tally->skipped);
     if (tally->better > 0)
@@ -108,38 +107,69 @@ static void print_sum(const struct tally *tally, FILE *out)
                            "` and give the reason in the commit\n");
 }
 
+/* What each of the costliest functions executes itself, for each particle and step. */
+static void print_functions(FILE *out, const struct instructions *counted)
+{
+    const double steps = (double)counted->particle_steps;
+    for (size_t i = 0; i < CALLGRIND_TOP && counted->counts.top[i].name[0] != '\0'; i++) {
+        const struct callgrind_function *function = &counted->counts.top[i];
+        (void)fprintf(out, "  %-53s %12.2f %8s %12.2f\n", function->name,
+                      (double)function->instructions / steps, "",
+                      (double)function->branches / steps);
+    }
+}
+
 /* ---------------------------------------------------------------- the command */
 
-static enum mpm_status check(const struct budget_places *places, const struct budget *budget,
-                             FILE *out, bool *exceeded, struct mpm_error *error)
+static enum mpm_status count_run(const struct budget_options *options, const struct budget_run *run,
+                                 struct instructions *counted, struct mpm_error *error)
+{
+    const enum mpm_status status = budget_run_count(run, options->places, counted, error);
+    const struct mpm_error cause = *error;
+    return status == MPM_OK ? MPM_OK
+                            : failure_set(error, status, "%s: %s", run->name, cause.message);
+}
+
+static enum mpm_status check(const struct budget_options *options, const struct budget *budget,
+                             bool *exceeded, struct mpm_error *error)
 {
     struct tally tally = {0, 0, 0};
-    print_heading(out);
-    for (size_t i = 0; i < budget_run_count; i++) {
-        struct budget_cost cost;
-        TRY(budget_run_count_cost(&budget_runs[i], places, &cost, error));
-        judge_run(budget, budget_runs[i].name, &cost, &tally, out);
+    print_heading(options->out);
+    for (size_t i = 0; i < budget_runs_count; i++) {
+        struct instructions counted;
+        TRY(count_run(options, &budget_runs[i], &counted, error));
+        const struct budget_cost cost = budget_cost_of(&counted);
+        judge_run(budget, budget_runs[i].name, &cost, &tally, options->out);
+        if (options->functions)
+            print_functions(options->out, &counted);
     }
-    print_sum(&tally, out);
+    print_sum(&tally, options->out);
     *exceeded = tally.exceeded > 0;
     return MPM_OK;
 }
 
-static enum mpm_status update_file(const struct budget_places *places, const char *path, FILE *out,
+static enum mpm_status count_all(const struct budget_options *options, struct budget *budget,
+                                 struct mpm_error *error)
+{
+    print_heading(options->out);
+    for (size_t i = 0; i < budget_runs_count; i++) {
+        struct instructions counted;
+        TRY(count_run(options, &budget_runs[i], &counted, error));
+        const struct budget_cost cost = budget_cost_of(&counted);
+        budget_store(budget, budget_runs[i].name, &cost);
+        print_row(options->out, budget_runs[i].name, &cost, NULL, "stored");
+        if (options->functions)
+            print_functions(options->out, &counted);
+    }
+    return MPM_OK;
+}
+
+static enum mpm_status update_file(const struct budget_options *options, const char *path,
                                    struct mpm_error *error)
 {
     const struct budget_build here = budget_build_here();
     struct budget budget = budget_make(&here);
-    enum mpm_status status = MPM_OK;
-    print_heading(out);
-    for (size_t i = 0; i < budget_run_count && status == MPM_OK; i++) {
-        struct budget_cost cost;
-        status = budget_run_count_cost(&budget_runs[i], places, &cost, error);
-        if (status == MPM_OK) {
-            budget_store(&budget, budget_runs[i].name, &cost);
-            print_row(out, budget_runs[i].name, &cost, NULL, "stored");
-        }
-    }
+    enum mpm_status status = count_all(options, &budget, error);
     if (status == MPM_OK)
         status = budget_write(path, &budget, error);
     budget_clear(&budget);
@@ -165,25 +195,25 @@ static bool applies(const struct budget *budget, FILE *out, bool *exceeded)
     return !skipped && !*exceeded;
 }
 
-static enum mpm_status check_file(const struct budget_places *places, const char *path, FILE *out,
+static enum mpm_status check_file(const struct budget_options *options, const char *path,
                                   bool *exceeded, struct mpm_error *error)
 {
     struct budget budget;
     TRY(budget_read(path, &budget, error));
-    const enum mpm_status status = applies(&budget, out, exceeded)
-                                       ? check(places, &budget, out, exceeded, error)
+    const enum mpm_status status = applies(&budget, options->out, exceeded)
+                                       ? check(options, &budget, exceeded, error)
                                        : MPM_OK;
     budget_clear(&budget);
     return status;
 }
 
-enum mpm_status budget_command(const struct budget_places *places, bool update, FILE *out,
-                               bool *exceeded, struct mpm_error *error)
+enum mpm_status budget_command(const struct budget_options *options, bool *exceeded,
+                               struct mpm_error *error)
 {
     *exceeded = false;
-    char *path = g_build_filename(places->benchmarks, BUDGET_FILE, NULL);
-    const enum mpm_status status = update ? update_file(places, path, out, error)
-                                          : check_file(places, path, out, exceeded, error);
+    char *path = g_build_filename(options->places->benchmarks, BUDGET_FILE, NULL);
+    const enum mpm_status status = options->update ? update_file(options, path, error)
+                                                   : check_file(options, path, exceeded, error);
     g_free(path);
     return status;
 }

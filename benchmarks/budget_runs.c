@@ -24,11 +24,10 @@ const struct budget_run budget_runs[] = {
      MPM_KERNELS_REFERENCE,
      {"method.shape=cpdi", "method.stress_update=usavg"}},
 };
-const size_t budget_run_count = G_N_ELEMENTS(budget_runs);
+const size_t budget_runs_count = G_N_ELEMENTS(budget_runs);
 
-enum mpm_status budget_run_count_cost(const struct budget_run *run,
-                                      const struct budget_places *places, struct budget_cost *cost,
-                                      struct mpm_error *error)
+enum mpm_status budget_run_count(const struct budget_run *run, const struct budget_places *places,
+                                 struct instructions *counted, struct mpm_error *error)
 {
     const bool own = g_str_has_suffix(run->scene, ".yaml");
     char *scene = own ? g_build_filename(places->benchmarks, "scenes", run->scene, NULL)
@@ -44,10 +43,7 @@ enum mpm_status budget_run_count_cost(const struct budget_run *run,
                                                  .settings = settings,
                                                  .simulation = {.kernels = run->kernels},
                                                  .steps = STEPS};
-    struct instructions counted;
-    const enum mpm_status status = instructions_count(&request, &counted, error);
-    if (status == MPM_OK)
-        *cost = budget_cost_of(&counted);
+    const enum mpm_status status = instructions_count(&request, counted, error);
     g_free(scene);
     return status;
 }

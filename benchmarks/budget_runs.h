@@ -10,13 +10,13 @@ enum { BUDGET_SETTINGS = 3 };
 
 struct budget_run {
     const char *name;
-    const char *scene;       /* of benchmarks/scenes, or a case's folder in the catalogue */
+    const char *scene; /* of benchmarks/scenes, or a case's folder in the catalogue */
     enum mpm_kernels kernels;
     const char *settings[BUDGET_SETTINGS]; /* PATH=VALUE, ends with NULL */
 };
 
 extern const struct budget_run budget_runs[];
-extern const size_t budget_run_count;
+extern const size_t budget_runs_count;
 
 /* Where the programs and scenes are. */
 struct budget_places {
@@ -26,8 +26,7 @@ struct budget_places {
 };
 
 /* Takes the run's steps under callgrind. The errors of instructions_count. */
-enum mpm_status budget_run_count_cost(const struct budget_run *run,
-                                      const struct budget_places *places, struct budget_cost *cost,
-                                      struct mpm_error *error);
+enum mpm_status budget_run_count(const struct budget_run *run, const struct budget_places *places,
+                                 struct instructions *counted, struct mpm_error *error);
 
 #endif

@@ -63,11 +63,11 @@ static enum mpm_status read_record(const char *folder, struct instructions *coun
     json_t *root = json_load_file(path, 0, &failure);
     const bool read =
         root != NULL &&
-        json_unpack_ex(root, &failure, 0, "{s:{s:I, s:I, s:I, s:{s:I, s:F}}, s:s, s:{s:s, s:s, s:s}}",
-                       "counters", "steps", &steps, "particles", &particles, "particle_steps",
-                       &particle_steps, "bytes", "total", &bytes, "per_particle",
-                       &counted->bytes_per_particle, "kernels", &kernels, "provenance", "simd",
-                       &simd, "compiler", &compiler, "flags", &flags) == 0;
+        json_unpack_ex(
+            root, &failure, 0, "{s:{s:I, s:I, s:I, s:{s:I, s:F}}, s:s, s:{s:s, s:s, s:s}}",
+            "counters", "steps", &steps, "particles", &particles, "particle_steps", &particle_steps,
+            "bytes", "total", &bytes, "per_particle", &counted->bytes_per_particle, "kernels",
+            &kernels, "provenance", "simd", &simd, "compiler", &compiler, "flags", &flags) == 0;
     counted->steps = (uint64_t)steps;
     counted->particles = (uint64_t)particles;
     counted->particle_steps = (uint64_t)particle_steps;
@@ -135,8 +135,8 @@ static GPtrArray *command_line(const char *valgrind, const struct instructions_r
     static const char *const steps[] = {"mpm_simulation_advance", NULL};
     const char *const *functions = request->functions != NULL ? request->functions : steps;
     GPtrArray *words = g_ptr_array_new_with_free_func(g_free);
-    add(words, valgrind, "--quiet", "--tool=callgrind", "--branch-sim=yes",
-        "--compress-strings=no", "--compress-pos=no", "--callgrind-out-file=" COUNTS, NULL);
+    add(words, valgrind, "--quiet", "--tool=callgrind", "--branch-sim=yes", "--compress-strings=no",
+        "--compress-pos=no", "--callgrind-out-file=" COUNTS, NULL);
     for (size_t i = 0; functions[i] != NULL; i++)
         g_ptr_array_add(words, g_strconcat("--toggle-collect=", functions[i], NULL));
     add(words, "./" PROGRAM, "run", SCENE, "--quiet", "--output", RESULTS, "--threads", "1", NULL);

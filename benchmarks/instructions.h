@@ -1,8 +1,8 @@
 /* Instructions that the steps of a scene execute, counted by valgrind's callgrind.
  *
  * Counted is what mpm_simulation_advance executes, all that it calls included; setting up
- * and writing results are not, unless asked for. The run has one thread, no environment, and sees the scene,
- * the program and its results under names that do not depend on where they are, so that
+ * and writing results are not, unless asked for. The run has one thread, no environment, and sees
+ * the scene, the program and its results under names that do not depend on where they are, so that
  * the same binary gives the same number anywhere (README.md tells how nearly).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -14,10 +14,10 @@
 #include "benchmarks/callgrind_file.h"
 
 struct instructions_request {
-    const char *program;         /* path of `mpm` */
-    const char *scene;           /* path of the scene */
-    const char *const *settings; /* PATH=VALUE, ends with NULL; NULL for none */
-    unsigned steps;              /* to take, from t = 0 */
+    const char *program;                      /* path of `mpm` */
+    const char *scene;                        /* path of the scene */
+    const char *const *settings;              /* PATH=VALUE, ends with NULL; NULL for none */
+    unsigned steps;                           /* to take, from t = 0 */
     struct mpm_simulation_options simulation; /* kernels and simd; always one thread */
     /* Functions of the solver that are counted with all that they call, none of them by
      * another, ends with NULL; NULL: mpm_simulation_advance. */

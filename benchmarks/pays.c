@@ -15,8 +15,9 @@
 
 static const char group[] = "pays";
 
-/* 10^4 particles: the time step is a hundred times that of a node's share of the grid. */
-#define REFINE "grid.refine=10"
+/* 10^4 particles; a count in the quick tier takes 3600. */
+#define REFINE       "grid.refine=10"
+#define REFINE_QUICK "grid.refine=6"
 
 /* Steps in whole sort intervals of 32. A run of 100 k + 1 steps has k snapshots of one in a
  * hundred steps between its start and its end. */
@@ -34,8 +35,8 @@ static void note_work(void *context, double fraction, const struct mpm_simulatio
 {
     double *work = context;
     (void)fraction;
-    *work = (double)mpm_simulation_step(simulation) *
-            (double)mpm_simulation_particle_count(simulation);
+    *work =
+        (double)mpm_simulation_step(simulation) * (double)mpm_simulation_particle_count(simulation);
 }
 
 static enum mpm_status time_run(const struct mpm_scene *scene, const struct run_probe *probe,
@@ -114,13 +115,14 @@ static enum mpm_status time_features(struct bench_context *context, const struct
 
 /* -------------------------------------------------------------------- counting */
 
-static enum mpm_status count_feature(const struct run_probe *probe, const char *program,
-                                     struct instructions *counted, struct mpm_error *error)
+static enum mpm_status count_feature(const struct run_probe *probe, enum bench_tier tier,
+                                     const char *program, struct instructions *counted,
+                                     struct mpm_error *error)
 {
     static const char *const with_files[] = {"mpm_simulation_advance", "mpm_simulation_ledger",
                                              "mpm_history_write", "mpm_series_write", NULL};
     const struct pays_feature *feature = probe->feature;
-    const char *settings[PAYS_SETTINGS + 2] = {REFINE};
+    const char *settings[PAYS_SETTINGS + 2] = {tier == BENCH_QUICK ? REFINE_QUICK : REFINE};
     for (size_t i = 0; i < PAYS_SETTINGS; i++)
         settings[i + 1] = feature->settings[i];
     const struct instructions_request request = {
@@ -137,10 +139,10 @@ static enum mpm_status count_feature(const struct run_probe *probe, const char *
 static void write_counts(struct bench_context *context, const struct pays_feature *feature,
                          const struct instructions *counted, const struct instructions *base)
 {
-    json_t *settings = json_pack(
-        "{s:s, s:f, s:f, s:s, s:s, s:s}", "feature", feature->name, "particles",
-        (double)counted->particles, "steps", (double)counted->steps, "kernels", counted->kernels,
-        "simd", counted->simd, "expectation", feature->expectation);
+    json_t *settings =
+        json_pack("{s:s, s:f, s:f, s:s, s:s, s:s}", "feature", feature->name, "particles",
+                  (double)counted->particles, "steps", (double)counted->steps, "kernels",
+                  counted->kernels, "simd", counted->simd, "expectation", feature->expectation);
     const struct bench_subject subject = {group, feature->name, settings};
     bench_value(context, &subject, "instructions_per_particle_step", "1",
                 instructions_rate(counted));
@@ -162,7 +164,7 @@ static enum mpm_status count_features(struct bench_context *context, const struc
     for (size_t i = 0; i < pays_feature_count && status == MPM_OK; i++) {
         const struct pays_feature *feature = &pays_features[i];
         bench_console_progress(context->console, i + 1, pays_feature_count, feature->name);
-        status = count_feature(&probes[i], program, &counted[i], error);
+        status = count_feature(&probes[i], context->tier, program, &counted[i], error);
         if (status == MPM_OK)
             write_counts(context, feature, &counted[i],
                          feature->against == NULL ? NULL

@@ -12,9 +12,9 @@ enum { PAYS_SETTINGS = 4 };
 /* One way to run the block of scenes/free_block.yaml. */
 struct pays_feature {
     const char *name;
-    const char *against; /* name of the row without the feature; NULL: such a row */
-    bool writes;         /* timed is a whole run with its files, not steps alone */
-    const char *scene;   /* of benchmarks/scenes */
+    const char *against;                 /* name of the row without the feature; NULL: such a row */
+    bool writes;                         /* timed is a whole run with its files, not steps alone */
+    const char *scene;                   /* of benchmarks/scenes */
     const char *settings[PAYS_SETTINGS]; /* PATH=VALUE, beside those that all rows share */
     const char *expectation;             /* one sentence: what it should cost, and why */
 };

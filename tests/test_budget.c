@@ -121,11 +121,11 @@ START_TEST(every_run_has_a_stored_budget_and_every_budget_a_run)
 {
     struct budget budget;
     ck_assert_int_eq(budget_read("benchmarks/" BUDGET_FILE, &budget, NULL), MPM_OK);
-    for (size_t i = 0; i < budget_run_count; i++) {
+    for (size_t i = 0; i < budget_runs_count; i++) {
         struct budget_cost cost;
         ck_assert_msg(budget_find(&budget, budget_runs[i].name, &cost), "%s", budget_runs[i].name);
     }
-    ck_assert_uint_eq(json_object_size(budget.runs), budget_run_count);
+    ck_assert_uint_eq(json_object_size(budget.runs), budget_runs_count);
     budget_clear(&budget);
 }
 END_TEST
@@ -245,12 +245,10 @@ START_TEST(the_same_program_counts_the_same_twice)
         TEST_SKIP(reason);
     struct instructions first, second;
     struct mpm_error error = {.message = ""};
-    ck_assert_msg(count_with("benchmarks/scenes/block.yaml", NULL, &first, &error) ==
-                      MPM_OK,
-                  "%s", error.message);
+    ck_assert_msg(count_with("benchmarks/scenes/block.yaml", NULL, &first, &error) == MPM_OK, "%s",
+                  error.message);
     ck_assert(g_setenv("SOME_VARIABLE", "a longer environment than the first time", TRUE));
-    ck_assert_int_eq(count_with("benchmarks/scenes/block.yaml", NULL, &second, &error),
-                     MPM_OK);
+    ck_assert_int_eq(count_with("benchmarks/scenes/block.yaml", NULL, &second, &error), MPM_OK);
     ck_assert_uint_eq(first.counts.instructions, second.counts.instructions);
     ck_assert_uint_eq(first.counts.branches, second.counts.branches);
     ck_assert_uint_eq(first.steps, 3);
