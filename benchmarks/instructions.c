@@ -59,23 +59,20 @@ static enum mpm_status read_record(const char *folder, struct instructions *coun
     char *path = g_build_filename(folder, RESULTS, "run.json", NULL);
     json_error_t failure;
     json_int_t steps = 0, particles = 0, particle_steps = 0, bytes = 0;
-    const char *kernels = "", *simd = "", *compiler = "", *flags = "";
+    const char *kernels = "", *simd = "";
     json_t *root = json_load_file(path, 0, &failure);
     const bool read =
         root != NULL &&
-        json_unpack_ex(
-            root, &failure, 0, "{s:{s:I, s:I, s:I, s:{s:I, s:F}}, s:s, s:{s:s, s:s, s:s}}",
-            "counters", "steps", &steps, "particles", &particles, "particle_steps", &particle_steps,
-            "bytes", "total", &bytes, "per_particle", &counted->bytes_per_particle, "kernels",
-            &kernels, "provenance", "simd", &simd, "compiler", &compiler, "flags", &flags) == 0;
+        json_unpack_ex(root, &failure, 0, "{s:{s:I, s:I, s:I, s:{s:I, s:F}}, s:s, s?s}", "counters",
+                       "steps", &steps, "particles", &particles, "particle_steps", &particle_steps,
+                       "bytes", "total", &bytes, "per_particle", &counted->bytes_per_particle,
+                       "kernels", &kernels, "simd", &simd) == 0;
     counted->steps = (uint64_t)steps;
     counted->particles = (uint64_t)particles;
     counted->particle_steps = (uint64_t)particle_steps;
     counted->bytes = (uint64_t)bytes;
     g_strlcpy(counted->kernels, kernels, sizeof counted->kernels);
     g_strlcpy(counted->simd, simd, sizeof counted->simd);
-    g_strlcpy(counted->compiler, compiler, sizeof counted->compiler);
-    g_strlcpy(counted->flags, flags, sizeof counted->flags);
     json_decref(root);
     g_free(path);
     if (!read)

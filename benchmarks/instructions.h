@@ -33,7 +33,6 @@ struct instructions {
     uint64_t bytes;
     double bytes_per_particle;
     char kernels[INSTRUCTIONS_TEXT], simd[INSTRUCTIONS_TEXT];
-    char compiler[INSTRUCTIONS_TEXT], flags[INSTRUCTIONS_TEXT];
 };
 
 /* Per particle and step; branches are those of the program itself. */
