@@ -85,6 +85,13 @@ MPM_INLINE mpm_vector mpm_square_root(mpm_vector x)
     return root;
 }
 
+/* What *p holds is read from memory from here on: a lane that is loaded into all places of
+ * a vector costs nothing, one that is picked from a register does. */
+MPM_INLINE void mpm_keep_in_memory(void *p)
+{
+    __asm__ volatile("" : : "r"(p) : "memory");
+}
+
 /* Nearest integer, for |x| < 2^51: the sum leaves no digits after the point. */
 static const double MPM_ROUNDING = 0x1.8p52;
 
@@ -93,9 +100,9 @@ MPM_INLINE mpm_vector mpm_nearest(mpm_vector x)
     return (x + MPM_ROUNDING) - MPM_ROUNDING;
 }
 
-MPM_INLINE mpm_vector mpm_floor_vector(mpm_vector x)
+/* The largest integer not above x, from the nearest one. */
+MPM_INLINE mpm_vector mpm_down_to_integer(mpm_vector x, mpm_vector nearest)
 {
-    const mpm_vector nearest = mpm_nearest(x);
     return nearest - mpm_select(x < nearest, mpm_splat(1.0), mpm_splat(0.0));
 }
 

@@ -18,6 +18,7 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
         .truncated = state->shape_grid.truncated,
         .columns = (double)grid->columns,
         .stride = grid->columns,
+        .pitch = grid->columns * (int64_t)sizeof(mpm_vector),
         .node_zero = state->node_zero,
         .mass = grid->mass,
         .sum = grid->sum,
@@ -30,6 +31,7 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
         .material = state->bodies[body].material,
     };
     constants->cut = constants->truncated ? constants->axis : -DBL_MAX;
+    constants->cut_cell = floor(constants->cut);
     for (int axis = 0; axis < 2; axis++) {
         const double ghost = MPM_GHOST_ROWS * grid->cell[axis];
         constants->origin[axis] = grid->origin[axis];
@@ -71,14 +73,26 @@ static void view_values(struct fast_tail *tail, bool has_domains)
     view->mass = tail->values[n++];
     for (int k = 0; k < 4; k++)
         view->domain[k] = has_domains ? tail->values[n++] : NULL;
+    for (int axis = 0; axis < 2; axis++)
+        view->carried[axis] = tail->values[n++];
     view->id = tail->id;
+}
+
+/* All arrays that a pass may touch. */
+static size_t arrays_of(const struct mpm_particles *particles,
+                        double *arrays[MPM_PARTICLE_ARRAYS + 2])
+{
+    size_t n = mpm_particles_arrays(particles, arrays);
+    for (int axis = 0; axis < 2; axis++)
+        arrays[n++] = particles->carried[axis];
+    return n;
 }
 
 void mpm_fast_tail_fill(struct fast_tail *tail, const struct mpm_particles *particles, size_t first,
                         size_t count)
 {
-    double *arrays[MPM_PARTICLE_ARRAYS];
-    const size_t array_count = mpm_particles_arrays(particles, arrays);
+    double *arrays[MPM_PARTICLE_ARRAYS + 2];
+    const size_t array_count = arrays_of(particles, arrays);
     tail->particles = (struct mpm_particles){.count = MPM_VECTOR_SIZE};
     view_values(tail, particles->domain[0] != NULL);
     for (size_t lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
@@ -94,8 +108,8 @@ void mpm_fast_tail_fill(struct fast_tail *tail, const struct mpm_particles *part
 void mpm_fast_tail_write(const struct fast_tail *tail, const struct mpm_particles *particles,
                          size_t first, size_t count)
 {
-    double *arrays[MPM_PARTICLE_ARRAYS];
-    const size_t array_count = mpm_particles_arrays(particles, arrays);
+    double *arrays[MPM_PARTICLE_ARRAYS + 2];
+    const size_t array_count = arrays_of(particles, arrays);
     for (size_t a = 0; a < array_count; a++)
         memcpy(arrays[a] + first, tail->values[a], count * sizeof(double));
 }

@@ -27,7 +27,7 @@ size_t mpm_fast_run_end(const struct mpm_state *state, size_t begin, size_t end)
  * places taken by the first one again with mass zero, which adds nothing. */
 struct fast_tail {
     struct mpm_particles particles;
-    double values[MPM_PARTICLE_ARRAYS][MPM_VECTOR_SIZE];
+    double values[MPM_PARTICLE_ARRAYS + 2][MPM_VECTOR_SIZE];
     uint32_t id[MPM_VECTOR_SIZE];
 };
 void mpm_fast_tail_fill(struct fast_tail *tail, const struct mpm_particles *particles, size_t first,

@@ -18,6 +18,7 @@ struct fast_spec {
     bool force;       /* spread internal forces */
     bool velocity;    /* update velocities in the last pass */
     bool stress;      /* update stresses in the last pass */
+    bool carried;     /* there, positions are known from the pass before */
 };
 
 struct fast_constants {
@@ -25,9 +26,11 @@ struct fast_constants {
     double half[2];    /* half edges of the undeformed domain */
     double axis;       /* place of r = 0, in cells */
     double cut;        /* domains are cut off there (uGIMP), in cells; or minus infinity */
+    double cut_cell;   /* the cell of that place */
     bool truncated;    /* domains shrink to r = 0 (CPDI) */
     double columns;    /* distance of two rows of nodes in offsets, */
-    int64_t stride;    /* the same */
+    int64_t stride;    /* the same, */
+    int64_t pitch;     /* and in bytes of a nodal vector */
     int64_t node_zero; /* index of node (0, 0) */
     double *mass;      /* arrays of the grid, by node index */
     struct mpm_node_sum (*sum)[2];
@@ -41,6 +44,13 @@ struct fast_constants {
     struct mpm_material material;
 };
 
+/* The nodal vector of a node j rows further. */
+MPM_INLINE double *fast_row(const void *array, int64_t node, int64_t j,
+                            const struct fast_constants *k)
+{
+    return (double *)((char *)array + node * (int64_t)sizeof(mpm_vector) + j * k->pitch);
+}
+
 /* What four particles spread. */
 struct fast_load {
     mpm_vector mass;
@@ -48,12 +58,14 @@ struct fast_load {
     mpm_vector stress[MPM_SYMMETRIC_SIZE]; /* -m tau / rho_0 */
 };
 
-/* See mpm_shape_cells. */
-MPM_INLINE mpm_vector fast_cells(mpm_vector x)
+/* See mpm_shape_cells; *cell is the largest integer not above. */
+MPM_INLINE mpm_vector fast_cells(mpm_vector x, mpm_vector *cell)
 {
     const mpm_vector nearest = mpm_nearest(x);
     const mpm_mask close = mpm_absolute(x - nearest) < 0x1p-51 * (1.0 + mpm_absolute(nearest));
-    return mpm_select(close, nearest, x);
+    const mpm_vector place = mpm_select(close, nearest, x);
+    *cell = mpm_down_to_integer(place, nearest);
+    return place;
 }
 
 #endif

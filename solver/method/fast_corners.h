@@ -75,8 +75,7 @@ MPM_INLINE void fast_corners_evaluate(const struct fast_spec *spec, const struct
         for (int axis = 0; axis < 2; axis++) {
             const mpm_vector x =
                 position[axis] + fast_sign1[c] * d[axis] + fast_sign2[c] * d[2 + axis];
-            place[axis] = fast_cells((x - k->origin[axis]) * k->inverse_cell[axis]);
-            first[axis] = mpm_floor_vector(place[axis]);
+            place[axis] = fast_cells((x - k->origin[axis]) * k->inverse_cell[axis], &first[axis]);
             place[axis] -= first[axis];
         }
         const mpm_mask node = mpm_to_integer(first[1] * k->columns + first[0]) + k->node_zero;
@@ -137,7 +136,7 @@ MPM_INLINE void fast_corners_spread(const struct fast_spec *spec, const struct f
         for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
             const int64_t node = corners->node[c][lane];
             const double x = corners->x[c][lane], y = corners->y[c][lane];
-            spread_corner((double *)(k->sum + node), k->stride, x, y, value[lane]);
+            spread_corner(fast_row(k->sum, node, 0, k), k->stride, x, y, value[lane]);
             if (spec->momentum)
                 spread_corner_mass(k->mass + node, k->stride, x, y, mass[lane]);
         }
@@ -155,7 +154,7 @@ MPM_INLINE void fast_corners_spread_momentum(const struct fast_constants *k,
         mpm_transpose(value);
 #pragma GCC unroll 4
         for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
-            spread_corner((double *)(k->gradient + corners->node[c][lane]), k->stride,
+            spread_corner(fast_row(k->gradient, corners->node[c][lane], 0, k), k->stride,
                           corners->x[c][lane], corners->y[c][lane], value[lane]);
     }
 }

@@ -113,45 +113,52 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
     }
 
 /* Passes that know of axisymmetry only */
-#define TRANSFERS(geometry, ...)                                                                   \
-    KERNEL(pass_to_grid, geometry##_momentum_force, .momentum = true, .force = true, __VA_ARGS__)  \
-    KERNEL(pass_to_grid, geometry##_momentum, .momentum = true, .kept_domain = true, __VA_ARGS__)  \
-    KERNEL(pass_to_particles, geometry##_extrapolate, __VA_ARGS__)                                 \
-    KERNEL(pass_to_particles, geometry##_extrapolate_kept, .kept_domain = true, __VA_ARGS__)
+#define SPREAD(plane, ...)                                                                         \
+    KERNEL(pass_to_grid, plane##_momentum_force, .momentum = true, .force = true, __VA_ARGS__)     \
+    KERNEL(pass_to_grid, plane##_momentum, .momentum = true, .kept_domain = true, __VA_ARGS__)
+
+/* Passes that know how r moves */
+#define EXTRAPOLATE(way, ...)                                                                      \
+    KERNEL(pass_to_particles, way##_extrapolate, __VA_ARGS__)                                      \
+    KERNEL(pass_to_particles, way##_extrapolate_kept, .kept_domain = true, __VA_ARGS__)
 
 /* Passes that know the whole geometry */
-#define UPDATES(geometry, ...)                                                                     \
+#define UPDATE(geometry, ...)                                                                      \
     KERNEL(pass_stress_before, geometry##_stress_force, .force = true, .kept_domain = true,        \
            __VA_ARGS__)                                                                            \
     KERNEL(pass_finish, geometry##_velocity_stress, .velocity = true, .stress = true, __VA_ARGS__) \
-    KERNEL(pass_finish, geometry##_stress, .stress = true, __VA_ARGS__)                            \
-    KERNEL(pass_finish, geometry##_stress_kept, .stress = true, .kept_domain = true, __VA_ARGS__)  \
+    KERNEL(pass_finish, geometry##_stress, .stress = true, .carried = true, __VA_ARGS__)           \
+    KERNEL(pass_finish, geometry##_stress_kept, .stress = true, .carried = true,                   \
+           .kept_domain = true, __VA_ARGS__)                                                       \
     KERNEL(pass_finish, geometry##_velocity, .velocity = true, .kept_domain = true, __VA_ARGS__)
 
-#define ORDERS(plane, geometry)                                                                    \
+#define ORDERS(plane, way, geometry)                                                               \
     {                                                                                              \
         [MPM_USL] = {plane##_momentum_force, NULL, NULL, geometry##_velocity_stress, recompute},   \
-        [MPM_MUSL] = {plane##_momentum_force, NULL, plane##_extrapolate, geometry##_stress,        \
+        [MPM_MUSL] = {plane##_momentum_force, NULL, way##_extrapolate, geometry##_stress,          \
                       recompute},                                                                  \
         [MPM_USF] = {plane##_momentum, geometry##_stress_force, NULL, geometry##_velocity,         \
                      recompute},                                                                   \
-        [MPM_USAVG] = {plane##_momentum, geometry##_stress_force, plane##_extrapolate_kept,        \
+        [MPM_USAVG] = {plane##_momentum, geometry##_stress_force, way##_extrapolate_kept,          \
                        geometry##_stress_kept, recompute},                                         \
     }
 
-TRANSFERS(planar, .axisymmetric = false)
-TRANSFERS(axisymmetric, .axisymmetric = true)
-UPDATES(strain, .axisymmetric = false)
-UPDATES(stress, .plane_stress = true)
-UPDATES(radial, .axisymmetric = true)
-UPDATES(hoop, .axisymmetric = true, .hoop_radius = true)
+SPREAD(planar, .axisymmetric = false)
+SPREAD(axisymmetric, .axisymmetric = true)
+EXTRAPOLATE(planar, .axisymmetric = false)
+EXTRAPOLATE(radial, .axisymmetric = true)
+EXTRAPOLATE(hoop, .axisymmetric = true, .hoop_radius = true)
+UPDATE(strain, .axisymmetric = false)
+UPDATE(stress, .plane_stress = true)
+UPDATE(radial, .axisymmetric = true)
+UPDATE(hoop, .axisymmetric = true, .hoop_radius = true)
 
 #define JOIN(family, level) mpm_fast_##family##_##level
 #define NAME(family, level) JOIN(family, level)
 
 const struct mpm_passes NAME(FAST_FAMILY, FAST_LEVEL)[MPM_FAST_GEOMETRIES][MPM_ORDER_COUNT] = {
-    [MPM_FAST_PLANE_STRAIN] = ORDERS(planar, strain),
-    [MPM_FAST_PLANE_STRESS] = ORDERS(planar, stress),
-    [MPM_FAST_AXISYMMETRIC] = ORDERS(axisymmetric, radial),
-    [MPM_FAST_HOOP_RADIUS] = ORDERS(axisymmetric, hoop),
+    [MPM_FAST_PLANE_STRAIN] = ORDERS(planar, planar, strain),
+    [MPM_FAST_PLANE_STRESS] = ORDERS(planar, planar, stress),
+    [MPM_FAST_AXISYMMETRIC] = ORDERS(axisymmetric, radial, radial),
+    [MPM_FAST_HOOP_RADIUS] = ORDERS(axisymmetric, hoop, hoop),
 };

@@ -76,11 +76,14 @@ MPM_INLINE struct fast_line fast_line_ugimp(const struct fast_constants *k, int 
 {
     const mpm_vector zero = mpm_splat(0.0), one = mpm_splat(1.0);
     const mpm_vector centre = position - k->origin[axis];
-    mpm_vector low = fast_cells((centre - k->half[axis]) * k->inverse_cell[axis]);
-    const mpm_vector high = fast_cells((centre + k->half[axis]) * k->inverse_cell[axis]);
-    if (radial)
+    struct fast_line line = {.first = zero};
+    mpm_vector unused;
+    mpm_vector low = fast_cells((centre - k->half[axis]) * k->inverse_cell[axis], &line.first);
+    const mpm_vector high = fast_cells((centre + k->half[axis]) * k->inverse_cell[axis], &unused);
+    if (radial) {
         low = mpm_larger(low, mpm_splat(k->cut));
-    struct fast_line line = {.first = mpm_floor_vector(low)};
+        line.first = mpm_larger(line.first, mpm_splat(k->cut_cell));
+    }
     const mpm_vector from = low - line.first, to = high - line.first;
     const mpm_vector middle = mpm_smaller(to, one), rest = mpm_larger(to - 1.0, zero);
     if (radial) {
@@ -104,8 +107,9 @@ MPM_INLINE struct fast_line fast_line_ugimp(const struct fast_constants *k, int 
 MPM_INLINE struct fast_line fast_line_classic(const struct fast_constants *k, int axis, bool radial,
                                               mpm_vector position)
 {
-    const mpm_vector place = fast_cells((position - k->origin[axis]) * k->inverse_cell[axis]);
-    struct fast_line line = {.first = mpm_floor_vector(place)};
+    struct fast_line line = {.first = mpm_splat(0.0)};
+    const mpm_vector place =
+        fast_cells((position - k->origin[axis]) * k->inverse_cell[axis], &line.first);
     line.s[1] = place - line.first;
     line.s[0] = 1.0 - line.s[1];
     line.d[0] = mpm_splat(-k->inverse_cell[axis]);
@@ -161,7 +165,7 @@ MPM_INLINE void spread_lane(const struct fast_spec *spec, const struct fast_cons
             d[i] += lines->t[i][lane] * hoop;
     }
     for (int j = 0; j < nodes; j++) {
-        double *const row = (double *)(k->sum + lines->node[lane] + j * k->stride);
+        double *const row = fast_row(k->sum, lines->node[lane], j, k);
         const mpm_vector e = mpm_load_pair(&lines->y[j][pair]) * along_y;
         for (int i = 0; i < nodes; i++) {
             mpm_vector add = lines->x[i][pair + 1] * e;
@@ -213,7 +217,7 @@ MPM_INLINE void spread_momentum_lane(const struct fast_spec *spec, const struct 
 {
     const int nodes = line_nodes(spec), pair = fast_pair[lane];
     for (int j = 0; j < nodes; j++) {
-        double *const row = (double *)(k->gradient + lines->node[lane] + j * k->stride);
+        double *const row = fast_row(k->gradient, lines->node[lane], j, k);
         const mpm_vector part = lines->y[j][pair] * momentum;
         for (int i = 0; i < nodes; i++)
             mpm_store(row + 4 * i, mpm_load(row + 4 * i) + lines->x[i][pair + 1] * part);
@@ -240,18 +244,20 @@ MPM_INLINE mpm_vector motion_lane(const struct fast_spec *spec, const struct fas
                                   mpm_vector *hoop)
 {
     const int nodes = line_nodes(spec), pair = fast_pair[lane];
-    mpm_vector sum = {0}, hoop_sum = {0};
+    mpm_vector sum = mpm_splat(0.0), hoop_sum = mpm_splat(0.0);
     for (int j = 0; j < nodes; j++) {
-        const double *const row = (const double *)(k->motion + lines->node[lane] + j * k->stride);
+        const double *const row = fast_row(k->motion, lines->node[lane], j, k);
         mpm_vector part = lines->x[0][pair + 1] * mpm_load(row);
         for (int i = 1; i < nodes; i++)
             part += lines->x[i][pair + 1] * mpm_load(row + 4 * i);
-        sum += lines->y[j][pair] * part;
+        part *= lines->y[j][pair];
+        sum = j == 0 ? part : sum + part;
         if (wants_hoop) {
             mpm_vector hoop_part = lines->t[0][lane] * mpm_load(row);
             for (int i = 1; i < nodes; i++)
                 hoop_part += lines->t[i][lane] * mpm_load(row + 4 * i);
-            hoop_sum += lines->y[j][pair] * hoop_part;
+            hoop_part *= lines->y[j][pair];
+            hoop_sum = j == 0 ? hoop_part : hoop_sum + hoop_part;
         }
     }
     *hoop = hoop_sum;
@@ -263,14 +269,15 @@ MPM_INLINE mpm_vector gradient_lane(const struct fast_spec *spec, const struct f
                                     const struct fast_lines *lines, int lane, double *hoop)
 {
     const int nodes = line_nodes(spec), pair = fast_pair[lane];
-    mpm_vector sum = {0};
+    mpm_vector sum = mpm_splat(0.0);
     double hoop_sum = 0.0;
     for (int j = 0; j < nodes; j++) {
-        const double *const row = (const double *)(k->gradient + lines->node[lane] + j * k->stride);
+        const double *const row = fast_row(k->gradient, lines->node[lane], j, k);
         mpm_vector part = mpm_load_pair(&lines->x[0][pair]) * mpm_load(row);
         for (int i = 1; i < nodes; i++)
             part += mpm_load_pair(&lines->x[i][pair]) * mpm_load(row + 4 * i);
-        sum += mpm_load_pair(&lines->y[j][pair]) * part;
+        part *= mpm_load_pair(&lines->y[j][pair]);
+        sum = j == 0 ? part : sum + part;
         if (spec->axisymmetric) {
             double hoop_part = lines->t[0][lane] * row[0];
             for (int i = 1; i < nodes; i++)

@@ -43,6 +43,7 @@ MPM_INLINE void evaluate(const struct fast_spec *spec, const struct fast_constan
                                     mpm_load(particles->position[1] + p)};
     if (spec->shape != MPM_CPDI) {
         fast_lines_evaluate(spec, k, position, &stencil->lines);
+        mpm_keep_in_memory(stencil);
         return;
     }
     mpm_vector f[MPM_GRADIENT_SIZE], edge[4];
@@ -54,6 +55,7 @@ MPM_INLINE void evaluate(const struct fast_spec *spec, const struct fast_constan
         edges_of(k, f, edge);
     }
     fast_corners_evaluate(spec, k, position, edge, &stencil->corners);
+    mpm_keep_in_memory(stencil);
 }
 
 MPM_INLINE void spread(const struct fast_spec *spec, const struct fast_constants *k,
@@ -151,20 +153,29 @@ MPM_INLINE void update_stress_block(const struct fast_spec *spec, enum fast_law 
     }
 }
 
-/* x += dt v, and the box of the next step. */
-MPM_INLINE void update_position_block(const struct fast_spec *spec, const struct fast_constants *k,
-                                      const struct mpm_particles *particles, size_t p,
-                                      const mpm_vector motion[4], const mpm_vector hoop[4],
-                                      struct fast_sums *sums)
+/* x + dt v */
+MPM_INLINE void next_position(const struct fast_spec *spec, const struct fast_constants *k,
+                              const struct mpm_particles *particles, size_t p,
+                              const mpm_vector motion[4], const mpm_vector hoop[4],
+                              mpm_vector next[2])
 {
-    mpm_vector position[2], step[2], reach[2];
     for (int axis = 0; axis < 2; axis++) {
-        position[axis] = mpm_load(particles->position[axis] + p);
+        const mpm_vector position = mpm_load(particles->position[axis] + p);
         mpm_vector rate = motion[2 + axis] - k->back * motion[axis];
         if (spec->hoop_radius && axis == 0)
-            rate = position[0] * (hoop[2] - k->back * hoop[0]);
-        step[axis] = k->time_step * rate;
-        position[axis] += step[axis];
+            rate = position * (hoop[2] - k->back * hoop[0]);
+        next[axis] = position + k->time_step * rate;
+    }
+}
+
+/* Goes there; the box of the next step. */
+MPM_INLINE void update_position_block(const struct fast_spec *spec, const struct fast_constants *k,
+                                      const struct mpm_particles *particles, size_t p,
+                                      const mpm_vector position[2], struct fast_sums *sums)
+{
+    mpm_vector step[2], reach[2];
+    for (int axis = 0; axis < 2; axis++) {
+        step[axis] = position[axis] - mpm_load(particles->position[axis] + p);
         mpm_store(particles->position[axis] + p, position[axis]);
         reach[axis] = mpm_splat(spec->shape == MPM_CLASSIC ? 0.0 : k->half[axis]);
     }
@@ -244,11 +255,14 @@ MPM_INLINE void block_to_particles(const struct fast_spec *spec, enum fast_law l
                                    struct fast_sums *sums)
 {
     union fast_stencil stencil;
-    mpm_vector motion[4], hoop[4], momentum[2];
+    mpm_vector motion[4], hoop[4], momentum[2], next[2];
     (void)law;
     evaluate(spec, k, particles, p, &stencil);
-    gather_motion(spec, k, &stencil, false, motion, hoop);
+    gather_motion(spec, k, &stencil, spec->hoop_radius, motion, hoop);
     update_velocity_block(k, particles, p, motion, sums, momentum);
+    next_position(spec, k, particles, p, motion, hoop, next);
+    for (int axis = 0; axis < 2; axis++)
+        mpm_store(particles->carried[axis] + p, next[axis]);
     spread_momentum(spec, k, &stencil, momentum);
 }
 
@@ -276,16 +290,21 @@ MPM_INLINE void block_finish(const struct fast_spec *spec, enum fast_law law,
                              size_t p, struct fast_sums *sums)
 {
     union fast_stencil stencil;
-    mpm_vector motion[4], hoop[4], momentum[2], h[MPM_GRADIENT_SIZE];
+    mpm_vector motion[4], hoop[4], momentum[2], next[2], h[MPM_GRADIENT_SIZE];
     evaluate(spec, k, particles, p, &stencil);
-    gather_motion(spec, k, &stencil, spec->hoop_radius, motion, hoop);
+    for (int axis = 0; spec->carried && axis < 2; axis++)
+        next[axis] = mpm_load(particles->carried[axis] + p);
+    if (!spec->carried) {
+        gather_motion(spec, k, &stencil, spec->hoop_radius, motion, hoop);
+        next_position(spec, k, particles, p, motion, hoop, next);
+    }
     if (spec->velocity)
         update_velocity_block(k, particles, p, motion, sums, momentum);
     if (spec->stress) {
         gather_gradient(spec, k, &stencil, h);
         update_stress_block(spec, law, k, particles, p, h, sums);
     }
-    update_position_block(spec, k, particles, p, motion, hoop, sums);
+    update_position_block(spec, k, particles, p, next, sums);
 }
 
 #endif

@@ -20,9 +20,11 @@ void mpm_particles_layout(struct mpm_particles *particles, size_t count, bool ha
         particles->domain[k] = MPM_TAKE(arena, double, count);
     particles->id = MPM_TAKE(arena, uint32_t, count);
     particles->body = MPM_TAKE(arena, uint32_t, count);
-    particles->order = MPM_TAKE(arena, uint32_t, count);
-    particles->order_scratch = MPM_TAKE(arena, uint32_t, count);
     particles->scratch = MPM_TAKE(arena, double, count);
+    particles->carried[0] = particles->scratch;
+    particles->carried[1] = MPM_TAKE(arena, double, count);
+    particles->order = (uint32_t *)particles->carried[1];
+    particles->order_scratch = particles->order == NULL ? NULL : particles->order + count;
 }
 
 void mpm_rigid_particles_layout(struct mpm_rigid_particles *particles, size_t count,

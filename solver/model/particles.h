@@ -22,6 +22,9 @@ struct mpm_particles {
     /* scratch of the sort */
     uint32_t *order, *order_scratch;
     double *scratch;
+    /* within a step: positions at its end, known before the last task; in the memory of the
+     * sort's scratch */
+    double *carried[2];
 };
 
 /* Particles of rigid bodies: no mass, no stress. */
