@@ -31,7 +31,7 @@ static double memory_bytes(void)
 static double load(void)
 {
     char *text = NULL;
-    double processes = NAN;
+    double processes = (double)NAN;
     if (g_file_get_contents("/proc/loadavg", &text, NULL, NULL))
         processes = g_ascii_strtod(text, NULL);
     g_free(text);

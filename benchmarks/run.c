@@ -108,15 +108,14 @@ static enum mpm_status run_in(const struct bench_run *run, struct bench_context 
                            "verification/catalogue/ nor beside the program");
     TRY(check_options(context, error));
     TRY(prepare(context->output, error));
-    struct bench_records records =
+    *context->records =
         bench_records_make(bench_tier_name(run->tier), run->command, BENCH_ROUNDS_MAX);
-    context->records = &records;
-    bench_console_load(context->console, &records);
+    bench_console_load(context->console, context->records);
     /* before the first group: a folder that cannot be written is found out now */
-    enum mpm_status status = bench_records_write(context->output, &records, error);
+    enum mpm_status status = bench_records_write(context->output, context->records, error);
     if (status == MPM_OK)
         status = run_groups(run, context, error);
-    bench_records_clear(&records);
+    bench_records_clear(context->records);
     return status;
 }
 
@@ -127,6 +126,7 @@ enum mpm_status bench_run(const struct bench_run *run, struct bench_console *con
     char *benchmarks = resources_benchmarks(run->executable);
     char *catalogue = resources_catalogue(run->executable);
     char *output = run->output == NULL ? usual_output() : g_strdup(run->output);
+    struct bench_records records = {NULL, NULL};
     struct bench_context context = {
         .tier = run->tier,
         .simulation = run->simulation,
@@ -135,6 +135,7 @@ enum mpm_status bench_run(const struct bench_run *run, struct bench_console *con
         .benchmarks = benchmarks,
         .catalogue = catalogue,
         .output = output,
+        .records = &records,
         .console = console,
     };
     const enum mpm_status status = run_in(run, &context, error);

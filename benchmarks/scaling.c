@@ -5,7 +5,7 @@
 #include "benchmarks/timing.h"
 
 /* Seconds for each list, in the standard tier. */
-static const double THREADS = 35, CELLS = 15, GRID = 15;
+static const double THREADS = 20, CELLS = 10, GRID = 10;
 
 static bool is_quick(const struct bench_context *context)
 {

@@ -9,7 +9,7 @@ static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
 static const char *const geometries[] = {"plane_strain", "axisymmetric"};
 
 /* Seconds for each list, in the standard tier. */
-static const double VARIANTS = 75, SIZES = 60, OTHERS = 35;
+static const double VARIANTS = 60, SIZES = 50, OTHERS = 25;
 
 static unsigned usual_size(const struct bench_context *context)
 {

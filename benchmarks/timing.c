@@ -334,10 +334,12 @@ static enum mpm_status run_rounds(struct bench_context *context, struct course *
 static enum mpm_status measure(struct bench_context *context, struct course *courses, size_t count,
                                double seconds, struct bench_rates *rates, struct mpm_error *error)
 {
+    const double start = bench_clock_wall();
     for (size_t i = 0; i < count; i++) {
         bench_console_progress(context->console, i + 1, count, "rehearsal");
         TRY(named(&courses[i], rehearse(&courses[i], error), error));
     }
+    seconds -= bench_clock_wall() - start;
     lengthen(courses, count, seconds);
     const size_t rounds = choose_rounds(courses, count, seconds);
     TRY(run_rounds(context, courses, count, rounds, error));

@@ -58,7 +58,7 @@ START_TEST(the_interval_holds_the_percentiles_of_the_exact_bootstrap_distributio
         while (probability_up_to(n, most) < 0.025 + slack)
             most++;
         const struct bench_interval interval = bench_interval_of(values, (size_t)n);
-        ck_assert_double_eq(interval.median, (n + 1) / 2);
+        ck_assert_double_eq(interval.median, 0.5 * (n + 1));
         ck_assert_double_ge(interval.low, least);
         ck_assert_double_le(interval.low, most);
         ck_assert_double_le(interval.high, n + 1 - least);
@@ -182,9 +182,9 @@ END_TEST
 
 START_TEST(lines_have_the_promised_keys)
 {
-    static const char *const run[] = {
-        "kind",      "format",    "tier",  "command",      "version", "revision", "compiler", "flags",
-        "libraries", "processor", "cores", "memory_bytes", "simd",    "rounds"};
+    static const char *const run[] = {"kind",     "format",       "tier",  "command",   "version",
+                                      "revision", "compiler",     "flags", "libraries", "processor",
+                                      "cores",    "memory_bytes", "simd",  "rounds"};
     static const char *const result[] = {"kind", "group",  "point", "settings", "quantity",
                                          "unit", "median", "low",   "high",     "rounds"};
     static const char *const value[] = {"kind",     "group", "point", "settings",
@@ -204,8 +204,8 @@ START_TEST(lines_have_the_promised_keys)
     };
     for (size_t i = 0; i < G_N_ELEMENTS(rows); i++)
         for (size_t k = 0; k < rows[i].count; k++)
-            ck_assert_msg(json_object_get(rows[i].line, rows[i].keys[k]) != NULL, "no %s in line %zu",
-                          rows[i].keys[k], i);
+            ck_assert_msg(json_object_get(rows[i].line, rows[i].keys[k]) != NULL,
+                          "no %s in line %zu", rows[i].keys[k], i);
     bench_records_clear(&records);
 }
 END_TEST
@@ -219,7 +219,8 @@ START_TEST(a_file_that_is_no_record_is_refused_with_its_line)
         {"{}\n", ":1: is no record of a run"},
         {"{\"kind\":\"run\",\"format\":2}\n", ":1: is no record of a run"},
         {"{\"kind\":\"run\",\"format\":1}\nnonsense\n", ":2: is no line"},
-        {"{\"kind\":\"run\",\"format\":1}\n{\"kind\":\"value\",\"group\":\"g\"}\n", ":2: is no line"},
+        {"{\"kind\":\"run\",\"format\":1}\n{\"kind\":\"value\",\"group\":\"g\"}\n",
+         ":2: is no line"},
     };
     for (size_t i = 0; i < G_N_ELEMENTS(rows); i++) {
         char *folder = test_folder_create();
