@@ -9,6 +9,9 @@
 
 #include <float.h>
 
+/* Vectors that go through the stages of a pass together. */
+enum { MPM_BLOCK_VECTORS = 4 };
+
 struct fast_sums {
     mpm_vector kinetic, wave;
     mpm_vector low[2], high[2]; /* hull of the domains */

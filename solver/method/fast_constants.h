@@ -18,7 +18,6 @@ struct fast_spec {
     bool force;       /* spread internal forces */
     bool velocity;    /* update velocities in the last pass */
     bool stress;      /* update stresses in the last pass */
-    bool carried;     /* there, positions are known from the pass before */
 };
 
 struct fast_constants {

@@ -10,41 +10,50 @@
 #include "method/fast.h"
 #include "method/fast_passes.h"
 
-typedef void fast_block(const struct fast_spec *spec, enum fast_law law,
-                        const struct fast_constants *k, const struct mpm_particles *particles,
-                        size_t p, struct fast_sums *sums);
+enum { BLOCK = MPM_BLOCK_VECTORS * MPM_VECTOR_SIZE };
 
-/* A run of particles of one body, block by block. */
+typedef void fast_work(const struct fast_spec *spec, enum fast_law law,
+                       const struct fast_block *block);
+
+/* A run of particles of one body, block by block; the last particles, fewer than a vector,
+ * as copies. */
 MPM_INLINE void run_blocks(const struct fast_spec *spec, enum fast_law law,
-                           const struct fast_constants *k, const struct mpm_particles *particles,
-                           size_t begin, size_t end, struct fast_sums *sums, fast_block *block)
+                           struct fast_block *block, size_t begin, size_t end, fast_work *work)
 {
+    const struct mpm_particles *const particles = block->particles;
     struct fast_tail tail;
-    for (size_t p = begin; p < end; p += MPM_VECTOR_SIZE) {
-        const bool whole = p + MPM_VECTOR_SIZE <= end;
-        if (!whole)
-            mpm_fast_tail_fill(&tail, particles, p, end - p);
-        block(spec, law, k, whole ? particles : &tail.particles, whole ? p : 0, sums);
-        if (!whole)
-            mpm_fast_tail_write(&tail, particles, p, end - p);
+    while (begin < end) {
+        const size_t whole = (end - begin) / MPM_VECTOR_SIZE * MPM_VECTOR_SIZE;
+        const size_t count = whole == 0 ? end - begin : whole < BLOCK ? whole : BLOCK;
+        block->first = whole == 0 ? 0 : begin;
+        block->end = block->first + count;
+        block->particles = whole == 0 ? &tail.particles : particles;
+        if (whole == 0)
+            mpm_fast_tail_fill(&tail, particles, begin, count);
+        work(spec, law, block);
+        if (whole == 0)
+            mpm_fast_tail_write(&tail, particles, begin, count);
+        begin += count;
     }
+    block->particles = particles;
 }
 
 MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state, int64_t index,
-                          double part, bool needs_law, struct fast_sums *sums, fast_block *block)
+                          double part, bool needs_law, struct fast_sums *sums, fast_work *work)
 {
     struct mpm_strip *const strip = &state->strips[index];
     const mpm_vector zero = mpm_splat(0.0), most = mpm_splat(DBL_MAX);
     *sums = (struct fast_sums){zero, zero, {most, most}, {-most, -most}, state, strip};
     for (size_t begin = strip->begin, end; begin < strip->end; begin = end) {
         struct fast_constants k;
+        struct fast_block block = {.k = &k, .particles = &state->particles, .sums = sums};
         const uint32_t body = state->particles.body[begin];
         end = mpm_fast_run_end(state, begin, strip->end);
         mpm_fast_constants(state, body, part, &k);
         if (!needs_law || k.material.law == &mpm_neo_hookean)
-            run_blocks(spec, FAST_neo_hookean, &k, &state->particles, begin, end, sums, block);
+            run_blocks(spec, FAST_neo_hookean, &block, begin, end, work);
         else
-            run_blocks(spec, FAST_linear_elastic, &k, &state->particles, begin, end, sums, block);
+            run_blocks(spec, FAST_linear_elastic, &block, begin, end, work);
     }
 }
 
@@ -127,9 +136,8 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
     KERNEL(pass_stress_before, geometry##_stress_force, .force = true, .kept_domain = true,        \
            __VA_ARGS__)                                                                            \
     KERNEL(pass_finish, geometry##_velocity_stress, .velocity = true, .stress = true, __VA_ARGS__) \
-    KERNEL(pass_finish, geometry##_stress, .stress = true, .carried = true, __VA_ARGS__)           \
-    KERNEL(pass_finish, geometry##_stress_kept, .stress = true, .carried = true,                   \
-           .kept_domain = true, __VA_ARGS__)                                                       \
+    KERNEL(pass_finish, geometry##_stress, .stress = true, __VA_ARGS__)                            \
+    KERNEL(pass_finish, geometry##_stress_kept, .stress = true, .kept_domain = true, __VA_ARGS__)  \
     KERNEL(pass_finish, geometry##_velocity, .velocity = true, .kept_domain = true, __VA_ARGS__)
 
 #define ORDERS(plane, way, geometry)                                                               \

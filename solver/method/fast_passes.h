@@ -43,7 +43,6 @@ MPM_INLINE void evaluate(const struct fast_spec *spec, const struct fast_constan
                                     mpm_load(particles->position[1] + p)};
     if (spec->shape != MPM_CPDI) {
         fast_lines_evaluate(spec, k, position, &stencil->lines);
-        mpm_keep_in_memory(stencil);
         return;
     }
     mpm_vector f[MPM_GRADIENT_SIZE], edge[4];
@@ -55,7 +54,6 @@ MPM_INLINE void evaluate(const struct fast_spec *spec, const struct fast_constan
         edges_of(k, f, edge);
     }
     fast_corners_evaluate(spec, k, position, edge, &stencil->corners);
-    mpm_keep_in_memory(stencil);
 }
 
 MPM_INLINE void spread(const struct fast_spec *spec, const struct fast_constants *k,
@@ -105,10 +103,10 @@ MPM_INLINE void load_stress(const struct mpm_particles *particles, size_t p, str
         load->stress[i] = -load->mass * mpm_load(particles->stress[i] + p);
 }
 
-MPM_INLINE void update_velocity_block(const struct fast_constants *k,
-                                      const struct mpm_particles *particles, size_t p,
-                                      const mpm_vector motion[4], struct fast_sums *sums,
-                                      mpm_vector momentum[2])
+MPM_INLINE void update_velocity_vector(const struct fast_constants *k,
+                                       const struct mpm_particles *particles, size_t p,
+                                       const mpm_vector motion[4], struct fast_sums *sums,
+                                       mpm_vector momentum[2])
 {
     const mpm_vector mass = mpm_load(particles->mass + p);
     mpm_vector v[2];
@@ -123,16 +121,16 @@ MPM_INLINE void update_velocity_block(const struct fast_constants *k,
         mpm_fast_report_velocity(sums->strip, particles, p);
 }
 
-/* F := dF F and the stress of the new F. */
-MPM_INLINE void update_stress_block(const struct fast_spec *spec, enum fast_law law,
-                                    const struct fast_constants *k,
-                                    const struct mpm_particles *particles, size_t p,
-                                    mpm_vector h[MPM_GRADIENT_SIZE], struct fast_sums *sums)
+/* F := dF F */
+MPM_INLINE void update_deformation(const struct fast_spec *spec, enum fast_law law,
+                                   const struct fast_constants *k,
+                                   const struct mpm_particles *particles, size_t p,
+                                   const mpm_vector gradient[MPM_GRADIENT_SIZE])
 {
-    mpm_vector f[MPM_GRADIENT_SIZE], tau[MPM_SYMMETRIC_SIZE], wave;
+    mpm_vector f[MPM_GRADIENT_SIZE], h[MPM_GRADIENT_SIZE];
     load_deformation(particles, p, f);
     for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
-        h[i] = k->stress_step * h[i];
+        h[i] = k->stress_step * gradient[i];
     deform_vector(h, k->deformation_terms, spec->axisymmetric, f);
     if (spec->plane_stress)
         f[MPM_ZZ] = mpm_select(determinant_vector(f) > 0.0,
@@ -140,6 +138,15 @@ MPM_INLINE void update_stress_block(const struct fast_spec *spec, enum fast_law 
     for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
         if (i != MPM_ZZ || spec->axisymmetric || spec->plane_stress)
             mpm_store(particles->deformation[i] + p, f[i]);
+}
+
+/* The stress of the new F. */
+MPM_INLINE void update_stress_vector(enum fast_law law, const struct fast_constants *k,
+                                     const struct mpm_particles *particles, size_t p,
+                                     struct fast_sums *sums)
+{
+    mpm_vector f[MPM_GRADIENT_SIZE], tau[MPM_SYMMETRIC_SIZE], wave;
+    load_deformation(particles, p, f);
     fast_law_stress(law, &k->material, f, tau, &wave);
     for (int i = 0; i < MPM_SYMMETRIC_SIZE; i++)
         mpm_store(particles->stress[i] + p, tau[i]);
@@ -169,12 +176,13 @@ MPM_INLINE void next_position(const struct fast_spec *spec, const struct fast_co
 }
 
 /* Goes there; the box of the next step. */
-MPM_INLINE void update_position_block(const struct fast_spec *spec, const struct fast_constants *k,
-                                      const struct mpm_particles *particles, size_t p,
-                                      const mpm_vector position[2], struct fast_sums *sums)
+MPM_INLINE void update_position_vector(const struct fast_spec *spec, const struct fast_constants *k,
+                                       const struct mpm_particles *particles, size_t p,
+                                       struct fast_sums *sums)
 {
-    mpm_vector step[2], reach[2];
+    mpm_vector position[2], step[2], reach[2];
     for (int axis = 0; axis < 2; axis++) {
+        position[axis] = mpm_load(particles->carried[axis] + p);
         step[axis] = position[axis] - mpm_load(particles->position[axis] + p);
         mpm_store(particles->position[axis] + p, position[axis]);
         reach[axis] = mpm_splat(spec->shape == MPM_CLASSIC ? 0.0 : k->half[axis]);
@@ -213,98 +221,135 @@ MPM_INLINE void update_position_block(const struct fast_spec *spec, const struct
     }
 }
 
-/* --------------------------------------------------------------- the passes */
+/* --------------------------------------------------------------- the passes
+ *
+ * A pass takes a block of particles stage by stage, each stage a loop over its vectors:
+ * what follows one vector's long chains of operations is the same stage of the next one,
+ * which does not depend on it. */
+
+/* All that is known of one block. */
+struct fast_block {
+    const struct fast_constants *k;
+    const struct mpm_particles *particles;
+    size_t first; /* particle, */
+    size_t end;   /* the vectors after it stop there */
+    struct fast_sums *sums;
+};
+
+#define FOR_VECTORS(block, p, v)                                                                   \
+    for (size_t p = (block)->first, v = 0; p < (block)->end; p += MPM_VECTOR_SIZE, v++)
+
+MPM_INLINE void evaluate_block(const struct fast_spec *spec, const struct fast_block *block,
+                               union fast_stencil stencil[MPM_BLOCK_VECTORS])
+{
+    FOR_VECTORS(block, p, v)
+    evaluate(spec, block->k, block->particles, p, &stencil[v]);
+    mpm_keep_in_memory(stencil);
+}
+
+MPM_INLINE void update_stress_block(const struct fast_spec *spec, enum fast_law law,
+                                    const struct fast_block *block,
+                                    const union fast_stencil stencil[MPM_BLOCK_VECTORS])
+{
+    mpm_vector gradient[MPM_BLOCK_VECTORS][MPM_GRADIENT_SIZE];
+    FOR_VECTORS(block, p, v)
+    gather_gradient(spec, block->k, &stencil[v], gradient[v]);
+    FOR_VECTORS(block, p, v)
+    update_deformation(spec, law, block->k, block->particles, p, gradient[v]);
+    FOR_VECTORS(block, p, v)
+    update_stress_vector(law, block->k, block->particles, p, block->sums);
+}
 
 /* Task 1, with the stress at hand also Task 3 */
 MPM_INLINE void block_to_grid(const struct fast_spec *spec, enum fast_law law,
-                              const struct fast_constants *k, const struct mpm_particles *particles,
-                              size_t p, struct fast_sums *sums)
+                              const struct fast_block *block)
 {
-    union fast_stencil stencil;
-    struct fast_load load = {.mass = mpm_load(particles->mass + p)};
+    union fast_stencil stencil[MPM_BLOCK_VECTORS];
     (void)law;
-    (void)sums;
-    evaluate(spec, k, particles, p, &stencil);
-    for (int axis = 0; axis < 2; axis++)
-        load.momentum[axis] = load.mass * mpm_load(particles->velocity[axis] + p);
-    if (spec->force)
-        load_stress(particles, p, &load);
-    spread(spec, k, &stencil, &load);
+    evaluate_block(spec, block, stencil);
+    FOR_VECTORS(block, p, v)
+    {
+        struct fast_load load = {.mass = mpm_load(block->particles->mass + p)};
+        for (int axis = 0; axis < 2; axis++)
+            load.momentum[axis] = load.mass * mpm_load(block->particles->velocity[axis] + p);
+        if (spec->force)
+            load_stress(block->particles, p, &load);
+        spread(spec, block->k, &stencil[v], &load);
+    }
 }
 
 /* Tasks 2 and 3 of USF and USAVG */
 MPM_INLINE void block_stress_before(const struct fast_spec *spec, enum fast_law law,
-                                    const struct fast_constants *k,
-                                    const struct mpm_particles *particles, size_t p,
-                                    struct fast_sums *sums)
+                                    const struct fast_block *block)
 {
-    union fast_stencil stencil;
-    struct fast_load load = {.mass = mpm_load(particles->mass + p)};
-    mpm_vector h[MPM_GRADIENT_SIZE];
-    evaluate(spec, k, particles, p, &stencil);
-    gather_gradient(spec, k, &stencil, h);
-    update_stress_block(spec, law, k, particles, p, h, sums);
-    load_stress(particles, p, &load);
-    spread(spec, k, &stencil, &load);
+    union fast_stencil stencil[MPM_BLOCK_VECTORS];
+    evaluate_block(spec, block, stencil);
+    update_stress_block(spec, law, block, stencil);
+    FOR_VECTORS(block, p, v)
+    {
+        struct fast_load load = {.mass = mpm_load(block->particles->mass + p)};
+        load_stress(block->particles, p, &load);
+        spread(spec, block->k, &stencil[v], &load);
+    }
+}
+
+/* Velocities and, for later, positions; *momentum of the former */
+MPM_INLINE void move_vector(const struct fast_spec *spec, const struct fast_block *block, size_t p,
+                            const union fast_stencil *stencil, mpm_vector momentum[2])
+{
+    mpm_vector motion[4], hoop[4], next[2];
+    gather_motion(spec, block->k, stencil, spec->hoop_radius, motion, hoop);
+    update_velocity_vector(block->k, block->particles, p, motion, block->sums, momentum);
+    next_position(spec, block->k, block->particles, p, motion, hoop, next);
+    for (int axis = 0; axis < 2; axis++)
+        mpm_store(block->particles->carried[axis] + p, next[axis]);
 }
 
 /* Task 5, velocities, and (31) */
 MPM_INLINE void block_to_particles(const struct fast_spec *spec, enum fast_law law,
-                                   const struct fast_constants *k,
-                                   const struct mpm_particles *particles, size_t p,
-                                   struct fast_sums *sums)
+                                   const struct fast_block *block)
 {
-    union fast_stencil stencil;
-    mpm_vector motion[4], hoop[4], momentum[2], next[2];
+    union fast_stencil stencil[MPM_BLOCK_VECTORS];
+    mpm_vector momentum[MPM_BLOCK_VECTORS][2];
     (void)law;
-    evaluate(spec, k, particles, p, &stencil);
-    gather_motion(spec, k, &stencil, spec->hoop_radius, motion, hoop);
-    update_velocity_block(k, particles, p, motion, sums, momentum);
-    next_position(spec, k, particles, p, motion, hoop, next);
-    for (int axis = 0; axis < 2; axis++)
-        mpm_store(particles->carried[axis] + p, next[axis]);
-    spread_momentum(spec, k, &stencil, momentum);
-}
-
-/* Not part of a step: stress and domain of F. */
-MPM_INLINE void block_recompute(const struct fast_spec *spec, enum fast_law law,
-                                const struct fast_constants *k,
-                                const struct mpm_particles *particles, size_t p,
-                                struct fast_sums *sums)
-{
-    mpm_vector f[MPM_GRADIENT_SIZE], edge[4], tau[MPM_SYMMETRIC_SIZE], wave;
-    (void)spec;
-    (void)sums;
-    load_deformation(particles, p, f);
-    fast_law_stress(law, &k->material, f, tau, &wave);
-    for (int i = 0; i < MPM_SYMMETRIC_SIZE; i++)
-        mpm_store(particles->stress[i] + p, tau[i]);
-    edges_of(k, f, edge);
-    for (int i = 0; particles->domain[0] != NULL && i < 4; i++)
-        mpm_store(particles->domain[i] + p, edge[i]);
+    evaluate_block(spec, block, stencil);
+    FOR_VECTORS(block, p, v)
+    move_vector(spec, block, p, &stencil[v], momentum[v]);
+    FOR_VECTORS(block, p, v)
+    spread_momentum(spec, block->k, &stencil[v], momentum[v]);
 }
 
 /* The rest of the step, with the velocities where (31) is not asked for. */
 MPM_INLINE void block_finish(const struct fast_spec *spec, enum fast_law law,
-                             const struct fast_constants *k, const struct mpm_particles *particles,
-                             size_t p, struct fast_sums *sums)
+                             const struct fast_block *block)
 {
-    union fast_stencil stencil;
-    mpm_vector motion[4], hoop[4], momentum[2], next[2], h[MPM_GRADIENT_SIZE];
-    evaluate(spec, k, particles, p, &stencil);
-    for (int axis = 0; spec->carried && axis < 2; axis++)
-        next[axis] = mpm_load(particles->carried[axis] + p);
-    if (!spec->carried) {
-        gather_motion(spec, k, &stencil, spec->hoop_radius, motion, hoop);
-        next_position(spec, k, particles, p, motion, hoop, next);
-    }
+    union fast_stencil stencil[MPM_BLOCK_VECTORS];
+    mpm_vector momentum[2];
+    evaluate_block(spec, block, stencil);
+    FOR_VECTORS(block, p, v)
     if (spec->velocity)
-        update_velocity_block(k, particles, p, motion, sums, momentum);
-    if (spec->stress) {
-        gather_gradient(spec, k, &stencil, h);
-        update_stress_block(spec, law, k, particles, p, h, sums);
+        move_vector(spec, block, p, &stencil[v], momentum);
+    if (spec->stress)
+        update_stress_block(spec, law, block, stencil);
+    FOR_VECTORS(block, p, v)
+    update_position_vector(spec, block->k, block->particles, p, block->sums);
+}
+
+/* Not part of a step: stress and domain of F. */
+MPM_INLINE void block_recompute(const struct fast_spec *spec, enum fast_law law,
+                                const struct fast_block *block)
+{
+    const struct mpm_particles *const particles = block->particles;
+    (void)spec;
+    FOR_VECTORS(block, p, v)
+    {
+        mpm_vector f[MPM_GRADIENT_SIZE], edge[4];
+        update_stress_vector(law, block->k, particles, p, block->sums);
+        load_deformation(particles, p, f);
+        edges_of(block->k, f, edge);
+        for (int i = 0; particles->domain[0] != NULL && i < 4; i++)
+            mpm_store(particles->domain[i] + p, edge[i]);
     }
-    update_position_block(spec, k, particles, p, next, sums);
 }
 
 #endif

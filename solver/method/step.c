@@ -82,10 +82,12 @@ static void run_rows(struct mpm_state *state, void (*pass)(void *, int64_t, int)
 
 /* ------------------------------------------------------------------ sorting */
 
-void mpm_step_sort(struct mpm_state *state)
+void mpm_step_sort(struct mpm_state *state, double *const kept[MPM_KEPT_ARRAYS],
+                   double seconds[MPM_PHASE_COUNT])
 {
+    double mark = seconds_now();
     struct mpm_particles *const particles = &state->particles;
-    mpm_particles_sort(particles, &state->grid, state->sort_counts);
+    mpm_particles_sort(particles, &state->grid, state->sort_counts, kept);
     size_t p = 0;
     for (int64_t s = 0; s < state->strip_count; s++) {
         struct mpm_strip *const strip = &state->strips[s];
@@ -98,6 +100,7 @@ void mpm_step_sort(struct mpm_state *state)
     run_particles(state, state->workers, mpm_pass_measure);
     state->strips_touch_when_sorted = strips_touch(state);
     state->steps_since_sort = 0;
+    charge(seconds, MPM_PHASE_SORT, &mark);
 }
 
 void mpm_step_recompute(struct mpm_state *state)

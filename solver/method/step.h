@@ -26,8 +26,9 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
 enum { MPM_STEPS_BETWEEN_SORTS = 32 };
 
 /* Puts the particles in cell order and gives every strip its share; also after any
- * change of positions from outside. */
-void mpm_step_sort(struct mpm_state *state);
+ * change of positions from outside. Leaves a copy of what cannot be recomputed in `kept`. */
+void mpm_step_sort(struct mpm_state *state, double *const kept[MPM_KEPT_ARRAYS],
+                   double seconds[MPM_PHASE_COUNT]);
 
 /* Is it time to sort? Every 32 steps; and when strips of one colour touch each other's
  * nodes. The answer depends on the state only. */

@@ -72,37 +72,52 @@ static void sort_axis(const struct mpm_particles *particles, const struct mpm_gr
         to[counts[mpm_grid_cell(grid, axis, position[from[k]])]++] = from[k];
 }
 
-static void gather_doubles(const struct mpm_particles *particles, double *array)
+static void gather_doubles(const struct mpm_particles *particles, const double *from, double *to)
 {
+    const uint32_t *const order = particles->order;
     for (size_t k = 0; k < particles->count; k++)
-        particles->scratch[k] = array[particles->order[k]];
-    memcpy(array, particles->scratch, particles->count * sizeof *array);
+        to[k] = from[order[k]];
 }
 
 static void gather_indices(const struct mpm_particles *particles, uint32_t *array)
 {
+    uint32_t *const scratch = (uint32_t *)particles->scratch;
     for (size_t k = 0; k < particles->count; k++)
-        particles->order_scratch[k] = array[particles->order[k]];
-    memcpy(array, particles->order_scratch, particles->count * sizeof *array);
+        scratch[k] = array[particles->order[k]];
+    memcpy(array, scratch, particles->count * sizeof *array);
+}
+
+static bool in_order(const struct mpm_particles *particles)
+{
+    for (size_t k = 0; k < particles->count; k++)
+        if (particles->order[k] != k)
+            return false;
+    return true;
 }
 
 void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *grid,
-                        uint32_t *counts)
+                        uint32_t *counts, double *const kept[MPM_KEPT_ARRAYS])
 {
+    const size_t bytes = particles->count * sizeof(double);
+    double *arrays[MPM_PARTICLE_ARRAYS];
+    const size_t array_count = mpm_particles_arrays(particles, arrays);
     for (size_t p = 0; p < particles->count; p++)
         particles->order[p] = (uint32_t)p;
     /* least significant key first: columns, then rows */
     sort_axis(particles, grid, 0, particles->order, particles->order_scratch, counts);
     sort_axis(particles, grid, 1, particles->order_scratch, particles->order, counts);
-    bool sorted = true;
-    for (size_t k = 0; k < particles->count && sorted; k++)
-        sorted = particles->order[k] == k;
-    if (sorted)
-        return;
-    double *arrays[MPM_PARTICLE_ARRAYS];
-    const size_t array_count = mpm_particles_arrays(particles, arrays);
-    for (size_t a = 0; a < array_count; a++)
-        gather_doubles(particles, arrays[a]);
-    gather_indices(particles, particles->id);
-    gather_indices(particles, particles->body);
+    const bool sorted = in_order(particles);
+    for (size_t a = 0; a < array_count; a++) {
+        double *const copy = a < MPM_KEPT_ARRAYS ? kept[a] : particles->scratch;
+        if (sorted && a < MPM_KEPT_ARRAYS) {
+            memcpy(copy, arrays[a], bytes);
+        } else if (!sorted) {
+            gather_doubles(particles, arrays[a], copy);
+            memcpy(arrays[a], copy, bytes);
+        }
+    }
+    if (!sorted) {
+        gather_indices(particles, particles->id);
+        gather_indices(particles, particles->body);
+    }
 }

@@ -44,6 +44,9 @@ void mpm_rigid_particles_layout(struct mpm_rigid_particles *particles, size_t co
 /* Every array of doubles that a particle carries, for passes that treat all alike.
  * Returns the number of arrays (at most MPM_PARTICLE_ARRAYS). */
 enum { MPM_PARTICLE_ARRAYS = 18 };
+/* The first ones of them, position, velocity and deformation: all else of a particle that
+ * changes can be recomputed. */
+enum { MPM_KEPT_ARRAYS = 4 + MPM_GRADIENT_SIZE };
 size_t mpm_particles_arrays(const struct mpm_particles *particles,
                             double *arrays[MPM_PARTICLE_ARRAYS]);
 
@@ -56,9 +59,10 @@ static inline int64_t mpm_grid_cell(const struct mpm_grid *grid, int axis, doubl
 }
 
 /* Sorts the particles by cell, row by row; particles of one cell keep their order.
- * `counts` is scratch for max(rows, columns) + 1 counters. Cost: O(particles + rows +
- * columns), independent of the number of cells. */
+ * `counts` is scratch for max(rows, columns) + 1 counters; `kept` gets copies of the arrays
+ * of MPM_KEPT_ARRAYS, on the way. Cost: O(particles + rows + columns), independent of the
+ * number of cells. */
 void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *grid,
-                        uint32_t *counts);
+                        uint32_t *counts, double *const kept[MPM_KEPT_ARRAYS]);
 
 #endif

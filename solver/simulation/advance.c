@@ -58,7 +58,7 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
         return mpm_error_set(error, MPM_BAD_INPUT, "time limit %g; allowed: after the time %g",
                              time_limit, state->time);
     if (mpm_step_wants_sort(state)) {
-        mpm_step_sort(state);
+        mpm_step_sort(state, simulation->backup.arrays, simulation->seconds);
         mpm_backup_save(simulation);
     }
     bool lands;

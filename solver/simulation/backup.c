@@ -4,23 +4,10 @@
 #include <assert.h>
 #include <string.h>
 
-/* What cannot be recomputed. Mass, id and body keep their places between two sorts;
- * stress and domain are functions of F. */
-static void kept_arrays(const struct mpm_particles *particles, double *arrays[MPM_BACKUP_ARRAYS])
-{
-    size_t n = 0;
-    for (int axis = 0; axis < 2; axis++) {
-        arrays[n++] = particles->position[axis];
-        arrays[n++] = particles->velocity[axis];
-    }
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        arrays[n++] = particles->deformation[k];
-}
-
 void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena)
 {
     struct mpm_backup *const backup = &simulation->backup;
-    for (int k = 0; k < MPM_BACKUP_ARRAYS; k++)
+    for (int k = 0; k < MPM_KEPT_ARRAYS; k++)
         backup->arrays[k] = MPM_TAKE(arena, double, simulation->state.particles.count);
     for (int axis = 0; axis < 2; axis++) {
         backup->rigid_position[axis] = MPM_TAKE(arena, double, simulation->state.rigid.count);
@@ -32,10 +19,6 @@ void mpm_backup_save(struct mpm_simulation *simulation)
 {
     const struct mpm_state *const state = &simulation->state;
     struct mpm_backup *const backup = &simulation->backup;
-    double *kept[MPM_BACKUP_ARRAYS];
-    kept_arrays(&state->particles, kept);
-    for (int k = 0; k < MPM_BACKUP_ARRAYS; k++)
-        memcpy(backup->arrays[k], kept[k], state->particles.count * sizeof(double));
     for (int axis = 0; axis < 2; axis++) {
         const size_t bytes = state->rigid.count * sizeof(double);
         memcpy(backup->rigid_position[axis], state->rigid.position[axis], bytes);
@@ -52,10 +35,10 @@ static void copy_back(struct mpm_simulation *simulation)
 {
     struct mpm_state *const state = &simulation->state;
     const struct mpm_backup *const backup = &simulation->backup;
-    double *kept[MPM_BACKUP_ARRAYS];
-    kept_arrays(&state->particles, kept);
-    for (int k = 0; k < MPM_BACKUP_ARRAYS; k++)
-        memcpy(kept[k], backup->arrays[k], state->particles.count * sizeof(double));
+    double *arrays[MPM_PARTICLE_ARRAYS];
+    (void)mpm_particles_arrays(&state->particles, arrays);
+    for (int k = 0; k < MPM_KEPT_ARRAYS; k++)
+        memcpy(arrays[k], backup->arrays[k], state->particles.count * sizeof(double));
     for (int axis = 0; axis < 2; axis++) {
         const size_t bytes = state->rigid.count * sizeof(double);
         memcpy(state->rigid.position[axis], backup->rigid_position[axis], bytes);

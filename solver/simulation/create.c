@@ -285,7 +285,8 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     simulation->wave_speed_start = simulation->wave_speed;
     MPM_TRY(mpm_time_step_check(simulation, error));
     open_books(simulation);
-    mpm_step_sort(state);
+    double unused[MPM_PHASE_COUNT] = {0.0}; /* part of the set-up */
+    mpm_step_sort(state, simulation->backup.arrays, unused);
     mpm_backup_save(simulation);
     return MPM_OK;
 }

@@ -9,12 +9,10 @@
 #include "method/state.h"
 #include "method/step.h"
 
-enum { MPM_BACKUP_ARRAYS = 4 + MPM_GRADIENT_SIZE };
-
 /* The state after the last sort. A step is undone by going back to it and repeating
  * the steps since: they give the same bits, so nothing has to be copied each step. */
 struct mpm_backup {
-    double *arrays[MPM_BACKUP_ARRAYS];
+    double *arrays[MPM_KEPT_ARRAYS]; /* filled by the sort */
     double *rigid_position[2], *rigid_velocity[2];
     double time, external_work, work_scale, wave_speed;
     uint64_t step;
@@ -51,6 +49,7 @@ enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, double
 
 /* backup.c */
 void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);
+/* After the sort, which has copied the particles. */
 void mpm_backup_save(struct mpm_simulation *simulation);
 /* Goes back to the state after step `step`, which the backup must cover. */
 void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step);
