@@ -175,6 +175,12 @@ TEST_ENVIRONMENT_cov  := CK_TIMEOUT_MULTIPLIER=5
 test: $(TESTER) $(PROGRAMS) ## unit tests; also VARIANT=debug|asan|ubsan|tsan|cov
 	@MPM_BIN=$(abspath $(BUILD)/bin) $(TEST_ENVIRONMENT_$(VARIANT)) $(TESTER)
 
+# The short tier of these two is in `make test`.
+.PHONY: test-kernels
+test-kernels: $(TESTER) $(PROGRAMS) ## fast kernels against reference: whole runs, all combinations
+	@MPM_TEST_LONG=1 CK_RUN_SUITE=kernels $(TEST_ENVIRONMENT_$(VARIANT)) $(TESTER)
+	@MPM_TEST_LONG=1 CK_RUN_SUITE=kernel_table $(TEST_ENVIRONMENT_$(VARIANT)) $(TESTER)
+
 .PHONY: coverage
 coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gcovr
 	@find build/cov -name '*.gcda' -delete 2>/dev/null || true

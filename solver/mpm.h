@@ -59,7 +59,10 @@ enum mpm_kernels {
     MPM_KERNELS_AUTO, /* fast wherever the scene allows */
     MPM_KERNELS_REFERENCE,
     MPM_KERNELS_FAST, /* MPM_BAD_INPUT, with the reason, where the scene does not allow them */
+    MPM_KERNELS_COUNT,
 };
+/* "auto", "reference", "fast" */
+const char *mpm_kernels_name(enum mpm_kernels kernels);
 
 /* The instructions that fast kernels are built for; results are the same bits. */
 enum mpm_simd {
@@ -70,6 +73,11 @@ enum mpm_simd {
 };
 /* "auto", "baseline", "x86-64-v3" */
 const char *mpm_simd_name(enum mpm_simd simd);
+
+/* What has that name. MPM_BAD_INPUT: none has; the message lists the names allowed. */
+enum mpm_status mpm_kernels_find(const char *name, enum mpm_kernels *kernels,
+                                 struct mpm_error *error);
+enum mpm_status mpm_simd_find(const char *name, enum mpm_simd *simd, struct mpm_error *error);
 
 struct mpm_simulation_options {
     int threads; /* >= 1; results do not depend on it */
@@ -149,6 +157,13 @@ const struct mpm_field_info *mpm_field_describe(enum mpm_field field);
  * count * components values. Rigid bodies' particles are included. */
 void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_field field,
                           double *values);
+
+/* The same for the particles with ids first .. first + count - 1, all of which must be there:
+ * all of a simulation block by block, in a buffer of the caller's choice. Finds the ids' places
+ * in scratch memory of the simulation, once after each sort: not for several threads at a time.
+ */
+void mpm_simulation_field_range(const struct mpm_simulation *simulation, enum mpm_field field,
+                                size_t first, size_t count, double *values);
 
 /* Sums over all deformable particles at the end of the last step. */
 struct mpm_ledger {

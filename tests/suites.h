@@ -27,7 +27,9 @@
     SUITE(scene_limits)                                                                            \
     SUITE(scene_settings)                                                                          \
     SUITE(suite)                                                                                   \
-    SUITE(bench)
+    SUITE(bench)                                                                                   \
+    SUITE(kernels)                                                                                 \
+    SUITE(kernel_table)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)

@@ -92,6 +92,18 @@ static const struct bad_line {
     {{"run", "SCENE", "--threads", "99999999999999999999"}, "is not a whole number"},
     {{"run", "SCENE", "--resume", "--output", "OUT"}, "there is no checkpoint in"},
     {{"run", "SCENE", "--set", "nonsense"}, "nonsense"},
+    {{"run", "SCENE", "--kernels"}, "--kernels"},
+    {{"run", "SCENE", "--kernels", "quick"},
+     "--kernels: 'quick' is no set of kernels; allowed: "
+     "auto, reference, fast"},
+    {{"run", "SCENE", "--kernels", "Fast"}, "'Fast'"},
+    {{"run", "SCENE", "--kernels", ""}, "'' is no set of kernels"},
+    {{"check", "SCENE", "--kernels", "quick"}, "allowed: auto, reference, fast"},
+    {{"run", "SCENE", "--simd", "avx"},
+     "--simd: 'avx' is no level of SIMD; allowed: auto, "
+     "baseline, x86-64-v3"},
+    {{"check", "SCENE", "--simd", "avx"}, "allowed: auto, baseline, x86-64-v3"},
+    {{"info", "--kernels", "auto"}, "--kernels"},
     {{"check", "SCENE", "--set", "no.such.key=1"}, "no"},
     {{"check", "SCENE", "--set", "time.courant=nan"}, "courant"},
     {{"run", "no-such-file.yaml"}, "no-such-file.yaml"},
@@ -128,6 +140,7 @@ START_TEST(help_and_version_end_well)
     } lines[] = {
         {{"--help", NULL}, "Exit status"}, {{"-h", NULL}, "Usage"},
         {{"--version", NULL}, "mpm "},     {{"run", "--help"}, "--overwrite"},
+        {{"run", "--help"}, "--kernels"},  {{"check", "--help"}, "--simd"},
         {{"check", "--help"}, "--set"},    {{"info", "-h"}, "Usage"},
         {{"schema", "--help"}, "Usage"},
     };
@@ -168,16 +181,43 @@ END_TEST
 
 START_TEST(check_prints_the_cost_and_writes_nothing)
 {
-    static const char *const names[] = {"particles  60", "cells      96",
-                                        "memory",        "time step  0.0219089 ms",
-                                        "steps",         "kernels    fast"};
-    struct test_command command = test_command_run("mpm", "check", fixture.scene, NULL);
+    static const char *const names[] = {
+        "particles  60", "cells      96",          "memory",         "time step  0.0219089 ms",
+        "steps",         "kernels    reference (", "simd       none"};
+    struct test_command command =
+        test_command_run("mpm", "check", "--kernels", "reference", fixture.scene, NULL);
     ck_assert_int_eq(command.exit_status, MPM_OK);
     ck_assert_str_eq(command.errors, "");
     for (size_t i = 0; i < G_N_ELEMENTS(names); i++)
         ck_assert_msg(strstr(command.output, names[i]) != NULL, "no %s in: %s", names[i],
                       command.output);
     test_command_free(&command);
+}
+END_TEST
+
+/* What the command says is what the library chooses. */
+START_TEST(check_tells_the_kernels_and_why)
+{
+    static const struct {
+        const char *name;
+        enum mpm_kernels kernels;
+    } sets[] = {{"auto", MPM_KERNELS_AUTO}, {"reference", MPM_KERNELS_REFERENCE}};
+    for (size_t i = 0; i < G_N_ELEMENTS(sets); i++) {
+        struct mpm_scene *scene = NULL;
+        struct mpm_plan plan;
+        const struct mpm_simulation_options options = {.threads = 1, .kernels = sets[i].kernels};
+        ck_assert_int_eq(mpm_scene_read(fixture.scene, NULL, 0, &scene, NULL), MPM_OK);
+        ck_assert_int_eq(mpm_scene_plan(scene, &options, &plan, NULL), MPM_OK);
+        char *expected = g_strdup_printf("\nkernels    %s (%s)\nsimd       %s\n", plan.kernels,
+                                         plan.kernels_reason, plan.simd);
+        struct test_command command =
+            test_command_run("mpm", "check", fixture.scene, "--kernels", sets[i].name, NULL);
+        ck_assert_msg(strstr(command.output, expected) != NULL, "%s is not in: %s", expected,
+                      command.output);
+        test_command_free(&command);
+        g_free(expected);
+        mpm_scene_free(scene);
+    }
 }
 END_TEST
 
@@ -219,6 +259,22 @@ START_TEST(quiet_prints_nothing_but_errors)
 }
 END_TEST
 
+START_TEST(the_run_record_names_the_kernels_that_were_asked_for)
+{
+    struct test_command command =
+        test_command_run("mpm", "run", "--quiet", "--threads", "1", "--kernels", "reference",
+                         fixture.scene, "--output", fixture.output, NULL);
+    ck_assert_int_eq(command.exit_status, MPM_OK);
+    char *path = g_build_filename(fixture.output, "run.json", NULL);
+    char *record = test_file_read(path);
+    ck_assert(strstr(record, "\"kernels\": \"reference\"") != NULL);
+    ck_assert(strstr(record, "\"simd\": \"none\"") != NULL);
+    g_free(record);
+    g_free(path);
+    test_command_free(&command);
+}
+END_TEST
+
 START_TEST(results_go_by_default_to_a_folder_named_after_the_scene)
 {
     struct test_command command =
@@ -231,17 +287,25 @@ START_TEST(results_go_by_default_to_a_folder_named_after_the_scene)
 }
 END_TEST
 
-/* Every snapshot, the list and the history; run.json holds times and the number itself. */
-START_TEST(any_number_of_threads_gives_the_same_bytes)
+/* Every snapshot, the list and the history; run.json holds times, threads and instructions.
+ * Refined, so that there are particles enough for three workers. */
+START_TEST(any_number_of_threads_and_any_simd_give_the_same_bytes)
 {
     struct test_command command = run_in_shell(
-        "for n in 1 2 3; do OMP_NUM_THREADS=$n \"$1\" run -q -o \"$3-$n\" \"$2\" || exit; done; "
-        "\"$1\" run -q -o \"$3-4\" --threads 4 \"$2\" || exit; "
-        "for n in 2 3 4; do for f in \"$3-1\"/p* \"$3-1\"/h*; do "
-        "cmp \"$f\" \"$3-$n/$(basename \"$f\")\" || exit; done; done; "
-        "ls \"$3-1\" | grep -c 'particles-.*hdf$'");
+        "run() { folder=$1; shift; "
+        "\"$mpm\" run -q -o \"$folder\" --set grid.refine=12 --set time.steps=40 \"$@\" "
+        "\"$scene\" || exit; }\n"
+        "mpm=$1 scene=$2 out=$3\n"
+        "for k in reference auto; do\n"
+        "  for n in 1 2 3; do OMP_NUM_THREADS=$n run \"$out-$k-$n\" --kernels $k; done\n"
+        "  run \"$out-$k-4\" --kernels $k --threads 4\n"
+        "  run \"$out-$k-5\" --kernels $k --threads 2 --simd baseline\n"
+        "  for n in 2 3 4 5; do for f in \"$out-$k-1\"/p* \"$out-$k-1\"/h*; do\n"
+        "    cmp \"$f\" \"$out-$k-$n/${f##*/}\" || exit; done; done\n"
+        "  ls \"$out-$k-1\" | grep -c 'particles-.*hdf$'\n"
+        "done");
     ck_assert_msg(command.exit_status == 0, "%s%s", command.output, command.errors);
-    ck_assert_str_eq(command.output, "5\n");
+    ck_assert_str_eq(command.output, "2\n2\n");
     test_command_free(&command);
 }
 END_TEST
@@ -308,13 +372,15 @@ Suite *suite_cli(void)
     tcase_add_test(usage, info_tells_what_the_binary_is_made_of);
     tcase_add_test(usage, schema_names_the_required_keys);
     tcase_add_test(usage, check_prints_the_cost_and_writes_nothing);
+    tcase_add_test(usage, check_tells_the_kernels_and_why);
     suite_add_tcase(suite, usage);
     TCase *runs = tcase_create("runs");
     tcase_add_checked_fixture(runs, set_up, tear_down);
     tcase_add_test(runs, a_pipe_sees_a_line_for_each_tenth_and_one_summary);
     tcase_add_test(runs, quiet_prints_nothing_but_errors);
+    tcase_add_test(runs, the_run_record_names_the_kernels_that_were_asked_for);
     tcase_add_test(runs, results_go_by_default_to_a_folder_named_after_the_scene);
-    tcase_add_test(runs, any_number_of_threads_gives_the_same_bytes);
+    tcase_add_test(runs, any_number_of_threads_and_any_simd_give_the_same_bytes);
     tcase_add_test(runs, a_run_that_blows_up_ends_with_3_and_says_where);
     tcase_add_test(runs, a_folder_that_cannot_be_written_ends_with_4);
     tcase_add_test(runs, a_full_disk_ends_with_4_and_names_the_state);

@@ -116,8 +116,8 @@ static void check_keys(const json_t *object, const char *const *keys, size_t cou
 
 START_TEST(the_run_record_tells_outcome_cost_and_origin)
 {
-    static const char *const top[] = {"outcome",  "reason",  "exit_status",
-                                      "counters", "kernels", "provenance"};
+    static const char *const top[] = {"outcome", "reason", "exit_status", "counters",
+                                      "kernels", "simd",   "provenance"};
     static const char *const counted[] = {"steps", "particles", "particle_steps", "seconds",
                                           "bytes"};
     static const char *const timed[] = {"setup", "step", "output"};

@@ -215,6 +215,9 @@ START_TEST(bad_usage_ends_with_2_and_says_why)
         {"mpm-verify run --catalogue @ --tier big", "--tier \"big\": allowed are ci and full"},
         {"mpm-verify run --catalogue @ --jobs none", "none"},
         {"mpm-verify run --catalogue @ --jobs -1", "--jobs -1: allowed are 1 to 1024"},
+        {"mpm-verify run --catalogue @ --kernels quick",
+         "--kernels: 'quick' is no set of kernels; allowed: auto, reference, fast"},
+        {"mpm-verify list --catalogue @ --kernels fast", "Unknown option --kernels"},
         {"mpm-verify run --catalogue @ --case X", "no check matches"},
         {"mpm-verify run --catalogue @ --speed", "Unknown option --speed"},
         {"mpm-verify run --catalogue @ extra", "\"extra\": unexpected argument"},
@@ -302,6 +305,54 @@ START_TEST(list_names_the_cases_and_explain_says_all_of_a_check)
 }
 END_TEST
 
+/* To the programs, into the result lines, and from there into report and explanation. */
+START_TEST(the_kernels_asked_for_reach_every_measurement_and_are_recorded)
+{
+    static const struct {
+        const char *name, *option, *command;
+    } sets[] = {
+        {"auto", "", "--variant cubic --output"},
+        {"auto", " --kernels auto", "--variant cubic --output"},
+        {"reference", " --kernels reference", "--variant cubic --kernels reference --output"},
+        {"fast", " --kernels fast", "--variant cubic --kernels fast --output"},
+    };
+    char *catalogue = test_folder_create(), *output = test_folder_create();
+    test_case_write_quadrature(catalogue);
+    for (size_t i = 0; i < G_N_ELEMENTS(sets); i++) {
+        char *line = g_strconcat("mpm-verify run --variant cubic --catalogue @ --output @",
+                                 sets[i].option, NULL);
+        struct test_said said = test_verify_with(line, catalogue, output);
+        ck_assert_msg(said.exit_status == 0, "%s%s", said.out, said.err);
+        test_said_free(&said);
+        g_free(line);
+        const struct {
+            const char *file, *format;
+        } places[] = {
+            {"checks.jsonl", "\"kernels\":\"%s\""},
+            {"index.html", "<dt>Kernels</dt><dd>%s</dd>"},
+            {"summary.md", ", kernels %s, size ci"},
+            {"cases/Q/index.html", "%s kernels"}, /* the program's own note */
+        };
+        for (size_t k = 0; k < G_N_ELEMENTS(places); k++) {
+            char *text = test_folder_read(output, places[k].file);
+            char **parts = g_strsplit(places[k].format, "%s", 2);
+            char *expected = g_strconcat(parts[0], sets[i].name, parts[1], NULL);
+            ck_assert_msg(strstr(text, expected) != NULL, "no %s in %s", expected, places[k].file);
+            ck_assert(k != 3 || strstr(text, sets[i].command) != NULL);
+            g_free(expected);
+            g_strfreev(parts);
+            g_free(text);
+        }
+        said = test_verify_with("mpm-verify explain Q/exact/cubic --catalogue @ --output @",
+                                catalogue, output);
+        ck_assert_ptr_nonnull(strstr(said.out, sets[i].command));
+        test_said_free(&said);
+    }
+    test_folder_remove(output);
+    test_folder_remove(catalogue);
+}
+END_TEST
+
 Suite *suite_suite(void)
 {
     Suite *suite = suite_create("suite");
@@ -310,6 +361,7 @@ Suite *suite_suite(void)
     tcase_add_test(runs, a_result_line_has_the_promised_keys);
     tcase_add_test(runs, an_interrupted_run_ends_its_programs_and_leaves_no_report);
     tcase_add_test(runs, an_output_folder_keeps_what_is_not_ours);
+    tcase_add_test(runs, the_kernels_asked_for_reach_every_measurement_and_are_recorded);
     suite_add_tcase(suite, runs);
     TCase *commands = tcase_create("commands");
     tcase_add_test(commands, bad_usage_ends_with_2_and_says_why);

@@ -22,6 +22,7 @@ enum { MPM_VECTOR_SIZE = 4 };
 typedef double mpm_vector __attribute__((vector_size(32)));
 typedef double mpm_half_vector __attribute__((vector_size(16)));
 typedef int64_t mpm_mask __attribute__((vector_size(32))); /* all bits of a lane, or none */
+typedef int64_t mpm_half_mask __attribute__((vector_size(16)));
 
 #define MPM_INLINE static inline __attribute__((always_inline))
 
@@ -55,6 +56,31 @@ MPM_INLINE mpm_vector mpm_select(mpm_mask mask, mpm_vector yes, mpm_vector no)
     return (mpm_vector)((mask & (mpm_mask)yes) | (~mask & (mpm_mask)no));
 }
 
+/* a < b and a <= b by lanes. Registers of half the size have to be asked for: gcc takes
+ * comparisons of longer vectors lane by lane, where it does all else in halves. */
+#ifdef __AVX__
+#define MPM_COMPARE(a, b, operator) return (a) operator(b)
+#else
+#define MPM_COMPARE(a, b, operator)                                                                \
+    const mpm_half_vector a0 = {(a)[0], (a)[1]}, a1 = {(a)[2], (a)[3]};                            \
+    const mpm_half_vector b0 = {(b)[0], (b)[1]}, b1 = {(b)[2], (b)[3]};                            \
+    const mpm_half_mask low = a0 operator b0, high = a1 operator b1;                               \
+    return (mpm_mask)                                                                              \
+    {                                                                                              \
+        low[0], low[1], high[0], high[1]                                                           \
+    }
+#endif
+
+MPM_INLINE mpm_mask mpm_less(mpm_vector a, mpm_vector b)
+{
+    MPM_COMPARE(a, b, <);
+}
+
+MPM_INLINE mpm_mask mpm_at_most(mpm_vector a, mpm_vector b)
+{
+    MPM_COMPARE(a, b, <=);
+}
+
 MPM_INLINE mpm_vector mpm_absolute(mpm_vector x)
 {
     const mpm_mask sign = {INT64_MIN, INT64_MIN, INT64_MIN, INT64_MIN};
@@ -64,12 +90,12 @@ MPM_INLINE mpm_vector mpm_absolute(mpm_vector x)
 /* The smaller and the larger; b where one is not a number. */
 MPM_INLINE mpm_vector mpm_smaller(mpm_vector a, mpm_vector b)
 {
-    return mpm_select(a < b, a, b);
+    return mpm_select(mpm_less(a, b), a, b);
 }
 
 MPM_INLINE mpm_vector mpm_larger(mpm_vector a, mpm_vector b)
 {
-    return mpm_select(a > b, a, b);
+    return mpm_select(mpm_less(b, a), a, b);
 }
 
 MPM_INLINE bool mpm_any(mpm_mask mask)
@@ -79,7 +105,7 @@ MPM_INLINE bool mpm_any(mpm_mask mask)
 
 MPM_INLINE mpm_vector mpm_square_root(mpm_vector x)
 {
-    mpm_vector root;
+    mpm_vector root = x;
     for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
         root[lane] = __builtin_sqrt(x[lane]);
     return root;
@@ -103,7 +129,7 @@ MPM_INLINE mpm_vector mpm_nearest(mpm_vector x)
 /* The largest integer not above x, from the nearest one. */
 MPM_INLINE mpm_vector mpm_down_to_integer(mpm_vector x, mpm_vector nearest)
 {
-    return nearest - mpm_select(x < nearest, mpm_splat(1.0), mpm_splat(0.0));
+    return nearest - mpm_select(mpm_less(x, nearest), mpm_splat(1.0), mpm_splat(0.0));
 }
 
 /* A whole number as an integer: its bits stand in the low end of the sum. */

@@ -40,10 +40,58 @@ static enum cli_outcome take_scene(const struct cli_command *command, char **ope
     return CLI_GO_ON;
 }
 
+/* --kernels and --simd as given; NULL where not. */
+struct kernel_texts {
+    char *kernels, *simd;
+};
+
+static void add_kernel_options(GOptionContext *context, struct kernel_texts *given)
+{
+    const GOptionEntry options[] = {
+        {"kernels", 0, 0, G_OPTION_ARG_FILENAME, &given->kernels,
+         "auto (the default: fast wherever the scene allows), reference or fast", "KERNELS"},
+        {"simd", 0, 0, G_OPTION_ARG_FILENAME, &given->simd,
+         "Instructions of the fast kernels: auto (the default: the widest of this machine), "
+         "baseline or x86-64-v3",
+         "LEVEL"},
+        {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
+    };
+    g_option_context_add_main_entries(context, options, NULL);
+}
+
+static enum cli_outcome take_kernels(const struct cli_command *command,
+                                     const struct kernel_texts *given,
+                                     struct mpm_simulation_options *simulation)
+{
+    struct mpm_error error = {.status = MPM_OK};
+    if (given->kernels != NULL &&
+        mpm_kernels_find(given->kernels, &simulation->kernels, &error) != MPM_OK)
+        return bad_usage(command, "--kernels: ", error.message);
+    if (given->simd != NULL && mpm_simd_find(given->simd, &simulation->simd, &error) != MPM_OK)
+        return bad_usage(command, "--simd: ", error.message);
+    return CLI_GO_ON;
+}
+
+static GOptionContext *describe(const struct cli_arguments *arguments, const GOptionEntry *common,
+                                struct kernel_texts *kernels)
+{
+    GOptionContext *context = g_option_context_new(arguments->command->operands);
+    g_option_context_set_help_enabled(context, FALSE); /* GLib's own would exit */
+    g_option_context_set_summary(context, arguments->command->summary);
+    g_option_context_set_description(context, arguments->description);
+    if (arguments->options != NULL)
+        g_option_context_add_main_entries(context, arguments->options, NULL);
+    if (arguments->simulation != NULL)
+        add_kernel_options(context, kernels);
+    g_option_context_add_main_entries(context, common, NULL);
+    return context;
+}
+
 enum cli_outcome cli_arguments_read(const struct cli_arguments *arguments, int argc, char **argv,
                                     char **scene)
 {
     const struct cli_command *command = arguments->command;
+    struct kernel_texts kernels = {NULL, NULL};
     gboolean help = FALSE;
     char **operands = NULL;
     const GOptionEntry common[] = {
@@ -53,13 +101,7 @@ enum cli_outcome cli_arguments_read(const struct cli_arguments *arguments, int a
     };
     char *program = g_strdup_printf("mpm %s", command->name);
     g_set_prgname(program);
-    GOptionContext *context = g_option_context_new(command->operands);
-    g_option_context_set_help_enabled(context, FALSE); /* GLib's own would exit */
-    g_option_context_set_summary(context, command->summary);
-    g_option_context_set_description(context, arguments->description);
-    if (arguments->options != NULL)
-        g_option_context_add_main_entries(context, arguments->options, NULL);
-    g_option_context_add_main_entries(context, common, NULL);
+    GOptionContext *context = describe(arguments, common, &kernels);
 
     GError *failure = NULL;
     enum cli_outcome outcome = CLI_HELP_SHOWN;
@@ -70,10 +112,14 @@ enum cli_outcome cli_arguments_read(const struct cli_arguments *arguments, int a
         (void)fputs(text, stdout);
         g_free(text);
     } else {
-        outcome = take_scene(command, operands, scene);
+        outcome = take_kernels(command, &kernels, arguments->simulation);
+        if (outcome == CLI_GO_ON)
+            outcome = take_scene(command, operands, scene);
     }
     g_clear_error(&failure);
     g_strfreev(operands);
+    g_free(kernels.kernels);
+    g_free(kernels.simd);
     g_option_context_free(context);
     g_free(program);
     return outcome;

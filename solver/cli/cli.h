@@ -28,8 +28,9 @@ int cli_fail(enum mpm_status status, const char *format, ...) __attribute__((for
 /* Reads the options of a command in place and the scene that follows them. */
 struct cli_arguments {
     const struct cli_command *command;
-    const GOptionEntry *options; /* ends with {NULL}; NULL for none */
-    const char *description;     /* end of the help text; may be NULL */
+    const GOptionEntry *options;               /* ends with {NULL}; NULL for none */
+    const char *description;                   /* end of the help text; may be NULL */
+    struct mpm_simulation_options *simulation; /* of --kernels and --simd; NULL: neither is taken */
 };
 
 enum cli_outcome { CLI_GO_ON, CLI_HELP_SHOWN, CLI_BAD_USAGE };

@@ -19,6 +19,19 @@ static void print_plan(const struct mpm_scene *scene, const struct mpm_plan *pla
     (void)printf("\ntime step  %.6g %s\n", plan->time_step, unit);
     (void)printf("steps      about %.0f\n", plan->expected_steps);
     (void)printf("kernels    %s (%s)\n", plan->kernels, plan->kernels_reason);
+    (void)printf("simd       %s\n", plan->simd);
+}
+
+static int print_check(const struct mpm_scene *scene,
+                       const struct mpm_simulation_options *simulation)
+{
+    struct mpm_plan plan = {.particles = 0};
+    struct mpm_error error = {.status = MPM_OK};
+    const enum mpm_status status = mpm_scene_plan(scene, simulation, &plan, &error);
+    if (status != MPM_OK)
+        return cli_fail(status, "%s", error.message);
+    print_plan(scene, &plan);
+    return MPM_OK;
 }
 
 int cli_check(const struct cli_command *command, int argc, char **argv)
@@ -30,22 +43,16 @@ int cli_check(const struct cli_command *command, int argc, char **argv)
          "Set a value of the scene; the last one wins", "PATH=VALUE"},
         {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
     };
-    const struct cli_arguments arguments = {.command = command, .options = options};
+    struct mpm_simulation_options simulation = {.threads = 1};
+    const struct cli_arguments arguments = {
+        .command = command, .options = options, .simulation = &simulation};
     const enum cli_outcome outcome = cli_arguments_read(&arguments, argc, argv, &path);
     int status = outcome == CLI_BAD_USAGE ? MPM_BAD_INPUT : MPM_OK;
     struct mpm_scene *scene = NULL;
     if (outcome == CLI_GO_ON)
         status = cli_scene_read(path, settings, &scene);
-    if (scene != NULL) {
-        const struct mpm_simulation_options simulation = {.threads = 1};
-        struct mpm_plan plan = {.particles = 0};
-        struct mpm_error error = {.status = MPM_OK};
-        const enum mpm_status planned = mpm_scene_plan(scene, &simulation, &plan, &error);
-        if (planned != MPM_OK)
-            status = cli_fail(planned, "%s", error.message);
-        else
-            print_plan(scene, &plan);
-    }
+    if (scene != NULL)
+        status = print_check(scene, &simulation);
     mpm_scene_free(scene);
     g_strfreev(settings);
     g_free(path);

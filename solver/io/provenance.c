@@ -19,7 +19,6 @@ void mpm_provenance_fill(const struct mpm_scene *scene, struct mpm_provenance *p
         {"compiler", build->compiler},
         {"flags", build->flags},
         {"libraries", build->libraries},
-        {"simd", build->simd},
     };
     for (size_t i = 0; i < MPM_FACT_COUNT; i++) {
         provenance->facts[i].name = facts[i].name;

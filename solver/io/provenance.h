@@ -6,7 +6,7 @@
 
 #include "model/scene.h"
 
-enum { MPM_FACT_COUNT = 7, MPM_SHA256_TEXT_SIZE = 65 };
+enum { MPM_FACT_COUNT = 6, MPM_SHA256_TEXT_SIZE = 65 };
 
 struct mpm_provenance {
     struct {
@@ -16,8 +16,8 @@ struct mpm_provenance {
 };
 
 /* Fills in what the scene and the binary decide: scene_sha256, version, revision,
- * compiler, flags, libraries, simd. None of it depends on the machine, the date or
- * the number of threads, so files that hold it stay the same byte by byte. The
+ * compiler, flags, libraries. None of it depends on the machine, the date, the number of
+ * threads or the kernels, so files that hold it stay the same byte by byte. The
  * texts live as long as *provenance. */
 void mpm_provenance_fill(const struct mpm_scene *scene, struct mpm_provenance *provenance);
 

@@ -82,11 +82,11 @@ static json_t *counters_object(const struct mpm_run_record *record)
 enum mpm_status mpm_run_record_write(const char *folder, const struct mpm_scene *scene,
                                      const struct mpm_run_record *record, struct mpm_error *error)
 {
-    json_t *root =
-        json_pack("{s:s, s:o, s:i, s:o, s:o, s:o}", "outcome",
-                  record->status == MPM_OK ? "done" : "failed", "reason", text(record->reason),
-                  "exit_status", (int)record->status, "counters", counters_object(record),
-                  "kernels", text(record->kernels), "provenance", provenance_object(scene, record));
+    json_t *root = json_pack("{s:s, s:o, s:i, s:o, s:o, s:o, s:o}", "outcome",
+                             record->status == MPM_OK ? "done" : "failed", "reason",
+                             text(record->reason), "exit_status", (int)record->status, "counters",
+                             counters_object(record), "kernels", text(record->kernels), "simd",
+                             text(record->simd), "provenance", provenance_object(scene, record));
     char *written = root != NULL ? json_dumps(root, JSON_INDENT(2)) : NULL;
     json_decref(root);
     if (written == NULL)

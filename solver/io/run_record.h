@@ -12,7 +12,8 @@ struct mpm_run_record {
     enum mpm_status status;
     const char *reason;     /* why the run ended */
     const char *scene_path; /* NULL: as the scene names itself */
-    const char *kernels;
+    const char *kernels;    /* name of the set, */
+    const char *simd;       /* and the instructions that it uses */
     int threads;
     uint64_t steps;
     size_t particles;

@@ -40,7 +40,7 @@ size_t mpm_snapshot_work_size(size_t particle_count)
     size_t components = POINT_COMPONENTS;
     for (int field = 0; field < MPM_FIELD_COUNT; field++)
         components = MAX(components, mpm_field_describe((enum mpm_field)field)->components);
-    return particle_count * components;
+    return MIN(particle_count + 1, CHUNK_ROWS) * components; /* one row more: Offsets */
 }
 
 /* ---------------------------------------------------------- HDF5, checked */
@@ -103,6 +103,7 @@ static void attribute_texts(struct snapshot *snapshot, hid_t object, const char 
 static hid_t creation_list(struct snapshot *snapshot, int rank, const hsize_t *size,
                            enum compression compression)
 {
+    /* one chunk is also one block of writing */
     const hsize_t chunk[2] = {MIN(size[0], CHUNK_ROWS), size[1]};
     const hid_t list = checked(snapshot, H5Pcreate(H5P_DATASET_CREATE));
     checked(snapshot, H5Pset_obj_track_times(list, false));
@@ -114,9 +115,28 @@ static hid_t creation_list(struct snapshot *snapshot, int rank, const hsize_t *s
     return list;
 }
 
-/* Writes rows * columns numbers of `work` as a new dataset of `type`; returns it open. */
+/* What the rows of a dataset come from: puts rows first .. first + count - 1 into `work`. */
+struct source {
+    void (*fill)(const struct snapshot *snapshot, const struct source *source, size_t first,
+                 size_t count);
+    enum mpm_field field;
+    double value;
+};
+
+static void block_write(struct snapshot *snapshot, hid_t dataset, hid_t space, int rank,
+                        const hsize_t first[2], const hsize_t size[2])
+{
+    const hid_t block = checked(snapshot, H5Screate_simple(rank, size, NULL));
+    checked(snapshot, H5Sselect_hyperslab(space, H5S_SELECT_SET, first, NULL, size, NULL));
+    checked(snapshot,
+            H5Dwrite(dataset, H5T_NATIVE_DOUBLE, block, space, H5P_DEFAULT, snapshot->work));
+    checked(snapshot, H5Sclose(block));
+}
+
+/* Writes a new dataset of `type`, a chunk at a time; returns it open. */
 static hid_t dataset_write(struct snapshot *snapshot, hid_t parent, const char *name, hid_t type,
-                           hsize_t rows, hsize_t columns, enum compression compression)
+                           hsize_t rows, hsize_t columns, enum compression compression,
+                           const struct source *source)
 {
     const hsize_t size[2] = {rows, columns};
     const int rank = columns == 1 ? 1 : 2;
@@ -124,18 +144,29 @@ static hid_t dataset_write(struct snapshot *snapshot, hid_t parent, const char *
     const hid_t list = creation_list(snapshot, rank, size, compression);
     const hid_t dataset =
         checked(snapshot, H5Dcreate2(parent, name, type, space, H5P_DEFAULT, list, H5P_DEFAULT));
-    checked(snapshot,
-            H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, snapshot->work));
+    for (hsize_t row = 0; row < rows && snapshot->failure == NULL; row += CHUNK_ROWS) {
+        const hsize_t first[2] = {row, 0}, block[2] = {MIN(rows - row, CHUNK_ROWS), columns};
+        source->fill(snapshot, source, (size_t)row, (size_t)block[0]);
+        block_write(snapshot, dataset, space, rank, first, block);
+    }
     checked(snapshot, H5Pclose(list));
     checked(snapshot, H5Sclose(space));
     return dataset;
 }
 
+static void fill_value(const struct snapshot *snapshot, const struct source *source, size_t first,
+                       size_t count)
+{
+    (void)first;
+    for (size_t i = 0; i < count; i++)
+        snapshot->work[i] = source->value;
+}
+
 static void number_write(struct snapshot *snapshot, hid_t parent, const char *name, hid_t type,
                          double value)
 {
-    snapshot->work[0] = value;
-    checked(snapshot, H5Dclose(dataset_write(snapshot, parent, name, type, 1, 1, STORED)));
+    const struct source source = {.fill = fill_value, .value = value};
+    checked(snapshot, H5Dclose(dataset_write(snapshot, parent, name, type, 1, 1, STORED, &source)));
 }
 
 /* -------------------------------------------------------------------- /mpm */
@@ -231,16 +262,22 @@ static void write_description(struct snapshot *snapshot, hid_t object)
     write_texts(snapshot, object);
 }
 
+static void fill_field(const struct snapshot *snapshot, const struct source *source, size_t first,
+                       size_t count)
+{
+    mpm_simulation_field_range(snapshot->simulation, source->field, first, count, snapshot->work);
+}
+
 static void write_field(struct snapshot *snapshot, hid_t particles, hid_t point_data,
                         enum mpm_field field)
 {
     const struct mpm_field_info *info = mpm_field_describe(field);
     char unit[MPM_UNIT_SIZE];
     mpm_unit_text(snapshot->scene, info->length, info->mass, info->time, unit);
-    mpm_simulation_field(snapshot->simulation, field, snapshot->work);
+    const struct source source = {.fill = fill_field, .field = field};
     const hid_t dataset = dataset_write(snapshot, particles, info->name,
                                         info->integer ? H5T_STD_I64LE : H5T_IEEE_F64LE,
-                                        snapshot->count, info->components, STORED);
+                                        snapshot->count, info->components, STORED, &source);
     attribute_text(snapshot, dataset, "unit", unit);
     attribute_text(snapshot, dataset, "description", info->description);
     attribute_text(snapshot, dataset, "components",
@@ -265,35 +302,53 @@ static void write_vtk_attributes(struct snapshot *snapshot, hid_t vtk)
 }
 
 /* Positions get a third component; in place, from the last particle to the first. */
-static void write_points(struct snapshot *snapshot, hid_t vtk)
+static void fill_points(const struct snapshot *snapshot, const struct source *source, size_t first,
+                        size_t count)
 {
     double *work = snapshot->work;
-    mpm_simulation_field(snapshot->simulation, MPM_FIELD_POSITION, work);
-    for (size_t i = (size_t)snapshot->count; i-- > 0;) {
+    fill_field(snapshot, source, first, count);
+    for (size_t i = count; i-- > 0;) {
         const double position[2] = {work[2 * i], work[2 * i + 1]};
         work[3 * i] = position[0];
         work[3 * i + 1] = position[1];
         work[3 * i + 2] = 0.0;
     }
-    checked(snapshot, H5Dclose(dataset_write(snapshot, vtk, "Points", H5T_IEEE_F64LE,
-                                             snapshot->count, POINT_COMPONENTS, STORED)));
+}
+
+static void fill_numbers(const struct snapshot *snapshot, const struct source *source, size_t first,
+                         size_t count)
+{
+    (void)source;
+    for (size_t i = 0; i < count; i++)
+        snapshot->work[i] = (double)(first + i);
 }
 
 /* Each particle is a cell of its own: one vertex. */
-static void write_cells(struct snapshot *snapshot, hid_t vtk)
+static void write_grid(struct snapshot *snapshot, hid_t vtk)
 {
     enum { VTK_VERTEX = 1 };
     const hsize_t count = snapshot->count;
-    for (hsize_t i = 0; i <= count; i++)
-        snapshot->work[i] = (double)i;
-    checked(snapshot, H5Dclose(dataset_write(snapshot, vtk, "Connectivity", H5T_STD_I64LE, count, 1,
-                                             DEFLATED)));
-    checked(snapshot, H5Dclose(dataset_write(snapshot, vtk, "Offsets", H5T_STD_I64LE, count + 1, 1,
-                                             DEFLATED)));
-    for (hsize_t i = 0; i < count; i++)
-        snapshot->work[i] = VTK_VERTEX;
-    checked(snapshot,
-            H5Dclose(dataset_write(snapshot, vtk, "Types", H5T_STD_U8LE, count, 1, DEFLATED)));
+    const struct {
+        const char *name;
+        hid_t type;
+        hsize_t rows, columns;
+        enum compression compression;
+        struct source source;
+    } datasets[] = {
+        {"Points",
+         H5T_IEEE_F64LE,
+         count,
+         POINT_COMPONENTS,
+         STORED,
+         {.fill = fill_points, .field = MPM_FIELD_POSITION}},
+        {"Connectivity", H5T_STD_I64LE, count, 1, DEFLATED, {.fill = fill_numbers}},
+        {"Offsets", H5T_STD_I64LE, count + 1, 1, DEFLATED, {.fill = fill_numbers}},
+        {"Types", H5T_STD_U8LE, count, 1, DEFLATED, {.fill = fill_value, .value = VTK_VERTEX}},
+    };
+    for (size_t i = 0; i < G_N_ELEMENTS(datasets); i++)
+        checked(snapshot, H5Dclose(dataset_write(snapshot, vtk, datasets[i].name, datasets[i].type,
+                                                 datasets[i].rows, datasets[i].columns,
+                                                 datasets[i].compression, &datasets[i].source)));
 }
 
 static void write_vtk(struct snapshot *snapshot, hid_t vtk)
@@ -303,8 +358,7 @@ static void write_vtk(struct snapshot *snapshot, hid_t vtk)
     write_vtk_attributes(snapshot, vtk);
     for (size_t i = 0; i < G_N_ELEMENTS(counts); i++)
         number_write(snapshot, vtk, counts[i], H5T_STD_I64LE, (double)snapshot->count);
-    write_points(snapshot, vtk);
-    write_cells(snapshot, vtk);
+    write_grid(snapshot, vtk);
     const hid_t data = group_create(snapshot, vtk, "FieldData");
     number_write(snapshot, data, "TimeValue", H5T_IEEE_F64LE,
                  mpm_simulation_time(snapshot->simulation));

@@ -21,7 +21,8 @@
 
 #include "model/scene.h"
 
-/* Number of doubles that mpm_snapshot_write needs as working space. */
+/* Number of doubles that mpm_snapshot_write needs as working space: data is written in
+ * blocks, so that it does not grow with the number of particles beyond 0.7 MB. */
 size_t mpm_snapshot_work_size(size_t particle_count);
 
 /* Writes the state of `simulation` to `path`: to `path`.partial first, synced, then

@@ -88,6 +88,11 @@ void mpm_strip_set_box(const struct mpm_state *state, struct mpm_strip *strip,
         low[axis] = (int64_t)floor((extent->low[axis] - origin) * scale - BOX_SLACK);
         high[axis] =
             (int64_t)floor((extent->high[axis] - origin) * scale + BOX_SLACK) + NODES_PAST_END;
+        /* no domain reaches beyond the ghost rows, so no node there is visited */
+        if (high[axis] > grid->cells[axis] + MPM_GHOST_ROWS)
+            high[axis] = grid->cells[axis] + MPM_GHOST_ROWS;
+        if (low[axis] < -MPM_GHOST_ROWS)
+            low[axis] = -MPM_GHOST_ROWS;
     }
     strip->column_low = low[0];
     strip->column_high = high[0];

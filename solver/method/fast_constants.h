@@ -61,7 +61,8 @@ struct fast_load {
 MPM_INLINE mpm_vector fast_cells(mpm_vector x, mpm_vector *cell)
 {
     const mpm_vector nearest = mpm_nearest(x);
-    const mpm_mask close = mpm_absolute(x - nearest) < 0x1p-51 * (1.0 + mpm_absolute(nearest));
+    const mpm_vector slack = 0x1p-51 * (1.0 + mpm_absolute(nearest));
+    const mpm_mask close = mpm_less(mpm_absolute(x - nearest), slack);
     const mpm_vector place = mpm_select(close, nearest, x);
     *cell = mpm_down_to_integer(place, nearest);
     return place;

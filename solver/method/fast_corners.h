@@ -28,7 +28,7 @@ static const double fast_sign2[MPM_CORNERS] = {-1.0, -1.0, 1.0, 1.0};
 MPM_INLINE void shrink_to_axis_vector(mpm_vector r, mpm_vector d[4])
 {
     const mpm_vector extent = mpm_absolute(d[0]) + mpm_absolute(d[2]);
-    const mpm_vector scale = mpm_select(extent <= r, mpm_splat(1.0), r / extent);
+    const mpm_vector scale = mpm_select(mpm_at_most(extent, r), mpm_splat(1.0), r / extent);
     for (int k = 0; k < 4; k++)
         d[k] *= scale;
 }

@@ -117,7 +117,7 @@ MPM_INLINE void update_velocity_vector(const struct fast_constants *k,
     }
     const mpm_vector square = v[0] * v[0] + v[1] * v[1];
     sums->kinetic += 0.5 * mass * square;
-    if (mpm_any(~(square <= DBL_MAX)))
+    if (mpm_any(~mpm_at_most(square, mpm_splat(DBL_MAX))))
         mpm_fast_report_velocity(sums->strip, particles, p);
 }
 
@@ -133,7 +133,7 @@ MPM_INLINE void update_deformation(const struct fast_spec *spec, enum fast_law l
         h[i] = k->stress_step * gradient[i];
     deform_vector(h, k->deformation_terms, spec->axisymmetric, f);
     if (spec->plane_stress)
-        f[MPM_ZZ] = mpm_select(determinant_vector(f) > 0.0,
+        f[MPM_ZZ] = mpm_select(mpm_less(mpm_splat(0.0), determinant_vector(f)),
                                fast_law_thickness(law, &k->material, f), f[MPM_ZZ]);
     for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
         if (i != MPM_ZZ || spec->axisymmetric || spec->plane_stress)
@@ -152,7 +152,8 @@ MPM_INLINE void update_stress_vector(enum fast_law law, const struct fast_consta
         mpm_store(particles->stress[i] + p, tau[i]);
     sums->wave = mpm_larger(wave, sums->wave);
     const mpm_vector j = determinant_vector(f);
-    if (mpm_any(~(j > 0.0) | ~(wave <= DBL_MAX))) {
+    const mpm_mask sound = mpm_less(mpm_splat(0.0), j) & mpm_at_most(wave, mpm_splat(DBL_MAX));
+    if (mpm_any(~sound)) {
         double values[2][MPM_VECTOR_SIZE];
         mpm_store(values[0], j);
         mpm_store(values[1], wave);
@@ -203,12 +204,14 @@ MPM_INLINE void update_position_vector(const struct fast_spec *spec, const struc
         const mpm_vector low = position[axis] - reach[axis], high = position[axis] + reach[axis];
         sums->low[axis] = mpm_smaller(low, sums->low[axis]);
         sums->high[axis] = mpm_larger(high, sums->high[axis]);
-        sound &= (position[axis] >= k->lowest[axis]) & (position[axis] < k->highest[axis]);
-        sound &= (low > k->lowest_reach[axis]) & (high < k->highest_reach[axis]);
-        sound &= mpm_absolute(step[axis]) * k->inverse_cell[axis] <= 1.0;
+        sound &= mpm_at_most(mpm_splat(k->lowest[axis]), position[axis]);
+        sound &= mpm_less(position[axis], mpm_splat(k->highest[axis]));
+        sound &= mpm_less(mpm_splat(k->lowest_reach[axis]), low);
+        sound &= mpm_less(high, mpm_splat(k->highest_reach[axis]));
+        sound &= mpm_at_most(mpm_absolute(step[axis]) * k->inverse_cell[axis], mpm_splat(1.0));
     }
     if (spec->axisymmetric)
-        sound &= position[0] > 0.0;
+        sound &= mpm_less(mpm_splat(0.0), position[0]);
     if (mpm_any(~sound)) {
         double values[6][MPM_VECTOR_SIZE];
         for (int axis = 0; axis < 2; axis++) {

@@ -107,7 +107,7 @@ MPM_INLINE mpm_vector neo_hookean_thickness_vector(const struct mpm_material *m,
         const mpm_vector slope =
             m->bulk * j * area + shear * (4.0 / 3.0 * x - 2.0 / 3.0 * deviator / x);
         const mpm_vector next = mpm_larger(x - tau / slope, 0.1 * x);
-        const mpm_mask far = mpm_absolute(next - x) > 4e-16 * x;
+        const mpm_mask far = mpm_less(4e-16 * x, mpm_absolute(next - x));
         x = mpm_select(moving, next, x);
         moving &= far;
     }

@@ -32,8 +32,8 @@ static void copy(const struct mpm_simulation *simulation, enum mpm_field field, 
                  double *out)
 {
     const struct mpm_particles *const particles = &simulation->state.particles;
-    const double density = simulation->state.bodies[particles->body[p]].material.density;
-    const double j = determinant_of(particles, p);
+    const struct mpm_body *const body = &simulation->state.bodies[particles->body[p]];
+    double scale;
     switch (field) {
     case MPM_FIELD_ID:
         out[0] = particles->id[p];
@@ -52,11 +52,12 @@ static void copy(const struct mpm_simulation *simulation, enum mpm_field field, 
             out[k] = particles->deformation[k][p];
         return;
     case MPM_FIELD_STRESS:
+        scale = body->material.density / determinant_of(particles, p);
         for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
-            out[k] = particles->stress[k][p] * (density / j);
+            out[k] = particles->stress[k][p] * scale;
         return;
     case MPM_FIELD_VOLUME:
-        out[0] = particles->mass[p] * (j / density);
+        out[0] = particles->mass[p] * (determinant_of(particles, p) / body->material.density);
         return;
     case MPM_FIELD_MASS:
         out[0] = particles->mass[p];
@@ -94,4 +95,53 @@ void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_fiel
     const struct mpm_rigid_particles *const rigid = &simulation->state.rigid;
     for (size_t p = 0; p < rigid->count; p++)
         copy_rigid(simulation, field, p, values + components * rigid->id[p]);
+}
+
+/* -------------------------------------------------------------- by ranges of ids */
+
+/* How many rigid particles have a smaller id: theirs ascend. */
+static size_t rigid_before(const struct mpm_rigid_particles *rigid, size_t id)
+{
+    size_t low = 0, high = rigid->count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (rigid->id[middle] < id)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* A deformable particle's rank is its number in creation order without the rigid ones. The
+ * sort's scratch keeps the places by rank until the next sort. */
+static void find_places(const struct mpm_simulation *simulation)
+{
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    const struct mpm_rigid_particles *const rigid = &simulation->state.rigid;
+    for (size_t p = 0; p < particles->count; p++)
+        particles->order[particles->id[p] - rigid_before(rigid, particles->id[p])] = (uint32_t)p;
+}
+
+/* A place that a sort has made worthless betrays itself: another id is there. */
+static size_t place_of(const struct mpm_simulation *simulation, size_t id, size_t rank)
+{
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    const size_t p = particles->order[rank];
+    if (p < particles->count && particles->id[p] == id)
+        return p;
+    find_places(simulation);
+    return particles->order[rank];
+}
+
+void mpm_simulation_field_range(const struct mpm_simulation *simulation, enum mpm_field field,
+                                size_t first, size_t count, double *values)
+{
+    const struct mpm_rigid_particles *const rigid = &simulation->state.rigid;
+    size_t next = rigid_before(rigid, first);
+    for (size_t id = first; id < first + count; id++, values += infos[field].components)
+        if (next < rigid->count && rigid->id[next] == id)
+            copy_rigid(simulation, field, next++, values);
+        else
+            copy(simulation, field, place_of(simulation, id, id - next), values);
 }

@@ -36,6 +36,8 @@ static enum mpm_status run_quadrature(struct measurement *measurement, struct mp
     gsl_integration_glfixed_table_free(table);
     measurement_report(measurement, "integral", integral * (exponent + 1));
     measurement_note(measurement, "%g points <of> \"Gauss\" & exponent %g", points, exponent);
+    measurement_note(measurement, "%s kernels",
+                     mpm_kernels_name(measurement_options(measurement)->kernels));
     measurement_work(measurement, 1000);
     return measurement_series(measurement, "curve", "x x^n", 2, 11, curve, error);
 }

@@ -20,8 +20,8 @@ static const char usage[] =
     "usage: mpm-verify COMMAND\n"
     "\n"
     "  list [--tag T]                         the cases, their variants and checks\n"
-    "  run [--tier ci|full] [--case GLOB] [--variant GLOB] [--jobs N] [--output DIR]\n"
-    "                                         run, judge, and write results and reports\n"
+    "  run [--tier ci|full] [--case GLOB] [--variant GLOB] [--kernels auto|reference|fast]\n"
+    "      [--jobs N] [--output DIR]          run, judge, and write results and reports\n"
     "  explain CHECK [--output DIR]           what CASE[/CHECK[/VARIANT]] (globs) states, its "
     "band\n"
     "                                         and why, last values, the command to reproduce it\n"
@@ -29,9 +29,9 @@ static const char usage[] =
     "lines\n"
     "  help, --help, --version\n"
     "\n"
-    "All but report take --catalogue DIR. --tier is ci unless given; --jobs the number of "
-    "processors;\n"
-    "--output build/reports/verify in the repository and verify-report elsewhere.\n"
+    "All but report take --catalogue DIR. --tier is ci unless given; --kernels auto, which is\n"
+    "fast wherever a scene allows; --jobs the number of processors; --output\n"
+    "build/reports/verify in the repository and verify-report elsewhere.\n"
     "Exit status: 0 every check holds (or shows its known weakness); 1 one does not; 2 bad usage\n"
     "or a bad catalogue; 4 the environment failed.\n";
 
@@ -42,6 +42,7 @@ static void options_clear(struct command_options *options)
     g_free(options->tier);
     g_free(options->case_glob);
     g_free(options->variant_glob);
+    g_free(options->kernels);
     g_free(options->output);
     g_free(options->catalogue);
     g_free(options->tag);
@@ -62,6 +63,7 @@ static enum mpm_status parse(int argc, char **argv, unsigned takes, struct comma
         {TAKES_SELECTION, {"case", 0, 0, G_OPTION_ARG_STRING, &options->case_glob, NULL, NULL}},
         {TAKES_SELECTION,
          {"variant", 0, 0, G_OPTION_ARG_STRING, &options->variant_glob, NULL, NULL}},
+        {TAKES_SELECTION, {"kernels", 0, 0, G_OPTION_ARG_STRING, &options->kernels, NULL, NULL}},
         {TAKES_SELECTION, {"jobs", 0, 0, G_OPTION_ARG_INT, &options->jobs, NULL, NULL}},
         {TAKES_OUTPUT, {"output", 0, 0, G_OPTION_ARG_FILENAME, &options->output, NULL, NULL}},
         {TAKES_CATALOGUE,
@@ -126,6 +128,16 @@ static enum mpm_status read_tier(const char *text, enum tier *tier, struct mpm_e
     return failure_set(error, MPM_BAD_INPUT, "--tier \"%s\": allowed are ci and full", text);
 }
 
+static enum mpm_status read_kernels(const char *text, enum mpm_kernels *kernels,
+                                    struct mpm_error *error)
+{
+    struct mpm_error cause;
+    *kernels = MPM_KERNELS_AUTO;
+    if (text == NULL || mpm_kernels_find(text, kernels, &cause) == MPM_OK)
+        return MPM_OK;
+    return failure_set(error, MPM_BAD_INPUT, "--kernels: %s", cause.message);
+}
+
 /* The command as typed, quoted for the shell. */
 static char *typed(int argc, char **argv)
 {
@@ -147,6 +159,7 @@ static enum mpm_status run_with(struct run_options *run, struct command *command
     struct console console = {.out = command->world->out, .terminal = command->world->terminal};
     struct record_counts counts;
     TRY(read_tier(options->tier, &run->selection.tier, error));
+    TRY(read_kernels(options->kernels, &run->kernels, error));
     if (options->jobs != JOBS_DEFAULT && (options->jobs < 1 || options->jobs > JOBS_MAX))
         return failure_set(error, MPM_BAD_INPUT, "--jobs %d: allowed are 1 to %d", options->jobs,
                            JOBS_MAX);

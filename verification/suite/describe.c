@@ -116,15 +116,17 @@ static void print_last(const struct explanation *explanation, const struct plann
     g_free(margin);
 }
 
-static void print_declaration(FILE *out, const struct planned_job *job,
+static void print_declaration(const struct explanation *explanation, const struct planned_job *job,
                               const struct case_check *check)
 {
+    FILE *out = explanation->out;
     const struct verdict_band *band = &check->band;
     char *expected = text_quantity(band->expected, check->unit);
     char *good = text_range(band->low, band->high, check->unit);
     char *weak = text_range(band->fails_low, band->fails_high, check->unit);
     char *command =
-        text_command(job->entry->file->name, job->variant->name, job->variant->tier == TIER_FULL);
+        text_command(job->entry->file->name, job->variant->name, job->variant->tier == TIER_FULL,
+                     explanation->records == NULL ? NULL : explanation->records->run);
     fprintf(out, "%s/%s/%s: %s\n", job->entry->file->name, check->name, job->variant->name,
             check->title);
     fprintf(out, "  quantity   %s, norm: %s\n", check->quantity, check->norm);
@@ -156,7 +158,7 @@ static void explain_case(struct explanation *explanation, const struct catalogue
                 fprintf(explanation->out, "%s%s\n", explanation->shown > 0 ? "\n" : "",
                         entry->readme);
             headed = true;
-            print_declaration(explanation->out, &job, check);
+            print_declaration(explanation, &job, check);
             print_last(explanation, &job, check);
             explanation->shown++;
         }

@@ -114,8 +114,8 @@ static GString *provenance(const json_t *run)
     static const char *const rows[][2] = {
         {"Revision", "revision"},   {"Compiler", "compiler"},    {"Flags", "flags"},
         {"Libraries", "libraries"}, {"Pictures", "gnuplot"},     {"Instruction set", "simd"},
-        {"Processor", "processor"}, {"Size of the run", "tier"}, {"Command", "command"},
-        {"Started", "started"},
+        {"Processor", "processor"}, {"Size of the run", "tier"}, {"Kernels", "kernels"},
+        {"Command", "command"},     {"Started", "started"},
     };
     GString *html = g_string_new("<h2>Where these numbers come from</h2>\n<dl class=\"facts\">\n");
     text_markup(html, "<dt>Version</dt><dd>Touchstone %s</dd>\n", record_text(run, "version"));

@@ -207,14 +207,14 @@ static void add_variants(GString *html, const json_t *entry)
     g_string_append(html, "</tbody>\n</table></div>\n");
 }
 
-static void add_commands(GString *html, const json_t *entry)
+static void add_commands(GString *html, const json_t *entry, const json_t *run)
 {
     const json_t *variants = json_object_get(entry, "variants");
     g_string_append(html, "<h2 id=\"reproduce\">Reproduce</h2>\n<pre><code>");
     for (size_t i = 0; i < json_array_size(variants); i++) {
         const json_t *variant = json_array_get(variants, i);
         char *command = text_command(record_text(entry, "case"), record_text(variant, "variant"),
-                                     is_full(variant));
+                                     is_full(variant), run);
         text_markup(html, "%s\n", command);
         g_free(command);
     }
@@ -235,7 +235,7 @@ char *report_case(const struct records *records, const json_t *entry,
     add_head(html, records, entry);
     add_figures(html, entry, figures);
     add_checks(html, records, name);
-    add_commands(html, entry);
+    add_commands(html, entry, records->run);
     add_variants(html, entry);
     char *title = g_strdup_printf("%s: %s", name, record_text(entry, "title"));
     char *page = html_page(records, style, title, navigation, html);

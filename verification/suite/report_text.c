@@ -99,6 +99,8 @@ char *report_markdown(const struct records *records)
     add_plain(markdown, record_text(records->run, "revision"));
     g_string_append(markdown, ", ");
     add_plain(markdown, record_text(records->run, "compiler"));
+    g_string_append(markdown, ", kernels ");
+    add_plain(markdown, record_text(records->run, "kernels"));
     g_string_append(markdown, ", size ");
     add_plain(markdown, record_text(records->run, "tier"));
     g_string_append(markdown, ".\n");

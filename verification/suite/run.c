@@ -24,8 +24,15 @@ static enum mpm_status conclude(const struct run_options *options, const struct 
                                 double seconds, struct console *console,
                                 struct record_counts *counts, struct mpm_error *error)
 {
-    const struct record_context context = {options->output, options->command, &options->selection,
-                                           options->jobs,   started,          seconds};
+    const struct record_context context = {
+        .output = options->output,
+        .command = options->command,
+        .selection = &options->selection,
+        .kernels = options->kernels,
+        .jobs = options->jobs,
+        .started = started,
+        .seconds = seconds,
+    };
     struct records records = records_make(plan, results, &context);
     *counts = records_count(&records, NULL, NULL);
     enum mpm_status status = records_write(options->output, &records, error);
@@ -45,7 +52,8 @@ static enum mpm_status run_plan(const struct run_options *options, const struct 
     const struct schedule_options schedule = {
         .output = options->output,
         .jobs = places,
-        .simulation = {.threads = (int)MAX(1, machine_processor_count() / places)},
+        .simulation = {.threads = (int)MAX(1, machine_processor_count() / places),
+                       .kernels = options->kernels},
         .progress = console_progress,
         .finished = console_finished,
         .context = console,

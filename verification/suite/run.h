@@ -10,7 +10,8 @@ struct run_options {
     const char *catalogue, *reports, *output; /* folders */
     const char *command;                      /* as typed, for provenance */
     struct plan_selection selection;
-    unsigned jobs; /* programs at a time, >= 1 */
+    enum mpm_kernels kernels; /* for every measurement */
+    unsigned jobs;            /* programs at a time, >= 1 */
 };
 
 /* Runs the selected checks and writes the output folder. *counts tells how they came

@@ -123,11 +123,14 @@ char *text_check_name(const json_t *check)
                            record_text(check, "variant"));
 }
 
-char *text_command(const char *name, const char *variant, bool full)
+char *text_command(const char *name, const char *variant, bool full, const json_t *run)
 {
-    return g_strdup_printf("mpm-verify run%s --case %s%s%s --output DIR",
-                           full ? " --tier full" : "", name, variant == NULL ? "" : " --variant ",
-                           variant == NULL ? "" : variant);
+    const char *kernels = record_text(run, "kernels");
+    const bool by_default =
+        *kernels == '\0' || strcmp(kernels, mpm_kernels_name(MPM_KERNELS_AUTO)) == 0;
+    return g_strdup_printf("mpm-verify run%s --case %s --variant %s%s%s --output DIR",
+                           full ? " --tier full" : "", name, variant,
+                           by_default ? "" : " --kernels ", by_default ? "" : kernels);
 }
 
 void text_markup(GString *string, const char *format, ...)

@@ -33,8 +33,9 @@ char *text_verdict(const struct record_counts *counts);
 /* "R1/interior_sd_j [ugimp]" */
 char *text_check_name(const json_t *check);
 
-/* The command that runs the check again, for the shell. */
-char *text_command(const char *name, const char *variant, bool full);
+/* The command that runs a variant again, for the shell, with the kernels of that run: the
+ * object of kind "run", or NULL. */
+char *text_command(const char *name, const char *variant, bool full, const json_t *run);
 
 /* Appends with every %s escaped for HTML and XML. */
 void text_markup(GString *string, const char *format, ...) __attribute__((format(printf, 2, 3)));
