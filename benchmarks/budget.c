@@ -12,9 +12,9 @@
 /* ------------------------------------------------------------------- verdicts */
 
 const struct budget_figure_kind budget_figures[BUDGET_FIGURES] = {
-    [BUDGET_INSTRUCTIONS] = {"instructions", "instructions", BUDGET_INSTRUCTIONS_TOLERANCE},
-    [BUDGET_BRANCHES] = {"branches", "branches", BUDGET_BRANCHES_TOLERANCE},
-    [BUDGET_BYTES] = {"bytes", "bytes", BUDGET_BYTES_TOLERANCE},
+    [BUDGET_INSTRUCTIONS] = {"instructions", BUDGET_INSTRUCTIONS_TOLERANCE},
+    [BUDGET_BRANCHES] = {"branches", BUDGET_BRANCHES_TOLERANCE},
+    [BUDGET_BYTES] = {"bytes", BUDGET_BYTES_TOLERANCE},
 };
 
 enum budget_verdict budget_judge(double measured, double stored, double tolerance)

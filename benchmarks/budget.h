@@ -37,9 +37,9 @@ enum budget_verdict budget_judge(double measured, double stored, double toleranc
 
 enum budget_figure { BUDGET_INSTRUCTIONS, BUDGET_BRANCHES, BUDGET_BYTES, BUDGET_FIGURES };
 
-/* Name in the file and heading of the table. */
+/* Name in the file and in the table. */
 extern const struct budget_figure_kind {
-    const char *name, *heading;
+    const char *name;
     double tolerance;
 } budget_figures[BUDGET_FIGURES];
 

@@ -31,7 +31,7 @@ static void print_heading(FILE *out)
 {
     (void)fprintf(out, "%-44s %-10s", "instructions, branches: per particle-step", "kernels");
     for (size_t i = 0; i < BUDGET_FIGURES; i++)
-        (void)fprintf(out, " %12s %7s", budget_figures[i].heading, "budget");
+        (void)fprintf(out, " %12s %8s", budget_figures[i].name, "change");
     (void)fprintf(out, "\n");
 }
 
@@ -50,26 +50,35 @@ static void print_row(FILE *out, const char *name, const struct budget_cost *cos
     (void)fflush(out);
 }
 
-/* "instructions, bytes over budget", "branches under budget", "kept"; g_free. */
+/* The names of the figures with that verdict, "" for none. */
+static void list_figures(const struct budget_cost *cost, const struct budget_cost *stored,
+                         enum budget_verdict verdict, char *list, size_t size)
+{
+    list[0] = '\0';
+    for (size_t i = 0; i < BUDGET_FIGURES; i++)
+        if (budget_judge(cost->figures[i], stored->figures[i], budget_figures[i].tolerance) ==
+            verdict) {
+            g_strlcat(list, list[0] == '\0' ? "" : ", ", size);
+            g_strlcat(list, budget_figures[i].name, size);
+        }
+}
+
+/* "OVER BUDGET: instructions, bytes", "better: branches", "kept"; g_free. */
 static char *verdict_text(const struct budget_cost *cost, const struct budget_cost *stored,
                           struct tally *tally)
 {
-    GString *over = g_string_new(NULL), *under = g_string_new(NULL);
-    for (size_t i = 0; i < BUDGET_FIGURES; i++) {
-        const enum budget_verdict verdict =
-            budget_judge(cost->figures[i], stored->figures[i], budget_figures[i].tolerance);
-        GString *list = verdict == BUDGET_EXCEEDED ? over : verdict == BUDGET_BETTER ? under : NULL;
-        if (list != NULL)
-            g_string_append_printf(list, "%s%s", list->len > 0 ? ", " : "", budget_figures[i].name);
+    char over[80], under[80];
+    list_figures(cost, stored, BUDGET_EXCEEDED, over, sizeof over);
+    list_figures(cost, stored, BUDGET_BETTER, under, sizeof under);
+    if (over[0] != '\0') {
+        tally->exceeded++;
+        return g_strconcat("OVER BUDGET: ", over, NULL);
     }
-    tally->exceeded += over->len > 0;
-    tally->better += over->len == 0 && under->len > 0;
-    char *text = over->len > 0    ? g_strconcat("OVER BUDGET: ", over->str, NULL)
-                 : under->len > 0 ? g_strconcat("better: ", under->str, NULL)
-                                  : g_strdup("kept");
-    g_string_free(over, TRUE);
-    g_string_free(under, TRUE);
-    return text;
+    if (under[0] != '\0') {
+        tally->better++;
+        return g_strconcat("better: ", under, NULL);
+    }
+    return g_strdup("kept");
 }
 
 static void judge_run(const struct budget *budget, const char *name, const struct budget_cost *cost,

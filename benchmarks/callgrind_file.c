@@ -94,22 +94,22 @@ static void read_line(struct reader *reader, const char *line)
 /* By instructions, then by name: the order of a hash table is nobody's. */
 static int by_cost(const void *one, const void *other)
 {
-    const struct callgrind_function *const *a = one, *const *b = other;
-    if ((*a)->instructions != (*b)->instructions)
-        return (*a)->instructions < (*b)->instructions ? 1 : -1;
-    return strcmp((*a)->name, (*b)->name);
+    const struct callgrind_function *a = one, *b = other;
+    if (a->instructions != b->instructions)
+        return a->instructions < b->instructions ? 1 : -1;
+    return strcmp(a->name, b->name);
 }
 
 static void take_top(const struct reader *reader, struct callgrind_counts *counts)
 {
     guint count;
     gpointer *names = g_hash_table_get_keys_as_array(reader->functions, &count);
-    const struct callgrind_function **sorted = g_new(const struct callgrind_function *, count);
+    struct callgrind_function *sorted = g_new(struct callgrind_function, count);
     for (guint i = 0; i < count; i++)
-        sorted[i] = g_hash_table_lookup(reader->functions, names[i]);
+        sorted[i] = *(struct callgrind_function *)g_hash_table_lookup(reader->functions, names[i]);
     qsort(sorted, count, sizeof *sorted, by_cost);
     for (guint i = 0; i < count && i < CALLGRIND_TOP; i++)
-        counts->top[i] = *sorted[i];
+        counts->top[i] = sorted[i];
     g_free(sorted);
     g_free(names);
 }

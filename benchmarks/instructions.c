@@ -20,9 +20,6 @@
 #define RESULTS "results"
 #define COUNTS  "callgrind.out"
 
-/* Of `mpm run --kernels`, in the order of enum mpm_kernels. */
-static const char *const kernel_names[] = {"auto", "reference", "fast"};
-
 double instructions_rate(const struct instructions *counted)
 {
     return (double)counted->counts.instructions / (double)counted->particle_steps;
@@ -63,7 +60,7 @@ static enum mpm_status read_record(const char *folder, struct instructions *coun
     json_t *root = json_load_file(path, 0, &failure);
     const bool read =
         root != NULL &&
-        json_unpack_ex(root, &failure, 0, "{s:{s:I, s:I, s:I, s:{s:I, s:F}}, s:s, s?s}", "counters",
+        json_unpack_ex(root, &failure, 0, "{s:{s:I, s:I, s:I, s:{s:I, s:F}}, s:s, s:s}", "counters",
                        "steps", &steps, "particles", &particles, "particle_steps", &particle_steps,
                        "bytes", "total", &bytes, "per_particle", &counted->bytes_per_particle,
                        "kernels", &kernels, "simd", &simd) == 0;
@@ -138,7 +135,7 @@ static GPtrArray *command_line(const char *valgrind, const struct instructions_r
         g_ptr_array_add(words, g_strconcat("--toggle-collect=", functions[i], NULL));
     add(words, "./" PROGRAM, "run", SCENE, "--quiet", "--output", RESULTS, "--threads", "1", NULL);
     if (request->simulation.kernels != MPM_KERNELS_AUTO)
-        add(words, "--kernels", kernel_names[request->simulation.kernels], NULL);
+        add(words, "--kernels", mpm_kernels_name(request->simulation.kernels), NULL);
     if (request->simulation.simd != MPM_SIMD_AUTO)
         add(words, "--simd", mpm_simd_name(request->simulation.simd), NULL);
     for (size_t i = 0; request->settings != NULL && request->settings[i] != NULL; i++)

@@ -257,6 +257,7 @@ START_TEST(the_same_program_counts_the_same_twice)
     ck_assert_uint_eq(first.bytes, second.bytes);
     ck_assert_uint_lt(first.counts.branches, first.counts.instructions);
     ck_assert_str_ne(first.kernels, "");
+    ck_assert_str_ne(first.simd, "");
 }
 END_TEST
 
