@@ -43,7 +43,7 @@ END_TEST
 START_TEST(each_figure_has_the_tolerance_that_is_promised)
 {
     ck_assert_double_eq(budget_figures[BUDGET_INSTRUCTIONS].tolerance, 0.03);
-    ck_assert_double_eq(budget_figures[BUDGET_BRANCHES].tolerance, 0.02);
+    ck_assert_double_eq(budget_figures[BUDGET_BRANCHES].tolerance, 0.015);
     ck_assert_double_eq(budget_figures[BUDGET_BYTES].tolerance, 0.002);
 }
 END_TEST
