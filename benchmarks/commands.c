@@ -6,6 +6,7 @@
 #include "benchmarks/bench.h"
 #include "benchmarks/budget_command.h"
 #include "benchmarks/compare.h"
+#include "benchmarks/report.h"
 #include "benchmarks/run.h"
 #include "verification/suite/failure.h"
 #include "verification/suite/resources.h"
@@ -187,10 +188,7 @@ static enum mpm_status command_run(struct command *command, struct mpm_error *er
 
 static enum mpm_status command_report(struct command *command, struct mpm_error *error)
 {
-    struct bench_records records;
-    TRY(bench_records_read(command->options.rest[0], &records, error));
-    bench_records_clear(&records);
-    return failure_set(error, MPM_ENVIRONMENT_FAILED, "report: not built in this version");
+    return bench_report_write(command->options.rest[0], error);
 }
 
 static enum mpm_status command_compare(struct command *command, struct mpm_error *error)

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/run.h"
 
+#include "benchmarks/report.h"
 #include "benchmarks/timing.h"
 #include "verification/suite/failure.h"
 #include "verification/suite/machine.h"
@@ -115,6 +116,8 @@ static enum mpm_status run_in(const struct bench_run *run, struct bench_context 
     enum mpm_status status = bench_records_write(context->output, context->records, error);
     if (status == MPM_OK)
         status = run_groups(run, context, error);
+    if (status == MPM_OK)
+        status = bench_report_write(context->output, error);
     bench_records_clear(context->records);
     return status;
 }

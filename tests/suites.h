@@ -29,7 +29,10 @@
     SUITE(suite)                                                                                   \
     SUITE(bench)                                                                                   \
     SUITE(kernels)                                                                                 \
-    SUITE(kernel_table)
+    SUITE(kernel_table)                                                                            \
+    SUITE(pareto)                                                                                  \
+    SUITE(accuracy)                                                                                \
+    SUITE(bench_report)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)

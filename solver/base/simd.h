@@ -139,6 +139,23 @@ MPM_INLINE mpm_mask mpm_to_integer(mpm_vector whole)
     return (mpm_mask)(whole + MPM_ROUNDING) - (mpm_mask)zero;
 }
 
+/* Pairs (a, b) of each lane, in the order of lanes 0 2 1 3, which interleaving leaves. */
+MPM_INLINE void mpm_store_pairs(mpm_vector a, mpm_vector b, double pairs[8])
+{
+#if defined __SSE2__ && !defined __AVX__
+    /* gcc would store the two of a pair one by one, and a load of both would wait for them */
+    for (int half = 0; half < 4; half++) {
+        const int lane = half < 2 ? 2 * half : 2 * half - 3;
+        mpm_half_vector pair = {a[lane], b[lane]};
+        __asm__("" : "+x"(pair));
+        memcpy(pairs + 2 * half, &pair, sizeof pair);
+    }
+#else
+    mpm_store(pairs, __builtin_shufflevector(a, b, 0, 4, 2, 6));
+    mpm_store(pairs + 4, __builtin_shufflevector(a, b, 1, 5, 3, 7));
+#endif
+}
+
 /* Rows become columns. */
 MPM_INLINE void mpm_transpose(mpm_vector v[4])
 {

@@ -31,14 +31,8 @@ struct fast_lines {
     mpm_vector sx[MPM_LINE_NODES]; /* the weights of x once more, by particles */
 };
 
-/* The place of a lane's pair: interleaving leaves them in the order 0 2 1 3. */
+/* The place of a lane's pair, see mpm_store_pairs. */
 static const int fast_pair[MPM_VECTOR_SIZE] = {0, 4, 2, 6};
-
-MPM_INLINE void fast_interleave(mpm_vector a, mpm_vector b, double pairs[8])
-{
-    mpm_store(pairs, __builtin_shufflevector(a, b, 0, 4, 2, 6));
-    mpm_store(pairs + 4, __builtin_shufflevector(a, b, 1, 5, 3, 7));
-}
 
 /* ------------------------------------------------------------ along one axis */
 
@@ -141,8 +135,8 @@ MPM_INLINE void fast_lines_evaluate(const struct fast_spec *spec, const struct f
     const mpm_mask node = mpm_to_integer(y.first * k->columns + x.first) + k->node_zero;
     memcpy(lines->node, &node, sizeof node);
     for (int i = 0; i < line_nodes(spec); i++) {
-        fast_interleave(x.d[i], x.s[i], lines->x[i]);
-        fast_interleave(y.s[i], y.d[i], lines->y[i]);
+        mpm_store_pairs(x.d[i], x.s[i], lines->x[i]);
+        mpm_store_pairs(y.s[i], y.d[i], lines->y[i]);
         if (spec->axisymmetric)
             mpm_store(lines->t[i], x.t[i]);
         lines->sx[i] = x.s[i];
@@ -310,7 +304,7 @@ MPM_INLINE void fast_lines_gradient(const struct fast_spec *spec, const struct f
     for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
         gradient[lane] = gradient_lane(spec, k, lines, lane, &hoop[lane]);
     mpm_transpose(gradient);
-    gradient[MPM_ZZ] = mpm_load(hoop);
+    gradient[MPM_ZZ] = (mpm_vector){hoop[0], hoop[1], hoop[2], hoop[3]};
 }
 
 #endif

@@ -45,8 +45,7 @@ static char *variants_needed(const json_t *entry, const json_t *globs, char *rea
     return g_string_free(names, FALSE);
 }
 
-/* A text between single quotes of gnuplot. */
-static char *quoted(const char *text)
+char *figure_quoted(const char *text)
 {
     GString *result = g_string_new("'");
     for (const char *c = text; *c != '\0'; c++)
@@ -62,8 +61,8 @@ static char *quoted(const char *text)
 static bool run_gnuplot(const char *home, const char *settings, const char *script, char **said,
                         GError **failure)
 {
-    char *path = g_build_filename("source", script, NULL);
-    char *command[] = {"gnuplot", "-e", (char *)(uintptr_t)settings, path, NULL};
+    char *command[] = {"gnuplot", "-e", (char *)(uintptr_t)settings, (char *)(uintptr_t)script,
+                       NULL};
     /* the scripts are UTF-8, and a picture must not depend on the caller's locale */
     char **environment = g_environ_setenv(g_get_environ(), "LC_ALL", "C.UTF-8", TRUE);
     int state = 0;
@@ -72,7 +71,6 @@ static bool run_gnuplot(const char *home, const char *settings, const char *scri
                      NULL, NULL, NULL, said, &state, failure) &&
         g_spawn_check_wait_status(state, failure);
     g_strfreev(environment);
-    g_free(path);
     return ran;
 }
 
@@ -124,19 +122,16 @@ char *figure_dress(const char *svg, const char *title, const char *description)
 }
 
 /* The file that the script was to write, dressed. */
-static bool dress_file(const char *path, const json_t *figure)
+static bool dress_file(const char *path, const char *title, const char *description)
 {
-    char *svg = NULL,
-         *description = g_strdup_printf("%s Reference: %s", record_text(figure, "caption"),
-                                        record_text(figure, "reference"));
+    char *svg = NULL;
     bool good = g_file_get_contents(path, &svg, NULL, NULL) && strstr(svg, "</svg>") != NULL;
     if (good) {
-        char *dressed = figure_dress(svg, record_text(figure, "title"), description);
+        char *dressed = figure_dress(svg, title, description);
         good = g_file_set_contents(path, dressed, -1, NULL);
         g_free(dressed);
     }
     g_free(svg);
-    g_free(description);
     return good;
 }
 
@@ -144,7 +139,8 @@ static char *settings_of(const json_t *run, const json_t *figure, const char *va
 {
     char *stamp = g_strdup_printf("Touchstone %s, %s", record_text(run, "version"),
                                   record_text(run, "revision"));
-    char *quoted_stamp = quoted(stamp), *quoted_name = quoted(record_text(figure, "figure"));
+    char *quoted_stamp = figure_quoted(stamp);
+    char *quoted_name = figure_quoted(record_text(figure, "figure"));
     char *settings =
         g_strdup_printf("style='../../style/style.gp'; output='figure-%s.svg'; name=%s; data='.'; "
                         "source='source'; variants='%s'; stamp=%s",
@@ -155,28 +151,40 @@ static char *settings_of(const json_t *run, const json_t *figure, const char *va
     return settings;
 }
 
-static void draw(const char *home, const char *settings, const json_t *figure,
-                 struct figure_result *result)
+struct figure_result figure_plot(const struct figure_plot *plot)
 {
-    char *file = g_strdup_printf("figure-%s.svg", record_text(figure, "figure"));
-    char *path = g_build_filename(home, file, NULL), *said = NULL;
+    struct figure_result result = {.state = FIGURE_FAILED};
+    char *path = g_build_filename(plot->home, plot->output, NULL), *said = NULL;
     GError *failure = NULL;
     g_remove(path); /* or an old picture could stand for a new one */
-    result->state = FIGURE_FAILED;
-    const bool ran = run_gnuplot(home, settings, record_text(figure, "script"), &said, &failure);
+    const bool ran = run_gnuplot(plot->home, plot->settings, plot->script, &said, &failure);
     if (said == NULL)
-        g_snprintf(result->reason, sizeof result->reason, "gnuplot cannot be run: %s",
+        g_snprintf(result.reason, sizeof result.reason, "gnuplot cannot be run: %s",
                    failure->message);
     else if (!ran || strstr(said, "warning:") != NULL)
-        take_complaint(said, result->reason, sizeof result->reason);
-    else if (!dress_file(path, figure))
-        g_strlcpy(result->reason, "the script wrote no SVG file", sizeof result->reason);
+        take_complaint(said, result.reason, sizeof result.reason);
+    else if (!dress_file(path, plot->title, plot->description))
+        g_strlcpy(result.reason, "the script wrote no SVG file", sizeof result.reason);
     else
-        result->state = FIGURE_DRAWN;
+        result.state = FIGURE_DRAWN;
     g_clear_error(&failure);
     g_free(said);
     g_free(path);
+    return result;
+}
+
+static struct figure_result draw(const char *home, const char *settings, const json_t *figure)
+{
+    char *file = g_strdup_printf("figure-%s.svg", record_text(figure, "figure"));
+    char *script = g_build_filename("source", record_text(figure, "script"), NULL);
+    char *description = g_strdup_printf("%s Reference: %s", record_text(figure, "caption"),
+                                        record_text(figure, "reference"));
+    const struct figure_result result = figure_plot(&(struct figure_plot){
+        home, script, settings, file, record_text(figure, "title"), description});
+    g_free(description);
+    g_free(script);
     g_free(file);
+    return result;
 }
 
 struct figure_result figure_draw(const char *folder, const json_t *run, const json_t *entry,
@@ -193,7 +201,7 @@ struct figure_result figure_draw(const char *folder, const json_t *run, const js
     g_free(source);
     if (result.reason[0] == '\0') {
         char *settings = settings_of(run, figure, variants);
-        draw(home, settings, figure, &result);
+        result = draw(home, settings, figure);
         g_free(settings);
     }
     g_free(variants);

@@ -23,6 +23,17 @@ struct figure_result {
 struct figure_result figure_draw(const char *folder, const json_t *run, const json_t *entry,
                                  const json_t *figure);
 
+/* Runs the gnuplot script at path `script` in the folder `home`, after `settings` (commands of
+ * gnuplot: style, output and what else the script wants), and dresses the SVG file `output`
+ * that it writes there. DRAWN or FAILED. */
+struct figure_plot {
+    const char *home, *script, *settings, *output, *title, *description;
+};
+struct figure_result figure_plot(const struct figure_plot *plot);
+
+/* A text between single quotes of gnuplot; g_free. */
+char *figure_quoted(const char *text);
+
 /* The SVG as gnuplot wrote it, with black as the text colour, colours for light and dark,
  * a role, a title and a description; g_free. */
 char *figure_dress(const char *svg, const char *title, const char *description);

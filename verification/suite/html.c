@@ -133,7 +133,12 @@ static GString *provenance(const json_t *run)
 char *html_page(const struct records *records, const struct report_style *style, const char *title,
                 GString *navigation, GString *content)
 {
-    GString *footer = provenance(records->run);
+    return html_fill(style, title, navigation, content, provenance(records->run));
+}
+
+char *html_fill(const struct report_style *style, const char *title, GString *navigation,
+                GString *content, GString *footer)
+{
     char *safe_title = g_markup_escape_text(title, -1);
     const struct {
         const char *place, *text;

@@ -25,7 +25,11 @@ void html_counts(GString *html, const struct record_counts *counts);
 /* The status of a case: the worst that occurs; known weaknesses beside it. */
 void html_case_status(GString *html, const struct record_counts *counts);
 
-/* The page; takes navigation and content over. */
+/* The template of `style` with its places filled; takes all three strings over. */
+char *html_fill(const struct report_style *style, const char *title, GString *navigation,
+                GString *content, GString *footer);
+
+/* The page of a verification run; takes navigation and content over. */
 char *html_page(const struct records *records, const struct report_style *style, const char *title,
                 GString *navigation, GString *content);
 

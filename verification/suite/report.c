@@ -25,7 +25,7 @@ static enum mpm_status read_style_file(const char *folder, const char *reports, 
     return status;
 }
 
-static enum mpm_status read_style(const char *folder, const char *reports,
+enum mpm_status report_style_read(const char *folder, const char *reports,
                                   struct report_style *style, struct mpm_error *error)
 {
     *style = (struct report_style){NULL, NULL};
@@ -33,8 +33,15 @@ static enum mpm_status read_style(const char *folder, const char *reports,
     const enum mpm_status status =
         read_style_file(folder, reports, "report.css", &style->css, error);
     if (status != MPM_OK)
-        g_free(style->page);
+        report_style_clear(style);
     return status;
+}
+
+void report_style_clear(struct report_style *style)
+{
+    g_free(style->page);
+    g_free(style->css);
+    *style = (struct report_style){NULL, NULL};
 }
 
 static enum mpm_status write_owned(const char *folder, const char *name, char *text,
@@ -90,7 +97,7 @@ enum mpm_status report_render(const char *folder, const char *reports, struct mp
     struct records records;
     struct report_style style;
     TRY(records_read(folder, &records, error));
-    enum mpm_status status = read_style(folder, reports, &style, error);
+    enum mpm_status status = report_style_read(folder, reports, &style, error);
     if (status == MPM_OK) {
         status = write_texts(folder, &records, &style, error);
         const json_t *cases = json_object_get(records.run, "cases");
@@ -102,8 +109,7 @@ enum mpm_status report_render(const char *folder, const char *reports, struct mp
             if (drawn != MPM_OK && status == MPM_OK)
                 status = failure_set(error, drawn, "%s", own.message);
         }
-        g_free(style.page);
-        g_free(style.css);
+        report_style_clear(&style);
     }
     records_clear(&records);
     return status;

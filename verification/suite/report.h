@@ -25,6 +25,13 @@ struct report_style {
     char *page; /* page.html, with {{title}}, {{style}}, ... */
     char *css;
 };
+
+/* Reads it from `style` in the folder of the results, or else from `reports` (may be NULL).
+ * MPM_ENVIRONMENT_FAILED: in neither. */
+enum mpm_status report_style_read(const char *folder, const char *reports,
+                                  struct report_style *style, struct mpm_error *error);
+void report_style_clear(struct report_style *style);
+
 char *report_index(const struct records *records, const struct report_style *style);
 
 /* `figures` belongs to the figures of `entry`, an object of the run's cases. */

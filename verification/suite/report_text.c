@@ -9,27 +9,10 @@
 
 /* ------------------------------------------------------------------- Markdown */
 
-/* Appends a text so that Markdown takes no character of it as its own. */
-static void add_plain(GString *markdown, const char *text)
-{
-    for (const char *c = text; *c != '\0'; c++) {
-        if (*c == '<')
-            g_string_append(markdown, "&lt;");
-        else if (*c == '&')
-            g_string_append(markdown, "&amp;");
-        else if (*c == '\n' || *c == '\r')
-            g_string_append_c(markdown, ' ');
-        else if (strchr("\\`*_[]|~#>!", *c) != NULL)
-            g_string_append_printf(markdown, "\\%c", *c);
-        else
-            g_string_append_c(markdown, *c);
-    }
-}
-
 static void add_cell(GString *markdown, const char *text)
 {
     g_string_append(markdown, "| ");
-    add_plain(markdown, text);
+    text_markdown(markdown, text);
     g_string_append_c(markdown, ' ');
 }
 
@@ -81,7 +64,7 @@ char *report_markdown(const struct records *records)
     const struct record_counts counts = records_count(records, NULL, NULL);
     char *verdict = text_verdict(&counts);
     GString *markdown = g_string_new("# Touchstone: ");
-    add_plain(markdown, verdict);
+    text_markdown(markdown, verdict);
     g_string_append(markdown, "\n\n");
     for (int status = 0; status < VERDICT_STATUS_COUNT; status++)
         if (counts.of[status] > 0)
@@ -94,15 +77,15 @@ char *report_markdown(const struct records *records)
         markdown_failures(markdown, records);
     markdown_cases(markdown, records);
     g_string_append(markdown, "\nTouchstone ");
-    add_plain(markdown, record_text(records->run, "version"));
+    text_markdown(markdown, record_text(records->run, "version"));
     g_string_append(markdown, ", revision ");
-    add_plain(markdown, record_text(records->run, "revision"));
+    text_markdown(markdown, record_text(records->run, "revision"));
     g_string_append(markdown, ", ");
-    add_plain(markdown, record_text(records->run, "compiler"));
+    text_markdown(markdown, record_text(records->run, "compiler"));
     g_string_append(markdown, ", kernels ");
-    add_plain(markdown, record_text(records->run, "kernels"));
+    text_markdown(markdown, record_text(records->run, "kernels"));
     g_string_append(markdown, ", size ");
-    add_plain(markdown, record_text(records->run, "tier"));
+    text_markdown(markdown, record_text(records->run, "tier"));
     g_string_append(markdown, ".\n");
     g_free(verdict);
     return g_string_free(markdown, FALSE);

@@ -142,3 +142,19 @@ void text_markup(GString *string, const char *format, ...)
     g_string_append(string, text);
     g_free(text);
 }
+
+void text_markdown(GString *markdown, const char *text)
+{
+    for (const char *c = text; *c != '\0'; c++) {
+        if (*c == '<')
+            g_string_append(markdown, "&lt;");
+        else if (*c == '&')
+            g_string_append(markdown, "&amp;");
+        else if (*c == '\n' || *c == '\r')
+            g_string_append_c(markdown, ' ');
+        else if (strchr("\\`*_[]|~#>!", *c) != NULL)
+            g_string_append_printf(markdown, "\\%c", *c);
+        else
+            g_string_append_c(markdown, *c);
+    }
+}

@@ -40,4 +40,7 @@ char *text_command(const char *name, const char *variant, bool full, const json_
 /* Appends with every %s escaped for HTML and XML. */
 void text_markup(GString *string, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Appends a text so that Markdown takes no character of it as its own. */
+void text_markdown(GString *markdown, const char *text);
+
 #endif

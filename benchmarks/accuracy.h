@@ -1,0 +1,58 @@
+/* Error against run time: problems with an exact solution, run by every variant of the solver
+ * on a ladder of grids.
+ *
+ * Lines of a run, point "<problem>/<shape>/<stress_update>/<cells>":
+ *   value   "error_..."    root mean square over particles (and samples in time), relative;
+ *                          null where the run failed
+ *   result  "cpu_seconds"  processor time of the steps alone; none where the run failed
+ * with the settings problem, shape, stress_update, cells, particles, outcome ("done" or
+ * "failed") and reached, the part of the run's time that it got through.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef BENCHMARKS_ACCURACY_H
+#define BENCHMARKS_ACCURACY_H
+
+#include "benchmarks/bench.h"
+#include "verification/measures/particle_set.h"
+
+#include <glib.h>
+
+enum { ACCURACY_ERRORS_MAX = 4, ACCURACY_LADDER_MAX = 6 };
+
+/* A mean of squares being added up. */
+struct accuracy_sum {
+    double squares, count;
+};
+
+struct accuracy_problem {
+    const char *name;        /* of settings.problem; a word */
+    const char *title;       /* heading of the report */
+    const char *description; /* what is run and what the error is, for the report */
+    const char *headline;    /* the error that pictures and tables show, one of `errors` */
+    const char *errors[ACCURACY_ERRORS_MAX]; /* quantities; NULL ends them */
+    const char *headline_words;              /* the headline in words */
+    unsigned cells[ACCURACY_LADDER_MAX];     /* the ladder, along the body; 0 ends it */
+    double end;                              /* time at which the run ends */
+    double interval;                         /* between two looks; the last one is at the end */
+    /* Path of the scene; g_free. */
+    char *(*scene)(const struct bench_context *context);
+    /* PATH=VALUE texts of a grid with so many cells. */
+    void (*set)(GPtrArray *settings, unsigned cells);
+    /* Adds the particles of the moment to the sums, one for each of `errors`. */
+    void (*look)(const struct particle_set *particles, double time, struct accuracy_sum *sums);
+};
+
+/* All problems; *count of them. */
+const struct accuracy_problem *const *accuracy_problems(size_t *count);
+
+extern const struct accuracy_problem accuracy_compression, accuracy_bar, accuracy_bar_small;
+
+/* The variants of the solver, as their names in a scene; *count of them. */
+const char *const *accuracy_shapes(size_t *count);
+const char *const *accuracy_orders(size_t *count);
+
+/* Adds a text PATH=VALUE, printed from the format. */
+void accuracy_set(GPtrArray *settings, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+#endif
