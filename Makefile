@@ -223,8 +223,10 @@ check-includes: $(BUILD)/generated/build_facts.h
 	  $(CC) $(CODE_FLAGS) -I. -Isolver -Itests -I$(BUILD)/generated $(PACKAGE_FLAGS) \
 	    -x c -M -MT $$file $$file >> build/check/includes || exit 1; done
 	@.ci/check-includes --self-test && .ci/check-includes < build/check/includes
-check-warnings:
-	+@$(MAKE) VARIANT=release BUILD=build/check/gcc CC=gcc WERROR=1 objects
+.PHONY: check-gcc
+check-gcc:
+	+@$(MAKE) VARIANT=release BUILD=build/check/gcc CC=gcc WERROR=1 all objects
+check-warnings: check-gcc
 	+@$(MAKE) VARIANT=release BUILD=build/check/clang CC=clang WERROR=1 objects
 # POSIX makes NULL a void pointer, so it may end a list of arguments: no varFuncNullUB.
 check-cppcheck:
@@ -239,14 +241,12 @@ check-tidy: $(BUILD)/generated/build_facts.h
 # The compilers and, where this machine runs it, another level of SIMD.
 WIDE := $(shell grep -qsw avx2 /proc/cpuinfo && echo x86-64-v3)
 check-bits: check-warnings
-	+@$(MAKE) VARIANT=release BUILD=build/check/gcc CC=gcc WERROR=1 all
 	+@$(MAKE) VARIANT=release BUILD=build/check/clang CC=clang WERROR=1 all
 	+@$(if $(WIDE),$(MAKE) VARIANT=release BUILD=build/check/gcc-wide CC=gcc WERROR=1 \
 	  EXTRA_FLAGS=-march=$(WIDE) all)
 	@.ci/check-bits $(patsubst %,build/check/%/bin/mpm,gcc clang $(if $(WIDE),gcc-wide))
-# Counts instructions of the same gcc build, whatever compiler is at hand.
-check-budget: check-warnings
-	+@$(MAKE) VARIANT=release BUILD=build/check/gcc CC=gcc WERROR=1 all
+# Always the gcc release build, whatever compiler and variant are asked for.
+check-budget: check-gcc ## instructions, branches and bytes of small runs against their budget
 	@build/check/gcc/bin/mpm-bench budget
 check-reference:
 	@$(if $(wildcard reference_data),cd reference_data && sha256sum --quiet -c MANIFEST.sha256)
