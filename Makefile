@@ -206,7 +206,7 @@ CLANG_FORMAT ?= $(or $(shell command -v clang-format-14),clang-format)
 CLANG_TIDY   ?= $(or $(shell command -v clang-tidy-14),clang-tidy)
 JOBS         := $(or $(shell nproc 2>/dev/null),2)
 CHECKS := check-format check-source check-includes check-warnings check-cppcheck check-tidy \
-          check-bits check-reference
+          check-bits check-budget check-reference
 .PHONY: check check-all $(CHECKS) format
 check: ## format, lint, include directions, warnings and bits of both compilers, checksums
 	+@$(MAKE) --keep-going check-all
@@ -223,8 +223,10 @@ check-includes: $(BUILD)/generated/build_facts.h
 	  $(CC) $(CODE_FLAGS) -I. -Isolver -Itests -I$(BUILD)/generated $(PACKAGE_FLAGS) \
 	    -x c -M -MT $$file $$file >> build/check/includes || exit 1; done
 	@.ci/check-includes --self-test && .ci/check-includes < build/check/includes
-check-warnings:
-	+@$(MAKE) VARIANT=release BUILD=build/check/gcc CC=gcc WERROR=1 objects
+.PHONY: check-gcc
+check-gcc:
+	+@$(MAKE) VARIANT=release BUILD=build/check/gcc CC=gcc WERROR=1 all objects
+check-warnings: check-gcc
 	+@$(MAKE) VARIANT=release BUILD=build/check/clang CC=clang WERROR=1 objects
 # POSIX makes NULL a void pointer, so it may end a list of arguments: no varFuncNullUB.
 check-cppcheck:
@@ -239,11 +241,13 @@ check-tidy: $(BUILD)/generated/build_facts.h
 # The compilers and, where this machine runs it, another level of SIMD.
 WIDE := $(shell grep -qsw avx2 /proc/cpuinfo && echo x86-64-v3)
 check-bits: check-warnings
-	+@$(MAKE) VARIANT=release BUILD=build/check/gcc CC=gcc WERROR=1 all
 	+@$(MAKE) VARIANT=release BUILD=build/check/clang CC=clang WERROR=1 all
 	+@$(if $(WIDE),$(MAKE) VARIANT=release BUILD=build/check/gcc-wide CC=gcc WERROR=1 \
 	  EXTRA_FLAGS=-march=$(WIDE) all)
 	@.ci/check-bits $(patsubst %,build/check/%/bin/mpm,gcc clang $(if $(WIDE),gcc-wide))
+# Always the gcc release build, whatever compiler and variant are asked for.
+check-budget: check-gcc ## instructions, branches and bytes of small runs against their budget
+	@build/check/gcc/bin/mpm-bench budget
 check-reference:
 	@$(if $(wildcard reference_data),cd reference_data && sha256sum --quiet -c MANIFEST.sha256)
 

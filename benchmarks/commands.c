@@ -4,10 +4,12 @@
 #include "benchmarks/commands.h"
 
 #include "benchmarks/bench.h"
+#include "benchmarks/budget_command.h"
 #include "benchmarks/compare.h"
 #include "benchmarks/report.h"
 #include "benchmarks/run.h"
 #include "verification/suite/failure.h"
+#include "verification/suite/resources.h"
 
 #include <glib.h>
 #include <string.h>
@@ -21,16 +23,23 @@ static const char usage[] =
     "                                  measure, and write results and report\n"
     "  report DIR                      render the report of DIR again from its result lines\n"
     "  compare DIR_A DIR_B             what differs between two runs, beyond noise and 5 %\n"
+    "  budget [--functions] [--update] instructions, branches and bytes of some small runs "
+    "against\n"
+    "                                  the stored ones; --functions names the costliest "
+    "functions,\n"
+    "                                  --update stores the figures instead\n"
     "  help, --help, --version\n"
     "\n"
     "--tier is standard unless given: all groups in under 10 minutes on two processors.\n"
     "--output is build/reports/bench in the repository and bench-report elsewhere.\n"
-    "Exit status: 0 done; 2 bad usage or bad input; 3 a run failed; 4 the environment failed.\n";
+    "Exit status: 0 done; 1 a budget is exceeded; 2 bad usage or bad input; 3 a run failed;\n"
+    "4 the environment failed.\n";
 
 /* ---------------------------------------------------------------- arguments */
 
 struct options {
     char *tier, *output, *kernels, *simd;
+    gboolean update, functions;
     char **groups, **rest; /* rest: what stands beside the options */
 };
 
@@ -53,7 +62,7 @@ static void options_clear(struct options *options)
 }
 
 /* Which options a command takes; bits of `takes` in the table of commands. */
-enum { TAKES_REST = 1, TAKES_RUN = 2 };
+enum { TAKES_REST = 1, TAKES_RUN = 2, TAKES_BUDGET = 4 };
 
 static enum mpm_status parse(int argc, char **argv, unsigned takes, struct options *options,
                              struct mpm_error *error)
@@ -67,6 +76,8 @@ static enum mpm_status parse(int argc, char **argv, unsigned takes, struct optio
         {TAKES_RUN, {"output", 0, 0, G_OPTION_ARG_FILENAME, &options->output, NULL, NULL}},
         {TAKES_RUN, {"kernels", 0, 0, G_OPTION_ARG_STRING, &options->kernels, NULL, NULL}},
         {TAKES_RUN, {"simd", 0, 0, G_OPTION_ARG_STRING, &options->simd, NULL, NULL}},
+        {TAKES_BUDGET, {"functions", 0, 0, G_OPTION_ARG_NONE, &options->functions, NULL, NULL}},
+        {TAKES_BUDGET, {"update", 0, 0, G_OPTION_ARG_NONE, &options->update, NULL, NULL}},
         {TAKES_REST,
          {G_OPTION_REMAINING, 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &options->rest, NULL, NULL}},
     };
@@ -186,6 +197,30 @@ static enum mpm_status command_compare(struct command *command, struct mpm_error
                          error);
 }
 
+enum { BUDGET_IS_EXCEEDED = 1 };
+
+static enum mpm_status command_budget(struct command *command, struct mpm_error *error)
+{
+    char *program = resources_program(command->argv[0], "mpm");
+    char *benchmarks = resources_benchmarks(command->argv[0]);
+    char *catalogue = resources_catalogue(command->argv[0]);
+    const struct budget_places places = {program, benchmarks, catalogue};
+    const struct budget_options options = {&places, command->options.update,
+                                           command->options.functions, command->world->out};
+    bool exceeded = false;
+    const enum mpm_status status =
+        benchmarks == NULL || catalogue == NULL
+            ? failure_set(error, MPM_ENVIRONMENT_FAILED,
+                          "the scenes are found neither in benchmarks/ and "
+                          "verification/catalogue/ nor beside the program")
+            : budget_command(&options, &exceeded, error);
+    command->verdict = exceeded ? BUDGET_IS_EXCEEDED : 0;
+    g_free(program);
+    g_free(benchmarks);
+    g_free(catalogue);
+    return status;
+}
+
 /* ----------------------------------------------------------------- dispatch */
 
 static const struct {
@@ -199,6 +234,7 @@ static const struct {
     {"run", TAKES_RUN, 0, "", command_run},
     {"report", 0, 1, "report: the folder DIR", command_report},
     {"compare", 0, 2, "compare: a folder", command_compare},
+    {"budget", TAKES_BUDGET, 0, "", command_budget},
 };
 
 static enum mpm_status dispatch(size_t which, struct command *command, struct mpm_error *error)

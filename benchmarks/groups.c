@@ -15,6 +15,8 @@ static const struct bench_group groups[] = {
      "R1 and a vibrating bar on ladders of grids: error and processor time of every variant",
      bench_accuracy},
     {"scaling", "Scaling", "threads at three sizes, particles per cell, empty grid", bench_scaling},
+    {"pays", "What a scene pays", "each feature off and on: times and counted instructions",
+     bench_pays},
 };
 
 const struct bench_group *bench_groups(size_t *count)

@@ -23,6 +23,7 @@
     SUITE(judge)                                                                                   \
     SUITE(report)                                                                                  \
     SUITE(scene_run)                                                                               \
+    SUITE(budget)                                                                                  \
     SUITE(scene_limits)                                                                            \
     SUITE(scene_settings)                                                                          \
     SUITE(suite)                                                                                   \

@@ -52,6 +52,14 @@ char *resources_benchmarks(const char *executable)
     return find(executable, "benchmarks", "benchmarks", "scenes");
 }
 
+char *resources_program(const char *executable, const char *name)
+{
+    char *home = home_of(executable);
+    char *path = g_build_filename(home, name, NULL);
+    g_free(home);
+    return path;
+}
+
 char *resources_output(void)
 {
     const bool repository = g_file_test("Makefile", G_FILE_TEST_IS_REGULAR) &&
