@@ -127,20 +127,33 @@ MPM_INLINE mpm_vector mpm_absolute(mpm_vector x)
     return (mpm_vector)((mpm_mask)x & ~sign);
 }
 
-/* The smaller and the larger; b where one is not a number. */
+/* The smaller and the larger; b where one is not a number. The instruction does just that,
+ * but gcc does not find it. */
 MPM_INLINE mpm_vector mpm_smaller(mpm_vector a, mpm_vector b)
 {
+#ifdef __AVX__
+    return __builtin_ia32_minpd256(a, b);
+#else
     return mpm_select(mpm_less(a, b), a, b);
+#endif
 }
 
 MPM_INLINE mpm_vector mpm_larger(mpm_vector a, mpm_vector b)
 {
+#ifdef __AVX__
+    return __builtin_ia32_maxpd256(a, b);
+#else
     return mpm_select(mpm_less(b, a), a, b);
+#endif
 }
 
 MPM_INLINE bool mpm_any(mpm_mask mask)
 {
+#ifdef __AVX__
+    return __builtin_ia32_movmskpd256((mpm_vector)mask) != 0;
+#else
     return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
+#endif
 }
 
 MPM_INLINE mpm_vector mpm_square_root(mpm_vector x)

@@ -37,6 +37,7 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
         constants->origin[axis] = grid->origin[axis];
         constants->inverse_cell[axis] = grid->inverse_cell[axis];
         constants->half[axis] = state->bodies[body].half_size[axis];
+        constants->longest_step[axis] = grid->cell[axis];
         constants->lowest[axis] = grid->origin[axis];
         constants->highest[axis] =
             grid->origin[axis] + (double)grid->cells[axis] * grid->cell[axis];

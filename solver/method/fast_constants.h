@@ -40,6 +40,7 @@ struct fast_constants {
     int deformation_terms;
     double lowest[2], highest[2];             /* where particles may be, */
     double lowest_reach[2], highest_reach[2]; /* and their domains */
+    double longest_step[2];                   /* a cell */
     struct mpm_material material;
 };
 
@@ -66,6 +67,13 @@ MPM_INLINE mpm_vector fast_cells(mpm_vector x, mpm_vector *cell)
     const mpm_vector place = mpm_select(close, nearest, x);
     *cell = mpm_down_to_integer(place, nearest);
     return place;
+}
+
+/* The same without the cell. */
+MPM_INLINE mpm_vector fast_snap(mpm_vector x)
+{
+    mpm_vector unused;
+    return fast_cells(x, &unused);
 }
 
 #endif

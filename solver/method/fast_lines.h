@@ -36,31 +36,59 @@ static const int fast_pair[MPM_VECTOR_SIZE] = {0, 4, 2, 6};
 
 /* ------------------------------------------------------------ along one axis */
 
-/* See shape_ugimp.c: the part [from, to] of a cell, and what it gives both its nodes. */
-MPM_INLINE void add_part(struct fast_line *line, int k, mpm_vector from, mpm_vector to,
-                         mpm_vector norm)
+/* See shape_ugimp.c: the parts [from, middle] of a cell and [0, rest] of the next one, and
+ * what they give the three nodes. */
+MPM_INLINE void add_parts(struct fast_line *line, mpm_vector from, mpm_vector middle,
+                          mpm_vector rest, mpm_vector norm, double inverse_cell)
 {
-    const mpm_vector length = (to - from) * norm;
-    const mpm_vector mean = 0.5 * (from + to);
-    line->s[k] += length * (1.0 - mean);
-    line->d[k] -= length;
-    line->s[k + 1] = length * mean;
-    line->d[k + 1] = length;
+    const mpm_vector length = (middle - from) * norm, next = rest * norm;
+    const mpm_vector mean = 0.5 * (from + middle), next_mean = 0.5 * rest;
+    const mpm_vector slope = length * inverse_cell, next_slope = next * inverse_cell;
+    line->s[0] = length * (1.0 - mean);
+    line->s[1] = length * mean + next * (1.0 - next_mean);
+    line->s[2] = next * next_mean;
+    line->d[0] = -slope;
+    line->d[1] = slope - next_slope;
+    line->d[2] = next_slope;
 }
 
-MPM_INLINE void add_radial_part(struct fast_line *line, int k, mpm_vector from, mpm_vector to,
-                                mpm_vector norm, mpm_vector r)
+/* What one part gives both nodes of its cell. */
+struct radial_part {
+    mpm_vector first, second, weight;
+    mpm_vector t_first, t_second;
+};
+
+MPM_INLINE struct radial_part radial_part(mpm_vector from, mpm_vector to, mpm_vector norm,
+                                          mpm_vector r)
 {
     const mpm_vector length = (to - from) * norm;
     const mpm_vector mean = 0.5 * (from + to);
     const mpm_vector square = (from * from + from * to + to * to) * (1.0 / 3.0);
-    const mpm_vector weight = length * (r + mean);
-    line->s[k] += length * (r * (1.0 - mean) + (mean - square));
-    line->d[k] -= weight;
-    line->t[k] += length * (1.0 - mean);
-    line->s[k + 1] = length * (r * mean + square);
-    line->d[k + 1] = weight;
-    line->t[k + 1] = length * mean;
+    return (struct radial_part){
+        .first = length * (r * (1.0 - mean) + (mean - square)),
+        .second = length * (r * mean + square),
+        .weight = length * (r + mean),
+        .t_first = length * (1.0 - mean),
+        .t_second = length * mean,
+    };
+}
+
+MPM_INLINE void add_radial_parts(struct fast_line *line, mpm_vector from, mpm_vector middle,
+                                 mpm_vector rest, mpm_vector norm, mpm_vector r,
+                                 double inverse_cell)
+{
+    const struct radial_part here = radial_part(from, middle, norm, r);
+    const struct radial_part next = radial_part(mpm_splat(0.0), rest, norm, r + 1.0);
+    const mpm_vector slope = here.weight * inverse_cell, next_slope = next.weight * inverse_cell;
+    line->s[0] = here.first;
+    line->s[1] = here.second + next.first;
+    line->s[2] = next.second;
+    line->d[0] = -slope;
+    line->d[1] = slope - next_slope;
+    line->d[2] = next_slope;
+    line->t[0] = here.t_first * inverse_cell;
+    line->t[1] = (here.t_second + next.t_first) * inverse_cell;
+    line->t[2] = next.t_second * inverse_cell;
 }
 
 /* A domain within one cell has an empty part in the next one: weights are products with an
@@ -70,10 +98,9 @@ MPM_INLINE struct fast_line fast_line_ugimp(const struct fast_constants *k, int 
 {
     const mpm_vector zero = mpm_splat(0.0), one = mpm_splat(1.0);
     const mpm_vector centre = position - k->origin[axis];
-    struct fast_line line = {.first = zero};
-    mpm_vector unused;
+    struct fast_line line;
     mpm_vector low = fast_cells((centre - k->half[axis]) * k->inverse_cell[axis], &line.first);
-    const mpm_vector high = fast_cells((centre + k->half[axis]) * k->inverse_cell[axis], &unused);
+    const mpm_vector high = fast_snap((centre + k->half[axis]) * k->inverse_cell[axis]);
     if (radial) {
         low = mpm_larger(low, mpm_splat(k->cut));
         line.first = mpm_larger(line.first, mpm_splat(k->cut_cell));
@@ -82,18 +109,10 @@ MPM_INLINE struct fast_line fast_line_ugimp(const struct fast_constants *k, int 
     const mpm_vector middle = mpm_smaller(to, one), rest = mpm_larger(to - 1.0, zero);
     if (radial) {
         const mpm_vector norm = 1.0 / ((high - low) * (0.5 * (low + high) - k->axis));
-        const mpm_vector r = line.first - k->axis;
-        add_radial_part(&line, 0, from, middle, norm, r);
-        add_radial_part(&line, 1, zero, rest, norm, r + 1.0);
+        add_radial_parts(&line, from, middle, rest, norm, line.first - k->axis,
+                         k->inverse_cell[axis]);
     } else {
-        const mpm_vector norm = 1.0 / (high - low);
-        add_part(&line, 0, from, middle, norm);
-        add_part(&line, 1, zero, rest, norm);
-    }
-    for (int i = 0; i < MPM_LINE_NODES; i++) {
-        line.d[i] *= k->inverse_cell[axis];
-        if (radial)
-            line.t[i] *= k->inverse_cell[axis];
+        add_parts(&line, from, middle, rest, 1.0 / (high - low), k->inverse_cell[axis]);
     }
     return line;
 }

@@ -206,9 +206,11 @@ MPM_INLINE void update_position_vector(const struct fast_spec *spec, const struc
         sums->high[axis] = mpm_larger(high, sums->high[axis]);
         sound &= mpm_at_most(mpm_splat(k->lowest[axis]), position[axis]);
         sound &= mpm_less(position[axis], mpm_splat(k->highest[axis]));
-        sound &= mpm_less(mpm_splat(k->lowest_reach[axis]), low);
-        sound &= mpm_less(high, mpm_splat(k->highest_reach[axis]));
-        sound &= mpm_at_most(mpm_absolute(step[axis]) * k->inverse_cell[axis], mpm_splat(1.0));
+        if (spec->shape == MPM_CPDI) { /* others reach half a cell at most */
+            sound &= mpm_less(mpm_splat(k->lowest_reach[axis]), low);
+            sound &= mpm_less(high, mpm_splat(k->highest_reach[axis]));
+        }
+        sound &= mpm_at_most(mpm_absolute(step[axis]), mpm_splat(k->longest_step[axis]));
     }
     if (spec->axisymmetric)
         sound &= mpm_less(mpm_splat(0.0), position[0]);
