@@ -12,8 +12,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* gcc warns of that convention even where nothing is called. */
-#if defined __GNUC__ && !defined __clang__
+/* Compilers warn of that convention even where nothing is called. */
+#ifdef __GNUC__
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 

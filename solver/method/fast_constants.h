@@ -48,7 +48,7 @@ struct fast_constants {
 MPM_INLINE double *fast_row(const void *array, int64_t node, int64_t j,
                             const struct fast_constants *k)
 {
-    return (double *)((char *)array + node * (int64_t)sizeof(mpm_vector) + j * k->pitch);
+    return (void *)((char *)array + node * (int64_t)sizeof(mpm_vector) + j * k->pitch);
 }
 
 /* What four particles spread. */

@@ -241,8 +241,10 @@ struct fast_block {
     struct fast_sums *sums;
 };
 
+/* NOLINTBEGIN(bugprone-macro-parentheses): p and v are names that the loop declares. */
 #define FOR_VECTORS(block, p, v)                                                                   \
     for (size_t p = (block)->first, v = 0; p < (block)->end; p += MPM_VECTOR_SIZE, v++)
+/* NOLINTEND(bugprone-macro-parentheses) */
 
 MPM_INLINE void evaluate_block(const struct fast_spec *spec, const struct fast_block *block,
                                union fast_stencil stencil[MPM_BLOCK_VECTORS])
