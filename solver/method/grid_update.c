@@ -109,6 +109,23 @@ void mpm_row_update_with_body_force(void *context, int64_t row, int worker)
     update_row(context, row, true);
 }
 
+void mpm_row_flip_fraction(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_grid *const grid = &state->grid;
+    const struct span span = span_of(state, row);
+    const double rate = (1.0 - state->scene->flip_fraction) / state->time_step;
+    const double back =
+        state->scene->position_update == MPM_MIDPOINT ? 0.5 * state->time_step : 0.0;
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++)
+        for (int axis = 0; axis < 2; axis++) {
+            const double change = rate * grid->start[node][axis];
+            grid->motion[node].acceleration[axis] += change;
+            grid->motion[node].end[axis] += back * change;
+        }
+}
+
 void mpm_row_momentum(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;

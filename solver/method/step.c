@@ -206,8 +206,9 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     if (varying_force)
         state->external_work += varying_work(state, workers);
     /* Task 5: particle velocities (30); Task 6 for MUSL and USAVG: extrapolate them (31) */
-    if (state->scene->flip_fraction < 1.0)
-        run_particles(state, workers, mpm_pass_flip_fraction);
+    if (state->kernels.flip_rows != NULL)
+        run_rows(state, state->kernels.flip_rows);
+    run_particles(state, workers, state->kernels.flip_particles);
     run_particles(state, workers, passes->to_particles);
     charge(seconds, MPM_PHASE_TO_PARTICLES, &mark);
     if (order->extrapolate) {

@@ -24,6 +24,8 @@ void mpm_pass_body_force(void *state, int64_t strip, int worker);
 void mpm_pass_body_work(void *state, int64_t strip, int worker);
 /* v_p -= (1 - beta)(v_p - sum S v_i^n): Notes (45) without its last term */
 void mpm_pass_flip_fraction(void *state, int64_t strip, int worker);
+/* v_p *= beta: what mpm_row_flip_fraction leaves to do */
+void mpm_pass_keep_fraction(void *state, int64_t strip, int worker);
 /* v_p += dt sum S a_i: CRAMP (30), Notes (40) */
 void mpm_pass_velocity(void *state, int64_t strip, int worker);
 /* the same and the re-extrapolated momentum: CRAMP (31) */
