@@ -195,7 +195,8 @@ START_TEST(mass_and_linear_momentum_are_conserved_to_round_off)
     mpm_simulation_ledger(run.simulation, &end);
     /* every step rounds sums of the particles' momenta, each up to 0.4 m */
     const double round_off = STEPS * 64 * DBL_EPSILON * start.mass;
-    ck_assert_double_eq(end.mass, start.mass);
+    /* the same masses, summed in another order after a sort */
+    ck_assert_near(end.mass, start.mass, 64 * DBL_EPSILON * start.mass);
     if (!c.axisymmetric) /* the hoop stress pushes along r */
         ck_assert_near(end.momentum[0], start.momentum[0], round_off);
     ck_assert_near(end.momentum[1], start.momentum[1], round_off);

@@ -1,10 +1,30 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* for madvise, which POSIX does not have */
+#define _DEFAULT_SOURCE /* NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp) */
 #include "base/arena.h"
 
 #include <stdlib.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 enum { CACHE_LINE = 64 };
+
+/* A step reads a dozen arrays at once: with pages of the usual size, the processor would
+ * look up a new one every 512 numbers. The parts that are never touched still cost nothing
+ * but their share of a page. */
+static void ask_for_large_pages(const struct mpm_arena *arena)
+{
+#ifdef MADV_HUGEPAGE
+    enum { LARGE_PAGE = 1 << 21 };
+    const uintptr_t start = (uintptr_t)arena->base;
+    const uintptr_t first = (start + LARGE_PAGE - 1) / LARGE_PAGE * LARGE_PAGE;
+    const uintptr_t last = (start + arena->capacity) / LARGE_PAGE * LARGE_PAGE;
+    if (first < last)
+        (void)madvise((void *)first, last - first, MADV_HUGEPAGE); /* a wish only */
+#else
+    (void)arena;
+#endif
+}
 
 void *mpm_arena_take(struct mpm_arena *arena, size_t count, size_t size)
 {
@@ -33,6 +53,7 @@ enum mpm_status mpm_arena_allocate(struct mpm_arena *arena, struct mpm_error *er
     arena->base = calloc(arena->capacity, 1);
     if (arena->base == NULL)
         return mpm_error_memory(error, arena->capacity, "the simulation");
+    ask_for_large_pages(arena);
     arena->used = (CACHE_LINE - (size_t)((uintptr_t)arena->base % CACHE_LINE)) % CACHE_LINE;
     return MPM_OK;
 }

@@ -13,8 +13,8 @@ enum { MPM_CORNERS = 4 };
 
 struct fast_corners {
     int64_t node[MPM_CORNERS][MPM_VECTOR_SIZE]; /* lower left of the corner's cell */
-    double x[MPM_CORNERS][MPM_VECTOR_SIZE];     /* place in that cell */
-    double y[MPM_CORNERS][MPM_VECTOR_SIZE];
+    double x[MPM_CORNERS][8];                   /* pairs of hat functions there, see fast_pair */
+    double y[MPM_CORNERS][8];
     mpm_vector s[MPM_CORNERS];    /* S of the corner; planar: 1/4 */
     mpm_vector g[MPM_CORNERS][2]; /* G of the corner */
     mpm_vector t;                 /* T of every corner */
@@ -80,32 +80,36 @@ MPM_INLINE void fast_corners_evaluate(const struct fast_spec *spec, const struct
         }
         const mpm_mask node = mpm_to_integer(first[1] * k->columns + first[0]) + k->node_zero;
         memcpy(corners->node[c], &node, sizeof node);
-        mpm_store(corners->x[c], place[0]);
-        mpm_store(corners->y[c], place[1]);
+        mpm_store_pairs(1.0 - place[0], place[0], corners->x[c]);
+        mpm_store_pairs(1.0 - place[1], place[1], corners->y[c]);
     }
 }
 
 /* ------------------------------------------------------------------ scatter */
 
-/* Adds a corner's vector to the four nodes of its cell. */
-MPM_INLINE void spread_corner(double *row, int64_t stride, double x, double y, mpm_vector value)
+/* Adds a corner's vector to the four nodes of its cell; x and y are pairs of weights. */
+MPM_INLINE void spread_corner(double *row, int64_t stride, const double x[2], const double y[2],
+                              mpm_vector value)
 {
     for (int j = 0; j < 2; j++) {
         double *const node = row + 4 * j * stride;
-        const mpm_vector part = mpm_scale(j == 0 ? 1.0 - y : y, value);
-        mpm_store(node, mpm_load(node) + mpm_scale(1.0 - x, part));
-        mpm_store(node + 4, mpm_load(node + 4) + mpm_scale(x, part));
+        const mpm_vector part = mpm_scale(y[j], value);
+        mpm_store(node, mpm_load(node) + mpm_scale(x[0], part));
+        mpm_store(node + 4, mpm_load(node + 4) + mpm_scale(x[1], part));
     }
 }
 
 /* Masses of two neighbours: half a vector. */
-MPM_INLINE void spread_corner_mass(double *row, int64_t stride, double x, double y, double mass)
+MPM_INLINE void spread_corner_mass(double *row, int64_t stride, const double x[2],
+                                   const double y[2], double mass)
 {
-    const mpm_half_vector along_x = mass * (mpm_half_vector){1.0 - x, x};
+    mpm_half_vector weights;
+    memcpy(&weights, x, sizeof weights);
+    weights = mass * weights;
     for (int j = 0; j < 2; j++) {
         mpm_half_vector sum;
         memcpy(&sum, row + j * stride, sizeof sum);
-        sum += (j == 0 ? 1.0 - y : y) * along_x;
+        sum += y[j] * weights;
         memcpy(row + j * stride, &sum, sizeof sum);
     }
 }
@@ -135,7 +139,8 @@ MPM_INLINE void fast_corners_spread(const struct fast_spec *spec, const struct f
 #pragma GCC unroll 4
         for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
             const int64_t node = corners->node[c][lane];
-            const double x = corners->x[c][lane], y = corners->y[c][lane];
+            const double *const x = &corners->x[c][fast_pair[lane]];
+            const double *const y = &corners->y[c][fast_pair[lane]];
             spread_corner(fast_row(k->sum, node, 0, k), k->stride, x, y, value[lane]);
             if (spec->momentum)
                 spread_corner_mass(k->mass + node, k->stride, x, y, mass[lane]);
@@ -155,18 +160,20 @@ MPM_INLINE void fast_corners_spread_momentum(const struct fast_constants *k,
 #pragma GCC unroll 4
         for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
             spread_corner(fast_row(k->gradient, corners->node[c][lane], 0, k), k->stride,
-                          corners->x[c][lane], corners->y[c][lane], value[lane]);
+                          &corners->x[c][fast_pair[lane]], &corners->y[c][fast_pair[lane]],
+                          value[lane]);
     }
 }
 
 /* ------------------------------------------------------------------- gather */
 
-MPM_INLINE mpm_vector gather_corner(const double *row, int64_t stride, double x, double y)
+MPM_INLINE mpm_vector gather_corner(const double *row, int64_t stride, const double x[2],
+                                    const double y[2])
 {
     const double *const upper = row + 4 * stride;
-    const mpm_vector low = mpm_scale(1.0 - x, mpm_load(row)) + mpm_scale(x, mpm_load(row + 4));
-    const mpm_vector high = mpm_scale(1.0 - x, mpm_load(upper)) + mpm_scale(x, mpm_load(upper + 4));
-    return mpm_scale(1.0 - y, low) + mpm_scale(y, high);
+    const mpm_vector low = mpm_scale(x[0], mpm_load(row)) + mpm_scale(x[1], mpm_load(row + 4));
+    const mpm_vector high = mpm_scale(x[0], mpm_load(upper)) + mpm_scale(x[1], mpm_load(upper + 4));
+    return mpm_scale(y[0], low) + mpm_scale(y[1], high);
 }
 
 MPM_INLINE void gather_corners(const struct fast_constants *k, const struct fast_corners *corners,
@@ -174,8 +181,9 @@ MPM_INLINE void gather_corners(const struct fast_constants *k, const struct fast
 {
 #pragma GCC unroll 4
     for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
-        value[lane] = gather_corner(array + 4 * corners->node[c][lane], k->stride,
-                                    corners->x[c][lane], corners->y[c][lane]);
+        value[lane] =
+            gather_corner(array + 4 * corners->node[c][lane], k->stride,
+                          &corners->x[c][fast_pair[lane]], &corners->y[c][fast_pair[lane]]);
     mpm_transpose(value);
 }
 

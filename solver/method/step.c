@@ -88,13 +88,14 @@ void mpm_step_sort(struct mpm_state *state, double *const kept[MPM_KEPT_ARRAYS],
 {
     double mark = seconds_now();
     struct mpm_particles *const particles = &state->particles;
-    mpm_particles_sort(particles, &state->grid, state->sort_counts, kept);
+    mpm_particles_sort(particles, &state->grid, state->sort_size, state->sort_counts, kept);
     size_t p = 0;
     for (int64_t s = 0; s < state->strip_count; s++) {
         struct mpm_strip *const strip = &state->strips[s];
         strip->begin = p;
         while (p < particles->count &&
-               mpm_grid_cell(&state->grid, 1, particles->position[1][p]) < (s + 1) * MPM_STRIP_ROWS)
+               mpm_particle_cell(&state->grid, 1, particles->position[1][p], state->sort_size) <
+                   (s + 1) * MPM_STRIP_ROWS)
             p++;
         strip->end = p;
     }

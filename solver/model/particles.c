@@ -58,18 +58,19 @@ size_t mpm_particles_arrays(const struct mpm_particles *particles,
 }
 
 /* One stable counting sort of an order by the cell along one axis. */
-static void sort_axis(const struct mpm_particles *particles, const struct mpm_grid *grid, int axis,
-                      const uint32_t *from, uint32_t *to, uint32_t *counts)
+static void sort_axis(const struct mpm_particles *particles, const struct mpm_grid *grid,
+                      const double half_size[2], int axis, const uint32_t *from, uint32_t *to,
+                      uint32_t *counts)
 {
     const double *const position = particles->position[axis];
     const int64_t cells = grid->cells[axis];
     memset(counts, 0, (size_t)(cells + 1) * sizeof *counts);
     for (size_t p = 0; p < particles->count; p++)
-        counts[mpm_grid_cell(grid, axis, position[p]) + 1]++;
+        counts[mpm_particle_cell(grid, axis, position[p], half_size) + 1]++;
     for (int64_t c = 0; c < cells; c++)
         counts[c + 1] += counts[c];
     for (size_t k = 0; k < particles->count; k++)
-        to[counts[mpm_grid_cell(grid, axis, position[from[k]])]++] = from[k];
+        to[counts[mpm_particle_cell(grid, axis, position[from[k]], half_size)]++] = from[k];
 }
 
 static void gather_doubles(const struct mpm_particles *particles, const double *from, double *to)
@@ -96,7 +97,8 @@ static bool in_order(const struct mpm_particles *particles)
 }
 
 void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *grid,
-                        uint32_t *counts, double *const kept[MPM_KEPT_ARRAYS])
+                        const double half_size[2], uint32_t *counts,
+                        double *const kept[MPM_KEPT_ARRAYS])
 {
     const size_t bytes = particles->count * sizeof(double);
     double *arrays[MPM_PARTICLE_ARRAYS];
@@ -104,8 +106,8 @@ void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *
     for (size_t p = 0; p < particles->count; p++)
         particles->order[p] = (uint32_t)p;
     /* least significant key first: columns, then rows */
-    sort_axis(particles, grid, 0, particles->order, particles->order_scratch, counts);
-    sort_axis(particles, grid, 1, particles->order_scratch, particles->order, counts);
+    sort_axis(particles, grid, half_size, 0, particles->order, particles->order_scratch, counts);
+    sort_axis(particles, grid, half_size, 1, particles->order_scratch, particles->order, counts);
     const bool sorted = in_order(particles);
     for (size_t a = 0; a < array_count; a++) {
         double *const copy = a < MPM_KEPT_ARRAYS ? kept[a] : particles->scratch;

@@ -50,19 +50,24 @@ enum { MPM_KEPT_ARRAYS = 4 + MPM_GRADIENT_SIZE };
 size_t mpm_particles_arrays(const struct mpm_particles *particles,
                             double *arrays[MPM_PARTICLE_ARRAYS]);
 
-/* The cell of a coordinate along one axis. One that is inside by less than round-off
- * belongs to the last cell. */
-static inline int64_t mpm_grid_cell(const struct mpm_grid *grid, int axis, double coordinate)
+/* The cell that a particle is sorted into along one axis: that of the lower end of its
+ * domain, whose nodes begin there, so that neighbours in the order have the same nodes. One
+ * outside by less than a domain belongs to the first or last cell. */
+static inline int64_t mpm_particle_cell(const struct mpm_grid *grid, int axis, double coordinate,
+                                        const double half_size[2])
 {
-    const int64_t cell = (int64_t)((coordinate - grid->origin[axis]) * grid->inverse_cell[axis]);
-    return cell < grid->cells[axis] ? cell : grid->cells[axis] - 1;
+    const double low = coordinate - half_size[axis] - grid->origin[axis];
+    const int64_t cell = (int64_t)(low * grid->inverse_cell[axis]);
+    return cell < 0 ? 0 : cell < grid->cells[axis] ? cell : grid->cells[axis] - 1;
 }
 
 /* Sorts the particles by cell, row by row; particles of one cell keep their order.
+ * `half_size` is that of their domains, or the smallest.
  * `counts` is scratch for max(rows, columns) + 1 counters; `kept` gets copies of the arrays
  * of MPM_KEPT_ARRAYS, on the way. Cost: O(particles + rows + columns), independent of the
  * number of cells. */
 void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *grid,
-                        uint32_t *counts, double *const kept[MPM_KEPT_ARRAYS]);
+                        const double half_size[2], uint32_t *counts,
+                        double *const kept[MPM_KEPT_ARRAYS]);
 
 #endif

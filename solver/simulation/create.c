@@ -113,6 +113,16 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
 
 /* ------------------------------------------------------------------ filling */
 
+static void add_body_size(struct mpm_state *state, size_t body)
+{
+    for (int axis = 0; axis < 2 && state->family != &mpm_shape_classic; axis++) {
+        const double half = state->bodies[body].half_size[axis];
+        if (state->deformable_bodies == 0 || half < state->sort_size[axis])
+            state->sort_size[axis] = half;
+    }
+    state->deformable_bodies++;
+}
+
 static void describe_bodies(struct mpm_simulation *simulation)
 {
     const struct mpm_scene *const scene = simulation->scene;
@@ -121,7 +131,7 @@ static void describe_bodies(struct mpm_simulation *simulation)
         mpm_body_half_size(scene, &state->grid, k, state->bodies[k].half_size);
         if (scene->bodies[k].rigid)
             continue;
-        state->deformable_bodies++;
+        add_body_size(state, k);
         const struct mpm_material_spec *const spec = &scene->materials[scene->bodies[k].material];
         state->bodies[k].material = mpm_material_make(mpm_material_law_find(spec->law),
                                                       spec->density, spec->bulk, spec->shear);
