@@ -16,6 +16,7 @@
     SUITE(scene)                                                                                   \
     SUITE(properties)                                                                              \
     SUITE(guard)                                                                                   \
+    SUITE(loads)                                                                                   \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \

@@ -257,6 +257,26 @@ START_TEST(a_deeply_nested_expression_has_its_value)
 }
 END_TEST
 
+/* `0*x` too is looked up at a place. */
+START_TEST(an_expression_without_coordinates_is_uniform)
+{
+    static const struct {
+        const char *text;
+        bool uniform;
+    } rows[] = {{"-9.81", true}, {"2*pi", true},      {"sin(t)+t^2", true},
+                {"x", false},    {"0*x-9.81", false}, {"t*y", false}};
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+        const double place[2] = {2.0, 3.0};
+        struct mpm_expression *one = NULL;
+        ck_assert_int_eq(mpm_expression_create(rows[k].text, PLANAR, true, 2, &one, NULL), MPM_OK);
+        ck_assert_msg(mpm_expression_is_uniform(one) == rows[k].uniform, "%s", rows[k].text);
+        ck_assert(mpm_expression_value(one, 0, place, 1.5) ==
+                  mpm_expression_value(one, 1, place, 1.5));
+        mpm_expression_free(one);
+    }
+}
+END_TEST
+
 START_TEST(freeing_no_expression_is_fine)
 {
     mpm_expression_free(NULL);
@@ -276,6 +296,7 @@ Suite *suite_expression(void)
     TCase *value = tcase_create("values");
     tcase_add_loop_test(value, an_expression_has_its_value, 0, COUNT(values));
     tcase_add_test(value, an_expression_may_be_not_finite);
+    tcase_add_test(value, an_expression_without_coordinates_is_uniform);
     tcase_add_test(value, each_worker_evaluates_at_its_own_place);
     suite_add_tcase(suite, value);
     TCase *error = tcase_create("errors");

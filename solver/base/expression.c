@@ -24,6 +24,7 @@ struct worker {
 struct mpm_expression {
     char *text;
     bool constant;
+    bool uniform; /* no coordinate in it */
     double value; /* of a constant */
     int worker_count;
     struct worker *workers; /* NULL for a constant */
@@ -215,16 +216,31 @@ static void release_workers(struct mpm_expression *expression)
     expression->worker_count = 0;
 }
 
+/* muParser gives the variables of the text as the places where it reads them. */
+static bool uses_coordinates(const struct worker *worker)
+{
+    const int count = mupGetExprVarNum(worker->parser);
+    for (int i = 0; i < count; i++) {
+        const muChar_t *name;
+        muFloat_t *variable;
+        mupGetExprVar(worker->parser, (unsigned)i, &name, &variable);
+        if (variable != &worker->time)
+            return true;
+    }
+    return false;
+}
+
 static enum mpm_status parse(struct mpm_expression *expression, const char *const names[2],
                              bool has_time, int workers, struct mpm_error *error)
 {
     if (mpm_number_parse(expression->text, &expression->value)) {
-        expression->constant = true;
+        expression->constant = expression->uniform = true;
         return MPM_OK;
     }
     MPM_TRY(refuse_extras(expression->text, error));
     MPM_TRY(prepare_all(expression, names, has_time, workers, error));
     muParserHandle_t first = expression->workers[0].parser;
+    expression->uniform = !uses_coordinates(&expression->workers[0]);
     if (mupGetExprVarNum(first) == 0) { /* 2*pi: a constant too */
         expression->constant = true;
         expression->value = mupEval(first);
@@ -287,6 +303,11 @@ double mpm_expression_value(const struct mpm_expression *expression, int worker,
 bool mpm_expression_is_constant(const struct mpm_expression *expression)
 {
     return expression->constant;
+}
+
+bool mpm_expression_is_uniform(const struct mpm_expression *expression)
+{
+    return expression->uniform;
 }
 
 const char *mpm_expression_text(const struct mpm_expression *expression)

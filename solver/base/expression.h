@@ -28,6 +28,8 @@ double mpm_expression_value(const struct mpm_expression *expression, int worker,
                             const double position[2], double time);
 
 bool mpm_expression_is_constant(const struct mpm_expression *expression);
+/* No coordinate stands in the text: one value for all places at a time. 0*x has one. */
+bool mpm_expression_is_uniform(const struct mpm_expression *expression);
 const char *mpm_expression_text(const struct mpm_expression *expression);
 
 /* Strict number: decimal digits, at most one point, optional exponent, the whole

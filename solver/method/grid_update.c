@@ -77,24 +77,68 @@ void mpm_row_start_velocity(void *context, int64_t row, int worker)
     }
 }
 
-void mpm_row_update(void *context, int64_t row, int worker)
+static inline void update_row(const struct mpm_state *state, int64_t row, bool body_force)
 {
     static const double nothing_yet[2] = {0.0, 0.0};
-    const struct mpm_state *const state = context;
     const struct mpm_grid *const grid = &state->grid;
     const struct span span = span_of(state, row);
     const bool extrapolate = state->order->extrapolate;
-    (void)worker;
     for (int64_t node = span.first; node < span.end; node++) {
         const double inverse = inverse_mass(grid->mass[node]);
         struct mpm_node_motion *const motion = &grid->motion[node];
         for (int axis = 0; axis < 2; axis++) {
+            if (body_force) /* stays in the sum: reactions at conditions are told from it */
+                grid->sum[node][axis].force += grid->mass[node] * state->uniform_force[axis];
             motion->acceleration[axis] = grid->sum[node][axis].force * inverse;
             motion->end[axis] =
                 grid->start[node][axis] + state->time_step * motion->acceleration[axis];
         }
         set_gradient(grid, node, extrapolate ? nothing_yet : motion->end);
     }
+}
+
+void mpm_row_update(void *context, int64_t row, int worker)
+{
+    (void)worker;
+    update_row(context, row, false);
+}
+
+void mpm_row_update_with_body_force(void *context, int64_t row, int worker)
+{
+    (void)worker;
+    update_row(context, row, true);
+}
+
+void mpm_row_flip_fraction(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_grid *const grid = &state->grid;
+    const struct span span = span_of(state, row);
+    const double rate = (1.0 - state->scene->flip_fraction) / state->time_step;
+    const double back =
+        state->scene->position_update == MPM_MIDPOINT ? 0.5 * state->time_step : 0.0;
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++)
+        for (int axis = 0; axis < 2; axis++) {
+            const double change = rate * grid->start[node][axis];
+            grid->motion[node].acceleration[axis] += change;
+            grid->motion[node].end[axis] += back * change;
+        }
+}
+
+void mpm_row_momentum(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_grid *const grid = &state->grid;
+    const struct span span = span_of(state, row);
+    double sum[2] = {0.0, 0.0};
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++)
+        for (int axis = 0; axis < 2; axis++)
+            sum[axis] +=
+                grid->mass[node] * (grid->start[node][axis] + grid->motion[node].end[axis]);
+    for (int axis = 0; axis < 2; axis++)
+        state->row_momentum[row][axis] = sum[axis];
 }
 
 void mpm_row_extrapolated_velocity(void *context, int64_t row, int worker)

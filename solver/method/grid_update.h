@@ -14,6 +14,19 @@ void mpm_row_clear(void *state, int64_t row, int worker);
 void mpm_row_start_velocity(void *state, int64_t row, int worker);
 /* a_i = f_i / m_i, v_i^{n+1} = v_i^n + dt a_i: CRAMP (29), Notes (24) */
 void mpm_row_update(void *state, int64_t row, int worker);
+/* the same, where f_i += m_i b comes first: N&G (4) for a uniform b, since then
+ * sum_p m_p b S_ip = b sum_p m_p S_ip = m_i b */
+void mpm_row_update_with_body_force(void *state, int64_t row, int worker);
+/* the row's part of sum m_i (v_i^n + v_i^{n+1}), conditions included. A uniform b does in the
+ * step the work
+ *   sum_p m_p b . sum_i S_ip (v_i^n + v_i^{n+1})/2 dt = b . sum_i m_i (v_i^n + v_i^{n+1}) dt/2 */
+void mpm_row_momentum(void *state, int64_t row, int worker);
+/* FLIP fraction beta, Notes (45) without its last term, by the velocity update as it is:
+ *   v_p - (1 - beta)(v_p - sum S v_i^n) + dt sum S a_i = beta v_p + dt sum S a'_i,
+ *   a'_i = a_i + (1 - beta) v_i^n / dt
+ * Puts a'_i in the place of a_i, and moves v_i^{n+1} so that the velocity at which positions
+ * move, v_i^{n+1} - dt/2 a_i in the midpoint update, stays. beta v_p: mpm_pass_keep_fraction. */
+void mpm_row_flip_fraction(void *state, int64_t row, int worker);
 /* velocity of the re-extrapolated momentum: CRAMP (31), (34) */
 void mpm_row_extrapolated_velocity(void *state, int64_t row, int worker);
 

@@ -2,6 +2,7 @@
 #include "method/kernels.h"
 
 #include "method/fast.h"
+#include "method/grid_update.h"
 #include "method/transfer.h"
 
 static const struct mpm_passes reference_passes[] = {
@@ -32,6 +33,7 @@ enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
 {
     const enum mpm_simd simd = options->simd == MPM_SIMD_AUTO ? mpm_fast_widest() : options->simd;
     const struct mpm_passes *const fast = mpm_fast_passes(scene, simd);
+    const bool damped = scene->flip_fraction < 1.0;
     if (fast == NULL)
         return mpm_error_set(error, MPM_BAD_INPUT,
                              "simd: %s is not what this build and this machine have; allowed: "
@@ -40,6 +42,7 @@ enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
     if (options->kernels == MPM_KERNELS_REFERENCE)
         *choice = (struct mpm_kernel_choice){
             .passes = &reference_passes[scene->stress_update],
+            .flip_particles = damped ? mpm_pass_flip_fraction : NULL,
             .name = "reference",
             .reason = "asked for; scalar, one particle at a time",
             .simd = "none",
@@ -47,6 +50,8 @@ enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
     else
         *choice = (struct mpm_kernel_choice){
             .passes = fast,
+            .flip_rows = damped ? mpm_row_flip_fraction : NULL,
+            .flip_particles = damped ? mpm_pass_keep_fraction : NULL,
             .name = "fast",
             .reason = "every feature of the scene has them; four particles at a time",
             .simd = simd_names[simd],

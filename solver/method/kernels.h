@@ -22,6 +22,9 @@ struct mpm_passes {
 /* What a simulation was created with. */
 struct mpm_kernel_choice {
     const struct mpm_passes *passes;
+    /* FLIP fraction below 1: what is done for it to nodes and particles, before to_particles;
+     * NULL: nothing */
+    mpm_pass *flip_rows, *flip_particles;
     const char *name;   /* "fast" or "reference" */
     const char *reason; /* why this set */
     const char *simd;   /* the instructions it uses */

@@ -28,13 +28,14 @@ const struct mpm_stress_order *mpm_stress_order(enum mpm_stress_update update);
  * depend on the number of workers. */
 enum mpm_failure_kind {
     MPM_NO_FAILURE,
-    MPM_INVERTED,        /* value: det F */
-    MPM_NOT_FINITE,      /* value: the offending one */
-    MPM_LEFT_GRID,       /* value: the coordinate */
-    MPM_PAST_AXIS,       /* value: r */
-    MPM_OUTRAN_CELL,     /* value: cells travelled in the step */
-    MPM_DOMAIN_TOO_BIG,  /* value: its reach in cells */
-    MPM_LOAD_NOT_FINITE, /* value: the body force along the axis */
+    MPM_INVERTED,                /* value: det F */
+    MPM_NOT_FINITE,              /* value: the offending one */
+    MPM_LEFT_GRID,               /* value: the coordinate */
+    MPM_PAST_AXIS,               /* value: r */
+    MPM_OUTRAN_CELL,             /* value: cells travelled in the step */
+    MPM_DOMAIN_TOO_BIG,          /* value: its reach in cells */
+    MPM_LOAD_NOT_FINITE,         /* value: the body force along the axis */
+    MPM_UNIFORM_LOAD_NOT_FINITE, /* the same; of no particle */
 };
 
 struct mpm_failure {
@@ -72,6 +73,13 @@ struct mpm_vector_field {
     struct mpm_expression *component[2]; /* NULL: free, or no such field */
 };
 
+/* What has to be done for the body force. */
+enum mpm_body_force_kind {
+    MPM_NO_BODY_FORCE,
+    MPM_UNIFORM_BODY_FORCE, /* a constant, or of time alone: all of it at the nodes */
+    MPM_VARYING_BODY_FORCE, /* in space: at the particles */
+};
+
 struct mpm_state {
     const struct mpm_scene *scene;
     const struct mpm_stress_order *order;
@@ -103,6 +111,9 @@ struct mpm_state {
     struct mpm_vector_field *boundary_velocity; /* per boundary */
     struct mpm_vector_field *body_velocity;     /* per body: rigid ones */
     struct mpm_vector_field body_force;
+    enum mpm_body_force_kind body_force_kind;
+    double uniform_force[2];   /* its value in this step */
+    double (*row_momentum)[2]; /* per node row: sum m_i (v_i^n + v_i^{n+1}); for a uniform one */
 
     double time;      /* at the start of the step */
     double time_step; /* of this step */

@@ -6,6 +6,7 @@
 #include "method/grid_update.h"
 #include "method/transfer.h"
 
+#include <math.h>
 #include <time.h>
 
 static const struct mpm_stress_order orders[] = {
@@ -125,9 +126,40 @@ static enum mpm_status collect(struct mpm_state *state)
     return state->failure.kind == MPM_NO_FAILURE ? MPM_OK : MPM_RUN_FAILED;
 }
 
-static double body_work(const struct mpm_state *state)
+/* A body force that does not vary in space: its value at the start of the step. */
+static enum mpm_status evaluate_uniform_force(struct mpm_state *state)
+{
+    static const double anywhere[2] = {0.0, 0.0};
+    for (int axis = 0; axis < 2; axis++) {
+        const struct mpm_expression *const force = state->body_force.component[axis];
+        const double b =
+            force == NULL ? 0.0 : mpm_expression_value(force, 0, anywhere, state->time);
+        state->uniform_force[axis] = b;
+        if (!isfinite(b)) {
+            state->failure =
+                (struct mpm_failure){MPM_UNIFORM_LOAD_NOT_FINITE, .axis = axis, .value = b};
+            return MPM_RUN_FAILED;
+        }
+    }
+    return MPM_OK;
+}
+
+/* Work of the body force over the step; sums in an order that does not depend on workers. */
+static double uniform_work(struct mpm_state *state)
+{
+    double momentum[2] = {0.0, 0.0};
+    run_rows(state, mpm_row_momentum);
+    for (int64_t row = state->first_row; row <= state->last_row; row++)
+        for (int axis = 0; axis < 2; axis++)
+            momentum[axis] += state->row_momentum[row][axis];
+    return 0.5 * state->time_step *
+           (state->uniform_force[0] * momentum[0] + state->uniform_force[1] * momentum[1]);
+}
+
+static double varying_work(struct mpm_state *state, int workers)
 {
     double work = 0.0;
+    run_particles(state, workers, mpm_pass_body_work);
     for (int64_t s = 0; s < state->strip_count; s++)
         work += state->strips[s].external_work;
     return work;
@@ -137,12 +169,14 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
                                  struct mpm_error *error)
 {
     const struct mpm_stress_order *const order = state->order;
-    const bool has_body_force =
-        state->body_force.component[0] != NULL || state->body_force.component[1] != NULL;
+    const bool uniform_force = state->body_force_kind == MPM_UNIFORM_BODY_FORCE;
+    const bool varying_force = state->body_force_kind == MPM_VARYING_BODY_FORCE;
     const struct mpm_passes *const passes = state->kernels.passes;
     const int workers = strips_touch(state) ? 1 : state->workers;
     double mark = seconds_now();
 
+    if (uniform_force)
+        MPM_TRY(evaluate_uniform_force(state));
     mpm_grid_find_active(state);
     run_rows(state, mpm_row_clear);
     charge(seconds, MPM_PHASE_GRID, &mark);
@@ -159,18 +193,23 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
 
     /* Task 2 for USF and USAVG: stress update (35), (36); Task 3: forces (28) */
     run_particles(state, workers, passes->stress_before);
-    if (has_body_force)
+    if (varying_force)
         run_particles(state, workers, mpm_pass_body_force);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
     /* Task 4: momentum update (29), conditions */
-    run_rows(state, mpm_row_update);
+    run_rows(state, uniform_force ? mpm_row_update_with_body_force : mpm_row_update);
     mpm_conditions_apply_end(state);
+    if (uniform_force)
+        state->external_work += uniform_work(state);
     charge(seconds, MPM_PHASE_GRID, &mark);
 
+    if (varying_force)
+        state->external_work += varying_work(state, workers);
     /* Task 5: particle velocities (30); Task 6 for MUSL and USAVG: extrapolate them (31) */
-    if (state->scene->flip_fraction < 1.0)
-        run_particles(state, workers, mpm_pass_flip_fraction);
+    if (state->kernels.flip_rows != NULL)
+        run_rows(state, state->kernels.flip_rows);
+    run_particles(state, workers, state->kernels.flip_particles);
     run_particles(state, workers, passes->to_particles);
     charge(seconds, MPM_PHASE_TO_PARTICLES, &mark);
     if (order->extrapolate) {
@@ -181,13 +220,9 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
 
     /* Task 6: stress update of USL, MUSL, USAVG; Task 5: positions, last, since every
      * task uses the shape functions of the positions at the start */
-    if (has_body_force)
-        run_particles(state, workers, mpm_pass_body_work);
     run_particles(state, workers, passes->finish);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
-    if (has_body_force)
-        state->external_work += body_work(state);
     MPM_TRY(mpm_rigid_advance(state, error));
     state->steps_since_sort++;
     return collect(state);

@@ -186,6 +186,19 @@ void mpm_pass_flip_fraction(void *context, int64_t index, int worker)
     }
 }
 
+void mpm_pass_keep_fraction(void *context, int64_t index, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_strip *const strip = &state->strips[index];
+    const double kept = state->scene->flip_fraction;
+    (void)worker;
+    for (int axis = 0; axis < 2; axis++) {
+        double *const velocity = state->particles.velocity[axis];
+        for (size_t p = strip->begin; p < strip->end; p++)
+            velocity[p] *= kept;
+    }
+}
+
 static void update_velocity(const struct mpm_state *state, size_t p,
                             const struct mpm_stencil *stencil, struct mpm_strip *strip)
 {

@@ -18,12 +18,15 @@ void mpm_pass_momentum(void *state, int64_t strip, int worker);
 void mpm_pass_momentum_and_force(void *state, int64_t strip, int worker);
 /* stress update of the part `before` of the step, then f_i of the new stress */
 void mpm_pass_stress_and_force(void *state, int64_t strip, int worker);
-/* f_i += m_p b(x_p, t) S_ip: N&G (4) */
+/* f_i += m_p b(x_p, t) S_ip: N&G (4), for a force that varies in space; for others see
+ * mpm_row_update_with_body_force */
 void mpm_pass_body_force(void *state, int64_t strip, int worker);
 /* work of the body force over the step, m_p b . (v^n + v^{n+1})/2 dt at the particle */
 void mpm_pass_body_work(void *state, int64_t strip, int worker);
 /* v_p -= (1 - beta)(v_p - sum S v_i^n): Notes (45) without its last term */
 void mpm_pass_flip_fraction(void *state, int64_t strip, int worker);
+/* v_p *= beta: what mpm_row_flip_fraction leaves to do */
+void mpm_pass_keep_fraction(void *state, int64_t strip, int worker);
 /* v_p += dt sum S a_i: CRAMP (30), Notes (40) */
 void mpm_pass_velocity(void *state, int64_t strip, int worker);
 /* the same and the re-extrapolated momentum: CRAMP (31) */

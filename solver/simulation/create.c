@@ -30,6 +30,19 @@ static void free_field(struct mpm_vector_field *field)
     *field = (struct mpm_vector_field){0};
 }
 
+static enum mpm_body_force_kind body_force_kind(const struct mpm_vector_field *field)
+{
+    enum mpm_body_force_kind kind = MPM_NO_BODY_FORCE;
+    for (int axis = 0; axis < 2; axis++) {
+        const struct mpm_expression *const force = field->component[axis];
+        if (force != NULL && !mpm_expression_is_uniform(force))
+            return MPM_VARYING_BODY_FORCE;
+        if (force != NULL)
+            kind = MPM_UNIFORM_BODY_FORCE;
+    }
+    return kind;
+}
+
 static enum mpm_status create_expressions(struct mpm_simulation *simulation,
                                           struct mpm_error *error)
 {
@@ -46,7 +59,10 @@ static enum mpm_status create_expressions(struct mpm_simulation *simulation,
         if (scene->bodies[k].rigid)
             MPM_TRY(create_field(scene, &scene->bodies[k].velocity, true, 1,
                                  &state->body_velocity[k], error));
-    return create_field(scene, &scene->body_force, true, state->workers, &state->body_force, error);
+    MPM_TRY(
+        create_field(scene, &scene->body_force, true, state->workers, &state->body_force, error));
+    state->body_force_kind = body_force_kind(&state->body_force);
+    return MPM_OK;
 }
 
 static double boundary_value(const void *context, int32_t boundary, int32_t component,
@@ -81,6 +97,8 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     state->strips = MPM_TAKE(arena, struct mpm_strip, (size_t)state->strip_count);
     state->row_low = MPM_TAKE(arena, int64_t, rows);
     state->row_high = MPM_TAKE(arena, int64_t, rows);
+    if (state->body_force_kind == MPM_UNIFORM_BODY_FORCE)
+        state->row_momentum = mpm_arena_take(arena, rows, sizeof *state->row_momentum);
     state->sort_counts = MPM_TAKE(arena, uint32_t, longest + 1);
     const size_t driven =
         counts->rigid * MPM_STENCIL_MAX < nodes ? counts->rigid * MPM_STENCIL_MAX : nodes;

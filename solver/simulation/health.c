@@ -74,6 +74,7 @@ static void describe(const struct mpm_simulation *simulation, const struct mpm_f
         (void)snprintf(text, size, "has a body force that is not finite: loads.body_force.%d = %g",
                        failure->axis, failure->value);
         return;
+    case MPM_UNIFORM_LOAD_NOT_FINITE:
     case MPM_NO_FAILURE:
         break;
     }
@@ -86,6 +87,11 @@ enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, double
     const struct mpm_failure *const failure = &simulation->state.failure;
     const unsigned long long step = (unsigned long long)simulation->step + 1;
     const double time = simulation->state.time + simulation->state.time_step;
+    if (failure->kind == MPM_UNIFORM_LOAD_NOT_FINITE)
+        return mpm_error_set(error, MPM_RUN_FAILED,
+                             "unstable at step %llu, time %g: the body force is not finite: "
+                             "loads.body_force.%d = %g",
+                             step, time, failure->axis, failure->value);
     if (failure->kind != MPM_NO_FAILURE) {
         char text[256];
         describe(simulation, failure, text, sizeof text);
