@@ -68,12 +68,14 @@ void mpm_row_start_velocity(void *context, int64_t row, int worker)
     const struct mpm_state *const state = context;
     const struct mpm_grid *const grid = &state->grid;
     const struct span span = span_of(state, row);
+    const bool stress_before = state->order->before > 0.0; /* else nobody asks yet */
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++) {
         const double inverse = inverse_mass(grid->mass[node]);
         for (int axis = 0; axis < 2; axis++)
             grid->start[node][axis] = grid->sum[node][axis].momentum * inverse;
-        set_gradient(grid, node, grid->start[node]);
+        if (stress_before)
+            set_gradient(grid, node, grid->start[node]);
     }
 }
 
