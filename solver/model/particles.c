@@ -23,7 +23,7 @@ void mpm_particles_layout(struct mpm_particles *particles, size_t count, bool ha
     particles->scratch = MPM_TAKE(arena, double, count);
     particles->carried[0] = particles->scratch;
     particles->carried[1] = MPM_TAKE(arena, double, count);
-    particles->order = (uint32_t *)particles->carried[1];
+    particles->order = (void *)particles->carried[1];
     particles->order_scratch = particles->order == NULL ? NULL : particles->order + count;
 }
 
@@ -82,7 +82,7 @@ static void gather_doubles(const struct mpm_particles *particles, const double *
 
 static void gather_indices(const struct mpm_particles *particles, uint32_t *array)
 {
-    uint32_t *const scratch = (uint32_t *)particles->scratch;
+    uint32_t *const scratch = (void *)particles->scratch;
     for (size_t k = 0; k < particles->count; k++)
         scratch[k] = array[particles->order[k]];
     memcpy(array, scratch, particles->count * sizeof *array);
