@@ -271,7 +271,7 @@ install: all ## programs, mpm.h, libmpm.a and catalogue into PREFIX (/usr/local)
 	install -m 644 solver/mpm.h $(DESTDIR)$(PREFIX)/include
 	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib
 	$(foreach folder,$(wildcard verification/catalogue reports),cp -R $(folder) $(SHARE)/ &&) true
-	cp -R benchmarks/scenes $(SHARE)/benchmarks/
+	cp -R benchmarks/scenes benchmarks/budget.json $(SHARE)/benchmarks/
 
 help: ## this list
 	@awk -F ': .*## |: ## ' '/^[a-z-]+: .*## /{printf "make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)

@@ -58,7 +58,7 @@ bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene);
 enum mpm_kernels {
     MPM_KERNELS_AUTO, /* fast wherever the scene allows */
     MPM_KERNELS_REFERENCE,
-    MPM_KERNELS_FAST, /* MPM_BAD_INPUT, with the reason, where the scene does not allow them */
+    MPM_KERNELS_FAST, /* every scene of this version has them */
     MPM_KERNELS_COUNT,
 };
 /* "auto", "reference", "fast" */

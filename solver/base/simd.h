@@ -22,6 +22,7 @@ enum { MPM_VECTOR_SIZE = 4 };
 typedef double mpm_vector __attribute__((vector_size(32)));
 typedef double mpm_half_vector __attribute__((vector_size(16)));
 typedef int64_t mpm_mask __attribute__((vector_size(32))); /* all bits of a lane, or none */
+typedef uint64_t mpm_bits __attribute__((vector_size(32)));
 typedef int64_t mpm_half_mask __attribute__((vector_size(16)));
 
 #define MPM_INLINE static inline __attribute__((always_inline))
@@ -248,11 +249,11 @@ MPM_INLINE double mpm_sum_of_lanes(mpm_vector v)
  * the upper half of the bits, as there is no integer division by lanes. */
 MPM_INLINE mpm_vector mpm_inverse_cube_root_vector(mpm_vector x)
 {
-    const mpm_mask upper = (mpm_mask)(((mpm_mask)x) >> 32);
-    const mpm_vector number = (mpm_vector)(upper | (mpm_mask)mpm_splat(0x1p52)) - 0x1p52;
+    const mpm_bits upper = (mpm_bits)x >> 32; /* unsigned: any bits may come */
+    const mpm_vector number = (mpm_vector)(upper | (mpm_bits)mpm_splat(0x1p52)) - 0x1p52;
     const mpm_vector third = number * (1.0 / 3.0) + 0x1p52;
-    const mpm_mask bits = ((mpm_mask)third - (mpm_mask)mpm_splat(0x1p52)) << 32;
-    mpm_vector y = (mpm_vector)(INT64_C(0x553ef0ff289dd796) - bits);
+    const mpm_bits bits = ((mpm_bits)third - (mpm_bits)mpm_splat(0x1p52)) << 32;
+    mpm_vector y = (mpm_vector)(UINT64_C(0x553ef0ff289dd796) - bits);
     for (int k = 0; k < 2; k++) {
         const mpm_vector e = 1.0 - x * y * y * y;
         y += y * e * (1.0 / 3.0 + e * (2.0 / 9.0));

@@ -42,7 +42,7 @@ bool mpm_domain_check(const struct mpm_state *state, const struct mpm_placement 
 {
     const struct mpm_grid *const grid = &state->grid;
     for (int axis = 0; axis < 2; axis++) {
-        const double ghost = MPM_GHOST_ROWS * grid->cell[axis];
+        const double ghost = mpm_ghost_reach(grid, axis);
         const double low = placement->position[axis] - placement->reach[axis];
         const double high = placement->position[axis] + placement->reach[axis];
         if (!(low > grid->origin[axis] - ghost && high < end_of(grid, axis) + ghost)) {
@@ -75,7 +75,8 @@ void mpm_extent_add(struct mpm_extent *extent, const struct mpm_placement *place
 static const double BOX_SLACK = 1e-9;
 
 /* Fast kernels visit three nodes a line from the first one on, the last with weight zero
- * where the domain ends before. */
+ * where the domain ends before; their rows of masses a fourth, in the same row or the next
+ * one's first ghost. */
 enum { NODES_PAST_END = 2 };
 
 void mpm_strip_set_box(const struct mpm_state *state, struct mpm_strip *strip,

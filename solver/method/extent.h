@@ -19,6 +19,13 @@ struct mpm_placement {
     double reach[2]; /* of the domain from its centre */
 };
 
+/* How far beyond the grid a domain may reach: the ghost rows, less a little, so that round-off
+ * takes no corner onto the line where they end. */
+static inline double mpm_ghost_reach(const struct mpm_grid *grid, int axis)
+{
+    return MPM_GHOST_ROWS * grid->cell[axis] * (1.0 - 1e-9);
+}
+
 /* Notes a failure, unless one of a particle with a smaller id is known. */
 void mpm_strip_record(struct mpm_strip *strip, enum mpm_failure_kind kind, uint32_t particle,
                       int axis, double value);

@@ -33,7 +33,7 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
     constants->cut = constants->truncated ? constants->axis : -DBL_MAX;
     constants->cut_cell = floor(constants->cut);
     for (int axis = 0; axis < 2; axis++) {
-        const double ghost = MPM_GHOST_ROWS * grid->cell[axis];
+        const double ghost = mpm_ghost_reach(grid, axis);
         constants->origin[axis] = grid->origin[axis];
         constants->inverse_cell[axis] = grid->inverse_cell[axis];
         constants->half[axis] = state->bodies[body].half_size[axis];

@@ -1,4 +1,4 @@
-/* Fast kernels: a strip in blocks of four particles, and what a strip sums up. Functions
+/* Fast kernels: a strip in blocks of particles, and what a strip sums up. Functions
  * here are compiled once; vectors stay out of their arguments.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -26,7 +26,7 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
 /* The end of the run of particles of one body that begins at `begin`. */
 size_t mpm_fast_run_end(const struct mpm_state *state, size_t begin, size_t end);
 
-/* The last particles of a run, fewer than a block: copies that fill a block, its free
+/* The last particles of a run, fewer than a vector: copies that fill one, its free
  * places taken by the first one again with mass zero, which adds nothing. */
 struct fast_tail {
     struct mpm_particles particles;
@@ -38,7 +38,7 @@ void mpm_fast_tail_fill(struct fast_tail *tail, const struct mpm_particles *part
 void mpm_fast_tail_write(const struct fast_tail *tail, const struct mpm_particles *particles,
                          size_t first, size_t count);
 
-/* A block of which some particle failed: finds and records it. */
+/* Four particles of which some failed: finds and records it. */
 void mpm_fast_report_velocity(struct mpm_strip *strip, const struct mpm_particles *particles,
                               size_t p);
 void mpm_fast_report_stress(struct mpm_strip *strip, const struct mpm_particles *particles,

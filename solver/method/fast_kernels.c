@@ -2,7 +2,7 @@
  * pair, with FAST_FAMILY (classic, ugimp, cpdi), FAST_SHAPE (the same in capitals) and
  * FAST_LEVEL (baseline, v3).
  *
- * A kernel is one of four bodies in fast_passes.h with constants. Planar kernels of plane
+ * A kernel is one of the bodies in fast_passes.h with constants. Planar kernels of plane
  * strain and plane stress differ in the stress update only; the axisymmetric ones move r
  * with S or with T.
  *
@@ -50,10 +50,15 @@ MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state,
         const uint32_t body = state->particles.body[begin];
         end = mpm_fast_run_end(state, begin, strip->end);
         mpm_fast_constants(state, body, part, &k);
-        if (!needs_law || k.material.law == &mpm_neo_hookean)
-            run_blocks(spec, FAST_neo_hookean, &block, begin, end, work);
-        else
-            run_blocks(spec, FAST_linear_elastic, &block, begin, end, work);
+        if (!needs_law) {
+            run_blocks(spec, (enum fast_law)0, &block, begin, end, work);
+            continue;
+        }
+#define RUN(name)                                                                                  \
+    if (k.material.law == &mpm_##name)                                                             \
+        run_blocks(spec, FAST_##name, &block, begin, end, work);
+        MPM_MATERIAL_LAWS(RUN)
+#undef RUN
     }
 }
 

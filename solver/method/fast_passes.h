@@ -1,5 +1,5 @@
-/* Fast kernels: what a pass does with a block of four particles, and how a strip is cut
- * into blocks. Compare transfer.c, which does the same one particle at a time.
+/* Fast kernels: what a pass does with a block of particles, vector by vector. Compare
+ * transfer.c, which does the same one particle at a time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_FAST_PASSES_H

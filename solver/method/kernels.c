@@ -32,14 +32,11 @@ enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
                                    struct mpm_kernel_choice *choice, struct mpm_error *error)
 {
     const enum mpm_simd simd = options->simd == MPM_SIMD_AUTO ? mpm_fast_widest() : options->simd;
-    const struct mpm_passes *const fast = mpm_fast_passes(scene, simd);
     const bool damped = scene->flip_fraction < 1.0;
-    if (fast == NULL)
-        return mpm_error_set(error, MPM_BAD_INPUT,
-                             "simd: %s is not what this build and this machine have; allowed: "
-                             "auto, baseline",
-                             simd_names[simd]);
-    if (options->kernels == MPM_KERNELS_REFERENCE)
+    if ((unsigned)options->kernels >= MPM_KERNELS_COUNT || (unsigned)simd >= MPM_SIMD_COUNT)
+        return mpm_error_set(error, MPM_BAD_INPUT, "kernels %d, simd %d; allowed: below %d and %d",
+                             (int)options->kernels, (int)simd, MPM_KERNELS_COUNT, MPM_SIMD_COUNT);
+    if (options->kernels == MPM_KERNELS_REFERENCE) {
         *choice = (struct mpm_kernel_choice){
             .passes = &reference_passes[scene->stress_update],
             .flip_particles = damped ? mpm_pass_flip_fraction : NULL,
@@ -47,14 +44,20 @@ enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
             .reason = "asked for; scalar, one particle at a time",
             .simd = "none",
         };
-    else
-        *choice = (struct mpm_kernel_choice){
-            .passes = fast,
-            .flip_rows = damped ? mpm_row_flip_fraction : NULL,
-            .flip_particles = damped ? mpm_pass_keep_fraction : NULL,
-            .name = "fast",
-            .reason = "every feature of the scene has them; four particles at a time",
-            .simd = simd_names[simd],
-        };
+        return MPM_OK;
+    }
+    *choice = (struct mpm_kernel_choice){
+        .passes = mpm_fast_passes(scene, simd),
+        .flip_rows = damped ? mpm_row_flip_fraction : NULL,
+        .flip_particles = damped ? mpm_pass_keep_fraction : NULL,
+        .name = "fast",
+        .reason = "every feature of a scene has them; four particles at a time",
+        .simd = simd_names[simd],
+    };
+    if (choice->passes == NULL)
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "simd: %s is not what this build and this machine have; allowed: "
+                             "auto, baseline",
+                             simd_names[simd]);
     return MPM_OK;
 }

@@ -30,8 +30,8 @@ struct mpm_kernel_choice {
     const char *simd;   /* the instructions it uses */
 };
 
-/* Looks the passes up for a scene. MPM_BAD_INPUT: fast kernels or a level of SIMD were asked
- * for that scene, build or machine do not have; the message says why. */
+/* Looks the passes up for a scene. MPM_BAD_INPUT: a level of SIMD was asked for that build
+ * or machine do not have, or no set of kernels at all. */
 enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
                                    const struct mpm_simulation_options *options,
                                    struct mpm_kernel_choice *choice, struct mpm_error *error);

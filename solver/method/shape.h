@@ -44,7 +44,7 @@ struct mpm_shape_domain {
 
 struct mpm_shape_family {
     const char *name;
-    bool convected; /* the domain deforms with the particle and has to be kept */
+    bool convected; /* the domain deforms with F */
     void (*evaluate)(const struct mpm_shape_grid *grid, const struct mpm_shape_domain *domain,
                      struct mpm_stencil *stencil);
     /* Largest distance of the domain from its centre along each axis. */

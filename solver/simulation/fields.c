@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/simulation.h"
 
+#include <string.h>
+
 static const struct mpm_field_info infos[MPM_FIELD_COUNT] = {
     [MPM_FIELD_ID] = {"id", 1, true, 0, 0, 0, "number of the particle in creation order"},
     [MPM_FIELD_BODY] = {"body", 1, true, 0, 0, 0, "index of the particle's body in the scene"},
@@ -114,7 +116,7 @@ static size_t rigid_before(const struct mpm_rigid_particles *rigid, size_t id)
 }
 
 /* A deformable particle's rank is its number in creation order without the rigid ones. The
- * sort's scratch keeps the places by rank until the next sort. */
+ * sort's scratch keeps the places by rank until the next step. */
 static void find_places(const struct mpm_simulation *simulation)
 {
     const struct mpm_particles *const particles = &simulation->state.particles;
@@ -123,11 +125,12 @@ static void find_places(const struct mpm_simulation *simulation)
         particles->order[particles->id[p] - rigid_before(rigid, particles->id[p])] = (uint32_t)p;
 }
 
-/* A place that a sort has made worthless betrays itself: another id is there. */
+/* A place that a step has made worthless betrays itself: another id is there. */
 static size_t place_of(const struct mpm_simulation *simulation, size_t id, size_t rank)
 {
     const struct mpm_particles *const particles = &simulation->state.particles;
-    const size_t p = particles->order[rank];
+    uint32_t p;
+    memcpy(&p, &particles->order[rank], sizeof p); /* within a step, numbers stand there */
     if (p < particles->count && particles->id[p] == id)
         return p;
     find_places(simulation);
