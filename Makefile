@@ -105,9 +105,10 @@ FAST_OBJECTS := $(foreach family,cpdi ugimp classic,$(foreach level,$(FAST_LEVEL
                   $(BUILD)/objects/fast/$(family).$(level).o))
 # Square roots never set errno here: without that, lanes would be taken one by one. No vector
 # crosses a call, so its convention is nothing to be told of: gcc's note heeds this flag alone.
-# gcc looks for predictive commoning for a quarter of its time and finds none.
+# gcc looks for predictive commoning for a quarter of its time; with -g (sanitizers), it follows
+# variables through these long functions for minutes. Neither is worth it.
 FAST_FLAGS    = -fno-math-errno -Wno-psabi \
-                $(if $(findstring clang,$(CC)),,-fno-predictive-commoning) \
+                $(if $(findstring clang,$(CC)),,-fno-predictive-commoning -fno-var-tracking) \
                 $(FAST_FLAGS_$(2)) $(call FAST_NAMES,$(1),$(2))
 FAST_NAMES    = -DFAST_FAMILY=$(1) -DFAST_LEVEL=$(2) \
                 -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z)
