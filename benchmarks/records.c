@@ -7,6 +7,7 @@
 #include "verification/suite/machine.h"
 #include "verification/suite/output.h"
 #include "verification/suite/records.h"
+#include "verification/suite/result_lines.h"
 
 #include <glib.h>
 #include <math.h>
@@ -183,44 +184,12 @@ static bool is_line(const json_t *object)
             (is_kind(object, "result") && json_is_array(json_object_get(object, "rounds"))));
 }
 
-static bool add_line(struct bench_records *records, const char *text)
-{
-    json_t *object = json_loads(text, JSON_REJECT_DUPLICATES, NULL);
-    if (records->run == NULL && is_run(object)) {
-        records->run = object;
-        return true;
-    }
-    if (records->run != NULL && is_line(object)) {
-        json_array_append_new(records->lines, object);
-        return true;
-    }
-    json_decref(object);
-    return false;
-}
-
 enum mpm_status bench_records_read(const char *folder, struct bench_records *records,
                                    struct mpm_error *error)
 {
-    char *path = g_build_filename(folder, BENCH_RECORDS_FILE, NULL), *text = NULL;
-    enum mpm_status status = MPM_OK;
-    *records = (struct bench_records){NULL, json_array()};
-    if (!g_file_get_contents(path, &text, NULL, NULL))
-        status =
-            failure_set(error, MPM_BAD_INPUT,
-                        "%s: cannot be read: allowed is the output folder of mpm-bench run", path);
-    char **lines = g_strsplit(text == NULL ? "" : text, "\n", -1);
-    for (unsigned i = 0; status == MPM_OK && lines[i] != NULL; i++)
-        if (*lines[i] != '\0' && !add_line(records, lines[i]))
-            status = failure_set(error, MPM_BAD_INPUT, "%s:%u: is no %s", path, i + 1,
-                                 records->run == NULL ? "record of a run" : "line of a benchmark");
-    if (status == MPM_OK && records->run == NULL)
-        status = failure_set(error, MPM_BAD_INPUT, "%s: is empty", path);
-    g_strfreev(lines);
-    g_free(text);
-    g_free(path);
-    if (status != MPM_OK)
-        bench_records_clear(records);
-    return status;
+    static const struct result_format format = {BENCH_RECORDS_FILE, "mpm-bench run",
+                                                "line of a benchmark", is_run, is_line};
+    return result_lines_read(folder, &format, &records->run, &records->lines, error);
 }
 
 /* ------------------------------------------------------------------- access */

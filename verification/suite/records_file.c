@@ -4,6 +4,7 @@
 #include "verification/suite/measurement.h"
 #include "verification/suite/output.h"
 #include "verification/suite/records.h"
+#include "verification/suite/result_lines.h"
 
 #include <glib.h>
 #include <math.h>
@@ -71,43 +72,11 @@ static bool is_check(const json_t *object)
            record_status(object) != VERDICT_STATUS_COUNT;
 }
 
-static bool add_line(struct records *records, const char *line)
-{
-    json_t *object = json_loads(line, JSON_REJECT_DUPLICATES, NULL);
-    if (records->run == NULL && is_run(object)) {
-        records->run = object;
-        return true;
-    }
-    if (records->run != NULL && is_check(object)) {
-        json_array_append_new(records->checks, object);
-        return true;
-    }
-    json_decref(object);
-    return false;
-}
-
 enum mpm_status records_read(const char *folder, struct records *records, struct mpm_error *error)
 {
-    char *path = g_build_filename(folder, "checks.jsonl", NULL), *text = NULL;
-    enum mpm_status status = MPM_OK;
-    *records = (struct records){NULL, json_array()};
-    if (!g_file_get_contents(path, &text, NULL, NULL))
-        status =
-            failure_set(error, MPM_BAD_INPUT,
-                        "%s: cannot be read: allowed is the output folder of mpm-verify run", path);
-    char **lines = g_strsplit(text == NULL ? "" : text, "\n", -1);
-    for (unsigned i = 0; status == MPM_OK && lines[i] != NULL; i++)
-        if (*lines[i] != '\0' && !add_line(records, lines[i]))
-            status = failure_set(error, MPM_BAD_INPUT, "%s:%u: is no %s", path, i + 1,
-                                 records->run == NULL ? "record of a run" : "record of a check");
-    if (status == MPM_OK && records->run == NULL)
-        status = failure_set(error, MPM_BAD_INPUT, "%s: is empty", path);
-    g_strfreev(lines);
-    g_free(text);
-    g_free(path);
-    if (status != MPM_OK)
-        records_clear(records);
-    return status;
+    static const struct result_format format = {"checks.jsonl", "mpm-verify run",
+                                                "record of a check", is_run, is_check};
+    return result_lines_read(folder, &format, &records->run, &records->checks, error);
 }
 
 /* ------------------------------------------------------------------- access */
