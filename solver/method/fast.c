@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/fast.h"
 
+#include "method/shape.h"
+
 #define FAMILIES(level)                                                                            \
     {                                                                                              \
         [MPM_CLASSIC] = &mpm_fast_classic_##level, [MPM_UGIMP] = &mpm_fast_ugimp_##level,          \
@@ -43,7 +45,7 @@ const char *mpm_fast_lacks(const struct mpm_scene *scene)
 {
     if (families[MPM_SIMD_BASELINE][scene->shape] == NULL)
         return "there are no fast kernels for this method.shape";
-    if (scene->axis == MPM_PLANAR)
+    if (scene->axis == MPM_PLANAR && !mpm_shape_family(scene->shape)->point)
         return "there are no fast kernels for method.axis: planar";
     return NULL;
 }

@@ -15,6 +15,13 @@ enum mpm_stress_update { MPM_USL, MPM_MUSL, MPM_USF, MPM_USAVG, MPM_ORDER_COUNT 
 enum mpm_position_update { MPM_GRID_VELOCITY, MPM_MIDPOINT };
 enum mpm_radius_update { MPM_RADIUS_SHAPE, MPM_RADIUS_HOOP };
 
+/* v_r of the extra nodes, at r < 0; those on r = 0 have v_r = 0 with each. */
+enum mpm_axis_nodes {
+    MPM_AXIS_NODES_ZERO,
+    MPM_AXIS_NODES_FREE,     /* as it comes */
+    MPM_AXIS_NODES_MIRRORED, /* minus that of the node at -r */
+};
+
 enum mpm_region_kind {
     MPM_REGION_RECTANGLE, /* a = from, b = to */
     MPM_REGION_DISK,      /* a = center, outer = radius */
@@ -80,6 +87,7 @@ struct mpm_scene {
 
     enum mpm_shape shape;
     enum mpm_axis axis;
+    enum mpm_axis_nodes axis_nodes; /* other than zero only with MPM_PLANAR */
     enum mpm_stress_update stress_update;
     enum mpm_position_update position_update;
     enum mpm_radius_update radius_update;
