@@ -116,11 +116,8 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
 
 static void add_body_size(struct mpm_state *state, size_t body)
 {
-    const double *const half = state->bodies[body].half_size;
-    const struct mpm_shape_domain domain = {.half_size = {half[0], half[1]},
-                                            .edge = {half[0], 0.0, 0.0, half[1]}};
     double reach[2];
-    state->family->reach(&state->shape_grid, &domain, reach);
+    mpm_shape_reach(state->family, &state->shape_grid, state->bodies[body].half_size, reach);
     for (int axis = 0; axis < 2; axis++)
         if (state->deformable_bodies == 0 || reach[axis] < state->sort_size[axis])
             state->sort_size[axis] = reach[axis];
