@@ -17,6 +17,7 @@
     SUITE(properties)                                                                              \
     SUITE(guard)                                                                                   \
     SUITE(loads)                                                                                   \
+    SUITE(shapes)                                                                                  \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \

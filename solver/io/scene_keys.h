@@ -117,8 +117,8 @@ enum mpm_form { MPM_FORM_VELOCITY };
     X(S, CHOICE, shape, shape, ANYWHERE, OPTIONAL, "", "ugimp", ANY, "shape functions")            \
     X(S, CHOICE, axis, axis, AXISYMMETRIC, OPTIONAL, "", "truncated", ANY,                         \
       "domains at r = 0: cut off there, not, or not and with the planar functions")                \
-    X(S, CHOICE, axis_nodes, axis_nodes, AXISYMMETRIC, OPTIONAL, "", "zero", ANY,                  \
-      "v_r of the extra nodes at r < 0; only with axis: planar and domains, ugimp or cpdi")        \
+    X(S, CHOICE, axis_nodes, axis_nodes, AXISYMMETRIC, OPTIONAL, "", NULL, ANY,                    \
+      "v_r of the extra nodes at r < 0, zero if missing; only with axis: planar and ugimp or cpdi") \
     X(S, CHOICE, stress_update, stress_update, ANYWHERE, OPTIONAL, "", "musl", ANY,                \
       "where in the step stresses are updated")                                                    \
     X(S, CHOICE, position_update, position_update, ANYWHERE, OPTIONAL, "", "grid_velocity", ANY,   \

@@ -1,13 +1,16 @@
 # S1: largest error by region of samples.
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
+set terminal svg size 700,620 dynamic enhanced font 'Helvetica,Arial,sans-serif,14' name name linewidth 1 rounded
+set output output
+unset bmargin
 set ylabel 'largest |code − reference|'
 set logscale y
 set format y '10^{%L}'
 set yrange [1e-17:1e-10]
 set xrange [-0.5:4.5]
 set xtics ('near' 0, 'grid lines' 1, 'axis' 2, 'far, exact' 3, 'far, any' 4)
-set key outside right
+set key outside bottom center horizontal maxcols 3
 shapes = 'classic ugimp cpdi bspline2 bspline3'
 planes = 'planar truncated untruncated'
 markers = '1 2 3 4 6 8 5 7 9 10 11 12 13 14 15' # one for each variant; one colour for each family

@@ -14,6 +14,6 @@ do for [family in 'bspline2 bspline3'] {
     plot for [node = -1:2] curve(family.'-free') using ($1 / 2):(column(node + 3)) with lines \
              ls 20 dt (5, 4) lw 1, \
          for [node = 0:3] curve(family.'-folded') using ($1 / 2):(column(node + 2)) with lines \
-             ls (node + 1)
+             ls (node + 1) dt 1
 }
 unset multiplot
