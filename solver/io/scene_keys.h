@@ -47,9 +47,11 @@
     C("shape", MPM_RADIUS_SHAPE)                                                                   \
     C("hoop", MPM_RADIUS_HOOP)
 
-enum mpm_transfer_kind { MPM_TRANSFER_FLIP };
-
-#define CHOICES_transfer_kind(C) C("flip", MPM_TRANSFER_FLIP)
+#define CHOICES_transfer_kind(C)                                                                   \
+    C("flip", MPM_TRANSFER_FLIP)                                                                   \
+    C("pic", MPM_TRANSFER_PIC)                                                                     \
+    C("xpic", MPM_TRANSFER_XPIC)                                                                   \
+    C("fmpm", MPM_TRANSFER_FMPM)
 
 enum mpm_form { MPM_FORM_VELOCITY };
 
@@ -102,7 +104,9 @@ enum mpm_form { MPM_FORM_VELOCITY };
     X(S, CHOICE, kind, transfer_kind, ANYWHERE, OPTIONAL, "", "flip", ANY,                         \
       "how particle velocities follow the grid")                                                   \
     X(S, ONE, fraction, NUMBER, ANYWHERE, OPTIONAL, "", "1", ABOVE_TO(0, 1),                       \
-      "share of FLIP; the rest takes the grid's velocity")
+      "flip: share of FLIP; the rest takes the grid's velocity")                                   \
+    X(S, ONE, order, INTEGER, ANYWHERE, OPTIONAL, "", NULL, FROM_TO(1, 100),                       \
+      "xpic and fmpm: their order, which must be given; 1 is PIC, each more costs two passes over the particles")
 
 #define KEYS_method(X, S)                                                                          \
     X(S, CHOICE, shape, shape, ANYWHERE, OPTIONAL, "", "ugimp", ANY, "shape functions")            \

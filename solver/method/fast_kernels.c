@@ -97,6 +97,14 @@ MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_stat
     sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
 }
 
+MPM_INLINE void pass_smooth(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
+{
+    struct fast_sums sums;
+    struct mpm_state view = *state; /* of the same strips, particles and sums */
+    view.grid.motion = state->grid.smoothed;
+    run_strip(spec, &view, strip, 0.0, false, &sums, block_smooth);
+}
+
 MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state *state,
                                   int64_t strip)
 {
@@ -129,7 +137,9 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
 /* Passes that know of axisymmetry only */
 #define SPREAD(plane, ...)                                                                         \
     KERNEL(pass_to_grid, plane##_momentum_force, .momentum = true, .force = true, __VA_ARGS__)     \
-    KERNEL(pass_to_grid, plane##_momentum, .momentum = true, .kept_domain = true, __VA_ARGS__)
+    KERNEL(pass_to_grid, plane##_momentum, .momentum = true, .kept_domain = true, __VA_ARGS__)     \
+    KERNEL(pass_smooth, plane##_smooth, __VA_ARGS__)                                               \
+    KERNEL(pass_smooth, plane##_smooth_kept, .kept_domain = true, __VA_ARGS__)
 
 /* Passes that know how r moves */
 #define EXTRAPOLATE(way, ...)                                                                      \
@@ -147,13 +157,18 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
 
 #define ORDERS(plane, way, geometry)                                                               \
     {                                                                                              \
-        [MPM_USL] = {plane##_momentum_force, NULL, NULL, geometry##_velocity_stress, recompute},   \
-        [MPM_MUSL] = {plane##_momentum_force, NULL, way##_extrapolate, geometry##_stress,          \
-                      recompute},                                                                  \
+        [MPM_USL] = {plane##_momentum_force,     NULL,      NULL,                                  \
+                     geometry##_velocity_stress, recompute, plane##_smooth},                       \
+        [MPM_MUSL] = {plane##_momentum_force, NULL,      way##_extrapolate,                        \
+                      geometry##_stress,      recompute, plane##_smooth},                          \
         [MPM_USF] = {plane##_momentum, geometry##_stress_force, NULL, geometry##_velocity,         \
-                     recompute},                                                                   \
-        [MPM_USAVG] = {plane##_momentum, geometry##_stress_force, way##_extrapolate_kept,          \
-                       geometry##_stress_kept, recompute},                                         \
+                     recompute,        plane##_smooth_kept},                                       \
+        [MPM_USAVG] = {plane##_momentum,                                                           \
+                       geometry##_stress_force,                                                    \
+                       way##_extrapolate_kept,                                                     \
+                       geometry##_stress_kept,                                                     \
+                       recompute,                                                                  \
+                       plane##_smooth_kept},                                                       \
     }
 
 SPREAD(planar, .axisymmetric = false)

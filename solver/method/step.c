@@ -207,6 +207,8 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     if (varying_force)
         state->external_work += varying_work(state, workers);
     /* Task 5: particle velocities (30); Task 6 for MUSL and USAVG: extrapolate them (31) */
+    if (state->kernels.smooth != NULL)
+        state->kernels.smooth(state, workers);
     if (state->kernels.flip_rows != NULL)
         run_rows(state, state->kernels.flip_rows);
     run_particles(state, workers, state->kernels.flip_particles);

@@ -42,7 +42,7 @@ void mpm_particle_set_domain(const struct mpm_state *state, size_t p)
         state->particles.domain[k][p] = edge[k];
 }
 
-static void stencil_of(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
 {
     const struct mpm_shape_domain domain = domain_of(state, p);
     state->family->evaluate(&state->shape_grid, &domain, stencil);
@@ -87,7 +87,7 @@ void mpm_pass_momentum(void *context, int64_t strip, int worker)
     (void)worker;
     for (size_t p = state->strips[strip].begin; p < state->strips[strip].end; p++) {
         struct mpm_stencil stencil;
-        stencil_of(state, p, &stencil);
+        mpm_particle_stencil(state, p, &stencil);
         add_momentum(state, p, &stencil);
     }
 }
@@ -98,7 +98,7 @@ void mpm_pass_momentum_and_force(void *context, int64_t strip, int worker)
     (void)worker;
     for (size_t p = state->strips[strip].begin; p < state->strips[strip].end; p++) {
         struct mpm_stencil stencil;
-        stencil_of(state, p, &stencil);
+        mpm_particle_stencil(state, p, &stencil);
         add_momentum(state, p, &stencil);
         add_internal_force(state, p, &stencil);
     }
@@ -130,7 +130,7 @@ void mpm_pass_body_force(void *context, int64_t index, int worker)
         double b[2];
         if (!body_force_at(state, p, worker, strip, b))
             continue;
-        stencil_of(state, p, &stencil);
+        mpm_particle_stencil(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
             struct mpm_node_sum *const sum =
                 state->grid.sum[state->node_zero + stencil.node[k].node];
@@ -151,7 +151,7 @@ void mpm_pass_body_work(void *context, int64_t index, int worker)
         double b[2], power = 0.0;
         if (!body_force_at(state, p, worker, strip, b))
             continue;
-        stencil_of(state, p, &stencil);
+        mpm_particle_stencil(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
             const int64_t node = state->node_zero + stencil.node[k].node;
             const double *const start = state->grid.start[node];
@@ -164,6 +164,16 @@ void mpm_pass_body_work(void *context, int64_t index, int worker)
 
 /* -------------------------------------------------------- velocity update */
 
+void mpm_particle_add_extrapolated(const struct mpm_state *state, const struct mpm_stencil *stencil,
+                                   const double momentum[2])
+{
+    for (int k = 0; k < stencil->count; k++) {
+        double(*const sum)[2] = state->grid.gradient[state->node_zero + stencil->node[k].node];
+        sum[0][0] += momentum[0] * stencil->node[k].s;
+        sum[1][0] += momentum[1] * stencil->node[k].s;
+    }
+}
+
 void mpm_pass_flip_fraction(void *context, int64_t index, int worker)
 {
     struct mpm_state *const state = context;
@@ -173,7 +183,7 @@ void mpm_pass_flip_fraction(void *context, int64_t index, int worker)
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil stencil;
         double grid[2] = {0.0, 0.0};
-        stencil_of(state, p, &stencil);
+        mpm_particle_stencil(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
             const double *const start = state->grid.start[state->node_zero + stencil.node[k].node];
             grid[0] += stencil.node[k].s * start[0];
@@ -227,7 +237,7 @@ void mpm_pass_velocity(void *context, int64_t index, int worker)
     strip->kinetic_energy = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil stencil;
-        stencil_of(state, p, &stencil);
+        mpm_particle_stencil(state, p, &stencil);
         update_velocity(state, p, &stencil, strip);
     }
 }
@@ -240,15 +250,11 @@ void mpm_pass_velocity_and_momentum(void *context, int64_t index, int worker)
     strip->kinetic_energy = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil stencil;
-        stencil_of(state, p, &stencil);
+        mpm_particle_stencil(state, p, &stencil);
         update_velocity(state, p, &stencil, strip);
         const double px = state->particles.mass[p] * state->particles.velocity[0][p];
         const double py = state->particles.mass[p] * state->particles.velocity[1][p];
-        for (int k = 0; k < stencil.count; k++) {
-            double(*const sum)[2] = state->grid.gradient[state->node_zero + stencil.node[k].node];
-            sum[0][0] += px * stencil.node[k].s;
-            sum[1][0] += py * stencil.node[k].s;
-        }
+        mpm_particle_add_extrapolated(state, &stencil, (const double[2]){px, py});
     }
 }
 
@@ -317,7 +323,7 @@ void mpm_pass_stress_and_force(void *context, int64_t index, int worker)
     strip->wave_speed_squared = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil stencil;
-        stencil_of(state, p, &stencil);
+        mpm_particle_stencil(state, p, &stencil);
         update_stress(state, p, &stencil, state->order->before, strip);
         add_internal_force(state, p, &stencil);
     }
@@ -376,7 +382,7 @@ void mpm_pass_position(void *context, int64_t index, int worker)
     (void)worker;
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil stencil;
-        stencil_of(state, p, &stencil);
+        mpm_particle_stencil(state, p, &stencil);
         update_position(state, p, &stencil, strip, &extent);
     }
     if (strip->failure.kind == MPM_NO_FAILURE)
@@ -392,7 +398,7 @@ void mpm_pass_stress_and_position(void *context, int64_t index, int worker)
     strip->wave_speed_squared = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil stencil;
-        stencil_of(state, p, &stencil);
+        mpm_particle_stencil(state, p, &stencil);
         update_stress(state, p, &stencil, state->order->after, strip);
         update_position(state, p, &stencil, strip, &extent);
     }

@@ -8,6 +8,13 @@
 
 #include "method/state.h"
 
+/* S, G and T of the nodes that a particle reaches. */
+void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil);
+
+/* grid.gradient += momentum S_ip */
+void mpm_particle_add_extrapolated(const struct mpm_state *state, const struct mpm_stencil *stencil,
+                                   const double momentum[2]);
+
 /* Puts the domain of a particle's F into its place, where domains are kept. */
 void mpm_particle_set_domain(const struct mpm_state *state, size_t p);
 

@@ -15,6 +15,14 @@ enum mpm_stress_update { MPM_USL, MPM_MUSL, MPM_USF, MPM_USAVG, MPM_ORDER_COUNT 
 enum mpm_position_update { MPM_GRID_VELOCITY, MPM_MIDPOINT };
 enum mpm_radius_update { MPM_RADIUS_SHAPE, MPM_RADIUS_HOOP };
 
+/* How particle velocities follow the grid; mpm_transfer in method/ has their equations. */
+enum mpm_transfer_kind {
+    MPM_TRANSFER_FLIP, /* flip_fraction of it */
+    MPM_TRANSFER_PIC,
+    MPM_TRANSFER_XPIC, /* of transfer_order */
+    MPM_TRANSFER_FMPM, /* of transfer_order */
+};
+
 enum mpm_region_kind {
     MPM_REGION_RECTANGLE, /* a = from, b = to */
     MPM_REGION_DISK,      /* a = center, outer = radius */
@@ -83,7 +91,9 @@ struct mpm_scene {
     enum mpm_stress_update stress_update;
     enum mpm_position_update position_update;
     enum mpm_radius_update radius_update;
-    double flip_fraction;  /* 1 is pure FLIP */
+    enum mpm_transfer_kind transfer;
+    double flip_fraction;  /* 1 is pure FLIP; 0 for the other transfers: all of it from the grid */
+    int transfer_order;    /* 1 or more; 1 where the kind has none */
     int deformation_terms; /* of the series for dF, 1 or more */
 
     struct mpm_material_spec *materials;
