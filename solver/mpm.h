@@ -58,7 +58,7 @@ bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene);
 enum mpm_kernels {
     MPM_KERNELS_AUTO, /* fast wherever the scene allows */
     MPM_KERNELS_REFERENCE,
-    MPM_KERNELS_FAST, /* every scene of this version has them */
+    MPM_KERNELS_FAST, /* MPM_BAD_INPUT, with the reason, for a scene that has none */
     MPM_KERNELS_COUNT,
 };
 /* "auto", "reference", "fast" */
@@ -171,8 +171,11 @@ struct mpm_ledger {
     uint64_t step;
     double mass;
     double momentum[2];
-    double angular_momentum; /* about the origin; 0 in axisymmetry */
-    double kinetic_energy;
+    /* About the origin; 0 in axisymmetry. With transfer apic the sum over particles of
+     * m_p (x_p cross v_p + B_yx - B_xy), the affine part's own included: what the next step
+     * hands to the grid. */
+    double angular_momentum;
+    double kinetic_energy; /* sum of m_p v_p^2 / 2; an affine part has none in it */
     double strain_energy;
     double external_work; /* by body forces, boundaries and rigid bodies since t = 0 */
     double total_energy;  /* kinetic + strain */

@@ -126,7 +126,6 @@ static enum mpm_status build_method(const struct mpm_reading *reading)
     const struct mpm_raw_method *raw = reading->raw->method;
     scene->shape = (enum mpm_shape)raw->shape;
     scene->axis = (enum mpm_axis)raw->axis;
-    scene->stress_update = (enum mpm_stress_update)raw->stress_update;
     scene->position_update = (enum mpm_position_update)raw->position_update;
     scene->radius_update = (enum mpm_radius_update)raw->radius_update;
     scene->deformation_terms = (int)raw->deformation_terms;

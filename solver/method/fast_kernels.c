@@ -151,24 +151,29 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
     KERNEL(pass_stress_before, geometry##_stress_force, .force = true, .kept_domain = true,        \
            __VA_ARGS__)                                                                            \
     KERNEL(pass_finish, geometry##_velocity_stress, .velocity = true, .stress = true, __VA_ARGS__) \
+    KERNEL(pass_finish, geometry##_velocity_stress_kept, .velocity = true, .stress = true,         \
+           .kept_domain = true, __VA_ARGS__)                                                       \
     KERNEL(pass_finish, geometry##_stress, .stress = true, __VA_ARGS__)                            \
     KERNEL(pass_finish, geometry##_stress_kept, .stress = true, .kept_domain = true, __VA_ARGS__)  \
     KERNEL(pass_finish, geometry##_velocity, .velocity = true, .kept_domain = true, __VA_ARGS__)
 
+#define STEP(first, before, back, last, smooth)                                                    \
+    {                                                                                              \
+        first, before, back, last, recompute, smooth                                               \
+    }
+
 #define ORDERS(plane, way, geometry)                                                               \
     {                                                                                              \
-        [MPM_USL] = {plane##_momentum_force,     NULL,      NULL,                                  \
-                     geometry##_velocity_stress, recompute, plane##_smooth},                       \
-        [MPM_MUSL] = {plane##_momentum_force, NULL,      way##_extrapolate,                        \
-                      geometry##_stress,      recompute, plane##_smooth},                          \
-        [MPM_USF] = {plane##_momentum, geometry##_stress_force, NULL, geometry##_velocity,         \
-                     recompute,        plane##_smooth_kept},                                       \
-        [MPM_USAVG] = {plane##_momentum,                                                           \
-                       geometry##_stress_force,                                                    \
-                       way##_extrapolate_kept,                                                     \
-                       geometry##_stress_kept,                                                     \
-                       recompute,                                                                  \
-                       plane##_smooth_kept},                                                       \
+        [MPM_USL] =                                                                                \
+            STEP(plane##_momentum_force, NULL, NULL, geometry##_velocity_stress, plane##_smooth),  \
+        [MPM_MUSL] = STEP(plane##_momentum_force, NULL, way##_extrapolate, geometry##_stress,      \
+                          plane##_smooth),                                                         \
+        [MPM_USF] = STEP(plane##_momentum, geometry##_stress_force, NULL, geometry##_velocity,     \
+                         plane##_smooth_kept),                                                     \
+        [MPM_USAVG] = STEP(plane##_momentum, geometry##_stress_force, way##_extrapolate_kept,      \
+                           geometry##_stress_kept, plane##_smooth_kept),                           \
+        [MPM_USAVG_ONCE] = STEP(plane##_momentum, geometry##_stress_force, NULL,                   \
+                                geometry##_velocity_stress_kept, plane##_smooth_kept),             \
     }
 
 SPREAD(planar, .axisymmetric = false)

@@ -45,6 +45,7 @@ struct mpm_shape_domain {
 struct mpm_shape_family {
     const char *name;
     bool convected; /* the domain deforms with F */
+    bool point;     /* a particle has no size: on a node it reaches that one alone */
     void (*evaluate)(const struct mpm_shape_grid *grid, const struct mpm_shape_domain *domain,
                      struct mpm_stencil *stencil);
     /* Largest distance of the domain from its centre along each axis. */

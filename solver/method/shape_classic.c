@@ -52,6 +52,7 @@ static void reach(const struct mpm_shape_domain *domain, double distance[2])
 
 const struct mpm_shape_family mpm_shape_classic = {
     .name = "classic",
+    .point = true,
     .evaluate = evaluate,
     .reach = reach,
 };
