@@ -34,14 +34,14 @@ static void look_around(const struct mpm_state *state, size_t p, struct surround
     around->moment[2] = xy;
 }
 
-/* C_p, xx xy yx yy: kept as it is by points, B_p D_p^{-1} for others */
+/* C_p, xx xy yx yy: kept as it is where D_p may be singular, B_p D_p^{-1} for others */
 static void affine_of(const struct mpm_state *state, size_t p, const struct surroundings *around,
                       double c[4])
 {
     double kept[4];
     for (int k = 0; k < 4; k++)
         c[k] = kept[k] = state->particles.affine[k][p];
-    if (state->family->point)
+    if (state->family->lone_node)
         return;
     const double xx = around->moment[0], yy = around->moment[1], xy = around->moment[2];
     const double inverse = 1.0 / (xx * yy - xy * xy);
@@ -114,13 +114,13 @@ void mpm_pass_affine_momentum_and_force(void *state, int64_t strip, int worker)
 static void update_affine(const struct mpm_state *state, size_t p,
                           const struct surroundings *around)
 {
-    const bool point = state->family->point;
+    const bool lone = state->family->lone_node;
     double sum[4] = {0.0, 0.0, 0.0, 0.0};
     for (int k = 0; k < around->stencil.count; k++) {
         const struct mpm_stencil_node *const entry = &around->stencil.node[k];
         const double *const v = state->grid.motion[state->node_zero + entry->node].end;
         for (int axis = 0; axis < 2; axis++) {
-            const double along = point ? entry->g[axis] : entry->s * around->away[k][axis];
+            const double along = lone ? entry->g[axis] : entry->s * around->away[k][axis];
             sum[axis] += v[0] * along;
             sum[2 + axis] += v[1] * along;
         }
@@ -173,7 +173,7 @@ void mpm_pass_affine_velocity_and_momentum(void *state, int64_t strip, int worke
 double mpm_particle_spin(const struct mpm_state *state, size_t p)
 {
     double *const *const kept = state->particles.affine;
-    if (!state->family->point)
+    if (!state->family->lone_node)
         return kept[2][p] - kept[1][p];
     struct surroundings around;
     look_around(state, p, &around);

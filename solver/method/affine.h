@@ -14,12 +14,14 @@
  * position update grid_velocity, which moves x_p along v_p; midpoint does not. That is why B_p is
  * kept from step to step, and C_p made of it when the particle has moved.
  *
- * Particles that are points (classic functions) reach no node but their own when on one: there
- * D_p is singular, and C_p = sum v_i^{n+1} G_ip^T, which is B_p D_p^{-1} wherever that is
- * defined. It is what they keep, and their spin changes with D_p as they move: no promise.
- * Other families have D_p positive definite: it is at least the second moment of the domain's
- * corners or edges. (Functions that bend at the grid's edge may lose one direction there: then no
- * weight is at a distance along it, C_p (x_i - y_p) takes nothing of it, and its column is 0.)
+ * With classic functions a particle on a node reaches that one alone: there D_p is singular, and
+ * C_p = sum v_i^{n+1} G_ip^T, which is B_p D_p^{-1} wherever that is defined. It is what they
+ * keep, and their spin changes with D_p as they move: no promise. Nor is the pair stable at free
+ * edges: C_p keeps the velocity of nodes that hardly have mass and hands it to nodes of more.
+ * For the other families D_p is positive definite: at least the second moment of the domain
+ * (uGIMP) or its corners (CPDI), (h/2)^2 and more for splines. Splines that bend at the grid's
+ * edge lose one direction to a particle just there: then no node with a weight is at a distance
+ * along it, C_p (x_i - y_p) takes nothing of it, and its column is 0.
  *
  * At the start the scene tells particles' velocities and no gradients: B_p = 0. Kinetic energy
  * is that of v_p alone, as for every transfer.

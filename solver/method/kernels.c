@@ -45,16 +45,6 @@ static const struct mpm_passes *reference_passes(const struct mpm_scene *scene)
     return &velocity_passes[scene->stress_update];
 }
 
-/* What has no fast kernels, and is named as the reason; NULL: all of the scene has. */
-static const char *slow_feature(const struct mpm_scene *scene)
-{
-    if (scene->transfer == MPM_TRANSFER_APIC)
-        return "transfer apic has no fast kernels";
-    if (scene->form == MPM_FORM_MOMENTUM)
-        return "form momentum has no fast kernels";
-    return NULL;
-}
-
 /* What transfers do besides the passes: the reference kernels have a pass for a fraction; the
  * fast ones have it done to the nodes, and so has everybody what `smooths`. */
 struct transfer {
@@ -115,7 +105,7 @@ static enum mpm_status choose_fast(const struct mpm_scene *scene, enum mpm_simd 
     *choice = (struct mpm_kernel_choice){
         .passes = mpm_fast_passes(scene, simd),
         .name = "fast",
-        .reason = "every feature of the scene has them; four particles at a time",
+        .reason = "all that the scene asks for has them; four particles at a time",
         .simd = simd_names[simd],
     };
     if (choice->passes == NULL)
@@ -132,17 +122,17 @@ enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
                                    struct mpm_kernel_choice *choice, struct mpm_error *error)
 {
     const enum mpm_simd simd = options->simd == MPM_SIMD_AUTO ? mpm_fast_widest() : options->simd;
-    const char *const slow = slow_feature(scene);
+    const char *const lacking = mpm_fast_lacks(scene);
     if ((unsigned)options->kernels >= MPM_KERNELS_COUNT || (unsigned)simd >= MPM_SIMD_COUNT)
         return mpm_error_set(error, MPM_BAD_INPUT, "kernels %d, simd %d; allowed: below %d and %d",
                              (int)options->kernels, (int)simd, MPM_KERNELS_COUNT, MPM_SIMD_COUNT);
-    if (slow != NULL && options->kernels == MPM_KERNELS_FAST)
+    if (lacking != NULL && options->kernels == MPM_KERNELS_FAST)
         return mpm_error_set(error, MPM_BAD_INPUT, "kernels: fast: %s; allowed: auto, reference",
-                             slow);
+                             lacking);
     if (options->kernels == MPM_KERNELS_REFERENCE)
         choose_reference(scene, "asked for; scalar, one particle at a time", choice);
-    else if (slow != NULL)
-        choose_reference(scene, slow, choice);
+    else if (lacking != NULL)
+        choose_reference(scene, lacking, choice);
     else
         return choose_fast(scene, simd, choice, error);
     return MPM_OK;
