@@ -48,6 +48,11 @@ static void stencil_of(const struct mpm_state *state, size_t p, struct mpm_stenc
     state->family->evaluate(&state->shape_grid, &domain, stencil);
 }
 
+void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+{
+    stencil_of(state, p, stencil);
+}
+
 /* ------------------------------------------------------ particles to grid */
 
 static void add_momentum(const struct mpm_state *state, size_t p, const struct mpm_stencil *stencil)
@@ -366,6 +371,11 @@ static void update_position(const struct mpm_state *state, size_t p,
     placement.step[1] = step[1];
     if (mpm_placement_check(state, &placement, particles->id[p], strip))
         mpm_extent_add(extent, &placement);
+}
+
+struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p)
+{
+    return placement_of(state, p);
 }
 
 void mpm_pass_position(void *context, int64_t index, int worker)

@@ -6,10 +6,15 @@
 #ifndef MPM_METHOD_TRANSFER_H
 #define MPM_METHOD_TRANSFER_H
 
-#include "method/state.h"
+#include "method/extent.h"
 
 /* Puts the domain of a particle's F into its place, where domains are kept. */
 void mpm_particle_set_domain(const struct mpm_state *state, size_t p);
+
+/* The stencil of a particle, and its place with the reach of its domain (no way gone): for
+ * passes of other files. */
+void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil);
+struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p);
 
 /* m_i, p_i: CRAMP (26), Notes (23), (25) */
 void mpm_pass_momentum(void *state, int64_t strip, int worker);

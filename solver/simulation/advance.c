@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-static double kinetic_energy(const struct mpm_state *state)
+double mpm_kinetic_energy(const struct mpm_state *state)
 {
     double sum = 0.0;
     for (int64_t s = 0; s < state->strip_count; s++)
@@ -41,7 +41,7 @@ static enum mpm_status take_step(struct mpm_simulation *simulation, struct mpm_e
                              state->time + state->time_step, cause.message);
     }
     simulation->work_scale += fabs(state->external_work - work);
-    return mpm_health_check(simulation, kinetic_energy(state), error);
+    return mpm_health_check(simulation, mpm_kinetic_energy(state), error);
 }
 
 enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double time_limit,
@@ -71,6 +71,8 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
     simulation->backup.times[since] = state->time;
     simulation->wave_speed = fastest_wave(state);
     simulation->step++;
+    if (simulation->scene->rest.asked)
+        mpm_rest_judge(simulation);
     return MPM_OK;
 }
 
