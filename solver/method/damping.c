@@ -229,14 +229,56 @@ static void pass_drag_pic_by_place(void *context, int64_t index, int worker)
     find_drag(context, index, worker, true, true);
 }
 
-mpm_pass *mpm_damping_drag_pass(const struct mpm_state *state)
+/* What the drag spares a body force of its work, m_p b . q_p dt^2/2; two passes. */
+static inline void spare_work(struct mpm_state *state, int64_t index, int worker, bool varying)
 {
-    static mpm_pass *const passes[2][2] = {{pass_drag, pass_drag_by_place},
-                                           {pass_drag_pic, pass_drag_pic_by_place}};
-    return passes[state->damping.pic != NULL][is_varying(state->damping.particle)];
+    const struct mpm_particles *const particles = &state->particles;
+    const double half = 0.5 * state->time_step * state->time_step;
+    struct mpm_strip *const strip = &state->strips[index];
+    strip->external_work = 0.0;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        double b[2] = {state->uniform_force[0], state->uniform_force[1]};
+        if (varying && !mpm_particle_body_force(state, p, worker, strip, b))
+            continue;
+        strip->external_work -= half * particles->mass[p] *
+                                (b[0] * state->damping.drag[0][p] + b[1] * state->damping.drag[1][p]);
+    }
 }
 
-void mpm_pass_take_drag(void *context, int64_t index, int worker)
+static void pass_spare_work(void *context, int64_t index, int worker)
+{
+    spare_work(context, index, worker, false);
+}
+
+static void pass_spare_work_by_place(void *context, int64_t index, int worker)
+{
+    spare_work(context, index, worker, true);
+}
+
+static void run_particles(struct mpm_state *state, mpm_pass *pass)
+{
+    mpm_strips_run(state->strip_count, state->workers, pass, state); /* strips share nothing */
+}
+
+void mpm_damping_find_drag(struct mpm_state *state)
+{
+    static mpm_pass *const drags[2][2] = {{pass_drag, pass_drag_by_place},
+                                          {pass_drag_pic, pass_drag_pic_by_place}};
+    static mpm_pass *const works[] = {
+        [MPM_NO_BODY_FORCE] = NULL,
+        [MPM_UNIFORM_BODY_FORCE] = pass_spare_work,
+        [MPM_VARYING_BODY_FORCE] = pass_spare_work_by_place,
+    };
+    mpm_pass *const work = works[state->body_force_kind];
+    run_particles(state, drags[state->damping.pic != NULL][is_varying(state->damping.particle)]);
+    if (work == NULL)
+        return;
+    run_particles(state, work);
+    for (int64_t s = 0; s < state->strip_count; s++)
+        state->external_work += state->strips[s].external_work;
+}
+
+static void pass_take_drag(void *context, int64_t index, int worker)
 {
     const struct mpm_state *const state = context;
     const struct mpm_strip *const strip = &state->strips[index];
@@ -247,6 +289,11 @@ void mpm_pass_take_drag(void *context, int64_t index, int worker)
         for (size_t p = strip->begin; p < strip->end; p++)
             velocity[p] -= state->time_step * drag[p];
     }
+}
+
+void mpm_damping_take_drag(struct mpm_state *state)
+{
+    run_particles(state, pass_take_drag);
 }
 
 static void pass_settle(void *context, int64_t index, int worker)
@@ -287,14 +334,17 @@ static void pass_settle_midpoint(void *context, int64_t index, int worker)
         mpm_strip_set_box(state, strip, &extent);
 }
 
-mpm_pass *mpm_damping_settle_pass(const struct mpm_state *state)
+void mpm_damping_settle(struct mpm_state *state)
 {
-    return state->scene->position_update == MPM_MIDPOINT ? pass_settle_midpoint : pass_settle;
+    const bool midpoint = state->scene->position_update == MPM_MIDPOINT;
+    run_particles(state, midpoint ? pass_settle_midpoint : pass_settle);
+    for (int64_t s = 0; s < state->strip_count; s++)
+        state->damping.books.dissipated += state->strips[s].dissipated;
 }
 
-/* --------------------------------------------------------------------- end */
+/* -------------------------------------------------------------- thermostat */
 
-static void advance_thermostat(struct mpm_state *state)
+void mpm_thermostat_advance(struct mpm_state *state)
 {
     const struct mpm_damping_spec *const spec = &state->scene->damping;
     struct mpm_damping_books *const books = &state->damping.books;
@@ -308,13 +358,4 @@ static void advance_thermostat(struct mpm_state *state)
         books->rate += state->time_step * spec->gain * (kinetic - spec->target) / scale;
     if (books->rate < 0.0)
         books->rate = 0.0;
-}
-
-void mpm_damping_end(struct mpm_state *state)
-{
-    if (state->damping.particles)
-        for (int64_t s = 0; s < state->strip_count; s++)
-            state->damping.books.dissipated += state->strips[s].dissipated;
-    if (state->scene->damping.thermostat)
-        advance_thermostat(state);
 }

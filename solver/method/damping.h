@@ -32,7 +32,8 @@
  *
  * What damping takes out is booked as force times mean velocity times dt,
  *     sum m_i alpha_g v_i^n . (v_i^n + v_i^{n+1})/2 dt + sum m_p q_p . (v_p^n + v_p^{n+1})/2 dt,
- * as the work of external forces is.
+ * as the work of external forces is. The mean velocity of a body force has its part of the drag,
+ * - dt/2 q_p.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_DAMPING_H
@@ -55,16 +56,16 @@ enum mpm_status mpm_damping_begin(struct mpm_state *state, struct mpm_error *err
  * expression each if the rate varies in space. */
 enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_error *error);
 
-/* The pass that finds the drag q_p of the velocities at the start of the step; its first half
- * of the energy. With PIC damping it evaluates shape functions. */
-mpm_pass *mpm_damping_drag_pass(const struct mpm_state *state);
-/* v_p -= dt q_p */
-void mpm_pass_take_drag(void *state, int64_t strip, int worker);
-/* The pass after the last task: the other half of the energy, and for the midpoint update
- * x_p -= dt^2/2 q_p. */
-mpm_pass *mpm_damping_settle_pass(const struct mpm_state *state);
+/* Damping at the particles, three times in a step. Finds the drag q_p of the velocities at the
+ * start of the step, before any transfer changes them; with PIC damping that evaluates shape
+ * functions. */
+void mpm_damping_find_drag(struct mpm_state *state);
+/* v_p -= dt q_p: just before the velocities are updated */
+void mpm_damping_take_drag(struct mpm_state *state);
+/* After the last task: the midpoint's x_p -= dt^2/2 q_p, and the books. */
+void mpm_damping_settle(struct mpm_state *state);
 
-/* Closes the books of the step; the thermostat's rate for the next one. */
-void mpm_damping_end(struct mpm_state *state);
+/* The thermostat's rate for the next step. */
+void mpm_thermostat_advance(struct mpm_state *state);
 
 #endif

@@ -217,13 +217,13 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
         state->external_work += varying_work(state, workers);
     /* Task 5: damping at the particles, Notes (43), of their velocities before any transfer */
     if (state->damping.particles)
-        run_particles(state, workers, mpm_damping_drag_pass(state));
+        mpm_damping_find_drag(state);
     /* Task 5: particle velocities (30); Task 6 for MUSL and USAVG: extrapolate them (31) */
     if (state->kernels.flip_rows != NULL)
         run_rows(state, state->kernels.flip_rows);
     run_particles(state, workers, state->kernels.flip_particles);
     if (state->damping.particles)
-        run_particles(state, workers, mpm_pass_take_drag);
+        mpm_damping_take_drag(state);
     run_particles(state, workers, passes->to_particles);
     charge(seconds, MPM_PHASE_TO_PARTICLES, &mark);
     if (order->extrapolate) {
@@ -236,8 +236,9 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
      * task uses the shape functions of the positions at the start */
     run_particles(state, workers, passes->finish);
     if (state->damping.particles)
-        run_particles(state, workers, mpm_damping_settle_pass(state));
-    mpm_damping_end(state);
+        mpm_damping_settle(state);
+    if (state->scene->damping.thermostat)
+        mpm_thermostat_advance(state);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
     MPM_TRY(mpm_rigid_advance(state, error));

@@ -111,8 +111,8 @@ void mpm_pass_momentum_and_force(void *context, int64_t strip, int worker)
 
 /* ------------------------------------------------------------ body forces */
 
-static bool body_force_at(const struct mpm_state *state, size_t p, int worker,
-                          struct mpm_strip *strip, double b[2])
+bool mpm_particle_body_force(const struct mpm_state *state, size_t p, int worker,
+                             struct mpm_strip *strip, double b[2])
 {
     const double position[2] = {state->particles.position[0][p], state->particles.position[1][p]};
     for (int axis = 0; axis < 2; axis++) {
@@ -133,7 +133,7 @@ void mpm_pass_body_force(void *context, int64_t index, int worker)
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil stencil;
         double b[2];
-        if (!body_force_at(state, p, worker, strip, b))
+        if (!mpm_particle_body_force(state, p, worker, strip, b))
             continue;
         stencil_of(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
@@ -154,7 +154,7 @@ void mpm_pass_body_work(void *context, int64_t index, int worker)
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil stencil;
         double b[2], power = 0.0;
-        if (!body_force_at(state, p, worker, strip, b))
+        if (!mpm_particle_body_force(state, p, worker, strip, b))
             continue;
         stencil_of(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {

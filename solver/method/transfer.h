@@ -14,6 +14,10 @@ void mpm_particle_set_domain(const struct mpm_state *state, size_t p);
 /* The stencil of a particle, and its place with the reach of its domain (no way gone): for
  * passes of other files. */
 void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil);
+/* A body force that varies in space, where the particle is; false, with a record, if it is not
+ * finite. */
+bool mpm_particle_body_force(const struct mpm_state *state, size_t p, int worker,
+                             struct mpm_strip *strip, double b[2]);
 struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p);
 
 /* m_i, p_i: CRAMP (26), Notes (23), (25) */
