@@ -11,15 +11,6 @@ double mpm_kinetic_energy(const struct mpm_state *state)
     return sum;
 }
 
-static double fastest_wave(const struct mpm_state *state)
-{
-    double square = 0.0;
-    for (int64_t s = 0; s < state->strip_count; s++)
-        if (state->strips[s].wave_speed_squared > square)
-            square = state->strips[s].wave_speed_squared;
-    return sqrt(square);
-}
-
 /* Keeps the message for good and goes back to the last good state. */
 static enum mpm_status fail(struct mpm_simulation *simulation, uint64_t good_step,
                             struct mpm_error *error)
@@ -69,7 +60,7 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
     state->time = lands ? time_limit : state->time + state->time_step;
     simulation->backup.time_steps[since] = state->time_step;
     simulation->backup.times[since] = state->time;
-    simulation->wave_speed = fastest_wave(state);
+    mpm_speeds_update(simulation);
     simulation->step++;
     if (simulation->scene->rest.asked)
         mpm_rest_judge(simulation);

@@ -249,6 +249,14 @@ static double initial_wave_speed(const struct mpm_simulation *simulation)
     return sqrt(fastest);
 }
 
+static double lightest_particle(const struct mpm_particles *particles)
+{
+    double mass = particles->mass[0];
+    for (size_t p = 1; p < particles->count; p++)
+        mass = fmin(mass, particles->mass[p]);
+    return mass;
+}
+
 static void describe_method(struct mpm_simulation *simulation, int threads)
 {
     const struct mpm_scene *const scene = simulation->scene;
@@ -317,6 +325,9 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     MPM_TRY(check_start(simulation, error));
     simulation->wave_speed = initial_wave_speed(simulation);
     simulation->wave_speed_start = simulation->wave_speed;
+    simulation->particle_speed =
+        mpm_particle_speed(&state->particles, 0, state->particles.count);
+    simulation->lightest = lightest_particle(&state->particles);
     MPM_TRY(mpm_time_step_check(simulation, error));
     MPM_TRY(mpm_damping_check_start(simulation, error));
     open_books(simulation);

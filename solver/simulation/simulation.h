@@ -29,7 +29,8 @@ struct mpm_simulation {
     uint64_t step;
     double wave_speed; /* fastest in the material now */
     double wave_speed_start;
-    double mass;
+    double particle_speed; /* of the fastest particle if it outruns waves; else perhaps 0 */
+    double mass, lightest; /* of all particles, of the lightest one */
     double energy_start; /* kinetic and strain energy at t = 0 */
     double work_scale;   /* sum of |external work| of the steps */
     int64_t steps_at_rest; /* in a row, if the scene asks for rest */
@@ -37,9 +38,15 @@ struct mpm_simulation {
     struct mpm_error failure; /* status MPM_OK while the run is sound */
 };
 
-/* time_step.c: the next step from Courant number and wave speed, or the fixed one;
- * shortened to land on `limit`. *lands tells whether it does. */
+/* time_step.c: the next step from the Courant number and what is fastest now, waves in the
+ * deformed material or particles, or the fixed one; shortened to land on `limit`. *lands tells
+ * whether it does. */
 double mpm_time_step_next(const struct mpm_simulation *simulation, double limit, bool *lands);
+/* Speed of the fastest particle of first..end - 1. */
+double mpm_particle_speed(const struct mpm_particles *particles, size_t first, size_t end);
+/* Sets wave_speed and particle_speed to those after the step just taken. Looks at the particles
+ * of a strip only if its kinetic energy could make one of them faster than waves. */
+void mpm_speeds_update(struct mpm_simulation *simulation);
 /* Refuses a fixed step beyond the stability limit unless the scene allows it. */
 enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,
                                     struct mpm_error *error);
