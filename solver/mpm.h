@@ -174,10 +174,10 @@ struct mpm_ledger {
     double angular_momentum; /* about the origin; 0 in axisymmetry */
     double kinetic_energy;
     double strain_energy;
-    double external_work; /* by body forces, boundaries and rigid bodies since t = 0 */
+    double external_work;       /* by body forces, boundaries and rigid bodies since t = 0 */
     double damping_dissipation; /* taken out by damping since t = 0; 0 without */
-    double total_energy;  /* kinetic + strain + dissipation */
-    double j_min, j_max;  /* extremes of det F */
+    double total_energy;        /* kinetic + strain + dissipation */
+    double j_min, j_max;        /* extremes of det F */
 };
 
 /* Cost: one pass over the particles; strain energy needs a logarithm each. */

@@ -17,6 +17,9 @@
     SUITE(properties)                                                                              \
     SUITE(guard)                                                                                   \
     SUITE(loads)                                                                                   \
+    SUITE(damping)                                                                                 \
+    SUITE(rest)                                                                                    \
+    SUITE(time_step)                                                                               \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \

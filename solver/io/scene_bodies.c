@@ -39,8 +39,9 @@ static enum mpm_status check_expression(const struct mpm_reading *reading, const
     if (isfinite(*value))
         return MPM_OK;
     return mpm_reading_fault(reading, path, "%s is %s at %s = %g, %s = %g%s; allowed: finite",
-                             mpm_excerpt(text, excerpt), isnan(*value) ? "not a number" : "infinite",
-                             names[0], place[0], names[1], place[1], has_time ? ", t = 0" : "");
+                             mpm_excerpt(text, excerpt),
+                             isnan(*value) ? "not a number" : "infinite", names[0], place[0],
+                             names[1], place[1], has_time ? ", t = 0" : "");
 }
 
 enum mpm_status mpm_build_expression(const struct mpm_reading *reading, const char *path,

@@ -37,13 +37,13 @@ static const cyaml_schema_value_t cyaml_point = {
 
 #define CYAML_ONE_STRING(raw, key, need)                                                           \
     CYAML_FIELD_STRING_PTR(#key, CYAML_FLAG_POINTER | (need), raw, key, 0, CYAML_UNLIMITED),
-#define CYAML_ONE_NUMBER(raw, key, need)  CYAML_ONE_STRING(raw, key, need)
+#define CYAML_ONE_NUMBER(raw, key, need)     CYAML_ONE_STRING(raw, key, need)
 #define CYAML_ONE_EXPRESSION(raw, key, need) CYAML_ONE_STRING(raw, key, need)
-#define CYAML_ONE_TEXT(raw, key, need)    CYAML_ONE_STRING(raw, key, need)
-#define CYAML_ONE_NAME(raw, key, need)    CYAML_ONE_STRING(raw, key, need)
-#define CYAML_ONE_LAW(raw, key, need)     CYAML_ONE_STRING(raw, key, need)
-#define CYAML_ONE_INTEGER(raw, key, need) CYAML_FIELD_INT(#key, need, raw, key),
-#define CYAML_ONE_BOOLEAN(raw, key, need) CYAML_FIELD_BOOL(#key, need, raw, key),
+#define CYAML_ONE_TEXT(raw, key, need)       CYAML_ONE_STRING(raw, key, need)
+#define CYAML_ONE_NAME(raw, key, need)       CYAML_ONE_STRING(raw, key, need)
+#define CYAML_ONE_LAW(raw, key, need)        CYAML_ONE_STRING(raw, key, need)
+#define CYAML_ONE_INTEGER(raw, key, need)    CYAML_FIELD_INT(#key, need, raw, key),
+#define CYAML_ONE_BOOLEAN(raw, key, need)    CYAML_FIELD_BOOL(#key, need, raw, key),
 
 #define CYAML_SHAPE_ONE(raw, key, value, need) CYAML_ONE_##value(raw, key, need)
 #define CYAML_SHAPE_PAIR(raw, key, value, need)                                                    \

@@ -35,9 +35,8 @@ static enum mpm_status uniform_rate(const struct mpm_state *state, const char *w
                                     struct mpm_error *error)
 {
     static const double anywhere[2] = {0.0, 0.0};
-    *rate = expression == NULL || is_varying(expression)
-                ? 0.0
-                : value_of(expression, state, anywhere, 0);
+    *rate = expression == NULL || is_varying(expression) ? 0.0
+                                                         : value_of(expression, state, anywhere, 0);
     return mpm_rate_is_allowed(*rate, state->time_step) ? MPM_OK
                                                         : refuse_rate(state, what, *rate, error);
 }
@@ -61,8 +60,8 @@ enum mpm_status mpm_damping_begin(struct mpm_state *state, struct mpm_error *err
     if (!damping->nodes && !damping->particles)
         return MPM_OK;
     MPM_TRY(uniform_rate(state, "damping.grid", damping->grid, &damping->grid_rate, error));
-    MPM_TRY(uniform_rate(state, "damping.particle", damping->particle, &damping->particle_rate,
-                         error));
+    MPM_TRY(
+        uniform_rate(state, "damping.particle", damping->particle, &damping->particle_rate, error));
     MPM_TRY(find_pic_rate(state, error));
     damping->grid_rate += damping->books.rate;
     return mpm_rate_is_allowed(damping->grid_rate, state->time_step)
@@ -240,8 +239,9 @@ static inline void spare_work(struct mpm_state *state, int64_t index, int worker
         double b[2] = {state->uniform_force[0], state->uniform_force[1]};
         if (varying && !mpm_particle_body_force(state, p, worker, strip, b))
             continue;
-        strip->external_work -= half * particles->mass[p] *
-                                (b[0] * state->damping.drag[0][p] + b[1] * state->damping.drag[1][p]);
+        strip->external_work -=
+            half * particles->mass[p] *
+            (b[0] * state->damping.drag[0][p] + b[1] * state->damping.drag[1][p]);
     }
 }
 

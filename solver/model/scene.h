@@ -115,11 +115,11 @@ struct mpm_scene {
     struct mpm_vector_expression body_force; /* NULL components: none */
     struct mpm_damping_spec damping;
 
-    double history_interval, snapshot_interval; /* 0: only first and last */
-    double checkpoint_interval;                 /* 0: none asked for */
+    double history_interval, snapshot_interval;              /* 0: only first and last */
+    double checkpoint_interval;                              /* 0: none asked for */
     int line_grid, line_time, line_body_force, line_damping; /* in the file, for messages */
-    unsigned char sha256[32];                   /* of the file's bytes */
-    char **settings;                            /* --set texts, for provenance */
+    unsigned char sha256[32];                                /* of the file's bytes */
+    char **settings;                                         /* --set texts, for provenance */
     size_t setting_count;
 };
 

@@ -325,8 +325,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     MPM_TRY(check_start(simulation, error));
     simulation->wave_speed = initial_wave_speed(simulation);
     simulation->wave_speed_start = simulation->wave_speed;
-    simulation->particle_speed =
-        mpm_particle_speed(&state->particles, 0, state->particles.count);
+    simulation->particle_speed = mpm_particle_speed(&state->particles, 0, state->particles.count);
     simulation->lightest = lightest_particle(&state->particles);
     MPM_TRY(mpm_time_step_check(simulation, error));
     MPM_TRY(mpm_damping_check_start(simulation, error));

@@ -10,8 +10,7 @@
 static enum mpm_status create_rate(const char *text, const char *const names[2], int workers,
                                    struct mpm_expression **rate, struct mpm_error *error)
 {
-    return text == NULL ? MPM_OK
-                        : mpm_expression_create(text, names, true, workers, rate, error);
+    return text == NULL ? MPM_OK : mpm_expression_create(text, names, true, workers, rate, error);
 }
 
 enum mpm_status mpm_damping_create(struct mpm_simulation *simulation, const char *const names[2],

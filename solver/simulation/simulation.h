@@ -31,8 +31,8 @@ struct mpm_simulation {
     double wave_speed_start;
     double particle_speed; /* of the fastest particle if it outruns waves; else perhaps 0 */
     double mass, lightest; /* of all particles, of the lightest one */
-    double energy_start; /* kinetic and strain energy at t = 0 */
-    double work_scale;   /* sum of |external work| of the steps */
+    double energy_start;   /* kinetic and strain energy at t = 0 */
+    double work_scale;     /* sum of |external work| of the steps */
     int64_t steps_at_rest; /* in a row, if the scene asks for rest */
     double seconds[MPM_PHASE_COUNT];
     struct mpm_error failure; /* status MPM_OK while the run is sound */

@@ -64,7 +64,6 @@ enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,
     return mpm_scene_error(error, scene, scene->line_time, "time.step",
                            "%g is beyond the stability limit; allowed: up to %g (cell size over "
                            "%s %g), or more with time.allow_unstable: true",
-                           scene->step, limit,
-                           particles ? "the speed of particles," : "wave speed",
+                           scene->step, limit, particles ? "the speed of particles," : "wave speed",
                            particles ? simulation->particle_speed : simulation->wave_speed);
 }
