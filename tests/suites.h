@@ -24,6 +24,7 @@
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
     SUITE(catalogue)                                                                               \
+    SUITE(methods)                                                                                 \
     SUITE(judge)                                                                                   \
     SUITE(report)                                                                                  \
     SUITE(scene_run)                                                                               \
@@ -34,6 +35,7 @@
     SUITE(bench)                                                                                   \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
+    SUITE(kernel_bits)                                                                             \
     SUITE(pareto)                                                                                  \
     SUITE(accuracy)                                                                                \
     SUITE(bench_report)
