@@ -115,7 +115,9 @@ enum mpm_status mpm_simulation_create(const struct mpm_scene *scene,
                                       struct mpm_simulation **simulation, struct mpm_error *error);
 void mpm_simulation_free(struct mpm_simulation *simulation);
 
-/* Takes one step, shortened if need be to land on `time_limit` exactly.
+/* Takes one step, of the Courant number times the time in which the fastest of waves and
+ * particles goes through a cell, in the state at hand; or the scene's fixed step. Shortened if
+ * need be to land on `time_limit` exactly.
  * MPM_RUN_FAILED: the run cannot go on; the message names step, time, particle and
  * value, time, fields and ledger are those of the last good step, and every further
  * call fails alike. Cost: one step; once in 32 steps a sort and a copy of the state. */
