@@ -110,6 +110,45 @@ START_TEST(a_place_is_damped_and_another_is_not)
 }
 END_TEST
 
+/* v* = v (1 - 0.2 x dt) strains by - 0.2 v dt^2 in the first step of USL, which takes the gradient
+ * of the nodes' new velocity; dF by two terms of exp(h). */
+START_TEST(strain_follows_the_damped_velocity_of_the_nodes)
+{
+    const char *const settings[] = {"damping={grid: '0.2*x'}", "method.stress_update=usl", NULL};
+    struct test_run run = test_run_open(FLYERS, settings, 1);
+    size_t count;
+    test_run_steps(&run, 1);
+    double *const f = test_run_field(&run, MPM_FIELD_DEFORMATION_GRADIENT, &count);
+    const double h = -0.2 * FLYER_SPEED[0] * FLYER_DT * FLYER_DT;
+    for (size_t p = 0; p < count; p++)
+        ck_assert_near(f[5 * p], 1.0 + h + 0.5 * h * h, 1e-15);
+    free(f);
+    test_run_close(&run);
+}
+END_TEST
+
+/* All nodes are driven along x, none along y: only there is energy taken out, m alpha v (v +
+ * v')/2 dt with v' = (1 - alpha dt) v. */
+START_TEST(a_held_component_is_not_damped)
+{
+    static const char *const damped[] = {"damping={grid: 0.7}", "damping={grid: '0.7+0*x'}"};
+    const char *const settings[] = {damped[_i], "boundary=[{region: all, velocity: [0.1, free]}]",
+                                    NULL};
+    struct test_run run = test_run_open(FLYERS, settings, 1);
+    struct mpm_ledger ledger;
+    test_run_steps(&run, 1);
+    double *const v = velocities(&run, NULL);
+    mpm_simulation_ledger(run.simulation, &ledger);
+    const double kept = 1.0 - 0.7 * FLYER_DT, speed = FLYER_SPEED[1];
+    ck_assert_near(v[0], FLYER_SPEED[0], FLYER_ROUND_OFF);
+    ck_assert_near(v[1], kept * speed, FLYER_ROUND_OFF);
+    ck_assert_near(ledger.damping_dissipation,
+                   0.5 * ledger.mass * speed * speed * (1.0 - kept * kept), FLYER_ROUND_OFF);
+    free(v);
+    test_run_close(&run);
+}
+END_TEST
+
 START_TEST(rates_follow_time)
 {
     const char *const settings[] = {"damping={grid: 't < 0.95 ? 0.7 : 0', particle: '0.1*t'}",
@@ -383,6 +422,8 @@ Suite *suite_damping(void)
     tcase_add_loop_test(free_bodies, a_free_body_keeps_one_minus_alpha_dt_of_its_velocity_in_a_step,
                         0, RATES * ORDERS * SHAPES);
     tcase_add_loop_test(free_bodies, a_place_is_damped_and_another_is_not, 0, 2);
+    tcase_add_test(free_bodies, strain_follows_the_damped_velocity_of_the_nodes);
+    tcase_add_loop_test(free_bodies, a_held_component_is_not_damped, 0, 2);
     tcase_add_test(free_bodies, rates_follow_time);
     suite_add_tcase(suite, free_bodies);
     TCase *kernels = tcase_create("kernels");
