@@ -18,6 +18,9 @@
     SUITE(guard)                                                                                   \
     SUITE(transfers)                                                                               \
     SUITE(loads)                                                                                   \
+    SUITE(damping)                                                                                 \
+    SUITE(rest)                                                                                    \
+    SUITE(time_step)                                                                               \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
