@@ -149,8 +149,7 @@ START_TEST(runs_side_by_side_are_counted_together_by_the_wall_clock)
 }
 END_TEST
 
-/* Both work all of the time: together they take more processor time than one of them, and no more
- * than there is in the time between the first one's start and the last one's end. */
+/* All steps of all runs are counted; and together they take no more processor time than there is in the time between the first one's start and the last one's end. */
 START_TEST(runs_side_by_side_take_all_their_steps_at_once)
 {
     enum { RUNS = 3, STEPS = 20 };
@@ -170,7 +169,7 @@ START_TEST(runs_side_by_side_take_all_their_steps_at_once)
 }
 END_TEST
 
-/* In the warm-up, when the others wait at the gate, and after it. */
+/* In the warm-up, before the start that they have in common, and after it. */
 START_TEST(runs_side_by_side_fail_as_one_of_them_does)
 {
     static const char *const settings[] = {"time={end: 1000, step: 0.001, allow_unstable: true}",
