@@ -149,7 +149,8 @@ START_TEST(runs_side_by_side_are_counted_together_by_the_wall_clock)
 }
 END_TEST
 
-/* All steps of all runs are counted; and together they take no more processor time than there is in the time between the first one's start and the last one's end. */
+/* All steps of all runs are counted; together they take no more processor time than there is
+ * between the first one's start and the last one's end. */
 START_TEST(runs_side_by_side_take_all_their_steps_at_once)
 {
     enum { RUNS = 3, STEPS = 20 };
