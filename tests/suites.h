@@ -16,12 +16,17 @@
     SUITE(scene)                                                                                   \
     SUITE(properties)                                                                              \
     SUITE(guard)                                                                                   \
+    SUITE(transfers)                                                                               \
     SUITE(loads)                                                                                   \
     SUITE(shapes)                                                                                  \
+    SUITE(damping)                                                                                 \
+    SUITE(rest)                                                                                    \
+    SUITE(time_step)                                                                               \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
     SUITE(catalogue)                                                                               \
+    SUITE(methods)                                                                                 \
     SUITE(judge)                                                                                   \
     SUITE(report)                                                                                  \
     SUITE(scene_run)                                                                               \
@@ -30,8 +35,10 @@
     SUITE(scene_settings)                                                                          \
     SUITE(suite)                                                                                   \
     SUITE(bench)                                                                                   \
+    SUITE(timing)                                                                                  \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
+    SUITE(kernel_bits)                                                                             \
     SUITE(pareto)                                                                                  \
     SUITE(accuracy)                                                                                \
     SUITE(bench_report)

@@ -149,12 +149,11 @@ static enum mpm_status build_method(const struct mpm_reading *reading)
     scene->shape = (enum mpm_shape)raw->shape;
     scene->axis = (enum mpm_axis)raw->axis;
     scene->axis_nodes = (enum mpm_axis_nodes)raw->axis_nodes;
-    scene->stress_update = (enum mpm_stress_update)raw->stress_update;
     scene->position_update = (enum mpm_position_update)raw->position_update;
     scene->radius_update = (enum mpm_radius_update)raw->radius_update;
-    scene->flip_fraction = mpm_raw_double(raw->transfer->fraction);
     scene->deformation_terms = (int)raw->deformation_terms;
-    return check_axis(reading);
+    MPM_TRY(check_axis(reading));
+    return mpm_build_transfer(reading);
 }
 
 static enum mpm_status build_output(const struct mpm_reading *reading)

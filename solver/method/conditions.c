@@ -259,7 +259,6 @@ void mpm_conditions_apply_extrapolated(struct mpm_state *state)
         set_gradient(state, &state->active[k], state->active[k].end);
     for (size_t k = state->first_mirror; k < state->active_count; k++) {
         const struct mpm_active_condition *const mirror = &state->active[k];
-        set_gradient(state, mirror,
-                     -state->grid.gradient[mirror_image(state, mirror->node)][0][0]);
+        set_gradient(state, mirror, -state->grid.gradient[mirror_image(state, mirror->node)][0][0]);
     }
 }

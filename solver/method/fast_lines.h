@@ -163,14 +163,13 @@ MPM_INLINE struct fast_line fast_line_bspline3(const struct fast_constants *k, i
     struct fast_line line = {.first = cell - 1.0};
     line.s[0] = mpm_select(low, zero, vv * v * (1.0 / 6.0));
     line.s[3] = mpm_select(high, zero, uu * u * (1.0 / 6.0));
-    line.s[1] = mpm_select(low, v + line.s[3],
-                           mpm_select(high, v * (1.0 - vv * (1.0 / 3.0)), s_inner[0]));
-    line.s[2] = mpm_select(high, u + line.s[0],
-                           mpm_select(low, u * (1.0 - uu * (1.0 / 3.0)), s_inner[1]));
+    line.s[1] =
+        mpm_select(low, v + line.s[3], mpm_select(high, v * (1.0 - vv * (1.0 / 3.0)), s_inner[0]));
+    line.s[2] =
+        mpm_select(high, u + line.s[0], mpm_select(low, u * (1.0 - uu * (1.0 / 3.0)), s_inner[1]));
     line.d[0] = mpm_select(low, zero, -0.5 * vv);
     line.d[3] = mpm_select(high, zero, 0.5 * uu);
-    line.d[1] =
-        mpm_select(low, line.d[3] - 1.0, mpm_select(high, vv - 1.0, -u * (2.0 - 1.5 * u)));
+    line.d[1] = mpm_select(low, line.d[3] - 1.0, mpm_select(high, vv - 1.0, -u * (2.0 - 1.5 * u)));
     line.d[2] = mpm_select(high, line.d[0] + 1.0, mpm_select(low, 1.0 - uu, v * (2.0 - 1.5 * v)));
     return line;
 }

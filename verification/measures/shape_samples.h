@@ -15,8 +15,8 @@ enum shape_region {
      * a knot or an edge, every half cell. */
     SHAPE_REGION_BOUNDARY,
     /* Axisymmetry: the domain reaches r = 0 or just misses it, down to r_p = 0 for truncated
-     * uGIMP, 0.01 cells for classic and B-splines, 0.01 of the half width for untruncated uGIMP and 0.2 of
-     * the reach for CPDI (whose truncated domain shrinks with r_p, and with it the accuracy
+     * uGIMP, 0.01 cells for classic and B-splines, 0.01 of the half width for untruncated uGIMP and
+     * 0.2 of the reach for CPDI (whose truncated domain shrinks with r_p, and with it the accuracy
      * of any difference of N over it). Planar: as near. */
     SHAPE_REGION_AXIS,
     /* Over node 1000, all sizes and positions such that they are exact in cells. */

@@ -8,8 +8,8 @@
 #include "verification/suite/programs.h"
 
 /* Fills shape, geometry and axis of *query from the parameters `shape` (classic, ugimp,
- * cpdi, bspline2, bspline3), `geometry` (plane_strain, plane_stress, axisymmetric) and `axis` (truncated,
- * untruncated, planar; axisymmetric only). Any other name is MPM_BAD_INPUT. */
+ * cpdi, bspline2, bspline3), `geometry` (plane_strain, plane_stress, axisymmetric) and `axis`
+ * (truncated, untruncated, planar; axisymmetric only). Any other name is MPM_BAD_INPUT. */
 enum mpm_status shape_kind_read(const struct measurement *measurement,
                                 struct mpm_shape_query *query, struct mpm_error *error);
 
