@@ -147,8 +147,8 @@ void mpm_pass_momentum_and_force(void *context, int64_t strip, int worker)
 
 /* ------------------------------------------------------------ body forces */
 
-static bool body_force_at(const struct mpm_state *state, size_t p, int worker,
-                          struct mpm_strip *strip, double b[2])
+bool mpm_particle_body_force(const struct mpm_state *state, size_t p, int worker,
+                             struct mpm_strip *strip, double b[2])
 {
     const double position[2] = {state->particles.position[0][p], state->particles.position[1][p]};
     for (int axis = 0; axis < 2; axis++) {
@@ -169,7 +169,7 @@ void mpm_pass_body_force(void *context, int64_t index, int worker)
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil stencil;
         double b[2];
-        if (!body_force_at(state, p, worker, strip, b))
+        if (!mpm_particle_body_force(state, p, worker, strip, b))
             continue;
         mpm_particle_stencil(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
@@ -190,7 +190,7 @@ void mpm_pass_body_work(void *context, int64_t index, int worker)
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil stencil;
         double b[2], power = 0.0;
-        if (!body_force_at(state, p, worker, strip, b))
+        if (!mpm_particle_body_force(state, p, worker, strip, b))
             continue;
         mpm_particle_stencil(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
@@ -421,6 +421,11 @@ static void update_position(const struct mpm_state *state, size_t p,
     placement.step[1] = step[1];
     if (mpm_placement_check(state, &placement, particles->id[p], strip))
         mpm_extent_add(extent, &placement);
+}
+
+struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p)
+{
+    return placement_of(state, p);
 }
 
 static inline void position(struct mpm_state *state, int64_t index, bool by_momentum)
