@@ -21,6 +21,7 @@
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
     SUITE(time_step)                                                                               \
+    SUITE(shapes)                                                                                  \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \

@@ -178,12 +178,27 @@ static void report_books(struct study *study)
                        100.0 * ledger.external_work / (ledger.total_energy - study->start_energy));
 }
 
+/* The worst error of J among the particles next to the axis. */
+static double innermost_error(const struct study *study)
+{
+    const struct particle_set *const set = &study->set;
+    const double nominal = compression_relative_volume(-study->strain);
+    double nearest = HUGE_VAL, error = 0.0;
+    for (size_t k = 0; k < set->count; k++)
+        nearest = fmin(nearest, set->start[2 * k]);
+    for (size_t k = 0; k < set->count; k++)
+        if (set->start[2 * k] <= nearest * (1.0 + 1e-9))
+            error = field_larger(error, relative_error(set->relative_volume[k], nominal));
+    return error;
+}
+
 static enum mpm_status report_fields(struct study *study, struct mpm_error *error)
 {
     struct measurement *const m = study->measurement;
     const struct look *const all = &study->look[ALL], *const inner = &study->look[INNER];
     measurement_report(m, "interior_sd_j", 100.0 * inner->spread);
     measurement_report(m, "all_sd_j", 100.0 * all->spread);
+    measurement_report(m, "innermost_j_error", 100.0 * innermost_error(study));
     measurement_report(m, "mean_j_error",
                        100.0 *
                            relative_error(all->mean, compression_relative_volume(-study->strain)));
