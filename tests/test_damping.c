@@ -370,13 +370,18 @@ START_TEST(damping_that_cannot_be_is_refused)
 }
 END_TEST
 
-START_TEST(pic_damping_beside_a_flip_fraction_is_refused)
+START_TEST(pic_damping_beside_what_does_the_same_is_refused)
 {
-    const char *const settings[] = {"damping={pic: 0.9}",
-                                    "method.transfer={kind: flip, fraction: 0.9}"};
-    const struct mpm_error error = refusal(settings, 2);
-    ck_assert_msg(strstr(error.message, "both damping.pic and a method.transfer.fraction") != NULL,
-                  "%s", error.message);
+    static const char *const others[][2] = {
+        {"method.transfer={kind: flip, fraction: 0.9}", "both damping.pic and a method.transfer"},
+        {"method.transfer.kind=pic", "PIC damping with a method.transfer other than flip"},
+        {"method.transfer={kind: xpic, order: 2}", "PIC damping with a method.transfer other"},
+    };
+    for (size_t k = 0; k < G_N_ELEMENTS(others); k++) {
+        const char *const settings[] = {"damping={pic: 0.9}", others[k][0]};
+        const struct mpm_error error = refusal(settings, 2);
+        ck_assert_msg(strstr(error.message, others[k][1]) != NULL, "%s", error.message);
+    }
 }
 END_TEST
 
@@ -434,7 +439,7 @@ Suite *suite_damping(void)
     suite_add_tcase(suite, kernels);
     TCase *refusals = tcase_create("refusals");
     tcase_add_loop_test(refusals, damping_that_cannot_be_is_refused, 0, G_N_ELEMENTS(refused));
-    tcase_add_test(refusals, pic_damping_beside_a_flip_fraction_is_refused);
+    tcase_add_test(refusals, pic_damping_beside_what_does_the_same_is_refused);
     tcase_add_loop_test(refusals, a_rate_that_goes_astray_fails_the_run, 0, G_N_ELEMENTS(failing));
     suite_add_tcase(suite, refusals);
     return suite;

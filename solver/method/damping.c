@@ -2,7 +2,7 @@
 #include "method/damping.h"
 
 #include "base/strips.h"
-#include "method/rows.h"
+#include "method/grid_update.h"
 #include "method/transfer.h"
 
 #include <float.h>
@@ -90,7 +90,7 @@ static inline double taken(const struct mpm_state *state, int64_t node, int axis
 static inline void damp_row(const struct mpm_state *state, int64_t row, int worker, bool varying)
 {
     const struct mpm_grid *const grid = &state->grid;
-    const struct mpm_span span = mpm_row_span(state, row);
+    const struct mpm_row_span span = mpm_row_span(state, row);
     const bool extrapolate = state->order->extrapolate;
     struct mpm_row_sums *const sums = &state->row_sums[row];
     double dissipated = 0.0;
@@ -147,6 +147,8 @@ static enum mpm_status collect_rows(struct mpm_state *state, struct mpm_error *e
 enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_error *error)
 {
     const bool varying = is_varying(state->damping.grid);
+    if (!state->damping.nodes)
+        return MPM_OK;
     mpm_rows_run(state->first_row, state->last_row, state->workers,
                  varying ? row_damp_by_place : row_damp, state);
     MPM_TRY(collect_rows(state, error));
@@ -160,18 +162,6 @@ enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_erro
 }
 
 /* --------------------------------------------------------------- particles */
-
-static void grid_velocity(const struct mpm_state *state, size_t p, double v[2])
-{
-    struct mpm_stencil stencil;
-    mpm_particle_stencil(state, p, &stencil);
-    v[0] = v[1] = 0.0;
-    for (int k = 0; k < stencil.count; k++) {
-        const double *const start = state->grid.start[state->node_zero + stencil.node[k].node];
-        v[0] += stencil.node[k].s * start[0];
-        v[1] += stencil.node[k].s * start[1];
-    }
-}
 
 /* alpha_p(t, x_p); 0, with a record, if it is not allowed */
 static double particle_rate(const struct mpm_state *state, size_t p, int worker,
@@ -197,7 +187,7 @@ static inline void find_drag(struct mpm_state *state, int64_t index, int worker,
             varying ? particle_rate(state, p, worker, strip) : damping->particle_rate;
         double grid[2] = {0.0, 0.0};
         if (pic)
-            grid_velocity(state, p, grid);
+            mpm_particle_grid_velocity(state, p, grid);
         for (int axis = 0; axis < 2; axis++) {
             const double v = particles->velocity[axis][p];
             const double q = rate * v + (pic ? damping->pic_rate * (v - grid[axis]) : 0.0);
@@ -270,6 +260,8 @@ void mpm_damping_find_drag(struct mpm_state *state)
         [MPM_VARYING_BODY_FORCE] = pass_spare_work_by_place,
     };
     mpm_pass *const work = works[state->body_force_kind];
+    if (!state->damping.particles)
+        return;
     run_particles(state, drags[state->damping.pic != NULL][is_varying(state->damping.particle)]);
     if (work == NULL)
         return;
@@ -293,7 +285,8 @@ static void pass_take_drag(void *context, int64_t index, int worker)
 
 void mpm_damping_take_drag(struct mpm_state *state)
 {
-    run_particles(state, pass_take_drag);
+    if (state->damping.particles)
+        run_particles(state, pass_take_drag);
 }
 
 static void pass_settle(void *context, int64_t index, int worker)
@@ -337,6 +330,8 @@ static void pass_settle_midpoint(void *context, int64_t index, int worker)
 void mpm_damping_settle(struct mpm_state *state)
 {
     const bool midpoint = state->scene->position_update == MPM_MIDPOINT;
+    if (!state->damping.particles)
+        return;
     run_particles(state, midpoint ? pass_settle_midpoint : pass_settle);
     for (int64_t s = 0; s < state->strip_count; s++)
         state->damping.books.dissipated += state->strips[s].dissipated;
@@ -349,6 +344,8 @@ void mpm_thermostat_advance(struct mpm_state *state)
     const struct mpm_damping_spec *const spec = &state->scene->damping;
     struct mpm_damping_books *const books = &state->damping.books;
     double kinetic = 0.0;
+    if (!spec->thermostat)
+        return;
     for (int64_t s = 0; s < state->strip_count; s++)
         kinetic += state->strips[s].kinetic_energy;
     if (kinetic > books->largest_kinetic)

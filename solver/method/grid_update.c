@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/grid_update.h"
 
-#include "method/rows.h"
-
 #include <string.h>
 
 void mpm_grid_find_active(struct mpm_state *state)
@@ -30,16 +28,10 @@ void mpm_grid_find_active(struct mpm_state *state)
     }
 }
 
-/* 1 / m_i; 0 for a node without mass, so that it has no motion. */
-static inline double inverse_mass(double mass)
-{
-    return mass == 0.0 ? 0.0 : 1.0 / mass;
-}
-
 void mpm_row_clear(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
-    const struct mpm_span span = mpm_row_span(state, row);
+    const struct mpm_row_span span = mpm_row_span(state, row);
     const size_t count = (size_t)(span.end - span.first);
     (void)worker;
     memset(state->grid.mass + span.first, 0, count * sizeof *state->grid.mass);
@@ -50,11 +42,11 @@ void mpm_row_start_velocity(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
     const struct mpm_grid *const grid = &state->grid;
-    const struct mpm_span span = mpm_row_span(state, row);
+    const struct mpm_row_span span = mpm_row_span(state, row);
     const bool stress_before = state->order->before > 0.0; /* else nobody asks yet */
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++) {
-        const double inverse = inverse_mass(grid->mass[node]);
+        const double inverse = mpm_inverse_mass(grid->mass[node]);
         for (int axis = 0; axis < 2; axis++)
             grid->start[node][axis] = grid->sum[node][axis].momentum * inverse;
         if (stress_before)
@@ -66,10 +58,10 @@ static inline void update_row(const struct mpm_state *state, int64_t row, bool b
 {
     static const double nothing_yet[2] = {0.0, 0.0};
     const struct mpm_grid *const grid = &state->grid;
-    const struct mpm_span span = mpm_row_span(state, row);
+    const struct mpm_row_span span = mpm_row_span(state, row);
     const bool extrapolate = state->order->extrapolate;
     for (int64_t node = span.first; node < span.end; node++) {
-        const double inverse = inverse_mass(grid->mass[node]);
+        const double inverse = mpm_inverse_mass(grid->mass[node]);
         struct mpm_node_motion *const motion = &grid->motion[node];
         for (int axis = 0; axis < 2; axis++) {
             if (body_force) /* stays in the sum: reactions at conditions are told from it */
@@ -98,7 +90,7 @@ void mpm_row_flip_fraction(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
     const struct mpm_grid *const grid = &state->grid;
-    const struct mpm_span span = mpm_row_span(state, row);
+    const struct mpm_row_span span = mpm_row_span(state, row);
     const double rate = (1.0 - state->scene->flip_fraction) / state->time_step;
     const double back =
         state->scene->position_update == MPM_MIDPOINT ? 0.5 * state->time_step : 0.0;
@@ -115,7 +107,7 @@ void mpm_row_momentum(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
     const struct mpm_grid *const grid = &state->grid;
-    const struct mpm_span span = mpm_row_span(state, row);
+    const struct mpm_row_span span = mpm_row_span(state, row);
     double sum[2] = {0.0, 0.0};
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++)
@@ -130,10 +122,10 @@ void mpm_row_extrapolated_velocity(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
     const struct mpm_grid *const grid = &state->grid;
-    const struct mpm_span span = mpm_row_span(state, row);
+    const struct mpm_row_span span = mpm_row_span(state, row);
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++) {
-        const double inverse = inverse_mass(grid->mass[node]);
+        const double inverse = mpm_inverse_mass(grid->mass[node]);
         const double velocity[2] = {grid->gradient[node][0][0] * inverse,
                                     grid->gradient[node][1][0] * inverse};
         mpm_node_set_gradient(grid, node, velocity);

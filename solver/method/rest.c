@@ -2,13 +2,13 @@
 #include "method/rest.h"
 
 #include "base/strips.h"
-#include "method/rows.h"
+#include "method/grid_update.h"
 
 #include <math.h>
 
 static double row_force(const struct mpm_state *state, int64_t row)
 {
-    const struct mpm_span span = mpm_row_span(state, row);
+    const struct mpm_row_span span = mpm_row_span(state, row);
     double sum = 0.0;
     for (int64_t node = span.first; node < span.end; node++)
         sum += fabs(state->grid.sum[node][0].force) + fabs(state->grid.sum[node][1].force);
@@ -36,6 +36,8 @@ static void run_rows(struct mpm_state *state, void (*pass)(void *, int64_t, int)
 
 void mpm_rest_measure_internal(struct mpm_state *state)
 {
+    if (!state->scene->rest.asked)
+        return;
     run_rows(state, row_internal);
     state->balance.internal = 0.0;
     for (int64_t row = state->first_row; row <= state->last_row; row++)
@@ -45,6 +47,8 @@ void mpm_rest_measure_internal(struct mpm_state *state)
 void mpm_rest_measure_unbalanced(struct mpm_state *state)
 {
     double held = 0.0, all = 0.0;
+    if (!state->scene->rest.asked)
+        return;
     run_rows(state, row_unbalanced);
     for (int64_t row = state->first_row; row <= state->last_row; row++)
         all += state->row_sums[row].balance.unbalanced;
