@@ -91,6 +91,30 @@ START_TEST(a_free_body_keeps_one_minus_alpha_dt_of_its_velocity_in_a_step)
 }
 END_TEST
 
+/* Every transfer hands a uniform velocity over as it is, less what damping takes. */
+START_TEST(every_transfer_is_damped_alike)
+{
+    static const char *const transfers[] = {
+        "method.transfer={kind: flip, fraction: 0.8}",
+        "method.transfer={kind: pic}",
+        "method.transfer={kind: xpic, order: 3}",
+        "method.transfer={kind: fmpm, order: 3}",
+        "method.transfer={kind: apic}",
+        "method={extrapolate: false, stress_update: usavg}",
+    };
+    const char *const settings[] = {transfers[_i], "damping={grid: 0.3, particle: 0.2}", NULL};
+    struct test_run run = test_run_open(FLYERS, settings, 1);
+    size_t count;
+    test_run_steps(&run, FLYER_STEPS);
+    double *const v = velocities(&run, &count);
+    for (size_t k = 0; k < 2 * count; k++)
+        ck_assert_near(v[k], pow(1.0 - 0.5 * FLYER_DT, FLYER_STEPS) * FLYER_SPEED[k % 2],
+                       FLYER_ROUND_OFF);
+    free(v);
+    test_run_close(&run);
+}
+END_TEST
+
 START_TEST(a_place_is_damped_and_another_is_not)
 {
     static const char *const damped[] = {"damping={grid: 'x < 8 ? 0.7 : 0'}",
@@ -426,6 +450,7 @@ Suite *suite_damping(void)
     TCase *free_bodies = tcase_create("free bodies");
     tcase_add_loop_test(free_bodies, a_free_body_keeps_one_minus_alpha_dt_of_its_velocity_in_a_step,
                         0, RATES * ORDERS * SHAPES);
+    tcase_add_loop_test(free_bodies, every_transfer_is_damped_alike, 0, 6);
     tcase_add_loop_test(free_bodies, a_place_is_damped_and_another_is_not, 0, 2);
     tcase_add_test(free_bodies, strain_follows_the_damped_velocity_of_the_nodes);
     tcase_add_loop_test(free_bodies, a_held_component_is_not_damped, 0, 2);
