@@ -34,6 +34,7 @@
     SUITE(scene_settings)                                                                          \
     SUITE(suite)                                                                                   \
     SUITE(bench)                                                                                   \
+    SUITE(timing)                                                                                  \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
     SUITE(kernel_bits)                                                                             \

@@ -163,6 +163,19 @@ enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_erro
 
 /* --------------------------------------------------------------- particles */
 
+static void grid_velocity(const struct mpm_state *state, size_t p, double v[2])
+{
+    struct mpm_stencil stencil, weights;
+    mpm_particle_stencil(state, p, &stencil);
+    const struct mpm_stencil *const read = mpm_particle_read_weights(state, &stencil, &weights);
+    v[0] = v[1] = 0.0;
+    for (int k = 0; k < read->count; k++) {
+        const double *const start = state->grid.start[state->node_zero + read->node[k].node];
+        v[0] += read->node[k].s * start[0];
+        v[1] += read->node[k].s * start[1];
+    }
+}
+
 /* alpha_p(t, x_p); 0, with a record, if it is not allowed */
 static double particle_rate(const struct mpm_state *state, size_t p, int worker,
                             struct mpm_strip *strip)
@@ -187,7 +200,7 @@ static inline void find_drag(struct mpm_state *state, int64_t index, int worker,
             varying ? particle_rate(state, p, worker, strip) : damping->particle_rate;
         double grid[2] = {0.0, 0.0};
         if (pic)
-            mpm_particle_grid_velocity(state, p, grid);
+            grid_velocity(state, p, grid);
         for (int axis = 0; axis < 2; axis++) {
             const double v = particles->velocity[axis][p];
             const double q = rate * v + (pic ? damping->pic_rate * (v - grid[axis]) : 0.0);

@@ -48,10 +48,6 @@ void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_st
     state->family->evaluate(&state->shape_grid, &domain, stencil);
 }
 
-/* The weights of what a particle reads back. Notes (67), (73)-(78), the momentum form: with the
- * mass M = sum S m_i that the nodes have at the particle, (sum S p_i) / M is
- * sum (S m_i / M) v_i, and so for gradients and for forces, f_i = m_i a_i: velocities with
- * other weights. M > 0, since the particle is part of it. */
 static inline const struct mpm_stencil *read_back_weights(const struct mpm_state *state,
                                                           const struct mpm_stencil *stencil,
                                                           bool by_momentum,
@@ -74,6 +70,13 @@ static inline const struct mpm_stencil *read_back_weights(const struct mpm_state
         };
     }
     return weights;
+}
+
+const struct mpm_stencil *mpm_particle_read_weights(const struct mpm_state *state,
+                                                    const struct mpm_stencil *stencil,
+                                                    struct mpm_stencil *weights)
+{
+    return read_back_weights(state, stencil, state->scene->form == MPM_FORM_MOMENTUM, weights);
 }
 
 /* A pass that reads back, in both forms. */
@@ -215,33 +218,21 @@ void mpm_particle_add_extrapolated(const struct mpm_state *state, const struct m
     }
 }
 
-static inline void grid_velocity(const struct mpm_state *state, size_t p, bool by_momentum,
-                                 double v[2])
-{
-    struct mpm_stencil stencil, weights;
-    mpm_particle_stencil(state, p, &stencil);
-    const struct mpm_stencil *const read =
-        read_back_weights(state, &stencil, by_momentum, &weights);
-    v[0] = v[1] = 0.0;
-    for (int k = 0; k < read->count; k++) {
-        const double *const start = state->grid.start[state->node_zero + read->node[k].node];
-        v[0] += read->node[k].s * start[0];
-        v[1] += read->node[k].s * start[1];
-    }
-}
-
-void mpm_particle_grid_velocity(const struct mpm_state *state, size_t p, double v[2])
-{
-    grid_velocity(state, p, state->scene->form == MPM_FORM_MOMENTUM, v);
-}
-
 static inline void flip_fraction(struct mpm_state *state, int64_t index, bool by_momentum)
 {
     const struct mpm_strip *const strip = &state->strips[index];
     const double part = 1.0 - state->scene->flip_fraction;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        double grid[2];
-        grid_velocity(state, p, by_momentum, grid);
+        struct mpm_stencil stencil, weights;
+        double grid[2] = {0.0, 0.0};
+        mpm_particle_stencil(state, p, &stencil);
+        const struct mpm_stencil *const read =
+            read_back_weights(state, &stencil, by_momentum, &weights);
+        for (int k = 0; k < read->count; k++) {
+            const double *const start = state->grid.start[state->node_zero + read->node[k].node];
+            grid[0] += read->node[k].s * start[0];
+            grid[1] += read->node[k].s * start[1];
+        }
         for (int axis = 0; axis < 2; axis++) {
             double *const v = &state->particles.velocity[axis][p];
             *v -= part * (*v - grid[axis]);
@@ -392,7 +383,7 @@ BOTH_FORMS(stress_and_force)
 
 /* -------------------------------------------------------- position update */
 
-struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p)
+static struct mpm_placement placement_of(const struct mpm_state *state, size_t p)
 {
     const struct mpm_shape_domain domain = domain_of(state, p);
     struct mpm_placement placement = {.position = {domain.position[0], domain.position[1]}};
@@ -428,11 +419,16 @@ static void update_position(const struct mpm_state *state, size_t p,
     particles->position[0][p] += step[0];
     particles->position[1][p] += step[1];
     mpm_particle_set_domain(state, p);
-    struct mpm_placement placement = mpm_particle_placement(state, p);
+    struct mpm_placement placement = placement_of(state, p);
     placement.step[0] = step[0];
     placement.step[1] = step[1];
     if (mpm_placement_check(state, &placement, particles->id[p], strip))
         mpm_extent_add(extent, &placement);
+}
+
+struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p)
+{
+    return placement_of(state, p);
 }
 
 static inline void position(struct mpm_state *state, int64_t index, bool by_momentum)
@@ -495,7 +491,7 @@ void mpm_pass_measure(void *context, int64_t index, int worker)
     struct mpm_extent extent = MPM_NO_EXTENT;
     (void)worker;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        const struct mpm_placement placement = mpm_particle_placement(state, p);
+        const struct mpm_placement placement = placement_of(state, p);
         if (mpm_domain_check(state, &placement, state->particles.id[p], strip))
             mpm_extent_add(&extent, &placement);
     }
