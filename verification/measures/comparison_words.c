@@ -16,8 +16,9 @@ char *comparison_number(double value, const char *unit)
     return g_strconcat(text, bare ? "" : " ", bare ? "" : unit, NULL);
 }
 
-char *comparison_times(double factor)
+char *comparison_times(const struct comparison_table *table, size_t row, size_t column)
 {
+    const double factor = comparison_factor(table, row, column);
     char text[G_ASCII_DTOSTR_BUF_SIZE];
     if (!isfinite(factor))
         return g_strdup("");
@@ -26,7 +27,8 @@ char *comparison_times(double factor)
                     : factor < 1e6 ? "%.0f"
                                    : "%.1e",
                     factor);
-    return g_strconcat(text, " times", NULL);
+    const bool high = table->columns[column].better == COMPARISON_HIGH;
+    return g_strconcat(high ? "the best is " : "", text, " times ", high ? "it" : "the best", NULL);
 }
 
 static const struct comparison_cell *best_cell(const struct comparison_table *table, size_t column)
@@ -73,10 +75,9 @@ static size_t worst_column(const struct comparison_table *table, size_t row)
 
 static void add_rank(GString *text, const struct comparison_table *table, size_t row, size_t column)
 {
-    char *times = comparison_times(comparison_factor(table, row, column));
-    g_string_append_printf(text, "rank %zu of %zu%s%s%s", comparison_rank(table, row, column),
-                           comparison_count(table, column), *times == '\0' ? "" : ", ", times,
-                           *times == '\0' ? "" : " the best");
+    char *times = comparison_times(table, row, column);
+    g_string_append_printf(text, "rank %zu of %zu%s%s", comparison_rank(table, row, column),
+                           comparison_count(table, column), *times == '\0' ? "" : ", ", times);
     g_free(times);
 }
 
@@ -124,13 +125,29 @@ static void add_best(GString *text, const struct comparison_table *table, size_t
     g_string_append(text, first ? "" : ".");
 }
 
+static const char *reason_of(const struct comparison_table *table, size_t row, size_t column)
+{
+    const struct comparison_cell *cell = comparison_cell(table, row, column);
+    if (cell->state != COMPARISON_FAILED)
+        return NULL;
+    return cell->reason == NULL ? "it failed" : cell->reason;
+}
+
+/* Columns that fail for one reason are named together. */
 static void add_missing(GString *text, const struct comparison_table *table, size_t row)
 {
     for (size_t column = 0; column < table->column_count; column++) {
-        const struct comparison_cell *cell = comparison_cell(table, row, column);
-        if (cell->state == COMPARISON_FAILED)
-            g_string_append_printf(text, " No number for %s: %s.", table->columns[column].title,
-                                   cell->reason == NULL ? "it failed" : cell->reason);
+        const char *reason = reason_of(table, row, column);
+        bool said = reason == NULL;
+        for (size_t before = 0; before < column && !said; before++)
+            said = g_strcmp0(reason_of(table, row, before), reason) == 0;
+        if (said)
+            continue;
+        g_string_append_printf(text, " No number for %s", table->columns[column].title);
+        for (size_t after = column + 1; after < table->column_count; after++)
+            if (g_strcmp0(reason_of(table, row, after), reason) == 0)
+                g_string_append_printf(text, ", %s", table->columns[after].title);
+        g_string_append_printf(text, ": %s.", reason);
     }
 }
 
@@ -169,6 +186,8 @@ char *comparison_sentence(const struct comparison_table *table, size_t row)
 
 /* ----------------------------------------------------------------- summary */
 
+enum { EQUALS_NAMED = 4 };
+
 char *comparison_advice(const struct comparison_table *table, size_t column)
 {
     const size_t best = comparison_best(table, column);
@@ -179,13 +198,13 @@ char *comparison_advice(const struct comparison_table *table, size_t column)
         comparison_number(comparison_cell(table, best, column)->value, table->columns[column].unit);
     g_string_append_printf(text, " (%s)", number);
     g_free(number);
-    bool first = true;
-    for (size_t row = 0; row < table->row_count; row++) {
-        if (row == best || !is_level(table, row, column))
-            continue;
-        g_string_append_printf(text, "%s%s", first ? "; equal: " : ", ", table->names[row]);
-        first = false;
-    }
+    size_t equal = 0;
+    for (size_t row = 0; row < table->row_count; row++)
+        if (row != best && is_level(table, row, column) && equal++ < EQUALS_NAMED)
+            g_string_append_printf(text, "%s%s", equal == 1 ? "; equal: " : ", ",
+                                   table->names[row]);
+    if (equal > EQUALS_NAMED)
+        g_string_append_printf(text, " and %zu more", equal - EQUALS_NAMED);
     return g_string_free(text, FALSE);
 }
 

@@ -9,15 +9,17 @@
 /* A number with three digits and its unit; "" for the unit "1". g_free. */
 char *comparison_number(double value, const char *unit);
 
-/* "3.2 times", "1.04 times"; "" where a factor says nothing. g_free. */
-char *comparison_times(double factor);
+/* "3.2 times the best", or where more is better "the best is 3.2 times it"; "" where a factor
+ * says nothing. g_free. */
+char *comparison_times(const struct comparison_table *table, size_t row, size_t column);
 
 /* Where the row loses: the column with the worst rank (of equal ones the largest factor) with
  * its number, the best one and whose it is; the other columns where it is behind; what it is
  * best in; what it has no number for and why; and whether another row dominates it. g_free. */
 char *comparison_sentence(const struct comparison_table *table, size_t row);
 
-/* The best row of a column, and those equal to it: "ugimp_usavg (0.00055 %); equal: cpdi_usavg".
+/* The best row of a column, and up to four equal to it: "ugimp_usavg (0.00055 %); equal:
+ * cpdi_usavg".
  * "" if the column has no number. g_free. */
 char *comparison_advice(const struct comparison_table *table, size_t column);
 

@@ -105,32 +105,55 @@ static void add_point(GString *data, double x, double y, const char *between, co
     g_string_append(data, end);
 }
 
-/* Labels of one side that would cover each other are moved apart, upwards. */
+/* Where a label stands, in parts of the axes. */
+struct label {
+    double left, right, low;
+};
+
+static bool overlaps(const struct label *one, const struct label *other)
+{
+    static const double line = 0.055; /* height of a line of text */
+    return fabs(one->low - other->low) < line && one->left < other->right &&
+           other->left < one->right;
+}
+
+/* To the side where there is room, above those that it would cover. */
+static struct label label_at(const struct point *point, const char *name, const GArray *labels,
+                             const struct axis *x, const struct axis *y, bool *to_left)
+{
+    static const double letter = 0.0125, step = 0.02;
+    const double at = place_on(x, point->x), length = letter * (double)strlen(name) + step;
+    struct label label = {at, at + length, place_on(y, point->y) + 0.025};
+    *to_left = label.right > 1.0;
+    if (*to_left)
+        label = (struct label){at - length, at, label.low};
+    for (unsigned i = 0; i < labels->len;) {
+        const bool covers = overlaps(&label, &g_array_index(labels, struct label, i));
+        label.low += covers ? step : 0.0;
+        i = covers ? 0 : i + 1;
+    }
+    return label;
+}
+
 static void add_labels(GString *axes, const struct comparison_view *view, const GArray *points,
                        const struct axis *x, const struct axis *y)
 {
-    static const double apart = 0.055; /* of the height: a line of text */
-    double used[2][64];
-    size_t count[2] = {0, 0};
+    GArray *labels = g_array_new(FALSE, FALSE, sizeof(struct label));
     for (unsigned i = points->len; i-- > 0;) {
         const struct point *point = &g_array_index(points, struct point, i);
         if (!point->front)
             continue;
-        const int side = place_on(x, point->x) > 0.6;
-        double at = place_on(y, point->y) + 0.012;
-        for (size_t k = 0; k < count[side]; k++)
-            if (fabs(at - used[side][k]) < apart) {
-                at = used[side][k] + 1.01 * apart; /* clear of it whatever the rounding */
-                k = (size_t)-1;                    /* from the start */
-            }
-        if (count[side] < G_N_ELEMENTS(used[side]))
-            used[side][count[side]++] = at;
-        char *name = figure_quoted(view->names[point->row]);
-        g_string_append_printf(axes, "set label %s %s noenhanced offset %s,0 at ", name,
-                               side == 1 ? "right" : "left", side == 1 ? "-0.9" : "0.9");
-        add_point(axes, point->x, value_at(y, at), ",", "\n");
-        g_free(name);
+        bool to_left;
+        const char *name = view->names[point->row];
+        const struct label label = label_at(point, name, labels, x, y, &to_left);
+        char *quoted = figure_quoted(name);
+        g_string_append_printf(axes, "set label %s %s noenhanced offset %s,0 at ", quoted,
+                               to_left ? "right" : "left", to_left ? "-0.9" : "0.9");
+        add_point(axes, point->x, value_at(y, label.low), ",", "\n");
+        g_free(quoted);
+        g_array_append_val(labels, label);
     }
+    g_array_unref(labels);
 }
 
 static void add_range(GString *axes, char name, const struct axis *range)

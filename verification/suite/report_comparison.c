@@ -41,14 +41,14 @@ static void add_summary(GString *html, const struct comparison_view *view)
 {
     const struct comparison_table *table = &view->table;
     g_string_append(html, "<h2 id=\"which\">Which to use for what</h2>\n<dl class=\"facts\">\n");
+    add_fact(html, "For everything at once", comparison_all_round_words(table));
+    add_fact(html, "On the front", comparison_front_names(table));
     for (size_t column = 0; column < table->column_count; column++) {
         char *advice = comparison_advice(table, column);
         add_fact(html, table->columns[column].title,
                  *advice == '\0' ? g_strdup("no number in this run") : g_strdup(advice));
         g_free(advice);
     }
-    add_fact(html, "All at once", comparison_all_round_words(table));
-    add_fact(html, "On the front", comparison_front_names(table));
     g_string_append(html, "</dl>\n<p class=\"about\">The front: variants for which there is no "
                           "other that is nowhere worse and somewhere better. Equal: within the "
                           "tolerance stated below the table.</p>\n");
@@ -114,9 +114,14 @@ static void add_standing(GString *html, const struct comparison_table *table, si
                     row == best ? "★" : "☆", row == best ? "best" : "equal");
         return;
     }
-    char *times = comparison_times(comparison_factor(table, row, column));
+    const double factor = comparison_factor(table, row, column);
+    const bool high = table->columns[column].better == COMPARISON_HIGH;
+    char *times = isfinite(factor) ? comparison_number(factor, "1") : g_strdup("");
     char *rank = g_strdup_printf("rank %zu%s%s", comparison_rank(table, row, column),
-                                 *times == '\0' ? "" : ", ", times);
+                                 *times == '\0' ? ""
+                                 : high         ? ", ÷ "
+                                                : ", × ",
+                                 times);
     g_string_append(html, "<span class=\"about\">");
     html_numbers(html, rank);
     g_string_append(html, "</span>");
@@ -151,7 +156,7 @@ static void add_outcome(GString *html, const json_t *variant)
     text_markup(html,
                 "<td><span class=\"state %s\"><span class=\"mark\" aria-hidden=\"true\">%s</span>"
                 "%s</span></td>",
-                good ? "good" : "bad", good ? "✓" : "✗", good ? "measured" : outcome);
+                good ? "good" : "bad", good ? "✓" : "✗", good ? "ran" : outcome);
 }
 
 static void add_row(GString *html, const struct comparison_view *view, size_t row)
