@@ -32,6 +32,7 @@
     SUITE(bench)                                                                                   \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
+    SUITE(kernel_bits)                                                                             \
     SUITE(pareto)                                                                                  \
     SUITE(accuracy)                                                                                \
     SUITE(bench_report)
