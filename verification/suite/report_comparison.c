@@ -195,7 +195,8 @@ static void add_table(GString *html, const struct comparison_view *view)
         html, "<h2 id=\"table\">Every variant</h2>\n<div class=\"scroll\" tabindex=\"0\" "
               "role=\"region\" aria-label=\"Every variant\"><table class=\"sortable\">\n"
               "<caption>A heading sorts, best first; again turns round. Under each number: its "
-              "rank, and how many times the best it is.</caption>\n");
+              "rank, and how many times the best it is (×) or, where more is better, the best is "
+              "it (÷).</caption>\n");
     add_head(html, view);
     g_string_append(html, "<tbody>\n");
     for (size_t row = 0; row < view->table.row_count; row++)
