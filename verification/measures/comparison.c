@@ -78,6 +78,20 @@ size_t comparison_count(const struct comparison_table *table, size_t column)
     return count;
 }
 
+/* Over the best where less is better, the best over it where more is. */
+static double factor_of(const struct comparison_column *column, double best, double value)
+{
+    const bool high = column->better == COMPARISON_HIGH;
+    const bool zero = column->better == COMPARISON_ZERO;
+    const double larger = high ? best : zero ? fabs(value) : value;
+    const double smaller = high ? value : zero ? fabs(best) : best;
+    if (larger <= smaller)
+        return 1.0;
+    if (smaller < 0.0)
+        return (double)NAN;
+    return smaller > 0.0 ? larger / smaller : HUGE_VAL;
+}
+
 double comparison_factor(const struct comparison_table *table, size_t row, size_t column)
 {
     const struct comparison_cell *own = comparison_cell(table, row, column);
@@ -86,14 +100,8 @@ double comparison_factor(const struct comparison_table *table, size_t row, size_
         return (double)NAN;
     if (own->state == COMPARISON_FAILED)
         return HUGE_VAL;
-    const struct comparison_column *rule = &table->columns[column];
-    const double least = comparison_badness(rule, comparison_cell(table, best, column)->value);
-    const double bad = comparison_badness(rule, own->value);
-    if (bad <= least)
-        return 1.0;
-    if (least < 0.0) /* large is good: best over own, as long as both are positive numbers */
-        return bad < 0.0 ? least / bad : bad > 0.0 ? (double)NAN : HUGE_VAL;
-    return least > 0.0 ? bad / least : HUGE_VAL;
+    return factor_of(&table->columns[column], comparison_cell(table, best, column)->value,
+                     own->value);
 }
 
 bool comparison_dominates(const struct comparison_table *table, size_t one, size_t other,
