@@ -67,13 +67,30 @@ START_TEST(the_page_has_a_row_for_each_variant_and_the_csv_its_numbers)
     test_assert_well_formed(page, "comparison.html");
     ck_assert_ptr_nonnull(strstr(index, "cases/Q/comparison.html"));
     ck_assert(g_str_has_prefix(csv, "\"variant\",\"run\",\"Integral & more (%)\",\"Points (1)\""));
-    ck_assert_ptr_nonnull(
-        strstr(csv, ",1000,,\"Elsewhere: case crash"));
+    ck_assert_ptr_nonnull(strstr(csv, ",1000,,\"Elsewhere: case crash"));
     char *picture = test_folder_path(output, "cases/Q/figure-comparison.svg");
     ck_assert(test_file_exists(picture));
     g_free(picture);
     g_free(index);
     g_free(csv);
+    g_free(page);
+    test_said_free(&said);
+    test_folder_remove(output);
+    test_folder_remove(catalogue);
+}
+END_TEST
+
+START_TEST(the_cost_of_a_row_that_fell_behind_does_not_count)
+{
+    char *catalogue = catalogue_with("title: Points,", "title: Points, where: integral,");
+    char *output = test_folder_create();
+    struct test_said said =
+        test_verify_with("mpm-verify run --case Q --catalogue @ --output @", catalogue, output);
+    char *page = test_folder_read(output, "cases/Q/comparison.html");
+    ck_assert_msg(strstr(page, "No number for Points: it fell behind in Integral &amp; more.") !=
+                      NULL,
+                  "%s%s", said.err, page);
+    ck_assert_ptr_nonnull(strstr(page, "<dd>cubic (1000)</dd>"));
     g_free(page);
     test_said_free(&said);
     test_folder_remove(output);
@@ -152,6 +169,8 @@ START_TEST(a_bad_comparison_is_refused_with_its_line)
         {"tolerance: 1e-6", "tolerance: much", "\"much\" is not a finite number"},
         {"case: crash", "case: none",
          "comparison.columns.2: case \"none\": the catalogue has none of that name"},
+        {"better: high", "better: high, where: none",
+         "comparison.columns.0: where: \"none\" is the quantity of no other column"},
         {"better: high", "better: more", "case.yaml:"},
         {"  columns:", "  variants: [\"x*\"]\n  columns:", "\"x*\" matches no variant"},
         {"  title: Powers <compared>\n", "", "Missing required mapping field: title"},
@@ -314,6 +333,7 @@ Suite *suite_comparison_page(void)
     Suite *suite = suite_create("comparison_page");
     TCase *page = tcase_create("page");
     tcase_add_test(page, the_page_has_a_row_for_each_variant_and_the_csv_its_numbers);
+    tcase_add_test(page, the_cost_of_a_row_that_fell_behind_does_not_count);
     tcase_add_test(page, a_crash_is_a_missing_number_with_its_reason_and_never_a_zero);
     tcase_add_test(page, result_lines_alone_give_the_same_page_without_the_picture);
     tcase_add_test(page, a_bad_comparison_is_refused_with_its_line);

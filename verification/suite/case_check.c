@@ -170,6 +170,10 @@ static enum mpm_status check_column(const char *path, const struct case_comparis
     g_snprintf(place, sizeof place, "comparison.columns.%u", index);
     if (!(column->tolerance >= 0) || !(column->floor >= 0))
         return yaml_refuse(path, error, place, "tolerance and floor: allowed are numbers >= 0");
+    if (column->where != NULL &&
+        (!has_column(comparison, column->where) || strcmp(column->where, column->quantity) == 0))
+        return yaml_refuse(path, error, place, "where: \"%s\" is the quantity of no other column",
+                           column->where);
     for (unsigned i = 0; i < index; i++)
         if (strcmp(column->title, comparison->columns[i].title) == 0)
             return yaml_refuse(path, error, place, "title \"%s\" is taken by another column",

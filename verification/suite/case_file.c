@@ -98,6 +98,7 @@ static const cyaml_schema_field_t column_fields[] = {
     OPTIONAL_TEXT("tolerance", case_column, tolerance_text),
     OPTIONAL_TEXT("floor", case_column, floor_text),
     OPTIONAL_TEXT("case", case_column, case_name),
+    OPTIONAL_TEXT("where", case_column, where),
     CYAML_FIELD_END};
 static const cyaml_schema_value_t column_schema = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct case_column, column_fields)};

@@ -76,6 +76,7 @@ struct case_column {
     char *tolerance_text, *floor_text; /* NULL if not given */
     double tolerance, floor;
     char *case_name; /* that reports it; NULL: this one */
+    char *where;     /* quantity of a column: counts only where that is equal to the best */
 };
 
 struct case_pareto {

@@ -143,6 +143,35 @@ static void fill_cells(struct comparison_view *view, const struct records *recor
         }
 }
 
+/* A run that ended early is not cheap: takes out the numbers of a column where another one is
+ * behind its best. */
+static void take_out(struct comparison_view *view, size_t column, size_t condition)
+{
+    const struct comparison_table *table = &view->table;
+    const size_t best = comparison_best(table, condition);
+    for (size_t row = 0; best != COMPARISON_NONE && row < table->row_count; row++) {
+        struct comparison_cell *cell = &view->cells[row * table->column_count + column];
+        if (cell->state != COMPARISON_NUMBER ||
+            comparison_order(&view->columns[condition], comparison_cell(table, best, condition),
+                             comparison_cell(table, row, condition)) >= 0)
+            continue;
+        char *reason = g_strdup_printf("it fell behind in %s", view->columns[condition].title);
+        g_ptr_array_add(view->reasons, reason);
+        *cell = (struct comparison_cell){COMPARISON_FAILED, (double)NAN, reason};
+    }
+}
+
+static void take_out_all(struct comparison_view *view)
+{
+    const json_t *columns = json_object_get(view->declared, "columns");
+    for (size_t column = 0; column < view->table.column_count; column++) {
+        const json_t *declared = json_array_get(columns, column);
+        const size_t condition = comparison_view_column(view, record_text(declared, "where"));
+        if (condition != COMPARISON_NONE)
+            take_out(view, column, condition);
+    }
+}
+
 struct comparison_view comparison_view_make(const struct records *records, const json_t *entry)
 {
     const json_t *variants = json_object_get(entry, "variants");
@@ -168,6 +197,7 @@ struct comparison_view comparison_view_make(const struct records *records, const
     view.table =
         (struct comparison_table){rows, column_count, view.names, view.columns, view.cells};
     fill_cells(&view, records, record_text(entry, "case"));
+    take_out_all(&view);
     return view;
 }
 

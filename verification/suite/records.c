@@ -171,6 +171,8 @@ static json_t *column_record(const struct case_column *column)
     json_object_set_new(object, "better", json_string(better_name(column->better)));
     json_object_set_new(object, "tolerance", json_real(column->tolerance));
     json_object_set_new(object, "floor", json_real(column->floor));
+    if (column->where != NULL)
+        json_object_set_new(object, "where", record_text_of(column->where));
     if (column->case_name != NULL)
         json_object_set_new(object, "case", record_text_of(column->case_name));
     return object;
