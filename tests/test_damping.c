@@ -375,7 +375,7 @@ START_TEST(pic_damping_beside_a_flip_fraction_is_refused)
     const char *const settings[] = {"damping={pic: 0.9}",
                                     "method.transfer={kind: flip, fraction: 0.9}"};
     const struct mpm_error error = refusal(settings, 2);
-    ck_assert_msg(strstr(error.message, "both damping.pic and a method.transfer.fraction") != NULL,
+    ck_assert_msg(strstr(error.message, "both damping.pic and a method.transfer that") != NULL,
                   "%s", error.message);
 }
 END_TEST

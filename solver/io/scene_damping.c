@@ -47,8 +47,8 @@ static enum mpm_status build_pic(const struct mpm_reading *reading)
         return mpm_reading_fault(reading, path, "out of range, got %g; allowed: from 0 to 1", beta);
     if (scene->flip_fraction < 1.0)
         return mpm_reading_fault(reading, path,
-                                 "both damping.pic and a method.transfer.fraction of %g, which "
-                                 "do the same to velocities; allowed: one of them",
+                                 "both damping.pic and a method.transfer that keeps %g of FLIP, "
+                                 "which do the same to velocities; allowed: one of them",
                                  scene->flip_fraction);
     drop(&scene->damping.pic, 1.0);
     return MPM_OK;

@@ -48,10 +48,6 @@ void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_st
     state->family->evaluate(&state->shape_grid, &domain, stencil);
 }
 
-/* The weights of what a particle reads back. Notes (67), (73)-(78), the momentum form: with the
- * mass M = sum S m_i that the nodes have at the particle, (sum S p_i) / M is
- * sum (S m_i / M) v_i, and so for gradients and for forces, f_i = m_i a_i: velocities with
- * other weights. M > 0, since the particle is part of it. */
 static inline const struct mpm_stencil *read_back_weights(const struct mpm_state *state,
                                                           const struct mpm_stencil *stencil,
                                                           bool by_momentum,
@@ -74,6 +70,13 @@ static inline const struct mpm_stencil *read_back_weights(const struct mpm_state
         };
     }
     return weights;
+}
+
+const struct mpm_stencil *mpm_particle_read_weights(const struct mpm_state *state,
+                                                    const struct mpm_stencil *stencil,
+                                                    struct mpm_stencil *weights)
+{
+    return read_back_weights(state, stencil, state->scene->form == MPM_FORM_MOMENTUM, weights);
 }
 
 /* A pass that reads back, in both forms. */

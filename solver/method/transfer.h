@@ -11,6 +11,13 @@
 /* S, G and T of the nodes that a particle reaches. */
 void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil);
 
+/* The weights of what a particle reads back: the stencil itself, or in the momentum form, Notes
+ * (67), (73)-(78), `weights`. With the mass M = sum S m_i that the nodes have at the particle,
+ * (sum S p_i) / M is sum (S m_i / M) v_i, and so for gradients and for forces, f_i = m_i a_i:
+ * velocities with other weights. M > 0, since the particle is part of it. */
+const struct mpm_stencil *mpm_particle_read_weights(const struct mpm_state *state,
+                                                    const struct mpm_stencil *stencil,
+                                                    struct mpm_stencil *weights);
 /* f_i of the particle's stress; see mpm_pass_momentum_and_force */
 void mpm_particle_add_internal_force(const struct mpm_state *state, size_t p,
                                      const struct mpm_stencil *stencil);
