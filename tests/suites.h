@@ -27,6 +27,8 @@
     SUITE(cli)                                                                                     \
     SUITE(catalogue)                                                                               \
     SUITE(methods)                                                                                 \
+    SUITE(comparison)                                                                              \
+    SUITE(comparison_page)                                                                         \
     SUITE(judge)                                                                                   \
     SUITE(report)                                                                                  \
     SUITE(scene_run)                                                                               \
