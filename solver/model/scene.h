@@ -22,13 +22,6 @@ enum mpm_stress_update {
 enum mpm_position_update { MPM_GRID_VELOCITY, MPM_MIDPOINT };
 enum mpm_radius_update { MPM_RADIUS_SHAPE, MPM_RADIUS_HOOP };
 
-/* v_r of the extra nodes, at r < 0; those on r = 0 have v_r = 0 with each. */
-enum mpm_axis_nodes {
-    MPM_AXIS_NODES_ZERO,
-    MPM_AXIS_NODES_FREE,     /* as it comes */
-    MPM_AXIS_NODES_MIRRORED, /* minus that of the node at -r */
-};
-
 /* How particle velocities follow the grid; mpm_transfer in method/ has their equations. */
 enum mpm_transfer_kind {
     MPM_TRANSFER_FLIP, /* flip_fraction of it */
@@ -40,6 +33,13 @@ enum mpm_transfer_kind {
 
 /* What the particles' updates take from the nodes: Notes 5.1 or 5.2. */
 enum mpm_form { MPM_FORM_VELOCITY, MPM_FORM_MOMENTUM };
+
+/* v_r of the extra nodes, at r < 0; those on r = 0 have v_r = 0 with each. */
+enum mpm_axis_nodes {
+    MPM_AXIS_NODES_ZERO,
+    MPM_AXIS_NODES_FREE,     /* as it comes */
+    MPM_AXIS_NODES_MIRRORED, /* minus that of the node at -r */
+};
 
 enum mpm_region_kind {
     MPM_REGION_RECTANGLE, /* a = from, b = to */
