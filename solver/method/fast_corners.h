@@ -1,7 +1,9 @@
-/* Fast kernels: CPDI stencils, sums over the four corners of a parallelogram of the hat
- * functions there, for four particles at once. A corner spreads to the four nodes of its
- * cell by itself, however far the corners are apart. Weights as in shape_cpdi.c, nodal
- * vectors as in fast_lines.h.
+/* Fast kernels: CPDI stencils of domains beyond two cells, see fast_cpdi.h: sums over the four
+ * corners of a parallelogram of the hat functions there, for four particles at once. A corner
+ * spreads to the four nodes of its cell by itself, however far the corners are apart. Weights
+ * as in shape_cpdi.c, nodal vectors as in fast_lines.h.
+ *
+ * Functions of their own, which ask what kernel they serve: not every kernel gets a copy.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_FAST_CORNERS_H
@@ -57,9 +59,10 @@ MPM_INLINE void corner_weights_vector(const struct fast_spec *spec, const mpm_ve
     corners->t = 0.25 * inverse_r;
 }
 
-MPM_INLINE void fast_corners_evaluate(const struct fast_spec *spec, const struct fast_constants *k,
-                                      const mpm_vector position[2], const mpm_vector edge[4],
-                                      struct fast_corners *corners)
+MPM_SEPARATE void fast_corners_evaluate(const struct fast_spec *spec,
+                                        const struct fast_constants *k,
+                                        const mpm_vector position[2], const mpm_vector edge[4],
+                                        struct fast_corners *corners)
 {
     mpm_vector d[4] = {edge[0], edge[1], edge[2], edge[3]};
     mpm_vector inverse_r = mpm_splat(0.0);
@@ -114,9 +117,9 @@ MPM_INLINE void spread_corner_mass(double *row, int64_t stride, const double x[2
     }
 }
 
-MPM_INLINE void fast_corners_spread(const struct fast_spec *spec, const struct fast_constants *k,
-                                    const struct fast_corners *corners,
-                                    const struct fast_load *load)
+MPM_SEPARATE void fast_corners_spread(const struct fast_spec *spec, const struct fast_constants *k,
+                                      const struct fast_corners *corners,
+                                      const struct fast_load *load)
 {
     const mpm_vector *const p = load->momentum, *const f = load->stress;
 #pragma GCC unroll 4
@@ -148,9 +151,9 @@ MPM_INLINE void fast_corners_spread(const struct fast_spec *spec, const struct f
     }
 }
 
-MPM_INLINE void fast_corners_spread_momentum(const struct fast_constants *k,
-                                             const struct fast_corners *corners,
-                                             const mpm_vector momentum[2])
+MPM_SEPARATE void fast_corners_spread_momentum(const struct fast_constants *k,
+                                               const struct fast_corners *corners,
+                                               const mpm_vector momentum[2])
 {
 #pragma GCC unroll 4
     for (int c = 0; c < MPM_CORNERS; c++) {
@@ -187,9 +190,9 @@ MPM_INLINE void gather_corners(const struct fast_constants *k, const struct fast
     mpm_transpose(value);
 }
 
-MPM_INLINE void fast_corners_motion(const struct fast_constants *k,
-                                    const struct fast_corners *corners, bool wants_hoop,
-                                    mpm_vector motion[4], mpm_vector hoop[4])
+MPM_SEPARATE void fast_corners_motion(const struct fast_constants *k,
+                                      const struct fast_corners *corners, bool wants_hoop,
+                                      mpm_vector motion[4], mpm_vector hoop[4])
 {
     for (int i = 0; i < 4; i++)
         motion[i] = hoop[i] = mpm_splat(0.0);
@@ -205,9 +208,10 @@ MPM_INLINE void fast_corners_motion(const struct fast_constants *k,
     }
 }
 
-MPM_INLINE void fast_corners_gradient(const struct fast_spec *spec, const struct fast_constants *k,
-                                      const struct fast_corners *corners,
-                                      mpm_vector gradient[MPM_GRADIENT_SIZE])
+MPM_SEPARATE void fast_corners_gradient(const struct fast_spec *spec,
+                                        const struct fast_constants *k,
+                                        const struct fast_corners *corners,
+                                        mpm_vector gradient[MPM_GRADIENT_SIZE])
 {
     for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
         gradient[i] = mpm_splat(0.0);

@@ -7,7 +7,7 @@
 
 #include "method/extent.h"
 #include "method/fast_block.h"
-#include "method/fast_corners.h"
+#include "method/fast_cpdi.h"
 #include "method/fast_lines.h"
 #include "method/fast_stress.h"
 
@@ -15,7 +15,7 @@
 
 union fast_stencil {
     struct fast_lines lines;
-    struct fast_corners corners;
+    struct fast_cpdi cpdi;
 };
 
 /* Half edges of CPDI domains: kept where F changes within a step, else of F. */
@@ -53,14 +53,14 @@ MPM_INLINE void evaluate(const struct fast_spec *spec, const struct fast_constan
         load_deformation(particles, p, f);
         edges_of(k, f, edge);
     }
-    fast_corners_evaluate(spec, k, position, edge, &stencil->corners);
+    fast_cpdi_evaluate(spec, k, position, edge, &stencil->cpdi);
 }
 
 MPM_INLINE void spread(const struct fast_spec *spec, const struct fast_constants *k,
                        const union fast_stencil *stencil, const struct fast_load *load)
 {
     if (spec->shape == MPM_CPDI)
-        fast_corners_spread(spec, k, &stencil->corners, load);
+        fast_cpdi_spread(spec, k, &stencil->cpdi, load);
     else
         fast_lines_spread(spec, k, &stencil->lines, load);
 }
@@ -69,7 +69,7 @@ MPM_INLINE void spread_momentum(const struct fast_spec *spec, const struct fast_
                                 const union fast_stencil *stencil, const mpm_vector momentum[2])
 {
     if (spec->shape == MPM_CPDI)
-        fast_corners_spread_momentum(k, &stencil->corners, momentum);
+        fast_cpdi_spread_momentum(k, &stencil->cpdi, momentum);
     else
         fast_lines_spread_momentum(spec, k, &stencil->lines, momentum);
 }
@@ -80,7 +80,7 @@ MPM_INLINE void gather_motion(const struct fast_spec *spec, const struct fast_co
                               mpm_vector motion[4], mpm_vector hoop[4])
 {
     if (spec->shape == MPM_CPDI)
-        fast_corners_motion(k, &stencil->corners, wants_hoop, motion, hoop);
+        fast_cpdi_motion(k, &stencil->cpdi, wants_hoop, motion, hoop);
     else
         fast_lines_motion(spec, k, &stencil->lines, wants_hoop, motion, hoop);
 }
@@ -90,7 +90,7 @@ MPM_INLINE void gather_gradient(const struct fast_spec *spec, const struct fast_
                                 mpm_vector gradient[MPM_GRADIENT_SIZE])
 {
     if (spec->shape == MPM_CPDI)
-        fast_corners_gradient(spec, k, &stencil->corners, gradient);
+        fast_cpdi_gradient(spec, k, &stencil->cpdi, gradient);
     else
         fast_lines_gradient(spec, k, &stencil->lines, gradient);
 }
