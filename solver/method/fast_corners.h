@@ -1,9 +1,7 @@
-/* Fast kernels: CPDI stencils of domains beyond two cells, see fast_cpdi.h: sums over the four
+/* Fast kernels: CPDI stencils corner by corner, see fast_cpdi.h for when: sums over the four
  * corners of a parallelogram of the hat functions there, for four particles at once. A corner
  * spreads to the four nodes of its cell by itself, however far the corners are apart. Weights
  * as in shape_cpdi.c, nodal vectors as in fast_lines.h.
- *
- * Functions of their own, which ask what kernel they serve: not every kernel gets a copy.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_FAST_CORNERS_H
@@ -59,10 +57,9 @@ MPM_INLINE void corner_weights_vector(const struct fast_spec *spec, const mpm_ve
     corners->t = 0.25 * inverse_r;
 }
 
-MPM_SEPARATE void fast_corners_evaluate(const struct fast_spec *spec,
-                                        const struct fast_constants *k,
-                                        const mpm_vector position[2], const mpm_vector edge[4],
-                                        struct fast_corners *corners)
+MPM_INLINE void fast_corners_evaluate(const struct fast_spec *spec, const struct fast_constants *k,
+                                      const mpm_vector position[2], const mpm_vector edge[4],
+                                      struct fast_corners *corners)
 {
     mpm_vector d[4] = {edge[0], edge[1], edge[2], edge[3]};
     mpm_vector inverse_r = mpm_splat(0.0);
@@ -117,9 +114,9 @@ MPM_INLINE void spread_corner_mass(double *row, int64_t stride, const double x[2
     }
 }
 
-MPM_SEPARATE void fast_corners_spread(const struct fast_spec *spec, const struct fast_constants *k,
-                                      const struct fast_corners *corners,
-                                      const struct fast_load *load)
+MPM_INLINE void fast_corners_spread(const struct fast_spec *spec, const struct fast_constants *k,
+                                    const struct fast_corners *corners,
+                                    const struct fast_load *load)
 {
     const mpm_vector *const p = load->momentum, *const f = load->stress;
 #pragma GCC unroll 4
@@ -132,12 +129,10 @@ MPM_SEPARATE void fast_corners_spread(const struct fast_spec *spec, const struct
             value[2] = p[1] * corners->s[c];
             mpm_store(mass, load->mass * corners->s[c]);
         }
-        if (spec->force) {
-            value[1] = f[MPM_SYM_XX] * g[0] + f[MPM_SYM_XY] * g[1];
-            value[3] = f[MPM_SYM_XY] * g[0] + f[MPM_SYM_YY] * g[1];
-            if (spec->axisymmetric)
-                value[1] += f[MPM_SYM_ZZ] * corners->t;
-        }
+        value[1] = f[MPM_SYM_XX] * g[0] + f[MPM_SYM_XY] * g[1];
+        value[3] = f[MPM_SYM_XY] * g[0] + f[MPM_SYM_YY] * g[1];
+        if (spec->axisymmetric)
+            value[1] += f[MPM_SYM_ZZ] * corners->t;
         mpm_transpose(value);
 #pragma GCC unroll 4
         for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
@@ -151,18 +146,19 @@ MPM_SEPARATE void fast_corners_spread(const struct fast_spec *spec, const struct
     }
 }
 
-MPM_SEPARATE void fast_corners_spread_momentum(const struct fast_constants *k,
-                                               const struct fast_corners *corners,
-                                               const mpm_vector momentum[2])
+MPM_INLINE void fast_corners_spread_values(const struct fast_constants *k,
+                                           const struct fast_corners *corners, void *array,
+                                           const mpm_vector values[4])
 {
 #pragma GCC unroll 4
     for (int c = 0; c < MPM_CORNERS; c++) {
-        const mpm_vector px = momentum[0] * corners->s[c], py = momentum[1] * corners->s[c];
-        mpm_vector value[4] = {px, px, py, py};
+        mpm_vector value[4];
+        for (int i = 0; i < 4; i++)
+            value[i] = values[i] * corners->s[c];
         mpm_transpose(value);
 #pragma GCC unroll 4
         for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
-            spread_corner(fast_row(k->gradient, corners->node[c][lane], 0, k), k->stride,
+            spread_corner(fast_row(array, corners->node[c][lane], 0, k), k->stride,
                           &corners->x[c][fast_pair[lane]], &corners->y[c][fast_pair[lane]],
                           value[lane]);
     }
@@ -190,9 +186,9 @@ MPM_INLINE void gather_corners(const struct fast_constants *k, const struct fast
     mpm_transpose(value);
 }
 
-MPM_SEPARATE void fast_corners_motion(const struct fast_constants *k,
-                                      const struct fast_corners *corners, bool wants_hoop,
-                                      mpm_vector motion[4], mpm_vector hoop[4])
+MPM_INLINE void fast_corners_motion(const struct fast_constants *k,
+                                    const struct fast_corners *corners, bool wants_hoop,
+                                    mpm_vector motion[4], mpm_vector hoop[4])
 {
     for (int i = 0; i < 4; i++)
         motion[i] = hoop[i] = mpm_splat(0.0);
@@ -208,10 +204,9 @@ MPM_SEPARATE void fast_corners_motion(const struct fast_constants *k,
     }
 }
 
-MPM_SEPARATE void fast_corners_gradient(const struct fast_spec *spec,
-                                        const struct fast_constants *k,
-                                        const struct fast_corners *corners,
-                                        mpm_vector gradient[MPM_GRADIENT_SIZE])
+MPM_INLINE void fast_corners_gradient(const struct fast_spec *spec, const struct fast_constants *k,
+                                      const struct fast_corners *corners,
+                                      mpm_vector gradient[MPM_GRADIENT_SIZE])
 {
     for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
         gradient[i] = mpm_splat(0.0);

@@ -30,6 +30,46 @@ struct fast_cpdi {
     };
 };
 
+/* The last pass only reads: corners do that as fast, one after the other. */
+MPM_INLINE bool takes_corners(const struct fast_spec *spec)
+{
+    return spec->velocity || spec->stress;
+}
+
+/* Far domains are rare: not every kernel gets a copy of what they need. */
+MPM_SEPARATE void far_evaluate(const struct fast_spec *spec, const struct fast_constants *k,
+                               const mpm_vector position[2], const mpm_vector edge[4],
+                               struct fast_corners *corners)
+{
+    fast_corners_evaluate(spec, k, position, edge, corners);
+}
+
+MPM_SEPARATE void far_spread(const struct fast_spec *spec, const struct fast_constants *k,
+                             const struct fast_corners *corners, const struct fast_load *load)
+{
+    fast_corners_spread(spec, k, corners, load);
+}
+
+MPM_SEPARATE void far_spread_values(const struct fast_constants *k,
+                                    const struct fast_corners *corners, void *array,
+                                    const mpm_vector values[4])
+{
+    fast_corners_spread_values(k, corners, array, values);
+}
+
+MPM_SEPARATE void far_motion(const struct fast_constants *k, const struct fast_corners *corners,
+                             bool wants_hoop, mpm_vector motion[4], mpm_vector hoop[4])
+{
+    fast_corners_motion(k, corners, wants_hoop, motion, hoop);
+}
+
+MPM_SEPARATE void far_gradient(const struct fast_spec *spec, const struct fast_constants *k,
+                               const struct fast_corners *corners,
+                               mpm_vector gradient[MPM_GRADIENT_SIZE])
+{
+    fast_corners_gradient(spec, k, corners, gradient);
+}
+
 /* ------------------------------------------------------------------ weights
  *
  * A weight is a sum over the corners, with the hat functions P_c there. That of the corner
@@ -67,15 +107,16 @@ MPM_INLINE struct corner_factors corner_factors(const struct fast_spec *spec, co
     return factors;
 }
 
-/* The passes before the last that move nothing know forces; the last one knows stresses. */
+/* Of the other passes: one takes gradients and spreads forces, */
 MPM_INLINE bool wants_gradient_weights(const struct fast_spec *spec)
 {
-    return spec->stress || (spec->force && !spec->momentum);
+    return spec->force && !spec->momentum;
 }
 
+/* the others spread momentum. */
 MPM_INLINE bool wants_value_weights(const struct fast_spec *spec)
 {
-    return spec->momentum || spec->velocity || !(spec->force || spec->stress);
+    return spec->momentum || !spec->force;
 }
 
 MPM_INLINE void set_node(const struct fast_spec *spec, const struct corner_factors *factors,
@@ -89,15 +130,14 @@ MPM_INLINE void set_node(const struct fast_spec *spec, const struct corner_facto
     }
     if (spec->axisymmetric)
         mpm_store(nodes->t[n], factors->t * sums->all);
-    if (!spec->force && !spec->stress)
+    if (!spec->force)
         return;
     mpm_vector g[2];
     for (int axis = 0; axis < 2; axis++) {
         g[axis] = factors->g_even[axis] * sums->even + factors->g_odd[axis] * sums->odd;
         if (spec->axisymmetric)
             g[axis] += factors->g_crossed[axis] * sums->crossed;
-        if (spec->force)
-            nodes->g[n][axis] = g[axis];
+        nodes->g[n][axis] = g[axis];
     }
     if (wants_gradient_weights(spec))
         mpm_store_pairs(g[0], g[1], nodes->pairs[n]);
@@ -152,6 +192,10 @@ MPM_INLINE void fast_cpdi_evaluate(const struct fast_spec *spec, const struct fa
 {
     mpm_vector d[4] = {edge[0], edge[1], edge[2], edge[3]}, inverse_r = mpm_splat(0.0);
     mpm_vector first[2], hats[2][MPM_CORNERS][MPM_LINE_NODES];
+    if (takes_corners(spec)) {
+        fast_corners_evaluate(spec, k, position, edge, &cpdi->corners);
+        return;
+    }
     if (spec->axisymmetric) {
         inverse_r = 1.0 / position[0];
         if (k->truncated)
@@ -166,7 +210,7 @@ MPM_INLINE void fast_cpdi_evaluate(const struct fast_spec *spec, const struct fa
             hats_at(place[c], hats[axis][c]);
     }
     if (!cpdi->near) {
-        fast_corners_evaluate(spec, k, position, edge, &cpdi->corners);
+        far_evaluate(spec, k, position, edge, &cpdi->corners);
         return;
     }
     const mpm_mask node = mpm_to_integer(first[1] * k->columns + first[0]) + k->node_zero;
@@ -177,107 +221,85 @@ MPM_INLINE void fast_cpdi_evaluate(const struct fast_spec *spec, const struct fa
 
 /* ------------------------------------------------------------------ scatter */
 
-/* The vectors of the first row of nodes in an array of the grid; the next row is a pitch further.
- * What the constants hold would be read again after each store. */
-MPM_INLINE void first_rows(const struct fast_nodes *nodes, void *array, double *row[4])
+/* Four particles' (p_x, f_x, p_y, f_y) for node n. */
+MPM_INLINE void node_loads(const struct fast_spec *spec, const struct fast_nodes *nodes, int n,
+                           const struct fast_load *load, mpm_vector value[4])
 {
-    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
-        row[lane] = (double *)array + MPM_VECTOR_SIZE * nodes->first[lane];
-}
-
-/* distance: in doubles */
-MPM_INLINE void next_rows(double *row[4], int64_t distance)
-{
-    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
-        row[lane] += distance;
-}
-
-MPM_INLINE void spread_node(const struct fast_spec *spec, const struct fast_nodes *nodes, int j,
-                            int i, const struct fast_load *load, double *const row[4])
-{
-    const int n = MPM_LINE_NODES * j + i;
     const mpm_vector *const p = load->momentum, *const f = load->stress, *const g = nodes->g[n];
-    mpm_vector value[4] = {{0}};
+    value[0] = value[2] = mpm_splat(0.0);
     if (spec->momentum) {
         value[0] = mpm_load(nodes->s[n]) * p[0];
         value[2] = mpm_load(nodes->s[n]) * p[1];
     }
-    if (spec->force) {
-        value[1] = f[MPM_SYM_XX] * g[0] + f[MPM_SYM_XY] * g[1];
-        value[3] = f[MPM_SYM_XY] * g[0] + f[MPM_SYM_YY] * g[1];
-        if (spec->axisymmetric)
-            value[1] += f[MPM_SYM_ZZ] * mpm_load(nodes->t[n]);
-    }
+    value[1] = f[MPM_SYM_XX] * g[0] + f[MPM_SYM_XY] * g[1];
+    value[3] = f[MPM_SYM_XY] * g[0] + f[MPM_SYM_YY] * g[1];
+    if (spec->axisymmetric)
+        value[1] += f[MPM_SYM_ZZ] * mpm_load(nodes->t[n]);
     mpm_transpose(value);
-#pragma GCC unroll 4
-    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
-        mpm_store(row[lane] + 4 * i, mpm_load(row[lane] + 4 * i) + value[lane]);
 }
 
 /* Masses of a row of nodes are neighbours: one vector. */
-MPM_INLINE void spread_masses(const struct fast_constants *k, const struct fast_nodes *nodes,
-                              mpm_vector mass)
+MPM_INLINE void row_masses(const struct fast_nodes *nodes, int j, mpm_vector mass,
+                           mpm_vector value[4])
 {
+    for (int i = 0; i < MPM_LINE_NODES; i++)
+        value[i] = mass * mpm_load(nodes->s[MPM_LINE_NODES * j + i]);
+    value[3] = mpm_splat(0.0);
+    mpm_transpose(value);
+}
+
+/* All vectors first, then particle by particle: the next one mostly adds to the same nodes, which
+ * takes as long as its vectors have to be waited for. */
+MPM_INLINE void fast_cpdi_spread(const struct fast_spec *spec, const struct fast_constants *k,
+                                 const struct fast_cpdi *cpdi, const struct fast_load *load)
+{
+    const struct fast_nodes *const nodes = &cpdi->nodes;
     const int64_t stride = k->stride;
-    double *const array = k->mass;
-#pragma GCC unroll 3
-    for (int j = 0; j < MPM_LINE_NODES; j++) {
-        mpm_vector row[4] = {{0}};
-        for (int i = 0; i < MPM_LINE_NODES; i++)
-            row[i] = mass * mpm_load(nodes->s[MPM_LINE_NODES * j + i]);
-        mpm_transpose(row);
+    double *const sums = (double *)k->sum, *const masses = k->mass;
+    mpm_vector value[MPM_BLOCK_NODES][4], mass[MPM_LINE_NODES][4];
+    if (!cpdi->near) {
+        far_spread(spec, k, &cpdi->corners, load);
+        return;
+    }
+#pragma GCC unroll 9
+    for (int n = 0; n < MPM_BLOCK_NODES; n++)
+        node_loads(spec, nodes, n, load, value[n]);
+    for (int j = 0; spec->momentum && j < MPM_LINE_NODES; j++)
+        row_masses(nodes, j, load->mass, mass[j]);
+    mpm_keep_in_memory(value);
 #pragma GCC unroll 4
-        for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
-            double *const node = array + nodes->first[lane] + j * stride;
-            mpm_store(node, mpm_load(node) + row[lane]);
+    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
+        double *sum = sums + 4 * nodes->first[lane], *row = masses + nodes->first[lane];
+        for (int j = 0; j < MPM_LINE_NODES; j++, sum += 4 * stride, row += stride) {
+            for (int i = 0; i < MPM_LINE_NODES; i++)
+                mpm_store(sum + 4 * i, mpm_load(sum + 4 * i) + value[MPM_LINE_NODES * j + i][lane]);
+            if (spec->momentum)
+                mpm_store(row, mpm_load(row) + mass[j][lane]);
         }
     }
 }
 
-MPM_INLINE void fast_cpdi_spread(const struct fast_spec *spec, const struct fast_constants *k,
-                                 const struct fast_cpdi *cpdi, const struct fast_load *load)
-{
-    const int64_t distance = MPM_VECTOR_SIZE * k->stride;
-    double *row[MPM_VECTOR_SIZE];
-    if (!cpdi->near) {
-        fast_corners_spread(spec, k, &cpdi->corners, load);
-        return;
-    }
-    first_rows(&cpdi->nodes, k->sum, row);
-#pragma GCC unroll 3
-    for (int j = 0; j < MPM_LINE_NODES; j++) {
-#pragma GCC unroll 3
-        for (int i = 0; i < MPM_LINE_NODES; i++)
-            spread_node(spec, &cpdi->nodes, j, i, load, row);
-        next_rows(row, distance);
-    }
-    if (spec->momentum)
-        spread_masses(k, &cpdi->nodes, load->mass);
-}
-
-MPM_INLINE void fast_cpdi_spread_momentum(const struct fast_constants *k,
-                                          const struct fast_cpdi *cpdi,
-                                          const mpm_vector momentum[2])
+MPM_INLINE void fast_cpdi_spread_values(const struct fast_constants *k,
+                                        const struct fast_cpdi *cpdi, void *array,
+                                        const mpm_vector values[4])
 {
     const struct fast_nodes *const nodes = &cpdi->nodes;
+    const int64_t distance = 4 * k->stride;
+    mpm_vector value[4] = {values[0], values[1], values[2], values[3]};
     if (!cpdi->near) {
-        fast_corners_spread_momentum(k, &cpdi->corners, momentum);
+        far_spread_values(k, &cpdi->corners, array, values);
         return;
     }
-    const int64_t distance = MPM_VECTOR_SIZE * k->stride;
-    double *row[MPM_VECTOR_SIZE];
-    mpm_vector p[4] = {momentum[0], momentum[0], momentum[1], momentum[1]};
-    first_rows(nodes, k->gradient, row);
-    mpm_transpose(p);
+    mpm_transpose(value);
 #pragma GCC unroll 4
     for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
-        double *node = row[lane];
+        double *node = (double *)array + 4 * nodes->first[lane];
 #pragma GCC unroll 3
         for (int j = 0; j < MPM_LINE_NODES; j++, node += distance)
-            for (int i = 0; i < MPM_LINE_NODES; i++)
-                mpm_store(node + 4 * i,
-                          mpm_load(node + 4 * i) +
-                              mpm_scale(nodes->s[MPM_LINE_NODES * j + i][lane], p[lane]));
+            for (int i = 0; i < MPM_LINE_NODES; i++) {
+                const double s = nodes->s[MPM_LINE_NODES * j + i][lane];
+                mpm_store(node + 4 * i, mpm_load(node + 4 * i) + mpm_scale(s, value[lane]));
+            }
     }
 }
 
@@ -288,12 +310,11 @@ MPM_INLINE void gather_nodes(const struct fast_constants *k, const struct fast_n
                              const double weights[MPM_BLOCK_NODES][MPM_VECTOR_SIZE],
                              mpm_vector sum[4])
 {
-    const int64_t distance = MPM_VECTOR_SIZE * k->stride;
-    double *row[MPM_VECTOR_SIZE];
-    first_rows(nodes, k->motion, row);
+    const int64_t distance = 4 * k->stride;
+    double *const array = (double *)k->motion;
 #pragma GCC unroll 4
     for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
-        const double *node = row[lane];
+        const double *node = array + 4 * nodes->first[lane];
 #pragma GCC unroll 3
         for (int j = 0; j < MPM_LINE_NODES; j++, node += distance)
             for (int i = 0; i < MPM_LINE_NODES; i++) {
@@ -305,11 +326,16 @@ MPM_INLINE void gather_nodes(const struct fast_constants *k, const struct fast_n
     mpm_transpose(sum);
 }
 
-MPM_INLINE void fast_cpdi_motion(const struct fast_constants *k, const struct fast_cpdi *cpdi,
-                                 bool wants_hoop, mpm_vector motion[4], mpm_vector hoop[4])
+MPM_INLINE void fast_cpdi_motion(const struct fast_spec *spec, const struct fast_constants *k,
+                                 const struct fast_cpdi *cpdi, bool wants_hoop,
+                                 mpm_vector motion[4], mpm_vector hoop[4])
 {
-    if (!cpdi->near) {
+    if (takes_corners(spec)) {
         fast_corners_motion(k, &cpdi->corners, wants_hoop, motion, hoop);
+        return;
+    }
+    if (!cpdi->near) {
+        far_motion(k, &cpdi->corners, wants_hoop, motion, hoop);
         return;
     }
     gather_nodes(k, &cpdi->nodes, cpdi->nodes.s, motion);
@@ -341,17 +367,21 @@ MPM_INLINE void fast_cpdi_gradient(const struct fast_spec *spec, const struct fa
                                    const struct fast_cpdi *cpdi,
                                    mpm_vector gradient[MPM_GRADIENT_SIZE])
 {
-    const int64_t distance = MPM_VECTOR_SIZE * k->stride;
-    double hoop[MPM_VECTOR_SIZE], *row[MPM_VECTOR_SIZE];
-    if (!cpdi->near) {
+    const int64_t distance = 4 * k->stride;
+    double hoop[MPM_VECTOR_SIZE];
+    if (takes_corners(spec)) {
         fast_corners_gradient(spec, k, &cpdi->corners, gradient);
         return;
     }
-    first_rows(&cpdi->nodes, k->gradient, row);
+    if (!cpdi->near) {
+        far_gradient(spec, k, &cpdi->corners, gradient);
+        return;
+    }
+    double *const array = (double *)k->gradient;
 #pragma GCC unroll 4
     for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
-        gradient[lane] =
-            gradient_of_nodes(spec, &cpdi->nodes, lane, row[lane], distance, &hoop[lane]);
+        gradient[lane] = gradient_of_nodes(
+            spec, &cpdi->nodes, lane, array + 4 * cpdi->nodes.first[lane], distance, &hoop[lane]);
     mpm_transpose(gradient);
     gradient[MPM_ZZ] = (mpm_vector){hoop[0], hoop[1], hoop[2], hoop[3]};
 }

@@ -56,6 +56,7 @@ MPM_INLINE void evaluate(const struct fast_spec *spec, const struct fast_constan
     fast_cpdi_evaluate(spec, k, position, edge, &stencil->cpdi);
 }
 
+/* Forces, and with them momentum and mass. */
 MPM_INLINE void spread(const struct fast_spec *spec, const struct fast_constants *k,
                        const union fast_stencil *stencil, const struct fast_load *load)
 {
@@ -65,13 +66,15 @@ MPM_INLINE void spread(const struct fast_spec *spec, const struct fast_constants
         fast_lines_spread(spec, k, &stencil->lines, load);
 }
 
-MPM_INLINE void spread_momentum(const struct fast_spec *spec, const struct fast_constants *k,
-                                const union fast_stencil *stencil, const mpm_vector momentum[2])
+/* Values that go with S only, to the nodal vectors of an array. */
+MPM_INLINE void spread_values(const struct fast_spec *spec, const struct fast_constants *k,
+                              const union fast_stencil *stencil, void *array,
+                              const mpm_vector values[4])
 {
     if (spec->shape == MPM_CPDI)
-        fast_cpdi_spread_momentum(k, &stencil->cpdi, momentum);
+        fast_cpdi_spread_values(k, &stencil->cpdi, array, values);
     else
-        fast_lines_spread_momentum(spec, k, &stencil->lines, momentum);
+        fast_lines_spread_values(spec, k, &stencil->lines, array, values);
 }
 
 /* sum S and sum T of (a_x, a_y, v_x, v_y) */
@@ -80,7 +83,7 @@ MPM_INLINE void gather_motion(const struct fast_spec *spec, const struct fast_co
                               mpm_vector motion[4], mpm_vector hoop[4])
 {
     if (spec->shape == MPM_CPDI)
-        fast_cpdi_motion(k, &stencil->cpdi, wants_hoop, motion, hoop);
+        fast_cpdi_motion(spec, k, &stencil->cpdi, wants_hoop, motion, hoop);
     else
         fast_lines_motion(spec, k, &stencil->lines, wants_hoop, motion, hoop);
 }
@@ -279,9 +282,13 @@ MPM_INLINE void block_to_grid(const struct fast_spec *spec, enum fast_law law,
         struct fast_load load = {.mass = mpm_load(block->particles->mass + p)};
         for (int axis = 0; axis < 2; axis++)
             load.momentum[axis] = load.mass * mpm_load(block->particles->velocity[axis] + p);
-        if (spec->force)
+        if (spec->force) {
             load_stress(block->particles, p, &load);
-        spread(spec, block->k, &stencil[v], &load);
+            spread(spec, block->k, &stencil[v], &load);
+        } else { /* no forces yet: masses take their place, see mpm_row_start_from_sums */
+            const mpm_vector values[4] = {load.momentum[0], load.mass, load.momentum[1]};
+            spread_values(spec, block->k, &stencil[v], block->k->sum, values);
+        }
     }
 }
 
@@ -323,7 +330,11 @@ MPM_INLINE void block_to_particles(const struct fast_spec *spec, enum fast_law l
     FOR_VECTORS(block, p, v)
     move_vector(spec, block, p, &stencil[v], momentum[v]);
     FOR_VECTORS(block, p, v)
-    spread_momentum(spec, block->k, &stencil[v], momentum[v]);
+    {
+        const mpm_vector values[4] = {momentum[v][0], momentum[v][0], momentum[v][1],
+                                      momentum[v][1]};
+        spread_values(spec, block->k, &stencil[v], block->k->gradient, values);
+    }
 }
 
 /* The rest of the step, with the velocities where (31) is not asked for. */

@@ -39,6 +39,7 @@ enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
     if (options->kernels == MPM_KERNELS_REFERENCE) {
         *choice = (struct mpm_kernel_choice){
             .passes = &reference_passes[scene->stress_update],
+            .start_rows = mpm_row_start_velocity,
             .flip_particles = damped ? mpm_pass_flip_fraction : NULL,
             .name = "reference",
             .reason = "asked for; scalar, one particle at a time",
@@ -46,8 +47,10 @@ enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
         };
         return MPM_OK;
     }
+    const bool without_forces = mpm_stress_order(scene->stress_update)->before > 0.0;
     *choice = (struct mpm_kernel_choice){
         .passes = mpm_fast_passes(scene, simd),
+        .start_rows = without_forces ? mpm_row_start_from_sums : mpm_row_start_velocity,
         .flip_rows = damped ? mpm_row_flip_fraction : NULL,
         .flip_particles = damped ? mpm_pass_keep_fraction : NULL,
         .name = "fast",

@@ -22,6 +22,7 @@ struct mpm_passes {
 /* What a simulation was created with. */
 struct mpm_kernel_choice {
     const struct mpm_passes *passes;
+    mpm_pass *start_rows; /* Task 2, velocities of the nodes from what to_grid leaves there */
     /* FLIP fraction below 1: what is done for it to nodes and particles, before to_particles;
      * NULL: nothing */
     mpm_pass *flip_rows, *flip_particles;
