@@ -264,12 +264,16 @@ MPM_INLINE void fast_cpdi_spread(const struct fast_spec *spec, const struct fast
 #pragma GCC unroll 9
     for (int n = 0; n < MPM_BLOCK_NODES; n++)
         node_loads(spec, nodes, n, load, value[n]);
-    for (int j = 0; spec->momentum && j < MPM_LINE_NODES; j++)
-        row_masses(nodes, j, load->mass, mass[j]);
+    if (spec->momentum) {
+#pragma GCC unroll 3
+        for (int j = 0; j < MPM_LINE_NODES; j++)
+            row_masses(nodes, j, load->mass, mass[j]);
+    }
     mpm_keep_in_memory(value);
 #pragma GCC unroll 4
     for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
         double *sum = sums + 4 * nodes->first[lane], *row = masses + nodes->first[lane];
+#pragma GCC unroll 3
         for (int j = 0; j < MPM_LINE_NODES; j++, sum += 4 * stride, row += stride) {
             for (int i = 0; i < MPM_LINE_NODES; i++)
                 mpm_store(sum + 4 * i, mpm_load(sum + 4 * i) + value[MPM_LINE_NODES * j + i][lane]);
