@@ -58,7 +58,7 @@ bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene);
 enum mpm_kernels {
     MPM_KERNELS_AUTO, /* fast wherever the scene allows */
     MPM_KERNELS_REFERENCE,
-    MPM_KERNELS_FAST, /* every scene of this version has them */
+    MPM_KERNELS_FAST, /* MPM_BAD_INPUT, with the reason, where a scene has none */
     MPM_KERNELS_COUNT,
 };
 /* "auto", "reference", "fast" */
@@ -115,7 +115,9 @@ enum mpm_status mpm_simulation_create(const struct mpm_scene *scene,
                                       struct mpm_simulation **simulation, struct mpm_error *error);
 void mpm_simulation_free(struct mpm_simulation *simulation);
 
-/* Takes one step, shortened if need be to land on `time_limit` exactly.
+/* Takes one step, of the Courant number times the time in which the fastest of waves and
+ * particles goes through a cell, in the state at hand; or the scene's fixed step. Shortened if
+ * need be to land on `time_limit` exactly.
  * MPM_RUN_FAILED: the run cannot go on; the message names step, time, particle and
  * value, time, fields and ledger are those of the last good step, and every further
  * call fails alike. Cost: one step; once in 32 steps a sort and a copy of the state. */
@@ -171,16 +173,39 @@ struct mpm_ledger {
     uint64_t step;
     double mass;
     double momentum[2];
-    double angular_momentum; /* about the origin; 0 in axisymmetry */
-    double kinetic_energy;
+    /* About the origin; 0 in axisymmetry. With transfer apic the sum over particles of
+     * m_p (x_p cross v_p + B_yx - B_xy), the affine part's own included: what the next step
+     * hands to the grid. */
+    double angular_momentum;
+    double kinetic_energy; /* sum of m_p v_p^2 / 2; an affine part has none in it */
     double strain_energy;
-    double external_work; /* by body forces, boundaries and rigid bodies since t = 0 */
-    double total_energy;  /* kinetic + strain */
-    double j_min, j_max;  /* extremes of det F */
+    double external_work;       /* by body forces, boundaries and rigid bodies since t = 0 */
+    double damping_dissipation; /* taken out by damping since t = 0; 0 without */
+    double total_energy;        /* kinetic + strain + dissipation */
+    double j_min, j_max;        /* extremes of det F */
 };
 
 /* Cost: one pass over the particles; strain energy needs a logarithm each. */
 void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_ledger *ledger);
+
+/* Does the scene damp: does its history have the column damping_dissipation? */
+bool mpm_scene_is_damped(const struct mpm_scene *scene);
+
+/* How near to rest a scene that asks for it (time.rest) is after the last step; both 1 before
+ * the first. */
+struct mpm_rest {
+    bool asked;
+    /* sum of |f_x| + |f_y| over the free components of nodes, damping left out, over the same of
+     * the internal forces of all nodes (or the former, if larger): 0 to 1 */
+    double residual;
+    /* of the particles, over that at t = 0 with strain energy and |work of external forces| since;
+     * 0 if both are 0 */
+    double kinetic_energy;
+};
+/* Have both been below the scene's bounds for as many steps as it says, not counting those
+ * before time.rest.after? False if the scene does not ask. `rest` may be NULL. Steps can be
+ * taken after that as well; mpm_scene_run ends there. */
+bool mpm_simulation_at_rest(const struct mpm_simulation *simulation, struct mpm_rest *rest);
 
 /* Seconds spent in each phase of the step so far. */
 enum { MPM_PHASE_MAX = 16 };
@@ -205,7 +230,9 @@ struct mpm_run_options {
     void *progress_context;
 };
 
-/* Runs a scene to its end and writes run.json, history.csv and snapshots. Refuses
+/* Runs a scene to its end and writes run.json, history.csv and snapshots. A scene that asks for
+ * rest ends there; one that has not come to rest when its time or its steps are over has failed
+ * (MPM_RUN_FAILED: an answer that has not converged must not pass for one). Refuses
  * (MPM_BAD_INPUT) an output that is a file or holds results. On MPM_RUN_FAILED the
  * last good state has been written and run.json tells the reason. */
 enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_run_options *options,
@@ -214,8 +241,20 @@ enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_ru
 /* --------------------------------------------------------- shape functions */
 
 enum mpm_geometry { MPM_PLANE_STRAIN, MPM_PLANE_STRESS, MPM_AXISYMMETRIC };
-enum mpm_shape { MPM_CLASSIC, MPM_UGIMP, MPM_CPDI, MPM_SHAPE_COUNT };
-enum mpm_axis { MPM_TRUNCATED, MPM_UNTRUNCATED };
+enum mpm_shape {
+    MPM_CLASSIC,
+    MPM_UGIMP,
+    MPM_CPDI,
+    MPM_BSPLINE2, /* quadratic, */
+    MPM_BSPLINE3, /* cubic, of point particles */
+    MPM_SHAPE_COUNT
+};
+/* What becomes of a domain at r = 0. Points are the same with all of them. */
+enum mpm_axis {
+    MPM_TRUNCATED,
+    MPM_UNTRUNCATED,
+    MPM_PLANAR, /* the planar S and G, not truncated, and T = S / r_p */
+};
 
 /* One particle domain over a regular grid whose node (0, 0) is at `origin`. */
 struct mpm_shape_query {
@@ -224,6 +263,7 @@ struct mpm_shape_query {
     enum mpm_axis axis;             /* axisymmetric only */
     double origin[2];               /* position of node (0, 0) */
     double cell[2];                 /* cell size */
+    int64_t cells[2];               /* along each axis; 0: the grid has no edges there */
     double position[2];             /* particle centre */
     double half_size[2];            /* undeformed half edges, l_p * cell / 2 */
     double deformation_gradient[4]; /* xx xy yx yy; used by CPDI */
@@ -239,7 +279,9 @@ struct mpm_stencil_entry {
 };
 
 /* S, G and T of every node that a particle reaches; each node at most once, entries
- * with S = 0, G = 0 and T = 0 left out. Returns the number of entries. */
+ * with S = 0, G = 0 and T = 0 left out. B-splines are adapted to the edges: the first and
+ * the last node and, in axisymmetry, r = 0 where nodes lie on it; the particle must be
+ * inside. Returns the number of entries. */
 size_t mpm_shape_evaluate(const struct mpm_shape_query *query,
                           struct mpm_stencil_entry entries[MPM_STENCIL_MAX]);
 

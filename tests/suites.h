@@ -16,11 +16,16 @@
     SUITE(scene)                                                                                   \
     SUITE(properties)                                                                              \
     SUITE(guard)                                                                                   \
+    SUITE(transfers)                                                                               \
     SUITE(loads)                                                                                   \
+    SUITE(damping)                                                                                 \
+    SUITE(rest)                                                                                    \
+    SUITE(time_step)                                                                               \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
     SUITE(catalogue)                                                                               \
+    SUITE(methods)                                                                                 \
     SUITE(judge)                                                                                   \
     SUITE(report)                                                                                  \
     SUITE(scene_run)                                                                               \
@@ -29,8 +34,10 @@
     SUITE(scene_settings)                                                                          \
     SUITE(suite)                                                                                   \
     SUITE(bench)                                                                                   \
+    SUITE(timing)                                                                                  \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
+    SUITE(kernel_bits)                                                                             \
     SUITE(pareto)                                                                                  \
     SUITE(accuracy)                                                                                \
     SUITE(bench_report)

@@ -7,10 +7,6 @@
 
 #include "benchmarks/bench.h"
 #include "benchmarks/commands.h"
-#include "benchmarks/compare.h"
-#include "benchmarks/findings.h"
-#include "benchmarks/probes.h"
-#include "benchmarks/timing.h"
 #include "verification/suite/records.h"
 
 #include <glib.h>
@@ -285,6 +281,51 @@ START_TEST(a_run_twice_as_fast_is_called_faster_and_the_other_way_round_slower)
 }
 END_TEST
 
+/* A run of one figure and one result with the same number in every round. */
+static char *folder_with(double figure, double round)
+{
+    char *folder = test_folder_create();
+    struct mpm_error error;
+    struct bench_records records = bench_records_make("quick", "mpm-bench run", 9);
+    const struct bench_subject subject = {"pays", "plain", NULL};
+    const double rounds[] = {round, round, round, round, round};
+    (void)bench_records_value(&records, &subject, "branches", "1", figure);
+    (void)bench_records_result(&records, &subject, "rate", "1/s", rounds, G_N_ELEMENTS(rounds));
+    ck_assert_int_eq(bench_records_write(folder, &records, &error), MPM_OK);
+    bench_records_clear(&records);
+    return folder;
+}
+
+START_TEST(what_has_no_ratio_is_compared_in_words)
+{
+    static const struct {
+        double figures[2], rounds[2];
+        const char *says[2];
+    } rows[] = {
+        {{8, 10}, {1, 1}, {"8 to 10  (+25.00 %)", "2 compared: 0 faster, 0 slower, 1 figures"}},
+        {{8, 0}, {1, 1}, {"8 to 0  (-100.00 %)", "1 figures changed"}},
+        {{0, 8}, {1, 1}, {"0 to 8  (from nothing, no ratio)", "1 figures changed"}},
+        {{0, 0}, {1, 1}, {"2 compared: 0 faster, 0 slower, 0 figures changed", ""}},
+        {{(double)NAN, 8}, {1, 1}, {"none to 8  (no number in one of the two)", ""}},
+        {{8, (double)NAN}, {1, 1}, {"8 to none  (no number in one of the two)", ""}},
+        {{8, 8}, {0, 1}, {"a round without a positive number: no ratio", "1 have a round"}},
+        {{8, 8}, {1, 0}, {"1 compared: 0 faster, 0 slower, 0 figures", "1 have a round"}},
+    };
+    for (size_t i = 0; i < G_N_ELEMENTS(rows); i++) {
+        char *one = folder_with(rows[i].figures[0], rows[i].rounds[0]);
+        char *other = folder_with(rows[i].figures[1], rows[i].rounds[1]);
+        struct test_said said = compare(one, other);
+        ck_assert_int_eq(said.exit_status, 0);
+        for (size_t k = 0; k < G_N_ELEMENTS(rows[i].says); k++)
+            ck_assert_msg(strstr(said.out, rows[i].says[k]) != NULL, "'%s' is not in:\n%s",
+                          rows[i].says[k], said.out);
+        test_said_free(&said);
+        test_folder_remove(one);
+        test_folder_remove(other);
+    }
+}
+END_TEST
+
 START_TEST(bad_usage_is_exit_status_2_with_a_reason)
 {
     static const struct {
@@ -329,120 +370,6 @@ START_TEST(the_list_names_every_group_once)
 }
 END_TEST
 
-/* --------------------------------------------------------------------- timing */
-
-/* A probe that counts its calls and takes ever the same time. */
-static enum mpm_status count_calls(const void *context, struct bench_sample *sample,
-                                   struct mpm_error *error)
-{
-    int *const calls = *(int *const *)context;
-    (void)error;
-    ++*calls;
-    *sample = (struct bench_sample){.work = 6, .cpu = 2, .wall = 3};
-    return MPM_OK;
-}
-
-struct bench_of_test {
-    struct bench_context context;
-    struct bench_console console;
-    struct bench_records records;
-    FILE *out;
-};
-
-static void open_bench(struct bench_of_test *test)
-{
-    test->out = tmpfile();
-    test->console = (struct bench_console){.out = test->out};
-    test->records = bench_records_make("quick", "test", BENCH_ROUNDS_MAX);
-    test->context = (struct bench_context){
-        .tier = BENCH_QUICK,
-        .simulation = {.threads = 1},
-        .processors = 1,
-        .benchmarks = "benchmarks",
-        .records = &test->records,
-        .console = &test->console,
-    };
-}
-
-static void close_bench(struct bench_of_test *test)
-{
-    bench_records_clear(&test->records);
-    (void)fclose(test->out);
-}
-
-START_TEST(every_point_has_one_value_for_each_round_by_its_clock)
-{
-    struct bench_of_test test;
-    struct bench_rates rates;
-    struct mpm_error error;
-    int calls = 0, *counter = &calls;
-    open_bench(&test);
-    GArray *points = bench_points_new();
-    char *scene = bench_scene(&test.context, "block.yaml");
-    (void)bench_points_add_probe(points, count_calls, &counter, "apples", "1/s", "by cpu");
-    bench_points_add_probe(points, count_calls, &counter, "apples", "1/s", "by wall")->clock =
-        BENCH_CLOCK_WALL;
-    struct bench_point *block = bench_points_add(points, scene, &test.context.simulation, "block");
-    block->steps = 3;
-    block->phases = true;
-    block->against = g_strdup("block");
-    ck_assert_int_eq(bench_measure(&test.context, "test", points, 1e-3, &rates, &error), MPM_OK);
-    ck_assert_uint_eq(rates.rounds, BENCH_ROUNDS_MIN);
-    ck_assert_int_eq(calls, 2 * (BENCH_ROUNDS_MIN + 1)); /* and the rehearsal */
-    for (size_t r = 0; r < rates.rounds; r++) {
-        ck_assert_double_eq(bench_rates_of(&rates, 0)[r], 3);
-        ck_assert_double_eq(bench_rates_of(&rates, 1)[r], 2);
-        ck_assert_double_gt(bench_rates_of(&rates, 2)[r], 0);
-    }
-    const json_t *line =
-        bench_records_find(&test.records, "result", "test", "block", "particle_steps_per_second");
-    const json_t *settings = json_object_get(line, "settings");
-    ck_assert_double_eq(record_number(settings, "particles"), 100);
-    ck_assert_double_eq(record_number(settings, "steps"), 3);
-    ck_assert_str_eq(record_text(settings, "clock"), "cpu");
-    line = bench_records_find(&test.records, "comparison", "test", "block", NULL);
-    ck_assert_str_eq(record_text(line, "verdict"), "not resolved");
-    ck_assert_ptr_nonnull(
-        bench_records_find(&test.records, "value", "test", "block", "bytes_per_particle"));
-    bench_rates_clear(&rates);
-    g_array_unref(points);
-    g_free(scene);
-    close_bench(&test);
-}
-END_TEST
-
-START_TEST(a_scene_that_fails_is_named)
-{
-    struct bench_of_test test;
-    struct mpm_error error;
-    open_bench(&test);
-    GArray *points = bench_points_new();
-    (void)bench_points_add(points, "nowhere.yaml", &test.context.simulation, "nothing");
-    ck_assert_int_eq(bench_measure(&test.context, "test", points, 1, NULL, &error), MPM_BAD_INPUT);
-    ck_assert_msg(g_str_has_prefix(error.message, "nothing: "), "%s", error.message);
-    g_array_unref(points);
-    close_bench(&test);
-}
-END_TEST
-
-START_TEST(the_scenes_of_the_block_make_the_particles_that_they_promise)
-{
-    static const char *const scenes[] = {"benchmarks/scenes/block.yaml",
-                                         "benchmarks/scenes/block_axisymmetric.yaml"};
-    for (size_t i = 0; i < G_N_ELEMENTS(scenes); i++) {
-        static const char *const settings[] = {"grid.refine=3"};
-        const struct mpm_simulation_options options = {.threads = 1};
-        struct mpm_scene *scene;
-        struct mpm_plan plan;
-        struct mpm_error error;
-        ck_assert_int_eq(mpm_scene_read(scenes[i], settings, 1, &scene, &error), MPM_OK);
-        ck_assert_int_eq(mpm_scene_plan(scene, &options, &plan, &error), MPM_OK);
-        ck_assert_uint_eq(plan.particles, 900);
-        mpm_scene_free(scene);
-    }
-}
-END_TEST
-
 Suite *suite_bench(void)
 {
     Suite *suite = suite_create("bench");
@@ -457,11 +384,9 @@ Suite *suite_bench(void)
     tcase_add_test(tcase, a_file_that_is_no_record_is_refused_with_its_line);
     tcase_add_test(tcase, a_run_compared_with_itself_does_not_differ);
     tcase_add_test(tcase, a_run_twice_as_fast_is_called_faster_and_the_other_way_round_slower);
+    tcase_add_test(tcase, what_has_no_ratio_is_compared_in_words);
     tcase_add_test(tcase, bad_usage_is_exit_status_2_with_a_reason);
     tcase_add_test(tcase, the_list_names_every_group_once);
-    tcase_add_test(tcase, every_point_has_one_value_for_each_round_by_its_clock);
-    tcase_add_test(tcase, a_scene_that_fails_is_named);
-    tcase_add_test(tcase, the_scenes_of_the_block_make_the_particles_that_they_promise);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -27,7 +27,9 @@
 #define CHOICES_shape(C)                                                                           \
     C("classic", MPM_CLASSIC)                                                                      \
     C("ugimp", MPM_UGIMP)                                                                          \
-    C("cpdi", MPM_CPDI)
+    C("cpdi", MPM_CPDI)                                                                            \
+    C("bspline2", MPM_BSPLINE2)                                                                    \
+    C("bspline3", MPM_BSPLINE3)
 
 #define CHOICES_axis(C)                                                                            \
     C("truncated", MPM_TRUNCATED)                                                                  \
@@ -47,13 +49,16 @@
     C("shape", MPM_RADIUS_SHAPE)                                                                   \
     C("hoop", MPM_RADIUS_HOOP)
 
-enum mpm_transfer_kind { MPM_TRANSFER_FLIP };
+#define CHOICES_transfer_kind(C)                                                                   \
+    C("flip", MPM_TRANSFER_FLIP)                                                                   \
+    C("pic", MPM_TRANSFER_PIC)                                                                     \
+    C("xpic", MPM_TRANSFER_XPIC)                                                                   \
+    C("fmpm", MPM_TRANSFER_FMPM)                                                                   \
+    C("apic", MPM_TRANSFER_APIC)
 
-#define CHOICES_transfer_kind(C) C("flip", MPM_TRANSFER_FLIP)
-
-enum mpm_form { MPM_FORM_VELOCITY };
-
-#define CHOICES_form(C) C("velocity", MPM_FORM_VELOCITY)
+#define CHOICES_form(C)                                                                            \
+    C("velocity", MPM_FORM_VELOCITY)                                                               \
+    C("momentum", MPM_FORM_MOMENTUM)
 
 /* NOLINTEND(readability-identifier-naming) */
 
@@ -86,6 +91,16 @@ enum mpm_form { MPM_FORM_VELOCITY };
     X(S, ONE, refine, INTEGER, ANYWHERE, OPTIONAL, "", "1", FROM_TO(1, 1048576),                   \
       "divides each cell into so many along each axis")
 
+#define KEYS_rest(X, S)                                                                            \
+    X(S, ONE, residual, NUMBER, ANYWHERE, REQUIRED, "", NULL, ABOVE_TO(0, 1),                      \
+      "unbalanced force of the free nodes over the internal forces of all, to be fallen below")    \
+    X(S, ONE, kinetic_energy, NUMBER, ANYWHERE, REQUIRED, "", NULL, ABOVE_TO(0, 1),                \
+      "kinetic energy over the energy put in (at t = 0 and by work), to be fallen below")          \
+    X(S, ONE, steps, INTEGER, ANYWHERE, OPTIONAL, "", "10", FROM_TO(1, 1000000),                   \
+      "both must be below for so many steps in a row")                                             \
+    X(S, ONE, after, NUMBER, ANYWHERE, OPTIONAL, "time", "0", AT_LEAST(0),                         \
+      "rest is not looked for before: when the loads are complete")
+
 #define KEYS_time(X, S)                                                                            \
     X(S, ONE, end, NUMBER, ANYWHERE, REQUIRED, "time", NULL, ABOVE(0), "when the run ends")        \
     X(S, ONE, courant, NUMBER, ANYWHERE, OPTIONAL, "", "0.4", ABOVE(0),                            \
@@ -96,13 +111,17 @@ enum mpm_form { MPM_FORM_VELOCITY };
     X(S, ONE, steps, INTEGER, ANYWHERE, OPTIONAL, "", NULL, FROM_TO(1, 9007199254740992.0),        \
       "stop after so many steps")                                                                  \
     X(S, ONE, allow_unstable, BOOLEAN, ANYWHERE, OPTIONAL, "", "false", ANY,                       \
-      "take time steps beyond the stability limit")
+      "take time steps beyond the stability limit")                                                \
+    X(S, GROUP, rest, rest, ANYWHERE, OPTIONAL, "", NULL, ANY,                                     \
+      "quasi-static: the run is done when it is at rest, and has failed if it is not by the end")
 
 #define KEYS_transfer(X, S)                                                                        \
     X(S, CHOICE, kind, transfer_kind, ANYWHERE, OPTIONAL, "", "flip", ANY,                         \
       "how particle velocities follow the grid")                                                   \
     X(S, ONE, fraction, NUMBER, ANYWHERE, OPTIONAL, "", "1", ABOVE_TO(0, 1),                       \
-      "share of FLIP; the rest takes the grid's velocity")
+      "flip: share of FLIP; the rest takes the grid's velocity")                                   \
+    X(S, ONE, order, INTEGER, ANYWHERE, OPTIONAL, "", NULL, FROM_TO(1, 100),                       \
+      "xpic and fmpm: their order, which must be given; 1 is PIC, each more costs two passes over the particles")
 
 #define KEYS_method(X, S)                                                                          \
     X(S, CHOICE, shape, shape, ANYWHERE, OPTIONAL, "", "ugimp", ANY, "shape functions")            \
@@ -110,12 +129,16 @@ enum mpm_form { MPM_FORM_VELOCITY };
       "are particle domains cut off at r = 0")                                                     \
     X(S, CHOICE, stress_update, stress_update, ANYWHERE, OPTIONAL, "", "musl", ANY,                \
       "where in the step stresses are updated")                                                    \
+    X(S, ONE, extrapolate, BOOLEAN, ANYWHERE, OPTIONAL, "", NULL, ANY,                             \
+      "extrapolate the updated particles' momentum again for the last stress update: usavg with "  \
+      "or without, musl always, usl and usf never")                                                \
     X(S, CHOICE, position_update, position_update, ANYWHERE, OPTIONAL, "", "grid_velocity", ANY,   \
       "how particles move")                                                                        \
     X(S, CHOICE, radius_update, radius_update, AXISYMMETRIC, OPTIONAL, "", "shape", ANY,           \
       "how r moves: with S, or with the hoop strain's T (only axis: truncated)")                   \
     X(S, CHOICE, form, form, ANYWHERE, OPTIONAL, "", "velocity", ANY,                              \
-      "what the grid carries in the particle updates")                                             \
+      "what the particles' updates take from the grid: velocities, or momenta over the mass that " \
+      "the nodes have at the particle; momentum with flip and pic")                                \
     X(S, GROUP, transfer, transfer, ANYWHERE, OPTIONAL, "", "{}", ANY, "grid to particle velocities") \
     X(S, ONE, deformation_terms, INTEGER, ANYWHERE, OPTIONAL, "", "2", FROM_TO(1, 20),             \
       "terms of the series for the deformation increment exp(dt grad v)")
@@ -200,6 +223,24 @@ enum mpm_form { MPM_FORM_VELOCITY };
     X(S, LIST, tractions, traction, ANYWHERE, OPTIONAL, "", "[]", ANY,                             \
       "reserved: this version knows no tractions and takes an empty list only")
 
+#define KEYS_thermostat(X, S)                                                                      \
+    X(S, ONE, gain, NUMBER, ANYWHERE, REQUIRED, "1/time^2", NULL, ABOVE(0),                        \
+      "growth of alpha: d alpha/dt = gain (K - target)/scale; near the square of twice the lowest angular frequency") \
+    X(S, ONE, target, NUMBER, ANYWHERE, OPTIONAL, "mass length^2/time^2", "0", AT_LEAST(0),        \
+      "kinetic energy K that it leads to")                                                         \
+    X(S, ONE, scale, NUMBER, ANYWHERE, OPTIONAL, "mass length^2/time^2", NULL, ABOVE(0),           \
+      "kinetic energy that gain is meant for; without it the largest K so far")
+
+#define KEYS_damping(X, S)                                                                         \
+    X(S, ONE, grid, EXPRESSION, ANYWHERE, OPTIONAL, "1/time", NULL, ANY,                           \
+      "alpha_g: nodes slow down by alpha_g v, in coordinates of the node and t")                   \
+    X(S, ONE, particle, EXPRESSION, ANYWHERE, OPTIONAL, "1/time", NULL, ANY,                       \
+      "alpha_p: particles slow down by alpha_p v, in coordinates of the particle and t")           \
+    X(S, ONE, pic, EXPRESSION, ANYWHERE, OPTIONAL, "", NULL, ANY,                                  \
+      "beta, from 0 to 1, in t: what of a particle's velocity the grid does not carry is multiplied by it in each step") \
+    X(S, GROUP, thermostat, thermostat, ANYWHERE, OPTIONAL, "", NULL, ANY,                         \
+      "adds to alpha_g a rate that follows the kinetic energy")
+
 #define KEYS_output(X, S)                                                                          \
     X(S, ONE, history, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                         \
       "interval of rows in history.csv; without it only t = 0 and end")                            \
@@ -225,13 +266,14 @@ enum mpm_form { MPM_FORM_VELOCITY };
       "one or more bodies, one of them deformable")                                                \
     X(S, LIST, boundary, boundary, ANYWHERE, OPTIONAL, "", "[]", ANY, "conditions on grid nodes")  \
     X(S, GROUP, loads, loads, ANYWHERE, OPTIONAL, "", "{}", ANY, "forces on bodies")               \
+    X(S, GROUP, damping, damping, ANYWHERE, OPTIONAL, "", "{}", ANY, "artificial damping")         \
     X(S, GROUP, output, output, ANYWHERE, OPTIONAL, "", "{}", ANY, "what is written, how often")
 
 /* Children before those who hold them; `scene` last. */
 #define MPM_KEY_LISTS(L)                                                                           \
-    L(units) L(grid) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
+    L(units) L(grid) L(rest) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
     L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary)            \
-    L(traction) L(loads) L(output) L(scene)
+    L(traction) L(loads) L(thermostat) L(damping) L(output) L(scene)
 /* clang-format on */
 
 #endif

@@ -77,6 +77,14 @@ MPM_INLINE void spread_values(const struct fast_spec *spec, const struct fast_co
         fast_lines_spread_values(spec, k, &stencil->lines, array, values);
 }
 
+/* (p_x, p_x, p_y, p_y), to make a velocity of which a gradient can be taken */
+MPM_INLINE void spread_momentum(const struct fast_spec *spec, const struct fast_constants *k,
+                                const union fast_stencil *stencil, const mpm_vector momentum[2])
+{
+    const mpm_vector values[4] = {momentum[0], momentum[0], momentum[1], momentum[1]};
+    spread_values(spec, k, stencil, k->gradient, values);
+}
+
 /* sum S and sum T of (a_x, a_y, v_x, v_y) */
 MPM_INLINE void gather_motion(const struct fast_spec *spec, const struct fast_constants *k,
                               const union fast_stencil *stencil, bool wants_hoop,
@@ -319,6 +327,26 @@ MPM_INLINE void move_vector(const struct fast_spec *spec, const struct fast_bloc
         mpm_store(block->particles->carried[axis] + p, next[axis]);
 }
 
+/* m_p S w, for w in the place of the motion; see smoothing.h */
+MPM_INLINE void block_smooth(const struct fast_spec *spec, enum fast_law law,
+                             const struct fast_block *block)
+{
+    union fast_stencil stencil[MPM_BLOCK_VECTORS];
+    mpm_vector momentum[MPM_BLOCK_VECTORS][2];
+    (void)law;
+    evaluate_block(spec, block, stencil);
+    FOR_VECTORS(block, p, v)
+    {
+        const mpm_vector mass = mpm_load(block->particles->mass + p);
+        mpm_vector motion[4], hoop[4];
+        gather_motion(spec, block->k, &stencil[v], false, motion, hoop);
+        for (int axis = 0; axis < 2; axis++)
+            momentum[v][axis] = mass * motion[axis];
+    }
+    FOR_VECTORS(block, p, v)
+    spread_momentum(spec, block->k, &stencil[v], momentum[v]);
+}
+
 /* Task 5, velocities, and (31) */
 MPM_INLINE void block_to_particles(const struct fast_spec *spec, enum fast_law law,
                                    const struct fast_block *block)
@@ -330,11 +358,7 @@ MPM_INLINE void block_to_particles(const struct fast_spec *spec, enum fast_law l
     FOR_VECTORS(block, p, v)
     move_vector(spec, block, p, &stencil[v], momentum[v]);
     FOR_VECTORS(block, p, v)
-    {
-        const mpm_vector values[4] = {momentum[v][0], momentum[v][0], momentum[v][1],
-                                      momentum[v][1]};
-        spread_values(spec, block->k, &stencil[v], block->k->gradient, values);
-    }
+    spread_momentum(spec, block->k, &stencil[v], momentum[v]);
 }
 
 /* The rest of the step, with the velocities where (31) is not asked for. */

@@ -11,9 +11,28 @@
 
 enum { MPM_NAME_SIZE = 257 }; /* names up to 64 characters of UTF-8 */
 
-enum mpm_stress_update { MPM_USL, MPM_MUSL, MPM_USF, MPM_USAVG, MPM_ORDER_COUNT };
+enum mpm_stress_update {
+    MPM_USL,
+    MPM_MUSL,
+    MPM_USF,
+    MPM_USAVG,
+    MPM_USAVG_ONCE, /* usavg with extrapolate: false */
+    MPM_ORDER_COUNT
+};
 enum mpm_position_update { MPM_GRID_VELOCITY, MPM_MIDPOINT };
 enum mpm_radius_update { MPM_RADIUS_SHAPE, MPM_RADIUS_HOOP };
+
+/* How particle velocities follow the grid; mpm_transfer in method/ has their equations. */
+enum mpm_transfer_kind {
+    MPM_TRANSFER_FLIP, /* flip_fraction of it */
+    MPM_TRANSFER_PIC,
+    MPM_TRANSFER_XPIC, /* of transfer_order */
+    MPM_TRANSFER_FMPM, /* of transfer_order */
+    MPM_TRANSFER_APIC,
+};
+
+/* What the particles' updates take from the nodes: Notes 5.1 or 5.2. */
+enum mpm_form { MPM_FORM_VELOCITY, MPM_FORM_MOMENTUM };
 
 enum mpm_region_kind {
     MPM_REGION_RECTANGLE, /* a = from, b = to */
@@ -61,6 +80,25 @@ struct mpm_boundary_spec {
     int line;
 };
 
+/* Rates are expressions in the coordinates and t, NULL where there is none. */
+struct mpm_damping_spec {
+    char *grid, *particle; /* alpha_g, alpha_p, 1/time */
+    char *pic;             /* beta(t), 0 to 1 */
+    bool thermostat;
+    double gain;   /* 1/time^2 */
+    double target; /* kinetic energy to be reached */
+    double scale;  /* kinetic energy, or 0: the largest so far */
+};
+
+/* When a run counts as being at rest. */
+struct mpm_rest_spec {
+    bool asked;
+    double residual;       /* unbalanced force over internal forces */
+    double kinetic_energy; /* over the energy put in */
+    double after;          /* time */
+    int64_t steps;         /* in a row */
+};
+
 struct mpm_scene {
     char *path; /* as given, for messages */
     char *title;
@@ -77,13 +115,17 @@ struct mpm_scene {
     double step;    /* fixed step, or 0 */
     int64_t steps;  /* stop after so many, or 0 */
     bool allow_unstable;
+    struct mpm_rest_spec rest;
 
     enum mpm_shape shape;
     enum mpm_axis axis;
     enum mpm_stress_update stress_update;
     enum mpm_position_update position_update;
     enum mpm_radius_update radius_update;
-    double flip_fraction;  /* 1 is pure FLIP */
+    enum mpm_form form;
+    enum mpm_transfer_kind transfer;
+    double flip_fraction;  /* 1 is pure FLIP; 0 for the other transfers: all of it from the grid */
+    int transfer_order;    /* 1 or more; 1 where the kind has none */
     int deformation_terms; /* of the series for dF, 1 or more */
 
     struct mpm_material_spec *materials;
@@ -93,12 +135,13 @@ struct mpm_scene {
     struct mpm_boundary_spec *boundaries;
     size_t boundary_count;
     struct mpm_vector_expression body_force; /* NULL components: none */
+    struct mpm_damping_spec damping;
 
-    double history_interval, snapshot_interval; /* 0: only first and last */
-    double checkpoint_interval;                 /* 0: none asked for */
-    int line_grid, line_time, line_body_force;  /* in the file, for messages */
-    unsigned char sha256[32];                   /* of the file's bytes */
-    char **settings;                            /* --set texts, for provenance */
+    double history_interval, snapshot_interval;              /* 0: only first and last */
+    double checkpoint_interval;                              /* 0: none asked for */
+    int line_grid, line_time, line_body_force, line_damping; /* in the file, for messages */
+    unsigned char sha256[32];                                /* of the file's bytes */
+    char **settings;                                         /* --set texts, for provenance */
     size_t setting_count;
 };
 
