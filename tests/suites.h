@@ -17,6 +17,8 @@
     SUITE(properties)                                                                              \
     SUITE(guard)                                                                                   \
     SUITE(transfers)                                                                               \
+    SUITE(transfer_series)                                                                         \
+    SUITE(forms)                                                                                   \
     SUITE(loads)                                                                                   \
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
