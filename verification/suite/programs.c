@@ -11,7 +11,8 @@
     PROGRAM(shape_identities)                                                                      \
     PROGRAM(shape_curves)                                                                          \
     PROGRAM(compression)                                                                           \
-    PROGRAM(energy)
+    PROGRAM(energy)                                                                                \
+    PROGRAM(carried)
 
 #define PROGRAM(name) extern const struct measure_program program_##name;
 PROGRAMS
