@@ -33,7 +33,8 @@
     SUITE(kernel_table)                                                                            \
     SUITE(pareto)                                                                                  \
     SUITE(accuracy)                                                                                \
-    SUITE(bench_report)
+    SUITE(bench_report)                                                                            \
+    SUITE(stability)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)

@@ -12,7 +12,8 @@
     PROGRAM(shape_curves)                                                                          \
     PROGRAM(compression)                                                                           \
     PROGRAM(energy)                                                                                \
-    PROGRAM(carried)
+    PROGRAM(carried)                                                                               \
+    PROGRAM(stability)
 
 #define PROGRAM(name) extern const struct measure_program program_##name;
 PROGRAMS

@@ -81,6 +81,11 @@ enum mpm_status measurement_scene(const struct measurement *measurement,
                                   const char *const *settings, size_t setting_count,
                                   struct mpm_scene **scene, struct mpm_error *error);
 
+/* The same for the scene in `file` of the case's folder: a case of several scenes. */
+enum mpm_status measurement_scene_file(const struct measurement *measurement, const char *file,
+                                       const char *const *settings, size_t setting_count,
+                                       struct mpm_scene **scene, struct mpm_error *error);
+
 /* ----------------------------------------------------- what a program reports */
 
 /* A value, once for each quantity (a second report of the same one makes its checks
