@@ -15,8 +15,8 @@ enum { ROUNDS = BENCH_ROUNDS_MIN, REPEATS_MAX = 16, QUICK_LADDER = 2 };
 
 static const struct accuracy_problem *const problems[] = {
     &accuracy_compression,
-    &accuracy_bar_small,
-    &accuracy_bar,
+    &accuracy_bars[0],
+    &accuracy_bars[1],
 };
 static const char *const shapes[] = {"classic", "ugimp", "cpdi"};
 static const char *const orders[] = {"usl", "musl", "usf", "usavg"};

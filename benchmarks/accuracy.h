@@ -45,7 +45,8 @@ struct accuracy_problem {
 /* All problems; *count of them. */
 const struct accuracy_problem *const *accuracy_problems(size_t *count);
 
-extern const struct accuracy_problem accuracy_compression, accuracy_bar, accuracy_bar_small;
+enum { ACCURACY_BARS = 2 };
+extern const struct accuracy_problem accuracy_compression, accuracy_bars[ACCURACY_BARS];
 
 /* The variants of the solver, as their names in a scene; *count of them. */
 const char *const *accuracy_shapes(size_t *count);

@@ -8,14 +8,17 @@
 #include "benchmarks/compare.h"
 #include "benchmarks/report.h"
 #include "benchmarks/run.h"
+#include "verification/suite/command_line.h"
 #include "verification/suite/failure.h"
 #include "verification/suite/resources.h"
 
 #include <glib.h>
 #include <string.h>
 
+#define PROGRAM "mpm-bench"
+
 static const char usage[] =
-    "usage: mpm-bench COMMAND\n"
+    "usage: " PROGRAM " COMMAND\n"
     "\n"
     "  list                            the groups of benchmarks\n"
     "  run [--group NAME]... [--tier quick|standard] [--output DIR]\n"
@@ -62,56 +65,7 @@ static void options_clear(struct options *options)
 }
 
 /* Which options a command takes; bits of `takes` in the table of commands. */
-enum { TAKES_REST = 1, TAKES_RUN = 2, TAKES_BUDGET = 4 };
-
-static enum mpm_status parse(int argc, char **argv, unsigned takes, struct options *options,
-                             struct mpm_error *error)
-{
-    const struct {
-        unsigned takes;
-        GOptionEntry entry;
-    } all[] = {
-        {TAKES_RUN, {"group", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options->groups, NULL, NULL}},
-        {TAKES_RUN, {"tier", 0, 0, G_OPTION_ARG_STRING, &options->tier, NULL, NULL}},
-        {TAKES_RUN, {"output", 0, 0, G_OPTION_ARG_FILENAME, &options->output, NULL, NULL}},
-        {TAKES_RUN, {"kernels", 0, 0, G_OPTION_ARG_STRING, &options->kernels, NULL, NULL}},
-        {TAKES_RUN, {"simd", 0, 0, G_OPTION_ARG_STRING, &options->simd, NULL, NULL}},
-        {TAKES_BUDGET, {"functions", 0, 0, G_OPTION_ARG_NONE, &options->functions, NULL, NULL}},
-        {TAKES_BUDGET, {"update", 0, 0, G_OPTION_ARG_NONE, &options->update, NULL, NULL}},
-        {TAKES_REST,
-         {G_OPTION_REMAINING, 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &options->rest, NULL, NULL}},
-    };
-    GOptionEntry entries[G_N_ELEMENTS(all) + 1];
-    size_t count = 0;
-    for (size_t i = 0; i < G_N_ELEMENTS(all); i++)
-        if ((all[i].takes & (takes | TAKES_REST)) != 0)
-            entries[count++] = all[i].entry;
-    memset(&entries[count], 0, sizeof entries[count]);
-
-    GOptionContext *context = g_option_context_new(NULL);
-    GError *failure = NULL;
-    g_option_context_set_help_enabled(context, FALSE);
-    g_option_context_add_main_entries(context, entries, NULL);
-    enum mpm_status status = MPM_OK;
-    if (!g_option_context_parse(context, &argc, &argv, &failure)) {
-        status = failure_set(error, MPM_BAD_INPUT, "%s; see mpm-bench help", failure->message);
-        g_error_free(failure);
-    }
-    g_option_context_free(context);
-    return status;
-}
-
-static enum mpm_status expect_rest(const struct options *options, size_t count, const char *what,
-                                   struct mpm_error *error)
-{
-    const size_t given = options->rest == NULL ? 0 : g_strv_length(options->rest);
-    if (given == count)
-        return MPM_OK;
-    if (given > count)
-        return failure_set(error, MPM_BAD_INPUT, "\"%s\": unexpected argument; see mpm-bench help",
-                           options->rest[count]);
-    return failure_set(error, MPM_BAD_INPUT, "%s is missing; see mpm-bench help", what);
-}
+enum { TAKES_RUN = 1, TAKES_BUDGET = 2 };
 
 /* The place of `text` in a list of names; the first one if NULL. */
 static enum mpm_status choose(const char *option, const char *text, const char *const *names,
@@ -143,19 +97,6 @@ static enum mpm_status command_list(struct command *command, struct mpm_error *e
     return MPM_OK;
 }
 
-/* The command as typed, quoted for the shell. */
-static char *typed(int argc, char **argv)
-{
-    GString *text = g_string_new("mpm-bench");
-    for (int i = 1; i < argc; i++) {
-        char *quoted = g_shell_quote(argv[i]);
-        const bool plain = strpbrk(argv[i], " \t\n*?[]'\"\\$`;&|<>(){}~#!") == NULL;
-        g_string_append_printf(text, " %s", plain ? argv[i] : quoted);
-        g_free(quoted);
-    }
-    return g_string_free(text, FALSE);
-}
-
 static enum mpm_status command_run(struct command *command, struct mpm_error *error)
 {
     static const char *const tiers[] = {"standard", "quick"};
@@ -168,7 +109,7 @@ static enum mpm_status command_run(struct command *command, struct mpm_error *er
     TRY(choose("tier", options->tier, tiers, G_N_ELEMENTS(tiers), &tier, error));
     TRY(choose("kernels", options->kernels, kernels, G_N_ELEMENTS(kernels), &kernel, error));
     TRY(choose("simd", options->simd, simd, G_N_ELEMENTS(simd), &instructions, error));
-    char *text = typed(command->argc, command->argv);
+    char *text = command_line_typed(PROGRAM, command->argc, command->argv);
     struct bench_console console = {.out = command->world->out,
                                     .terminal = command->world->terminal};
     const struct bench_run run = {
@@ -221,15 +162,9 @@ static enum mpm_status command_budget(struct command *command, struct mpm_error 
     return status;
 }
 
-/* ----------------------------------------------------------------- dispatch */
+/* -------------------------------------------------------------------- table */
 
-static const struct {
-    const char *name;
-    unsigned takes;
-    size_t rest;
-    const char *rest_name;
-    enum mpm_status (*run)(struct command *command, struct mpm_error *error);
-} commands[] = {
+static const struct command_entry commands[] = {
     {"list", 0, 0, "", command_list},
     {"run", TAKES_RUN, 0, "", command_run},
     {"report", 0, 1, "report: the folder DIR", command_report},
@@ -237,53 +172,31 @@ static const struct {
     {"budget", TAKES_BUDGET, 0, "", command_budget},
 };
 
-static enum mpm_status dispatch(size_t which, struct command *command, struct mpm_error *error)
-{
-    /* the parser reorders its copy; the originals stay the caller's */
-    char **arguments = g_memdup2(command->argv + 1, sizeof(char *) * (size_t)command->argc);
-    enum mpm_status status =
-        parse(command->argc - 1, arguments, commands[which].takes, &command->options, error);
-    if (status == MPM_OK)
-        status =
-            expect_rest(&command->options, commands[which].rest, commands[which].rest_name, error);
-    if (status == MPM_OK)
-        status = commands[which].run(command, error);
-    options_clear(&command->options);
-    g_free(arguments);
-    return status;
-}
-
-static bool asks(int argc, char **argv, const char *word)
-{
-    for (int i = 1; i < argc; i++)
-        if (strcmp(argv[i], word) == 0)
-            return true;
-    return false;
-}
-
 int bench_command(int argc, char **argv, const struct bench_world *world)
 {
-    if (asks(argc, argv, "--help") || (argc > 1 && strcmp(argv[1], "help") == 0)) {
-        fputs(usage, world->out);
-        return 0;
-    }
-    if (argc > 1 && strcmp(argv[1], "--version") == 0) {
-        fprintf(world->out, "mpm-bench %s (%s)\n", mpm_build_info()->version,
-                mpm_build_info()->revision);
-        return 0;
-    }
-    size_t which = 0;
-    while (argc > 1 && which < G_N_ELEMENTS(commands) && strcmp(argv[1], commands[which].name) != 0)
-        which++;
-    if (argc < 2 || which == G_N_ELEMENTS(commands)) {
-        fprintf(world->err, "mpm-bench: %s%s\n%s", argc < 2 ? "no command" : "unknown command ",
-                argc < 2 ? "" : argv[1], usage);
-        return MPM_BAD_INPUT;
-    }
-    struct mpm_error error = {.status = MPM_OK};
     struct command command = {.argc = argc, .argv = argv, .world = world};
-    const enum mpm_status status = dispatch(which, &command, &error);
-    if (status != MPM_OK)
-        fprintf(world->err, "mpm-bench: %s\n", error.message);
+    struct options *const given = &command.options;
+    const struct command_option options[] = {
+        {TAKES_RUN, {"group", 0, 0, G_OPTION_ARG_STRING_ARRAY, &given->groups, NULL, NULL}},
+        {TAKES_RUN, {"tier", 0, 0, G_OPTION_ARG_STRING, &given->tier, NULL, NULL}},
+        {TAKES_RUN, {"output", 0, 0, G_OPTION_ARG_FILENAME, &given->output, NULL, NULL}},
+        {TAKES_RUN, {"kernels", 0, 0, G_OPTION_ARG_STRING, &given->kernels, NULL, NULL}},
+        {TAKES_RUN, {"simd", 0, 0, G_OPTION_ARG_STRING, &given->simd, NULL, NULL}},
+        {TAKES_BUDGET, {"functions", 0, 0, G_OPTION_ARG_NONE, &given->functions, NULL, NULL}},
+        {TAKES_BUDGET, {"update", 0, 0, G_OPTION_ARG_NONE, &given->update, NULL, NULL}},
+    };
+    const struct command_line line = {
+        .program = PROGRAM,
+        .usage = usage,
+        .commands = commands,
+        .command_count = G_N_ELEMENTS(commands),
+        .options = options,
+        .option_count = G_N_ELEMENTS(options),
+        .rest = &given->rest,
+        .out = world->out,
+        .err = world->err,
+    };
+    const enum mpm_status status = command_line_run(&line, argc, argv, &command);
+    options_clear(given);
     return status == MPM_OK ? command.verdict : (int)status;
 }

@@ -15,7 +15,7 @@
 enum { POINT_WIDTH = 48, QUANTITY_WIDTH = 30 };
 
 struct counts {
-    size_t compared, faster, slower, changed, only_one;
+    size_t compared, faster, slower, changed, only_one, without_ratio;
 };
 
 /* ------------------------------------------------------------------ the runs */
@@ -75,7 +75,10 @@ static void compare_rounds(const json_t *a, const json_t *b, FILE *out, struct c
     size_t count_a, count_b;
     double *rounds_a = bench_record_rounds(a, &count_a),
            *rounds_b = bench_record_rounds(b, &count_b);
-    if (all_positive(rounds_a, count_a) && all_positive(rounds_b, count_b)) {
+    if (!all_positive(rounds_a, count_a) || !all_positive(rounds_b, count_b)) {
+        counts->without_ratio++;
+        print_row(out, b, "a round without a positive number: no ratio");
+    } else {
         const struct bench_interval ratio =
             bench_ratio_unpaired(rounds_b, count_b, rounds_a, count_a);
         const enum bench_verdict verdict =
@@ -95,6 +98,16 @@ static void compare_rounds(const json_t *a, const json_t *b, FILE *out, struct c
     g_free(rounds_b);
 }
 
+/* Where there is no number in A, or nothing, no part of it can be said. */
+static char *change_text(double in_a, double in_b)
+{
+    if (!isfinite(in_a) || !isfinite(in_b))
+        return g_strdup("no number in one of the two");
+    if (fabs(in_a) > 0)
+        return g_strdup_printf("%+.2f %%", 100 * (in_b / in_a - 1));
+    return g_strdup("from nothing, no ratio");
+}
+
 /* Deterministic figures have no noise: any change is shown. */
 static void compare_values(const json_t *a, const json_t *b, FILE *out, struct counts *counts)
 {
@@ -104,10 +117,12 @@ static void compare_values(const json_t *a, const json_t *b, FILE *out, struct c
         return;
     char *text_a = text_quantity(in_a, record_text(a, "unit"));
     char *text_b = text_quantity(in_b, record_text(b, "unit"));
-    char *text = g_strdup_printf("%s to %s  (%+.2f %%)", text_a, text_b, 100 * (in_b / in_a - 1));
+    char *change = change_text(in_a, in_b);
+    char *text = g_strdup_printf("%s to %s  (%s)", text_a, text_b, change);
     counts->changed++;
     print_row(out, b, text);
     g_free(text);
+    g_free(change);
     g_free(text_a);
     g_free(text_b);
 }
@@ -153,6 +168,9 @@ static void print_counts(FILE *out, const struct counts *counts)
             counts->compared, counts->faster, counts->slower, counts->changed);
     if (counts->only_one > 0)
         fprintf(out, "%zu are in one of the two only\n", counts->only_one);
+    if (counts->without_ratio > 0)
+        fprintf(out, "%zu have a round without a positive number and are not compared\n",
+                counts->without_ratio);
 }
 
 enum mpm_status bench_compare(const char *folder_a, const char *folder_b, FILE *out,

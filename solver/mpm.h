@@ -58,7 +58,7 @@ bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene);
 enum mpm_kernels {
     MPM_KERNELS_AUTO, /* fast wherever the scene allows */
     MPM_KERNELS_REFERENCE,
-    MPM_KERNELS_FAST, /* every scene of this version has them */
+    MPM_KERNELS_FAST, /* MPM_BAD_INPUT, with the reason, where a scene has none */
     MPM_KERNELS_COUNT,
 };
 /* "auto", "reference", "fast" */
@@ -214,8 +214,20 @@ enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_ru
 /* --------------------------------------------------------- shape functions */
 
 enum mpm_geometry { MPM_PLANE_STRAIN, MPM_PLANE_STRESS, MPM_AXISYMMETRIC };
-enum mpm_shape { MPM_CLASSIC, MPM_UGIMP, MPM_CPDI, MPM_SHAPE_COUNT };
-enum mpm_axis { MPM_TRUNCATED, MPM_UNTRUNCATED };
+enum mpm_shape {
+    MPM_CLASSIC,
+    MPM_UGIMP,
+    MPM_CPDI,
+    MPM_BSPLINE2, /* quadratic, */
+    MPM_BSPLINE3, /* cubic, of point particles */
+    MPM_SHAPE_COUNT
+};
+/* What becomes of a domain at r = 0. Points are the same with all of them. */
+enum mpm_axis {
+    MPM_TRUNCATED,
+    MPM_UNTRUNCATED,
+    MPM_PLANAR, /* the planar S and G, not truncated, and T = S / r_p */
+};
 
 /* One particle domain over a regular grid whose node (0, 0) is at `origin`. */
 struct mpm_shape_query {
@@ -224,6 +236,7 @@ struct mpm_shape_query {
     enum mpm_axis axis;             /* axisymmetric only */
     double origin[2];               /* position of node (0, 0) */
     double cell[2];                 /* cell size */
+    int64_t cells[2];               /* along each axis; 0: the grid has no edges there */
     double position[2];             /* particle centre */
     double half_size[2];            /* undeformed half edges, l_p * cell / 2 */
     double deformation_gradient[4]; /* xx xy yx yy; used by CPDI */
@@ -239,7 +252,9 @@ struct mpm_stencil_entry {
 };
 
 /* S, G and T of every node that a particle reaches; each node at most once, entries
- * with S = 0, G = 0 and T = 0 left out. Returns the number of entries. */
+ * with S = 0, G = 0 and T = 0 left out. B-splines are adapted to the edges: the first and
+ * the last node and, in axisymmetry, r = 0 where nodes lie on it; the particle must be
+ * inside. Returns the number of entries. */
 size_t mpm_shape_evaluate(const struct mpm_shape_query *query,
                           struct mpm_stencil_entry entries[MPM_STENCIL_MAX]);
 

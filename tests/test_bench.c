@@ -285,6 +285,51 @@ START_TEST(a_run_twice_as_fast_is_called_faster_and_the_other_way_round_slower)
 }
 END_TEST
 
+/* A run of one figure and one result with the same number in every round. */
+static char *folder_with(double figure, double round)
+{
+    char *folder = test_folder_create();
+    struct mpm_error error;
+    struct bench_records records = bench_records_make("quick", "mpm-bench run", 9);
+    const struct bench_subject subject = {"pays", "plain", NULL};
+    const double rounds[] = {round, round, round, round, round};
+    (void)bench_records_value(&records, &subject, "branches", "1", figure);
+    (void)bench_records_result(&records, &subject, "rate", "1/s", rounds, G_N_ELEMENTS(rounds));
+    ck_assert_int_eq(bench_records_write(folder, &records, &error), MPM_OK);
+    bench_records_clear(&records);
+    return folder;
+}
+
+START_TEST(what_has_no_ratio_is_compared_in_words)
+{
+    static const struct {
+        double figures[2], rounds[2];
+        const char *says[2];
+    } rows[] = {
+        {{8, 10}, {1, 1}, {"8 to 10  (+25.00 %)", "2 compared: 0 faster, 0 slower, 1 figures"}},
+        {{8, 0}, {1, 1}, {"8 to 0  (-100.00 %)", "1 figures changed"}},
+        {{0, 8}, {1, 1}, {"0 to 8  (from nothing, no ratio)", "1 figures changed"}},
+        {{0, 0}, {1, 1}, {"2 compared: 0 faster, 0 slower, 0 figures changed", ""}},
+        {{(double)NAN, 8}, {1, 1}, {"none to 8  (no number in one of the two)", ""}},
+        {{8, (double)NAN}, {1, 1}, {"8 to none  (no number in one of the two)", ""}},
+        {{8, 8}, {0, 1}, {"a round without a positive number: no ratio", "1 have a round"}},
+        {{8, 8}, {1, 0}, {"1 compared: 0 faster, 0 slower, 0 figures", "1 have a round"}},
+    };
+    for (size_t i = 0; i < G_N_ELEMENTS(rows); i++) {
+        char *one = folder_with(rows[i].figures[0], rows[i].rounds[0]);
+        char *other = folder_with(rows[i].figures[1], rows[i].rounds[1]);
+        struct test_said said = compare(one, other);
+        ck_assert_int_eq(said.exit_status, 0);
+        for (size_t k = 0; k < G_N_ELEMENTS(rows[i].says); k++)
+            ck_assert_msg(strstr(said.out, rows[i].says[k]) != NULL, "'%s' is not in:\n%s",
+                          rows[i].says[k], said.out);
+        test_said_free(&said);
+        test_folder_remove(one);
+        test_folder_remove(other);
+    }
+}
+END_TEST
+
 START_TEST(bad_usage_is_exit_status_2_with_a_reason)
 {
     static const struct {
@@ -457,6 +502,7 @@ Suite *suite_bench(void)
     tcase_add_test(tcase, a_file_that_is_no_record_is_refused_with_its_line);
     tcase_add_test(tcase, a_run_compared_with_itself_does_not_differ);
     tcase_add_test(tcase, a_run_twice_as_fast_is_called_faster_and_the_other_way_round_slower);
+    tcase_add_test(tcase, what_has_no_ratio_is_compared_in_words);
     tcase_add_test(tcase, bad_usage_is_exit_status_2_with_a_reason);
     tcase_add_test(tcase, the_list_names_every_group_once);
     tcase_add_test(tcase, every_point_has_one_value_for_each_round_by_its_clock);

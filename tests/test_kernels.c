@@ -161,6 +161,37 @@ START_TEST(fast_kernels_agree_with_reference_kernels_on_every_scene_of_the_catal
 }
 END_TEST
 
+/* The first variant of each case. */
+START_TEST(automatic_kernels_are_the_fast_ones_to_the_bit)
+{
+    enum { STEPS = 10 };
+    const struct kernel_side sides[2] = {
+        {NULL, {.threads = 1, .kernels = MPM_KERNELS_FAST}},
+        {NULL, {.threads = 1, .kernels = MPM_KERNELS_AUTO}},
+    };
+    size_t compared = 0;
+    for (size_t i = 0; i < plan.job_count; i++) {
+        const struct catalogue_case *entry = plan.jobs[i].entry;
+        if (entry->scene_path == NULL || (i > 0 && plan.jobs[i - 1].entry == entry))
+            continue;
+        struct kernel_pair pair;
+        struct mpm_error error = {.message = ""};
+        ck_assert_msg(kernel_pair_open(entry->scene_path, sides, &pair, &error) == MPM_OK, "%s: %s",
+                      entry->file->name, error.message);
+        for (int step = 0; step < STEPS && kernel_pair_step(&pair); step++)
+            ;
+        char *found = kernel_pair_text(&pair);
+        ck_assert_msg(pair.same_bits && kernel_pair_ended_alike(&pair), "%s: %s", entry->file->name,
+                      found);
+        ck_assert_str_eq(mpm_simulation_kernels(pair.simulation[1]), "fast");
+        g_free(found);
+        kernel_pair_close(&pair);
+        compared++;
+    }
+    ck_assert_uint_gt(compared, 2);
+}
+END_TEST
+
 Suite *suite_kernels(void)
 {
     Suite *suite = suite_create("kernels");
@@ -170,6 +201,7 @@ Suite *suite_kernels(void)
         tcase_set_timeout(scenes, LONG_TIMEOUT);
     tcase_add_test(scenes,
                    fast_kernels_agree_with_reference_kernels_on_every_scene_of_the_catalogue);
+    tcase_add_test(scenes, automatic_kernels_are_the_fast_ones_to_the_bit);
     suite_add_tcase(suite, scenes);
     return suite;
 }

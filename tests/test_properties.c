@@ -11,11 +11,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const shapes[] = {"classic", "ugimp", "cpdi"};
+static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
 static const char *const geometries[] = {"plane_strain", "plane_stress", "axisymmetric"};
 static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
 static const char *const laws[] = {"neo_hookean", "linear_elastic"};
-enum { SHAPES = 3, GEOMETRIES = 3, ORDERS = 4, COMBINATIONS = SHAPES * GEOMETRIES * ORDERS };
+enum { SHAPES = 5, GEOMETRIES = 3, ORDERS = 4, COMBINATIONS = SHAPES * GEOMETRIES * ORDERS };
 
 /* Cells are not square, the body's edges are not the grid's, and it stands at a distance from
  * the axis in axisymmetry. Wave speed 12, so that a step is near 0.02. */
@@ -227,7 +227,8 @@ END_TEST
 
 /* A spin that strains by its inertia only 1e-6. FLIP promises no exact angular momentum: the
  * lumped nodes at the free edges of this coarse block (5 by 5 cells) take 3 to 6 % of it
- * before motion and edges have settled; volume stays. */
+ * before motion and edges have settled; volume stays. B-splines smear edges over wider
+ * supports and take 10 to 18 %, with a third to a sixth of that left on cells of half the size. */
 START_TEST(a_rigid_rotation_keeps_angular_momentum_and_volume)
 {
     enum { STEPS = 150 };
@@ -236,6 +237,7 @@ START_TEST(a_rigid_rotation_keeps_angular_momentum_and_volume)
     if (!c.axisymmetric) {
         struct mpm_ledger start, end;
         add(&c, "bodies.block.velocity=['-%g*(y-5.2)', '%g*(x-5.5)']", SPIN, SPIN);
+        add(&c, "grid.refine=%d", g_str_has_prefix(c.shape, "bspline") ? 2 : 1);
         struct test_run run = open_block(&c);
         mpm_simulation_ledger(run.simulation, &start);
         test_run_steps(&run, STEPS);
@@ -420,7 +422,7 @@ START_TEST(any_number_of_threads_gives_the_same_bits)
 {
     static const enum mpm_field fields[] = {MPM_FIELD_POSITION, MPM_FIELD_VELOCITY,
                                             MPM_FIELD_DEFORMATION_GRADIENT, MPM_FIELD_STRESS};
-    struct combination c = combination_of(_i * SHAPES * GEOMETRIES + _i % SHAPES);
+    struct combination c = combination_of(_i % ORDERS * SHAPES * GEOMETRIES + _i % SHAPES);
     add(&c, "geometry=%s", geometries[_i % GEOMETRIES]);
     if (strcmp(geometries[_i % GEOMETRIES], "axisymmetric") == 0) {
         add(&c, "bodies.body.velocity=['3*sin(z/5)', '4*cos(r/4)']");
@@ -477,7 +479,7 @@ Suite *suite_properties(void)
     tcase_add_test(bodies, a_symmetric_body_has_symmetric_particles);
     suite_add_tcase(suite, bodies);
     TCase *const bits = tcase_create("bits");
-    tcase_add_loop_test(bits, any_number_of_threads_gives_the_same_bits, 0, ORDERS);
+    tcase_add_loop_test(bits, any_number_of_threads_gives_the_same_bits, 0, SHAPES);
     suite_add_tcase(suite, bits);
     return suite;
 }

@@ -27,7 +27,9 @@
 #define CHOICES_shape(C)                                                                           \
     C("classic", MPM_CLASSIC)                                                                      \
     C("ugimp", MPM_UGIMP)                                                                          \
-    C("cpdi", MPM_CPDI)
+    C("cpdi", MPM_CPDI)                                                                            \
+    C("bspline2", MPM_BSPLINE2)                                                                    \
+    C("bspline3", MPM_BSPLINE3)
 
 #define CHOICES_axis(C)                                                                            \
     C("truncated", MPM_TRUNCATED)                                                                  \

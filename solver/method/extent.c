@@ -74,11 +74,6 @@ void mpm_extent_add(struct mpm_extent *extent, const struct mpm_placement *place
 /* Node positions beyond the extremes, in cells: round-off must not decide. */
 static const double BOX_SLACK = 1e-9;
 
-/* Fast kernels visit three nodes a line from the first one on, the last with weight zero
- * where the domain ends before; their rows of masses a fourth, in the same row or the next
- * one's first ghost. */
-enum { NODES_PAST_END = 2 };
-
 void mpm_strip_set_box(const struct mpm_state *state, struct mpm_strip *strip,
                        const struct mpm_extent *extent)
 {
@@ -87,8 +82,8 @@ void mpm_strip_set_box(const struct mpm_state *state, struct mpm_strip *strip,
     for (int axis = 0; axis < 2 && strip->begin < strip->end; axis++) {
         const double scale = grid->inverse_cell[axis], origin = grid->origin[axis];
         low[axis] = (int64_t)floor((extent->low[axis] - origin) * scale - BOX_SLACK);
-        high[axis] =
-            (int64_t)floor((extent->high[axis] - origin) * scale + BOX_SLACK) + NODES_PAST_END;
+        high[axis] = (int64_t)floor((extent->high[axis] - origin) * scale + BOX_SLACK) +
+                     state->family->nodes_past_end;
         /* no domain reaches beyond the ghost rows, so no node there is visited */
         if (high[axis] > grid->cells[axis] + MPM_GHOST_ROWS)
             high[axis] = grid->cells[axis] + MPM_GHOST_ROWS;

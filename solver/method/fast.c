@@ -39,6 +39,15 @@ static enum mpm_fast_geometry geometry_of(const struct mpm_scene *scene)
     return scene->radius_update == MPM_RADIUS_HOOP ? MPM_FAST_HOOP_RADIUS : MPM_FAST_AXISYMMETRIC;
 }
 
+const char *mpm_fast_lacks(const struct mpm_scene *scene)
+{
+    if (families[MPM_SIMD_BASELINE][scene->shape] == NULL)
+        return "there are no fast kernels for this method.shape";
+    if (scene->axis == MPM_PLANAR)
+        return "there are no fast kernels for method.axis: planar";
+    return NULL;
+}
+
 const struct mpm_passes *mpm_fast_passes(const struct mpm_scene *scene, enum mpm_simd simd)
 {
     mpm_fast_family *const family = families[simd][scene->shape];

@@ -31,7 +31,11 @@ MPM_FAST_FAMILIES(v3)
 /* The widest level that this machine runs. */
 enum mpm_simd mpm_fast_widest(void);
 
-/* The kernels of a scene at a level; NULL where this build or machine lacks the level. */
+/* Why a scene has no fast kernels; NULL where it has them. */
+const char *mpm_fast_lacks(const struct mpm_scene *scene);
+
+/* The kernels of a scene that has them at a level; NULL where this build or machine lacks
+ * the level. */
 const struct mpm_passes *mpm_fast_passes(const struct mpm_scene *scene, enum mpm_simd simd);
 
 #endif

@@ -5,11 +5,41 @@ static const struct mpm_shape_family *const families[] = {
     [MPM_CLASSIC] = &mpm_shape_classic,
     [MPM_UGIMP] = &mpm_shape_ugimp,
     [MPM_CPDI] = &mpm_shape_cpdi,
+    [MPM_BSPLINE2] = &mpm_shape_bspline2,
+    [MPM_BSPLINE3] = &mpm_shape_bspline3,
 };
 
 const struct mpm_shape_family *mpm_shape_family(enum mpm_shape shape)
 {
     return families[shape];
+}
+
+/* The axis is an edge: grids that begin beyond it have nodes on it. */
+static void put_edge_on_axis(struct mpm_shape_grid *grid)
+{
+    const double axis = mpm_shape_cells(-grid->origin[0] * grid->inverse_cell[0]);
+    if (axis == nearbyint(axis) && (double)grid->edge_low[0] < axis)
+        grid->edge_low[0] = (int64_t)axis;
+}
+
+struct mpm_shape_grid mpm_shape_grid_describe(const double origin[2], const double cell[2],
+                                              const int64_t cells[2], enum mpm_geometry geometry,
+                                              enum mpm_axis axis)
+{
+    struct mpm_shape_grid grid = {
+        .axisymmetric = geometry == MPM_AXISYMMETRIC,
+        .radial = geometry == MPM_AXISYMMETRIC && axis != MPM_PLANAR,
+        .truncated = axis == MPM_TRUNCATED,
+    };
+    for (int k = 0; k < 2; k++) {
+        grid.origin[k] = origin[k];
+        grid.inverse_cell[k] = 1.0 / cell[k];
+        grid.edge_low[k] = cells[k] > 0 ? 0 : INT64_MIN;
+        grid.edge_high[k] = cells[k] > 0 ? cells[k] : INT64_MAX;
+    }
+    if (grid.axisymmetric)
+        put_edge_on_axis(&grid);
+    return grid;
 }
 
 /* Wide enough that column and row can be told apart from an offset. */
@@ -18,13 +48,9 @@ static const int64_t QUERY_COLUMNS = INT64_C(1) << 32;
 size_t mpm_shape_evaluate(const struct mpm_shape_query *query,
                           struct mpm_stencil_entry entries[MPM_STENCIL_MAX])
 {
-    const struct mpm_shape_grid grid = {
-        .origin = {query->origin[0], query->origin[1]},
-        .inverse_cell = {1.0 / query->cell[0], 1.0 / query->cell[1]},
-        .columns = QUERY_COLUMNS,
-        .axisymmetric = query->geometry == MPM_AXISYMMETRIC,
-        .truncated = query->axis == MPM_TRUNCATED,
-    };
+    struct mpm_shape_grid grid = mpm_shape_grid_describe(query->origin, query->cell, query->cells,
+                                                         query->geometry, query->axis);
+    grid.columns = QUERY_COLUMNS;
     const double *const half = query->half_size;
     struct mpm_shape_domain domain = {
         .position = {query->position[0], query->position[1]},

@@ -31,9 +31,17 @@ struct mpm_shape_grid {
     double origin[2];       /* of node (0, 0) */
     double inverse_cell[2]; /* 1 / cell size */
     int64_t columns;        /* distance of two node rows in offsets */
+    int64_t edge_low[2];    /* first and last node along each axis: B-splines fold there; */
+    int64_t edge_high[2];   /* in axisymmetry r = 0 is an edge */
     bool axisymmetric;
+    bool radial;    /* means are weighted with r, N&G (6)-(8); else planar S and G, T = S / r_p */
     bool truncated; /* domains are cut or shrunk at r = 0 */
 };
+
+/* The shape functions' view of a grid; `cells` 0: no edges along that axis. */
+struct mpm_shape_grid mpm_shape_grid_describe(const double origin[2], const double cell[2],
+                                              const int64_t cells[2], enum mpm_geometry geometry,
+                                              enum mpm_axis axis);
 
 /* One particle's domain. */
 struct mpm_shape_domain {
@@ -45,10 +53,17 @@ struct mpm_shape_domain {
 struct mpm_shape_family {
     const char *name;
     bool convected; /* the domain deforms with F */
+    bool point;     /* there is no domain: functions of the particle's place alone */
+    /* Along an axis, the nodes that kernels visit past the cell in which the reach ends. Fast
+     * kernels of domains visit three from the first one on, the last with weight zero where
+     * the domain ends before. */
+    int nodes_past_end;
     void (*evaluate)(const struct mpm_shape_grid *grid, const struct mpm_shape_domain *domain,
                      struct mpm_stencil *stencil);
-    /* Largest distance of the domain from its centre along each axis. */
-    void (*reach)(const struct mpm_shape_domain *domain, double reach[2]);
+    /* Largest distance of the domain from its centre along each axis; of a point, that at
+     * which the cells lie whose nodes it reaches. */
+    void (*reach)(const struct mpm_shape_grid *grid, const struct mpm_shape_domain *domain,
+                  double reach[2]);
 };
 
 const struct mpm_shape_family *mpm_shape_family(enum mpm_shape shape);
@@ -56,6 +71,8 @@ const struct mpm_shape_family *mpm_shape_family(enum mpm_shape shape);
 extern const struct mpm_shape_family mpm_shape_classic;
 extern const struct mpm_shape_family mpm_shape_ugimp;
 extern const struct mpm_shape_family mpm_shape_cpdi;
+extern const struct mpm_shape_family mpm_shape_bspline2;
+extern const struct mpm_shape_family mpm_shape_bspline3;
 
 /* Half edges of a convected domain: the initial ones, half_size along each axis, pushed
  * forward by F (xx xy yx yy first). N&G (31) prints this for square cells and l_p = 1/2. */

@@ -44,14 +44,18 @@ static void evaluate(const struct mpm_shape_grid *grid, const struct mpm_shape_d
         }
 }
 
-static void reach(const struct mpm_shape_domain *domain, double distance[2])
+static void reach(const struct mpm_shape_grid *grid, const struct mpm_shape_domain *domain,
+                  double distance[2])
 {
+    (void)grid;
     (void)domain;
     distance[0] = distance[1] = 0.0;
 }
 
 const struct mpm_shape_family mpm_shape_classic = {
     .name = "classic",
+    .point = true,
+    .nodes_past_end = 2,
     .evaluate = evaluate,
     .reach = reach,
 };

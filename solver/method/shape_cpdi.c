@@ -157,14 +157,15 @@ static void evaluate(const struct mpm_shape_grid *grid, const struct mpm_shape_d
                      struct mpm_stencil *stencil)
 {
     double d[4] = {domain->edge[0], domain->edge[1], domain->edge[2], domain->edge[3]};
-    double inverse_r = 0.0;
+    double inverse_r = 0.0, third_over_r = 0.0;
     if (grid->axisymmetric) {
         const double r = domain->position[0];
         inverse_r = 1.0 / r;
+        third_over_r = grid->radial ? inverse_r / 3.0 : 0.0;
         if (grid->truncated)
             shrink_to_axis(r, d);
     }
-    const struct weights w = corner_weights(d, inverse_r / 3.0, inverse_r);
+    const struct weights w = corner_weights(d, third_over_r, inverse_r);
     struct corner corners[CORNERS];
     for (int c = 0; c < CORNERS; c++) {
         const double position[2] = {domain->position[0] + sign1[c] * d[0] + sign2[c] * d[2],
@@ -179,8 +180,10 @@ static void evaluate(const struct mpm_shape_grid *grid, const struct mpm_shape_d
     drop_untouched(stencil);
 }
 
-static void reach(const struct mpm_shape_domain *domain, double distance[2])
+static void reach(const struct mpm_shape_grid *grid, const struct mpm_shape_domain *domain,
+                  double distance[2])
 {
+    (void)grid;
     distance[0] = fabs(domain->edge[0]) + fabs(domain->edge[2]);
     distance[1] = fabs(domain->edge[1]) + fabs(domain->edge[3]);
 }
@@ -188,6 +191,7 @@ static void reach(const struct mpm_shape_domain *domain, double distance[2])
 const struct mpm_shape_family mpm_shape_cpdi = {
     .name = "cpdi",
     .convected = true,
+    .nodes_past_end = 2,
     .evaluate = evaluate,
     .reach = reach,
 };

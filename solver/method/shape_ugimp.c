@@ -82,10 +82,22 @@ static inline struct line radial_line(double low, double high, double axis, doub
     return line;
 }
 
-static struct line first_line(const struct mpm_shape_grid *grid, double low, double high)
+/* The planar functions in axisymmetry: T = S / r_p, r_p in cells. */
+static inline struct line planar_line_with_hoop(double low, double high, double r_p)
+{
+    struct line line = planar_line(low, high);
+    for (int k = 0; k < line.count; k++)
+        line.t[k] = line.s[k] / r_p;
+    return line;
+}
+
+static struct line first_line(const struct mpm_shape_grid *grid, double position, double low,
+                              double high)
 {
     if (!grid->axisymmetric)
         return planar_line(low, high);
+    if (!grid->radial)
+        return planar_line_with_hoop(low, high, position * grid->inverse_cell[0]);
     const double axis = mpm_shape_cells(-grid->origin[0] * grid->inverse_cell[0]);
     if (grid->truncated && low < axis)
         low = axis;
@@ -101,7 +113,7 @@ static void evaluate(const struct mpm_shape_grid *grid, const struct mpm_shape_d
         low[axis] = mpm_shape_cells((centre - domain->half_size[axis]) * grid->inverse_cell[axis]);
         high[axis] = mpm_shape_cells((centre + domain->half_size[axis]) * grid->inverse_cell[axis]);
     }
-    const struct line x = first_line(grid, low[0], high[0]);
+    const struct line x = first_line(grid, domain->position[0], low[0], high[0]);
     const struct line y = planar_line(low[1], high[1]);
     stencil->count = 0;
     for (int row = 0; row < y.count; row++)
@@ -115,14 +127,17 @@ static void evaluate(const struct mpm_shape_grid *grid, const struct mpm_shape_d
             };
 }
 
-static void reach(const struct mpm_shape_domain *domain, double distance[2])
+static void reach(const struct mpm_shape_grid *grid, const struct mpm_shape_domain *domain,
+                  double distance[2])
 {
+    (void)grid;
     distance[0] = domain->half_size[0];
     distance[1] = domain->half_size[1];
 }
 
 const struct mpm_shape_family mpm_shape_ugimp = {
     .name = "ugimp",
+    .nodes_past_end = 2,
     .evaluate = evaluate,
     .reach = reach,
 };

@@ -99,7 +99,7 @@ struct mpm_state {
     int64_t *row_low, *row_high; /* active columns of each node row, as node indices in the row */
     int64_t first_row, last_row; /* active rows */
     uint32_t *sort_counts;
-    double sort_size[2]; /* half edges of the smallest domain; 0 where particles are points */
+    double sort_size[2]; /* reach of the smallest domain */
 
     struct mpm_condition *conditions;
     size_t condition_count;

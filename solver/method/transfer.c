@@ -329,8 +329,8 @@ static struct mpm_placement placement_of(const struct mpm_state *state, size_t p
 {
     const struct mpm_shape_domain domain = domain_of(state, p);
     struct mpm_placement placement = {.position = {domain.position[0], domain.position[1]}};
-    state->family->reach(&domain, placement.reach);
-    if (state->shape_grid.axisymmetric && state->shape_grid.truncated &&
+    state->family->reach(&state->shape_grid, &domain, placement.reach);
+    if (state->shape_grid.axisymmetric && state->shape_grid.truncated && !state->family->point &&
         placement.reach[0] > domain.position[0])
         placement.reach[0] = domain.position[0];
     return placement;

@@ -115,11 +115,14 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
 
 static void add_body_size(struct mpm_state *state, size_t body)
 {
-    for (int axis = 0; axis < 2 && state->family != &mpm_shape_classic; axis++) {
-        const double half = state->bodies[body].half_size[axis];
-        if (state->deformable_bodies == 0 || half < state->sort_size[axis])
-            state->sort_size[axis] = half;
-    }
+    const double *const half = state->bodies[body].half_size;
+    const struct mpm_shape_domain domain = {.half_size = {half[0], half[1]},
+                                            .edge = {half[0], 0.0, 0.0, half[1]}};
+    double reach[2];
+    state->family->reach(&state->shape_grid, &domain, reach);
+    for (int axis = 0; axis < 2; axis++)
+        if (state->deformable_bodies == 0 || reach[axis] < state->sort_size[axis])
+            state->sort_size[axis] = reach[axis];
     state->deformable_bodies++;
 }
 
@@ -253,13 +256,9 @@ static void describe_method(struct mpm_simulation *simulation, int threads)
     state->family = mpm_shape_family(scene->shape);
     state->grid = mpm_grid_describe(scene);
     state->strip_count = (state->grid.cells[1] + MPM_STRIP_ROWS - 1) / MPM_STRIP_ROWS;
-    state->shape_grid = (struct mpm_shape_grid){
-        .origin = {state->grid.origin[0], state->grid.origin[1]},
-        .inverse_cell = {state->grid.inverse_cell[0], state->grid.inverse_cell[1]},
-        .columns = state->grid.columns,
-        .axisymmetric = scene->geometry == MPM_AXISYMMETRIC,
-        .truncated = scene->axis == MPM_TRUNCATED,
-    };
+    state->shape_grid = mpm_shape_grid_describe(state->grid.origin, state->grid.cell,
+                                                state->grid.cells, scene->geometry, scene->axis);
+    state->shape_grid.columns = state->grid.columns;
 }
 
 static void open_books(struct mpm_simulation *simulation)

@@ -64,6 +64,8 @@ static void compare_field(struct kernel_pair *pair, int index)
     struct kernel_difference *const worst = &pair->worst[index];
     for (int k = 0; k < 2; k++)
         mpm_simulation_field(pair->simulation[k], field, pair->values[k]);
+    const size_t bytes = count * sizeof(double);
+    pair->same_bits = pair->same_bits && memcmp(pair->values[0], pair->values[1], bytes) == 0;
     const double own = largest(pair->values[0], count), scale = fmax(own, pair->floors[index]);
     for (size_t i = 0; i < count; i++) {
         const double part = difference(pair->values[0][i], pair->values[1][i], scale);
@@ -85,6 +87,7 @@ static void compare(struct kernel_pair *pair)
                              mpm_simulation_time(pair->simulation[1])};
     pair->time_difference =
         fmax(pair->time_difference, difference(times[0], times[1], fabs(times[0])));
+    pair->same_bits = pair->same_bits && memcmp(&times[0], &times[1], sizeof times[0]) == 0;
     for (int index = 0; index < KERNEL_PAIR_FIELDS; index++)
         compare_field(pair, index);
 }
@@ -107,7 +110,7 @@ enum mpm_status kernel_pair_open(const char *path, const struct kernel_side side
                                  struct kernel_pair *pair, struct mpm_error *error)
 {
     enum mpm_status status = MPM_OK;
-    *pair = (struct kernel_pair){.time_difference = 0.0};
+    *pair = (struct kernel_pair){.same_bits = true};
     for (int k = 0; k < 2 && status == MPM_OK; k++)
         status = open_side(path, &sides[k], &pair->scene[k], &pair->simulation[k], error);
     if (status != MPM_OK) {

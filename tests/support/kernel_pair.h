@@ -55,6 +55,7 @@ struct kernel_pair {
     double *values[2];
     double floors[KERNEL_PAIR_FIELDS]; /* of the scales */
     double time_difference;            /* largest, in parts of the time */
+    bool same_bits;                    /* of all fields and of the time, at every comparison */
     struct kernel_difference worst[KERNEL_PAIR_FIELDS];
 };
 

@@ -6,7 +6,6 @@
 
 #include <fnmatch.h>
 #include <glib.h>
-#include <stdarg.h>
 #include <string.h>
 
 bool glob_matches(const char *glob, const char *name)
@@ -22,31 +21,15 @@ bool globs_match(char *const *globs, unsigned count, const char *name)
     return false;
 }
 
-static enum mpm_status refuse(const char *path, struct mpm_error *error, const char *place,
-                              const char *format, ...) __attribute__((format(printf, 4, 5)));
-
-static enum mpm_status refuse(const char *path, struct mpm_error *error, const char *place,
-                              const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    char *text = g_strdup_vprintf(format, arguments);
-    va_end(arguments);
-    failure_set(error, MPM_BAD_INPUT, "%s:%u: %s: %s", path, yaml_place_line(path, place), place,
-                text);
-    g_free(text);
-    return MPM_BAD_INPUT;
-}
-
 /* Names become parts of file names, links and globs. */
-static bool is_name(const char *text)
+bool name_is_sound(const char *text)
 {
     return *text != '\0' && strlen(text) <= 64 &&
            strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") ==
                strlen(text);
 }
 
-static const char name_rule[] = "allowed are 1 to 64 letters, digits, '_' and '-'";
+const char name_rule[] = "allowed are 1 to 64 letters, digits, '_' and '-'";
 
 static bool variant_matches(const struct case_file *file, const char *glob)
 {
@@ -62,7 +45,7 @@ static enum mpm_status check_globs(const char *path, const struct case_file *fil
 {
     for (unsigned i = 0; i < count; i++)
         if (!variant_matches(file, globs[i]))
-            return refuse(path, error, place, "\"%s\" matches no variant", globs[i]);
+            return yaml_refuse(path, error, place, "\"%s\" matches no variant", globs[i]);
     return MPM_OK;
 }
 
@@ -73,8 +56,8 @@ static enum mpm_status check_parameters(const char *path, const char *place,
     for (unsigned i = 0; i < count; i++)
         for (unsigned j = 0; j < i; j++)
             if (strcmp(parameters[i].name, parameters[j].name) == 0)
-                return refuse(path, error, place, "parameter \"%s\" is given twice",
-                              parameters[i].name);
+                return yaml_refuse(path, error, place, "parameter \"%s\" is given twice",
+                                   parameters[i].name);
     return MPM_OK;
 }
 
@@ -83,22 +66,22 @@ static enum mpm_status check_variant(const char *path, const struct case_file *f
 {
     const struct case_variant *variant = &file->variants[index];
     char place[48];
-    g_snprintf(place, sizeof place, "variants.%u", index);
-    if (!is_name(variant->name))
-        return refuse(path, error, place, "name \"%s\": %s", variant->name, name_rule);
+    g_snprintf(place, sizeof place, variant->method == NULL ? "variants.%u" : "methods", index);
+    if (!name_is_sound(variant->name))
+        return yaml_refuse(path, error, place, "name \"%s\": %s", variant->name, name_rule);
     for (unsigned i = 0; i < index; i++)
         if (strcmp(variant->name, file->variants[i].name) == 0)
-            return refuse(path, error, place, "name \"%s\" is taken by another variant",
-                          variant->name);
+            return yaml_refuse(path, error, place, "name \"%s\" is taken by another variant",
+                               variant->name);
     if (!(variant->timeout > 0))
-        return refuse(path, error, place, "timeout %s: allowed are seconds > 0",
-                      variant->timeout_text);
+        return yaml_refuse(path, error, place, "timeout %s: allowed are seconds > 0",
+                           variant->timeout_text);
     if (variant->settings_count > 0 && file->scene == NULL)
-        return refuse(path, error, place, "settings are given, but the case has no scene");
+        return yaml_refuse(path, error, place, "settings are given, but the case has no scene");
     for (unsigned i = 0; i < variant->settings_count; i++)
         if (strchr(variant->settings[i], '=') == NULL)
-            return refuse(path, error, place, "setting \"%s\": allowed is PATH=VALUE",
-                          variant->settings[i]);
+            return yaml_refuse(path, error, place, "setting \"%s\": allowed is PATH=VALUE",
+                               variant->settings[i]);
     return check_parameters(path, place, variant->parameters, variant->parameters_count, error);
 }
 
@@ -123,23 +106,24 @@ static enum mpm_status check_check(const char *path, const struct case_file *fil
     const struct case_check *check = &file->checks[index];
     char place[48];
     g_snprintf(place, sizeof place, "checks.%u", index);
-    if (!is_name(check->name))
-        return refuse(path, error, place, "check \"%s\": %s", check->name, name_rule);
+    if (!name_is_sound(check->name))
+        return yaml_refuse(path, error, place, "check \"%s\": %s", check->name, name_rule);
     TRY(check_globs(path, file, place, check->variants, check->variants_count, error));
     const bool has_low = check->fails_low_text != NULL, has_high = check->fails_high_text != NULL;
     if (check->outcome == OUTCOME_FAIL ? !(has_low && has_high) : has_low || has_high)
-        return refuse(path, error, place,
-                      "check \"%s\": fails_low and fails_high belong to outcome: fail, and it "
-                      "needs both",
-                      check->name);
+        return yaml_refuse(path, error, place,
+                           "check \"%s\": fails_low and fails_high belong to outcome: fail, and it "
+                           "needs both",
+                           check->name);
     const char *fault = verdict_band_fault(&check->band);
     if (fault != NULL)
-        return refuse(path, error, place, "check \"%s\": %s", check->name, fault);
+        return yaml_refuse(path, error, place, "check \"%s\": %s", check->name, fault);
     for (unsigned i = 0; i < index; i++) {
         const char *variant = doubled_variant(file, check, &file->checks[i]);
         if (variant != NULL)
-            return refuse(path, error, place, "check \"%s\" is declared twice for variant \"%s\"",
-                          check->name, variant);
+            return yaml_refuse(path, error, place,
+                               "check \"%s\" is declared twice for variant \"%s\"", check->name,
+                               variant);
     }
     return MPM_OK;
 }
@@ -150,22 +134,23 @@ static enum mpm_status check_figure(const char *path, const struct case_file *fi
     const struct case_figure *figure = &file->figures[index];
     char place[48];
     g_snprintf(place, sizeof place, "figures.%u", index);
-    if (!is_name(figure->name))
-        return refuse(path, error, place, "name \"%s\": %s", figure->name, name_rule);
+    if (!name_is_sound(figure->name))
+        return yaml_refuse(path, error, place, "name \"%s\": %s", figure->name, name_rule);
     for (unsigned i = 0; i < index; i++)
         if (strcmp(figure->name, file->figures[i].name) == 0)
-            return refuse(path, error, place, "name \"%s\" is taken by another figure",
-                          figure->name);
+            return yaml_refuse(path, error, place, "name \"%s\" is taken by another figure",
+                               figure->name);
     if (strchr(figure->script, '/') != NULL || !g_str_has_suffix(figure->script, ".gp"))
-        return refuse(path, error, place, "script \"%s\": allowed is a file *.gp beside case.yaml",
-                      figure->script);
+        return yaml_refuse(path, error, place,
+                           "script \"%s\": allowed is a file *.gp beside case.yaml",
+                           figure->script);
     char *folder = g_path_get_dirname(path);
     char *script = g_build_filename(folder, figure->script, NULL);
     const bool there = g_file_test(script, G_FILE_TEST_IS_REGULAR);
     g_free(folder);
     g_free(script);
     if (!there)
-        return refuse(path, error, place, "script \"%s\": no such file", figure->script);
+        return yaml_refuse(path, error, place, "script \"%s\": no such file", figure->script);
     return check_globs(path, file, place, figure->needs, figure->needs_count, error);
 }
 
@@ -173,12 +158,14 @@ enum mpm_status case_file_check(const char *path, const struct case_file *file,
                                 struct mpm_error *error)
 {
     if (file->format != 1)
-        return refuse(path, error, "format", "%d: allowed is 1", file->format);
-    if (!is_name(file->family))
-        return refuse(path, error, "family", "\"%s\": %s", file->family, name_rule);
-    if (!is_name(file->name))
-        return refuse(path, error, "case", "\"%s\": %s", file->name, name_rule);
+        return yaml_refuse(path, error, "format", "%d: allowed is 1", file->format);
+    if (!name_is_sound(file->family))
+        return yaml_refuse(path, error, "family", "\"%s\": %s", file->family, name_rule);
+    if (!name_is_sound(file->name))
+        return yaml_refuse(path, error, "case", "\"%s\": %s", file->name, name_rule);
     TRY(check_parameters(path, "parameters", file->parameters, file->parameters_count, error));
+    if (file->variants_count == 0)
+        return yaml_refuse(path, error, "case", "has neither variants nor methods");
     for (unsigned i = 0; i < file->variants_count; i++)
         TRY(check_variant(path, file, i, error));
     for (unsigned i = 0; i < file->checks_count; i++)

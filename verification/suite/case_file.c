@@ -5,30 +5,19 @@
 
 #include "verification/suite/rows.h"
 #include "verification/suite/yaml_place.h"
+#include "verification/suite/yaml_read.h"
 
-#include <cyaml/cyaml.h>
 #include <glib.h>
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ------------------------------------------------------------------ schema */
 
 /* Numbers are read as text and converted by us: the reader's own conversion accepts
  * trailing text ("2 mm"). */
-#define TEXT(key, type, member)                                                                    \
-    CYAML_FIELD_STRING_PTR(key, CYAML_FLAG_POINTER, struct type, member, 1, 4096)
-#define OPTIONAL_TEXT(key, type, member)                                                           \
-    CYAML_FIELD_STRING_PTR(key, CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL, struct type, member, 1,  \
-                           4096)
-#define LIST(key, type, member, entry, least)                                                      \
-    CYAML_FIELD_SEQUENCE(key, CYAML_FLAG_POINTER | ((least) > 0 ? 0 : CYAML_FLAG_OPTIONAL),        \
-                         struct type, member, entry, least, 1000)
-
-static const cyaml_schema_value_t text_schema = {
-    CYAML_VALUE_STRING(CYAML_FLAG_POINTER, char *, 1, 4096)};
+#define TEXT          YAML_TEXT
+#define OPTIONAL_TEXT YAML_OPTIONAL_TEXT
+#define LIST          YAML_LIST
 
 static const cyaml_schema_field_t parameter_fields[] = {
     TEXT("name", case_parameter, name), TEXT("value", case_parameter, value), CYAML_FIELD_END};
@@ -47,16 +36,27 @@ static const cyaml_schema_field_t variant_fields[] = {
     CYAML_FIELD_ENUM("tier", CYAML_FLAG_STRICT, struct case_variant, tier, tier_values,
                      CYAML_ARRAY_LEN(tier_values)),
     TEXT("timeout", case_variant, timeout_text),
-    LIST("settings", case_variant, settings, &text_schema, 0),
+    LIST("settings", case_variant, settings, &yaml_text_schema, 0),
     LIST("parameters", case_variant, parameters, &parameter_schema, 0),
     CYAML_FIELD_END};
 static const cyaml_schema_value_t variant_schema = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct case_variant, variant_fields)};
 
+static const cyaml_schema_field_t methods_fields[] = {
+    LIST("names", case_methods, names, &yaml_text_schema, 1),
+    LIST("except", case_methods, except, &yaml_text_schema, 0),
+    LIST("full", case_methods, full, &yaml_text_schema, 0),
+    CYAML_FIELD_ENUM("tier", CYAML_FLAG_STRICT, struct case_methods, tier, tier_values,
+                     CYAML_ARRAY_LEN(tier_values)),
+    TEXT("timeout", case_methods, timeout_text),
+    LIST("settings", case_methods, settings, &yaml_text_schema, 0),
+    LIST("parameters", case_methods, parameters, &parameter_schema, 0),
+    CYAML_FIELD_END};
+
 static const cyaml_schema_field_t check_fields[] = {
     TEXT("check", case_check, name),
     TEXT("title", case_check, title),
-    LIST("variants", case_check, variants, &text_schema, 1),
+    LIST("variants", case_check, variants, &yaml_text_schema, 1),
     TEXT("quantity", case_check, quantity),
     TEXT("unit", case_check, unit),
     TEXT("norm", case_check, norm),
@@ -81,7 +81,7 @@ static const cyaml_schema_field_t figure_fields[] = {
     TEXT("title", case_figure, title),
     TEXT("caption", case_figure, caption),
     TEXT("reference", case_figure, reference),
-    LIST("needs", case_figure, needs, &text_schema, 0),
+    LIST("needs", case_figure, needs, &yaml_text_schema, 0),
     CYAML_FIELD_END};
 static const cyaml_schema_value_t figure_schema = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct case_figure, figure_fields)};
@@ -92,80 +92,18 @@ static const cyaml_schema_field_t file_fields[] = {
     TEXT("case", case_file, name),
     TEXT("title", case_file, title),
     TEXT("summary", case_file, summary),
-    LIST("tags", case_file, tags, &text_schema, 0),
+    LIST("tags", case_file, tags, &yaml_text_schema, 0),
     TEXT("program", case_file, program_name),
     OPTIONAL_TEXT("scene", case_file, scene),
     LIST("parameters", case_file, parameters, &parameter_schema, 0),
-    LIST("variants", case_file, variants, &variant_schema, 1),
+    LIST("variants", case_file, variants, &variant_schema, 0),
+    CYAML_FIELD_MAPPING_PTR("methods", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL, struct case_file,
+                            methods, methods_fields),
     LIST("checks", case_file, checks, &check_schema, 1),
     LIST("figures", case_file, figures, &figure_schema, 0),
     CYAML_FIELD_END};
 static const cyaml_schema_value_t file_schema = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, struct case_file, file_fields)};
-
-/* ----------------------------------------------------------------- reading */
-
-/* What the reader said: its first message, and the first place of its backtrace. */
-struct reader_log {
-    char message[400];
-    unsigned line, column;
-};
-
-static void reader_logged(cyaml_log_t level, void *context, const char *format, va_list arguments)
-{
-    (void)level;
-    static const char line_key[] = "(line: ", column_key[] = "column: ";
-    struct reader_log *log = context;
-    char text[400];
-    vsnprintf(text, sizeof text, format, arguments);
-    g_strchomp(text);
-    const char *line = strstr(text, line_key), *column = strstr(text, column_key);
-    if (log->line == 0 && line != NULL && column != NULL) {
-        log->line = (unsigned)strtoul(line + strlen(line_key), NULL, 10);
-        log->column = (unsigned)strtoul(column + strlen(column_key), NULL, 10);
-    } else if (log->message[0] == '\0') {
-        const char *said = g_str_has_prefix(text, "Load: ") ? text + strlen("Load: ") : text;
-        g_strlcpy(log->message, said, sizeof log->message);
-    }
-}
-
-static cyaml_config_t reader_config(struct reader_log *log)
-{
-    return (cyaml_config_t){.log_fn = reader_logged,
-                            .log_ctx = log,
-                            .mem_fn = cyaml_mem,
-                            .log_level = CYAML_LOG_ERROR,
-                            .flags = CYAML_CFG_NO_ALIAS};
-}
-
-/* The token that a message ends in: "Unexpected key: foo", "Invalid INT value: 'x'". */
-static char *offending_token(const char *message)
-{
-    const char *colon = strrchr(message, ':');
-    char *token = g_strdup(colon == NULL ? "" : colon + 1);
-    g_strstrip(token);
-    const size_t length = strlen(token);
-    if (length >= 2 && token[0] == '\'' && token[length - 1] == '\'') {
-        token[length - 1] = '\0';
-        memmove(token, token + 1, length - 1);
-    }
-    return token;
-}
-
-static enum mpm_status refuse_unreadable(const char *path, const struct reader_log *log,
-                                         cyaml_err_t code, struct mpm_error *error)
-{
-    char *token = offending_token(log->message);
-    unsigned line = *token == '\0' ? 0 : yaml_place_scalar(path, token, log->line, log->column);
-    if (line == 0)
-        line = log->line;
-    g_free(token);
-    char place[32] = "";
-    if (line > 0)
-        g_snprintf(place, sizeof place, ":%u", line);
-    return failure_set(error, MPM_BAD_INPUT, "%s%s: %s", path, place,
-                       log->message[0] == '\0' ? cyaml_strerror(code) : log->message);
-}
 
 /* ----------------------------------------------------------------- numbers */
 
@@ -216,6 +154,9 @@ static enum mpm_status convert_numbers(const char *path, struct case_file *file,
         TRY(convert(path, place, "timeout", file->variants[i].timeout_text,
                     &file->variants[i].timeout, error));
     }
+    if (file->methods != NULL)
+        TRY(convert(path, "methods", "timeout", file->methods->timeout_text,
+                    &file->methods->timeout, error));
     for (unsigned i = 0; i < file->checks_count; i++)
         TRY(convert_check(path, i, &file->checks[i], error));
     return MPM_OK;
@@ -223,17 +164,10 @@ static enum mpm_status convert_numbers(const char *path, struct case_file *file,
 
 enum mpm_status case_file_load(const char *path, struct case_file **file, struct mpm_error *error)
 {
-    struct reader_log log = {.line = 0};
-    const cyaml_config_t config = reader_config(&log);
+    void *data;
     *file = NULL;
-    const cyaml_err_t code =
-        cyaml_load_file(path, &config, &file_schema, (cyaml_data_t **)file, NULL);
-    if (code == CYAML_ERR_FILE_OPEN)
-        return failure_set(error, MPM_BAD_INPUT, "%s: cannot be read", path);
-    if (code != CYAML_OK)
-        return refuse_unreadable(path, &log, code, error);
-    if (*file == NULL)
-        return failure_set(error, MPM_BAD_INPUT, "%s: is empty", path);
+    TRY(yaml_read(path, &file_schema, &data, error));
+    *file = data;
     const enum mpm_status status = convert_numbers(path, *file, error);
     if (status != MPM_OK) {
         case_file_free(*file);
@@ -244,8 +178,5 @@ enum mpm_status case_file_load(const char *path, struct case_file **file, struct
 
 void case_file_free(struct case_file *file)
 {
-    struct reader_log log = {.line = 0};
-    const cyaml_config_t config = reader_config(&log);
-    if (file != NULL)
-        cyaml_free(&config, &file_schema, file, 0);
+    yaml_read_free(&file_schema, file);
 }

@@ -4,6 +4,7 @@
 #include "verification/suite/catalogue.h"
 
 #include "verification/suite/case_file.h"
+#include "verification/suite/methods.h"
 #include "verification/suite/yaml_place.h"
 
 #include <glib.h>
@@ -30,6 +31,12 @@ static void case_clear(void *element)
     g_free(entry->scene_path);
     g_free(entry->readme);
 }
+
+/* What cases refer to by name. */
+struct sources {
+    struct program_table programs;
+    const struct method_table *methods;
+};
 
 static enum mpm_status check_home(const char *path, const struct catalogue_case *entry,
                                   const char *family, const char *name, struct mpm_error *error)
@@ -73,17 +80,18 @@ static enum mpm_status read_readme(struct catalogue_case *entry, struct mpm_erro
 }
 
 static enum mpm_status case_fill(const char *path, const char *family, const char *name,
-                                 struct program_table programs, struct catalogue_case *entry,
+                                 const struct sources *sources, struct catalogue_case *entry,
                                  struct mpm_error *error)
 {
     TRY(case_file_load(path, &entry->file, error));
+    TRY(methods_add_variants(path, sources->methods, entry->file, error));
     TRY(case_file_check(path, entry->file, error));
     if (entry->file->scene != NULL)
         entry->scene_path = g_build_filename(entry->folder, entry->file->scene, NULL);
     TRY(check_home(path, entry, family, name, error));
-    entry->program = programs_find(programs, entry->file->program_name);
+    entry->program = programs_find(sources->programs, entry->file->program_name);
     if (entry->program == NULL)
-        return refuse_program(path, entry->file->program_name, programs, error);
+        return refuse_program(path, entry->file->program_name, sources->programs, error);
     return read_readme(entry, error);
 }
 
@@ -109,13 +117,13 @@ static GPtrArray *folders_in(const char *folder)
 }
 
 static enum mpm_status add_case(const char *folder, const char *family, const char *name,
-                                struct program_table programs, GArray *cases,
+                                const struct sources *sources, GArray *cases,
                                 struct mpm_error *error)
 {
     char *home = g_build_filename(folder, family, name, NULL);
     char *path = g_build_filename(home, "case.yaml", NULL);
     struct catalogue_case entry = {.folder = home};
-    const enum mpm_status status = case_fill(path, family, name, programs, &entry, error);
+    const enum mpm_status status = case_fill(path, family, name, sources, &entry, error);
     g_array_append_val(cases, entry);
     g_free(path);
     return status;
@@ -134,7 +142,7 @@ static enum mpm_status check_unique(const GArray *cases, struct mpm_error *error
     return MPM_OK;
 }
 
-static enum mpm_status add_families(const char *folder, struct program_table programs,
+static enum mpm_status add_families(const char *folder, const struct sources *sources,
                                     GArray *cases, struct mpm_error *error)
 {
     enum mpm_status status = MPM_OK;
@@ -144,7 +152,7 @@ static enum mpm_status add_families(const char *folder, struct program_table pro
         char *family_folder = g_build_filename(folder, family, NULL);
         GPtrArray *names = folders_in(family_folder);
         for (unsigned c = 0; status == MPM_OK && c < names->len; c++)
-            status = add_case(folder, family, names->pdata[c], programs, cases, error);
+            status = add_case(folder, family, names->pdata[c], sources, cases, error);
         g_ptr_array_unref(names);
         g_free(family_folder);
     }
@@ -158,9 +166,12 @@ enum mpm_status catalogue_read(const char *folder, struct program_table programs
     *catalogue = NULL;
     if (!g_file_test(folder, G_FILE_TEST_IS_DIR))
         return failure_set(error, MPM_BAD_INPUT, "%s: no such folder of a catalogue", folder);
+    struct method_table *methods;
+    TRY(methods_load(folder, &methods, error));
     GArray *cases = g_array_new(FALSE, TRUE, sizeof(struct catalogue_case));
     g_array_set_clear_func(cases, case_clear);
-    enum mpm_status status = add_families(folder, programs, cases, error);
+    const struct sources sources = {programs, methods};
+    enum mpm_status status = add_families(folder, &sources, cases, error);
     if (status == MPM_OK)
         status = check_unique(cases, error);
     if (status == MPM_OK && cases->len == 0)
@@ -168,10 +179,12 @@ enum mpm_status catalogue_read(const char *folder, struct program_table programs
                              "%s: holds no case: FAMILY/CASE/case.yaml is looked for", folder);
     if (status != MPM_OK) {
         g_array_unref(cases);
+        methods_free(methods);
         return status;
     }
     *catalogue = g_new0(struct catalogue, 1);
     (*catalogue)->folder = g_strdup(folder);
+    (*catalogue)->methods = methods;
     (*catalogue)->count = cases->len;
     (*catalogue)->cases = (struct catalogue_case *)(void *)g_array_free(cases, FALSE);
     return MPM_OK;
@@ -184,6 +197,7 @@ void catalogue_free(struct catalogue *catalogue)
     for (size_t i = 0; i < catalogue->count; i++)
         case_clear(&catalogue->cases[i]);
     g_free(catalogue->cases);
+    methods_free(catalogue->methods);
     g_free(catalogue->folder);
     g_free(catalogue);
 }

@@ -17,12 +17,31 @@ struct case_parameter {
     char *name, *value;
 };
 
+struct method;
+
 struct case_variant {
     char *name;
+    const struct method *method; /* that it was made from, or NULL; not of the file */
     enum tier tier;
     char *timeout_text;
     double timeout; /* seconds */
     char **settings;
+    unsigned settings_count;
+    struct case_parameter *parameters;
+    unsigned parameters_count;
+};
+
+/* Adds one variant for each method of methods.yaml that `names` selects and `except` does
+ * not. */
+struct case_methods {
+    char **names, **except; /* globs */
+    unsigned names_count, except_count;
+    enum tier tier;
+    char **full; /* globs: those of them that run at the full size alone */
+    unsigned full_count;
+    char *timeout_text;
+    double timeout;
+    char **settings; /* after the method's own */
     unsigned settings_count;
     struct case_parameter *parameters;
     unsigned parameters_count;
@@ -60,7 +79,8 @@ struct case_file {
     char *scene;
     struct case_parameter *parameters;
     unsigned parameters_count;
-    struct case_variant *variants;
+    struct case_methods *methods;  /* NULL if it has none */
+    struct case_variant *variants; /* those of methods last */
     unsigned variants_count;
     struct case_check *checks;
     unsigned checks_count;
@@ -78,12 +98,13 @@ struct catalogue_case {
 
 struct catalogue {
     char *folder;
+    struct method_table *methods;
     struct catalogue_case *cases; /* sorted by family and name */
     size_t count;
 };
 
-/* Reads every case under `folder`. MPM_BAD_INPUT: a message with file, line where it
- * is known, key, value and what is allowed. *catalogue is NULL on failure. */
+/* Reads methods.yaml, if there is one, and every case under `folder`. MPM_BAD_INPUT: a message with
+ * file, line where it is known, key, value and what is allowed. *catalogue is NULL on failure. */
 enum mpm_status catalogue_read(const char *folder, struct program_table programs,
                                struct catalogue **catalogue, struct mpm_error *error);
 void catalogue_free(struct catalogue *catalogue);
@@ -94,5 +115,10 @@ const char *tier_name(enum tier tier);
 /* Whether the shell pattern (*, ?, [...]) matches the whole name; whether any does. */
 bool glob_matches(const char *glob, const char *name);
 bool globs_match(char *const *globs, unsigned count, const char *name);
+
+/* Whether a text can be the name of a case, a variant, ...: part of file names, links and
+ * globs; the rule for messages. */
+bool name_is_sound(const char *text);
+extern const char name_rule[];
 
 #endif

@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/commands.h"
 
+#include "verification/suite/command_line.h"
+#include "verification/suite/failure.h"
 #include "verification/suite/machine.h"
 #include "verification/suite/report.h"
 #include "verification/suite/resources.h"
@@ -16,8 +18,10 @@ enum { CHECKS_FAILED = 1, JOBS_MAX = 1024, JOBS_DEFAULT = INT_MIN /* not given *
 
 #define NO_CATALOGUE "no verification/catalogue here: name one with --catalogue DIR"
 
+#define PROGRAM "mpm-verify"
+
 static const char usage[] =
-    "usage: mpm-verify COMMAND\n"
+    "usage: " PROGRAM " COMMAND\n"
     "\n"
     "  list [--tag T]                         the cases, their variants and checks\n"
     "  run [--tier ci|full] [--case GLOB] [--variant GLOB] [--kernels auto|reference|fast]\n"
@@ -51,57 +55,6 @@ static void options_clear(struct command_options *options)
 
 /* Which options a command takes; bits of `takes` in the table of commands. */
 enum { TAKES_SELECTION = 1, TAKES_OUTPUT = 2, TAKES_CATALOGUE = 4, TAKES_TAG = 8 };
-
-static enum mpm_status parse(int argc, char **argv, unsigned takes, struct command_options *options,
-                             struct mpm_error *error)
-{
-    const struct {
-        unsigned takes;
-        GOptionEntry entry;
-    } all[] = {
-        {TAKES_SELECTION, {"tier", 0, 0, G_OPTION_ARG_STRING, &options->tier, NULL, NULL}},
-        {TAKES_SELECTION, {"case", 0, 0, G_OPTION_ARG_STRING, &options->case_glob, NULL, NULL}},
-        {TAKES_SELECTION,
-         {"variant", 0, 0, G_OPTION_ARG_STRING, &options->variant_glob, NULL, NULL}},
-        {TAKES_SELECTION, {"kernels", 0, 0, G_OPTION_ARG_STRING, &options->kernels, NULL, NULL}},
-        {TAKES_SELECTION, {"jobs", 0, 0, G_OPTION_ARG_INT, &options->jobs, NULL, NULL}},
-        {TAKES_OUTPUT, {"output", 0, 0, G_OPTION_ARG_FILENAME, &options->output, NULL, NULL}},
-        {TAKES_CATALOGUE,
-         {"catalogue", 0, 0, G_OPTION_ARG_FILENAME, &options->catalogue, NULL, NULL}},
-        {TAKES_TAG, {"tag", 0, 0, G_OPTION_ARG_STRING, &options->tag, NULL, NULL}},
-        {~0U, {G_OPTION_REMAINING, 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &options->rest, NULL, NULL}},
-    };
-    GOptionEntry entries[G_N_ELEMENTS(all) + 1];
-    size_t count = 0;
-    for (size_t i = 0; i < G_N_ELEMENTS(all); i++)
-        if ((all[i].takes & takes) != 0 || all[i].takes == ~0U)
-            entries[count++] = all[i].entry;
-    memset(&entries[count], 0, sizeof entries[count]);
-
-    GOptionContext *context = g_option_context_new(NULL);
-    GError *failure = NULL;
-    g_option_context_set_help_enabled(context, FALSE);
-    g_option_context_add_main_entries(context, entries, NULL);
-    enum mpm_status status = MPM_OK;
-    if (!g_option_context_parse(context, &argc, &argv, &failure)) {
-        status = failure_set(error, MPM_BAD_INPUT, "%s; see mpm-verify help", failure->message);
-        g_error_free(failure);
-    }
-    g_option_context_free(context);
-    return status;
-}
-
-static enum mpm_status expect_rest(const struct command_options *options, size_t count,
-                                   const char *what, struct mpm_error *error)
-{
-    const size_t given = options->rest == NULL ? 0 : g_strv_length(options->rest);
-    if (given == count)
-        return MPM_OK;
-    if (given > count)
-        return failure_set(error, MPM_BAD_INPUT, "\"%s\": unexpected argument; see mpm-verify help",
-                           options->rest[count]);
-    return failure_set(error, MPM_BAD_INPUT, "%s is missing; see mpm-verify help", what);
-}
 
 enum mpm_status command_catalogue(const struct command *command, struct catalogue **catalogue,
                                   struct mpm_error *error)
@@ -138,20 +91,6 @@ static enum mpm_status read_kernels(const char *text, enum mpm_kernels *kernels,
     return failure_set(error, MPM_BAD_INPUT, "--kernels: %s", cause.message);
 }
 
-/* The command as typed, quoted for the shell. */
-static char *typed(int argc, char **argv)
-{
-    GString *text = g_string_new("mpm-verify");
-    for (int i = 1; i < argc; i++) {
-        char *quoted = strpbrk(argv[i], " \t\n*?[]'\"\\$`;&|<>(){}~#!") == NULL
-                           ? g_strdup(argv[i])
-                           : g_shell_quote(argv[i]);
-        g_string_append_printf(text, " %s", quoted);
-        g_free(quoted);
-    }
-    return g_string_free(text, FALSE);
-}
-
 static enum mpm_status run_with(struct run_options *run, struct command *command,
                                 struct mpm_error *error)
 {
@@ -182,20 +121,20 @@ static enum mpm_status command_run(struct command *command, struct mpm_error *er
     char *catalogue = options->catalogue != NULL ? g_strdup(options->catalogue)
                                                  : resources_catalogue(command->argv[0]);
     char *reports = resources_reports(command->argv[0]);
-    char *typed_text = typed(command->argc, command->argv);
+    char *typed = command_line_typed(PROGRAM, command->argc, command->argv);
     char *output = options->output != NULL ? g_strdup(options->output) : resources_output();
     struct run_options run = {
         .catalogue = catalogue,
         .reports = reports,
         .output = output,
-        .command = typed_text,
+        .command = typed,
         .selection = {.case_glob = options->case_glob, .variant_glob = options->variant_glob},
     };
     const enum mpm_status status = run_with(&run, command, error);
     g_free(catalogue);
     g_free(reports);
     g_free(output);
-    g_free(typed_text);
+    g_free(typed);
     return status;
 }
 
@@ -210,70 +149,44 @@ static enum mpm_status command_report(struct command *command, struct mpm_error 
     return status;
 }
 
-/* ------------------------------------------------------------------ dispatch */
+/* --------------------------------------------------------------------- table */
 
-static const struct {
-    const char *name;
-    unsigned takes;
-    size_t rest;
-    const char *rest_name;
-    enum mpm_status (*run)(struct command *command, struct mpm_error *error);
-} commands[] = {
+static const struct command_entry commands[] = {
     {"list", TAKES_TAG | TAKES_CATALOGUE, 0, "", command_list},
     {"run", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE, 0, "", command_run},
     {"explain", TAKES_OUTPUT | TAKES_CATALOGUE, 1, "explain: CHECK", command_explain},
     {"report", 0, 1, "report: the folder DIR", command_report},
 };
 
-static enum mpm_status dispatch(size_t which, struct command *command, struct mpm_error *error)
-{
-    /* the parser reorders its copy; the originals stay the caller's */
-    char **arguments = g_memdup2(command->argv + 1, sizeof(char *) * (size_t)command->argc);
-    command->options.jobs = JOBS_DEFAULT;
-    enum mpm_status status =
-        parse(command->argc - 1, arguments, commands[which].takes, &command->options, error);
-    if (status == MPM_OK)
-        status =
-            expect_rest(&command->options, commands[which].rest, commands[which].rest_name, error);
-    if (status == MPM_OK)
-        status = commands[which].run(command, error);
-    options_clear(&command->options);
-    g_free(arguments);
-    return status;
-}
-
-static bool asks(int argc, char **argv, const char *word)
-{
-    for (int i = 1; i < argc; i++)
-        if (strcmp(argv[i], word) == 0)
-            return true;
-    return false;
-}
-
 int suite_command(int argc, char **argv, const struct suite_world *world)
 {
-    if (asks(argc, argv, "--help") || (argc > 1 && strcmp(argv[1], "help") == 0)) {
-        fputs(usage, world->out);
-        return 0;
-    }
-    if (argc > 1 && strcmp(argv[1], "--version") == 0) {
-        fprintf(world->out, "mpm-verify %s (%s)\n", mpm_build_info()->version,
-                mpm_build_info()->revision);
-        return 0;
-    }
-    size_t which = 0;
-    while (argc > 1 && which < G_N_ELEMENTS(commands) && strcmp(argv[1], commands[which].name) != 0)
-        which++;
-    if (argc < 2 || which == G_N_ELEMENTS(commands)) {
-        fprintf(world->err, "mpm-verify: %s%s\n%s", argc < 2 ? "no command" : "unknown command ",
-                argc < 2 ? "" : argv[1], usage);
-        return MPM_BAD_INPUT;
-    }
-    struct mpm_error error = {.status = MPM_OK};
-    struct command command = {.argc = argc, .argv = argv, .world = world};
-    const enum mpm_status status = dispatch(which, &command, &error);
-    if (status != MPM_OK)
-        fprintf(world->err, "mpm-verify: %s\n", error.message);
+    struct command command = {
+        .argc = argc, .argv = argv, .world = world, .options = {.jobs = JOBS_DEFAULT}};
+    struct command_options *const given = &command.options;
+    const struct command_option options[] = {
+        {TAKES_SELECTION, {"tier", 0, 0, G_OPTION_ARG_STRING, &given->tier, NULL, NULL}},
+        {TAKES_SELECTION, {"case", 0, 0, G_OPTION_ARG_STRING, &given->case_glob, NULL, NULL}},
+        {TAKES_SELECTION, {"variant", 0, 0, G_OPTION_ARG_STRING, &given->variant_glob, NULL, NULL}},
+        {TAKES_SELECTION, {"kernels", 0, 0, G_OPTION_ARG_STRING, &given->kernels, NULL, NULL}},
+        {TAKES_SELECTION, {"jobs", 0, 0, G_OPTION_ARG_INT, &given->jobs, NULL, NULL}},
+        {TAKES_OUTPUT, {"output", 0, 0, G_OPTION_ARG_FILENAME, &given->output, NULL, NULL}},
+        {TAKES_CATALOGUE,
+         {"catalogue", 0, 0, G_OPTION_ARG_FILENAME, &given->catalogue, NULL, NULL}},
+        {TAKES_TAG, {"tag", 0, 0, G_OPTION_ARG_STRING, &given->tag, NULL, NULL}},
+    };
+    const struct command_line line = {
+        .program = PROGRAM,
+        .usage = usage,
+        .commands = commands,
+        .command_count = G_N_ELEMENTS(commands),
+        .options = options,
+        .option_count = G_N_ELEMENTS(options),
+        .rest = &given->rest,
+        .out = world->out,
+        .err = world->err,
+    };
+    const enum mpm_status status = command_line_run(&line, argc, argv, &command);
+    options_clear(given);
     /* results that could not be written or drawn come before what they would say */
     return status == MPM_OK && command.checks_failed ? CHECKS_FAILED : (int)status;
 }

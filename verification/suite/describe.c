@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/commands.h"
+#include "verification/suite/methods.h"
 #include "verification/suite/resources.h"
 #include "verification/suite/text.h"
 
@@ -129,6 +130,8 @@ static void print_declaration(const struct explanation *explanation, const struc
                      explanation->records == NULL ? NULL : explanation->records->run);
     fprintf(out, "%s/%s/%s: %s\n", job->entry->file->name, check->name, job->variant->name,
             check->title);
+    if (job->variant->method != NULL)
+        fprintf(out, "  method     %s\n", job->variant->method->title);
     fprintf(out, "  quantity   %s, norm: %s\n", check->quantity, check->norm);
     fprintf(out, "  expected   %s\n", expected);
     fprintf(out, "  band       %s%s, from %s\n", good, band->weakness ? " for a good method" : "",
@@ -170,7 +173,7 @@ enum mpm_status command_explain(struct command *command, struct mpm_error *error
     const struct command_options *options = &command->options;
     TRY(command_catalogue(command, &catalogue, error));
     char *output = options->output != NULL ? g_strdup(options->output) : resources_output();
-    struct records records = {NULL, NULL};
+    struct records records = {.run = NULL};
     /* a folder that was named must be readable; the default one may not exist yet */
     enum mpm_status status = records_read(output, &records, error);
     const bool read = status == MPM_OK;

@@ -11,6 +11,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 struct measurement {
@@ -180,6 +181,13 @@ void measurement_work(struct measurement *measurement, uint64_t particle_steps)
     measurement->particle_steps += particle_steps;
 }
 
+double measurement_processor_seconds(void)
+{
+    struct timespec now = {0, 0};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
 bool measurement_is_name(const char *text)
 {
     for (const char *c = text; *c != '\0'; c++)
@@ -236,6 +244,9 @@ enum mpm_status measurement_run(const struct measurement_setup *setup, struct mp
     char *work = g_strdup_printf("%" G_GUINT64_FORMAT, (guint64)measurement.particle_steps);
     send_line(&measurement, row_line(ROW_WORK, "", work));
     g_free(work);
+    char *seconds = g_strdup_printf("%.3f", measurement_processor_seconds());
+    send_line(&measurement, row_line(ROW_PROCESSOR, "", seconds));
+    g_free(seconds);
     send_line(&measurement, row_line(ROW_END, "", ""));
     if (status == MPM_OK && measurement.write_error != 0)
         status = failure_set(error, MPM_ENVIRONMENT_FAILED, "results cannot be written: %s",

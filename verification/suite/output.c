@@ -11,8 +11,9 @@
 #include <unistd.h>
 
 static const char marker[] = ".mpm-verify";
-static const char *const top_names[] = {"checks.jsonl", "index.html", "summary.md", "junit.xml",
-                                        "results.tap",  "cases",      "style"};
+static const char *const top_names[] = {
+    "checks.jsonl", "measurements.jsonl", "index.html", "summary.md",
+    "junit.xml",    "results.tap",        "cases",      "style"};
 static const char *const style_names[] = {"style.gp", "report.css", "page.html"};
 static const char *const case_globs[] = {"rows-*.jsonl", "log-*.txt", "data-*.dat", "figure-*.svg",
                                          "index.html"};

@@ -1,7 +1,7 @@
 /* The output folder: what of it is ours, made ready for a run, and written whole or
  * not at all.
  *
- *     checks.jsonl   index.html   summary.md   junit.xml   results.tap
+ *     checks.jsonl   measurements.jsonl   index.html   summary.md   junit.xml   results.tap
  *     style/         style.gp, report.css, page.html
  *     cases/<case>/  index.html, figure-<name>.svg, and per variant rows-*.jsonl,
  *                    log-*.txt, data-*-<name>.dat

@@ -21,8 +21,9 @@ static void plan_variant(const struct catalogue_case *entry, const struct case_v
         if (globs_match(check->variants, check->variants_count, variant->name))
             g_array_append_val(checks, planned);
     }
-    /* A variant without checks runs for its data files if a figure needs them. */
-    bool needed = checks->len > before;
+    /* A variant without checks runs for its data files if a figure needs them, and a method
+     * for its numbers. */
+    bool needed = checks->len > before || variant->method != NULL;
     for (unsigned i = 0; i < entry->file->figures_count; i++)
         needed = needed || globs_match(entry->file->figures[i].needs,
                                        entry->file->figures[i].needs_count, variant->name);
@@ -58,6 +59,25 @@ enum mpm_status plan_make(const struct catalogue *catalogue, const struct plan_s
                        tier_name(selection->tier),
                        selection->case_glob == NULL ? "*" : selection->case_glob,
                        selection->variant_glob == NULL ? "*" : selection->variant_glob);
+}
+
+enum mpm_status plan_check_methods(const struct plan *plan, struct mpm_error *error)
+{
+    for (size_t i = 0; i < plan->job_count; i++) {
+        const struct case_variant *variant = plan->jobs[i].variant;
+        struct mpm_scene *scene = NULL;
+        struct mpm_error cause = {.status = MPM_OK};
+        if (variant->method == NULL)
+            continue;
+        const enum mpm_status status =
+            mpm_scene_read(plan->jobs[i].entry->scene_path, (const char *const *)variant->settings,
+                           variant->settings_count, &scene, &cause);
+        mpm_scene_free(scene);
+        if (status != MPM_OK)
+            return failure_set(error, status, "case %s: the scene refuses method %s: %s",
+                               plan->jobs[i].entry->file->name, variant->name, cause.message);
+    }
+    return MPM_OK;
 }
 
 void plan_clear(struct plan *plan)

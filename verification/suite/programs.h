@@ -118,4 +118,7 @@ void measurement_note(struct measurement *measurement, const char *format, ...)
 /* Adds to the particle-steps of this variant (shown, never judged). */
 void measurement_work(struct measurement *measurement, uint64_t particle_steps);
 
+/* Seconds of processor time, of all threads, that this process has used so far. */
+double measurement_processor_seconds(void);
+
 #endif

@@ -4,6 +4,7 @@
 #include "verification/suite/records.h"
 
 #include "verification/suite/machine.h"
+#include "verification/suite/methods.h"
 #include "verification/suite/rows.h"
 #include "verification/suite/schedule.h"
 
@@ -13,7 +14,7 @@
 
 /* A text that may hold any bytes (a log, a message) as JSON. Control characters go, since
  * no escape makes them legal in XML. */
-static json_t *text_of(const char *text)
+json_t *record_text_of(const char *text)
 {
     char *valid = g_utf8_make_valid(text, -1);
     for (char *c = valid; *c != '\0'; c++)
@@ -28,7 +29,7 @@ static json_t *texts_of(char *const *texts, unsigned count)
 {
     json_t *array = json_array();
     for (unsigned i = 0; i < count; i++)
-        json_array_append_new(array, text_of(texts[i]));
+        json_array_append_new(array, record_text_of(texts[i]));
     return array;
 }
 
@@ -46,13 +47,13 @@ json_t *record_check(const struct planned_job *job, const struct case_check *che
     const struct verdict *verdict = &judged->verdict;
     json_t *object = json_object();
     json_object_set_new(object, "kind", json_string("check"));
-    json_object_set_new(object, "family", text_of(job->entry->file->family));
-    json_object_set_new(object, "case", text_of(job->entry->file->name));
-    json_object_set_new(object, "check", text_of(check->name));
-    json_object_set_new(object, "variant", text_of(job->variant->name));
-    json_object_set_new(object, "quantity", text_of(check->quantity));
-    json_object_set_new(object, "unit", text_of(check->unit));
-    json_object_set_new(object, "norm", text_of(check->norm));
+    json_object_set_new(object, "family", record_text_of(job->entry->file->family));
+    json_object_set_new(object, "case", record_text_of(job->entry->file->name));
+    json_object_set_new(object, "check", record_text_of(check->name));
+    json_object_set_new(object, "variant", record_text_of(job->variant->name));
+    json_object_set_new(object, "quantity", record_text_of(check->quantity));
+    json_object_set_new(object, "unit", record_text_of(check->unit));
+    json_object_set_new(object, "norm", record_text_of(check->norm));
     json_object_set_new(object, "value", number_or_null(judged->has_value, judged->value));
     json_object_set_new(object, "expected", json_real(band->expected));
     json_object_set_new(object, "low", json_real(band->low));
@@ -61,12 +62,12 @@ json_t *record_check(const struct planned_job *job, const struct case_check *che
     json_object_set_new(object, "fails_high", number_or_null(band->weakness, band->fails_high));
     json_object_set_new(object, "margin", number_or_null(verdict->has_margin, verdict->margin));
     json_object_set_new(object, "status", json_string(verdict_status_name(verdict->status)));
-    json_object_set_new(object, "reason", text_of(verdict->reason));
+    json_object_set_new(object, "reason", record_text_of(verdict->reason));
     json_object_set_new(object, "seconds", json_real(seconds));
     json_object_set_new(object, "particle_steps", json_integer((json_int_t)judged->particle_steps));
-    json_object_set_new(object, "title", text_of(check->title));
+    json_object_set_new(object, "title", record_text_of(check->title));
     json_object_set_new(object, "basis", json_string(basis_name(check->basis)));
-    json_object_set_new(object, "why", text_of(check->why));
+    json_object_set_new(object, "why", record_text_of(check->why));
     json_object_set_new(object, "mutations", json_integer((json_int_t)judged->mutations));
     json_object_set_new(object, "mutations_red", json_integer((json_int_t)judged->mutations_red));
     return object;
@@ -113,9 +114,9 @@ static void add_rows(json_t *object, const char *text)
     for (unsigned i = 0; rows != NULL && i < rows->len; i++) {
         const struct row *row = &g_array_index(rows, struct row, i);
         if (row->kind == ROW_NOTE)
-            json_array_append_new(notes, text_of(row->text));
+            json_array_append_new(notes, record_text_of(row->text));
         else if (row->kind == ROW_VALUE)
-            json_object_set_new(values, row->name, text_of(row->text));
+            json_object_set_new(values, row->name, record_text_of(row->text));
         else if (row->kind == ROW_WORK)
             work = g_ascii_strtoull(row->text, NULL, 10);
     }
@@ -132,12 +133,16 @@ static json_t *variant_record(const struct planned_job *job, const struct job_re
     const struct case_variant *variant = job->variant;
     json_t *object = json_object();
     char *tail = log_tail(output, job);
-    json_object_set_new(object, "variant", text_of(variant->name));
+    json_object_set_new(object, "variant", record_text_of(variant->name));
     json_object_set_new(object, "tier", json_string(tier_name(variant->tier)));
+    if (variant->method != NULL) {
+        json_object_set_new(object, "group", record_text_of(variant->method->group));
+        json_object_set_new(object, "title", record_text_of(variant->method->title));
+    }
     json_object_set_new(object, "settings", texts_of(variant->settings, variant->settings_count));
     json_object_set_new(object, "outcome", json_string(outcome_word(result)));
     json_object_set_new(object, "seconds", json_real(result->seconds));
-    json_object_set_new(object, "log_tail", text_of(tail));
+    json_object_set_new(object, "log_tail", record_text_of(tail));
     add_rows(object, result->rows);
     g_free(tail);
     return object;
@@ -148,11 +153,11 @@ static json_t *variant_record(const struct planned_job *job, const struct job_re
 static json_t *figure_record(const struct case_figure *figure)
 {
     json_t *object = json_object();
-    json_object_set_new(object, "figure", text_of(figure->name));
-    json_object_set_new(object, "script", text_of(figure->script));
-    json_object_set_new(object, "title", text_of(figure->title));
-    json_object_set_new(object, "caption", text_of(figure->caption));
-    json_object_set_new(object, "reference", text_of(figure->reference));
+    json_object_set_new(object, "figure", record_text_of(figure->name));
+    json_object_set_new(object, "script", record_text_of(figure->script));
+    json_object_set_new(object, "title", record_text_of(figure->title));
+    json_object_set_new(object, "caption", record_text_of(figure->caption));
+    json_object_set_new(object, "reference", record_text_of(figure->reference));
     json_object_set_new(object, "needs", texts_of(figure->needs, figure->needs_count));
     return object;
 }
@@ -161,13 +166,13 @@ static json_t *case_record(const struct catalogue_case *entry)
 {
     const struct case_file *file = entry->file;
     json_t *object = json_object(), *figures = json_array();
-    json_object_set_new(object, "family", text_of(file->family));
-    json_object_set_new(object, "case", text_of(file->name));
-    json_object_set_new(object, "title", text_of(file->title));
-    json_object_set_new(object, "summary", text_of(file->summary));
+    json_object_set_new(object, "family", record_text_of(file->family));
+    json_object_set_new(object, "case", record_text_of(file->name));
+    json_object_set_new(object, "title", record_text_of(file->title));
+    json_object_set_new(object, "summary", record_text_of(file->summary));
     json_object_set_new(object, "tags", texts_of(file->tags, file->tags_count));
-    json_object_set_new(object, "program", text_of(file->program_name));
-    json_object_set_new(object, "readme", text_of(entry->readme));
+    json_object_set_new(object, "program", record_text_of(file->program_name));
+    json_object_set_new(object, "readme", record_text_of(entry->readme));
     for (unsigned i = 0; i < file->figures_count; i++)
         json_array_append_new(figures, figure_record(&file->figures[i]));
     json_object_set_new(object, "figures", figures);
@@ -194,7 +199,7 @@ static json_t *case_records(const struct plan *plan, const struct job_result *re
 
 static json_t *optional_text(const char *text)
 {
-    return text == NULL ? json_null() : text_of(text);
+    return text == NULL ? json_null() : record_text_of(text);
 }
 
 static json_t *run_record(const struct record_context *context)
@@ -205,22 +210,22 @@ static json_t *run_record(const struct record_context *context)
     json_t *run = json_object();
     json_object_set_new(run, "kind", json_string("run"));
     json_object_set_new(run, "format", json_integer(1));
-    json_object_set_new(run, "version", text_of(build->version));
-    json_object_set_new(run, "revision", text_of(build->revision));
-    json_object_set_new(run, "compiler", text_of(build->compiler));
-    json_object_set_new(run, "flags", text_of(build->flags));
-    json_object_set_new(run, "libraries", text_of(libraries));
-    json_object_set_new(run, "simd", text_of(build->simd));
-    json_object_set_new(run, "processor", text_of(processor));
+    json_object_set_new(run, "version", record_text_of(build->version));
+    json_object_set_new(run, "revision", record_text_of(build->revision));
+    json_object_set_new(run, "compiler", record_text_of(build->compiler));
+    json_object_set_new(run, "flags", record_text_of(build->flags));
+    json_object_set_new(run, "libraries", record_text_of(libraries));
+    json_object_set_new(run, "simd", record_text_of(build->simd));
+    json_object_set_new(run, "processor", record_text_of(processor));
     json_object_set_new(run, "processors", json_integer((json_int_t)machine_processor_count()));
-    json_object_set_new(run, "gnuplot", text_of(gnuplot));
+    json_object_set_new(run, "gnuplot", record_text_of(gnuplot));
     json_object_set_new(run, "tier", json_string(tier_name(context->selection->tier)));
     json_object_set_new(run, "case_glob", optional_text(context->selection->case_glob));
     json_object_set_new(run, "variant_glob", optional_text(context->selection->variant_glob));
     json_object_set_new(run, "kernels", json_string(mpm_kernels_name(context->kernels)));
     json_object_set_new(run, "jobs", json_integer((json_int_t)context->jobs));
-    json_object_set_new(run, "command", text_of(context->command));
-    json_object_set_new(run, "started", text_of(context->started));
+    json_object_set_new(run, "command", record_text_of(context->command));
+    json_object_set_new(run, "started", record_text_of(context->started));
     json_object_set_new(run, "seconds", json_real(context->seconds));
     g_free(processor);
     g_free(gnuplot);
@@ -231,7 +236,8 @@ static json_t *run_record(const struct record_context *context)
 struct records records_make(const struct plan *plan, const struct job_result *results,
                             const struct record_context *context)
 {
-    struct records records = {run_record(context), json_array()};
+    struct records records = {run_record(context), json_array(),
+                              measurement_records(plan, results)};
     json_object_set_new(records.run, "cases", case_records(plan, results, context->output));
     for (size_t i = 0; i < plan->check_count; i++) {
         const struct planned_check *planned = &plan->checks[i];
@@ -248,5 +254,6 @@ void records_clear(struct records *records)
 {
     json_decref(records->run);
     json_decref(records->checks);
-    *records = (struct records){NULL, NULL};
+    json_decref(records->measurements);
+    *records = (struct records){.run = NULL};
 }

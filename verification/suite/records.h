@@ -1,8 +1,15 @@
-/* Records: checks.jsonl, the one file that every report is rendered from.
+/* Records: checks.jsonl and measurements.jsonl, the files that every report is rendered
+ * from.
  *
  * The first line is an object of kind "run": provenance, what was selected, and for
  * each case its texts, figures and variants (time, work, notes, end of the log). Then
  * one object per declared check, in the order of the catalogue.
+ *
+ * measurements.jsonl holds every quantity that was reported, with a check or without: an
+ * object of kind "run" (version, revision, tier, start), then `family, case, variant,
+ * quantity, unit, value, reason` for each; the value is null with a reason if it is not
+ * finite or could not be determined. Quantities of every variant are `particle_steps`,
+ * `seconds` (of the wall clock) and `cpu_seconds`.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef VERIFICATION_SUITE_RECORDS_H
@@ -14,8 +21,9 @@
 #include <jansson.h>
 
 struct records {
-    json_t *run;    /* object */
-    json_t *checks; /* array of objects */
+    json_t *run;          /* object */
+    json_t *checks;       /* array of objects */
+    json_t *measurements; /* array of objects; NULL if the folder that was read has none */
 };
 
 struct record_context {
@@ -36,13 +44,16 @@ struct records records_make(const struct plan *plan, const struct job_result *re
 json_t *record_check(const struct planned_job *job, const struct case_check *check,
                      const struct check_verdict *judged, double seconds);
 
+/* The quantities of a finished run, as lines of measurements.jsonl. */
+json_t *measurement_records(const struct plan *plan, const struct job_result *results);
+
 void records_clear(struct records *records);
 
-/* Writes <folder>/checks.jsonl through a temporary file. */
+/* Writes <folder>/checks.jsonl and measurements.jsonl through temporary files. */
 enum mpm_status records_write(const char *folder, const struct records *records,
                               struct mpm_error *error);
 
-/* Reads it back. MPM_BAD_INPUT names file and line. */
+/* Reads them back. MPM_BAD_INPUT names file and line. */
 enum mpm_status records_read(const char *folder, struct records *records, struct mpm_error *error);
 
 /* ------------------------------------------------------------------- access */
@@ -58,6 +69,9 @@ struct record_counts {
     size_t total;
     size_t mutations, mutations_red;
 };
+
+/* A text that may hold any bytes, as JSON; control characters become '?'. */
+json_t *record_text_of(const char *text);
 
 /* Counts the checks of a family and case (NULL: of all). */
 struct record_counts records_count(const struct records *records, const char *family,

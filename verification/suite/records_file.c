@@ -19,15 +19,32 @@ static void append_line(GString *text, const json_t *object)
     free(line);
 }
 
+static enum mpm_status write_lines(const char *folder, const char *name, const json_t *run,
+                                   const json_t *lines, struct mpm_error *error)
+{
+    GString *text = g_string_new(NULL);
+    append_line(text, run);
+    for (size_t i = 0; i < json_array_size(lines); i++)
+        append_line(text, json_array_get(lines, i));
+    const enum mpm_status status = output_write(folder, name, text->str, error);
+    g_string_free(text, TRUE);
+    return status;
+}
+
+static const char checks_name[] = "checks.jsonl", measurements_name[] = "measurements.jsonl";
+
 enum mpm_status records_write(const char *folder, const struct records *records,
                               struct mpm_error *error)
 {
-    GString *text = g_string_new(NULL);
-    append_line(text, records->run);
-    for (size_t i = 0; i < json_array_size(records->checks); i++)
-        append_line(text, json_array_get(records->checks, i));
-    const enum mpm_status status = output_write(folder, "checks.jsonl", text->str, error);
-    g_string_free(text, TRUE);
+    static const char *const keys[] = {"kind", "format", "version", "revision", "tier", "started"};
+    json_t *run = json_object();
+    for (size_t i = 0; i < G_N_ELEMENTS(keys); i++)
+        json_object_set(run, keys[i], json_object_get(records->run, keys[i]));
+    enum mpm_status status =
+        write_lines(folder, measurements_name, run, records->measurements, error);
+    json_decref(run);
+    if (status == MPM_OK)
+        status = write_lines(folder, checks_name, records->run, records->checks, error);
     return status;
 }
 
@@ -72,11 +89,46 @@ static bool is_check(const json_t *object)
            record_status(object) != VERDICT_STATUS_COUNT;
 }
 
+static bool is_measured_run(const json_t *object)
+{
+    return strcmp(record_text(object, "kind"), "run") == 0;
+}
+
+static bool is_measurement(const json_t *object)
+{
+    static const char *const keys[] = {"family", "case", "variant", "quantity", "unit", "reason"};
+    const json_t *value = json_object_get(object, "value");
+    return has_texts(object, keys, G_N_ELEMENTS(keys)) &&
+           (json_is_number(value) || json_is_null(value));
+}
+
+/* A folder may hold the checks alone. */
+static enum mpm_status read_measurements(const char *folder, struct records *records,
+                                         struct mpm_error *error)
+{
+    static const struct result_format format = {measurements_name, "mpm-verify run",
+                                                "record of a measurement", is_measured_run,
+                                                is_measurement};
+    char *path = g_build_filename(folder, measurements_name, NULL);
+    const bool there = g_file_test(path, G_FILE_TEST_EXISTS);
+    json_t *run = NULL;
+    g_free(path);
+    const enum mpm_status status =
+        there ? result_lines_read(folder, &format, &run, &records->measurements, error) : MPM_OK;
+    json_decref(run);
+    return status;
+}
+
 enum mpm_status records_read(const char *folder, struct records *records, struct mpm_error *error)
 {
-    static const struct result_format format = {"checks.jsonl", "mpm-verify run",
-                                                "record of a check", is_run, is_check};
-    return result_lines_read(folder, &format, &records->run, &records->checks, error);
+    static const struct result_format format = {checks_name, "mpm-verify run", "record of a check",
+                                                is_run, is_check};
+    *records = (struct records){.run = NULL};
+    TRY(result_lines_read(folder, &format, &records->run, &records->checks, error));
+    const enum mpm_status status = read_measurements(folder, records, error);
+    if (status != MPM_OK)
+        records_clear(records);
+    return status;
 }
 
 /* ------------------------------------------------------------------- access */

@@ -15,6 +15,7 @@ enum row_kind {
     ROW_SKIP,         /* text: why */
     ROW_NOTE,         /* text */
     ROW_WORK,         /* text: particle-steps */
+    ROW_PROCESSOR,    /* text: seconds of processor time */
     ROW_SERIES,       /* name: the file's name */
     ROW_FAILURE,      /* text: the program's error message */
     ROW_END,          /* the program returned; without it the text is cut short */

@@ -83,7 +83,9 @@ enum mpm_status suite_run(const struct run_options *options, struct program_tabl
     enum mpm_status status = plan_make(catalogue, &options->selection, &plan, error);
     int lock = -1;
     if (status == MPM_OK) {
-        status = output_prepare(options->output, options->reports, &plan, &lock, error);
+        status = plan_check_methods(&plan, error);
+        if (status == MPM_OK)
+            status = output_prepare(options->output, options->reports, &plan, &lock, error);
         if (status == MPM_OK)
             status = run_plan(options, &plan, console, counts, error);
         output_release(lock);

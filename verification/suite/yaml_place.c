@@ -3,7 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/yaml_place.h"
 
+#include "verification/suite/failure.h"
+
 #include <glib.h>
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -81,4 +84,17 @@ unsigned yaml_place_scalar(const char *file, const char *text, unsigned line, un
     }
     yaml_document_delete(&document);
     return found;
+}
+
+enum mpm_status yaml_refuse(const char *file, struct mpm_error *error, const char *place,
+                            const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    char *text = g_strdup_vprintf(format, arguments);
+    va_end(arguments);
+    failure_set(error, MPM_BAD_INPUT, "%s:%u: %s: %s", file, yaml_place_line(file, place), place,
+                text);
+    g_free(text);
+    return MPM_BAD_INPUT;
 }
