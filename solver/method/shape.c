@@ -2,10 +2,8 @@
 #include "method/shape.h"
 
 static const struct mpm_shape_family *const families[] = {
-    [MPM_CLASSIC] = &mpm_shape_classic,
-    [MPM_UGIMP] = &mpm_shape_ugimp,
-    [MPM_CPDI] = &mpm_shape_cpdi,
-    [MPM_BSPLINE2] = &mpm_shape_bspline2,
+    [MPM_CLASSIC] = &mpm_shape_classic,   [MPM_UGIMP] = &mpm_shape_ugimp,
+    [MPM_CPDI] = &mpm_shape_cpdi,         [MPM_BSPLINE2] = &mpm_shape_bspline2,
     [MPM_BSPLINE3] = &mpm_shape_bspline3,
 };
 

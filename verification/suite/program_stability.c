@@ -32,9 +32,8 @@ struct study {
     double tolerance;              /* of the bisection */
     const struct problem *problem; /* the one at hand */
     size_t tested;                 /* runs of it so far: the ladder comes first */
-    double rows[PROBLEMS_MAX * RUNGS_MAX * COLUMNS];
-    size_t row_count;
     double limits[PROBLEMS_MAX * COLUMNS];
+    double ladder[RUNGS_MAX * 2]; /* each rung, and how many problems it keeps bounded */
 };
 
 /* --------------------------------------------------------------------- parameters */
@@ -138,13 +137,11 @@ static enum mpm_status test_courant(void *context, double courant, bool *stable,
     if (status == MPM_OK) {
         measurement_work(study->measurement, mpm_simulation_step(simulation) *
                                                  mpm_simulation_particle_count(simulation));
-        if (study->tested++ < study->rung_count) {
-            double *const row = &study->rows[COLUMNS * study->row_count++];
-            row[0] = (double)(problem - study->problems);
-            row[1] = problem->amplitude;
-            row[2] = courant;
-            row[3] = *stable ? 1.0 : 0.0;
+        if (study->tested < study->rung_count) {
+            study->ladder[2 * study->tested] = courant;
+            study->ladder[2 * study->tested + 1] += *stable ? 1.0 : 0.0;
         }
+        study->tested++;
     }
     mpm_simulation_free(simulation);
     mpm_scene_free(scene);
@@ -232,8 +229,8 @@ static enum mpm_status map(struct study *study, struct mpm_error *error)
         TRY(report_theory(study, first, error));
     TRY(measurement_series(m, "limits", "problem amplitude stable unstable", COLUMNS,
                            study->problem_count, study->limits, error));
-    return measurement_series(m, "map", "problem amplitude courant stable", COLUMNS,
-                              study->row_count, study->rows, error);
+    return measurement_series(m, "ladder", "courant problems", 2, study->rung_count, study->ladder,
+                              error);
 }
 
 static enum mpm_status run(struct measurement *measurement, struct mpm_error *error)
