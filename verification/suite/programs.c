@@ -13,7 +13,8 @@
     PROGRAM(compression)                                                                           \
     PROGRAM(energy)                                                                                \
     PROGRAM(carried)                                                                               \
-    PROGRAM(stability)
+    PROGRAM(stability)                                                                             \
+    PROGRAM(extremes)
 
 #define PROGRAM(name) extern const struct measure_program program_##name;
 PROGRAMS
