@@ -171,8 +171,11 @@ struct mpm_ledger {
     uint64_t step;
     double mass;
     double momentum[2];
-    double angular_momentum; /* about the origin; 0 in axisymmetry */
-    double kinetic_energy;
+    /* About the origin; 0 in axisymmetry. With transfer apic the sum over particles of
+     * m_p (x_p cross v_p + B_yx - B_xy), the affine part's own included: what the next step
+     * hands to the grid. */
+    double angular_momentum;
+    double kinetic_energy; /* sum of m_p v_p^2 / 2; an affine part has none in it */
     double strain_energy;
     double external_work; /* by body forces, boundaries and rigid bodies since t = 0 */
     double total_energy;  /* kinetic + strain */

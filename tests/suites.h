@@ -16,6 +16,7 @@
     SUITE(scene)                                                                                   \
     SUITE(properties)                                                                              \
     SUITE(guard)                                                                                   \
+    SUITE(transfers)                                                                               \
     SUITE(loads)                                                                                   \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \

@@ -33,6 +33,9 @@ static const struct failing failing[] = {
      {"time={end: 100, courant: 5, allow_unstable: true}"},
      {"unstable at step", "particle"}},
     {"a huge load", {"loads={body_force: [0, -1e6]}"}, {"step", "particle", "(body 'bar')"}},
+    {"a huge load that varies in space, for an affine transfer",
+     {"loads={body_force: ['0*x', -1e6]}", "method.transfer.kind=apic"},
+     {"step", "particle", "(body 'bar')"}},
     {"a body that flies off", {"bodies.bar.velocity=[4, 0]"}, {"left the grid: x = 24", "0 to 24"}},
     {"a body crushed by a rigid one",
      {"bodies.0.velocity=[-20, 0]", "boundary=[{region: {line: {from: [8, 0], to: [8, 6]}}, "

@@ -21,7 +21,13 @@ static const struct geometry {
     {"axisymmetric", "method.axis=truncated", true, true},
     {"axisymmetric", "method.axis=untruncated", true, false},
 };
-static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
+static const struct order {
+    const char *name, *setting; /* setting: one more, or NULL */
+} orders[] = {{"usl", NULL},
+              {"musl", NULL},
+              {"usf", NULL},
+              {"usavg", NULL},
+              {"usavg", "method.extrapolate=false"}};
 /* of the two materials */
 static const char *const laws[][2] = {{"neo_hookean", "neo_hookean"},
                                       {"linear_elastic", "linear_elastic"},
@@ -67,6 +73,11 @@ static void settings_clear(struct settings *settings)
     *settings = (struct settings){.count = 0};
 }
 
+static const struct order *order_of(int combination)
+{
+    return &orders[combination / SHAPES / GEOMETRIES];
+}
+
 /* Family, geometry and order number `index`. */
 static const struct geometry *add_combination(struct settings *settings, int index)
 {
@@ -75,7 +86,10 @@ static const struct geometry *add_combination(struct settings *settings, int ind
     add_formatted(settings, "geometry=%s", geometry->name);
     if (geometry->setting != NULL)
         add(settings, geometry->setting);
-    add_formatted(settings, "method.stress_update=%s", orders[index / SHAPES / GEOMETRIES]);
+    const struct order *const order = order_of(index);
+    add_formatted(settings, "method.stress_update=%s", order->name);
+    if (order->setting != NULL)
+        add(settings, order->setting);
     return geometry;
 }
 
@@ -145,13 +159,15 @@ static void check_pair(const struct kernel_pair *pair, const char *text,
                  noise_after(text, settings, mpm_simulation_step(pair->simulation[0])), found);
 }
 
-/* USL makes any round-off grow without bound where nodes of little mass are: at the edges of
- * bodies with classic functions, and at r < 0, where untruncated domains leave a mass that is a
- * small difference. There, two codes can be compared for a few steps only. */
+/* USL, and USAVG without re-extrapolation, make any round-off grow without bound where nodes of
+ * little mass are: at the edges of bodies with classic functions, and at r < 0, where untruncated
+ * domains leave a mass that is a small difference. There, two codes can be compared for a few
+ * steps only. */
 static bool amplifies_round_off(int combination)
 {
     const struct geometry *geometry = &geometries[combination / SHAPES % GEOMETRIES];
-    return strcmp(orders[combination / SHAPES / GEOMETRIES], "usl") == 0 &&
+    return (strcmp(order_of(combination)->name, "usl") == 0 ||
+            order_of(combination)->setting != NULL) &&
            (strcmp(shapes[combination % SHAPES], "classic") == 0 ||
             (geometry->axisymmetric && !geometry->hoop));
 }
@@ -216,14 +232,22 @@ static const char *const crowd_velocities[] = {
     "bodies.five.velocity=['0.1*sin(60*X)', '-0.1']",
 };
 
-/* What a scene may have besides; each bit of `chosen` is one. */
-static void add_features(struct settings *settings, unsigned chosen,
+/* Ways from the grid to the particles that fast kernels have; NULL: as it is. */
+static const char *const exchanges[] = {
+    "method.transfer={kind: flip, fraction: 0.95}",
+    "method.transfer={kind: pic}",
+    "method.transfer={kind: xpic, order: 3}",
+    "method.transfer={kind: fmpm, order: 2}",
+};
+
+/* What a scene may have besides; each bit of `chosen` is one, and `exchange` which of them. */
+static void add_features(struct settings *settings, unsigned chosen, unsigned exchange,
                          const struct geometry *geometry)
 {
     if ((chosen & 1u) != 0)
         add(settings, "method.position_update=midpoint");
     if ((chosen & 2u) != 0)
-        add(settings, "method.transfer={kind: flip, fraction: 0.95}");
+        add(settings, exchanges[exchange % G_N_ELEMENTS(exchanges)]);
     if ((chosen & 4u) != 0)
         add_translated(settings, "loads={body_force: ['0.02*sin(X+t)', -0.03]}", geometry);
     if ((chosen & 8u) != 0)
@@ -248,7 +272,7 @@ START_TEST(both_kernels_agree_on_every_combination)
                 add_translated(&settings, crowd_velocities[i], geometry);
             add_formatted(&settings, "materials.soft.law=%s", laws[law][0]);
             add_formatted(&settings, "materials.heavy.law=%s", laws[law][1]);
-            add_features(&settings, chosen, geometry);
+            add_features(&settings, chosen, (unsigned)_i + law + (unsigned)_i / SHAPES, geometry);
             ck_assert(run_pair(_i, CROWD, &settings) > 0.01);
             settings_clear(&settings);
         }
@@ -432,9 +456,11 @@ static void fail_alike(int combination, const struct failing *failing_scene)
     settings_clear(&settings);
 }
 
+/* Without re-extrapolation a rounding error comes to more than the bound on the way there. */
 START_TEST(both_kernels_fail_alike)
 {
-    for (size_t k = 0; k < G_N_ELEMENTS(failing) && !amplifies_round_off(_i); k++)
+    const bool comparable = !amplifies_round_off(_i) && order_of(_i)->setting == NULL;
+    for (size_t k = 0; k < G_N_ELEMENTS(failing) && comparable; k++)
         fail_alike(_i, &failing[k]);
     if (strcmp(shapes[_i % SHAPES], "cpdi") == 0)
         fail_alike(_i, &growing);

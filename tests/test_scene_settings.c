@@ -125,7 +125,7 @@ static const struct {
 } mistakes[] = {
     {"grid.cell.0=0", "--set \"grid.cell.0=0\": grid.cell.0: out of range, got \"0\"; allowed: "},
     {"time.courant=5", "--set \"time.courant=5\": time.courant: out of range, got 5; allowed: "},
-    {"method.shape=bspline2", "method.shape: unknown choice, got \"bspline2\"; allowed: classic"},
+    {"method.shape=bspline4", "method.shape: unknown choice, got \"bspline4\"; allowed: classic"},
     {"method.axis=truncated", "method.axis: not for this geometry"},
     {"bodies.0.velocity.0=q", "bodies.0.velocity.0: \"q\": column 1: Unexpected token \"q\""},
     {"bodies.0.material=steel", "bodies.0.material: no such material, got \"steel\""},

@@ -126,16 +126,14 @@ static enum mpm_status build_method(const struct mpm_reading *reading)
     const struct mpm_raw_method *raw = reading->raw->method;
     scene->shape = (enum mpm_shape)raw->shape;
     scene->axis = (enum mpm_axis)raw->axis;
-    scene->stress_update = (enum mpm_stress_update)raw->stress_update;
     scene->position_update = (enum mpm_position_update)raw->position_update;
     scene->radius_update = (enum mpm_radius_update)raw->radius_update;
-    scene->flip_fraction = mpm_raw_double(raw->transfer->fraction);
     scene->deformation_terms = (int)raw->deformation_terms;
     if (scene->radius_update == MPM_RADIUS_HOOP && scene->axis == MPM_UNTRUNCATED)
         return mpm_reading_fault(reading, "method.radius_update",
                                  "hoop must not be combined with axis: untruncated; allowed: "
                                  "hoop with truncated, or shape");
-    return MPM_OK;
+    return mpm_build_transfer(reading);
 }
 
 static enum mpm_status build_output(const struct mpm_reading *reading)

@@ -21,6 +21,8 @@ struct mpm_reading {
 /* Each fills its part of reading->scene, in this order; what a failure leaves behind is
  * freed with the scene. */
 enum mpm_status mpm_build_general(const struct mpm_reading *reading);
+/* A part of it: stress update, form and transfer. */
+enum mpm_status mpm_build_transfer(const struct mpm_reading *reading);
 enum mpm_status mpm_build_materials(const struct mpm_reading *reading);
 enum mpm_status mpm_build_bodies(const struct mpm_reading *reading);
 enum mpm_status mpm_build_boundaries(const struct mpm_reading *reading);

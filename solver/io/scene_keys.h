@@ -49,13 +49,16 @@
     C("shape", MPM_RADIUS_SHAPE)                                                                   \
     C("hoop", MPM_RADIUS_HOOP)
 
-enum mpm_transfer_kind { MPM_TRANSFER_FLIP };
+#define CHOICES_transfer_kind(C)                                                                   \
+    C("flip", MPM_TRANSFER_FLIP)                                                                   \
+    C("pic", MPM_TRANSFER_PIC)                                                                     \
+    C("xpic", MPM_TRANSFER_XPIC)                                                                   \
+    C("fmpm", MPM_TRANSFER_FMPM)                                                                   \
+    C("apic", MPM_TRANSFER_APIC)
 
-#define CHOICES_transfer_kind(C) C("flip", MPM_TRANSFER_FLIP)
-
-enum mpm_form { MPM_FORM_VELOCITY };
-
-#define CHOICES_form(C) C("velocity", MPM_FORM_VELOCITY)
+#define CHOICES_form(C)                                                                            \
+    C("velocity", MPM_FORM_VELOCITY)                                                               \
+    C("momentum", MPM_FORM_MOMENTUM)
 
 /* NOLINTEND(readability-identifier-naming) */
 
@@ -104,7 +107,9 @@ enum mpm_form { MPM_FORM_VELOCITY };
     X(S, CHOICE, kind, transfer_kind, ANYWHERE, OPTIONAL, "", "flip", ANY,                         \
       "how particle velocities follow the grid")                                                   \
     X(S, ONE, fraction, NUMBER, ANYWHERE, OPTIONAL, "", "1", ABOVE_TO(0, 1),                       \
-      "share of FLIP; the rest takes the grid's velocity")
+      "flip: share of FLIP; the rest takes the grid's velocity")                                   \
+    X(S, ONE, order, INTEGER, ANYWHERE, OPTIONAL, "", NULL, FROM_TO(1, 100),                       \
+      "xpic and fmpm: their order, which must be given; 1 is PIC, each more costs two passes over the particles")
 
 #define KEYS_method(X, S)                                                                          \
     X(S, CHOICE, shape, shape, ANYWHERE, OPTIONAL, "", "ugimp", ANY, "shape functions")            \
@@ -112,12 +117,16 @@ enum mpm_form { MPM_FORM_VELOCITY };
       "are particle domains cut off at r = 0")                                                     \
     X(S, CHOICE, stress_update, stress_update, ANYWHERE, OPTIONAL, "", "musl", ANY,                \
       "where in the step stresses are updated")                                                    \
+    X(S, ONE, extrapolate, BOOLEAN, ANYWHERE, OPTIONAL, "", NULL, ANY,                             \
+      "extrapolate the updated particles' momentum again for the last stress update: usavg with "  \
+      "or without, musl always, usl and usf never")                                                \
     X(S, CHOICE, position_update, position_update, ANYWHERE, OPTIONAL, "", "grid_velocity", ANY,   \
       "how particles move")                                                                        \
     X(S, CHOICE, radius_update, radius_update, AXISYMMETRIC, OPTIONAL, "", "shape", ANY,           \
       "how r moves: with S, or with the hoop strain's T (only axis: truncated)")                   \
     X(S, CHOICE, form, form, ANYWHERE, OPTIONAL, "", "velocity", ANY,                              \
-      "what the grid carries in the particle updates")                                             \
+      "what the particles' updates take from the grid: velocities, or momenta over the mass that " \
+      "the nodes have at the particle; momentum with flip and pic")                                \
     X(S, GROUP, transfer, transfer, ANYWHERE, OPTIONAL, "", "{}", ANY, "grid to particle velocities") \
     X(S, ONE, deformation_terms, INTEGER, ANYWHERE, OPTIONAL, "", "2", FROM_TO(1, 20),             \
       "terms of the series for the deformation increment exp(dt grad v)")

@@ -184,6 +184,7 @@ static const char *const velocity_against_stress[] = {
     [MPM_MUSL] = "velocity is half a time step behind deformation_gradient and stress",
     [MPM_USF] = "velocity is half a time step ahead of deformation_gradient and stress",
     [MPM_USAVG] = "velocity, deformation_gradient and stress are at one instant",
+    [MPM_USAVG_ONCE] = "velocity, deformation_gradient and stress are at one instant",
 };
 static const char *const position_against_velocity[] = {
     [MPM_GRID_VELOCITY] = "position is half a time step ahead of velocity",

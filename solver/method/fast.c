@@ -45,6 +45,10 @@ const char *mpm_fast_lacks(const struct mpm_scene *scene)
         return "there are no fast kernels for this method.shape";
     if (scene->axis == MPM_PLANAR)
         return "there are no fast kernels for method.axis: planar";
+    if (scene->transfer == MPM_TRANSFER_APIC)
+        return "there are no fast kernels for method.transfer: apic";
+    if (scene->form == MPM_FORM_MOMENTUM)
+        return "there are no fast kernels for method.form: momentum";
     return NULL;
 }
 

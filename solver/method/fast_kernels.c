@@ -97,6 +97,14 @@ MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_stat
     sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
 }
 
+MPM_INLINE void pass_smooth(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
+{
+    struct fast_sums sums;
+    struct mpm_state view = *state; /* of the same strips, particles and sums */
+    view.grid.motion = state->grid.smoothed;
+    run_strip(spec, &view, strip, 0.0, false, &sums, block_smooth);
+}
+
 MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state *state,
                                   int64_t strip)
 {
@@ -129,7 +137,9 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
 /* Passes that know of axisymmetry only */
 #define SPREAD(plane, ...)                                                                         \
     KERNEL(pass_to_grid, plane##_momentum_force, .momentum = true, .force = true, __VA_ARGS__)     \
-    KERNEL(pass_to_grid, plane##_momentum, .momentum = true, .kept_domain = true, __VA_ARGS__)
+    KERNEL(pass_to_grid, plane##_momentum, .momentum = true, .kept_domain = true, __VA_ARGS__)     \
+    KERNEL(pass_smooth, plane##_smooth, __VA_ARGS__)                                               \
+    KERNEL(pass_smooth, plane##_smooth_kept, .kept_domain = true, __VA_ARGS__)
 
 /* Passes that know how r moves */
 #define EXTRAPOLATE(way, ...)                                                                      \
@@ -141,19 +151,29 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
     KERNEL(pass_stress_before, geometry##_stress_force, .force = true, .kept_domain = true,        \
            __VA_ARGS__)                                                                            \
     KERNEL(pass_finish, geometry##_velocity_stress, .velocity = true, .stress = true, __VA_ARGS__) \
+    KERNEL(pass_finish, geometry##_velocity_stress_kept, .velocity = true, .stress = true,         \
+           .kept_domain = true, __VA_ARGS__)                                                       \
     KERNEL(pass_finish, geometry##_stress, .stress = true, __VA_ARGS__)                            \
     KERNEL(pass_finish, geometry##_stress_kept, .stress = true, .kept_domain = true, __VA_ARGS__)  \
     KERNEL(pass_finish, geometry##_velocity, .velocity = true, .kept_domain = true, __VA_ARGS__)
 
+#define STEP(first, before, back, last, smooth)                                                    \
+    {                                                                                              \
+        first, before, back, last, recompute, smooth                                               \
+    }
+
 #define ORDERS(plane, way, geometry)                                                               \
     {                                                                                              \
-        [MPM_USL] = {plane##_momentum_force, NULL, NULL, geometry##_velocity_stress, recompute},   \
-        [MPM_MUSL] = {plane##_momentum_force, NULL, way##_extrapolate, geometry##_stress,          \
-                      recompute},                                                                  \
-        [MPM_USF] = {plane##_momentum, geometry##_stress_force, NULL, geometry##_velocity,         \
-                     recompute},                                                                   \
-        [MPM_USAVG] = {plane##_momentum, geometry##_stress_force, way##_extrapolate_kept,          \
-                       geometry##_stress_kept, recompute},                                         \
+        [MPM_USL] =                                                                                \
+            STEP(plane##_momentum_force, NULL, NULL, geometry##_velocity_stress, plane##_smooth),  \
+        [MPM_MUSL] = STEP(plane##_momentum_force, NULL, way##_extrapolate, geometry##_stress,      \
+                          plane##_smooth),                                                         \
+        [MPM_USF] = STEP(plane##_momentum, geometry##_stress_force, NULL, geometry##_velocity,     \
+                         plane##_smooth_kept),                                                     \
+        [MPM_USAVG] = STEP(plane##_momentum, geometry##_stress_force, way##_extrapolate_kept,      \
+                           geometry##_stress_kept, plane##_smooth_kept),                           \
+        [MPM_USAVG_ONCE] = STEP(plane##_momentum, geometry##_stress_force, NULL,                   \
+                                geometry##_velocity_stress_kept, plane##_smooth_kept),             \
     }
 
 SPREAD(planar, .axisymmetric = false)

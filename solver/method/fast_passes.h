@@ -312,6 +312,26 @@ MPM_INLINE void move_vector(const struct fast_spec *spec, const struct fast_bloc
         mpm_store(block->particles->carried[axis] + p, next[axis]);
 }
 
+/* m_p S w, for w in the place of the motion; see smoothing.h */
+MPM_INLINE void block_smooth(const struct fast_spec *spec, enum fast_law law,
+                             const struct fast_block *block)
+{
+    union fast_stencil stencil[MPM_BLOCK_VECTORS];
+    mpm_vector momentum[MPM_BLOCK_VECTORS][2];
+    (void)law;
+    evaluate_block(spec, block, stencil);
+    FOR_VECTORS(block, p, v)
+    {
+        const mpm_vector mass = mpm_load(block->particles->mass + p);
+        mpm_vector motion[4], hoop[4];
+        gather_motion(spec, block->k, &stencil[v], false, motion, hoop);
+        for (int axis = 0; axis < 2; axis++)
+            momentum[v][axis] = mass * motion[axis];
+    }
+    FOR_VECTORS(block, p, v)
+    spread_momentum(spec, block->k, &stencil[v], momentum[v]);
+}
+
 /* Task 5, velocities, and (31) */
 MPM_INLINE void block_to_particles(const struct fast_spec *spec, enum fast_law law,
                                    const struct fast_block *block)

@@ -28,35 +28,10 @@ void mpm_grid_find_active(struct mpm_state *state)
     }
 }
 
-/* The active nodes of a row: indices first..end - 1. */
-struct span {
-    int64_t first, end;
-};
-
-static struct span span_of(const struct mpm_state *state, int64_t row)
-{
-    const int64_t start = row * state->grid.columns;
-    if (state->row_low[row] > state->row_high[row])
-        return (struct span){start, start};
-    return (struct span){start + state->row_low[row], start + state->row_high[row] + 1};
-}
-
-/* 1 / m_i; 0 for a node without mass, so that it has no motion. */
-static inline double inverse_mass(double mass)
-{
-    return mass == 0.0 ? 0.0 : 1.0 / mass;
-}
-
-static inline void set_gradient(const struct mpm_grid *grid, int64_t node, const double v[2])
-{
-    for (int axis = 0; axis < 2; axis++)
-        grid->gradient[node][axis][0] = grid->gradient[node][axis][1] = v[axis];
-}
-
 void mpm_row_clear(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
-    const struct span span = span_of(state, row);
+    const struct mpm_row_span span = mpm_row_span(state, row);
     const size_t count = (size_t)(span.end - span.first);
     (void)worker;
     memset(state->grid.mass + span.first, 0, count * sizeof *state->grid.mass);
@@ -67,15 +42,15 @@ void mpm_row_start_velocity(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
     const struct mpm_grid *const grid = &state->grid;
-    const struct span span = span_of(state, row);
+    const struct mpm_row_span span = mpm_row_span(state, row);
     const bool stress_before = state->order->before > 0.0; /* else nobody asks yet */
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++) {
-        const double inverse = inverse_mass(grid->mass[node]);
+        const double inverse = mpm_inverse_mass(grid->mass[node]);
         for (int axis = 0; axis < 2; axis++)
             grid->start[node][axis] = grid->sum[node][axis].momentum * inverse;
         if (stress_before)
-            set_gradient(grid, node, grid->start[node]);
+            mpm_node_set_gradient(grid, node, grid->start[node]);
     }
 }
 
@@ -83,10 +58,10 @@ static inline void update_row(const struct mpm_state *state, int64_t row, bool b
 {
     static const double nothing_yet[2] = {0.0, 0.0};
     const struct mpm_grid *const grid = &state->grid;
-    const struct span span = span_of(state, row);
+    const struct mpm_row_span span = mpm_row_span(state, row);
     const bool extrapolate = state->order->extrapolate;
     for (int64_t node = span.first; node < span.end; node++) {
-        const double inverse = inverse_mass(grid->mass[node]);
+        const double inverse = mpm_inverse_mass(grid->mass[node]);
         struct mpm_node_motion *const motion = &grid->motion[node];
         for (int axis = 0; axis < 2; axis++) {
             if (body_force) /* stays in the sum: reactions at conditions are told from it */
@@ -95,7 +70,7 @@ static inline void update_row(const struct mpm_state *state, int64_t row, bool b
             motion->end[axis] =
                 grid->start[node][axis] + state->time_step * motion->acceleration[axis];
         }
-        set_gradient(grid, node, extrapolate ? nothing_yet : motion->end);
+        mpm_node_set_gradient(grid, node, extrapolate ? nothing_yet : motion->end);
     }
 }
 
@@ -115,7 +90,7 @@ void mpm_row_flip_fraction(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
     const struct mpm_grid *const grid = &state->grid;
-    const struct span span = span_of(state, row);
+    const struct mpm_row_span span = mpm_row_span(state, row);
     const double rate = (1.0 - state->scene->flip_fraction) / state->time_step;
     const double back =
         state->scene->position_update == MPM_MIDPOINT ? 0.5 * state->time_step : 0.0;
@@ -132,7 +107,7 @@ void mpm_row_momentum(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
     const struct mpm_grid *const grid = &state->grid;
-    const struct span span = span_of(state, row);
+    const struct mpm_row_span span = mpm_row_span(state, row);
     double sum[2] = {0.0, 0.0};
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++)
@@ -147,12 +122,12 @@ void mpm_row_extrapolated_velocity(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
     const struct mpm_grid *const grid = &state->grid;
-    const struct span span = span_of(state, row);
+    const struct mpm_row_span span = mpm_row_span(state, row);
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++) {
-        const double inverse = inverse_mass(grid->mass[node]);
+        const double inverse = mpm_inverse_mass(grid->mass[node]);
         const double velocity[2] = {grid->gradient[node][0][0] * inverse,
                                     grid->gradient[node][1][0] * inverse};
-        set_gradient(grid, node, velocity);
+        mpm_node_set_gradient(grid, node, velocity);
     }
 }

@@ -6,6 +6,32 @@
 
 #include "method/state.h"
 
+/* The active nodes of a row: indices first..end - 1. */
+struct mpm_row_span {
+    int64_t first, end;
+};
+
+static inline struct mpm_row_span mpm_row_span(const struct mpm_state *state, int64_t row)
+{
+    const int64_t start = row * state->grid.columns;
+    if (state->row_low[row] > state->row_high[row])
+        return (struct mpm_row_span){start, start};
+    return (struct mpm_row_span){start + state->row_low[row], start + state->row_high[row] + 1};
+}
+
+/* 1 / m_i; 0 for a node without mass, so that it has no motion. */
+static inline double mpm_inverse_mass(double mass)
+{
+    return mass == 0.0 ? 0.0 : 1.0 / mass;
+}
+
+static inline void mpm_node_set_gradient(const struct mpm_grid *grid, int64_t node,
+                                         const double v[2])
+{
+    for (int axis = 0; axis < 2; axis++)
+        grid->gradient[node][axis][0] = grid->gradient[node][axis][1] = v[axis];
+}
+
 /* From the strips' boxes: which columns of which node rows are active. */
 void mpm_grid_find_active(struct mpm_state *state);
 

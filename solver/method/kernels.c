@@ -1,20 +1,80 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/kernels.h"
 
+#include "method/affine.h"
 #include "method/fast.h"
 #include "method/grid_update.h"
+#include "method/smoothing.h"
 #include "method/transfer.h"
 
-static const struct mpm_passes reference_passes[] = {
-    [MPM_USL] = {mpm_pass_momentum_and_force, NULL, mpm_pass_velocity, mpm_pass_stress_and_position,
-                 mpm_pass_recompute},
-    [MPM_MUSL] = {mpm_pass_momentum_and_force, NULL, mpm_pass_velocity_and_momentum,
-                  mpm_pass_stress_and_position, mpm_pass_recompute},
-    [MPM_USF] = {mpm_pass_momentum, mpm_pass_stress_and_force, mpm_pass_velocity, mpm_pass_position,
-                 mpm_pass_recompute},
-    [MPM_USAVG] = {mpm_pass_momentum, mpm_pass_stress_and_force, mpm_pass_velocity_and_momentum,
-                   mpm_pass_stress_and_position, mpm_pass_recompute},
+/* The steps of one way to exchange: to the grid, with the stress at hand or without; what
+ * reads back from it. */
+#define ORDERS(momentum, momentum_force, stress_force, velocity, extrapolate, position, finish)    \
+    {                                                                                              \
+        [MPM_USL] = STEP(momentum_force, NULL, velocity, finish),                                  \
+        [MPM_MUSL] = STEP(momentum_force, NULL, extrapolate, finish),                              \
+        [MPM_USF] = STEP(momentum, stress_force, velocity, position),                              \
+        [MPM_USAVG] = STEP(momentum, stress_force, extrapolate, finish),                           \
+        [MPM_USAVG_ONCE] = STEP(momentum, stress_force, velocity, finish),                         \
+    }
+#define STEP(first, before, back, last)                                                            \
+    {                                                                                              \
+        first, before, back, last, mpm_pass_recompute, mpm_pass_smooth                             \
+    }
+
+static const struct mpm_passes velocity_passes[MPM_ORDER_COUNT] = ORDERS(
+    mpm_pass_momentum, mpm_pass_momentum_and_force, mpm_pass_stress_and_force, mpm_pass_velocity,
+    mpm_pass_velocity_and_momentum, mpm_pass_position, mpm_pass_stress_and_position);
+
+static const struct mpm_passes momentum_passes[MPM_ORDER_COUNT] =
+    ORDERS(mpm_pass_momentum, mpm_pass_momentum_and_force, mpm_pass_stress_and_force_by_momentum,
+           mpm_pass_velocity_by_momentum, mpm_pass_velocity_and_momentum_by_momentum,
+           mpm_pass_position_by_momentum, mpm_pass_stress_and_position_by_momentum);
+
+static const struct mpm_passes affine_passes[MPM_ORDER_COUNT] =
+    ORDERS(mpm_pass_affine_momentum, mpm_pass_affine_momentum_and_force, mpm_pass_stress_and_force,
+           mpm_pass_affine_velocity, mpm_pass_affine_velocity_and_momentum, mpm_pass_position,
+           mpm_pass_stress_and_position);
+
+static const struct mpm_passes *reference_passes(const struct mpm_scene *scene)
+{
+    if (scene->transfer == MPM_TRANSFER_APIC)
+        return &affine_passes[scene->stress_update];
+    if (scene->form == MPM_FORM_MOMENTUM)
+        return &momentum_passes[scene->stress_update];
+    return &velocity_passes[scene->stress_update];
+}
+
+/* What transfers do besides the passes: the reference kernels have a pass for a fraction; the
+ * fast ones have it done to the nodes, and so has everybody what `smooths`. */
+struct transfer {
+    bool smooths; /* from order 2 on; before that it is PIC */
+    mpm_pass *rows;
 };
+
+static const struct transfer transfers[] = {
+    [MPM_TRANSFER_FLIP] = {false, NULL},        [MPM_TRANSFER_PIC] = {false, NULL},
+    [MPM_TRANSFER_XPIC] = {true, mpm_row_xpic}, [MPM_TRANSFER_FMPM] = {true, mpm_row_fmpm},
+    [MPM_TRANSFER_APIC] = {false, NULL},
+};
+
+static void choose_transfer(const struct mpm_scene *scene, bool fast,
+                            struct mpm_kernel_choice *choice)
+{
+    const struct transfer *const transfer = &transfers[scene->transfer];
+    if (transfer->smooths && scene->transfer_order > 1) {
+        choice->smooth = mpm_smoothing_run;
+        choice->flip_rows = transfer->rows;
+        choice->flip_particles = mpm_pass_keep_fraction;
+    } else if (scene->flip_fraction < 1.0 && fast) {
+        choice->flip_rows = mpm_row_flip_fraction;
+        choice->flip_particles = mpm_pass_keep_fraction;
+    } else if (scene->flip_fraction < 1.0) {
+        choice->flip_particles = scene->form == MPM_FORM_MOMENTUM
+                                     ? mpm_pass_flip_fraction_by_momentum
+                                     : mpm_pass_flip_fraction;
+    }
+}
 
 static const char *const simd_names[MPM_SIMD_COUNT] = {
     [MPM_SIMD_AUTO] = "auto",
@@ -27,42 +87,23 @@ const char *mpm_simd_name(enum mpm_simd simd)
     return simd_names[simd];
 }
 
-static struct mpm_kernel_choice reference_choice(const struct mpm_scene *scene, const char *reason)
+static void choose_reference(const struct mpm_scene *scene, const char *reason,
+                             struct mpm_kernel_choice *choice)
 {
-    return (struct mpm_kernel_choice){
-        .passes = &reference_passes[scene->stress_update],
-        .flip_particles = scene->flip_fraction < 1.0 ? mpm_pass_flip_fraction : NULL,
+    *choice = (struct mpm_kernel_choice){
+        .passes = reference_passes(scene),
         .name = "reference",
         .reason = reason,
         .simd = "none",
     };
+    choose_transfer(scene, false, choice);
 }
 
-enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
-                                   const struct mpm_simulation_options *options,
+static enum mpm_status choose_fast(const struct mpm_scene *scene, enum mpm_simd simd,
                                    struct mpm_kernel_choice *choice, struct mpm_error *error)
 {
-    const enum mpm_simd simd = options->simd == MPM_SIMD_AUTO ? mpm_fast_widest() : options->simd;
-    const bool damped = scene->flip_fraction < 1.0;
-    const char *const lacking = mpm_fast_lacks(scene);
-    if ((unsigned)options->kernels >= MPM_KERNELS_COUNT || (unsigned)simd >= MPM_SIMD_COUNT)
-        return mpm_error_set(error, MPM_BAD_INPUT, "kernels %d, simd %d; allowed: below %d and %d",
-                             (int)options->kernels, (int)simd, MPM_KERNELS_COUNT, MPM_SIMD_COUNT);
-    if (options->kernels == MPM_KERNELS_REFERENCE) {
-        *choice = reference_choice(scene, "asked for; scalar, one particle at a time");
-        return MPM_OK;
-    }
-    if (lacking != NULL && options->kernels == MPM_KERNELS_FAST)
-        return mpm_error_set(error, MPM_BAD_INPUT, "kernels: fast: %s; allowed: auto, reference",
-                             lacking);
-    if (lacking != NULL) {
-        *choice = reference_choice(scene, lacking);
-        return MPM_OK;
-    }
     *choice = (struct mpm_kernel_choice){
         .passes = mpm_fast_passes(scene, simd),
-        .flip_rows = damped ? mpm_row_flip_fraction : NULL,
-        .flip_particles = damped ? mpm_pass_keep_fraction : NULL,
         .name = "fast",
         .reason = "all that the scene asks for has them; four particles at a time",
         .simd = simd_names[simd],
@@ -72,5 +113,27 @@ enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
                              "simd: %s is not what this build and this machine have; allowed: "
                              "auto, baseline",
                              simd_names[simd]);
+    choose_transfer(scene, true, choice);
+    return MPM_OK;
+}
+
+enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
+                                   const struct mpm_simulation_options *options,
+                                   struct mpm_kernel_choice *choice, struct mpm_error *error)
+{
+    const enum mpm_simd simd = options->simd == MPM_SIMD_AUTO ? mpm_fast_widest() : options->simd;
+    const char *const lacking = mpm_fast_lacks(scene);
+    if ((unsigned)options->kernels >= MPM_KERNELS_COUNT || (unsigned)simd >= MPM_SIMD_COUNT)
+        return mpm_error_set(error, MPM_BAD_INPUT, "kernels %d, simd %d; allowed: below %d and %d",
+                             (int)options->kernels, (int)simd, MPM_KERNELS_COUNT, MPM_SIMD_COUNT);
+    if (lacking != NULL && options->kernels == MPM_KERNELS_FAST)
+        return mpm_error_set(error, MPM_BAD_INPUT, "kernels: fast: %s; allowed: auto, reference",
+                             lacking);
+    if (options->kernels == MPM_KERNELS_REFERENCE)
+        choose_reference(scene, "asked for; scalar, one particle at a time", choice);
+    else if (lacking != NULL)
+        choose_reference(scene, lacking, choice);
+    else
+        return choose_fast(scene, simd, choice, error);
     return MPM_OK;
 }

@@ -17,13 +17,17 @@ struct mpm_passes {
     mpm_pass *to_particles;  /* Task 5, velocities; with (31) for MUSL and USAVG */
     mpm_pass *finish;        /* Task 6 of USL, MUSL and USAVG; positions */
     mpm_pass *recompute;     /* not part of a step: stress and domain of the F at hand */
+    mpm_pass *smooth;        /* XPIC and FMPM: see method/smoothing.h */
 };
+
+struct mpm_state;
 
 /* What a simulation was created with. */
 struct mpm_kernel_choice {
     const struct mpm_passes *passes;
-    /* FLIP fraction below 1: what is done for it to nodes and particles, before to_particles;
-     * NULL: nothing */
+    /* What transfers other than FLIP do to nodes and particles before to_particles, in this
+     * order; NULL: nothing. `smooth` works on all of the grid. */
+    void (*smooth)(struct mpm_state *state, int workers);
     mpm_pass *flip_rows, *flip_particles;
     const char *name;   /* "fast" or "reference" */
     const char *reason; /* why this set */

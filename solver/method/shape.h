@@ -54,6 +54,7 @@ struct mpm_shape_family {
     const char *name;
     bool convected; /* the domain deforms with F */
     bool point;     /* there is no domain: functions of the particle's place alone */
+    bool lone_node; /* a particle on a node reaches that one alone */
     /* Along an axis, the nodes that kernels visit past the cell in which the reach ends. Fast
      * kernels of domains visit three from the first one on, the last with weight zero where
      * the domain ends before. */

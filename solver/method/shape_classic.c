@@ -56,6 +56,7 @@ const struct mpm_shape_family mpm_shape_classic = {
     .name = "classic",
     .point = true,
     .nodes_past_end = 2,
+    .lone_node = true,
     .evaluate = evaluate,
     .reach = reach,
 };

@@ -14,6 +14,7 @@ static const struct mpm_stress_order orders[] = {
     [MPM_MUSL] = {.name = "musl", .before = 0.0, .after = 1.0, .extrapolate = true},
     [MPM_USF] = {.name = "usf", .before = 1.0, .after = 0.0, .extrapolate = false},
     [MPM_USAVG] = {.name = "usavg", .before = 0.5, .after = 0.5, .extrapolate = true},
+    [MPM_USAVG_ONCE] = {.name = "usavg once", .before = 0.5, .after = 0.5, .extrapolate = false},
 };
 
 const struct mpm_stress_order *mpm_stress_order(enum mpm_stress_update update)
@@ -207,6 +208,8 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     if (varying_force)
         state->external_work += varying_work(state, workers);
     /* Task 5: particle velocities (30); Task 6 for MUSL and USAVG: extrapolate them (31) */
+    if (state->kernels.smooth != NULL)
+        state->kernels.smooth(state, workers);
     if (state->kernels.flip_rows != NULL)
         run_rows(state, state->kernels.flip_rows);
     run_particles(state, workers, state->kernels.flip_particles);

@@ -42,11 +42,52 @@ void mpm_particle_set_domain(const struct mpm_state *state, size_t p)
         state->particles.domain[k][p] = edge[k];
 }
 
-static void stencil_of(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
 {
     const struct mpm_shape_domain domain = domain_of(state, p);
     state->family->evaluate(&state->shape_grid, &domain, stencil);
 }
+
+/* The weights of what a particle reads back. Notes (67), (73)-(78), the momentum form: with the
+ * mass M = sum S m_i that the nodes have at the particle, (sum S p_i) / M is
+ * sum (S m_i / M) v_i, and so for gradients and for forces, f_i = m_i a_i: velocities with
+ * other weights. M > 0, since the particle is part of it. */
+static inline const struct mpm_stencil *read_back_weights(const struct mpm_state *state,
+                                                          const struct mpm_stencil *stencil,
+                                                          bool by_momentum,
+                                                          struct mpm_stencil *weights)
+{
+    double mass = 0.0;
+    if (!by_momentum)
+        return stencil;
+    for (int k = 0; k < stencil->count; k++)
+        mass += stencil->node[k].s * state->grid.mass[state->node_zero + stencil->node[k].node];
+    weights->count = stencil->count;
+    for (int k = 0; k < stencil->count; k++) {
+        const struct mpm_stencil_node *const entry = &stencil->node[k];
+        const double part = state->grid.mass[state->node_zero + entry->node] / mass;
+        weights->node[k] = (struct mpm_stencil_node){
+            .node = entry->node,
+            .s = part * entry->s,
+            .g = {part * entry->g[0], part * entry->g[1]},
+            .t = part * entry->t,
+        };
+    }
+    return weights;
+}
+
+/* A pass that reads back, in both forms. */
+#define BOTH_FORMS(pass)                                                                           \
+    void mpm_pass_##pass(void *state, int64_t strip, int worker)                                   \
+    {                                                                                              \
+        (void)worker;                                                                              \
+        (pass)(state, strip, false);                                                               \
+    }                                                                                              \
+    void mpm_pass_##pass##_by_momentum(void *state, int64_t strip, int worker)                     \
+    {                                                                                              \
+        (void)worker;                                                                              \
+        (pass)(state, strip, true);                                                                \
+    }
 
 /* ------------------------------------------------------ particles to grid */
 
@@ -65,8 +106,8 @@ static void add_momentum(const struct mpm_state *state, size_t p, const struct m
 }
 
 /* f_i -= m_p (tau / rho_0) . G_ip, and the hoop stress times T_ip (0 in planar). */
-static void add_internal_force(const struct mpm_state *state, size_t p,
-                               const struct mpm_stencil *stencil)
+void mpm_particle_add_internal_force(const struct mpm_state *state, size_t p,
+                                     const struct mpm_stencil *stencil)
 {
     const double mass = state->particles.mass[p];
     const double xx = mass * state->particles.stress[MPM_SYM_XX][p];
@@ -87,7 +128,7 @@ void mpm_pass_momentum(void *context, int64_t strip, int worker)
     (void)worker;
     for (size_t p = state->strips[strip].begin; p < state->strips[strip].end; p++) {
         struct mpm_stencil stencil;
-        stencil_of(state, p, &stencil);
+        mpm_particle_stencil(state, p, &stencil);
         add_momentum(state, p, &stencil);
     }
 }
@@ -98,9 +139,9 @@ void mpm_pass_momentum_and_force(void *context, int64_t strip, int worker)
     (void)worker;
     for (size_t p = state->strips[strip].begin; p < state->strips[strip].end; p++) {
         struct mpm_stencil stencil;
-        stencil_of(state, p, &stencil);
+        mpm_particle_stencil(state, p, &stencil);
         add_momentum(state, p, &stencil);
-        add_internal_force(state, p, &stencil);
+        mpm_particle_add_internal_force(state, p, &stencil);
     }
 }
 
@@ -130,7 +171,7 @@ void mpm_pass_body_force(void *context, int64_t index, int worker)
         double b[2];
         if (!body_force_at(state, p, worker, strip, b))
             continue;
-        stencil_of(state, p, &stencil);
+        mpm_particle_stencil(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
             struct mpm_node_sum *const sum =
                 state->grid.sum[state->node_zero + stencil.node[k].node];
@@ -151,7 +192,7 @@ void mpm_pass_body_work(void *context, int64_t index, int worker)
         double b[2], power = 0.0;
         if (!body_force_at(state, p, worker, strip, b))
             continue;
-        stencil_of(state, p, &stencil);
+        mpm_particle_stencil(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
             const int64_t node = state->node_zero + stencil.node[k].node;
             const double *const start = state->grid.start[node];
@@ -164,20 +205,30 @@ void mpm_pass_body_work(void *context, int64_t index, int worker)
 
 /* -------------------------------------------------------- velocity update */
 
-void mpm_pass_flip_fraction(void *context, int64_t index, int worker)
+void mpm_particle_add_extrapolated(const struct mpm_state *state, const struct mpm_stencil *stencil,
+                                   const double momentum[2])
 {
-    struct mpm_state *const state = context;
+    for (int k = 0; k < stencil->count; k++) {
+        double(*const sum)[2] = state->grid.gradient[state->node_zero + stencil->node[k].node];
+        sum[0][0] += momentum[0] * stencil->node[k].s;
+        sum[1][0] += momentum[1] * stencil->node[k].s;
+    }
+}
+
+static inline void flip_fraction(struct mpm_state *state, int64_t index, bool by_momentum)
+{
     const struct mpm_strip *const strip = &state->strips[index];
     const double part = 1.0 - state->scene->flip_fraction;
-    (void)worker;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil;
+        struct mpm_stencil stencil, weights;
         double grid[2] = {0.0, 0.0};
-        stencil_of(state, p, &stencil);
-        for (int k = 0; k < stencil.count; k++) {
-            const double *const start = state->grid.start[state->node_zero + stencil.node[k].node];
-            grid[0] += stencil.node[k].s * start[0];
-            grid[1] += stencil.node[k].s * start[1];
+        mpm_particle_stencil(state, p, &stencil);
+        const struct mpm_stencil *const read =
+            read_back_weights(state, &stencil, by_momentum, &weights);
+        for (int k = 0; k < read->count; k++) {
+            const double *const start = state->grid.start[state->node_zero + read->node[k].node];
+            grid[0] += read->node[k].s * start[0];
+            grid[1] += read->node[k].s * start[1];
         }
         for (int axis = 0; axis < 2; axis++) {
             double *const v = &state->particles.velocity[axis][p];
@@ -185,6 +236,8 @@ void mpm_pass_flip_fraction(void *context, int64_t index, int worker)
         }
     }
 }
+
+BOTH_FORMS(flip_fraction)
 
 void mpm_pass_keep_fraction(void *context, int64_t index, int worker)
 {
@@ -199,8 +252,8 @@ void mpm_pass_keep_fraction(void *context, int64_t index, int worker)
     }
 }
 
-static void update_velocity(const struct mpm_state *state, size_t p,
-                            const struct mpm_stencil *stencil, struct mpm_strip *strip)
+void mpm_particle_update_velocity(const struct mpm_state *state, size_t p,
+                                  const struct mpm_stencil *stencil, struct mpm_strip *strip)
 {
     double a[2] = {0.0, 0.0};
     for (int k = 0; k < stencil->count; k++) {
@@ -219,38 +272,38 @@ static void update_velocity(const struct mpm_state *state, size_t p,
     strip->kinetic_energy += 0.5 * state->particles.mass[p] * square;
 }
 
-void mpm_pass_velocity(void *context, int64_t index, int worker)
+static inline void velocity(struct mpm_state *state, int64_t index, bool by_momentum)
 {
-    struct mpm_state *const state = context;
     struct mpm_strip *const strip = &state->strips[index];
-    (void)worker;
     strip->kinetic_energy = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil;
-        stencil_of(state, p, &stencil);
-        update_velocity(state, p, &stencil, strip);
+        struct mpm_stencil stencil, weights;
+        mpm_particle_stencil(state, p, &stencil);
+        const struct mpm_stencil *const read =
+            read_back_weights(state, &stencil, by_momentum, &weights);
+        mpm_particle_update_velocity(state, p, read, strip);
     }
 }
 
-void mpm_pass_velocity_and_momentum(void *context, int64_t index, int worker)
+BOTH_FORMS(velocity)
+
+static inline void velocity_and_momentum(struct mpm_state *state, int64_t index, bool by_momentum)
 {
-    struct mpm_state *const state = context;
     struct mpm_strip *const strip = &state->strips[index];
-    (void)worker;
     strip->kinetic_energy = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil;
-        stencil_of(state, p, &stencil);
-        update_velocity(state, p, &stencil, strip);
+        struct mpm_stencil stencil, weights;
+        mpm_particle_stencil(state, p, &stencil);
+        const struct mpm_stencil *const read =
+            read_back_weights(state, &stencil, by_momentum, &weights);
+        mpm_particle_update_velocity(state, p, read, strip);
         const double px = state->particles.mass[p] * state->particles.velocity[0][p];
         const double py = state->particles.mass[p] * state->particles.velocity[1][p];
-        for (int k = 0; k < stencil.count; k++) {
-            double(*const sum)[2] = state->grid.gradient[state->node_zero + stencil.node[k].node];
-            sum[0][0] += px * stencil.node[k].s;
-            sum[1][0] += py * stencil.node[k].s;
-        }
+        mpm_particle_add_extrapolated(state, &stencil, (const double[2]){px, py});
     }
 }
+
+BOTH_FORMS(velocity_and_momentum)
 
 /* ---------------------------------------------------------- stress update */
 
@@ -309,19 +362,21 @@ static void update_stress(const struct mpm_state *state, size_t p,
         strip->wave_speed_squared = wave_speed_squared;
 }
 
-void mpm_pass_stress_and_force(void *context, int64_t index, int worker)
+static inline void stress_and_force(struct mpm_state *state, int64_t index, bool by_momentum)
 {
-    struct mpm_state *const state = context;
     struct mpm_strip *const strip = &state->strips[index];
-    (void)worker;
     strip->wave_speed_squared = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil;
-        stencil_of(state, p, &stencil);
-        update_stress(state, p, &stencil, state->order->before, strip);
-        add_internal_force(state, p, &stencil);
+        struct mpm_stencil stencil, weights;
+        mpm_particle_stencil(state, p, &stencil);
+        const struct mpm_stencil *const read =
+            read_back_weights(state, &stencil, by_momentum, &weights);
+        update_stress(state, p, read, state->order->before, strip);
+        mpm_particle_add_internal_force(state, p, &stencil);
     }
 }
+
+BOTH_FORMS(stress_and_force)
 
 /* -------------------------------------------------------- position update */
 
@@ -368,37 +423,41 @@ static void update_position(const struct mpm_state *state, size_t p,
         mpm_extent_add(extent, &placement);
 }
 
-void mpm_pass_position(void *context, int64_t index, int worker)
+static inline void position(struct mpm_state *state, int64_t index, bool by_momentum)
 {
-    struct mpm_state *const state = context;
     struct mpm_strip *const strip = &state->strips[index];
     struct mpm_extent extent = MPM_NO_EXTENT;
-    (void)worker;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil;
-        stencil_of(state, p, &stencil);
-        update_position(state, p, &stencil, strip, &extent);
+        struct mpm_stencil stencil, weights;
+        mpm_particle_stencil(state, p, &stencil);
+        const struct mpm_stencil *const read =
+            read_back_weights(state, &stencil, by_momentum, &weights);
+        update_position(state, p, read, strip, &extent);
     }
     if (strip->failure.kind == MPM_NO_FAILURE)
         mpm_strip_set_box(state, strip, &extent);
 }
 
-void mpm_pass_stress_and_position(void *context, int64_t index, int worker)
+BOTH_FORMS(position)
+
+static inline void stress_and_position(struct mpm_state *state, int64_t index, bool by_momentum)
 {
-    struct mpm_state *const state = context;
     struct mpm_strip *const strip = &state->strips[index];
     struct mpm_extent extent = MPM_NO_EXTENT;
-    (void)worker;
     strip->wave_speed_squared = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil;
-        stencil_of(state, p, &stencil);
-        update_stress(state, p, &stencil, state->order->after, strip);
-        update_position(state, p, &stencil, strip, &extent);
+        struct mpm_stencil stencil, weights;
+        mpm_particle_stencil(state, p, &stencil);
+        const struct mpm_stencil *const read =
+            read_back_weights(state, &stencil, by_momentum, &weights);
+        update_stress(state, p, read, state->order->after, strip);
+        update_position(state, p, read, strip, &extent);
     }
     if (strip->failure.kind == MPM_NO_FAILURE)
         mpm_strip_set_box(state, strip, &extent);
 }
+
+BOTH_FORMS(stress_and_position)
 
 void mpm_pass_recompute(void *context, int64_t index, int worker)
 {

@@ -8,6 +8,19 @@
 
 #include "method/state.h"
 
+/* S, G and T of the nodes that a particle reaches. */
+void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil);
+
+/* f_i of the particle's stress; see mpm_pass_momentum_and_force */
+void mpm_particle_add_internal_force(const struct mpm_state *state, size_t p,
+                                     const struct mpm_stencil *stencil);
+/* v_p += dt sum S a_i, and its part of the strip's kinetic energy */
+void mpm_particle_update_velocity(const struct mpm_state *state, size_t p,
+                                  const struct mpm_stencil *stencil, struct mpm_strip *strip);
+/* grid.gradient += momentum S_ip */
+void mpm_particle_add_extrapolated(const struct mpm_state *state, const struct mpm_stencil *stencil,
+                                   const double momentum[2]);
+
 /* Puts the domain of a particle's F into its place, where domains are kept. */
 void mpm_particle_set_domain(const struct mpm_state *state, size_t p);
 
@@ -35,6 +48,25 @@ void mpm_pass_velocity_and_momentum(void *state, int64_t strip, int worker);
 void mpm_pass_position(void *state, int64_t strip, int worker);
 /* stress update of the part `after` of the step, then the same */
 void mpm_pass_stress_and_position(void *state, int64_t strip, int worker);
+/* The same in the momentum form, Notes 5.2: what particles read back is (sum S p_i) / M for
+ * sum S v_i, (sum S f_i) / M for sum S a_i and (sum G p_i) / M for the gradient, (67), (73)-(78),
+ * with the mass M = sum S m_i that the nodes have at the particle; p_i = m_i v_i of held nodes is
+ * that of the velocity they are held at.
+ *
+ * (79) read to the letter adds the nodes' force to the particle's momentum, which divides by m_p:
+ * dt (sum S f_i) / m_p, a velocity that grows with the number of particles in a cell. Taken
+ * instead, as in (76): v_p += dt (sum S f_i) / M.
+ *
+ * What it is not: nodes at a body's edge have little mass, so that sum G p_i / M has the slope of
+ * the mass in it, and a rigid translation strains there (of the order v / cell); and the sum of
+ * the particles' momenta is not kept. Where m_i is the same at all nodes of a particle both forms
+ * are one. */
+void mpm_pass_stress_and_force_by_momentum(void *state, int64_t strip, int worker);
+void mpm_pass_flip_fraction_by_momentum(void *state, int64_t strip, int worker);
+void mpm_pass_velocity_by_momentum(void *state, int64_t strip, int worker);
+void mpm_pass_velocity_and_momentum_by_momentum(void *state, int64_t strip, int worker);
+void mpm_pass_position_by_momentum(void *state, int64_t strip, int worker);
+void mpm_pass_stress_and_position_by_momentum(void *state, int64_t strip, int worker);
 /* stress and domain from F: they are functions of it */
 void mpm_pass_recompute(void *state, int64_t strip, int worker);
 /* the box of nodes that the strip's particles reach */

@@ -15,7 +15,7 @@ struct mpm_grid mpm_grid_describe(const struct mpm_scene *scene)
     return grid;
 }
 
-void mpm_grid_layout(struct mpm_grid *grid, struct mpm_arena *arena)
+void mpm_grid_layout(struct mpm_grid *grid, bool smooths, struct mpm_arena *arena)
 {
     /* vectors over the nodes of a row read, and add nothing to, a few places past the last */
     const size_t nodes = (size_t)(grid->columns * grid->rows) + MPM_ROW_PADDING;
@@ -24,4 +24,5 @@ void mpm_grid_layout(struct mpm_grid *grid, struct mpm_arena *arena)
     grid->start = mpm_arena_take(arena, nodes, sizeof *grid->start);
     grid->motion = MPM_TAKE(arena, struct mpm_node_motion, nodes);
     grid->gradient = mpm_arena_take(arena, nodes, sizeof *grid->gradient);
+    grid->smoothed = smooths ? MPM_TAKE(arena, struct mpm_node_motion, nodes) : NULL;
 }

@@ -36,12 +36,15 @@ struct mpm_grid {
     /* The velocity whose gradient updates the stress, before that the re-extrapolated
      * momentum; each component twice, to meet both parts of a gradient. */
     double (*gradient)[2][2];
+    /* For XPIC and FMPM, else NULL: a velocity in the place of the acceleration, and at its
+     * `end` the one that it began as; see method/smoothing.h. */
+    struct mpm_node_motion *smoothed;
 };
 
 /* Sets sizes from the scene; allocates nothing. */
 struct mpm_grid mpm_grid_describe(const struct mpm_scene *scene);
 /* Takes the nodes' arrays from the arena. */
-void mpm_grid_layout(struct mpm_grid *grid, struct mpm_arena *arena);
+void mpm_grid_layout(struct mpm_grid *grid, bool smooths, struct mpm_arena *arena);
 
 /* Index of node (column, row), counted from the first cell's corner; ghosts are
  * negative or beyond cells. */

@@ -3,10 +3,11 @@
 
 #include <string.h>
 
-void mpm_particles_layout(struct mpm_particles *particles, size_t count, bool has_domains,
-                          struct mpm_arena *arena)
+void mpm_particles_layout(struct mpm_particles *particles, size_t count,
+                          struct mpm_particle_extras extras, struct mpm_arena *arena)
 {
-    *particles = (struct mpm_particles){.count = count};
+    *particles = (struct mpm_particles){
+        .count = count, .kept = extras.affine ? MPM_KEPT_ARRAYS : MPM_KEPT_ARRAYS - 4};
     for (int axis = 0; axis < 2; axis++) {
         particles->position[axis] = MPM_TAKE(arena, double, count);
         particles->velocity[axis] = MPM_TAKE(arena, double, count);
@@ -16,7 +17,9 @@ void mpm_particles_layout(struct mpm_particles *particles, size_t count, bool ha
     for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
         particles->stress[k] = MPM_TAKE(arena, double, count);
     particles->mass = MPM_TAKE(arena, double, count);
-    for (int k = 0; has_domains && k < 4; k++)
+    for (int k = 0; extras.affine && k < 4; k++)
+        particles->affine[k] = MPM_TAKE(arena, double, count);
+    for (int k = 0; extras.domains && k < 4; k++)
         particles->domain[k] = MPM_TAKE(arena, double, count);
     particles->id = MPM_TAKE(arena, uint32_t, count);
     particles->body = MPM_TAKE(arena, uint32_t, count);
@@ -49,6 +52,8 @@ size_t mpm_particles_arrays(const struct mpm_particles *particles,
     }
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
         arrays[n++] = particles->deformation[k];
+    for (int k = 0; particles->affine[0] != NULL && k < 4; k++)
+        arrays[n++] = particles->affine[k];
     for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
         arrays[n++] = particles->stress[k];
     arrays[n++] = particles->mass;
@@ -110,8 +115,8 @@ void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *
     sort_axis(particles, grid, half_size, 1, particles->order_scratch, particles->order, counts);
     const bool sorted = in_order(particles);
     for (size_t a = 0; a < array_count; a++) {
-        double *const copy = a < MPM_KEPT_ARRAYS ? kept[a] : particles->scratch;
-        if (sorted && a < MPM_KEPT_ARRAYS) {
+        double *const copy = a < particles->kept ? kept[a] : particles->scratch;
+        if (sorted && a < particles->kept) {
             memcpy(copy, arrays[a], bytes);
         } else if (!sorted) {
             gather_doubles(particles, arrays[a], copy);

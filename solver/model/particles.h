@@ -16,9 +16,11 @@ struct mpm_particles {
     double *deformation[MPM_GRADIENT_SIZE];
     double *stress[MPM_SYMMETRIC_SIZE]; /* Kirchhoff over initial density */
     double *mass;                       /* for the thickness, or per radian */
+    double *affine[4];                  /* APIC, else NULL: xx xy yx yy; see method/affine.h */
     double *domain[4]; /* half edges d1x d1y d2x d2y, where F does not tell them; else NULL */
     uint32_t *id;      /* creation order over all bodies */
     uint32_t *body;    /* index in the scene */
+    size_t kept;       /* so many of mpm_particles_arrays, the first, cannot be recomputed */
     /* scratch of the sort */
     uint32_t *order, *order_scratch;
     double *scratch;
@@ -36,17 +38,22 @@ struct mpm_rigid_particles {
     uint32_t *body;
 };
 
-void mpm_particles_layout(struct mpm_particles *particles, size_t count, bool has_domains,
-                          struct mpm_arena *arena);
+/* Arrays that only some methods need. */
+struct mpm_particle_extras {
+    bool domains, affine;
+};
+
+void mpm_particles_layout(struct mpm_particles *particles, size_t count,
+                          struct mpm_particle_extras extras, struct mpm_arena *arena);
 void mpm_rigid_particles_layout(struct mpm_rigid_particles *particles, size_t count,
                                 struct mpm_arena *arena);
 
 /* Every array of doubles that a particle carries, for passes that treat all alike.
  * Returns the number of arrays (at most MPM_PARTICLE_ARRAYS). */
-enum { MPM_PARTICLE_ARRAYS = 18 };
-/* The first ones of them, position, velocity and deformation: all else of a particle that
- * changes can be recomputed. */
-enum { MPM_KEPT_ARRAYS = 4 + MPM_GRADIENT_SIZE };
+enum { MPM_PARTICLE_ARRAYS = 22 };
+/* The first ones of them, position, velocity, deformation and the affine part, if any: all
+ * else of a particle that changes can be recomputed. particles->kept of them, at most so many. */
+enum { MPM_KEPT_ARRAYS = 8 + MPM_GRADIENT_SIZE };
 size_t mpm_particles_arrays(const struct mpm_particles *particles,
                             double *arrays[MPM_PARTICLE_ARRAYS]);
 
@@ -64,7 +71,7 @@ static inline int64_t mpm_particle_cell(const struct mpm_grid *grid, int axis, d
 /* Sorts the particles by cell, row by row; particles of one cell keep their order.
  * `half_size` is that of their domains, or the smallest.
  * `counts` is scratch for max(rows, columns) + 1 counters; `kept` gets copies of the arrays
- * of MPM_KEPT_ARRAYS, on the way. Cost: O(particles + rows + columns), independent of the
+ * that are to be kept, on the way. Cost: O(particles + rows + columns), independent of the
  * number of cells. */
 void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *grid,
                         const double half_size[2], uint32_t *counts,

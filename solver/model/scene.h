@@ -11,9 +11,28 @@
 
 enum { MPM_NAME_SIZE = 257 }; /* names up to 64 characters of UTF-8 */
 
-enum mpm_stress_update { MPM_USL, MPM_MUSL, MPM_USF, MPM_USAVG, MPM_ORDER_COUNT };
+enum mpm_stress_update {
+    MPM_USL,
+    MPM_MUSL,
+    MPM_USF,
+    MPM_USAVG,
+    MPM_USAVG_ONCE, /* usavg with extrapolate: false */
+    MPM_ORDER_COUNT
+};
 enum mpm_position_update { MPM_GRID_VELOCITY, MPM_MIDPOINT };
 enum mpm_radius_update { MPM_RADIUS_SHAPE, MPM_RADIUS_HOOP };
+
+/* How particle velocities follow the grid; mpm_transfer in method/ has their equations. */
+enum mpm_transfer_kind {
+    MPM_TRANSFER_FLIP, /* flip_fraction of it */
+    MPM_TRANSFER_PIC,
+    MPM_TRANSFER_XPIC, /* of transfer_order */
+    MPM_TRANSFER_FMPM, /* of transfer_order */
+    MPM_TRANSFER_APIC,
+};
+
+/* What the particles' updates take from the nodes: Notes 5.1 or 5.2. */
+enum mpm_form { MPM_FORM_VELOCITY, MPM_FORM_MOMENTUM };
 
 enum mpm_region_kind {
     MPM_REGION_RECTANGLE, /* a = from, b = to */
@@ -83,7 +102,10 @@ struct mpm_scene {
     enum mpm_stress_update stress_update;
     enum mpm_position_update position_update;
     enum mpm_radius_update radius_update;
-    double flip_fraction;  /* 1 is pure FLIP */
+    enum mpm_form form;
+    enum mpm_transfer_kind transfer;
+    double flip_fraction;  /* 1 is pure FLIP; 0 for the other transfers: all of it from the grid */
+    int transfer_order;    /* 1 or more; 1 where the kind has none */
     int deformation_terms; /* of the series for dF, 1 or more */
 
     struct mpm_material_spec *materials;

@@ -7,7 +7,7 @@
 void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena)
 {
     struct mpm_backup *const backup = &simulation->backup;
-    for (int k = 0; k < MPM_KEPT_ARRAYS; k++)
+    for (size_t k = 0; k < simulation->state.particles.kept; k++)
         backup->arrays[k] = MPM_TAKE(arena, double, simulation->state.particles.count);
     for (int axis = 0; axis < 2; axis++) {
         backup->rigid_position[axis] = MPM_TAKE(arena, double, simulation->state.rigid.count);
@@ -37,7 +37,7 @@ static void copy_back(struct mpm_simulation *simulation)
     const struct mpm_backup *const backup = &simulation->backup;
     double *arrays[MPM_PARTICLE_ARRAYS];
     (void)mpm_particles_arrays(&state->particles, arrays);
-    for (int k = 0; k < MPM_KEPT_ARRAYS; k++)
+    for (size_t k = 0; k < state->particles.kept; k++)
         memcpy(arrays[k], backup->arrays[k], state->particles.count * sizeof(double));
     for (int axis = 0; axis < 2; axis++) {
         const size_t bytes = state->rigid.count * sizeof(double);

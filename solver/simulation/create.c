@@ -90,9 +90,13 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     const size_t nodes = (size_t)(grid->columns * grid->rows);
     const size_t rows = (size_t)grid->rows;
     const size_t longest = (size_t)(grid->rows > grid->columns ? grid->rows : grid->columns);
-    mpm_particles_layout(&state->particles, counts->deformable, keeps_domains(state), arena);
+    const struct mpm_particle_extras extras = {
+        .domains = keeps_domains(state),
+        .affine = simulation->scene->transfer == MPM_TRANSFER_APIC,
+    };
+    mpm_particles_layout(&state->particles, counts->deformable, extras, arena);
     mpm_rigid_particles_layout(&state->rigid, counts->rigid, arena);
-    mpm_grid_layout(grid, arena);
+    mpm_grid_layout(grid, state->kernels.smooth != NULL, arena);
     state->bodies = MPM_TAKE(arena, struct mpm_body, simulation->scene->body_count);
     state->strips = MPM_TAKE(arena, struct mpm_strip, (size_t)state->strip_count);
     state->row_low = MPM_TAKE(arena, int64_t, rows);

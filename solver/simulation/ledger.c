@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/affine.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -21,6 +22,8 @@ static void add_particle(const struct mpm_simulation *simulation, size_t p,
     ledger->momentum[1] += mass * vy;
     if (simulation->scene->geometry != MPM_AXISYMMETRIC)
         ledger->angular_momentum += mass * (x * vy - y * vx);
+    if (particles->affine[0] != NULL && simulation->scene->geometry != MPM_AXISYMMETRIC)
+        ledger->angular_momentum += mass * mpm_particle_spin(&simulation->state, p);
     ledger->kinetic_energy += 0.5 * mass * (vx * vx + vy * vy);
     ledger->strain_energy += mass * material->law->energy(material, f);
     ledger->j_min = fmin(ledger->j_min, j);
