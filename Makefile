@@ -205,7 +205,7 @@ verify-full: all ## the catalogue at full size
 
 # --------------------------------------------------------------- benchmarks
 .PHONY: bench
-bench: all ## speed, memory, scaling, error against run time; report in build/reports/bench
+bench: all ## speed, memory, scaling, error against run time (about 6 min); build/reports/bench
 	$(BUILD)/bin/mpm-bench run --output build/reports/bench
 
 # ------------------------------------------------------------------- checks

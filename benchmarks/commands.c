@@ -33,7 +33,9 @@ static const char usage[] =
     "                                  --update stores the figures instead\n"
     "  help, --help, --version\n"
     "\n"
-    "--tier is standard unless given: all groups in under 10 minutes on two processors.\n"
+    "--tier is standard unless given: all groups take about 6 minutes on two processors, and "
+    "under\n"
+    "10.\n"
     "--output is build/reports/bench in the repository and bench-report elsewhere.\n"
     "Exit status: 0 done; 1 a budget is exceeded; 2 bad usage or bad input; 3 a run failed;\n"
     "4 the environment failed.\n";

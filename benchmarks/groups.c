@@ -14,7 +14,9 @@ static const struct bench_group groups[] = {
     {"accuracy", "Error against run time",
      "R1 and a vibrating bar on ladders of grids: error and processor time of every variant",
      bench_accuracy},
-    {"scaling", "Scaling", "threads at three sizes, particles per cell, empty grid", bench_scaling},
+    {"scaling", "Scaling",
+     "threads at three sizes, separate runs beside them, particles per cell, empty grid",
+     bench_scaling},
     {"pays", "What a scene pays", "each feature off and on: times and counted instructions",
      bench_pays},
 };

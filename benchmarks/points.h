@@ -40,6 +40,8 @@ struct bench_point {
     unsigned warm_up; /* steps before the timed ones */
     unsigned steps;   /* timed ones; 0: chosen so that a timing is long enough and short enough */
     bool phases;      /* record the phases of a step and the bytes a particle as well */
+    unsigned runs;    /* 2 and more: as many simulations of the scene side by side, without phases;
+                         their work together, by the wall clock (side_by_side.h) */
 
     /* ... or a probe, if not NULL */
     bench_probe *probe;

@@ -4,6 +4,7 @@
 #include "benchmarks/report_sections.h"
 
 #include "verification/suite/records.h"
+#include "verification/suite/text.h"
 
 #include <math.h>
 #include <string.h>
@@ -56,6 +57,12 @@ static int by_key(const void *a, const void *b, void *key)
     return (left > right) - (left < right);
 }
 
+/* Runs side by side are no point of a curve. */
+static bool is_pair(const json_t *line)
+{
+    return isfinite(report_number(line, "runs"));
+}
+
 /* Lines of one study in blocks: of threads, one block for each number of particles. */
 static char *data_of(const struct study *study, const GPtrArray *lines)
 {
@@ -63,6 +70,8 @@ static char *data_of(const struct study *study, const GPtrArray *lines)
     const bool by_size = strcmp(study->key, "threads") == 0;
     for (unsigned i = 0; i < lines->len; i++) {
         const double size = report_number(lines->pdata[i], "particles");
+        if (is_pair(lines->pdata[i]))
+            continue;
         const bool starts =
             i == 0 ||
             (by_size && !(fabs(size - report_number(lines->pdata[i - 1], "particles")) < 1));
@@ -93,6 +102,57 @@ static void add_table(struct report *report, const GPtrArray *lines)
     }
 }
 
+/* The same number of particles by as many threads as `pair` has runs; NULL: none. */
+static const json_t *threads_beside(const GPtrArray *lines, const json_t *pair)
+{
+    const double runs = report_number(pair, "runs"), size = report_number(pair, "particles");
+    for (unsigned i = 0; i < lines->len; i++) {
+        const json_t *line = lines->pdata[i];
+        if (!is_pair(line) && fabs(report_number(line, "threads") - runs) < 1 &&
+            fabs(report_number(line, "particles") - size) < 1)
+            return line;
+    }
+    return NULL;
+}
+
+/* "1.9 (1.85 .. 1.95)"; g_free. */
+static char *times(struct report *report, const json_t *line)
+{
+    const json_t *comparison = report_comparison(report, line);
+    char *ratio = text_number(record_number(comparison, "ratio"));
+    char *range =
+        text_range(record_number(comparison, "low"), record_number(comparison, "high"), "1");
+    char *text = g_strdup_printf("%s (%s)", ratio, range);
+    g_free(ratio);
+    g_free(range);
+    return text;
+}
+
+/* Threads are held against what the machine gives to runs that have nothing in common. */
+static void add_limits(struct report *report, const GPtrArray *lines)
+{
+    for (unsigned i = 0; i < lines->len; i++) {
+        const json_t *pair = lines->pdata[i];
+        const json_t *threads = is_pair(pair) ? threads_beside(lines, pair) : NULL;
+        if (threads == NULL)
+            continue;
+        char *size = report_digits(report_number(pair, "particles"), 1);
+        char *by_threads = times(report, threads), *by_runs = times(report, pair);
+        document_paragraph(
+            report->document,
+            "%s particles: %.0f threads of one run come to %s times one thread; %.0f separate runs "
+            "of one thread each, side by side, to %s times one alone. Separate runs share the "
+            "machine and wait for nothing: what they fall short by is the machine's doing. They "
+            "hold more data than one run, so that its threads may come to more than they do where "
+            "caches and memory are the limit.",
+            size, report_number(threads, "threads"), by_threads, report_number(pair, "runs"),
+            by_runs);
+        g_free(size);
+        g_free(by_threads);
+        g_free(by_runs);
+    }
+}
+
 static void add_study(struct report *report, const struct study *study)
 {
     GPtrArray *lines = report_lines(report, "result", study->group, rate);
@@ -109,6 +169,7 @@ static void add_study(struct report *report, const struct study *study)
                                                           data, study->title, study->caption});
         if (strcmp(study->group, "scaling") == 0) /* the others stand in a table above */
             add_table(report, lines);
+        add_limits(report, lines);
         g_free(data);
     }
     g_ptr_array_unref(lines);

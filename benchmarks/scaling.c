@@ -1,11 +1,11 @@
-/* Scaling: threads, particles per cell, empty grid.
+/* Scaling: threads and runs side by side, particles per cell, empty grid.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/blocks.h"
 #include "benchmarks/timing.h"
 
 /* Seconds for each list, in the standard tier. */
-static const double THREADS = 20, CELLS = 10, GRID = 10;
+static const double THREADS = 30, CELLS = 10, GRID = 10;
 
 static bool is_quick(const struct bench_context *context)
 {
@@ -18,6 +18,20 @@ static unsigned next_threads(unsigned threads, unsigned processors)
     if (threads >= processors)
         return 0;
     return 2 * threads < processors ? 2 * threads : processors;
+}
+
+/* What the machine gives to two runs of one thread each, to hold two threads against. */
+static void add_pair(struct bench_context *context, GArray *points, const struct bench_block *block,
+                     const char *size, const char *one)
+{
+    char *more = g_strdup_printf("%s, 2 runs of 1 thread", size);
+    struct bench_point *point = bench_block_add(context, points, block, more);
+    point->simulation.threads = 1;
+    point->clock = BENCH_CLOCK_WALL;
+    point->runs = 2;
+    bench_point_number(point, "runs", point->runs);
+    point->against = g_strdup(one);
+    g_free(more);
 }
 
 /* By the wall clock, one thread as well: that is what the others are compared with. */
@@ -40,6 +54,8 @@ static void add_threads(struct bench_context *context, GArray *points)
                 one = g_strdup(point->name);
             g_free(more);
         }
+        if (context->processors > 1)
+            add_pair(context, points, &block, sizes[i].name, one);
         g_free(one);
     }
 }

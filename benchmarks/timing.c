@@ -4,6 +4,7 @@
 #include "benchmarks/timing.h"
 
 #include "benchmarks/findings.h"
+#include "benchmarks/side_by_side.h"
 #include "verification/suite/failure.h"
 
 #include <math.h>
@@ -36,6 +37,11 @@ double bench_clock_cpu(void)
     return seconds_of(CLOCK_PROCESS_CPUTIME_ID);
 }
 
+double bench_clock_thread(void)
+{
+    return seconds_of(CLOCK_THREAD_CPUTIME_ID);
+}
+
 /* ------------------------------------------------------------- one simulation */
 
 /* What is known of a point while its list is measured. */
@@ -50,8 +56,8 @@ struct course {
     struct mpm_phases *phases;    /* by round: of the timed steps */
 };
 
-static enum mpm_status advance(struct mpm_simulation *simulation, unsigned steps,
-                               struct mpm_error *error)
+enum mpm_status bench_advance(struct mpm_simulation *simulation, unsigned steps,
+                              struct mpm_error *error)
 {
     for (unsigned i = 0; i < steps; i++)
         TRY(mpm_simulation_advance(simulation, HUGE_VAL, error));
@@ -67,10 +73,10 @@ static enum mpm_status time_steps(struct course *course, struct mpm_simulation *
                                   size_t round, struct mpm_error *error)
 {
     struct mpm_phases before;
-    TRY(advance(simulation, warm_up(course->point), error));
+    TRY(bench_advance(simulation, warm_up(course->point), error));
     mpm_simulation_phases(simulation, &before);
     const double cpu = bench_clock_cpu(), wall = bench_clock_wall();
-    TRY(advance(simulation, course->steps, error));
+    TRY(bench_advance(simulation, course->steps, error));
     course->samples[round] = (struct bench_sample){
         .work = (double)course->particles * course->steps,
         .cpu = bench_clock_cpu() - cpu,
@@ -82,12 +88,25 @@ static enum mpm_status time_steps(struct course *course, struct mpm_simulation *
     return MPM_OK;
 }
 
+static enum mpm_status visit_runs(const struct course *course, struct bench_sample *sample,
+                                  struct mpm_error *error)
+{
+    const struct bench_point *point = course->point;
+    const struct bench_runs runs = {course->scene, &point->simulation, point->runs, warm_up(point),
+                                    course->steps};
+    TRY(bench_side_by_side(&runs, sample, error));
+    sample->work *= (double)course->particles;
+    return MPM_OK;
+}
+
 static enum mpm_status visit(struct course *course, size_t round, struct mpm_error *error)
 {
     const struct bench_point *point = course->point;
     struct mpm_simulation *simulation = NULL;
     if (point->probe != NULL)
         return point->probe(point->probe_context, &course->samples[round], error);
+    if (point->runs > 1)
+        return visit_runs(course, &course->samples[round], error);
     TRY(mpm_simulation_create(course->scene, &point->simulation, &simulation, error));
     const enum mpm_status status = time_steps(course, simulation, round, error);
     mpm_simulation_free(simulation);
@@ -124,11 +143,11 @@ static void note_facts(struct course *course, const struct mpm_simulation *simul
 static enum mpm_status rehearse_steps(struct course *course, struct mpm_simulation *simulation,
                                       struct mpm_error *error)
 {
-    TRY(advance(simulation, warm_up(course->point), error));
+    TRY(bench_advance(simulation, warm_up(course->point), error));
     const double start = bench_clock_wall();
     unsigned steps = 0;
     for (; steps == 0 || bench_clock_wall() - start < REHEARSAL; steps++)
-        TRY(advance(simulation, 1, error));
+        TRY(bench_advance(simulation, 1, error));
     course->step_seconds = (bench_clock_wall() - start) / steps;
     const double least = ceil(SHORTEST / course->step_seconds);
     course->steps = course->point->steps > 0 ? course->point->steps : (unsigned)least;
@@ -152,6 +171,7 @@ static enum mpm_status rehearse(struct course *course, struct mpm_error *error)
     note_facts(course, simulation);
     const enum mpm_status status = rehearse_steps(course, simulation, error);
     mpm_simulation_free(simulation);
+    course->other_seconds *= MAX(point->runs, 1); /* created one after the other */
     course->other_seconds += warm_up(point) * course->step_seconds;
     return status;
 }

@@ -3,8 +3,9 @@
  * A round visits every point once; rounds go forward and backward in turn, so that what
  * drifts meets every point alike. A simulation is created anew for each timing: every round
  * sees the same state and another placement in memory, which so becomes part of the noise
- * that the interval states, and no more than one simulation is held at a time. Creation and
- * warm-up are not timed. The first visit only chooses the number of steps.
+ * that the interval states, and no more than one simulation is held at a time (or those that run
+ * side by side). Creation and warm-up are not timed. The first visit only chooses the number of
+ * steps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef BENCHMARKS_TIMING_H
@@ -43,8 +44,13 @@ enum mpm_status bench_measure_lists(struct bench_context *context, const char *g
                                     const struct bench_list *lists, size_t count,
                                     struct mpm_error *error);
 
-/* Seconds: of the clock; of the processor, all threads of this process. */
+/* Seconds: of the clock; of the processor, all threads of this process; the calling one. */
 double bench_clock_wall(void);
 double bench_clock_cpu(void);
+double bench_clock_thread(void);
+
+/* Takes so many steps. */
+enum mpm_status bench_advance(struct mpm_simulation *simulation, unsigned steps,
+                              struct mpm_error *error);
 
 #endif

@@ -115,7 +115,9 @@ enum mpm_status mpm_simulation_create(const struct mpm_scene *scene,
                                       struct mpm_simulation **simulation, struct mpm_error *error);
 void mpm_simulation_free(struct mpm_simulation *simulation);
 
-/* Takes one step, shortened if need be to land on `time_limit` exactly.
+/* Takes one step, of the Courant number times the time in which the fastest of waves and
+ * particles goes through a cell, in the state at hand; or the scene's fixed step. Shortened if
+ * need be to land on `time_limit` exactly.
  * MPM_RUN_FAILED: the run cannot go on; the message names step, time, particle and
  * value, time, fields and ledger are those of the last good step, and every further
  * call fails alike. Cost: one step; once in 32 steps a sort and a copy of the state. */
@@ -177,13 +179,33 @@ struct mpm_ledger {
     double angular_momentum;
     double kinetic_energy; /* sum of m_p v_p^2 / 2; an affine part has none in it */
     double strain_energy;
-    double external_work; /* by body forces, boundaries and rigid bodies since t = 0 */
-    double total_energy;  /* kinetic + strain */
-    double j_min, j_max;  /* extremes of det F */
+    double external_work;       /* by body forces, boundaries and rigid bodies since t = 0 */
+    double damping_dissipation; /* taken out by damping since t = 0; 0 without */
+    double total_energy;        /* kinetic + strain + dissipation */
+    double j_min, j_max;        /* extremes of det F */
 };
 
 /* Cost: one pass over the particles; strain energy needs a logarithm each. */
 void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_ledger *ledger);
+
+/* Does the scene damp: does its history have the column damping_dissipation? */
+bool mpm_scene_is_damped(const struct mpm_scene *scene);
+
+/* How near to rest a scene that asks for it (time.rest) is after the last step; both 1 before
+ * the first. */
+struct mpm_rest {
+    bool asked;
+    /* sum of |f_x| + |f_y| over the free components of nodes, damping left out, over the same of
+     * the internal forces of all nodes (or the former, if larger): 0 to 1 */
+    double residual;
+    /* of the particles, over that at t = 0 with strain energy and |work of external forces| since;
+     * 0 if both are 0 */
+    double kinetic_energy;
+};
+/* Have both been below the scene's bounds for as many steps as it says, not counting those
+ * before time.rest.after? False if the scene does not ask. `rest` may be NULL. Steps can be
+ * taken after that as well; mpm_scene_run ends there. */
+bool mpm_simulation_at_rest(const struct mpm_simulation *simulation, struct mpm_rest *rest);
 
 /* Seconds spent in each phase of the step so far. */
 enum { MPM_PHASE_MAX = 16 };
@@ -208,7 +230,9 @@ struct mpm_run_options {
     void *progress_context;
 };
 
-/* Runs a scene to its end and writes run.json, history.csv and snapshots. Refuses
+/* Runs a scene to its end and writes run.json, history.csv and snapshots. A scene that asks for
+ * rest ends there; one that has not come to rest when its time or its steps are over has failed
+ * (MPM_RUN_FAILED: an answer that has not converged must not pass for one). Refuses
  * (MPM_BAD_INPUT) an output that is a file or holds results. On MPM_RUN_FAILED the
  * last good state has been written and run.json tells the reason. */
 enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_run_options *options,

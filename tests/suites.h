@@ -18,6 +18,9 @@
     SUITE(guard)                                                                                   \
     SUITE(transfers)                                                                               \
     SUITE(loads)                                                                                   \
+    SUITE(damping)                                                                                 \
+    SUITE(rest)                                                                                    \
+    SUITE(time_step)                                                                               \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
@@ -31,6 +34,7 @@
     SUITE(scene_settings)                                                                          \
     SUITE(suite)                                                                                   \
     SUITE(bench)                                                                                   \
+    SUITE(timing)                                                                                  \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
     SUITE(kernel_bits)                                                                             \

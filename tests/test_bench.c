@@ -7,10 +7,6 @@
 
 #include "benchmarks/bench.h"
 #include "benchmarks/commands.h"
-#include "benchmarks/compare.h"
-#include "benchmarks/findings.h"
-#include "benchmarks/probes.h"
-#include "benchmarks/timing.h"
 #include "verification/suite/records.h"
 
 #include <glib.h>
@@ -374,120 +370,6 @@ START_TEST(the_list_names_every_group_once)
 }
 END_TEST
 
-/* --------------------------------------------------------------------- timing */
-
-/* A probe that counts its calls and takes ever the same time. */
-static enum mpm_status count_calls(const void *context, struct bench_sample *sample,
-                                   struct mpm_error *error)
-{
-    int *const calls = *(int *const *)context;
-    (void)error;
-    ++*calls;
-    *sample = (struct bench_sample){.work = 6, .cpu = 2, .wall = 3};
-    return MPM_OK;
-}
-
-struct bench_of_test {
-    struct bench_context context;
-    struct bench_console console;
-    struct bench_records records;
-    FILE *out;
-};
-
-static void open_bench(struct bench_of_test *test)
-{
-    test->out = tmpfile();
-    test->console = (struct bench_console){.out = test->out};
-    test->records = bench_records_make("quick", "test", BENCH_ROUNDS_MAX);
-    test->context = (struct bench_context){
-        .tier = BENCH_QUICK,
-        .simulation = {.threads = 1},
-        .processors = 1,
-        .benchmarks = "benchmarks",
-        .records = &test->records,
-        .console = &test->console,
-    };
-}
-
-static void close_bench(struct bench_of_test *test)
-{
-    bench_records_clear(&test->records);
-    (void)fclose(test->out);
-}
-
-START_TEST(every_point_has_one_value_for_each_round_by_its_clock)
-{
-    struct bench_of_test test;
-    struct bench_rates rates;
-    struct mpm_error error;
-    int calls = 0, *counter = &calls;
-    open_bench(&test);
-    GArray *points = bench_points_new();
-    char *scene = bench_scene(&test.context, "block.yaml");
-    (void)bench_points_add_probe(points, count_calls, &counter, "apples", "1/s", "by cpu");
-    bench_points_add_probe(points, count_calls, &counter, "apples", "1/s", "by wall")->clock =
-        BENCH_CLOCK_WALL;
-    struct bench_point *block = bench_points_add(points, scene, &test.context.simulation, "block");
-    block->steps = 3;
-    block->phases = true;
-    block->against = g_strdup("block");
-    ck_assert_int_eq(bench_measure(&test.context, "test", points, 1e-3, &rates, &error), MPM_OK);
-    ck_assert_uint_eq(rates.rounds, BENCH_ROUNDS_MIN);
-    ck_assert_int_eq(calls, 2 * (BENCH_ROUNDS_MIN + 1)); /* and the rehearsal */
-    for (size_t r = 0; r < rates.rounds; r++) {
-        ck_assert_double_eq(bench_rates_of(&rates, 0)[r], 3);
-        ck_assert_double_eq(bench_rates_of(&rates, 1)[r], 2);
-        ck_assert_double_gt(bench_rates_of(&rates, 2)[r], 0);
-    }
-    const json_t *line =
-        bench_records_find(&test.records, "result", "test", "block", "particle_steps_per_second");
-    const json_t *settings = json_object_get(line, "settings");
-    ck_assert_double_eq(record_number(settings, "particles"), 100);
-    ck_assert_double_eq(record_number(settings, "steps"), 3);
-    ck_assert_str_eq(record_text(settings, "clock"), "cpu");
-    line = bench_records_find(&test.records, "comparison", "test", "block", NULL);
-    ck_assert_str_eq(record_text(line, "verdict"), "not resolved");
-    ck_assert_ptr_nonnull(
-        bench_records_find(&test.records, "value", "test", "block", "bytes_per_particle"));
-    bench_rates_clear(&rates);
-    g_array_unref(points);
-    g_free(scene);
-    close_bench(&test);
-}
-END_TEST
-
-START_TEST(a_scene_that_fails_is_named)
-{
-    struct bench_of_test test;
-    struct mpm_error error;
-    open_bench(&test);
-    GArray *points = bench_points_new();
-    (void)bench_points_add(points, "nowhere.yaml", &test.context.simulation, "nothing");
-    ck_assert_int_eq(bench_measure(&test.context, "test", points, 1, NULL, &error), MPM_BAD_INPUT);
-    ck_assert_msg(g_str_has_prefix(error.message, "nothing: "), "%s", error.message);
-    g_array_unref(points);
-    close_bench(&test);
-}
-END_TEST
-
-START_TEST(the_scenes_of_the_block_make_the_particles_that_they_promise)
-{
-    static const char *const scenes[] = {"benchmarks/scenes/block.yaml",
-                                         "benchmarks/scenes/block_axisymmetric.yaml"};
-    for (size_t i = 0; i < G_N_ELEMENTS(scenes); i++) {
-        static const char *const settings[] = {"grid.refine=3"};
-        const struct mpm_simulation_options options = {.threads = 1};
-        struct mpm_scene *scene;
-        struct mpm_plan plan;
-        struct mpm_error error;
-        ck_assert_int_eq(mpm_scene_read(scenes[i], settings, 1, &scene, &error), MPM_OK);
-        ck_assert_int_eq(mpm_scene_plan(scene, &options, &plan, &error), MPM_OK);
-        ck_assert_uint_eq(plan.particles, 900);
-        mpm_scene_free(scene);
-    }
-}
-END_TEST
-
 Suite *suite_bench(void)
 {
     Suite *suite = suite_create("bench");
@@ -505,9 +387,6 @@ Suite *suite_bench(void)
     tcase_add_test(tcase, what_has_no_ratio_is_compared_in_words);
     tcase_add_test(tcase, bad_usage_is_exit_status_2_with_a_reason);
     tcase_add_test(tcase, the_list_names_every_group_once);
-    tcase_add_test(tcase, every_point_has_one_value_for_each_round_by_its_clock);
-    tcase_add_test(tcase, a_scene_that_fails_is_named);
-    tcase_add_test(tcase, the_scenes_of_the_block_make_the_particles_that_they_promise);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -60,7 +60,11 @@ static const char scaling_lines[] = RESULT(
     "scaling", "block, 1 thread", "\"threads\":1,\"particles\":1e5", RATE, "2e7", "1.9e7", "2.1e7")
     RESULT("scaling", "block, 2 threads", "\"threads\":2,\"particles\":1e5", RATE, "3.8e7", "3.7e7",
            "3.9e7") COMPARISON("scaling", "block, 2 threads", "block, 1 thread", "1.9", "1.85",
-                               "1.95", "faster");
+                               "1.95", "faster")
+        RESULT("scaling", "block, 2 runs of 1 thread", "\"threads\":1,\"runs\":2,\"particles\":1e5",
+               RATE, "3.9e7", "3.8e7", "4e7")
+            COMPARISON("scaling", "block, 2 runs of 1 thread", "block, 1 thread", "1.93", "1.9",
+                       "1.97", "faster");
 
 #define CPDI(cells, outcome)                                                                       \
     "\"problem\":\"bar\",\"shape\":\"cpdi\",\"stress_update\":\"usl\",\"cells\":" cells            \
@@ -210,6 +214,23 @@ START_TEST(figures_are_drawn_and_the_same_lines_give_the_same_bytes)
 }
 END_TEST
 
+/* In words beside the threads, and not as a point of their curve. */
+START_TEST(threads_are_held_against_runs_side_by_side)
+{
+    char *folder = whole();
+    render(folder);
+    char *page = test_folder_read(folder, "index.html");
+    char *data = test_folder_read(folder, "figures/threads.dat");
+    assert_holds(page, " particles: 2 threads of one run come to 1.9 (1.85 .. 1.95) times one "
+                       "thread; 2 separate runs of one thread each, side by side, to 1.93 (1.9 .. "
+                       "1.97) times one alone.");
+    ck_assert_msg(g_str_has_suffix(data, "\"\n1 20 19 21\n2 38 37 39\n"), "%s", data);
+    g_free(page);
+    g_free(data);
+    test_folder_remove(folder);
+}
+END_TEST
+
 START_TEST(missing_groups_are_left_out_with_a_sentence)
 {
     const char *const parts[] = {run_line, pays_lines, NULL};
@@ -280,6 +301,7 @@ Suite *suite_bench_report(void)
     tcase_add_test(tests, what_is_not_resolved_is_not_printed_as_a_difference);
     tcase_add_test(tests, texts_of_the_lines_are_escaped);
     tcase_add_test(tests, figures_are_drawn_and_the_same_lines_give_the_same_bytes);
+    tcase_add_test(tests, threads_are_held_against_runs_side_by_side);
     tcase_add_test(tests, missing_groups_are_left_out_with_a_sentence);
     tcase_add_test(tests,
                    lines_that_are_none_are_refused_with_file_and_line_and_nothing_is_written);

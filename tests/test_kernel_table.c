@@ -350,7 +350,7 @@ START_TEST(both_kernels_agree_on_stretched_and_sheared_bodies)
         place_body(&settings, geometry);
         add(&settings, "grid.cell=[1, 0.6]");
         add(&settings, "grid.cells=[40, 60]");
-        add(&settings, "time.courant=0.1");
+        add(&settings, "time.courant=0.12");
         add(&settings, "materials.soft.bulk=0.05");
         add(&settings, "materials.soft.shear=0.03");
         add(&settings, "bodies.body.region.rectangle.from=[15.2, 15.5]");

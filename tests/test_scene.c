@@ -289,7 +289,7 @@ static char *describe(const struct mpm_scene *scene)
     const struct mpm_body_spec *body = &scene->bodies[0];
     return g_strdup_printf(
         "%s|%s|%s|%s|%s|%.17g|%.17g %.17g|%.17g|%" G_GINT64_FORMAT "|%.17g %.17g %d|%d %d %d %d %d "
-        "%.17g %d|%d %d %s %s|%zu|%s %s",
+        "%.17g %d|%d %d %s %s|%zu|%s %s|%" G_GINT64_FORMAT " %.17g %.17g",
         scene->title, scene->units_length, scene->units_mass, scene->units_time,
         scene->units_temperature, scene->thickness, scene->origin[0], scene->origin[1],
         scene->cell[0], (gint64)scene->cells[0], scene->courant, scene->step, scene->allow_unstable,
@@ -298,13 +298,22 @@ static char *describe(const struct mpm_scene *scene)
         body->particles_per_cell[0], body->particles_per_cell[1], body->velocity.text[0],
         body->velocity.text[1], scene->boundary_count,
         scene->body_force.text[0] != NULL ? scene->body_force.text[0] : "none",
-        scene->body_force.text[1] != NULL ? scene->body_force.text[1] : "none");
+        scene->body_force.text[1] != NULL ? scene->body_force.text[1] : "none",
+        (gint64)scene->rest.steps, scene->rest.after, scene->damping.target);
+}
+
+/* A scene in which one more key can be set: some need their group, with what that requires. */
+static const char *scene_around(const char *key, bool axisymmetric)
+{
+    if (g_str_has_prefix(key, "time.rest.") || g_str_has_prefix(key, "damping.thermostat."))
+        return "tests/scenes/good/damped_to_rest.yaml";
+    return axisymmetric ? "tests/scenes/good/compressed_disk.yaml" : TEST_MINIMAL_SCENE;
 }
 
 /* Setting a key to the default that the schema prints must change nothing. */
 static void check_default(const char *key, const char *value, bool axisymmetric)
 {
-    const char *base = axisymmetric ? "tests/scenes/good/compressed_disk.yaml" : TEST_MINIMAL_SCENE;
+    const char *base = scene_around(key, axisymmetric);
     char **parts = g_strsplit(key, "[]", -1);
     char *path = g_strjoinv(".0", parts);
     char *setting = g_strdup_printf("%s=%s", path, value);
@@ -328,6 +337,25 @@ static char *table_cell(const char *head, const char *row, const char *column, c
     const size_t to = (size_t)(strstr(head, next) - head);
     return g_strchomp(g_strndup(row + from, to - from));
 }
+
+START_TEST(damping_and_rest_say_what_their_file_says)
+{
+    struct mpm_scene *scene =
+        test_scene_read("tests/scenes/good/damped_to_rest.yaml", "damping.thermostat.scale=3");
+    const struct mpm_damping_spec *const damping = &scene->damping;
+    ck_assert_str_eq(damping->grid, "0.1*x");
+    ck_assert_str_eq(damping->particle, "0.2");
+    ck_assert_str_eq(damping->pic, "1-0.1*t");
+    ck_assert(damping->thermostat && damping->gain == 2.0 && damping->scale == 3.0);
+    ck_assert(scene->rest.asked && scene->rest.residual == 1e-3);
+    ck_assert(scene->rest.kinetic_energy == 1e-6 && scene->rest.steps == 10);
+    ck_assert(mpm_scene_is_damped(scene));
+    mpm_scene_free(scene);
+    scene = test_scene_read(TEST_MINIMAL_SCENE, "damping={grid: 0, particle: 0.0, pic: 1}");
+    ck_assert(!mpm_scene_is_damped(scene) && !scene->rest.asked);
+    mpm_scene_free(scene);
+}
+END_TEST
 
 START_TEST(every_default_is_what_the_schema_prints)
 {
@@ -402,6 +430,7 @@ Suite *suite_scene(void)
     tcase_add_test(content, young_and_poisson_give_bulk_and_shear);
     tcase_add_test(content, the_hash_is_that_of_the_bytes);
     tcase_add_test(content, a_minimal_scene_has_the_documented_defaults);
+    tcase_add_test(content, damping_and_rest_say_what_their_file_says);
     tcase_add_test(content, every_default_is_what_the_schema_prints);
     tcase_add_test(content, the_schema_lists_keys_with_type_unit_default_and_range);
     suite_add_tcase(suite, content);

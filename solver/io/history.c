@@ -16,6 +16,7 @@ struct mpm_history {
     char *path;
     int file;
     off_t size; /* of the complete rows */
+    size_t column_count;
     bool has_row;
     uint64_t last_step;
 };
@@ -38,6 +39,8 @@ static const struct column {
     {"total_energy", offsetof(struct mpm_ledger, total_energy), false, 2, 1, -2},
     {"j_min", offsetof(struct mpm_ledger, j_min), false, 0, 0, 0},
     {"j_max", offsetof(struct mpm_ledger, j_max), false, 0, 0, 0},
+    /* of damped scenes only */
+    {"damping_dissipation", offsetof(struct mpm_ledger, damping_dissipation), false, 2, 1, -2},
 };
 
 static void append_value(GString *row, const struct column *column, const struct mpm_ledger *ledger)
@@ -70,9 +73,9 @@ static enum mpm_status write_head(struct mpm_history *history, const struct mpm_
                                   struct mpm_error *error)
 {
     GString *head = g_string_new(NULL);
-    for (size_t i = 0; i < G_N_ELEMENTS(columns); i++)
+    for (size_t i = 0; i < history->column_count; i++)
         g_string_append_printf(head, "%s%s", i == 0 ? "" : ",", columns[i].name);
-    for (size_t i = 0; i < G_N_ELEMENTS(columns); i++) {
+    for (size_t i = 0; i < history->column_count; i++) {
         char unit[MPM_UNIT_SIZE];
         mpm_unit_text(scene, columns[i].length, columns[i].mass, columns[i].time, unit);
         g_string_append_printf(head, "%s%s", i == 0 ? "\n# " : ",", unit);
@@ -89,6 +92,7 @@ enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *s
     struct mpm_history *created = g_new0(struct mpm_history, 1);
     *history = NULL;
     created->path = g_build_filename(folder, MPM_HISTORY_NAME, NULL);
+    created->column_count = G_N_ELEMENTS(columns) - (mpm_scene_is_damped(scene) ? 0 : 1);
     created->file = open(created->path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     const enum mpm_status status =
         created->file < 0
@@ -118,7 +122,7 @@ enum mpm_status mpm_history_write(struct mpm_history *history, const struct mpm_
     if (history->has_row && history->last_step == ledger->step)
         return MPM_OK;
     GString *row = g_string_new(NULL);
-    for (size_t i = 0; i < G_N_ELEMENTS(columns); i++) {
+    for (size_t i = 0; i < history->column_count; i++) {
         if (i > 0)
             g_string_append_c(row, ',');
         append_value(row, &columns[i], ledger);

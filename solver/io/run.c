@@ -55,7 +55,15 @@ static bool has_taken_all_steps(const struct run *run)
 
 static bool is_finished(const struct run *run)
 {
-    return mpm_simulation_time(run->simulation) >= run->scene->end || has_taken_all_steps(run);
+    return mpm_simulation_time(run->simulation) >= run->scene->end || has_taken_all_steps(run) ||
+           mpm_simulation_at_rest(run->simulation, NULL);
+}
+
+static const char *end_reason(const struct run *run)
+{
+    if (mpm_simulation_at_rest(run->simulation, NULL))
+        return "at rest";
+    return has_taken_all_steps(run) ? "time.steps taken" : "time.end reached";
 }
 
 /* ------------------------------------------------------------------ output */
@@ -139,6 +147,22 @@ static void report_progress(const struct run *run)
     run->options->progress(run->options->progress_context, MIN(fraction, 1.0), run->simulation);
 }
 
+/* A scene that asks for rest and ends without it has failed; its last state is written. */
+static enum mpm_status check_rest(const struct run *run, struct mpm_error *error)
+{
+    const struct mpm_rest_spec *const asked = &run->scene->rest;
+    struct mpm_rest rest;
+    if (mpm_simulation_at_rest(run->simulation, &rest) || !rest.asked)
+        return MPM_OK;
+    return mpm_error_set(error, MPM_RUN_FAILED,
+                         "not at rest when %s, at step %" PRIu64
+                         ", time %g: residual %g, kinetic energy %g; allowed: below %g and %g for "
+                         "%" PRId64 " steps",
+                         end_reason(run), mpm_simulation_step(run->simulation),
+                         mpm_simulation_time(run->simulation), rest.residual, rest.kinetic_energy,
+                         asked->residual, asked->kinetic_energy, asked->steps);
+}
+
 static enum mpm_status march(struct run *run, struct mpm_error *error)
 {
     MPM_TRY(write_results(run, true, true, error));
@@ -152,7 +176,7 @@ static enum mpm_status march(struct run *run, struct mpm_error *error)
         MPM_TRY(write_due_results(run, error));
         report_progress(run);
     }
-    return MPM_OK;
+    return check_rest(run, error);
 }
 
 static enum mpm_status open_results(struct run *run, struct mpm_error *error)
@@ -183,9 +207,7 @@ static enum mpm_status write_record(struct run *run, enum mpm_status status,
         return status;
     struct mpm_run_record *record = &run->record;
     record->status = status;
-    record->reason = status != MPM_OK           ? error->message
-                     : has_taken_all_steps(run) ? "time.steps taken"
-                                                : "time.end reached";
+    record->reason = status != MPM_OK ? error->message : end_reason(run);
     record->scene_path = run->options->scene_path;
     record->kernels = mpm_simulation_kernels(run->simulation);
     record->simd = mpm_simulation_simd(run->simulation);

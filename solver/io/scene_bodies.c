@@ -20,7 +20,8 @@ static const char *const *coordinate_names(const struct mpm_scene *scene)
 }
 
 static enum mpm_status check_expression(const struct mpm_reading *reading, const char *path,
-                                        const char *text, bool has_time, const double place[2])
+                                        const char *text, bool has_time, const double place[2],
+                                        double *value)
 {
     const char *const *names = coordinate_names(reading->scene);
     char excerpt[MPM_EXCERPT_SIZE];
@@ -33,13 +34,22 @@ static enum mpm_status check_expression(const struct mpm_reading *reading, const
                                  mistake.message);
     if (status != MPM_OK)
         return mpm_error_set(reading->error, status, "%s", mistake.message);
-    const double value = mpm_expression_value(expression, 0, place, 0.0);
+    *value = mpm_expression_value(expression, 0, place, 0.0);
     mpm_expression_free(expression);
-    if (isfinite(value))
+    if (isfinite(*value))
         return MPM_OK;
     return mpm_reading_fault(reading, path, "%s is %s at %s = %g, %s = %g%s; allowed: finite",
-                             mpm_excerpt(text, excerpt), isnan(value) ? "not a number" : "infinite",
-                             names[0], place[0], names[1], place[1], has_time ? ", t = 0" : "");
+                             mpm_excerpt(text, excerpt),
+                             isnan(*value) ? "not a number" : "infinite", names[0], place[0],
+                             names[1], place[1], has_time ? ", t = 0" : "");
+}
+
+enum mpm_status mpm_build_expression(const struct mpm_reading *reading, const char *path,
+                                     const char *text, bool has_time, const double place[2],
+                                     char **copy, double *value)
+{
+    MPM_TRY(check_expression(reading, path, text, has_time, place, value));
+    return mpm_reading_copy(reading, text, copy);
 }
 
 enum mpm_status mpm_build_expressions(const struct mpm_reading *reading, const char *path,
@@ -48,11 +58,11 @@ enum mpm_status mpm_build_expressions(const struct mpm_reading *reading, const c
 {
     for (size_t i = 0; i < 2; i++) {
         char component[MPM_PATH_SIZE];
+        double value;
         if (strcmp(texts[i], "free") == 0)
             continue;
-        MPM_TRY(check_expression(reading, mpm_path_entry(path, i, component), texts[i], has_time,
-                                 place));
-        MPM_TRY(mpm_reading_copy(reading, texts[i], &vector->text[i]));
+        MPM_TRY(mpm_build_expression(reading, mpm_path_entry(path, i, component), texts[i],
+                                     has_time, place, &vector->text[i], &value));
     }
     return MPM_OK;
 }

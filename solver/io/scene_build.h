@@ -27,6 +27,8 @@ enum mpm_status mpm_build_materials(const struct mpm_reading *reading);
 enum mpm_status mpm_build_bodies(const struct mpm_reading *reading);
 enum mpm_status mpm_build_boundaries(const struct mpm_reading *reading);
 enum mpm_status mpm_build_loads(const struct mpm_reading *reading);
+/* Damping, and when a run is at rest. */
+enum mpm_status mpm_build_damping(const struct mpm_reading *reading);
 
 /* Regions; `path` is that of the key `region`. */
 enum mpm_status mpm_build_body_region(const struct mpm_reading *reading, const char *path,
@@ -45,6 +47,11 @@ void mpm_region_sample(const struct mpm_scene *scene, const struct mpm_region *r
 enum mpm_status mpm_build_expressions(const struct mpm_reading *reading, const char *path,
                                       char *const texts[2], bool has_time, const double place[2],
                                       struct mpm_vector_expression *vector);
+
+/* The same for one text; *value at `place` and t = 0. */
+enum mpm_status mpm_build_expression(const struct mpm_reading *reading, const char *path,
+                                     const char *text, bool has_time, const double place[2],
+                                     char **copy, double *value);
 
 /* ------------------------------------------------------------------- tools */
 

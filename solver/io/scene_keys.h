@@ -91,6 +91,16 @@
     X(S, ONE, refine, INTEGER, ANYWHERE, OPTIONAL, "", "1", FROM_TO(1, 1048576),                   \
       "divides each cell into so many along each axis")
 
+#define KEYS_rest(X, S)                                                                            \
+    X(S, ONE, residual, NUMBER, ANYWHERE, REQUIRED, "", NULL, ABOVE_TO(0, 1),                      \
+      "unbalanced force of the free nodes over the internal forces of all, to be fallen below")    \
+    X(S, ONE, kinetic_energy, NUMBER, ANYWHERE, REQUIRED, "", NULL, ABOVE_TO(0, 1),                \
+      "kinetic energy over the energy put in (at t = 0 and by work), to be fallen below")          \
+    X(S, ONE, steps, INTEGER, ANYWHERE, OPTIONAL, "", "10", FROM_TO(1, 1000000),                   \
+      "both must be below for so many steps in a row")                                             \
+    X(S, ONE, after, NUMBER, ANYWHERE, OPTIONAL, "time", "0", AT_LEAST(0),                         \
+      "rest is not looked for before: when the loads are complete")
+
 #define KEYS_time(X, S)                                                                            \
     X(S, ONE, end, NUMBER, ANYWHERE, REQUIRED, "time", NULL, ABOVE(0), "when the run ends")        \
     X(S, ONE, courant, NUMBER, ANYWHERE, OPTIONAL, "", "0.4", ABOVE(0),                            \
@@ -101,7 +111,9 @@
     X(S, ONE, steps, INTEGER, ANYWHERE, OPTIONAL, "", NULL, FROM_TO(1, 9007199254740992.0),        \
       "stop after so many steps")                                                                  \
     X(S, ONE, allow_unstable, BOOLEAN, ANYWHERE, OPTIONAL, "", "false", ANY,                       \
-      "take time steps beyond the stability limit")
+      "take time steps beyond the stability limit")                                                \
+    X(S, GROUP, rest, rest, ANYWHERE, OPTIONAL, "", NULL, ANY,                                     \
+      "quasi-static: the run is done when it is at rest, and has failed if it is not by the end")
 
 #define KEYS_transfer(X, S)                                                                        \
     X(S, CHOICE, kind, transfer_kind, ANYWHERE, OPTIONAL, "", "flip", ANY,                         \
@@ -211,6 +223,24 @@
     X(S, LIST, tractions, traction, ANYWHERE, OPTIONAL, "", "[]", ANY,                             \
       "reserved: this version knows no tractions and takes an empty list only")
 
+#define KEYS_thermostat(X, S)                                                                      \
+    X(S, ONE, gain, NUMBER, ANYWHERE, REQUIRED, "1/time^2", NULL, ABOVE(0),                        \
+      "growth of alpha: d alpha/dt = gain (K - target)/scale; near the square of twice the lowest angular frequency") \
+    X(S, ONE, target, NUMBER, ANYWHERE, OPTIONAL, "mass length^2/time^2", "0", AT_LEAST(0),        \
+      "kinetic energy K that it leads to")                                                         \
+    X(S, ONE, scale, NUMBER, ANYWHERE, OPTIONAL, "mass length^2/time^2", NULL, ABOVE(0),           \
+      "kinetic energy that gain is meant for; without it the largest K so far")
+
+#define KEYS_damping(X, S)                                                                         \
+    X(S, ONE, grid, EXPRESSION, ANYWHERE, OPTIONAL, "1/time", NULL, ANY,                           \
+      "alpha_g: nodes slow down by alpha_g v, in coordinates of the node and t")                   \
+    X(S, ONE, particle, EXPRESSION, ANYWHERE, OPTIONAL, "1/time", NULL, ANY,                       \
+      "alpha_p: particles slow down by alpha_p v, in coordinates of the particle and t")           \
+    X(S, ONE, pic, EXPRESSION, ANYWHERE, OPTIONAL, "", NULL, ANY,                                  \
+      "beta, from 0 to 1, in t: what of a particle's velocity the grid does not carry is multiplied by it in each step") \
+    X(S, GROUP, thermostat, thermostat, ANYWHERE, OPTIONAL, "", NULL, ANY,                         \
+      "adds to alpha_g a rate that follows the kinetic energy")
+
 #define KEYS_output(X, S)                                                                          \
     X(S, ONE, history, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                         \
       "interval of rows in history.csv; without it only t = 0 and end")                            \
@@ -236,13 +266,14 @@
       "one or more bodies, one of them deformable")                                                \
     X(S, LIST, boundary, boundary, ANYWHERE, OPTIONAL, "", "[]", ANY, "conditions on grid nodes")  \
     X(S, GROUP, loads, loads, ANYWHERE, OPTIONAL, "", "{}", ANY, "forces on bodies")               \
+    X(S, GROUP, damping, damping, ANYWHERE, OPTIONAL, "", "{}", ANY, "artificial damping")         \
     X(S, GROUP, output, output, ANYWHERE, OPTIONAL, "", "{}", ANY, "what is written, how often")
 
 /* Children before those who hold them; `scene` last. */
 #define MPM_KEY_LISTS(L)                                                                           \
-    L(units) L(grid) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
+    L(units) L(grid) L(rest) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
     L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary)            \
-    L(traction) L(loads) L(output) L(scene)
+    L(traction) L(loads) L(thermostat) L(damping) L(output) L(scene)
 /* clang-format on */
 
 #endif

@@ -121,7 +121,8 @@ static enum mpm_status build(const struct mpm_reading *reading)
     MPM_TRY(mpm_build_materials(reading));
     MPM_TRY(mpm_build_bodies(reading));
     MPM_TRY(mpm_build_boundaries(reading));
-    return mpm_build_loads(reading);
+    MPM_TRY(mpm_build_loads(reading));
+    return mpm_build_damping(reading);
 }
 
 static enum mpm_status build_from_tree(struct mpm_scene *scene, struct mpm_tree_node *root,
@@ -216,6 +217,9 @@ void mpm_scene_free(struct mpm_scene *scene)
     for (size_t i = 0; i < scene->setting_count; i++)
         free(scene->settings[i]);
     free_vector(&scene->body_force);
+    free(scene->damping.grid);
+    free(scene->damping.particle);
+    free(scene->damping.pic);
     free(scene->bodies);
     free(scene->boundaries);
     free(scene->materials);
@@ -238,6 +242,13 @@ const char *mpm_scene_body_name(const struct mpm_scene *scene, size_t body)
 double mpm_scene_end_time(const struct mpm_scene *scene)
 {
     return scene->end;
+}
+
+bool mpm_scene_is_damped(const struct mpm_scene *scene)
+{
+    const struct mpm_damping_spec *const damping = &scene->damping;
+    return damping->grid != NULL || damping->particle != NULL || damping->pic != NULL ||
+           damping->thermostat;
 }
 
 bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene)

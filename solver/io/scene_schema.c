@@ -37,12 +37,13 @@ static const cyaml_schema_value_t cyaml_point = {
 
 #define CYAML_ONE_STRING(raw, key, need)                                                           \
     CYAML_FIELD_STRING_PTR(#key, CYAML_FLAG_POINTER | (need), raw, key, 0, CYAML_UNLIMITED),
-#define CYAML_ONE_NUMBER(raw, key, need)  CYAML_ONE_STRING(raw, key, need)
-#define CYAML_ONE_TEXT(raw, key, need)    CYAML_ONE_STRING(raw, key, need)
-#define CYAML_ONE_NAME(raw, key, need)    CYAML_ONE_STRING(raw, key, need)
-#define CYAML_ONE_LAW(raw, key, need)     CYAML_ONE_STRING(raw, key, need)
-#define CYAML_ONE_INTEGER(raw, key, need) CYAML_FIELD_INT(#key, need, raw, key),
-#define CYAML_ONE_BOOLEAN(raw, key, need) CYAML_FIELD_BOOL(#key, need, raw, key),
+#define CYAML_ONE_NUMBER(raw, key, need)     CYAML_ONE_STRING(raw, key, need)
+#define CYAML_ONE_EXPRESSION(raw, key, need) CYAML_ONE_STRING(raw, key, need)
+#define CYAML_ONE_TEXT(raw, key, need)       CYAML_ONE_STRING(raw, key, need)
+#define CYAML_ONE_NAME(raw, key, need)       CYAML_ONE_STRING(raw, key, need)
+#define CYAML_ONE_LAW(raw, key, need)        CYAML_ONE_STRING(raw, key, need)
+#define CYAML_ONE_INTEGER(raw, key, need)    CYAML_FIELD_INT(#key, need, raw, key),
+#define CYAML_ONE_BOOLEAN(raw, key, need)    CYAML_FIELD_BOOL(#key, need, raw, key),
 
 #define CYAML_SHAPE_ONE(raw, key, value, need) CYAML_ONE_##value(raw, key, need)
 #define CYAML_SHAPE_PAIR(raw, key, value, need)                                                    \
@@ -76,6 +77,7 @@ const cyaml_schema_value_t mpm_scene_cyaml = {
 /* In parentheses, so that the commas stay together on their way through the lists. */
 #define ANY            (-HUGE_VAL, HUGE_VAL, false, false)
 #define ABOVE(a)       (a, HUGE_VAL, true, false)
+#define AT_LEAST(a)    (a, HUGE_VAL, false, false)
 #define ABOVE_TO(a, b) (a, b, true, false)
 #define FROM_TO(a, b)  (a, b, false, false)
 #define BETWEEN(a, b)  (a, b, true, true)
@@ -166,7 +168,8 @@ static void range_text(const struct mpm_range *range, char *buffer, size_t size)
     else if (range->low == range->high)
         (void)snprintf(buffer, size, "%.16g", range->low);
     else if (isinf(range->high))
-        (void)snprintf(buffer, size, "above %.16g", range->low);
+        (void)snprintf(buffer, size, "%s %.16g", range->low_open ? "above" : "at least",
+                       range->low);
     else if (range->high_open)
         (void)snprintf(buffer, size, "between %.16g and %.16g, both excluded", range->low,
                        range->high);

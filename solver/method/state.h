@@ -36,6 +36,7 @@ enum mpm_failure_kind {
     MPM_DOMAIN_TOO_BIG,          /* value: its reach in cells */
     MPM_LOAD_NOT_FINITE,         /* value: the body force along the axis */
     MPM_UNIFORM_LOAD_NOT_FINITE, /* the same; of no particle */
+    MPM_RATE_REFUSED,            /* value: the particle's damping rate */
 };
 
 struct mpm_failure {
@@ -52,6 +53,7 @@ struct mpm_strip {
     double kinetic_energy;
     double wave_speed_squared; /* largest */
     double external_work;      /* of body forces in the step */
+    double dissipated;         /* by damping at the particles, in a part of the step */
     struct mpm_failure failure;
 };
 
@@ -78,6 +80,39 @@ enum mpm_body_force_kind {
     MPM_NO_BODY_FORCE,
     MPM_UNIFORM_BODY_FORCE, /* a constant, or of time alone: all of it at the nodes */
     MPM_VARYING_BODY_FORCE, /* in space: at the particles */
+};
+
+/* What damping remembers from step to step. */
+struct mpm_damping_books {
+    double dissipated;      /* energy taken out since t = 0 */
+    double rate;            /* alpha of the thermostat */
+    double largest_kinetic; /* energy so far */
+};
+
+/* What a scene damps; see damping.h. NULL, false and 0 where it does not. */
+struct mpm_damping {
+    bool nodes, particles;
+    struct mpm_expression *grid, *particle, *pic;
+    double grid_rate;     /* of all nodes in this step: a grid(t), and the thermostat's */
+    double particle_rate; /* of all particles: a particle(t) */
+    double pic_rate;      /* (1 - beta)/dt */
+    double *drag[2];      /* per particle: the deceleration of this step */
+    struct mpm_damping_books books;
+};
+
+/* The forces of a step, |f_x| + |f_y| over nodes, for scenes that ask for rest. */
+struct mpm_balance {
+    double internal;   /* of all nodes */
+    double unbalanced; /* of the components that nothing holds */
+};
+
+/* What passes over rows leave for a sum in the rows' order; where a scene damps nodes or
+ * asks for rest. */
+struct mpm_row_sums {
+    double dissipated;
+    struct mpm_balance balance;
+    int64_t refused; /* the first node with a rate that is not allowed, or -1 */
+    double rate;     /* there */
 };
 
 struct mpm_state {
@@ -114,6 +149,10 @@ struct mpm_state {
     enum mpm_body_force_kind body_force_kind;
     double uniform_force[2];   /* its value in this step */
     double (*row_momentum)[2]; /* per node row: sum m_i (v_i^n + v_i^{n+1}); for a uniform one */
+
+    struct mpm_damping damping;
+    struct mpm_balance balance;    /* of the last step, if the scene asks for rest */
+    struct mpm_row_sums *row_sums; /* per node row */
 
     double time;      /* at the start of the step */
     double time_step; /* of this step */

@@ -3,7 +3,9 @@
 
 #include "base/strips.h"
 #include "method/conditions.h"
+#include "method/damping.h"
 #include "method/grid_update.h"
+#include "method/rest.h"
 #include "method/transfer.h"
 
 #include <math.h>
@@ -178,6 +180,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
 
     if (uniform_force)
         MPM_TRY(evaluate_uniform_force(state));
+    MPM_TRY(mpm_damping_begin(state, error));
     mpm_grid_find_active(state);
     run_rows(state, mpm_row_clear);
     charge(seconds, MPM_PHASE_GRID, &mark);
@@ -194,12 +197,18 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
 
     /* Task 2 for USF and USAVG: stress update (35), (36); Task 3: forces (28) */
     run_particles(state, workers, passes->stress_before);
+    if (state->scene->rest.asked)
+        mpm_rest_measure_internal(state);
     if (varying_force)
         run_particles(state, workers, mpm_pass_body_force);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
     /* Task 4: momentum update (29), conditions */
     run_rows(state, uniform_force ? mpm_row_update_with_body_force : mpm_row_update);
+    if (state->scene->rest.asked)
+        mpm_rest_measure_unbalanced(state);
+    if (state->damping.nodes)
+        MPM_TRY(mpm_damping_apply_nodes(state, error));
     mpm_conditions_apply_end(state);
     if (uniform_force)
         state->external_work += uniform_work(state);
@@ -207,12 +216,17 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
 
     if (varying_force)
         state->external_work += varying_work(state, workers);
+    /* Task 5: damping at the particles, Notes (43), of their velocities before any transfer */
+    if (state->damping.particles)
+        mpm_damping_find_drag(state);
     /* Task 5: particle velocities (30); Task 6 for MUSL and USAVG: extrapolate them (31) */
     if (state->kernels.smooth != NULL)
         state->kernels.smooth(state, workers);
     if (state->kernels.flip_rows != NULL)
         run_rows(state, state->kernels.flip_rows);
     run_particles(state, workers, state->kernels.flip_particles);
+    if (state->damping.particles)
+        mpm_damping_take_drag(state);
     run_particles(state, workers, passes->to_particles);
     charge(seconds, MPM_PHASE_TO_PARTICLES, &mark);
     if (order->extrapolate) {
@@ -224,6 +238,10 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     /* Task 6: stress update of USL, MUSL, USAVG; Task 5: positions, last, since every
      * task uses the shape functions of the positions at the start */
     run_particles(state, workers, passes->finish);
+    if (state->damping.particles)
+        mpm_damping_settle(state);
+    if (state->scene->damping.thermostat)
+        mpm_thermostat_advance(state);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
     MPM_TRY(mpm_rigid_advance(state, error));

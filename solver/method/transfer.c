@@ -48,10 +48,6 @@ void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_st
     state->family->evaluate(&state->shape_grid, &domain, stencil);
 }
 
-/* The weights of what a particle reads back. Notes (67), (73)-(78), the momentum form: with the
- * mass M = sum S m_i that the nodes have at the particle, (sum S p_i) / M is
- * sum (S m_i / M) v_i, and so for gradients and for forces, f_i = m_i a_i: velocities with
- * other weights. M > 0, since the particle is part of it. */
 static inline const struct mpm_stencil *read_back_weights(const struct mpm_state *state,
                                                           const struct mpm_stencil *stencil,
                                                           bool by_momentum,
@@ -74,6 +70,13 @@ static inline const struct mpm_stencil *read_back_weights(const struct mpm_state
         };
     }
     return weights;
+}
+
+const struct mpm_stencil *mpm_particle_read_weights(const struct mpm_state *state,
+                                                    const struct mpm_stencil *stencil,
+                                                    struct mpm_stencil *weights)
+{
+    return read_back_weights(state, stencil, state->scene->form == MPM_FORM_MOMENTUM, weights);
 }
 
 /* A pass that reads back, in both forms. */
@@ -147,8 +150,8 @@ void mpm_pass_momentum_and_force(void *context, int64_t strip, int worker)
 
 /* ------------------------------------------------------------ body forces */
 
-static bool body_force_at(const struct mpm_state *state, size_t p, int worker,
-                          struct mpm_strip *strip, double b[2])
+bool mpm_particle_body_force(const struct mpm_state *state, size_t p, int worker,
+                             struct mpm_strip *strip, double b[2])
 {
     const double position[2] = {state->particles.position[0][p], state->particles.position[1][p]};
     for (int axis = 0; axis < 2; axis++) {
@@ -169,7 +172,7 @@ void mpm_pass_body_force(void *context, int64_t index, int worker)
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil stencil;
         double b[2];
-        if (!body_force_at(state, p, worker, strip, b))
+        if (!mpm_particle_body_force(state, p, worker, strip, b))
             continue;
         mpm_particle_stencil(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
@@ -190,7 +193,7 @@ void mpm_pass_body_work(void *context, int64_t index, int worker)
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil stencil;
         double b[2], power = 0.0;
-        if (!body_force_at(state, p, worker, strip, b))
+        if (!mpm_particle_body_force(state, p, worker, strip, b))
             continue;
         mpm_particle_stencil(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
@@ -421,6 +424,11 @@ static void update_position(const struct mpm_state *state, size_t p,
     placement.step[1] = step[1];
     if (mpm_placement_check(state, &placement, particles->id[p], strip))
         mpm_extent_add(extent, &placement);
+}
+
+struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p)
+{
+    return placement_of(state, p);
 }
 
 static inline void position(struct mpm_state *state, int64_t index, bool by_momentum)

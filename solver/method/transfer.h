@@ -6,11 +6,18 @@
 #ifndef MPM_METHOD_TRANSFER_H
 #define MPM_METHOD_TRANSFER_H
 
-#include "method/state.h"
+#include "method/extent.h"
 
 /* S, G and T of the nodes that a particle reaches. */
 void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil);
 
+/* The weights of what a particle reads back: the stencil itself, or in the momentum form, Notes
+ * (67), (73)-(78), `weights`. With the mass M = sum S m_i that the nodes have at the particle,
+ * (sum S p_i) / M is sum (S m_i / M) v_i, and so for gradients and for forces, f_i = m_i a_i:
+ * velocities with other weights. M > 0, since the particle is part of it. */
+const struct mpm_stencil *mpm_particle_read_weights(const struct mpm_state *state,
+                                                    const struct mpm_stencil *stencil,
+                                                    struct mpm_stencil *weights);
 /* f_i of the particle's stress; see mpm_pass_momentum_and_force */
 void mpm_particle_add_internal_force(const struct mpm_state *state, size_t p,
                                      const struct mpm_stencil *stencil);
@@ -23,6 +30,13 @@ void mpm_particle_add_extrapolated(const struct mpm_state *state, const struct m
 
 /* Puts the domain of a particle's F into its place, where domains are kept. */
 void mpm_particle_set_domain(const struct mpm_state *state, size_t p);
+
+/* A body force that varies in space, where the particle is; false, with a record, if it is not
+ * finite. */
+bool mpm_particle_body_force(const struct mpm_state *state, size_t p, int worker,
+                             struct mpm_strip *strip, double b[2]);
+/* Its place with the reach of its domain; no way gone. */
+struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p);
 
 /* m_i, p_i: CRAMP (26), Notes (23), (25) */
 void mpm_pass_momentum(void *state, int64_t strip, int worker);

@@ -80,6 +80,25 @@ struct mpm_boundary_spec {
     int line;
 };
 
+/* Rates are expressions in the coordinates and t, NULL where there is none. */
+struct mpm_damping_spec {
+    char *grid, *particle; /* alpha_g, alpha_p, 1/time */
+    char *pic;             /* beta(t), 0 to 1 */
+    bool thermostat;
+    double gain;   /* 1/time^2 */
+    double target; /* kinetic energy to be reached */
+    double scale;  /* kinetic energy, or 0: the largest so far */
+};
+
+/* When a run counts as being at rest. */
+struct mpm_rest_spec {
+    bool asked;
+    double residual;       /* unbalanced force over internal forces */
+    double kinetic_energy; /* over the energy put in */
+    double after;          /* time */
+    int64_t steps;         /* in a row */
+};
+
 struct mpm_scene {
     char *path; /* as given, for messages */
     char *title;
@@ -96,6 +115,7 @@ struct mpm_scene {
     double step;    /* fixed step, or 0 */
     int64_t steps;  /* stop after so many, or 0 */
     bool allow_unstable;
+    struct mpm_rest_spec rest;
 
     enum mpm_shape shape;
     enum mpm_axis axis;
@@ -115,12 +135,13 @@ struct mpm_scene {
     struct mpm_boundary_spec *boundaries;
     size_t boundary_count;
     struct mpm_vector_expression body_force; /* NULL components: none */
+    struct mpm_damping_spec damping;
 
-    double history_interval, snapshot_interval; /* 0: only first and last */
-    double checkpoint_interval;                 /* 0: none asked for */
-    int line_grid, line_time, line_body_force;  /* in the file, for messages */
-    unsigned char sha256[32];                   /* of the file's bytes */
-    char **settings;                            /* --set texts, for provenance */
+    double history_interval, snapshot_interval;              /* 0: only first and last */
+    double checkpoint_interval;                              /* 0: none asked for */
+    int line_grid, line_time, line_body_force, line_damping; /* in the file, for messages */
+    unsigned char sha256[32];                                /* of the file's bytes */
+    char **settings;                                         /* --set texts, for provenance */
     size_t setting_count;
 };
 

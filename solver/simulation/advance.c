@@ -3,21 +3,12 @@
 
 #include <math.h>
 
-static double kinetic_energy(const struct mpm_state *state)
+double mpm_kinetic_energy(const struct mpm_state *state)
 {
     double sum = 0.0;
     for (int64_t s = 0; s < state->strip_count; s++)
         sum += state->strips[s].kinetic_energy;
     return sum;
-}
-
-static double fastest_wave(const struct mpm_state *state)
-{
-    double square = 0.0;
-    for (int64_t s = 0; s < state->strip_count; s++)
-        if (state->strips[s].wave_speed_squared > square)
-            square = state->strips[s].wave_speed_squared;
-    return sqrt(square);
 }
 
 /* Keeps the message for good and goes back to the last good state. */
@@ -41,7 +32,7 @@ static enum mpm_status take_step(struct mpm_simulation *simulation, struct mpm_e
                              state->time + state->time_step, cause.message);
     }
     simulation->work_scale += fabs(state->external_work - work);
-    return mpm_health_check(simulation, kinetic_energy(state), error);
+    return mpm_health_check(simulation, mpm_kinetic_energy(state), error);
 }
 
 enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double time_limit,
@@ -69,8 +60,10 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
     state->time = lands ? time_limit : state->time + state->time_step;
     simulation->backup.time_steps[since] = state->time_step;
     simulation->backup.times[since] = state->time;
-    simulation->wave_speed = fastest_wave(state);
+    mpm_speeds_update(simulation);
     simulation->step++;
+    if (simulation->scene->rest.asked)
+        mpm_rest_judge(simulation);
     return MPM_OK;
 }
 

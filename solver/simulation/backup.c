@@ -27,6 +27,7 @@ void mpm_backup_save(struct mpm_simulation *simulation)
     backup->time = state->time;
     backup->external_work = state->external_work;
     backup->work_scale = simulation->work_scale;
+    backup->damping = state->damping.books;
     backup->wave_speed = simulation->wave_speed;
     backup->step = simulation->step;
 }
@@ -47,6 +48,7 @@ static void copy_back(struct mpm_simulation *simulation)
     state->time = backup->time;
     state->external_work = backup->external_work;
     simulation->work_scale = backup->work_scale;
+    state->damping.books = backup->damping;
     simulation->wave_speed = backup->wave_speed;
     simulation->step = backup->step;
 }

@@ -9,13 +9,18 @@
 
 /* -------------------------------------------------------------- expressions */
 
+static const char *const *coordinate_names(const struct mpm_scene *scene)
+{
+    static const char *const planar[2] = {"x", "y"}, *const radial[2] = {"r", "z"};
+    return scene->geometry == MPM_AXISYMMETRIC ? radial : planar;
+}
+
 static enum mpm_status create_field(const struct mpm_scene *scene,
                                     const struct mpm_vector_expression *text, bool has_time,
                                     int workers, struct mpm_vector_field *field,
                                     struct mpm_error *error)
 {
-    static const char *const planar[2] = {"x", "y"}, *const radial[2] = {"r", "z"};
-    const char *const *const names = scene->geometry == MPM_AXISYMMETRIC ? radial : planar;
+    const char *const *const names = coordinate_names(scene);
     for (int axis = 0; axis < 2; axis++)
         if (text->text[axis] != NULL)
             MPM_TRY(mpm_expression_create(text->text[axis], names, has_time, workers,
@@ -62,7 +67,7 @@ static enum mpm_status create_expressions(struct mpm_simulation *simulation,
     MPM_TRY(
         create_field(scene, &scene->body_force, true, state->workers, &state->body_force, error));
     state->body_force_kind = body_force_kind(&state->body_force);
-    return MPM_OK;
+    return mpm_damping_create(simulation, coordinate_names(scene), error);
 }
 
 static double boundary_value(const void *context, int32_t boundary, int32_t component,
@@ -103,6 +108,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     state->row_high = MPM_TAKE(arena, int64_t, rows);
     if (state->body_force_kind == MPM_UNIFORM_BODY_FORCE)
         state->row_momentum = mpm_arena_take(arena, rows, sizeof *state->row_momentum);
+    mpm_damping_layout(state, arena);
     state->sort_counts = MPM_TAKE(arena, uint32_t, longest + 1);
     const size_t driven =
         counts->rigid * MPM_STENCIL_MAX < nodes ? counts->rigid * MPM_STENCIL_MAX : nodes;
@@ -250,6 +256,14 @@ static double initial_wave_speed(const struct mpm_simulation *simulation)
     return sqrt(fastest);
 }
 
+static double lightest_particle(const struct mpm_particles *particles)
+{
+    double mass = particles->mass[0];
+    for (size_t p = 1; p < particles->count; p++)
+        mass = fmin(mass, particles->mass[p]);
+    return mass;
+}
+
 static void describe_method(struct mpm_simulation *simulation, int threads)
 {
     const struct mpm_scene *const scene = simulation->scene;
@@ -314,7 +328,10 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     MPM_TRY(check_start(simulation, error));
     simulation->wave_speed = initial_wave_speed(simulation);
     simulation->wave_speed_start = simulation->wave_speed;
+    simulation->particle_speed = mpm_particle_speed(&state->particles, 0, state->particles.count);
+    simulation->lightest = lightest_particle(&state->particles);
     MPM_TRY(mpm_time_step_check(simulation, error));
+    MPM_TRY(mpm_damping_check_start(simulation, error));
     open_books(simulation);
     double unused[MPM_PHASE_COUNT] = {0.0}; /* part of the set-up */
     mpm_step_sort(state, simulation->backup.arrays, unused);
@@ -354,6 +371,7 @@ void mpm_simulation_free(struct mpm_simulation *simulation)
     for (size_t k = 0; state->body_velocity != NULL && k < simulation->scene->body_count; k++)
         free_field(&state->body_velocity[k]);
     free_field(&state->body_force);
+    mpm_damping_free(&state->damping);
     free(state->boundary_velocity);
     free(state->body_velocity);
     free(state->conditions);

@@ -74,6 +74,12 @@ static void describe(const struct mpm_simulation *simulation, const struct mpm_f
         (void)snprintf(text, size, "has a body force that is not finite: loads.body_force.%d = %g",
                        failure->axis, failure->value);
         return;
+    case MPM_RATE_REFUSED:
+        (void)snprintf(text, size,
+                       "has damping.particle = %g; allowed: at least 0 and below %g, 1 over the "
+                       "time step",
+                       failure->value, 1.0 / simulation->state.time_step);
+        return;
     case MPM_UNIFORM_LOAD_NOT_FINITE:
     case MPM_NO_FAILURE:
         break;

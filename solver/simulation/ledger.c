@@ -36,10 +36,12 @@ void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_l
         .time = simulation->state.time,
         .step = simulation->step,
         .external_work = simulation->state.external_work,
+        .damping_dissipation = simulation->state.damping.books.dissipated,
         .j_min = HUGE_VAL,
         .j_max = -HUGE_VAL,
     };
     for (size_t p = 0; p < simulation->state.particles.count; p++)
         add_particle(simulation, p, ledger);
-    ledger->total_energy = ledger->kinetic_energy + ledger->strain_energy;
+    ledger->total_energy =
+        ledger->kinetic_energy + ledger->strain_energy + ledger->damping_dissipation;
 }

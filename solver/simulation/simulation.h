@@ -15,6 +15,7 @@ struct mpm_backup {
     double *arrays[MPM_KEPT_ARRAYS]; /* filled by the sort */
     double *rigid_position[2], *rigid_velocity[2];
     double time, external_work, work_scale, wave_speed;
+    struct mpm_damping_books damping;
     uint64_t step;
     double time_steps[MPM_STEPS_BETWEEN_SORTS]; /* of the steps since, */
     double times[MPM_STEPS_BETWEEN_SORTS];      /* and where they ended */
@@ -28,24 +29,47 @@ struct mpm_simulation {
     uint64_t step;
     double wave_speed; /* fastest in the material now */
     double wave_speed_start;
-    double mass;
-    double energy_start; /* kinetic and strain energy at t = 0 */
-    double work_scale;   /* sum of |external work| of the steps */
+    double particle_speed; /* of the fastest particle if it outruns waves; else perhaps 0 */
+    double mass, lightest; /* of all particles, of the lightest one */
+    double energy_start;   /* kinetic and strain energy at t = 0 */
+    double work_scale;     /* sum of |external work| of the steps */
+    int64_t steps_at_rest; /* in a row, if the scene asks for rest */
     double seconds[MPM_PHASE_COUNT];
     struct mpm_error failure; /* status MPM_OK while the run is sound */
 };
 
-/* time_step.c: the next step from Courant number and wave speed, or the fixed one;
- * shortened to land on `limit`. *lands tells whether it does. */
+/* time_step.c: the next step from the Courant number and what is fastest now, waves in the
+ * deformed material or particles, or the fixed one; shortened to land on `limit`. *lands tells
+ * whether it does. */
 double mpm_time_step_next(const struct mpm_simulation *simulation, double limit, bool *lands);
+/* Speed of the fastest particle of first..end - 1. */
+double mpm_particle_speed(const struct mpm_particles *particles, size_t first, size_t end);
+/* Sets wave_speed and particle_speed to those after the step just taken. Looks at the particles
+ * of a strip only if its kinetic energy could make one of them faster than waves. */
+void mpm_speeds_update(struct mpm_simulation *simulation);
 /* Refuses a fixed step beyond the stability limit unless the scene allows it. */
 enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,
                                     struct mpm_error *error);
+
+/* Kinetic energy of the deformable particles after the last step. */
+double mpm_kinetic_energy(const struct mpm_state *state);
 
 /* health.c: judges the step just taken. MPM_RUN_FAILED names step, time, particle and
  * value. */
 enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, double kinetic_energy,
                                  struct mpm_error *error);
+
+/* damping.c: what the scene damps, and its memory; rates that are not allowed at t = 0 are
+ * refused with MPM_BAD_INPUT once the particles stand and the first time step is known. */
+enum mpm_status mpm_damping_create(struct mpm_simulation *simulation, const char *const names[2],
+                                   struct mpm_error *error);
+void mpm_damping_layout(struct mpm_state *state, struct mpm_arena *arena);
+enum mpm_status mpm_damping_check_start(const struct mpm_simulation *simulation,
+                                        struct mpm_error *error);
+void mpm_damping_free(struct mpm_damping *damping);
+
+/* rest.c: judges the step just taken. */
+void mpm_rest_judge(struct mpm_simulation *simulation);
 
 /* backup.c */
 void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);

@@ -1,14 +1,44 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/simulation.h"
 
+#include <math.h>
+
 /* The rest of the way is taken in one step if it is longer than a step by no more than
  * this part, and in two equal ones if it is shorter than two steps: no sliver is left. */
 static const double LANDING_SLACK = 1e-9;
 
+double mpm_particle_speed(const struct mpm_particles *particles, size_t first, size_t end)
+{
+    double square = 0.0;
+    for (size_t p = first; p < end; p++) {
+        const double vx = particles->velocity[0][p], vy = particles->velocity[1][p];
+        square = fmax(square, vx * vx + vy * vy);
+    }
+    return sqrt(square);
+}
+
+void mpm_speeds_update(struct mpm_simulation *simulation)
+{
+    const struct mpm_state *const state = &simulation->state;
+    double wave = 0.0, particle = 0.0;
+    for (int64_t s = 0; s < state->strip_count; s++)
+        wave = fmax(wave, state->strips[s].wave_speed_squared);
+    for (int64_t s = 0; s < state->strip_count; s++) {
+        const struct mpm_strip *const strip = &state->strips[s];
+        if (2.0 * strip->kinetic_energy > simulation->lightest * wave)
+            particle =
+                fmax(particle, mpm_particle_speed(&state->particles, strip->begin, strip->end));
+    }
+    simulation->wave_speed = sqrt(wave);
+    simulation->particle_speed = particle;
+}
+
+/* Waves run through a cell of the grid relative to the material, which the grid moves with in a
+ * step: their speed bounds the step. Particles must not outrun a cell: so does theirs. */
 static double crossing_time(const struct mpm_simulation *simulation)
 {
     return fmin(simulation->state.grid.cell[0], simulation->state.grid.cell[1]) /
-           simulation->wave_speed;
+           fmax(simulation->wave_speed, simulation->particle_speed);
 }
 
 double mpm_time_step_next(const struct mpm_simulation *simulation, double limit, bool *lands)
@@ -28,10 +58,12 @@ enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,
 {
     const struct mpm_scene *const scene = simulation->scene;
     const double limit = crossing_time(simulation);
+    const bool particles = simulation->particle_speed > simulation->wave_speed;
     if (scene->step <= limit || scene->allow_unstable)
         return MPM_OK;
     return mpm_scene_error(error, scene, scene->line_time, "time.step",
                            "%g is beyond the stability limit; allowed: up to %g (cell size over "
-                           "wave speed %g), or more with time.allow_unstable: true",
-                           scene->step, limit, simulation->wave_speed);
+                           "%s %g), or more with time.allow_unstable: true",
+                           scene->step, limit, particles ? "the speed of particles," : "wave speed",
+                           particles ? simulation->particle_speed : simulation->wave_speed);
 }

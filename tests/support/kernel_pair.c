@@ -87,7 +87,7 @@ static void compare(struct kernel_pair *pair)
                              mpm_simulation_time(pair->simulation[1])};
     pair->time_difference =
         fmax(pair->time_difference, difference(times[0], times[1], fabs(times[0])));
-    pair->same_bits = pair->same_bits && memcmp(&times[0], &times[1], sizeof times[0]) == 0;
+    pair->same_bits = pair->same_bits && times[0] == times[1];
     for (int index = 0; index < KERNEL_PAIR_FIELDS; index++)
         compare_field(pair, index);
 }

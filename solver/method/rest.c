@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/rest.h"
+
+#include "base/strips.h"
+#include "method/grid_update.h"
+
+#include <math.h>
+
+static double row_force(const struct mpm_state *state, int64_t row)
+{
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    double sum = 0.0;
+    for (int64_t node = span.first; node < span.end; node++)
+        sum += fabs(state->grid.sum[node][0].force) + fabs(state->grid.sum[node][1].force);
+    return sum;
+}
+
+static void row_internal(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    (void)worker;
+    state->row_sums[row].balance.internal = row_force(state, row);
+}
+
+static void row_unbalanced(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    (void)worker;
+    state->row_sums[row].balance.unbalanced = row_force(state, row);
+}
+
+static void run_rows(struct mpm_state *state, void (*pass)(void *, int64_t, int))
+{
+    mpm_rows_run(state->first_row, state->last_row, state->workers, pass, state);
+}
+
+void mpm_rest_measure_internal(struct mpm_state *state)
+{
+    run_rows(state, row_internal);
+    state->balance.internal = 0.0;
+    for (int64_t row = state->first_row; row <= state->last_row; row++)
+        state->balance.internal += state->row_sums[row].balance.internal;
+}
+
+void mpm_rest_measure_unbalanced(struct mpm_state *state)
+{
+    double held = 0.0, all = 0.0;
+    run_rows(state, row_unbalanced);
+    for (int64_t row = state->first_row; row <= state->last_row; row++)
+        all += state->row_sums[row].balance.unbalanced;
+    for (size_t k = 0; k < state->active_count; k++)
+        held += fabs(state->grid.sum[state->active[k].node][state->active[k].component].force);
+    state->balance.unbalanced = fmax(all - held, 0.0); /* round-off may be all that is left */
+}

@@ -1,0 +1,113 @@
+/* The time step follows the state: waves in the deformed material, and particles that are faster.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "suites.h"
+#include "support/folder.h"
+#include "support/near.h"
+#include "support/scenes.h"
+
+#include <glib.h>
+#include <string.h>
+
+/* Neo-Hookean material that all nodes press together: it fills 8 cells, and at t = 8 only 2. */
+static const char PLUG[] =
+    "format: 1\n"
+    "geometry: plane_strain\n"
+    "grid: {origin: [0, 0], cell: [1, 1], cells: [12, 4]}\n"
+    "time: {end: 400, courant: 0.4}\n"
+    "method: {shape: cpdi, stress_update: usavg}\n"
+    "materials: [{name: rubber, law: neo_hookean, density: 1, bulk: 80, shear: 48}]\n"
+    "bodies:\n"
+    "  - {name: plug, material: rubber, region: {rectangle: {from: [0, 0], to: [8, 2]}}}\n"
+    "boundary:\n"
+    "  - {region: all, velocity: ['-0.75*x/(8-0.75*t)', 0]}\n";
+
+/* rho_0 c^2 = l^2 W_ll = K/2 (J^2 + 1) + G J^(-2/3) (5/9 tr B - l^2/3) along the stretch l; the
+ * transverse waves along the unstretched y have G J^(-2/3) only. */
+static double wave_speed(double stretch)
+{
+    const double bulk = 80.0, shear = 48.0, square = stretch * stretch;
+    const double factor = shear / cbrt(square);
+    return sqrt(0.5 * bulk * (square + 1.0) + factor * (5.0 / 9.0 * (square + 2.0) - square / 3.0));
+}
+
+/* Volume gives way here, K/2 (J^2 + 1) falls, while the part of G grows: by 24 % in all. */
+START_TEST(a_body_that_stiffens_gets_shorter_steps)
+{
+    const double first = 0.4 / wave_speed(1.0), last = 0.4 / wave_speed(0.25);
+    const double integration = 1e-3; /* of the step, which loses 10 %; 240 steps */
+    struct test_run run = test_run_open(PLUG, NULL, 1);
+    test_run_steps(&run, 1);
+    ck_assert_near(mpm_simulation_time_step(run.simulation), first, 1e-12);
+    while (mpm_simulation_time(run.simulation) < 8.0)
+        test_run_steps(&run, 1);
+    ck_assert_double_lt(last, 0.91 * first);
+    ck_assert_near(mpm_simulation_time_step(run.simulation), last, integration * last);
+    test_run_close(&run);
+}
+END_TEST
+
+/* Wave speed 1.5, cells of 0.8 at least. */
+static const char BULLET[] =
+    "format: 1\n"
+    "geometry: plane_strain\n"
+    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [40, 10]}\n"
+    "time: {end: 10, courant: 0.5}\n"
+    "materials: [{name: soft, law: neo_hookean, density: 1, bulk: 1.25, shear: 0.75}]\n"
+    "bodies:\n"
+    "  - {name: slow, material: soft, region: {rectangle: {from: [1, 0.8], to: [9, 7.2]}}}\n"
+    "  - {name: fast, material: soft, region: {rectangle: {from: [11, 1.6], to: [12, 2.4]}},\n"
+    "     velocity: [3, 4]}\n";
+
+static const struct {
+    const char *velocity, *damping;
+    double speed; /* of what is fastest, in the second step as well */
+} bullets[] = {
+    {"bodies.fast.velocity=[3, 4]", "damping={}", 5.0},
+    {"bodies.fast.velocity=[0.9, 1.1]", "damping={}", 1.5},
+    /* a step of 0.08 leaves 2/3 of the speed: 10/3 */
+    {"bodies.fast.velocity=[3, 4]", "damping={particle: '25/6'}", 10.0 / 3.0},
+};
+
+START_TEST(a_particle_that_outruns_waves_gets_shorter_steps)
+{
+    const char *const settings[] = {bullets[_i].velocity, bullets[_i].damping, NULL};
+    struct test_run run = test_run_open(BULLET, settings, 1);
+    test_run_steps(&run, 2);
+    ck_assert_near(mpm_simulation_time_step(run.simulation), 0.5 * 0.8 / bullets[_i].speed, 1e-12);
+    test_run_close(&run);
+}
+END_TEST
+
+START_TEST(a_fixed_step_in_which_a_particle_would_outrun_a_cell_is_refused)
+{
+    struct mpm_scene *scene = NULL;
+    struct mpm_simulation *simulation = NULL;
+    struct mpm_error error = {.status = MPM_OK};
+    const char *const settings[] = {"time={end: 10, step: 0.2}"};
+    char *folder = test_folder_create();
+    char *path = test_folder_write(folder, "scene.yaml", BULLET);
+    ck_assert_int_eq(mpm_scene_read(path, settings, 1, &scene, &error), MPM_OK);
+    ck_assert_int_eq(mpm_simulation_create(scene, &(struct mpm_simulation_options){.threads = 1},
+                                           &simulation, &error),
+                     MPM_BAD_INPUT);
+    ck_assert_msg(strstr(error.message, "0.2 is beyond the stability limit; allowed: up to 0.16 "
+                                        "(cell size over the speed of particles, 5)") != NULL,
+                  "%s", error.message);
+    mpm_scene_free(scene);
+    test_folder_remove(folder);
+    g_free(path);
+}
+END_TEST
+
+Suite *suite_time_step(void)
+{
+    Suite *suite = suite_create("time_step");
+    TCase *state = tcase_create("state");
+    tcase_add_test(state, a_body_that_stiffens_gets_shorter_steps);
+    tcase_add_loop_test(state, a_particle_that_outruns_waves_gets_shorter_steps, 0,
+                        G_N_ELEMENTS(bullets));
+    tcase_add_test(state, a_fixed_step_in_which_a_particle_would_outrun_a_cell_is_refused);
+    suite_add_tcase(suite, state);
+    return suite;
+}
