@@ -2,7 +2,7 @@
  * then.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/suite/programs.h"
+#include "verification/suite/follow.h"
 
 #include <math.h>
 #include <string.h>
@@ -23,7 +23,13 @@ static const struct {
     {"wave speed", "runaway wave speed"},
     {"is not finite", "not finite"},
 };
-enum { ENDINGS = sizeof endings / sizeof endings[0], REACHED_END = 1, LOOKS = 500 };
+enum {
+    ENDINGS = sizeof endings / sizeof endings[0],
+    REACHED_END = 1,
+    LOOKS = 500,
+    ROWS = LOOKS + 2,
+    COLUMNS = 4
+};
 
 struct record {
     double start;          /* E - W at t = 0 */
@@ -31,6 +37,9 @@ struct record {
     double largest;        /* E, the scale */
     double j_min, j_max;   /* of all times */
     struct mpm_ledger now; /* the last look */
+    double end;            /* of the run */
+    double rows[ROWS * COLUMNS];
+    size_t row_count;
 };
 
 static void look(struct record *record, const struct mpm_simulation *simulation)
@@ -43,15 +52,18 @@ static void look(struct record *record, const struct mpm_simulation *simulation)
     record->largest = fmax(record->largest, now->total_energy);
     record->j_min = fmin(record->j_min, now->j_min);
     record->j_max = fmax(record->j_max, now->j_max);
+    const double row[COLUMNS] = {100.0 * now->time / record->end, change, now->j_min, now->j_max};
+    for (size_t c = 0; c < COLUMNS && record->row_count < ROWS; c++)
+        record->rows[COLUMNS * record->row_count + c] = row[c];
+    record->row_count += record->row_count < ROWS;
 }
 
-static struct record start_record(const struct mpm_simulation *simulation)
+static void start(struct record *record, const struct mpm_simulation *simulation, double end)
 {
-    struct record record = {.j_min = HUGE_VAL};
-    mpm_simulation_ledger(simulation, &record.now);
-    record.start = record.now.total_energy - record.now.external_work;
-    look(&record, simulation);
-    return record;
+    *record = (struct record){.j_min = HUGE_VAL, .end = end};
+    mpm_simulation_ledger(simulation, &record->now);
+    record->start = record->now.total_energy - record->now.external_work;
+    look(record, simulation);
 }
 
 static int ending_of(const char *message)
@@ -66,7 +78,7 @@ static int ending_of(const char *message)
 static enum mpm_status follow(struct measurement *m, struct mpm_simulation *simulation, double end,
                               struct record *record, int *ending, struct mpm_error *error)
 {
-    *record = start_record(simulation);
+    start(record, simulation, end);
     *ending = REACHED_END;
     for (int k = 1; *ending == REACHED_END && mpm_simulation_time(simulation) < end;) {
         const enum mpm_status status = mpm_simulation_advance(simulation, end, error);
@@ -85,11 +97,11 @@ static enum mpm_status follow(struct measurement *m, struct mpm_simulation *simu
     return MPM_OK;
 }
 
-static void report(struct measurement *m, const struct mpm_simulation *simulation, double end,
-                   const struct record *record, int ending)
+static enum mpm_status report(struct measurement *m, const struct mpm_simulation *simulation,
+                              const struct record *record, int ending, struct mpm_error *error)
 {
     measurement_report(m, "ending", ending);
-    measurement_report(m, "progress", 100.0 * record->now.time / end);
+    measurement_report(m, "progress", 100.0 * record->now.time / record->end);
     measurement_report(m, "steps", (double)mpm_simulation_step(simulation));
     measurement_report(m, "j_min", record->j_min);
     measurement_report(m, "j_max", record->j_max);
@@ -97,8 +109,9 @@ static void report(struct measurement *m, const struct mpm_simulation *simulatio
     measurement_report(m, "j_max_end", record->now.j_max);
     measurement_report(m, "energy_drift",
                        100.0 * fmax(record->high, -record->low) / record->largest);
-    measurement_work(m,
-                     mpm_simulation_step(simulation) * mpm_simulation_particle_count(simulation));
+    follow_count_work(m, simulation);
+    return measurement_series(m, "state", "progress energy_change j_min j_max", COLUMNS,
+                              record->row_count, record->rows, error);
 }
 
 static enum mpm_status run(struct measurement *measurement, struct mpm_error *error)
@@ -116,7 +129,7 @@ static enum mpm_status run(struct measurement *measurement, struct mpm_error *er
     if (status == MPM_OK)
         status = follow(measurement, simulation, end, &record, &ending, error);
     if (status == MPM_OK)
-        report(measurement, simulation, end, &record, ending);
+        status = report(measurement, simulation, &record, ending, error);
     mpm_simulation_free(simulation);
     mpm_scene_free(scene);
     return status;

@@ -165,33 +165,38 @@ static void report_problem(const struct study *study, const struct bisection_bor
                          study->problem->name, border->passes);
 }
 
-/* `theory`: "SHAPE ORDER PARTICLES" of a bar of `cells` cells whose linear theory stands beside the
- * first problem. */
+/* Place of `name` among `count` names, or `count`. */
+static size_t place_of(const char *name, const char *const *names, size_t count)
+{
+    size_t place = 0;
+    while (place < count && strcmp(names[place], name) != 0)
+        place++;
+    return place;
+}
+
+/* `theory`: "SHAPE ORDER" of a bar of `cells` cells with `particles` along x in each, whose linear
+ * theory stands beside the first problem. */
 static enum mpm_status report_theory(const struct study *study, double limit,
                                      struct mpm_error *error)
 {
-    static const char *const shapes[] = {"classic", "ugimp", "bspline2", "bspline3", NULL};
-    static const char *const orders[] = {"usl", "musl", "usf", "usavg", NULL};
+    static const char *const shapes[] = {"classic", "ugimp", "bspline2", "bspline3"};
+    static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
+    enum { SHAPES = sizeof shapes / sizeof *shapes, ORDERS = sizeof orders / sizeof *orders };
     const char *text;
-    double cells;
-    char shape[16], order[16];
-    struct linear_row row = {.offset = 0.0};
+    double cells, particles;
+    char shape[16] = "", order[16] = "";
     TRY(measurement_text(study->measurement, "theory", &text, error));
     TRY(measurement_number(study->measurement, "cells", &cells, error));
-    size_t s = 0, o = 0;
-    if (sscanf(text, "%15s %15s %zu", shape, order, &row.particles) == 3) {
-        while (shapes[s] != NULL && strcmp(shapes[s], shape) != 0)
-            s++;
-        while (orders[o] != NULL && strcmp(orders[o], order) != 0)
-            o++;
-    }
-    if (row.particles < 1 || row.particles > LINEAR_PARTICLES_MAX || shapes[s] == NULL ||
-        orders[o] == NULL)
+    TRY(measurement_number(study->measurement, "particles", &particles, error));
+    (void)sscanf(text, "%15s %15s", shape, order);
+    const size_t s = place_of(shape, shapes, SHAPES), o = place_of(order, orders, ORDERS);
+    if (!(particles >= 1.0 && particles <= LINEAR_PARTICLES_MAX) || s == SHAPES || o == ORDERS)
         return failure_set(error, MPM_BAD_INPUT,
-                           "theory: \"%s\": allowed are a shape, an order and 1 to %d particles",
-                           text, LINEAR_PARTICLES_MAX);
-    row.shape = (enum linear_shape)s;
-    row.order = (enum linear_order)o;
+                           "theory: \"%s\", particles: %g: allowed are a shape, an order and 1 to "
+                           "%d particles",
+                           text, particles, LINEAR_PARTICLES_MAX);
+    const struct linear_row row = {(enum linear_shape)s, (enum linear_order)o, (size_t)particles,
+                                   0.0};
     const double predicted = linear_step_limit(&row, (int)cells);
     measurement_report(study->measurement, "predicted", predicted);
     measurement_report(study->measurement, "over_predicted", limit / predicted);
