@@ -101,7 +101,7 @@ objects  = $(patsubst %.c,$(BUILD)/objects/%.o,$(1))
 
 FAST_LEVELS  := baseline $(if $(findstring x86_64,$(shell $(CC) -dumpmachine 2>/dev/null)),v3)
 # They take longest to compile: first in every list, and the longest of them before the others.
-FAST_OBJECTS := $(foreach family,cpdi ugimp classic,$(foreach level,$(FAST_LEVELS),\
+FAST_OBJECTS := $(foreach family,cpdi bspline3 ugimp bspline2 classic,$(foreach level,$(FAST_LEVELS),\
                   $(BUILD)/objects/fast/$(family).$(level).o))
 # Square roots never set errno here: without that, lanes would be taken one by one. No vector
 # crosses a call, so its convention is nothing to be told of: gcc's note heeds this flag alone.

@@ -2,9 +2,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/accuracy.h"
-#include "benchmarks/pareto.h"
 #include "benchmarks/report_sections.h"
 
+#include "verification/measures/pareto.h"
 #include "verification/suite/records.h"
 
 #include <math.h>

@@ -21,11 +21,14 @@
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
     SUITE(time_step)                                                                               \
+    SUITE(shapes)                                                                                  \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
     SUITE(catalogue)                                                                               \
     SUITE(methods)                                                                                 \
+    SUITE(comparison)                                                                              \
+    SUITE(comparison_page)                                                                         \
     SUITE(judge)                                                                                   \
     SUITE(report)                                                                                  \
     SUITE(scene_run)                                                                               \

@@ -91,6 +91,30 @@ START_TEST(a_free_body_keeps_one_minus_alpha_dt_of_its_velocity_in_a_step)
 }
 END_TEST
 
+/* Every transfer hands a uniform velocity over as it is, less what damping takes. */
+START_TEST(every_transfer_is_damped_alike)
+{
+    static const char *const transfers[] = {
+        "method.transfer={kind: flip, fraction: 0.8}",
+        "method.transfer={kind: pic}",
+        "method.transfer={kind: xpic, order: 3}",
+        "method.transfer={kind: fmpm, order: 3}",
+        "method.transfer={kind: apic}",
+        "method={extrapolate: false, stress_update: usavg}",
+    };
+    const char *const settings[] = {transfers[_i], "damping={grid: 0.3, particle: 0.2}", NULL};
+    struct test_run run = test_run_open(FLYERS, settings, 1);
+    size_t count;
+    test_run_steps(&run, FLYER_STEPS);
+    double *const v = velocities(&run, &count);
+    for (size_t k = 0; k < 2 * count; k++)
+        ck_assert_near(v[k], pow(1.0 - 0.5 * FLYER_DT, FLYER_STEPS) * FLYER_SPEED[k % 2],
+                       FLYER_ROUND_OFF);
+    free(v);
+    test_run_close(&run);
+}
+END_TEST
+
 START_TEST(a_place_is_damped_and_another_is_not)
 {
     static const char *const damped[] = {"damping={grid: 'x < 8 ? 0.7 : 0'}",
@@ -370,13 +394,18 @@ START_TEST(damping_that_cannot_be_is_refused)
 }
 END_TEST
 
-START_TEST(pic_damping_beside_a_flip_fraction_is_refused)
+START_TEST(pic_damping_beside_what_does_the_same_is_refused)
 {
-    const char *const settings[] = {"damping={pic: 0.9}",
-                                    "method.transfer={kind: flip, fraction: 0.9}"};
-    const struct mpm_error error = refusal(settings, 2);
-    ck_assert_msg(strstr(error.message, "both damping.pic and a method.transfer that") != NULL,
-                  "%s", error.message);
+    static const char *const others[][2] = {
+        {"method.transfer={kind: flip, fraction: 0.9}", "both damping.pic and a method.transfer"},
+        {"method.transfer.kind=pic", "PIC damping with a method.transfer other than flip"},
+        {"method.transfer={kind: xpic, order: 2}", "PIC damping with a method.transfer other"},
+    };
+    for (size_t k = 0; k < G_N_ELEMENTS(others); k++) {
+        const char *const settings[] = {"damping={pic: 0.9}", others[k][0]};
+        const struct mpm_error error = refusal(settings, 2);
+        ck_assert_msg(strstr(error.message, others[k][1]) != NULL, "%s", error.message);
+    }
 }
 END_TEST
 
@@ -421,6 +450,7 @@ Suite *suite_damping(void)
     TCase *free_bodies = tcase_create("free bodies");
     tcase_add_loop_test(free_bodies, a_free_body_keeps_one_minus_alpha_dt_of_its_velocity_in_a_step,
                         0, RATES * ORDERS * SHAPES);
+    tcase_add_loop_test(free_bodies, every_transfer_is_damped_alike, 0, 6);
     tcase_add_loop_test(free_bodies, a_place_is_damped_and_another_is_not, 0, 2);
     tcase_add_test(free_bodies, strain_follows_the_damped_velocity_of_the_nodes);
     tcase_add_loop_test(free_bodies, a_held_component_is_not_damped, 0, 2);
@@ -434,7 +464,7 @@ Suite *suite_damping(void)
     suite_add_tcase(suite, kernels);
     TCase *refusals = tcase_create("refusals");
     tcase_add_loop_test(refusals, damping_that_cannot_be_is_refused, 0, G_N_ELEMENTS(refused));
-    tcase_add_test(refusals, pic_damping_beside_a_flip_fraction_is_refused);
+    tcase_add_test(refusals, pic_damping_beside_what_does_the_same_is_refused);
     tcase_add_loop_test(refusals, a_rate_that_goes_astray_fails_the_run, 0, G_N_ELEMENTS(failing));
     suite_add_tcase(suite, refusals);
     return suite;

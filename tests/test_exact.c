@@ -15,6 +15,10 @@
 
 Suite *suite_exact(void);
 
+static const enum mpm_shape shapes[] = {MPM_CLASSIC, MPM_UGIMP, MPM_CPDI, MPM_BSPLINE2,
+                                        MPM_BSPLINE3};
+enum { FAMILIES = sizeof shapes / sizeof *shapes };
+
 /* Sums of a few products of numbers of order one: 16 roundings of eps/2 each. */
 static const double ROUND_OFF = 2e-15;
 
@@ -49,6 +53,7 @@ struct hand_case {
 #define PLANAR MPM_PLANE_STRAIN, MPM_TRUNCATED
 #define CUT    MPM_AXISYMMETRIC, MPM_TRUNCATED
 #define UNCUT  MPM_AXISYMMETRIC, MPM_UNTRUNCATED
+#define FLAT   MPM_AXISYMMETRIC, MPM_PLANAR
 
 /* Axis averages of the hat over [p - 1/4, p + 1/4], with u the distance from the node:
  *   p = 1/2: N is linear there, so 1/2 and slope -1 (node 0), 1/2 and +1 (node 1);
@@ -58,7 +63,12 @@ struct hand_case {
  * At r_p = 1/8, not cut, [-1/8, 3/8]: int r dr = 1/16; node -1: -int u^2 = -1/1536, so
  * -1/96; node 1: 9/512 * 16 = 9/32; node 0 the rest. Slopes: N_0 rises below r = 0, where
  * int r dr = -1/128, and falls above, where it is 9/128: (-1/128 - 9/128) 16 = -5/4.
- * CPDI takes N at the corners, p -/+ 1/4; at p = 0 these are 3/4 (node 0). */
+ * CPDI takes N at the corners, p -/+ 1/4; at p = 0 these are 3/4 (node 0).
+ * Planar functions at r_p = 1/8: node -1 gets int_0^{1/8} u du / (1/2) = 1/64, slope -1/4.
+ * B-splines at the distance d from the node: quadratic 3/4 - d^2 up to 1/2, (3/2 - d)^2/2 beyond;
+ * cubic 2/3 - d^2 + d^3/2 up to 1, (2 - d)^3/6 beyond. So 3/4 and 2/3 at 0, slope 0; 1/2 and 23/48
+ * at 1/2, slopes -1 and -5/8. Folded at r = 0: quadratic 1 - u at node 0, u at node 1; cubic u -
+ * u^3/3 at node 1, 11/24 at u = 1/2, slope 1 - u^2 = 3/4. */
 static const struct hand_case HAND_CASES[] = {
     {"classic", MPM_CLASSIC, PLANAR, {0.25, 0.5}, {0, 0}, {0.375, -0.5, -0.75, 0}},
     {"classic hoop", MPM_CLASSIC, CUT, {0.25, 0.5}, {1, 1}, {0.125, 0.5, 0.25, 0.125}},
@@ -77,6 +87,18 @@ static const struct hand_case HAND_CASES[] = {
     {"corners, radial", MPM_CPDI, UNCUT, {0.5, 0.5}, {1, 0}, {13. / 48, 0.5, -13. / 24, 0.25}},
     /* shrunk by 1/2 to [0, 1/4]: <r^2>/<r> = (1/64 + 1/192) 8 = 1/6 */
     {"shrunk", MPM_CPDI, CUT, {0.125, 0.5}, {1, 0}, {1. / 12, 0.5, -1. / 6, 1. / 16}},
+    {"flat", MPM_UGIMP, FLAT, {0.125, 0.5}, {-1, 0}, {1. / 128, -0.125, -1. / 64, 1. / 128}},
+    {"flat, corners", MPM_CPDI, FLAT, {0.5, 0.5}, {1, 0}, {0.25, 0.5, -0.5, 0.25}},
+    {"quadratic", MPM_BSPLINE2, PLANAR, {0, 0.5}, {0, 0}, {0.375, 0, -0.75, 0}},
+    {"quadratic, axis", MPM_BSPLINE2, CUT, {0.25, 0.5}, {0, 0}, {0.375, -0.5, -0.75, 0.375}},
+    {"quadratic, beyond", MPM_BSPLINE2, UNCUT, {0.25, 0.5}, {-1, 0}, {0, 0, 0, 0}},
+    {"cubic", MPM_BSPLINE3, PLANAR, {0, 0.5}, {0, 0}, {23. / 72, 0, -5. / 12, 0}},
+    {"cubic, axis",
+     MPM_BSPLINE3,
+     UNCUT,
+     {0.5, 0.5},
+     {1, 0},
+     {253. / 1152, 23. / 64, -55. / 192, 253. / 1152}},
 };
 
 START_TEST(quadrature_agrees_with_integrals_done_by_hand)
@@ -147,7 +169,6 @@ END_TEST
 START_TEST(the_window_holds_every_node_reached_and_a_ring_around_them)
 {
     static const double positions[] = {0.1, 0.25, 0.5, 0.75, 1, 3.3};
-    static const enum mpm_shape shapes[] = {MPM_CLASSIC, MPM_UGIMP, MPM_CPDI};
     const double position = positions[_i % 6];
     const struct mpm_shape_query query = query_at(shapes[_i / 6], PLANAR, position, position);
     struct shape_quadrature *quadrature = shape_quadrature_create();
@@ -192,12 +213,11 @@ END_TEST
 
 /* ---------------------------------------------------- the solver's functions */
 
-enum { SPOT_CHECKS = 40, VARIANTS = 9 };
+enum { SPOT_CHECKS = 40, VARIANTS = 3 * FAMILIES };
 
-/* Classic, uGIMP, CPDI by planar, truncated, untruncated. */
+/* Each family by planar, truncated, untruncated. */
 static struct mpm_shape_query variant(int index)
 {
-    static const enum mpm_shape shapes[] = {MPM_CLASSIC, MPM_UGIMP, MPM_CPDI};
     return (struct mpm_shape_query){
         .shape = shapes[index / 3],
         .geometry = index % 3 == 0 ? MPM_PLANE_STRAIN : MPM_AXISYMMETRIC,
@@ -260,7 +280,7 @@ END_TEST
 START_TEST(the_factor_along_r_is_the_papers)
 {
     /* N&G (20), (25), (28) at r = 1/8 of a cell, l_p = 1/2. */
-    const struct shape_line line = {MPM_UGIMP, CUT, 0.5};
+    const struct shape_line line = {MPM_UGIMP, CUT, 0.5, false};
     const struct shape_line_value value = shape_line_at(&line, 0, 0.125);
     ck_assert_double_eq_tol(value.s, 0.75, ROUND_OFF);
     ck_assert_double_eq_tol(value.ds, -0.5, ROUND_OFF);
@@ -364,7 +384,7 @@ Suite *suite_exact(void)
     tcase_add_test(quadrature, edges_of_a_turned_domain_are_measured_in_the_cells_they_point_along);
     tcase_add_test(quadrature, a_domain_shrinks_by_its_furthest_corner_whatever_the_signs);
     tcase_add_loop_test(quadrature, the_window_holds_every_node_reached_and_a_ring_around_them, 0,
-                        18);
+                        6 * FAMILIES);
     tcase_add_test(quadrature, domains_that_make_no_sense_are_refused);
     suite_add_tcase(suite, quadrature);
     TCase *solver = tcase_create("shape functions");

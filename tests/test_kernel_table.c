@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const shapes[] = {"classic", "ugimp", "cpdi"};
+static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
 static const struct geometry {
     const char *name, *setting; /* setting: one more, or NULL */
     bool axisymmetric, hoop;    /* hoop: r may move with the hoop rate */
@@ -390,6 +390,36 @@ START_TEST(both_kernels_agree_next_to_the_axis)
 }
 END_TEST
 
+/* Boxes filled from wall to wall, down to a single cell: B-splines fold on every side, and
+ * the narrowest from both at once. */
+START_TEST(both_kernels_agree_from_wall_to_wall)
+{
+    static const int sizes[][2] = {{1, 3}, {2, 1}, {3, 2}, {5, 4}};
+    for (size_t k = 0; k < G_N_ELEMENTS(sizes); k++) {
+        const int w = sizes[k][0], h = sizes[k][1];
+        struct settings settings = {.count = 0};
+        const struct geometry *geometry = add_combination(&settings, _i);
+        add(&settings, "grid.origin=[0, 0]");
+        add_formatted(&settings, "grid.cells=[%d, %d]", w, h);
+        add_formatted(&settings, "bodies.body.region.rectangle={from: [0, 0], to: [%d, %d]}", w, h);
+        add(&settings, "bodies.body.particles_per_cell=[3, 2]");
+        char *motion = g_strdup_printf("bodies.body.velocity=['0.05*sin(%g*X)*cos(2*Y)', "
+                                       "'0.05*sin(%g*Y)*cos(X)']",
+                                       G_PI / w, G_PI / h);
+        add_translated(&settings, motion, geometry);
+        add_formatted(&settings,
+                      "boundary=[{region: {line: {from: [0, 0], to: [0, %d]}}, velocity: [0, "
+                      "free]}, {region: {line: {from: [%d, 0], to: [%d, %d]}}, velocity: [0, "
+                      "free]}, {region: {line: {from: [0, 0], to: [%d, 0]}}, velocity: [free, "
+                      "0]}, {region: {line: {from: [0, %d], to: [%d, %d]}}, velocity: [free, 0]}]",
+                      h, w, w, h, w, h, w, h);
+        (void)run_pair(_i, ALONE, &settings);
+        g_free(motion);
+        settings_clear(&settings);
+    }
+}
+END_TEST
+
 /* ------------------------------------------------------------------ failures */
 
 static const struct failing {
@@ -483,6 +513,7 @@ Suite *suite_kernel_table(void)
     tcase_add_loop_test(awkward, both_kernels_agree_on_stretched_and_sheared_bodies, 0,
                         COMBINATIONS);
     tcase_add_loop_test(awkward, both_kernels_agree_next_to_the_axis, 0, COMBINATIONS);
+    tcase_add_loop_test(awkward, both_kernels_agree_from_wall_to_wall, 0, COMBINATIONS);
     suite_add_tcase(suite, awkward);
     TCase *failures = tcase_create("failures");
     tcase_add_loop_test(failures, both_kernels_fail_alike, 0, COMBINATIONS);

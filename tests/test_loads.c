@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const shapes[] = {"classic", "ugimp", "cpdi"};
+static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
 static const char *const geometries[] = {"plane_strain", "plane_stress", "axisymmetric"};
 static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
 enum {

@@ -4,6 +4,7 @@
 #include "io/scene_build.h"
 
 #include "io/scene_names.h"
+#include "method/shape.h"
 #include "model/material.h"
 
 #include <inttypes.h>
@@ -120,19 +121,38 @@ static enum mpm_status build_time(const struct mpm_reading *reading)
 
 /* ---------------------------------------------------------- method, output */
 
+static enum mpm_status check_axis(const struct mpm_reading *reading)
+{
+    const struct mpm_scene *scene = reading->scene;
+    const bool axis_nodes = mpm_reading_given(reading, "method.axis_nodes");
+    if (scene->radius_update == MPM_RADIUS_HOOP && scene->axis != MPM_TRUNCATED)
+        return mpm_reading_fault(reading, "method.radius_update",
+                                 "hoop must not be combined with axis: %s; allowed: hoop with "
+                                 "truncated, or shape",
+                                 scene->axis == MPM_PLANAR ? "planar" : "untruncated");
+    if (axis_nodes && scene->axis != MPM_PLANAR)
+        return mpm_reading_fault(reading, "method.axis_nodes",
+                                 "needs axis: planar; without, truncated functions have no nodes "
+                                 "at r < 0 and untruncated ones hold them at v_r = 0");
+    if (axis_nodes && mpm_shape_family(scene->shape)->point)
+        return mpm_reading_fault(reading, "method.axis_nodes",
+                                 "the functions of points, %s, reach no node at r < 0; allowed: "
+                                 "with ugimp and cpdi",
+                                 mpm_shape_family(scene->shape)->name);
+    return MPM_OK;
+}
+
 static enum mpm_status build_method(const struct mpm_reading *reading)
 {
     struct mpm_scene *scene = reading->scene;
     const struct mpm_raw_method *raw = reading->raw->method;
     scene->shape = (enum mpm_shape)raw->shape;
     scene->axis = (enum mpm_axis)raw->axis;
+    scene->axis_nodes = (enum mpm_axis_nodes)raw->axis_nodes;
     scene->position_update = (enum mpm_position_update)raw->position_update;
     scene->radius_update = (enum mpm_radius_update)raw->radius_update;
     scene->deformation_terms = (int)raw->deformation_terms;
-    if (scene->radius_update == MPM_RADIUS_HOOP && scene->axis == MPM_UNTRUNCATED)
-        return mpm_reading_fault(reading, "method.radius_update",
-                                 "hoop must not be combined with axis: untruncated; allowed: "
-                                 "hoop with truncated, or shape");
+    MPM_TRY(check_axis(reading));
     return mpm_build_transfer(reading);
 }
 

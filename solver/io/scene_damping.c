@@ -45,6 +45,10 @@ static enum mpm_status build_pic(const struct mpm_reading *reading)
     MPM_TRY(mpm_build_expression(reading, path, raw, true, nowhere, &scene->damping.pic, &beta));
     if (!(beta >= 0.0 && beta <= 1.0))
         return mpm_reading_fault(reading, path, "out of range, got %g; allowed: from 0 to 1", beta);
+    if (scene->transfer != MPM_TRANSFER_FLIP)
+        return mpm_reading_fault(reading, path,
+                                 "PIC damping with a method.transfer other than flip, which takes "
+                                 "no part of a particle's velocity over; allowed: kind: flip");
     if (scene->flip_fraction < 1.0)
         return mpm_reading_fault(reading, path,
                                  "both damping.pic and a method.transfer that keeps %g of FLIP, "

@@ -33,7 +33,13 @@
 
 #define CHOICES_axis(C)                                                                            \
     C("truncated", MPM_TRUNCATED)                                                                  \
-    C("untruncated", MPM_UNTRUNCATED)
+    C("untruncated", MPM_UNTRUNCATED)                                                              \
+    C("planar", MPM_PLANAR)
+
+#define CHOICES_axis_nodes(C)                                                                      \
+    C("free", MPM_AXIS_NODES_FREE)                                                                 \
+    C("zero", MPM_AXIS_NODES_ZERO)                                                                 \
+    C("mirrored", MPM_AXIS_NODES_MIRRORED)
 
 #define CHOICES_stress_update(C)                                                                   \
     C("usl", MPM_USL)                                                                              \
@@ -66,6 +72,7 @@
     L(geometry)                                                                                    \
     L(shape)                                                                                       \
     L(axis)                                                                                        \
+    L(axis_nodes)                                                                                  \
     L(stress_update)                                                                               \
     L(position_update)                                                                             \
     L(radius_update)                                                                               \
@@ -126,7 +133,9 @@
 #define KEYS_method(X, S)                                                                          \
     X(S, CHOICE, shape, shape, ANYWHERE, OPTIONAL, "", "ugimp", ANY, "shape functions")            \
     X(S, CHOICE, axis, axis, AXISYMMETRIC, OPTIONAL, "", "truncated", ANY,                         \
-      "are particle domains cut off at r = 0")                                                     \
+      "domains at r = 0: cut off there, not, or not and with the planar functions")                \
+    X(S, CHOICE, axis_nodes, axis_nodes, AXISYMMETRIC, OPTIONAL, "", NULL, ANY,                    \
+      "v_r of the extra nodes at r < 0, zero if missing; only with axis: planar and ugimp or cpdi") \
     X(S, CHOICE, stress_update, stress_update, ANYWHERE, OPTIONAL, "", "musl", ANY,                \
       "where in the step stresses are updated")                                                    \
     X(S, ONE, extrapolate, BOOLEAN, ANYWHERE, OPTIONAL, "", NULL, ANY,                             \

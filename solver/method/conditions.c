@@ -141,12 +141,34 @@ static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *e
     return MPM_OK;
 }
 
+/* ------------------------------------------------------------------- mirrors */
+
+/* Their velocities are told when they are applied, after all others. */
+static void gather_mirrors(struct mpm_state *state)
+{
+    for (int64_t row = state->first_row; row <= state->last_row; row++)
+        for (int64_t column = state->row_low[row]; column <= state->row_high[row]; column++) {
+            const int64_t node = row * state->grid.columns + column;
+            if (column < state->mirror_column && state->grid.mass[node] != 0.0)
+                append(state, (struct mpm_active_condition){node, 0, MPM_FROM_MIRROR, 0.0, 0.0});
+        }
+}
+
+/* The node at -r. Every domain that reaches r < 0 has its centre at r > 0 and reaches it. */
+static int64_t mirror_image(const struct mpm_state *state, int64_t node)
+{
+    return node + 2 * (state->mirror_column - node % state->grid.columns);
+}
+
 enum mpm_status mpm_conditions_gather(struct mpm_state *state, struct mpm_error *error)
 {
     state->active_count = 0;
     MPM_TRY(gather_boundaries(state, error));
     if (state->rigid.count > 0)
         MPM_TRY(gather_rigid(state, error));
+    state->first_mirror = state->active_count;
+    if (state->mirror_column > 0)
+        gather_mirrors(state);
     return MPM_OK;
 }
 
@@ -189,34 +211,55 @@ static void set_gradient(struct mpm_state *state, const struct mpm_active_condit
     gradient[0] = gradient[1] = velocity;
 }
 
+static void apply_start(struct mpm_state *state, const struct mpm_active_condition *active)
+{
+    state->grid.start[active->node][active->component] = active->start;
+    set_gradient(state, active, active->start);
+}
+
 void mpm_conditions_apply_start(struct mpm_state *state)
 {
-    for (size_t k = 0; k < state->active_count; k++) {
-        const struct mpm_active_condition *const active = &state->active[k];
-        state->grid.start[active->node][active->component] = active->start;
-        set_gradient(state, active, active->start);
+    for (size_t k = 0; k < state->first_mirror; k++)
+        apply_start(state, &state->active[k]);
+    for (size_t k = state->first_mirror; k < state->active_count; k++) {
+        struct mpm_active_condition *const mirror = &state->active[k];
+        mirror->start = -state->grid.start[mirror_image(state, mirror->node)][0];
+        apply_start(state, mirror);
     }
+}
+
+static void apply_end(struct mpm_state *state, const struct mpm_active_condition *active)
+{
+    const int axis = active->component;
+    struct mpm_node_motion *const motion = &state->grid.motion[active->node];
+    const double acceleration = (active->end - active->start) / state->time_step;
+    const double force = state->grid.sum[active->node][axis].force;
+    const double reaction = state->grid.mass[active->node] * acceleration - force;
+    state->external_work += reaction * (0.5 * state->time_step * (active->start + active->end));
+    motion->acceleration[axis] = acceleration;
+    motion->end[axis] = active->end;
+    if (!state->order->extrapolate)
+        set_gradient(state, active, active->end);
 }
 
 void mpm_conditions_apply_end(struct mpm_state *state)
 {
-    for (size_t k = 0; k < state->active_count; k++) {
-        const struct mpm_active_condition *const active = &state->active[k];
-        const int axis = active->component;
-        struct mpm_node_motion *const motion = &state->grid.motion[active->node];
-        const double acceleration = (active->end - active->start) / state->time_step;
-        const double force = state->grid.sum[active->node][axis].force;
-        const double reaction = state->grid.mass[active->node] * acceleration - force;
-        state->external_work += reaction * (0.5 * state->time_step * (active->start + active->end));
-        motion->acceleration[axis] = acceleration;
-        motion->end[axis] = active->end;
-        if (!state->order->extrapolate)
-            set_gradient(state, active, active->end);
+    for (size_t k = 0; k < state->first_mirror; k++)
+        apply_end(state, &state->active[k]);
+    for (size_t k = state->first_mirror; k < state->active_count; k++) {
+        struct mpm_active_condition *const mirror = &state->active[k];
+        mirror->end = -state->grid.motion[mirror_image(state, mirror->node)].end[0];
+        apply_end(state, mirror);
     }
 }
 
 void mpm_conditions_apply_extrapolated(struct mpm_state *state)
 {
-    for (size_t k = 0; k < state->active_count; k++)
+    for (size_t k = 0; k < state->first_mirror; k++)
         set_gradient(state, &state->active[k], state->active[k].end);
+    for (size_t k = state->first_mirror; k < state->active_count; k++) {
+        const struct mpm_active_condition *const mirror = &state->active[k];
+        set_gradient(state, mirror,
+                     -state->grid.gradient[mirror_image(state, mirror->node)][0][0]);
+    }
 }

@@ -1,4 +1,4 @@
-/* Velocity conditions within a step: boundaries and rigid bodies.
+/* Velocity conditions within a step: boundaries, rigid bodies and mirrors at the axis.
  *
  * A condition prescribes a component of a node's velocity at both ends of the step
  * (CRAMP, Tasks 2 and 3): the acceleration handed to the particles is the difference
@@ -10,7 +10,8 @@
 
 #include "method/state.h"
 
-/* Lists the conditions on nodes that carry mass. Boundaries win over rigid bodies.
+/* Lists the conditions on nodes that carry mass. Boundaries win over rigid bodies, and so do
+ * mirrors, the extra nodes of method.axis_nodes: mirrored.
  * MPM_RUN_FAILED: a prescribed velocity that is not finite; two rigid bodies that
  * prescribe different velocities for one node. */
 enum mpm_status mpm_conditions_gather(struct mpm_state *state, struct mpm_error *error);

@@ -147,6 +147,8 @@ static enum mpm_status collect_rows(struct mpm_state *state, struct mpm_error *e
 enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_error *error)
 {
     const bool varying = is_varying(state->damping.grid);
+    if (!state->damping.nodes)
+        return MPM_OK;
     mpm_rows_run(state->first_row, state->last_row, state->workers,
                  varying ? row_damp_by_place : row_damp, state);
     MPM_TRY(collect_rows(state, error));
@@ -271,6 +273,8 @@ void mpm_damping_find_drag(struct mpm_state *state)
         [MPM_VARYING_BODY_FORCE] = pass_spare_work_by_place,
     };
     mpm_pass *const work = works[state->body_force_kind];
+    if (!state->damping.particles)
+        return;
     run_particles(state, drags[state->damping.pic != NULL][is_varying(state->damping.particle)]);
     if (work == NULL)
         return;
@@ -294,7 +298,8 @@ static void pass_take_drag(void *context, int64_t index, int worker)
 
 void mpm_damping_take_drag(struct mpm_state *state)
 {
-    run_particles(state, pass_take_drag);
+    if (state->damping.particles)
+        run_particles(state, pass_take_drag);
 }
 
 static void pass_settle(void *context, int64_t index, int worker)
@@ -338,6 +343,8 @@ static void pass_settle_midpoint(void *context, int64_t index, int worker)
 void mpm_damping_settle(struct mpm_state *state)
 {
     const bool midpoint = state->scene->position_update == MPM_MIDPOINT;
+    if (!state->damping.particles)
+        return;
     run_particles(state, midpoint ? pass_settle_midpoint : pass_settle);
     for (int64_t s = 0; s < state->strip_count; s++)
         state->damping.books.dissipated += state->strips[s].dissipated;
@@ -350,6 +357,8 @@ void mpm_thermostat_advance(struct mpm_state *state)
     const struct mpm_damping_spec *const spec = &state->scene->damping;
     struct mpm_damping_books *const books = &state->damping.books;
     double kinetic = 0.0;
+    if (!spec->thermostat)
+        return;
     for (int64_t s = 0; s < state->strip_count; s++)
         kinetic += state->strips[s].kinetic_energy;
     if (kinetic > books->largest_kinetic)

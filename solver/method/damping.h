@@ -35,6 +35,8 @@
  * as the work of external forces is. The mean velocity of a body force has its part of the drag,
  * - dt/2 q_p.
  *
+ * Nothing is done where a scene does not ask for it.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_DAMPING_H
 #define MPM_METHOD_DAMPING_H
@@ -48,7 +50,7 @@ static inline bool mpm_rate_is_allowed(double rate, double time_step)
 }
 
 /* Evaluates what is the same for all nodes or particles in this step. MPM_RUN_FAILED: a rate
- * or beta is out of range. Nothing to do where a scene does not damp. */
+ * or beta is out of range. */
 enum mpm_status mpm_damping_begin(struct mpm_state *state, struct mpm_error *error);
 
 /* Damps the nodes: after the momentum update, before the conditions at its end.

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/fast.h"
 
+#include "method/shape.h"
+
 #define FAMILIES(level)                                                                            \
     {                                                                                              \
         [MPM_CLASSIC] = &mpm_fast_classic_##level, [MPM_UGIMP] = &mpm_fast_ugimp_##level,          \
-        [MPM_CPDI] = &mpm_fast_cpdi_##level,                                                       \
+        [MPM_CPDI] = &mpm_fast_cpdi_##level, [MPM_BSPLINE2] = &mpm_fast_bspline2_##level,          \
+        [MPM_BSPLINE3] = &mpm_fast_bspline3_##level,                                               \
     }
 
 static mpm_fast_family *const families[MPM_SIMD_COUNT][MPM_SHAPE_COUNT] = {
@@ -41,9 +44,7 @@ static enum mpm_fast_geometry geometry_of(const struct mpm_scene *scene)
 
 const char *mpm_fast_lacks(const struct mpm_scene *scene)
 {
-    if (families[MPM_SIMD_BASELINE][scene->shape] == NULL)
-        return "there are no fast kernels for this method.shape";
-    if (scene->axis == MPM_PLANAR)
+    if (scene->axis == MPM_PLANAR && !mpm_shape_family(scene->shape)->point)
         return "there are no fast kernels for method.axis: planar";
     if (scene->transfer == MPM_TRANSFER_APIC)
         return "there are no fast kernels for method.transfer: apic";

@@ -22,7 +22,8 @@ typedef const struct mpm_passes mpm_fast_family[MPM_FAST_GEOMETRIES][MPM_ORDER_C
 
 /* The levels of SIMD that this build has: one file, compiled for each. */
 #define MPM_FAST_FAMILIES(level)                                                                   \
-    extern mpm_fast_family mpm_fast_classic_##level, mpm_fast_ugimp_##level, mpm_fast_cpdi_##level;
+    extern mpm_fast_family mpm_fast_classic_##level, mpm_fast_ugimp_##level,                       \
+        mpm_fast_cpdi_##level, mpm_fast_bspline2_##level, mpm_fast_bspline3_##level;
 MPM_FAST_FAMILIES(baseline)
 #ifdef __x86_64__
 MPM_FAST_FAMILIES(v3)

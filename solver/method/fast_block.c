@@ -15,7 +15,7 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
     const bool midpoint = state->scene->position_update == MPM_MIDPOINT;
     *constants = (struct fast_constants){
         .axis = place_of_axis(&state->shape_grid),
-        .truncated = state->shape_grid.truncated,
+        .truncated = state->shape_grid.truncated && !state->family->point,
         .columns = (double)grid->columns,
         .stride = grid->columns,
         .pitch = grid->columns * (int64_t)sizeof(mpm_vector),
@@ -32,11 +32,14 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
     };
     constants->cut = constants->truncated ? constants->axis : -DBL_MAX;
     constants->cut_cell = floor(constants->cut);
+    mpm_shape_reach(state->family, &state->shape_grid, state->bodies[body].half_size,
+                    constants->half);
     for (int axis = 0; axis < 2; axis++) {
         const double ghost = mpm_ghost_reach(grid, axis);
         constants->origin[axis] = grid->origin[axis];
         constants->inverse_cell[axis] = grid->inverse_cell[axis];
-        constants->half[axis] = state->bodies[body].half_size[axis];
+        constants->edge_low[axis] = (double)state->shape_grid.edge_low[axis];
+        constants->edge_high[axis] = (double)state->shape_grid.edge_high[axis];
         constants->longest_step[axis] = grid->cell[axis];
         constants->lowest[axis] = grid->origin[axis];
         constants->highest[axis] =

@@ -22,7 +22,8 @@ struct fast_spec {
 
 struct fast_constants {
     double origin[2], inverse_cell[2];
-    double half[2];    /* half edges of the undeformed domain */
+    double half[2];    /* half edges of the undeformed domain; the reach of points */
+    double edge_low[2], edge_high[2]; /* first and last node, where B-splines fold */
     double axis;       /* place of r = 0, in cells */
     double cut;        /* domains are cut off there (uGIMP), in cells; or minus infinity */
     double cut_cell;   /* the cell of that place */

@@ -1,5 +1,5 @@
 /* The fast kernels of one shape family and one level of SIMD: this file is compiled for each
- * pair, with FAST_FAMILY (classic, ugimp, cpdi), FAST_SHAPE (the same in capitals) and
+ * pair, with FAST_FAMILY (a name of method.shape), FAST_SHAPE (the same in capitals) and
  * FAST_LEVEL (baseline, v3).
  *
  * A kernel is one of the bodies in fast_passes.h with constants. Planar kernels of plane

@@ -1,6 +1,6 @@
-/* Fast kernels: stencils that are products of lines, S_ip = s(x) s(y), of classic MPM and
- * uGIMP, for four particles at once. A stencil always has MPM_LINE_NODES nodes a line;
- * those beyond the domain's edge have exact zeros.
+/* Fast kernels: stencils that are products of lines, S_ip = s(x) s(y), of classic MPM, uGIMP
+ * and B-splines, for four particles at once. The lines of a family always have the same
+ * number of nodes; those beyond the domain's edge have exact zeros.
  *
  * Nodal data are vectors too: what particles spread is (p_x, f_x, p_y, f_y), what they read
  * (a_x, a_y, v_x, v_y) and (v_x, v_x, v_y, v_y). So a weight is stored beside its slope,
@@ -13,7 +13,7 @@
 #include "base/simd.h"
 #include "method/fast_constants.h"
 
-enum { MPM_LINE_NODES = 3 };
+enum { MPM_LINE_NODES = 4 }; /* at most */
 
 /* Weights along one axis, by node; gradients per length. */
 struct fast_line {
@@ -117,7 +117,65 @@ MPM_INLINE struct fast_line fast_line_ugimp(const struct fast_constants *k, int 
     return line;
 }
 
-MPM_INLINE struct fast_line fast_line_classic(const struct fast_constants *k, int axis, bool radial,
+/* Functions of points: T = S / r_p. */
+MPM_INLINE void set_point_hoop(struct fast_line *line, int nodes, mpm_vector position)
+{
+    const mpm_vector hoop = 1.0 / position;
+    for (int i = 0; i < nodes; i++)
+        line->t[i] = line->s[i] * hoop;
+}
+
+/* See shape_bspline.c. */
+MPM_INLINE struct fast_line fast_line_bspline2(const struct fast_constants *k, int axis,
+                                               mpm_vector position)
+{
+    const mpm_vector zero = mpm_splat(0.0), one = mpm_splat(1.0);
+    const mpm_vector cells = (position - k->origin[axis]) * k->inverse_cell[axis];
+    const mpm_vector place = 0.5 * fast_snap(2.0 * cells), shifted = place + 0.5;
+    const mpm_vector node = mpm_down_to_integer(shifted, mpm_nearest(shifted));
+    const mpm_vector d = place - node, from = 0.5 - d, to = 0.5 + d;
+    const mpm_mask low = mpm_at_most(node, mpm_splat(k->edge_low[axis]));
+    const mpm_mask high = mpm_at_most(mpm_splat(k->edge_high[axis]), node);
+    const mpm_mask edge = low | high;
+    struct fast_line line = {.first = node - 1.0};
+    line.s[0] = mpm_select(edge, mpm_larger(-d, zero), 0.5 * from * from);
+    line.s[1] = mpm_select(edge, 1.0 - mpm_absolute(d), 0.75 - d * d);
+    line.s[2] = mpm_select(edge, mpm_larger(d, zero), 0.5 * to * to);
+    line.d[0] = mpm_select(edge, mpm_select(high, -one, zero), -from);
+    line.d[1] = mpm_select(edge, mpm_select(low, -one, one), -2.0 * d);
+    line.d[2] = mpm_select(edge, mpm_select(low, one, zero), to);
+    return line;
+}
+
+MPM_INLINE struct fast_line fast_line_bspline3(const struct fast_constants *k, int axis,
+                                               mpm_vector position)
+{
+    const mpm_vector zero = mpm_splat(0.0), end = mpm_splat(k->edge_high[axis] - 1.0);
+    mpm_vector cell;
+    const mpm_vector place =
+        fast_cells((position - k->origin[axis]) * k->inverse_cell[axis], &cell);
+    cell = mpm_smaller(cell, end);
+    const mpm_vector u = place - cell, v = 1.0 - u, uu = u * u, vv = v * v;
+    const mpm_mask low = mpm_at_most(cell, mpm_splat(k->edge_low[axis]));
+    const mpm_mask high = mpm_at_most(end, cell);
+    const mpm_vector s_inner[2] = {(4.0 - 3.0 * uu * (2.0 - u)) * (1.0 / 6.0),
+                                   (4.0 - 3.0 * vv * (2.0 - v)) * (1.0 / 6.0)};
+    struct fast_line line = {.first = cell - 1.0};
+    line.s[0] = mpm_select(low, zero, vv * v * (1.0 / 6.0));
+    line.s[3] = mpm_select(high, zero, uu * u * (1.0 / 6.0));
+    line.s[1] = mpm_select(low, v + line.s[3],
+                           mpm_select(high, v * (1.0 - vv * (1.0 / 3.0)), s_inner[0]));
+    line.s[2] = mpm_select(high, u + line.s[0],
+                           mpm_select(low, u * (1.0 - uu * (1.0 / 3.0)), s_inner[1]));
+    line.d[0] = mpm_select(low, zero, -0.5 * vv);
+    line.d[3] = mpm_select(high, zero, 0.5 * uu);
+    line.d[1] =
+        mpm_select(low, line.d[3] - 1.0, mpm_select(high, vv - 1.0, -u * (2.0 - 1.5 * u)));
+    line.d[2] = mpm_select(high, line.d[0] + 1.0, mpm_select(low, 1.0 - uu, v * (2.0 - 1.5 * v)));
+    return line;
+}
+
+MPM_INLINE struct fast_line fast_line_classic(const struct fast_constants *k, int axis,
                                               mpm_vector position)
 {
     struct fast_line line = {.first = mpm_splat(0.0)};
@@ -127,11 +185,6 @@ MPM_INLINE struct fast_line fast_line_classic(const struct fast_constants *k, in
     line.s[0] = 1.0 - line.s[1];
     line.d[0] = mpm_splat(-k->inverse_cell[axis]);
     line.d[1] = mpm_splat(k->inverse_cell[axis]);
-    if (radial) {
-        const mpm_vector hoop = 1.0 / position;
-        line.t[0] = line.s[0] * hoop;
-        line.t[1] = line.s[1] * hoop;
-    }
     return line;
 }
 
@@ -140,17 +193,33 @@ MPM_INLINE struct fast_line fast_line_classic(const struct fast_constants *k, in
 /* Nodes a line, known when the kernel is compiled. */
 MPM_INLINE int line_nodes(const struct fast_spec *spec)
 {
-    return spec->shape == MPM_CLASSIC ? 2 : MPM_LINE_NODES;
+    return spec->shape == MPM_CLASSIC ? 2 : spec->shape == MPM_BSPLINE3 ? 4 : 3;
+}
+
+MPM_INLINE struct fast_line fast_line_of(const struct fast_spec *spec,
+                                         const struct fast_constants *k, int axis,
+                                         mpm_vector position)
+{
+    const bool radial = spec->axisymmetric && axis == 0;
+    const int nodes = line_nodes(spec);
+    if (spec->shape == MPM_UGIMP)
+        return fast_line_ugimp(k, axis, radial, position);
+    struct fast_line line = spec->shape == MPM_CLASSIC    ? fast_line_classic(k, axis, position)
+                            : spec->shape == MPM_BSPLINE2 ? fast_line_bspline2(k, axis, position)
+                                                          : fast_line_bspline3(k, axis, position);
+    if (spec->shape != MPM_CLASSIC)
+        for (int i = 0; i < nodes; i++)
+            line.d[i] *= k->inverse_cell[axis];
+    if (radial)
+        set_point_hoop(&line, nodes, position);
+    return line;
 }
 
 MPM_INLINE void fast_lines_evaluate(const struct fast_spec *spec, const struct fast_constants *k,
                                     const mpm_vector position[2], struct fast_lines *lines)
 {
-    const bool classic = spec->shape == MPM_CLASSIC;
-    const struct fast_line x = classic ? fast_line_classic(k, 0, spec->axisymmetric, position[0])
-                                       : fast_line_ugimp(k, 0, spec->axisymmetric, position[0]);
-    const struct fast_line y = classic ? fast_line_classic(k, 1, false, position[1])
-                                       : fast_line_ugimp(k, 1, false, position[1]);
+    const struct fast_line x = fast_line_of(spec, k, 0, position[0]);
+    const struct fast_line y = fast_line_of(spec, k, 1, position[1]);
     const mpm_mask node = mpm_to_integer(y.first * k->columns + x.first) + k->node_zero;
     memcpy(lines->node, &node, sizeof node);
     for (int i = 0; i < line_nodes(spec); i++) {
@@ -207,8 +276,9 @@ MPM_INLINE void fast_lines_spread(const struct fast_spec *spec, const struct fas
     mpm_vector along_y[4] = {p[0], f[MPM_SYM_XY], p[1], f[MPM_SYM_YY]};
     mpm_vector along_x[4] = {zero, f[MPM_SYM_XX], zero, f[MPM_SYM_XY]};
     mpm_vector hoop[4] = {zero, f[MPM_SYM_ZZ], zero, zero};
-    mpm_vector mass[4] = {load->mass * lines->sx[0], load->mass * lines->sx[1],
-                          spec->shape == MPM_CLASSIC ? zero : load->mass * lines->sx[2], zero};
+    mpm_vector mass[4] = {zero, zero, zero, zero};
+    for (int i = 0; i < line_nodes(spec); i++)
+        mass[i] = load->mass * lines->sx[i];
     mpm_transpose(along_y);
     if (spec->force)
         mpm_transpose(along_x);

@@ -206,7 +206,7 @@ MPM_INLINE void update_position_vector(const struct fast_spec *spec, const struc
         sums->high[axis] = mpm_larger(high, sums->high[axis]);
         sound &= mpm_at_most(mpm_splat(k->lowest[axis]), position[axis]);
         sound &= mpm_less(position[axis], mpm_splat(k->highest[axis]));
-        if (spec->shape == MPM_CPDI) { /* others reach half a cell at most */
+        if (spec->shape == MPM_CPDI) { /* others reach a cell at most */
             sound &= mpm_less(mpm_splat(k->lowest_reach[axis]), low);
             sound &= mpm_less(high, mpm_splat(k->highest_reach[axis]));
         }

@@ -36,6 +36,8 @@ static void run_rows(struct mpm_state *state, void (*pass)(void *, int64_t, int)
 
 void mpm_rest_measure_internal(struct mpm_state *state)
 {
+    if (!state->scene->rest.asked)
+        return;
     run_rows(state, row_internal);
     state->balance.internal = 0.0;
     for (int64_t row = state->first_row; row <= state->last_row; row++)
@@ -45,6 +47,8 @@ void mpm_rest_measure_internal(struct mpm_state *state)
 void mpm_rest_measure_unbalanced(struct mpm_state *state)
 {
     double held = 0.0, all = 0.0;
+    if (!state->scene->rest.asked)
+        return;
     run_rows(state, row_unbalanced);
     for (int64_t row = state->first_row; row <= state->last_row; row++)
         all += state->row_sums[row].balance.unbalanced;

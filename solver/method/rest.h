@@ -1,7 +1,8 @@
 /* How far a step's forces are from balance, for scenes that ask for rest.
  *
  * Forces are those that the momentum update uses, damping left out; a component that a
- * condition holds has a reaction and counts as balanced. All sums are of |f_x| + |f_y|.
+ * condition holds has a reaction and counts as balanced. All sums are of |f_x| + |f_y|. Nothing is
+ * done for other scenes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_REST_H

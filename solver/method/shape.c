@@ -40,6 +40,14 @@ struct mpm_shape_grid mpm_shape_grid_describe(const double origin[2], const doub
     return grid;
 }
 
+void mpm_shape_reach(const struct mpm_shape_family *family, const struct mpm_shape_grid *grid,
+                     const double half_size[2], double reach[2])
+{
+    const struct mpm_shape_domain domain = {.half_size = {half_size[0], half_size[1]},
+                                            .edge = {half_size[0], 0.0, 0.0, half_size[1]}};
+    family->reach(grid, &domain, reach);
+}
+
 /* Wide enough that column and row can be told apart from an offset. */
 static const int64_t QUERY_COLUMNS = INT64_C(1) << 32;
 

@@ -69,6 +69,10 @@ struct mpm_shape_family {
 
 const struct mpm_shape_family *mpm_shape_family(enum mpm_shape shape);
 
+/* The reach of an undeformed domain. */
+void mpm_shape_reach(const struct mpm_shape_family *family, const struct mpm_shape_grid *grid,
+                     const double half_size[2], double reach[2]);
+
 extern const struct mpm_shape_family mpm_shape_classic;
 extern const struct mpm_shape_family mpm_shape_ugimp;
 extern const struct mpm_shape_family mpm_shape_cpdi;

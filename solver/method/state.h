@@ -66,10 +66,11 @@ struct mpm_body {
 struct mpm_active_condition {
     int64_t node;
     int32_t component;
-    uint32_t source; /* body index of a rigid body, or MPM_FROM_BOUNDARY */
+    uint32_t source; /* body index of a rigid body, or MPM_FROM_... */
     double start, end;
 };
 #define MPM_FROM_BOUNDARY UINT32_MAX
+#define MPM_FROM_MIRROR   (UINT32_MAX - 1)
 
 struct mpm_vector_field {
     struct mpm_expression *component[2]; /* NULL: free, or no such field */
@@ -140,6 +141,8 @@ struct mpm_state {
     size_t condition_count;
     struct mpm_active_condition *active;
     size_t active_count, active_capacity;
+    size_t first_mirror;   /* of those: from here on v_r is minus that of the node at -r */
+    int64_t mirror_column; /* of nodes, ghosts counted: where r = 0; 0 without mirrors */
     uint32_t
         *rigid_owner; /* per node: body + 1 that drives it in this step; only with rigid bodies */
     uint8_t *fixed;   /* per node: components held by boundaries; only with rigid bodies */

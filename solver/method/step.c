@@ -168,6 +168,34 @@ static double varying_work(struct mpm_state *state, int workers)
     return work;
 }
 
+/* Task 4: momentum update (29), damping of the nodes, conditions */
+static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_force,
+                                       struct mpm_error *error)
+{
+    run_rows(state, uniform_force ? mpm_row_update_with_body_force : mpm_row_update);
+    mpm_rest_measure_unbalanced(state);
+    MPM_TRY(mpm_damping_apply_nodes(state, error));
+    mpm_conditions_apply_end(state);
+    if (uniform_force)
+        state->external_work += uniform_work(state);
+    return MPM_OK;
+}
+
+/* Task 5: particle velocities (30), with the drag of v_p^n, Notes (43); Task 6 for MUSL and
+ * USAVG: extrapolate them (31) */
+static void update_velocities(struct mpm_state *state, int workers)
+{
+    const struct mpm_kernel_choice *const kernels = &state->kernels;
+    mpm_damping_find_drag(state); /* before a transfer changes v_p^n */
+    if (kernels->smooth != NULL)
+        kernels->smooth(state, workers);
+    if (kernels->flip_rows != NULL)
+        run_rows(state, kernels->flip_rows);
+    run_particles(state, workers, kernels->flip_particles);
+    mpm_damping_take_drag(state);
+    run_particles(state, workers, kernels->passes->to_particles);
+}
+
 enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHASE_COUNT],
                                  struct mpm_error *error)
 {
@@ -197,37 +225,17 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
 
     /* Task 2 for USF and USAVG: stress update (35), (36); Task 3: forces (28) */
     run_particles(state, workers, passes->stress_before);
-    if (state->scene->rest.asked)
-        mpm_rest_measure_internal(state);
+    mpm_rest_measure_internal(state);
     if (varying_force)
         run_particles(state, workers, mpm_pass_body_force);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
-    /* Task 4: momentum update (29), conditions */
-    run_rows(state, uniform_force ? mpm_row_update_with_body_force : mpm_row_update);
-    if (state->scene->rest.asked)
-        mpm_rest_measure_unbalanced(state);
-    if (state->damping.nodes)
-        MPM_TRY(mpm_damping_apply_nodes(state, error));
-    mpm_conditions_apply_end(state);
-    if (uniform_force)
-        state->external_work += uniform_work(state);
+    MPM_TRY(update_momentum(state, uniform_force, error));
     charge(seconds, MPM_PHASE_GRID, &mark);
 
     if (varying_force)
         state->external_work += varying_work(state, workers);
-    /* Task 5: damping at the particles, Notes (43), of their velocities before any transfer */
-    if (state->damping.particles)
-        mpm_damping_find_drag(state);
-    /* Task 5: particle velocities (30); Task 6 for MUSL and USAVG: extrapolate them (31) */
-    if (state->kernels.smooth != NULL)
-        state->kernels.smooth(state, workers);
-    if (state->kernels.flip_rows != NULL)
-        run_rows(state, state->kernels.flip_rows);
-    run_particles(state, workers, state->kernels.flip_particles);
-    if (state->damping.particles)
-        mpm_damping_take_drag(state);
-    run_particles(state, workers, passes->to_particles);
+    update_velocities(state, workers);
     charge(seconds, MPM_PHASE_TO_PARTICLES, &mark);
     if (order->extrapolate) {
         run_rows(state, mpm_row_extrapolated_velocity);
@@ -238,10 +246,8 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     /* Task 6: stress update of USL, MUSL, USAVG; Task 5: positions, last, since every
      * task uses the shape functions of the positions at the start */
     run_particles(state, workers, passes->finish);
-    if (state->damping.particles)
-        mpm_damping_settle(state);
-    if (state->scene->damping.thermostat)
-        mpm_thermostat_advance(state);
+    mpm_damping_settle(state);
+    mpm_thermostat_advance(state);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
     MPM_TRY(mpm_rigid_advance(state, error));

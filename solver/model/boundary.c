@@ -45,6 +45,14 @@ static void ghost_range(int64_t index, int64_t last, int64_t range[2])
     range[1] = index == last ? last + MPM_GHOST_ROWS : index;
 }
 
+/* v_r at r < 0 is what axis_nodes says, whatever stands on r = 0. */
+static bool is_axis_nodes_matter(const struct list *list, int64_t column, int32_t component)
+{
+    const double r = list->grid->origin[0] + list->grid->cell[0] * (double)column;
+    return list->scene->axis_nodes != MPM_AXIS_NODES_ZERO && component == 0 &&
+           r < -NODE_SLACK * list->grid->cell[0];
+}
+
 static enum mpm_status append_node(struct list *list, int64_t column, int64_t row,
                                    int32_t component, int32_t boundary)
 {
@@ -53,8 +61,9 @@ static enum mpm_status append_node(struct list *list, int64_t column, int64_t ro
     ghost_range(row, list->grid->cells[1], rows);
     for (int64_t r = rows[0]; r <= rows[1]; r++)
         for (int64_t c = columns[0]; c <= columns[1]; c++)
-            MPM_TRY(append(list, (struct mpm_condition){mpm_grid_index(list->grid, c, r), component,
-                                                        boundary}));
+            if (!is_axis_nodes_matter(list, c, component))
+                MPM_TRY(append(list, (struct mpm_condition){mpm_grid_index(list->grid, c, r),
+                                                            component, boundary}));
     return MPM_OK;
 }
 

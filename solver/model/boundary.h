@@ -16,7 +16,7 @@ struct mpm_condition {
 
 /* Lists the conditions of a scene, ghost rows included: a condition on the grid's edge
  * row holds for the ghost rows beyond. In axisymmetry the nodes on the axis get
- * v_r = 0 (N&G check list, 2). *conditions is malloc'ed and sorted by node. MPM_BAD_INPUT: a region
+ * v_r = 0 (N&G check list, 2), and so do those beyond, unless axis_nodes says otherwise. *conditions is malloc'ed and sorted by node. MPM_BAD_INPUT: a region
  * that touches no node; two different values for one component of one node. `value`
  * gives the velocity that a boundary prescribes at a place and time. */
 enum mpm_status mpm_conditions_list(const struct mpm_scene *scene, const struct mpm_grid *grid,

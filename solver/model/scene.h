@@ -34,6 +34,13 @@ enum mpm_transfer_kind {
 /* What the particles' updates take from the nodes: Notes 5.1 or 5.2. */
 enum mpm_form { MPM_FORM_VELOCITY, MPM_FORM_MOMENTUM };
 
+/* v_r of the extra nodes, at r < 0; those on r = 0 have v_r = 0 with each. */
+enum mpm_axis_nodes {
+    MPM_AXIS_NODES_ZERO,
+    MPM_AXIS_NODES_FREE,     /* as it comes */
+    MPM_AXIS_NODES_MIRRORED, /* minus that of the node at -r */
+};
+
 enum mpm_region_kind {
     MPM_REGION_RECTANGLE, /* a = from, b = to */
     MPM_REGION_DISK,      /* a = center, outer = radius */
@@ -119,6 +126,7 @@ struct mpm_scene {
 
     enum mpm_shape shape;
     enum mpm_axis axis;
+    enum mpm_axis_nodes axis_nodes; /* other than zero only with MPM_PLANAR */
     enum mpm_stress_update stress_update;
     enum mpm_position_update position_update;
     enum mpm_radius_update radius_update;

@@ -112,7 +112,8 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     state->sort_counts = MPM_TAKE(arena, uint32_t, longest + 1);
     const size_t driven =
         counts->rigid * MPM_STENCIL_MAX < nodes ? counts->rigid * MPM_STENCIL_MAX : nodes;
-    state->active_capacity = state->condition_count + 2 * driven;
+    state->active_capacity =
+        state->condition_count + 2 * driven + rows * (size_t)state->mirror_column;
     state->active = MPM_TAKE(arena, struct mpm_active_condition, state->active_capacity);
     if (counts->rigid > 0) {
         state->rigid_owner = MPM_TAKE(arena, uint32_t, nodes);
@@ -125,11 +126,8 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
 
 static void add_body_size(struct mpm_state *state, size_t body)
 {
-    const double *const half = state->bodies[body].half_size;
-    const struct mpm_shape_domain domain = {.half_size = {half[0], half[1]},
-                                            .edge = {half[0], 0.0, 0.0, half[1]}};
     double reach[2];
-    state->family->reach(&state->shape_grid, &domain, reach);
+    mpm_shape_reach(state->family, &state->shape_grid, state->bodies[body].half_size, reach);
     for (int axis = 0; axis < 2; axis++)
         if (state->deformable_bodies == 0 || reach[axis] < state->sort_size[axis])
             state->sort_size[axis] = reach[axis];
@@ -190,8 +188,19 @@ static void set_rigid_velocities(struct mpm_state *state)
             rigid->velocity[axis][p] = e == NULL ? 0.0 : mpm_expression_value(e, 0, position, 0.0);
         }
     }
-    for (size_t k = 0; rigid->count > 0 && k < state->condition_count; k++)
+}
+
+/* What rigid bodies do not move. */
+static void set_fixed(struct mpm_state *state)
+{
+    const struct mpm_grid *const grid = &state->grid;
+    if (state->rigid.count == 0)
+        return;
+    for (size_t k = 0; k < state->condition_count; k++)
         state->fixed[state->conditions[k].node] |= (uint8_t)(1u << state->conditions[k].component);
+    for (int64_t row = 0; row < grid->rows; row++)
+        for (int64_t column = 0; column < state->mirror_column; column++)
+            state->fixed[row * grid->columns + column] |= 1u;
 }
 
 /* Velocities and forces that are prescribed must be finite at the start. */
@@ -277,6 +286,9 @@ static void describe_method(struct mpm_simulation *simulation, int threads)
     state->shape_grid = mpm_shape_grid_describe(state->grid.origin, state->grid.cell,
                                                 state->grid.cells, scene->geometry, scene->axis);
     state->shape_grid.columns = state->grid.columns;
+    const int64_t axis_column = MPM_GHOST_ROWS - llround(scene->origin[0] / scene->cell[0]);
+    if (scene->axis_nodes == MPM_AXIS_NODES_MIRRORED && axis_column > 0)
+        state->mirror_column = axis_column;
 }
 
 static void open_books(struct mpm_simulation *simulation)
@@ -325,6 +337,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     for (size_t p = 0; p < state->particles.count; p++)
         mpm_particle_set_domain(state, p);
     set_rigid_velocities(state);
+    set_fixed(state);
     MPM_TRY(check_start(simulation, error));
     simulation->wave_speed = initial_wave_speed(simulation);
     simulation->wave_speed_start = simulation->wave_speed;

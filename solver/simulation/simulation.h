@@ -44,8 +44,8 @@ struct mpm_simulation {
 double mpm_time_step_next(const struct mpm_simulation *simulation, double limit, bool *lands);
 /* Speed of the fastest particle of first..end - 1. */
 double mpm_particle_speed(const struct mpm_particles *particles, size_t first, size_t end);
-/* Sets wave_speed and particle_speed to those after the step just taken. Looks at the particles
- * of a strip only if its kinetic energy could make one of them faster than waves. */
+/* Sets wave_speed and particle_speed to those after the step just taken; the latter in each step
+ * if it was above half the former, else in one of 32. */
 void mpm_speeds_update(struct mpm_simulation *simulation);
 /* Refuses a fixed step beyond the stability limit unless the scene allows it. */
 enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,

@@ -5,13 +5,17 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/exact/shape_quadrature.h"
+#include "verification/exact/corner_quadrature.h"
+#include "verification/exact/hat.h"
+#include "verification/exact/spline_quadrature.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <math.h>
 #include <stdlib.h>
 
-/* A uGIMP domain of up to two cells' width, its neighbours and the ring around them. */
+/* A uGIMP domain of up to two cells' width or a cubic B-spline's four nodes, their neighbours
+ * and the ring around them. */
 enum { AXIS_NODES_MAX = 8, WORKSPACE_INTERVALS = 64 };
 
 /* What GSL is asked for, times the size of the integrand. Its estimate cannot fall below
@@ -32,21 +36,14 @@ struct axis_node {
     double depth;
 };
 
-/* A CPDI domain: centre and half edges in cells, signs of the corners in table order. */
-struct parallelogram {
-    long double centre[2], zero;
-    double half_edge[2][2]; /* d1, d2 */
-    bool radial;
-};
-
-static const double CORNER_SIGN[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-
 struct shape_quadrature {
     struct mpm_shape_query query;
     struct shape_domain domain;
-    struct axis_node axis[2][AXIS_NODES_MAX]; /* classic and uGIMP */
+    struct axis_node axis[2][AXIS_NODES_MAX]; /* all but CPDI */
     struct parallelogram parallelogram;       /* CPDI */
-    gsl_integration_workspace *outer, *inner;
+    struct spline_quadrature *splines;        /* B-splines */
+    struct corner_quadrature *corners;        /* CPDI */
+    gsl_integration_workspace *workspace;     /* uGIMP */
 };
 
 struct shape_quadrature *shape_quadrature_create(void)
@@ -56,9 +53,11 @@ struct shape_quadrature *shape_quadrature_create(void)
     if (quadrature == NULL) {
         return NULL;
     }
-    quadrature->outer = gsl_integration_workspace_alloc(WORKSPACE_INTERVALS);
-    quadrature->inner = gsl_integration_workspace_alloc(WORKSPACE_INTERVALS);
-    if (quadrature->outer == NULL || quadrature->inner == NULL) {
+    quadrature->workspace = gsl_integration_workspace_alloc(WORKSPACE_INTERVALS);
+    quadrature->corners = corner_quadrature_create();
+    quadrature->splines = spline_quadrature_create();
+    if (quadrature->workspace == NULL || quadrature->corners == NULL ||
+        quadrature->splines == NULL) {
         shape_quadrature_free(quadrature);
         return NULL;
     }
@@ -70,23 +69,10 @@ void shape_quadrature_free(struct shape_quadrature *quadrature)
     if (quadrature == NULL) {
         return;
     }
-    gsl_integration_workspace_free(quadrature->outer);
-    gsl_integration_workspace_free(quadrature->inner);
+    gsl_integration_workspace_free(quadrature->workspace);
+    corner_quadrature_free(quadrature->corners);
+    spline_quadrature_free(quadrature->splines);
     free(quadrature);
-}
-
-/* The hat of a node at distance `offset` cells, and its slope; N&G (18). */
-static double hat(double offset)
-{
-    return fmax(0, 1 - fabs(offset));
-}
-
-static double hat_slope(double offset)
-{
-    if (fabs(offset) >= 1) {
-        return 0;
-    }
-    return offset < 0 ? 1 : -1;
 }
 
 /* ------------------------------------------------- rectangles, axis by axis */
@@ -148,7 +134,7 @@ static bool axis_node_integrate(struct shape_quadrature *quadrature, const struc
         gsl_function function = {axis_integrand_value, &integrand};
         const int status = gsl_integration_qagp(
             &function, points, count, TOLERANCE * quadrature->domain.magnification, 0,
-            WORKSPACE_INTERVALS, quadrature->outer, &node->value[i], &node->estimate[i]);
+            WORKSPACE_INTERVALS, quadrature->workspace, &node->value[i], &node->estimate[i]);
         if (status != GSL_SUCCESS) {
             return false;
         }
@@ -166,12 +152,12 @@ static long double cells_from_origin(const struct mpm_shape_query *query, size_t
 static struct axis_domain axis_domain_of(const struct mpm_shape_query *query, size_t k)
 {
     const long double centre = cells_from_origin(query, k, query->position[k]);
-    const long double half = query->shape == MPM_CLASSIC
-                                 ? 0
-                                 : (long double)query->half_size[k] / (long double)query->cell[k];
+    const long double half = query->shape == MPM_UGIMP
+                                 ? (long double)query->half_size[k] / (long double)query->cell[k]
+                                 : 0;
     struct axis_domain axis = {.lower = centre - half, .upper = centre + half};
     axis.zero = cells_from_origin(query, k, 0);
-    axis.radial = query->geometry == MPM_AXISYMMETRIC && k == 0;
+    axis.radial = query->geometry == MPM_AXISYMMETRIC && query->axis != MPM_PLANAR && k == 0;
     if (axis.radial && query->axis == MPM_TRUNCATED && axis.lower < axis.zero) {
         axis.lower = axis.zero;
     }
@@ -201,6 +187,65 @@ static void domain_set_radius(struct shape_domain *domain, double cell, double c
         domain->crosses_axis ? (centre * centre + half * half) / (2 * half * centre) : 1;
 }
 
+/* 2, 3, or 0 for all but B-splines. */
+static int spline_degree(const struct mpm_shape_query *query)
+{
+    return query->shape == MPM_BSPLINE2 ? 2 : query->shape == MPM_BSPLINE3 ? 3 : 0;
+}
+
+/* The grid ends at its first and last node and, in axisymmetry, at r = 0. */
+static bool spline_axis_nodes(struct shape_quadrature *quadrature, const struct axis_domain *axis,
+                              size_t k, size_t count)
+{
+    const struct mpm_shape_query *query = &quadrature->query;
+    const bool bounded = query->cells[k] > 0, from_axis = axis->radial && axis->zero >= 0;
+    const struct spline_line line = {
+        .degree = spline_degree(query),
+        .place = axis->lower,
+        .has_edge = {bounded || axis->radial, bounded},
+        .edge = {from_axis || !bounded ? llroundl(axis->zero) : 0, query->cells[k]},
+    };
+    struct spline_node nodes[AXIS_NODES_MAX];
+    if (!spline_quadrature_line(quadrature->splines, &line, quadrature->domain.first[k], count,
+                                nodes)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const double *value = nodes[i].value, *estimate = nodes[i].estimate;
+        quadrature->axis[k][i] = (struct axis_node){
+            .value = {value[SPLINE_VALUE], value[SPLINE_SLOPE], value[SPLINE_VALUE]},
+            .estimate = {estimate[SPLINE_VALUE], estimate[SPLINE_SLOPE], estimate[SPLINE_VALUE]},
+            .depth = nodes[i].depth,
+        };
+    }
+    return true;
+}
+
+static bool axis_nodes_prepare(struct shape_quadrature *quadrature, const struct axis_domain *axis,
+                               size_t k)
+{
+    const int degree = spline_degree(&quadrature->query);
+    const long double reach = degree > 0 ? (long double)spline_reach(degree) : 0;
+    window_set(&quadrature->domain, k, axis->lower - reach, axis->upper + reach);
+    const int64_t first = quadrature->domain.first[k];
+    const int64_t count = quadrature->domain.last[k] - first + 1;
+    if (count > AXIS_NODES_MAX) {
+        return false;
+    }
+    if (degree > 0) {
+        return spline_axis_nodes(quadrature, axis, k, (size_t)count);
+    }
+    for (int64_t i = 0; i < count; i++) {
+        struct axis_node *node = &quadrature->axis[k][i];
+        if (quadrature->query.shape == MPM_CLASSIC) {
+            classic_axis_node(axis, first + i, node);
+        } else if (!axis_node_integrate(quadrature, axis, first + i, node)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool rectangle_prepare(struct shape_quadrature *quadrature)
 {
     const struct mpm_shape_query *query = &quadrature->query;
@@ -209,24 +254,11 @@ static bool rectangle_prepare(struct shape_quadrature *quadrature)
         domain_set_radius(&quadrature->domain, query->cell[0],
                           (double)((axes[0].lower + axes[0].upper) / 2 - axes[0].zero),
                           (double)(axes[0].upper - axes[0].lower) / 2);
+    } else if (query->axis == MPM_PLANAR) {
+        quadrature->domain.mean_radius = query->position[0];
     }
-    for (size_t k = 0; k < 2; k++) {
-        window_set(&quadrature->domain, k, axes[k].lower, axes[k].upper);
-        const int64_t first = quadrature->domain.first[k];
-        const int64_t count = quadrature->domain.last[k] - first + 1;
-        if (count > AXIS_NODES_MAX) {
-            return false;
-        }
-        for (int64_t i = 0; i < count; i++) {
-            struct axis_node *node = &quadrature->axis[k][i];
-            if (query->shape == MPM_CLASSIC) {
-                classic_axis_node(&axes[k], first + i, node);
-            } else if (!axis_node_integrate(quadrature, &axes[k], first + i, node)) {
-                return false;
-            }
-        }
-    }
-    return true;
+    return axis_nodes_prepare(quadrature, &axes[0], 0) &&
+           axis_nodes_prepare(quadrature, &axes[1], 1);
 }
 
 /* Which average of each axis makes S, G_x, G_y and T <r>. */
@@ -257,130 +289,6 @@ static void rectangle_node(const struct shape_quadrature *quadrature, size_t col
 
 /* ----------------------------------------------------------- parallelograms */
 
-struct corner_integrand {
-    const struct parallelogram *shape;
-    enum shape_value kind;
-    double corner[4];   /* N_i at the corners */
-    double radius;      /* of the centre, in cells */
-    double rho, zeta;   /* zeta is fixed during the inner quadrature */
-    double tolerance;   /* absolute */
-    double inner_error; /* largest estimate of the inner quadrature */
-    bool failed;
-    gsl_integration_workspace *inner;
-};
-
-/* The corners' interpolation of N_i, or its derivative along x or y by the inverse of
- * J = (d1; d2), N&G (32), (34), (36). */
-static double interpolation(const struct corner_integrand *integrand, double rho, double zeta)
-{
-    const double(*d)[2] = integrand->shape->half_edge;
-    double value = 0, along_rho = 0, along_zeta = 0;
-    for (size_t a = 0; a < 4; a++) {
-        const double factor_rho = (1 + CORNER_SIGN[a][0] * rho) / 2;
-        const double factor_zeta = (1 + CORNER_SIGN[a][1] * zeta) / 2;
-        value += factor_rho * factor_zeta * integrand->corner[a];
-        along_rho += CORNER_SIGN[a][0] / 2 * factor_zeta * integrand->corner[a];
-        along_zeta += CORNER_SIGN[a][1] / 2 * factor_rho * integrand->corner[a];
-    }
-    const double determinant = d[0][0] * d[1][1] - d[1][0] * d[0][1];
-    if (integrand->kind == SHAPE_GX) {
-        return (d[1][1] * along_rho - d[0][1] * along_zeta) / determinant;
-    }
-    if (integrand->kind == SHAPE_GY) {
-        return (d[0][0] * along_zeta - d[1][0] * along_rho) / determinant;
-    }
-    return value;
-}
-
-/* Integrand over (rho, zeta) in [-1, 1]^2, divided by 4 r_p (4 where the weight is one). */
-static double corner_integrand_value(double rho, void *context)
-{
-    struct corner_integrand *integrand = context;
-    const struct parallelogram *shape = integrand->shape;
-    double weight = 0.25;
-    if (shape->radial && integrand->kind != SHAPE_T) {
-        const double offset =
-            rho * shape->half_edge[0][0] + integrand->zeta * shape->half_edge[1][0];
-        weight *= (integrand->radius + offset) / integrand->radius;
-    }
-    return weight * interpolation(integrand, rho, integrand->zeta);
-}
-
-static double corner_inner_integral(double zeta, void *context)
-{
-    struct corner_integrand *integrand = context;
-    integrand->zeta = zeta;
-    gsl_function function = {corner_integrand_value, integrand};
-    double result = 0, error = 0;
-    const int status =
-        gsl_integration_qag(&function, -1, 1, integrand->tolerance, 0, WORKSPACE_INTERVALS,
-                            GSL_INTEG_GAUSS15, integrand->inner, &result, &error);
-    integrand->failed = integrand->failed || status != GSL_SUCCESS;
-    integrand->inner_error = fmax(integrand->inner_error, error);
-    return result;
-}
-
-/* The size of the integrand: the tolerance of a cancelling integral cannot be relative to
- * its value. Bilinear functions have their extremes in the corners. */
-static double corner_integrand_size(struct corner_integrand *integrand, double magnification)
-{
-    double size = 1;
-    for (size_t a = 0; a < 4; a++) {
-        size = fmax(size, fabs(interpolation(integrand, CORNER_SIGN[a][0], CORNER_SIGN[a][1])));
-    }
-    return size * magnification;
-}
-
-static bool parallelogram_node(struct shape_quadrature *quadrature, struct shape_reference *out,
-                               struct corner_integrand *integrand)
-{
-    for (size_t i = 0; i < SHAPE_VALUES; i++) {
-        if (i == SHAPE_T && !quadrature->parallelogram.radial) {
-            continue;
-        }
-        integrand->kind = (enum shape_value)i;
-        integrand->inner_error = 0;
-        integrand->tolerance =
-            TOLERANCE * corner_integrand_size(integrand, quadrature->domain.magnification);
-        gsl_function function = {corner_inner_integral, integrand};
-        const int status = gsl_integration_qag(
-            &function, -1, 1, integrand->tolerance, 0, WORKSPACE_INTERVALS, GSL_INTEG_GAUSS15,
-            quadrature->outer, &out->value[i], &out->estimate[i]);
-        if (status != GSL_SUCCESS || integrand->failed) {
-            return false;
-        }
-        out->estimate[i] += 2 * integrand->inner_error; /* over the outer interval of 2 */
-    }
-    return true;
-}
-
-static void corner_position(const struct parallelogram *shape, size_t a, long double corner[2])
-{
-    for (size_t k = 0; k < 2; k++) {
-        corner[k] = shape->centre[k] +
-                    (long double)CORNER_SIGN[a][0] * (long double)shape->half_edge[0][k] +
-                    (long double)CORNER_SIGN[a][1] * (long double)shape->half_edge[1][k];
-    }
-}
-
-static bool parallelogram_node_at(struct shape_quadrature *quadrature, int64_t column, int64_t row,
-                                  struct shape_reference *reference)
-{
-    const struct parallelogram *shape = &quadrature->parallelogram;
-    struct corner_integrand integrand = {.shape = shape, .inner = quadrature->inner};
-    integrand.radius = (double)(shape->centre[0] - shape->zero);
-    *reference = (struct shape_reference){.depth = -1};
-    for (size_t a = 0; a < 4; a++) {
-        long double corner[2];
-        corner_position(shape, a, corner);
-        const double x = (double)(corner[0] - (long double)column);
-        const double y = (double)(corner[1] - (long double)row);
-        integrand.corner[a] = hat(x) * hat(y);
-        reference->depth = fmax(reference->depth, fmin(1 - fabs(x), 1 - fabs(y)));
-    }
-    return reference->depth <= 0 || parallelogram_node(quadrature, reference, &integrand);
-}
-
 /* Half edges in cells, N&G (31) with each component over its own axis' cell. */
 static void half_edges_set(const struct mpm_shape_query *query, double half_edge[2][2])
 {
@@ -396,7 +304,8 @@ static bool parallelogram_prepare(struct shape_quadrature *quadrature)
     const struct mpm_shape_query *query = &quadrature->query;
     struct parallelogram *shape = &quadrature->parallelogram;
     half_edges_set(query, shape->half_edge);
-    shape->radial = query->geometry == MPM_AXISYMMETRIC;
+    shape->radial = query->geometry == MPM_AXISYMMETRIC && query->axis != MPM_PLANAR;
+    quadrature->domain.mean_radius = query->position[0];
     shape->zero = cells_from_origin(query, 0, 0);
     for (size_t k = 0; k < 2; k++) {
         shape->centre[k] = cells_from_origin(query, k, query->position[k]);
@@ -428,7 +337,8 @@ static bool query_is_valid(const struct mpm_shape_query *query)
     for (size_t k = 0; k < 2; k++) {
         valid = valid && isfinite(query->origin[k]) && isfinite(query->position[k]) &&
                 query->cell[k] > 0 && isfinite(query->cell[k]) && isfinite(query->half_size[k]);
-        valid = valid && (query->shape == MPM_CLASSIC || query->half_size[k] > 0);
+        const bool has_domain = query->shape == MPM_UGIMP || query->shape == MPM_CPDI;
+        valid = valid && (!has_domain || query->half_size[k] > 0);
         valid = valid && (query->shape != MPM_UGIMP || query->half_size[k] <= query->cell[k]);
     }
     for (size_t i = 0; i < 4; i++) {
@@ -470,13 +380,16 @@ bool shape_quadrature_node(struct shape_quadrature *quadrature, int64_t column, 
     if (axisymmetric && query->axis == MPM_TRUNCATED && node_radius < -(long double)tiny) {
         return true;
     }
+    bool done = true;
     if (query->shape == MPM_CPDI) {
-        return parallelogram_node_at(quadrature, column, row, reference);
+        done = corner_quadrature_node(quadrature->corners, &quadrature->parallelogram,
+                                      domain->magnification, column, row, reference);
+    } else {
+        rectangle_node(quadrature, (size_t)(column - domain->first[0]),
+                       (size_t)(row - domain->first[1]), reference);
     }
-    rectangle_node(quadrature, (size_t)(column - domain->first[0]),
-                   (size_t)(row - domain->first[1]), reference);
     if (!axisymmetric) {
         reference->value[SHAPE_T] = reference->estimate[SHAPE_T] = 0;
     }
-    return true;
+    return done;
 }

@@ -12,9 +12,12 @@
  *            and d2 = F (0, half_z), N_i replaced by its bilinear interpolation from the
  *            four corners; nested adaptive quadrature in (rho, zeta). Truncated, d1 and
  *            d2 shrink by r_p / (|d1r| + |d2r|) if that is less than one.
+ *   B-splines, of points: S = phi_i, G = grad phi_i, T = phi_i / r_p, see spline_quadrature.h;
+ *            folded at the first and the last node of a grid that has edges, and at r = 0.
  *
  * In axisymmetry the weight is r and the normalisation A_p <r_p>, with the area mean of r
- * over the same domain; an untruncated domain that crosses r = 0 keeps the sign of r.
+ * over the same domain; an untruncated domain that crosses r = 0 keeps the sign of r. The
+ * planar functions used axisymmetrically (MPM_PLANAR) have the weight one and T = S / r_p.
  *
  * Results are without unit: S, G_x dx, G_y dy (dx, dy the cell's edges) and T <r_p>, each
  * of which is of order one wherever the weight keeps its sign.

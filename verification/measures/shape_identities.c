@@ -14,8 +14,9 @@ static void half_edges(const struct mpm_shape_query *query, double d[2][2])
     for (size_t k = 0; k < 2; k++) {
         const double along = convected ? f[2 * k] : (k == 0 ? 1 : 0);
         const double across = convected ? f[2 * k + 1] : (k == 1 ? 1 : 0);
-        d[0][k] = query->shape == MPM_CLASSIC ? 0 : along * query->half_size[0];
-        d[1][k] = query->shape == MPM_CLASSIC ? 0 : across * query->half_size[1];
+        const bool point = !convected && query->shape != MPM_UGIMP;
+        d[0][k] = point ? 0 : along * query->half_size[0];
+        d[1][k] = point ? 0 : across * query->half_size[1];
     }
 }
 

@@ -28,7 +28,9 @@ enum shape_identity {
     SHAPE_IDENTITY_COUNT,
 };
 
-/* Area means over the particle's domain, in the unit of length; for classic the point. */
+/* Area means over the particle's domain, in the unit of length; for classic functions and
+ * B-splines the point. Those of N&G (6)-(8): planar functions used axisymmetrically
+ * (MPM_PLANAR) owe the same, and have sum x_i S = x_p instead. */
 struct shape_moments {
     double radius;        /* <r>; 0 in planar geometry */
     double offset[2];     /* <w x>/<w> - x_p */

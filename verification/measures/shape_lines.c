@@ -3,6 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/shape_lines.h"
 
+/* Where the other edge is. */
+static const int64_t OUT_OF_SIGHT = INT64_C(1) << 40;
+
 struct shape_line_value shape_line_at(const struct shape_line *line, int64_t node, double radius)
 {
     const struct mpm_shape_query query = {
@@ -11,6 +14,7 @@ struct shape_line_value shape_line_at(const struct shape_line *line, int64_t nod
         .axis = line->axis,
         .origin = {0, 0},
         .cell = {1, 1},
+        .cells = {line->edge ? OUT_OF_SIGHT : 0, 0},
         .position = {radius, 0.5},
         .half_size = {line->size / 2, line->size / 2},
         .deformation_gradient = {1, 0, 0, 1},

@@ -15,6 +15,7 @@ struct shape_line {
     enum mpm_geometry geometry;
     enum mpm_axis axis;
     double size; /* l_p: the domain's width in cells, from above 0 to 1 */
+    bool edge;   /* is node 0 the grid's edge, onto which B-splines fold? */
 };
 
 struct shape_line_value {

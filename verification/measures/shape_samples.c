@@ -100,11 +100,11 @@ static void draw_gradient(struct shape_sampler *sampler, bool exact, struct mpm_
 static double corner_offset(const struct mpm_shape_query *query, size_t k, double sign_1,
                             double sign_2)
 {
-    if (query->shape == MPM_CLASSIC) {
-        return 0;
-    }
     if (query->shape == MPM_UGIMP) {
         return sign_1 * query->half_size[k] / query->cell[k];
+    }
+    if (query->shape != MPM_CPDI) {
+        return 0;
     }
     const double *f = query->deformation_gradient;
     return (sign_1 * f[2 * k] * query->half_size[0] + sign_2 * f[2 * k + 1] * query->half_size[1]) /
@@ -117,6 +117,31 @@ static double radial_reach(const struct mpm_shape_query *query)
     return GSL_MAX_DBL(fabs(corner_offset(query, 0, 1, 1)), fabs(corner_offset(query, 0, 1, -1)));
 }
 
+static bool is_spline(const struct mpm_shape_query *query)
+{
+    return query->shape == MPM_BSPLINE2 || query->shape == MPM_BSPLINE3;
+}
+
+/* A point on a knot of a B-spline or an edge, or beside it; r > 0 in axisymmetry. */
+static double draw_knot(struct shape_sampler *sampler, const struct mpm_shape_query *query,
+                        size_t k, double beside)
+{
+    const bool radial = k == 0 && query->geometry == MPM_AXISYMMETRIC;
+    return fabs(0.5 * (double)(pick(sampler, 11) + radial) + beside);
+}
+
+/* Most grids end zero to four cells above the point, and begin at node 0; some do not end. */
+static void draw_edges(struct shape_sampler *sampler, struct mpm_shape_query *query)
+{
+    for (size_t k = 0; k < 2; k++) {
+        const double place = (query->position[k] - query->origin[k]) / query->cell[k];
+        const double above = (double)pick(sampler, 4);
+        if (pick(sampler, 5) > 0) {
+            query->cells[k] = (int64_t)(fmax(1, ceil(place)) + above);
+        }
+    }
+}
+
 /* A coordinate that puts centre, edge or corner on or beside a grid line. */
 static double draw_boundary(struct shape_sampler *sampler, const struct mpm_shape_query *query,
                             size_t k)
@@ -125,6 +150,9 @@ static double draw_boundary(struct shape_sampler *sampler, const struct mpm_shap
     const double line = 1 + (double)pick(sampler, 5);
     if (query->shape == MPM_CLASSIC) {
         return line + (pick(sampler, 2) == 0 ? 1e-12 : -1e-12) * (double)(1 + pick(sampler, 9));
+    }
+    if (is_spline(query)) {
+        return draw_knot(sampler, query, k, beside[pick(sampler, 8)]);
     }
     const double sign_1 = (double)pick(sampler, 3) - 1;
     const double sign_2 = sign_1 * (pick(sampler, 2) == 0 ? 1 : -1);
@@ -143,7 +171,7 @@ static double draw_near_axis(struct shape_sampler *sampler, const struct mpm_sha
 {
     const double reach = radial_reach(query);
     const bool cut_rectangle = query->shape == MPM_UGIMP && query->axis == MPM_TRUNCATED;
-    if (query->shape == MPM_CLASSIC) {
+    if (query->shape == MPM_CLASSIC || is_spline(query)) {
         return uniform(sampler, 0.01, 0.5);
     }
     switch (pick(sampler, 4)) {
@@ -181,5 +209,8 @@ void shape_sampler_draw(struct shape_sampler *sampler, const struct mpm_shape_qu
         place = k == 0 ? clear_of_axis(query, place) : place;
         const double base = axisymmetric && k == 0 ? 0 : query->origin[k];
         query->position[k] = base + place * query->cell[k];
+    }
+    if (is_spline(query)) {
+        draw_edges(sampler, query);
     }
 }

@@ -11,10 +11,11 @@ enum shape_region {
     /* Anywhere over nodes 0 to 5, r >= 0.02, CPDI r >= 0.2 of the domain's reach in r. */
     SHAPE_REGION_NEAR,
     /* A domain edge, its centre or (CPDI) a corner within 1e-12 of a grid line, on either
-     * side of it; classic: the centre, never nearer than 1e-12, where grad N jumps. */
+     * side of it; classic: the centre, never nearer than 1e-12, where grad N jumps; B-splines:
+     * a knot or an edge, every half cell. */
     SHAPE_REGION_BOUNDARY,
     /* Axisymmetry: the domain reaches r = 0 or just misses it, down to r_p = 0 for truncated
-     * uGIMP, 0.01 cells for classic, 0.01 of the half width for untruncated uGIMP and 0.2 of
+     * uGIMP, 0.01 cells for classic and B-splines, 0.01 of the half width for untruncated uGIMP and 0.2 of
      * the reach for CPDI (whose truncated domain shrinks with r_p, and with it the accuracy
      * of any difference of N over it). Planar: as near. */
     SHAPE_REGION_AXIS,
@@ -33,7 +34,8 @@ void shape_sampler_free(struct shape_sampler *sampler);
 
 /* Draws one domain: l_p from 0.05 to 1 and edges of the cell by 0.4 to 2.5 of each other,
  * each axis for itself; F = R(angle) [[a, c], [0, b]] with any angle, a and b from 0.6 to
- * 1.8, c up to 0.6 either way; an origin that puts r = 0 on column 0, 1 or 2. `kind` gives
+ * 1.8, c up to 0.6 either way; an origin that puts r = 0 on column 0, 1 or 2; for B-splines,
+ * four grids of five have edges, the last node less than five cells above the point. `kind` gives
  * shape, geometry and axis; all else of *query is set. */
 void shape_sampler_draw(struct shape_sampler *sampler, const struct mpm_shape_query *kind,
                         enum shape_region region, struct mpm_shape_query *query);

@@ -154,6 +154,57 @@ static enum mpm_status check_figure(const char *path, const struct case_file *fi
     return check_globs(path, file, place, figure->needs, figure->needs_count, error);
 }
 
+static bool has_column(const struct case_comparison *comparison, const char *quantity)
+{
+    for (unsigned i = 0; i < comparison->columns_count; i++)
+        if (strcmp(comparison->columns[i].quantity, quantity) == 0)
+            return true;
+    return false;
+}
+
+static enum mpm_status check_column(const char *path, const struct case_comparison *comparison,
+                                    unsigned index, struct mpm_error *error)
+{
+    const struct case_column *column = &comparison->columns[index];
+    char place[48];
+    g_snprintf(place, sizeof place, "comparison.columns.%u", index);
+    if (!(column->tolerance >= 0) || !(column->floor >= 0))
+        return yaml_refuse(path, error, place, "tolerance and floor: allowed are numbers >= 0");
+    if (column->where != NULL &&
+        (!has_column(comparison, column->where) || strcmp(column->where, column->quantity) == 0))
+        return yaml_refuse(path, error, place, "where: \"%s\" is the quantity of no other column",
+                           column->where);
+    for (unsigned i = 0; i < index; i++)
+        if (strcmp(column->title, comparison->columns[i].title) == 0)
+            return yaml_refuse(path, error, place, "title \"%s\" is taken by another column",
+                               column->title);
+    return MPM_OK;
+}
+
+static enum mpm_status check_comparison(const char *path, const struct case_file *file,
+                                        struct mpm_error *error)
+{
+    const struct case_comparison *comparison = file->comparison;
+    if (comparison == NULL)
+        return MPM_OK;
+    TRY(check_globs(path, file, "comparison", comparison->variants, comparison->variants_count,
+                    error));
+    for (unsigned i = 0; i < comparison->columns_count; i++)
+        TRY(check_column(path, comparison, i, error));
+    const struct case_pareto *pareto = comparison->pareto;
+    if (pareto == NULL)
+        return MPM_OK;
+    const char *unknown = !has_column(comparison, pareto->x)   ? pareto->x
+                          : !has_column(comparison, pareto->y) ? pareto->y
+                                                               : NULL;
+    if (unknown != NULL)
+        return yaml_refuse(path, error, "comparison.pareto", "\"%s\" is the quantity of no column",
+                           unknown);
+    if (strcmp(pareto->x, pareto->y) == 0)
+        return yaml_refuse(path, error, "comparison.pareto", "x and y are the same quantity");
+    return MPM_OK;
+}
+
 enum mpm_status case_file_check(const char *path, const struct case_file *file,
                                 struct mpm_error *error)
 {
@@ -172,5 +223,5 @@ enum mpm_status case_file_check(const char *path, const struct case_file *file,
         TRY(check_check(path, file, i, error));
     for (unsigned i = 0; i < file->figures_count; i++)
         TRY(check_figure(path, file, i, error));
-    return MPM_OK;
+    return check_comparison(path, file, error);
 }

@@ -86,6 +86,35 @@ static const cyaml_schema_field_t figure_fields[] = {
 static const cyaml_schema_value_t figure_schema = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct case_figure, figure_fields)};
 
+static const cyaml_strval_t better_values[] = {
+    {"low", COMPARISON_LOW}, {"high", COMPARISON_HIGH}, {"zero", COMPARISON_ZERO}};
+
+static const cyaml_schema_field_t column_fields[] = {
+    TEXT("quantity", case_column, quantity),
+    TEXT("title", case_column, title),
+    TEXT("unit", case_column, unit),
+    CYAML_FIELD_ENUM("better", CYAML_FLAG_STRICT, struct case_column, better, better_values,
+                     CYAML_ARRAY_LEN(better_values)),
+    OPTIONAL_TEXT("tolerance", case_column, tolerance_text),
+    OPTIONAL_TEXT("floor", case_column, floor_text),
+    OPTIONAL_TEXT("case", case_column, case_name),
+    OPTIONAL_TEXT("where", case_column, where),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t column_schema = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct case_column, column_fields)};
+
+static const cyaml_schema_field_t pareto_fields[] = {TEXT("x", case_pareto, x),
+                                                     TEXT("y", case_pareto, y), CYAML_FIELD_END};
+
+static const cyaml_schema_field_t comparison_fields[] = {
+    TEXT("title", case_comparison, title),
+    OPTIONAL_TEXT("summary", case_comparison, summary),
+    LIST("variants", case_comparison, variants, &yaml_text_schema, 0),
+    LIST("columns", case_comparison, columns, &column_schema, 1),
+    CYAML_FIELD_MAPPING_PTR("pareto", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL,
+                            struct case_comparison, pareto, pareto_fields),
+    CYAML_FIELD_END};
+
 static const cyaml_schema_field_t file_fields[] = {
     CYAML_FIELD_INT("format", CYAML_FLAG_DEFAULT, struct case_file, format),
     TEXT("family", case_file, family),
@@ -101,6 +130,8 @@ static const cyaml_schema_field_t file_fields[] = {
                             methods, methods_fields),
     LIST("checks", case_file, checks, &check_schema, 1),
     LIST("figures", case_file, figures, &figure_schema, 0),
+    CYAML_FIELD_MAPPING_PTR("comparison", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL,
+                            struct case_file, comparison, comparison_fields),
     CYAML_FIELD_END};
 static const cyaml_schema_value_t file_schema = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, struct case_file, file_fields)};
@@ -145,6 +176,20 @@ static enum mpm_status convert_check(const char *path, unsigned index, struct ca
     return MPM_OK;
 }
 
+static enum mpm_status convert_column(const char *path, unsigned index, struct case_column *column,
+                                      struct mpm_error *error)
+{
+    char place[48];
+    g_snprintf(place, sizeof place, "comparison.columns.%u", index);
+    column->tolerance = 0.05;
+    column->floor = 0.0;
+    if (column->tolerance_text != NULL)
+        TRY(convert(path, place, "tolerance", column->tolerance_text, &column->tolerance, error));
+    if (column->floor_text != NULL)
+        TRY(convert(path, place, "floor", column->floor_text, &column->floor, error));
+    return MPM_OK;
+}
+
 static enum mpm_status convert_numbers(const char *path, struct case_file *file,
                                        struct mpm_error *error)
 {
@@ -159,6 +204,8 @@ static enum mpm_status convert_numbers(const char *path, struct case_file *file,
                     &file->methods->timeout, error));
     for (unsigned i = 0; i < file->checks_count; i++)
         TRY(convert_check(path, i, &file->checks[i], error));
+    for (unsigned i = 0; file->comparison != NULL && i < file->comparison->columns_count; i++)
+        TRY(convert_column(path, i, &file->comparison->columns[i], error));
     return MPM_OK;
 }
 

@@ -23,6 +23,19 @@ const char *tier_name(enum tier tier)
     return names[tier];
 }
 
+const char *better_name(enum comparison_better better)
+{
+    static const char *const names[] = {"low", "high", "zero"};
+    return names[better];
+}
+
+bool comparison_has_variant(const struct case_comparison *comparison, const char *variant)
+{
+    return comparison != NULL &&
+           (comparison->variants_count == 0 ||
+            globs_match(comparison->variants, comparison->variants_count, variant));
+}
+
 static void case_clear(void *element)
 {
     struct catalogue_case *entry = element;
@@ -95,6 +108,14 @@ static enum mpm_status case_fill(const char *path, const char *family, const cha
     return read_readme(entry, error);
 }
 
+char *catalogue_scene_path(const struct catalogue_case *entry, const struct case_variant *variant)
+{
+    for (unsigned i = 0; i < variant->parameters_count; i++)
+        if (strcmp(variant->parameters[i].name, "scene") == 0)
+            return g_build_filename(entry->folder, variant->parameters[i].value, NULL);
+    return g_strdup(entry->scene_path);
+}
+
 static int compare_texts(const void *a, const void *b)
 {
     return strcmp(*(char *const *)a, *(char *const *)b);
@@ -142,6 +163,27 @@ static enum mpm_status check_unique(const GArray *cases, struct mpm_error *error
     return MPM_OK;
 }
 
+/* Columns may come from other cases, which must be there. */
+static enum mpm_status check_columns(const GArray *cases, const struct catalogue_case *entry,
+                                     struct mpm_error *error)
+{
+    const struct case_comparison *comparison = entry->file->comparison;
+    for (unsigned c = 0; comparison != NULL && c < comparison->columns_count; c++) {
+        const char *wanted = comparison->columns[c].case_name;
+        bool there = wanted == NULL;
+        for (unsigned i = 0; !there && i < cases->len; i++)
+            there = strcmp(g_array_index(cases, struct catalogue_case, i).file->name, wanted) == 0;
+        if (there)
+            continue;
+        char *path = g_build_filename(entry->folder, "case.yaml", NULL), place[48];
+        g_snprintf(place, sizeof place, "comparison.columns.%u", c);
+        yaml_refuse(path, error, place, "case \"%s\": the catalogue has none of that name", wanted);
+        g_free(path);
+        return MPM_BAD_INPUT;
+    }
+    return MPM_OK;
+}
+
 static enum mpm_status add_families(const char *folder, const struct sources *sources,
                                     GArray *cases, struct mpm_error *error)
 {
@@ -174,6 +216,8 @@ enum mpm_status catalogue_read(const char *folder, struct program_table programs
     enum mpm_status status = add_families(folder, &sources, cases, error);
     if (status == MPM_OK)
         status = check_unique(cases, error);
+    for (unsigned i = 0; status == MPM_OK && i < cases->len; i++)
+        status = check_columns(cases, &g_array_index(cases, struct catalogue_case, i), error);
     if (status == MPM_OK && cases->len == 0)
         status = failure_set(error, MPM_BAD_INPUT,
                              "%s: holds no case: FAMILY/CASE/case.yaml is looked for", folder);

@@ -6,6 +6,7 @@
 #ifndef VERIFICATION_SUITE_CATALOGUE_H
 #define VERIFICATION_SUITE_CATALOGUE_H
 
+#include "verification/measures/comparison.h"
 #include "verification/measures/verdict.h"
 #include "verification/suite/programs.h"
 
@@ -69,6 +70,29 @@ struct case_figure {
     unsigned needs_count;
 };
 
+struct case_column {
+    char *quantity, *title, *unit;
+    enum comparison_better better;
+    char *tolerance_text, *floor_text; /* NULL if not given */
+    double tolerance, floor;
+    char *case_name; /* that reports it; NULL: this one */
+    char *where;     /* quantity of a column: counts only where that is equal to the best */
+};
+
+struct case_pareto {
+    char *x, *y; /* quantities of columns */
+};
+
+/* The page that puts the variants beside each other. */
+struct case_comparison {
+    char *title, *summary; /* summary may be NULL */
+    char **variants;       /* globs; none: all */
+    unsigned variants_count;
+    struct case_column *columns;
+    unsigned columns_count;
+    struct case_pareto *pareto; /* may be NULL */
+};
+
 /* case.yaml as read; texts of numbers are kept beside their values. */
 struct case_file {
     int format;
@@ -86,12 +110,13 @@ struct case_file {
     unsigned checks_count;
     struct case_figure *figures;
     unsigned figures_count;
+    struct case_comparison *comparison; /* NULL if it has none */
 };
 
 struct catalogue_case {
     struct case_file *file;
     char *folder;
-    char *scene_path; /* NULL if it has none */
+    char *scene_path; /* of the variants that name none; NULL if it has none */
     char *readme;     /* Markdown */
     const struct measure_program *program;
 };
@@ -109,8 +134,16 @@ enum mpm_status catalogue_read(const char *folder, struct program_table programs
                                struct catalogue **catalogue, struct mpm_error *error);
 void catalogue_free(struct catalogue *catalogue);
 
+/* Path of the scene that a variant runs: its parameter `scene`, a file of the case's folder, or the
+ * case's own; NULL if there is none. The caller frees it with g_free. */
+char *catalogue_scene_path(const struct catalogue_case *entry, const struct case_variant *variant);
+
 const char *basis_name(enum case_basis basis);
 const char *tier_name(enum tier tier);
+const char *better_name(enum comparison_better better);
+
+/* Whether the comparison of a case has a row for the variant. */
+bool comparison_has_variant(const struct case_comparison *comparison, const char *variant);
 
 /* Whether the shell pattern (*, ?, [...]) matches the whole name; whether any does. */
 bool glob_matches(const char *glob, const char *name);

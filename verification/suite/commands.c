@@ -4,14 +4,17 @@
 #include "verification/suite/commands.h"
 
 #include "verification/suite/command_line.h"
+#include "verification/suite/compare.h"
 #include "verification/suite/failure.h"
 #include "verification/suite/machine.h"
 #include "verification/suite/report.h"
 #include "verification/suite/resources.h"
+#include "verification/suite/rows.h"
 #include "verification/suite/run.h"
 
 #include <glib.h>
 #include <limits.h>
+#include <math.h>
 #include <string.h>
 
 enum { CHECKS_FAILED = 1, JOBS_MAX = 1024, JOBS_DEFAULT = INT_MIN /* not given */ };
@@ -31,13 +34,21 @@ static const char usage[] =
     "                                         and why, last values, the command to reproduce it\n"
     "  report DIR                             render the reports of DIR again from its result "
     "lines\n"
+    "  compare DIR DIR [--change X]           what changed from the first run to the second: "
+    "statuses,\n"
+    "                                         checks, values by more than X (relative, 0.001 "
+    "unless\n"
+    "                                         given), margins, times beyond noise\n"
     "  help, --help, --version\n"
     "\n"
-    "All but report take --catalogue DIR. --tier is ci unless given; --kernels auto, which is\n"
+    "list, run and explain take --catalogue DIR. --tier is ci unless given; --kernels auto, which "
+    "is\n"
     "fast wherever a scene allows; --jobs the number of processors; --output\n"
     "build/reports/verify in the repository and verify-report elsewhere.\n"
     "Exit status: 0 every check holds (or shows its known weakness); 1 one does not; 2 bad usage\n"
-    "or a bad catalogue; 4 the environment failed.\n";
+    "or a bad catalogue; 4 the environment failed. compare: 0 nothing got worse; 1 a status did,\n"
+    "a check failed that is new or vanished from the same selection, or a margin shrank by more\n"
+    "than 0.1. Time is shown, never judged: mpm-bench compares speed.\n";
 
 /* ----------------------------------------------------------------- arguments */
 
@@ -50,11 +61,18 @@ static void options_clear(struct command_options *options)
     g_free(options->output);
     g_free(options->catalogue);
     g_free(options->tag);
+    g_free(options->change);
     g_strfreev(options->rest);
 }
 
 /* Which options a command takes; bits of `takes` in the table of commands. */
-enum { TAKES_SELECTION = 1, TAKES_OUTPUT = 2, TAKES_CATALOGUE = 4, TAKES_TAG = 8 };
+enum {
+    TAKES_SELECTION = 1,
+    TAKES_OUTPUT = 2,
+    TAKES_CATALOGUE = 4,
+    TAKES_TAG = 8,
+    TAKES_CHANGE = 16
+};
 
 enum mpm_status command_catalogue(const struct command *command, struct catalogue **catalogue,
                                   struct mpm_error *error)
@@ -149,6 +167,18 @@ static enum mpm_status command_report(struct command *command, struct mpm_error 
     return status;
 }
 
+static enum mpm_status command_compare(struct command *command, struct mpm_error *error)
+{
+    const struct command_options *options = &command->options;
+    double change = 1e-3;
+    if (options->change != NULL &&
+        (!row_number(options->change, &change) || !(change >= 0) || !isfinite(change)))
+        return failure_set(error, MPM_BAD_INPUT,
+                           "--change \"%s\": allowed is a number of at least 0", options->change);
+    return suite_compare(options->rest[0], options->rest[1], change, command->world->out,
+                         &command->checks_failed, error);
+}
+
 /* --------------------------------------------------------------------- table */
 
 static const struct command_entry commands[] = {
@@ -156,6 +186,7 @@ static const struct command_entry commands[] = {
     {"run", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE, 0, "", command_run},
     {"explain", TAKES_OUTPUT | TAKES_CATALOGUE, 1, "explain: CHECK", command_explain},
     {"report", 0, 1, "report: the folder DIR", command_report},
+    {"compare", TAKES_CHANGE, 2, "compare: a folder DIR", command_compare},
 };
 
 int suite_command(int argc, char **argv, const struct suite_world *world)
@@ -173,6 +204,7 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
         {TAKES_CATALOGUE,
          {"catalogue", 0, 0, G_OPTION_ARG_FILENAME, &given->catalogue, NULL, NULL}},
         {TAKES_TAG, {"tag", 0, 0, G_OPTION_ARG_STRING, &given->tag, NULL, NULL}},
+        {TAKES_CHANGE, {"change", 0, 0, G_OPTION_ARG_STRING, &given->change, NULL, NULL}},
     };
     const struct command_line line = {
         .program = PROGRAM,

@@ -101,11 +101,14 @@ enum mpm_status measurement_scene(const struct measurement *measurement,
                                   struct mpm_scene **scene, struct mpm_error *error)
 {
     *scene = NULL;
-    if (measurement->setup.entry->scene_path == NULL)
+    char *path = catalogue_scene_path(measurement->setup.entry, measurement->setup.variant);
+    if (path == NULL)
         return failure_set(error, MPM_BAD_INPUT, "case %s names no scene",
                            measurement_case(measurement));
-    return read_scene(measurement, measurement->setup.entry->scene_path, settings, setting_count,
-                      scene, error);
+    const enum mpm_status status =
+        read_scene(measurement, path, settings, setting_count, scene, error);
+    g_free(path);
+    return status;
 }
 
 enum mpm_status measurement_scene_file(const struct measurement *measurement, const char *file,

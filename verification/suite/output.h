@@ -2,9 +2,10 @@
  * not at all.
  *
  *     checks.jsonl   measurements.jsonl   index.html   summary.md   junit.xml   results.tap
- *     style/         style.gp, report.css, page.html
+ *     style/         style.gp, comparison.gp, report.css, page.html, table.js
  *     cases/<case>/  index.html, figure-<name>.svg, and per variant rows-*.jsonl,
- *                    log-*.txt, data-*-<name>.dat
+ *                    log-*.txt, data-*-<name>.dat; comparison.html, comparison.csv and
+ *                    its data-*.dat where a comparison is declared
  *     cases/<case>/source/   the case's gnuplot scripts and reference data
  *
  * Files that are not of this list are never touched; a folder that holds one of these

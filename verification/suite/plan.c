@@ -21,9 +21,10 @@ static void plan_variant(const struct catalogue_case *entry, const struct case_v
         if (globs_match(check->variants, check->variants_count, variant->name))
             g_array_append_val(checks, planned);
     }
-    /* A variant without checks runs for its data files if a figure needs them, and a method
-     * for its numbers. */
-    bool needed = checks->len > before || variant->method != NULL;
+    /* A variant without checks runs for its data files if a figure needs them; a method and a
+     * row of a comparison, for their numbers. */
+    bool needed = checks->len > before || variant->method != NULL ||
+                  comparison_has_variant(entry->file->comparison, variant->name);
     for (unsigned i = 0; i < entry->file->figures_count; i++)
         needed = needed || globs_match(entry->file->figures[i].needs,
                                        entry->file->figures[i].needs_count, variant->name);

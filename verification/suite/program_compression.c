@@ -4,11 +4,14 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/exact/compression.h"
 #include "verification/measures/fields.h"
+#include "verification/measures/pareto.h"
 #include "verification/measures/particle_set.h"
 #include "verification/suite/follow.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { STRESS = 4, RR = 0, ZZ = 1, CURVE_COLUMNS = 8, RADIAL_COLUMNS = 3 };
 
@@ -48,6 +51,7 @@ struct study {
     double broken[PARTS]; /* volume compression in % at which the part broke; 0: not yet */
     double start_energy;
     double judged_spread; /* of J over all particles at the stated strain */
+    bool judged;          /* the stated strain was reached */
     double *curve;
     size_t curve_rows, curve_capacity;
 };
@@ -174,8 +178,43 @@ static void report_books(struct study *study)
     measurement_report(study->measurement, "strain_energy",
                        100.0 * ledger.strain_energy /
                            (volume * compression_energy(&p->material, stretch)));
-    measurement_report(study->measurement, "work",
-                       100.0 * ledger.external_work / (ledger.total_energy - study->start_energy));
+    const double gained = ledger.total_energy - study->start_energy;
+    measurement_report(study->measurement, "work", 100.0 * ledger.external_work / gained);
+    measurement_report(study->measurement, "energy_drift",
+                       100.0 * (gained - ledger.external_work) / ledger.external_work);
+}
+
+/* A disk that broke before the stated strain has no fields there. */
+static void report_unjudged(struct study *study)
+{
+    static const char *const quantities[] = {"strain_energy",
+                                             "work",
+                                             "energy_drift",
+                                             "interior_sd_j",
+                                             "all_sd_j",
+                                             "mean_j_error",
+                                             "interior_rr_at_mean",
+                                             "interior_zz_at_mean",
+                                             "interior_rr_at_nominal",
+                                             "all_rr_at_nominal"};
+    for (size_t k = 0; k < sizeof quantities / sizeof *quantities; k++)
+        measurement_inconclusive(study->measurement, quantities[k],
+                                 "it ended at %.4g %% compression, before the fields are judged",
+                                 volume_compression(study->strain));
+}
+
+/* The worst error of J among the particles next to the axis. */
+static double innermost_error(const struct study *study)
+{
+    const struct particle_set *const set = &study->set;
+    const double nominal = compression_relative_volume(-study->strain);
+    double nearest = HUGE_VAL, error = 0.0;
+    for (size_t k = 0; k < set->count; k++)
+        nearest = fmin(nearest, set->start[2 * k]);
+    for (size_t k = 0; k < set->count; k++)
+        if (set->start[2 * k] <= nearest * (1.0 + 1e-9))
+            error = field_larger(error, relative_error(set->relative_volume[k], nominal));
+    return error;
 }
 
 static enum mpm_status report_fields(struct study *study, struct mpm_error *error)
@@ -184,6 +223,7 @@ static enum mpm_status report_fields(struct study *study, struct mpm_error *erro
     const struct look *const all = &study->look[ALL], *const inner = &study->look[INNER];
     measurement_report(m, "interior_sd_j", 100.0 * inner->spread);
     measurement_report(m, "all_sd_j", 100.0 * all->spread);
+    measurement_report(m, "innermost_j_error", 100.0 * innermost_error(study));
     measurement_report(m, "mean_j_error",
                        100.0 *
                            relative_error(all->mean, compression_relative_volume(-study->strain)));
@@ -218,14 +258,17 @@ static void report_breakdown(struct study *study, double last_strain, bool alive
                                      "not broken at %.4g %% compression, where the run ends",
                                      volume_compression(last_strain));
     }
-    measurement_report(study->measurement, "reached", volume_compression(last_strain));
+    const double reached = volume_compression(last_strain);
+    measurement_report(study->measurement, "reached", reached);
+    measurement_report(study->measurement, "unbroken_to",
+                       study->broken[ALL] > 0.0 ? study->broken[ALL] : reached);
 }
 
 static enum mpm_status follow(struct study *study, double end, struct mpm_error *error)
 {
     const struct parameters *const p = &study->parameters;
     const double unit = p->radius / p->speed; /* time to a strain of one */
-    bool alive = true, judged = false;
+    bool alive = true;
     struct mpm_ledger ledger;
     TRY(look_now(study, error));
     mpm_simulation_ledger(study->simulation, &ledger);
@@ -237,8 +280,8 @@ static enum mpm_status follow(struct study *study, double end, struct mpm_error 
         if (!alive)
             break;
         TRY(look_now(study, error));
-        if (!judged && study->strain >= p->strain * (1.0 - 1e-9)) {
-            judged = true;
+        if (!study->judged && study->strain >= p->strain * (1.0 - 1e-9)) {
+            study->judged = true;
             study->judged_spread = study->look[ALL].spread;
             report_books(study);
             TRY(report_fields(study, error));
@@ -246,6 +289,8 @@ static enum mpm_status follow(struct study *study, double end, struct mpm_error 
         if (last)
             break;
     }
+    if (!study->judged)
+        report_unjudged(study);
     report_breakdown(study, p->speed * mpm_simulation_time(study->simulation) / p->radius, alive);
     follow_count_work(study->measurement, study->simulation);
     return measurement_series(study->measurement, "curve",
@@ -276,33 +321,97 @@ static void close_study(struct study *study, struct mpm_scene *scene)
     mpm_scene_free(scene);
 }
 
-/* The relative deviation of J over all particles at the stated strain on another grid. */
-static enum mpm_status spread_with(struct measurement *measurement, const struct parameters *p,
-                                   const char *setting, double *spread, struct mpm_error *error)
+/* A run to the stated strain on another grid. */
+struct level {
+    double spread; /* relative deviation of J over all particles; NaN if it broke before */
+    double particle_steps, seconds; /* of the processor */
+};
+
+static enum mpm_status run_level(struct measurement *measurement, const struct parameters *p,
+                                 const char *setting, struct level *level, struct mpm_error *error)
 {
     struct study study = {.measurement = measurement, .parameters = *p};
     struct mpm_scene *scene = NULL;
     bool alive = true;
     enum mpm_status status = open_study(&study, setting, &scene, error);
+    const double start = measurement_processor_seconds();
     if (status == MPM_OK)
         status = follow_to(measurement, study.simulation, p->strain * p->radius / p->speed, &alive,
                            error);
-    if (status == MPM_OK)
+    if (status == MPM_OK) {
+        *level = (struct level){
+            .particle_steps = (double)mpm_simulation_step(study.simulation) *
+                              (double)mpm_simulation_particle_count(study.simulation),
+            .seconds = measurement_processor_seconds() - start,
+        };
         status = look_now(&study, error);
-    *spread = alive ? study.look[ALL].spread : (double)NAN;
+    }
+    level->spread = alive && !is_broken(p, &study.look[ALL]) ? study.look[ALL].spread : (double)NAN;
     close_study(&study, scene);
     return status;
 }
 
 /* Rate at which the deviation falls from a coarser grid to this one. */
-static enum mpm_status report_rate(struct study *study, double spread, struct mpm_error *error)
+static enum mpm_status report_rate(struct study *study, struct mpm_error *error)
 {
     const char *coarser;
-    double ratio, coarse_spread;
+    double ratio;
+    struct level coarse;
     TRY(measurement_text(study->measurement, "coarser", &coarser, error));
     TRY(measurement_number(study->measurement, "ratio", &ratio, error));
-    TRY(spread_with(study->measurement, &study->parameters, coarser, &coarse_spread, error));
-    measurement_report(study->measurement, "rate", log(coarse_spread / spread) / log(ratio));
+    TRY(run_level(study->measurement, &study->parameters, coarser, &coarse, error));
+    measurement_report(study->measurement, "rate",
+                       log(coarse.spread / study->judged_spread) / log(ratio));
+    return MPM_OK;
+}
+
+/* ------------------------------------------------------------ cost at matched error */
+
+enum { LEVELS_MAX = 8 };
+
+static void report_cost(struct measurement *m, const char *quantity,
+                        const struct pareto_point *ladder, size_t count, double error)
+{
+    const struct pareto_cost cost = pareto_cost_to_reach(ladder, count, error);
+    if (cost.reach != PARETO_NOT_REACHED) {
+        measurement_report(m, quantity, cost.cost);
+        if (cost.reach == PARETO_AT_MOST)
+            measurement_note(m, "%s is an upper bound: the coarsest grid that runs is good enough",
+                             quantity);
+    } else {
+        measurement_inconclusive(
+            m, quantity, "no grid of the ladder comes down to a spread of %g %%", 100.0 * error);
+    }
+}
+
+/* What it costs to bring the deviation of J over all particles down to `error`: particle-steps
+ * and processor time over a ladder of grids, interpolated between two of them. */
+static enum mpm_status report_ladder(struct measurement *m, const struct parameters *p,
+                                     struct mpm_error *error)
+{
+    const char *refinements;
+    double threshold;
+    struct pareto_point steps[LEVELS_MAX], seconds[LEVELS_MAX];
+    size_t count = 0;
+    TRY(measurement_text(m, "ladder", &refinements, error));
+    TRY(measurement_number(m, "threshold", &threshold, error));
+    for (const char *rest = refinements; *rest != '\0';) {
+        char *end, setting[64];
+        const unsigned long refine = strtoul(rest, &end, 10);
+        if (end == rest || refine == 0 || count == LEVELS_MAX)
+            return failure_set(error, MPM_BAD_INPUT,
+                               "parameter \"ladder\": \"%s\": allowed are 1 to %d refinements "
+                               "parted by blanks",
+                               refinements, LEVELS_MAX);
+        rest = end + strspn(end, " ");
+        snprintf(setting, sizeof setting, "grid.refine=%lu", refine);
+        struct level level = {.spread = (double)NAN};
+        TRY(run_level(m, p, setting, &level, error));
+        steps[count] = (struct pareto_point){level.particle_steps, level.spread};
+        seconds[count++] = (struct pareto_point){level.seconds, level.spread};
+    }
+    report_cost(m, "cost_steps", steps, count, threshold);
+    report_cost(m, "cost_seconds", seconds, count, threshold);
     return MPM_OK;
 }
 
@@ -315,7 +424,9 @@ static enum mpm_status run(struct measurement *measurement, struct mpm_error *er
     if (status == MPM_OK)
         status = follow(&study, mpm_scene_end_time(scene), error);
     if (status == MPM_OK && measurement_has(measurement, "coarser"))
-        status = report_rate(&study, study.judged_spread, error);
+        status = report_rate(&study, error);
+    if (status == MPM_OK && measurement_has(measurement, "ladder"))
+        status = report_ladder(measurement, &study.parameters, error);
     close_study(&study, scene);
     return status;
 }

@@ -116,13 +116,11 @@ static enum mpm_status report(struct measurement *m, const struct mpm_simulation
 
 static enum mpm_status run(struct measurement *measurement, struct mpm_error *error)
 {
-    const char *file;
     struct mpm_scene *scene = NULL;
     struct mpm_simulation *simulation = NULL;
     struct record record;
     int ending = 0;
-    TRY(measurement_text(measurement, "file", &file, error));
-    enum mpm_status status = measurement_scene_file(measurement, file, NULL, 0, &scene, error);
+    enum mpm_status status = measurement_scene(measurement, NULL, 0, &scene, error);
     if (status == MPM_OK)
         status = mpm_simulation_create(scene, measurement_options(measurement), &simulation, error);
     const double end = status == MPM_OK ? mpm_scene_end_time(scene) : 0.0;

@@ -53,8 +53,8 @@ struct limit_level {
 
 static void limit_levels(const struct mpm_shape_query *kind, struct limit_level levels[LEVELS])
 {
-    const struct shape_line radial = {kind->shape, kind->geometry, kind->axis, LIMIT_SIZE};
-    const struct shape_line planar = {kind->shape, MPM_PLANE_STRAIN, kind->axis, LIMIT_SIZE};
+    const struct shape_line radial = {kind->shape, kind->geometry, kind->axis, LIMIT_SIZE, false};
+    const struct shape_line planar = {kind->shape, MPM_PLANE_STRAIN, kind->axis, LIMIT_SIZE, false};
     int64_t node = FIRST_NODE;
     for (size_t i = 0; i < LEVELS; i++, node *= 10) {
         const double on = (double)node, inside = on + 0.5;
@@ -102,8 +102,9 @@ static enum mpm_status run(struct measurement *measurement, struct mpm_error *er
     }
     report_identities(measurement, sampler, &kind, samples);
     shape_sampler_free(sampler);
-    if (kind.shape == MPM_CLASSIC || kind.geometry != MPM_AXISYMMETRIC) {
-        return MPM_OK; /* classic functions do not depend on the weight: no limit */
+    const bool has_domain = kind.shape == MPM_UGIMP || kind.shape == MPM_CPDI;
+    if (!has_domain || kind.geometry != MPM_AXISYMMETRIC || kind.axis == MPM_PLANAR) {
+        return MPM_OK; /* functions that do not depend on the weight: no limit */
     }
     return report_limit(measurement, &kind, error);
 }

@@ -11,14 +11,17 @@ struct choice {
     int value;
 };
 
-static const struct choice SHAPES[] = {
-    {"classic", MPM_CLASSIC}, {"ugimp", MPM_UGIMP}, {"cpdi", MPM_CPDI}, {NULL, 0}};
+static const struct choice SHAPES[] = {{"classic", MPM_CLASSIC},   {"ugimp", MPM_UGIMP},
+                                       {"cpdi", MPM_CPDI},         {"bspline2", MPM_BSPLINE2},
+                                       {"bspline3", MPM_BSPLINE3}, {NULL, 0}};
 static const struct choice GEOMETRIES[] = {{"plane_strain", MPM_PLANE_STRAIN},
                                            {"plane_stress", MPM_PLANE_STRESS},
                                            {"axisymmetric", MPM_AXISYMMETRIC},
                                            {NULL, 0}};
-static const struct choice AXES[] = {
-    {"truncated", MPM_TRUNCATED}, {"untruncated", MPM_UNTRUNCATED}, {NULL, 0}};
+static const struct choice AXES[] = {{"truncated", MPM_TRUNCATED},
+                                     {"untruncated", MPM_UNTRUNCATED},
+                                     {"planar", MPM_PLANAR},
+                                     {NULL, 0}};
 
 static enum mpm_status choice_read(const struct measurement *measurement, const char *parameter,
                                    const struct choice *choices, int *value,
@@ -37,18 +40,27 @@ static enum mpm_status choice_read(const struct measurement *measurement, const 
                        text);
 }
 
+enum mpm_status shape_family_read(const struct measurement *measurement, enum mpm_shape *shape,
+                                  struct mpm_error *error)
+{
+    int value = 0;
+    TRY(choice_read(measurement, "shape", SHAPES, &value, error));
+    *shape = (enum mpm_shape)value;
+    return MPM_OK;
+}
+
 enum mpm_status shape_kind_read(const struct measurement *measurement,
                                 struct mpm_shape_query *query, struct mpm_error *error)
 {
-    int shape = 0, geometry = 0, axis = MPM_TRUNCATED;
-    TRY(choice_read(measurement, "shape", SHAPES, &shape, error));
+    enum mpm_shape shape;
+    int geometry = 0, axis = MPM_TRUNCATED;
+    TRY(shape_family_read(measurement, &shape, error));
     TRY(choice_read(measurement, "geometry", GEOMETRIES, &geometry, error));
     if (geometry == MPM_AXISYMMETRIC) {
         TRY(choice_read(measurement, "axis", AXES, &axis, error));
     }
-    *query = (struct mpm_shape_query){.shape = (enum mpm_shape)shape,
-                                      .geometry = (enum mpm_geometry)geometry,
-                                      .axis = (enum mpm_axis)axis};
+    *query = (struct mpm_shape_query){
+        .shape = shape, .geometry = (enum mpm_geometry)geometry, .axis = (enum mpm_axis)axis};
     return MPM_OK;
 }
 

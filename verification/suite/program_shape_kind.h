@@ -8,10 +8,14 @@
 #include "verification/suite/programs.h"
 
 /* Fills shape, geometry and axis of *query from the parameters `shape` (classic, ugimp,
- * cpdi), `geometry` (plane_strain, plane_stress, axisymmetric) and `axis` (truncated,
- * untruncated; axisymmetric only). Any other name is MPM_BAD_INPUT. */
+ * cpdi, bspline2, bspline3), `geometry` (plane_strain, plane_stress, axisymmetric) and `axis` (truncated,
+ * untruncated, planar; axisymmetric only). Any other name is MPM_BAD_INPUT. */
 enum mpm_status shape_kind_read(const struct measurement *measurement,
                                 struct mpm_shape_query *query, struct mpm_error *error);
+
+/* The parameter `shape` alone. */
+enum mpm_status shape_family_read(const struct measurement *measurement, enum mpm_shape *shape,
+                                  struct mpm_error *error);
 
 /* A parameter that is a whole number from 1 to 1e9, as a count. */
 enum mpm_status shape_count_read(const struct measurement *measurement, const char *name,

@@ -162,6 +162,40 @@ static json_t *figure_record(const struct case_figure *figure)
     return object;
 }
 
+static json_t *column_record(const struct case_column *column)
+{
+    json_t *object = json_object();
+    json_object_set_new(object, "quantity", record_text_of(column->quantity));
+    json_object_set_new(object, "title", record_text_of(column->title));
+    json_object_set_new(object, "unit", record_text_of(column->unit));
+    json_object_set_new(object, "better", json_string(better_name(column->better)));
+    json_object_set_new(object, "tolerance", json_real(column->tolerance));
+    json_object_set_new(object, "floor", json_real(column->floor));
+    if (column->where != NULL)
+        json_object_set_new(object, "where", record_text_of(column->where));
+    if (column->case_name != NULL)
+        json_object_set_new(object, "case", record_text_of(column->case_name));
+    return object;
+}
+
+static json_t *comparison_record(const struct case_comparison *comparison)
+{
+    json_t *object = json_object(), *columns = json_array();
+    json_object_set_new(object, "title", record_text_of(comparison->title));
+    json_object_set_new(object, "summary",
+                        record_text_of(comparison->summary == NULL ? "" : comparison->summary));
+    json_object_set_new(object, "variants",
+                        texts_of(comparison->variants, comparison->variants_count));
+    for (unsigned i = 0; i < comparison->columns_count; i++)
+        json_array_append_new(columns, column_record(&comparison->columns[i]));
+    json_object_set_new(object, "columns", columns);
+    if (comparison->pareto != NULL) {
+        json_object_set_new(object, "pareto_x", record_text_of(comparison->pareto->x));
+        json_object_set_new(object, "pareto_y", record_text_of(comparison->pareto->y));
+    }
+    return object;
+}
+
 static json_t *case_record(const struct catalogue_case *entry)
 {
     const struct case_file *file = entry->file;
@@ -176,6 +210,8 @@ static json_t *case_record(const struct catalogue_case *entry)
     for (unsigned i = 0; i < file->figures_count; i++)
         json_array_append_new(figures, figure_record(&file->figures[i]));
     json_object_set_new(object, "figures", figures);
+    if (file->comparison != NULL)
+        json_object_set_new(object, "comparison", comparison_record(file->comparison));
     json_object_set_new(object, "variants", json_array());
     return object;
 }

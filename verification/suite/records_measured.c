@@ -14,6 +14,11 @@ static const char *unit_of(const struct case_file *file, const char *quantity)
     for (unsigned i = 0; i < file->checks_count; i++)
         if (strcmp(file->checks[i].quantity, quantity) == 0)
             return file->checks[i].unit;
+    const struct case_comparison *comparison = file->comparison;
+    for (unsigned i = 0; comparison != NULL && i < comparison->columns_count; i++)
+        if (comparison->columns[i].case_name == NULL &&
+            strcmp(comparison->columns[i].quantity, quantity) == 0)
+            return comparison->columns[i].unit;
     return "";
 }
 

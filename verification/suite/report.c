@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/report.h"
 
+#include "verification/suite/comparison_plot.h"
 #include "verification/suite/output.h"
 
 #include <glib.h>
@@ -28,10 +29,12 @@ static enum mpm_status read_style_file(const char *folder, const char *reports, 
 enum mpm_status report_style_read(const char *folder, const char *reports,
                                   struct report_style *style, struct mpm_error *error)
 {
-    *style = (struct report_style){NULL, NULL};
-    TRY(read_style_file(folder, reports, "page.html", &style->page, error));
-    const enum mpm_status status =
-        read_style_file(folder, reports, "report.css", &style->css, error);
+    *style = (struct report_style){.page = NULL};
+    enum mpm_status status = read_style_file(folder, reports, "page.html", &style->page, error);
+    if (status == MPM_OK)
+        status = read_style_file(folder, reports, "report.css", &style->css, error);
+    if (status == MPM_OK)
+        status = read_style_file(folder, reports, "table.js", &style->script, error);
     if (status != MPM_OK)
         report_style_clear(style);
     return status;
@@ -41,7 +44,8 @@ void report_style_clear(struct report_style *style)
 {
     g_free(style->page);
     g_free(style->css);
-    *style = (struct report_style){NULL, NULL};
+    g_free(style->script);
+    *style = (struct report_style){.page = NULL};
 }
 
 static enum mpm_status write_owned(const char *folder, const char *name, char *text,
@@ -83,6 +87,29 @@ static enum mpm_status write_case(const char *folder, const struct records *reco
     return status;
 }
 
+/* The comparison of a case, if it declares one: picture, page, and the table as CSV. */
+static enum mpm_status write_comparison(const char *folder, const char *reports,
+                                        const struct records *records, const json_t *entry,
+                                        const struct report_style *style, struct mpm_error *error)
+{
+    if (comparison_declared(entry) == NULL)
+        return MPM_OK;
+    char *home = g_build_filename(folder, "cases", record_text(entry, "case"), NULL);
+    struct comparison_view view = comparison_view_make(records, entry);
+    const struct figure_result picture =
+        comparison_plot(&view, records->run, folder, home, reports);
+    enum mpm_status status = write_owned(
+        home, "comparison.html", comparison_page(records, entry, &view, &picture, style), error);
+    if (status == MPM_OK)
+        status = write_owned(home, "comparison.csv", comparison_csv(&view), error);
+    if (status == MPM_OK && picture.state == FIGURE_FAILED)
+        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "picture of the comparison of %s: %s",
+                             record_text(entry, "case"), picture.reason);
+    comparison_view_clear(&view);
+    g_free(home);
+    return status;
+}
+
 static enum mpm_status write_texts(const char *folder, const struct records *records,
                                    const struct report_style *style, struct mpm_error *error)
 {
@@ -103,8 +130,11 @@ enum mpm_status report_render(const char *folder, const char *reports, struct mp
         const json_t *cases = json_object_get(records.run, "cases");
         for (size_t i = 0; i < json_array_size(cases); i++) {
             struct mpm_error own = {.status = MPM_OK};
-            const enum mpm_status drawn =
+            enum mpm_status drawn =
                 write_case(folder, &records, json_array_get(cases, i), &style, &own);
+            if (drawn == MPM_OK)
+                drawn = write_comparison(folder, reports, &records, json_array_get(cases, i),
+                                         &style, &own);
             /* the first failure is the one to tell */
             if (drawn != MPM_OK && status == MPM_OK)
                 status = failure_set(error, drawn, "%s", own.message);

@@ -7,8 +7,9 @@
 #include "verification/suite/figures.h"
 #include "verification/suite/records.h"
 
-/* Renders index.html, the cases' pages and figures, summary.md, junit.xml and
- * results.tap of `folder` from its checks.jsonl. The figures' scripts and data are those
+/* Renders index.html, the cases' pages, comparisons and figures, summary.md, junit.xml and
+ * results.tap of `folder` from its checks.jsonl and
+ * measurements.jsonl. The figures' scripts and data are those
  * in the folder, the style as well, or else that of `reports` (may be NULL). The same
  * folder gives the same bytes. MPM_BAD_INPUT: no such results. MPM_ENVIRONMENT_FAILED:
  * gnuplot is missing, a script failed, or a file cannot be written; all that can be
@@ -24,6 +25,7 @@ char *report_tap(const struct records *records);
 struct report_style {
     char *page; /* page.html, with {{title}}, {{style}}, ... */
     char *css;
+    char *script; /* of sortable tables */
 };
 
 /* Reads it from `style` in the folder of the results, or else from `reports` (may be NULL).
@@ -33,6 +35,13 @@ enum mpm_status report_style_read(const char *folder, const char *reports,
 void report_style_clear(struct report_style *style);
 
 char *report_index(const struct records *records, const struct report_style *style);
+
+/* The page of the comparison that `entry` declares, and its numbers as CSV. */
+struct comparison_view;
+char *comparison_page(const struct records *records, const json_t *entry,
+                      const struct comparison_view *view, const struct figure_result *picture,
+                      const struct report_style *style);
+char *comparison_csv(const struct comparison_view *view);
 
 /* `figures` belongs to the figures of `entry`, an object of the run's cases. */
 char *report_case(const struct records *records, const json_t *entry,

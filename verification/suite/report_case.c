@@ -14,6 +14,9 @@ static void add_head(GString *html, const struct records *records, const json_t 
                 counts.failed > 0 ? "bad" : "good", record_text(entry, "case"),
                 record_text(entry, "title"), record_text(entry, "summary"));
     html_counts(html, &counts);
+    if (json_is_object(json_object_get(entry, "comparison")))
+        g_string_append(html, "<p><a href=\"comparison.html\">Its variants compared</a>: which to "
+                              "use for what</p>\n");
     char *readme = markdown_html(record_text(entry, "readme"));
     g_string_append_printf(html, "<section class=\"readme\">\n%s</section>\n", readme);
     g_free(readme);

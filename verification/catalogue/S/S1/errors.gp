@@ -1,27 +1,30 @@
 # S1: largest error by region of samples.
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
+set terminal svg size 700,620 dynamic enhanced font 'Helvetica,Arial,sans-serif,14' name name linewidth 1 rounded
+set output output
+unset bmargin
 set ylabel 'largest |code − reference|'
 set logscale y
 set format y '10^{%L}'
 set yrange [1e-17:1e-10]
 set xrange [-0.5:4.5]
 set xtics ('near' 0, 'grid lines' 1, 'axis' 2, 'far, exact' 3, 'far, any' 4)
-set key outside right
-shapes = 'classic ugimp cpdi'
+set key outside bottom center horizontal maxcols 3
+shapes = 'classic ugimp cpdi bspline2 bspline3'
 planes = 'planar truncated untruncated'
-markers = '1 2 3 4 6 8 5 7 9' # one for each variant; one colour for each family
+markers = '1 2 3 4 6 8 5 7 9 10 11 12 13 14 15' # one for each variant; one colour for each family
 shape(i) = 1 + (i - 1) / 3
 plane(i) = 1 + (i - 1) % 3
 errors(i) = data.'/data-'.word(shapes, shape(i)).'_'.word(planes, plane(i)).'-errors.dat'
 larger(a, b) = a > b ? a : b
 # An error of exactly zero (positions exact in cells) is drawn on the lower edge.
 error(a, b, c, d) = larger(1e-17, larger(larger(a, b), larger(c, d)))
-place(region, i) = region + 0.08 * (i - 5)
+place(region, i) = region + 0.05 * (i - 8)
 plot 1e-12 with lines ls 1 dt (6, 4) title 'criterion', \
      2e-11 with lines ls 20 lw 2 dt (6, 4) title 'criterion (far, any)', \
-     for [i = 1:9] errors(i) using (place($1, i)):(error($2, $3, $4, $5)) with points \
+     for [i = 1:15] errors(i) using (place($1, i)):(error($2, $3, $4, $5)) with points \
          ls shape(i) pt int(word(markers, i)) ps 0.9 \
          title word(shapes, shape(i)).', '.word(planes, plane(i)), \
-     for [i = 4:9] errors(i) using (place($1, i)):6 with points ls 20 pt '–' \
+     for [i = 4:15] errors(i) using (place($1, i)):6 with points ls 20 pt '–' \
          title (i == 4 ? 'bound by GSL' : '')

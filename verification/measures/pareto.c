@@ -1,7 +1,7 @@
 /* Error against cost.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "benchmarks/pareto.h"
+#include "verification/measures/pareto.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -2,8 +2,8 @@
  * functions.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef BENCHMARKS_PARETO_H
-#define BENCHMARKS_PARETO_H
+#ifndef VERIFICATION_MEASURES_PARETO_H
+#define VERIFICATION_MEASURES_PARETO_H
 
 #include <stddef.h>
 
