@@ -47,7 +47,8 @@
     SUITE(accuracy)                                                                                \
     SUITE(bench_report)                                                                            \
     SUITE(measures)                                                                                \
-    SUITE(modes)
+    SUITE(modes)                                                                                   \
+    SUITE(stability)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)

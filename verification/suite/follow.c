@@ -17,6 +17,18 @@ static void sample_now(const struct follow *follow, const struct mpm_simulation 
         follow->sample(follow->context, simulation, &ledger);
 }
 
+/* A step; *alive becomes false if the guard ends the run. */
+static enum mpm_status take_step(struct measurement *measurement, struct mpm_simulation *simulation,
+                                 double limit, bool *alive, struct mpm_error *error)
+{
+    const enum mpm_status status = mpm_simulation_advance(simulation, limit, error);
+    if (status != MPM_RUN_FAILED)
+        return status;
+    *alive = false;
+    measurement_note(measurement, "the run ended: %s", error->message);
+    return MPM_OK;
+}
+
 enum mpm_status follow_run(const struct follow *follow, struct mpm_simulation *simulation,
                            struct follow_result *result, struct mpm_error *error)
 {
@@ -24,14 +36,11 @@ enum mpm_status follow_run(const struct follow *follow, struct mpm_simulation *s
     sample_now(follow, simulation, &result->books);
     uint64_t samples = 1; /* multiples of the interval passed, t = 0 among them */
     for (double time = 0.0; time < follow->end;) {
-        const enum mpm_status status = mpm_simulation_advance(simulation, follow->end, error);
-        if (status == MPM_RUN_FAILED) {
-            measurement_note(follow->measurement, "the run ended: %s", error->message);
-            result->finished = false;
+        TRY(take_step(follow->measurement, simulation, follow->end, &result->finished, error));
+        if (!result->finished) {
             sample_now(follow, simulation, &result->books);
             break;
         }
-        TRY(status);
         time = mpm_simulation_time(simulation);
         if (mpm_simulation_step(simulation) == 1)
             result->time_step = mpm_simulation_time_step(simulation);
@@ -41,9 +50,23 @@ enum mpm_status follow_run(const struct follow *follow, struct mpm_simulation *s
                 samples++;
         }
     }
-    measurement_work(follow->measurement,
-                     mpm_simulation_step(simulation) * mpm_simulation_particle_count(simulation));
+    follow_count_work(follow->measurement, simulation);
     return MPM_OK;
+}
+
+enum mpm_status follow_to(struct measurement *measurement, struct mpm_simulation *simulation,
+                          double time, bool *alive, struct mpm_error *error)
+{
+    *alive = true;
+    while (*alive && mpm_simulation_time(simulation) < time)
+        TRY(take_step(measurement, simulation, time, alive, error));
+    return MPM_OK;
+}
+
+void follow_count_work(struct measurement *measurement, const struct mpm_simulation *simulation)
+{
+    measurement_work(measurement,
+                     mpm_simulation_step(simulation) * mpm_simulation_particle_count(simulation));
 }
 
 enum mpm_status follow_scene(struct measurement *measurement,

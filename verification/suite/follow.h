@@ -32,6 +32,14 @@ struct follow_result {
 enum mpm_status follow_run(const struct follow *follow, struct mpm_simulation *simulation,
                            struct follow_result *result, struct mpm_error *error);
 
+/* Advances to `time`, landing on it. A run that its guard ends is a result here too: *alive
+ * becomes false, and the guard's message is a note of the variant. */
+enum mpm_status follow_to(struct measurement *measurement, struct mpm_simulation *simulation,
+                          double time, bool *alive, struct mpm_error *error);
+
+/* Adds what was run so far to the particle-steps of the variant: once, at the end. */
+void follow_count_work(struct measurement *measurement, const struct mpm_simulation *simulation);
+
 /* Creates the simulation of the variant's scene, has it measured up to the scene's end, and
  * frees both. */
 enum mpm_status follow_scene(struct measurement *measurement,

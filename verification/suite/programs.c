@@ -15,7 +15,10 @@
     PROGRAM(vibration)                                                                             \
     PROGRAM(step_wave)                                                                             \
     PROGRAM(spin)                                                                                  \
-    PROGRAM(collision)
+    PROGRAM(collision)                                                                             \
+    PROGRAM(carried)                                                                               \
+    PROGRAM(stability)                                                                             \
+    PROGRAM(extremes)
 
 #define PROGRAM(name) extern const struct measure_program program_##name;
 PROGRAMS
