@@ -134,27 +134,39 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
         body(&spec, state, strip);                                                                 \
     }
 
+/* Only the domains of CPDI change between two passes of a step, so only they may have to be kept:
+ * for other families a pass and its twin for kept domains are one. */
+#define JOIN(a, b)       a##b
+#define KEEPS_OF(family) JOIN(FAST_KEEPS_, family)
+#define FAST_KEEPS_cpdi  1
+#if KEEPS_OF(FAST_FAMILY)
+#define KEPT(name)            name##_kept
+#define TWIN(body, name, ...) KERNEL(body, name##_kept, .kept_domain = true, __VA_ARGS__)
+#else
+#define KEPT(name) name
+#define TWIN(body, name, ...)
+#endif
+
 /* Passes that know of axisymmetry only */
 #define SPREAD(plane, ...)                                                                         \
     KERNEL(pass_to_grid, plane##_momentum_force, .momentum = true, .force = true, __VA_ARGS__)     \
     KERNEL(pass_to_grid, plane##_momentum, .momentum = true, .kept_domain = true, __VA_ARGS__)     \
     KERNEL(pass_smooth, plane##_smooth, __VA_ARGS__)                                               \
-    KERNEL(pass_smooth, plane##_smooth_kept, .kept_domain = true, __VA_ARGS__)
+    TWIN(pass_smooth, plane##_smooth, __VA_ARGS__)
 
 /* Passes that know how r moves */
 #define EXTRAPOLATE(way, ...)                                                                      \
     KERNEL(pass_to_particles, way##_extrapolate, __VA_ARGS__)                                      \
-    KERNEL(pass_to_particles, way##_extrapolate_kept, .kept_domain = true, __VA_ARGS__)
+    TWIN(pass_to_particles, way##_extrapolate, __VA_ARGS__)
 
 /* Passes that know the whole geometry */
 #define UPDATE(geometry, ...)                                                                      \
     KERNEL(pass_stress_before, geometry##_stress_force, .force = true, .kept_domain = true,        \
            __VA_ARGS__)                                                                            \
     KERNEL(pass_finish, geometry##_velocity_stress, .velocity = true, .stress = true, __VA_ARGS__) \
-    KERNEL(pass_finish, geometry##_velocity_stress_kept, .velocity = true, .stress = true,         \
-           .kept_domain = true, __VA_ARGS__)                                                       \
+    TWIN(pass_finish, geometry##_velocity_stress, .velocity = true, .stress = true, __VA_ARGS__)   \
     KERNEL(pass_finish, geometry##_stress, .stress = true, __VA_ARGS__)                            \
-    KERNEL(pass_finish, geometry##_stress_kept, .stress = true, .kept_domain = true, __VA_ARGS__)  \
+    TWIN(pass_finish, geometry##_stress, .stress = true, __VA_ARGS__)                              \
     KERNEL(pass_finish, geometry##_velocity, .velocity = true, .kept_domain = true, __VA_ARGS__)
 
 #define STEP(first, before, back, last, smooth)                                                    \
@@ -169,11 +181,11 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
         [MPM_MUSL] = STEP(plane##_momentum_force, NULL, way##_extrapolate, geometry##_stress,      \
                           plane##_smooth),                                                         \
         [MPM_USF] = STEP(plane##_momentum, geometry##_stress_force, NULL, geometry##_velocity,     \
-                         plane##_smooth_kept),                                                     \
-        [MPM_USAVG] = STEP(plane##_momentum, geometry##_stress_force, way##_extrapolate_kept,      \
-                           geometry##_stress_kept, plane##_smooth_kept),                           \
+                         KEPT(plane##_smooth)),                                                    \
+        [MPM_USAVG] = STEP(plane##_momentum, geometry##_stress_force, KEPT(way##_extrapolate),     \
+                           KEPT(geometry##_stress), KEPT(plane##_smooth)),                         \
         [MPM_USAVG_ONCE] = STEP(plane##_momentum, geometry##_stress_force, NULL,                   \
-                                geometry##_velocity_stress_kept, plane##_smooth_kept),             \
+                                KEPT(geometry##_velocity_stress), KEPT(plane##_smooth)),           \
     }
 
 SPREAD(planar, .axisymmetric = false)
@@ -186,8 +198,8 @@ UPDATE(stress, .plane_stress = true)
 UPDATE(radial, .axisymmetric = true)
 UPDATE(hoop, .axisymmetric = true, .hoop_radius = true)
 
-#define JOIN(family, level) mpm_fast_##family##_##level
-#define NAME(family, level) JOIN(family, level)
+#define NAME_OF(family, level) mpm_fast_##family##_##level
+#define NAME(family, level)    NAME_OF(family, level)
 
 const struct mpm_passes NAME(FAST_FAMILY, FAST_LEVEL)[MPM_FAST_GEOMETRIES][MPM_ORDER_COUNT] = {
     [MPM_FAST_PLANE_STRAIN] = ORDERS(planar, planar, strain),
