@@ -17,6 +17,8 @@
     SUITE(properties)                                                                              \
     SUITE(guard)                                                                                   \
     SUITE(transfers)                                                                               \
+    SUITE(transfer_series)                                                                         \
+    SUITE(forms)                                                                                   \
     SUITE(loads)                                                                                   \
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
@@ -44,6 +46,8 @@
     SUITE(pareto)                                                                                  \
     SUITE(accuracy)                                                                                \
     SUITE(bench_report)                                                                            \
+    SUITE(measures)                                                                                \
+    SUITE(modes)                                                                                   \
     SUITE(stability)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);

@@ -12,13 +12,16 @@ struct transfer {
 };
 
 static const struct transfer transfers[] = {
-    [MPM_TRANSFER_FLIP] = {"flip", .fraction = true},
-    [MPM_TRANSFER_PIC] = {"pic"},
-    [MPM_TRANSFER_XPIC] = {"xpic", .order = true,
+    [MPM_TRANSFER_FLIP] = {.name = "flip", .fraction = true},
+    [MPM_TRANSFER_PIC] = {.name = "pic"},
+    [MPM_TRANSFER_XPIC] = {.name = "xpic",
+                           .order = true,
                            .no_momentum = "takes the weights back out of nodal velocities"},
-    [MPM_TRANSFER_FMPM] = {"fmpm", .order = true,
+    [MPM_TRANSFER_FMPM] = {.name = "fmpm",
+                           .order = true,
                            .no_momentum = "makes other nodal velocities of the momenta"},
-    [MPM_TRANSFER_APIC] = {"apic", .no_momentum = "carries the gradient of nodal velocities"},
+    [MPM_TRANSFER_APIC] = {.name = "apic",
+                           .no_momentum = "carries the gradient of nodal velocities"},
 };
 
 static enum mpm_status check_keys(const struct mpm_reading *reading,
@@ -69,10 +72,12 @@ struct order {
 };
 
 static const struct order orders[] = {
-    [MPM_USL] = {"usl", .without = true, .hint = "musl, which is usl with it"},
-    [MPM_MUSL] = {"musl", .with = true, .hint = "usl, which is musl without it"},
-    [MPM_USF] = {"usf", .without = true, .hint = "no extrapolate: no stress update follows it"},
-    [MPM_USAVG] = {"usavg", .with = true, .without = true},
+    [MPM_USL] = {.name = "usl", .without = true, .hint = "musl, which is usl with it"},
+    [MPM_MUSL] = {.name = "musl", .with = true, .hint = "usl, which is musl without it"},
+    [MPM_USF] = {.name = "usf",
+                 .without = true,
+                 .hint = "no extrapolate: no stress update follows it"},
+    [MPM_USAVG] = {.name = "usavg", .with = true, .without = true},
 };
 
 static enum mpm_status build_stress_update(const struct mpm_reading *reading)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/affine.h"
 
-#include "method/transfer.h"
+#include "method/particle_updates.h"
 
 /* A particle's nodes as seen from the mean of their places. */
 struct surroundings {

@@ -3,7 +3,7 @@
 
 #include "base/strips.h"
 #include "method/grid_update.h"
-#include "method/transfer.h"
+#include "method/particle_updates.h"
 
 /* ---------------------------------------------------------------- iteration */
 

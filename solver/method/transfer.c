@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/transfer.h"
-
-#include "method/extent.h"
+#include "method/particle_updates.h"
 
 #include <float.h>
 
@@ -48,10 +46,10 @@ void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_st
     state->family->evaluate(&state->shape_grid, &domain, stencil);
 }
 
-static inline const struct mpm_stencil *read_back_weights(const struct mpm_state *state,
-                                                          const struct mpm_stencil *stencil,
-                                                          bool by_momentum,
-                                                          struct mpm_stencil *weights)
+MPM_INLINE const struct mpm_stencil *read_back_weights(const struct mpm_state *state,
+                                                       const struct mpm_stencil *stencil,
+                                                       bool by_momentum,
+                                                       struct mpm_stencil *weights)
 {
     double mass = 0.0;
     if (!by_momentum)
@@ -105,23 +103,6 @@ static void add_momentum(const struct mpm_state *state, size_t p, const struct m
         state->grid.mass[node] += mass * entry->s;
         state->grid.sum[node][0].momentum += px * entry->s;
         state->grid.sum[node][1].momentum += py * entry->s;
-    }
-}
-
-/* f_i -= m_p (tau / rho_0) . G_ip, and the hoop stress times T_ip (0 in planar). */
-void mpm_particle_add_internal_force(const struct mpm_state *state, size_t p,
-                                     const struct mpm_stencil *stencil)
-{
-    const double mass = state->particles.mass[p];
-    const double xx = mass * state->particles.stress[MPM_SYM_XX][p];
-    const double yy = mass * state->particles.stress[MPM_SYM_YY][p];
-    const double zz = mass * state->particles.stress[MPM_SYM_ZZ][p];
-    const double xy = mass * state->particles.stress[MPM_SYM_XY][p];
-    for (int k = 0; k < stencil->count; k++) {
-        const struct mpm_stencil_node *const entry = &stencil->node[k];
-        struct mpm_node_sum *const sum = state->grid.sum[state->node_zero + entry->node];
-        sum[0].force -= xx * entry->g[0] + xy * entry->g[1] + zz * entry->t;
-        sum[1].force -= xy * entry->g[0] + yy * entry->g[1];
     }
 }
 
@@ -208,17 +189,7 @@ void mpm_pass_body_work(void *context, int64_t index, int worker)
 
 /* -------------------------------------------------------- velocity update */
 
-void mpm_particle_add_extrapolated(const struct mpm_state *state, const struct mpm_stencil *stencil,
-                                   const double momentum[2])
-{
-    for (int k = 0; k < stencil->count; k++) {
-        double(*const sum)[2] = state->grid.gradient[state->node_zero + stencil->node[k].node];
-        sum[0][0] += momentum[0] * stencil->node[k].s;
-        sum[1][0] += momentum[1] * stencil->node[k].s;
-    }
-}
-
-static inline void flip_fraction(struct mpm_state *state, int64_t index, bool by_momentum)
+MPM_INLINE void flip_fraction(struct mpm_state *state, int64_t index, bool by_momentum)
 {
     const struct mpm_strip *const strip = &state->strips[index];
     const double part = 1.0 - state->scene->flip_fraction;
@@ -255,27 +226,7 @@ void mpm_pass_keep_fraction(void *context, int64_t index, int worker)
     }
 }
 
-void mpm_particle_update_velocity(const struct mpm_state *state, size_t p,
-                                  const struct mpm_stencil *stencil, struct mpm_strip *strip)
-{
-    double a[2] = {0.0, 0.0};
-    for (int k = 0; k < stencil->count; k++) {
-        const double *const acceleration =
-            state->grid.motion[state->node_zero + stencil->node[k].node].acceleration;
-        a[0] += stencil->node[k].s * acceleration[0];
-        a[1] += stencil->node[k].s * acceleration[1];
-    }
-    const double vx = state->particles.velocity[0][p] + state->time_step * a[0];
-    const double vy = state->particles.velocity[1][p] + state->time_step * a[1];
-    state->particles.velocity[0][p] = vx;
-    state->particles.velocity[1][p] = vy;
-    const double square = vx * vx + vy * vy;
-    if (!(square <= DBL_MAX))
-        mpm_strip_record(strip, MPM_NOT_FINITE, state->particles.id[p], 0, square);
-    strip->kinetic_energy += 0.5 * state->particles.mass[p] * square;
-}
-
-static inline void velocity(struct mpm_state *state, int64_t index, bool by_momentum)
+MPM_INLINE void velocity(struct mpm_state *state, int64_t index, bool by_momentum)
 {
     struct mpm_strip *const strip = &state->strips[index];
     strip->kinetic_energy = 0.0;
@@ -290,7 +241,7 @@ static inline void velocity(struct mpm_state *state, int64_t index, bool by_mome
 
 BOTH_FORMS(velocity)
 
-static inline void velocity_and_momentum(struct mpm_state *state, int64_t index, bool by_momentum)
+MPM_INLINE void velocity_and_momentum(struct mpm_state *state, int64_t index, bool by_momentum)
 {
     struct mpm_strip *const strip = &state->strips[index];
     strip->kinetic_energy = 0.0;
@@ -365,7 +316,7 @@ static void update_stress(const struct mpm_state *state, size_t p,
         strip->wave_speed_squared = wave_speed_squared;
 }
 
-static inline void stress_and_force(struct mpm_state *state, int64_t index, bool by_momentum)
+MPM_INLINE void stress_and_force(struct mpm_state *state, int64_t index, bool by_momentum)
 {
     struct mpm_strip *const strip = &state->strips[index];
     strip->wave_speed_squared = 0.0;
@@ -431,7 +382,7 @@ struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_
     return placement_of(state, p);
 }
 
-static inline void position(struct mpm_state *state, int64_t index, bool by_momentum)
+MPM_INLINE void position(struct mpm_state *state, int64_t index, bool by_momentum)
 {
     struct mpm_strip *const strip = &state->strips[index];
     struct mpm_extent extent = MPM_NO_EXTENT;
@@ -448,7 +399,7 @@ static inline void position(struct mpm_state *state, int64_t index, bool by_mome
 
 BOTH_FORMS(position)
 
-static inline void stress_and_position(struct mpm_state *state, int64_t index, bool by_momentum)
+MPM_INLINE void stress_and_position(struct mpm_state *state, int64_t index, bool by_momentum)
 {
     struct mpm_strip *const strip = &state->strips[index];
     struct mpm_extent extent = MPM_NO_EXTENT;

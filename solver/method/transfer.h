@@ -18,16 +18,6 @@ void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_st
 const struct mpm_stencil *mpm_particle_read_weights(const struct mpm_state *state,
                                                     const struct mpm_stencil *stencil,
                                                     struct mpm_stencil *weights);
-/* f_i of the particle's stress; see mpm_pass_momentum_and_force */
-void mpm_particle_add_internal_force(const struct mpm_state *state, size_t p,
-                                     const struct mpm_stencil *stencil);
-/* v_p += dt sum S a_i, and its part of the strip's kinetic energy */
-void mpm_particle_update_velocity(const struct mpm_state *state, size_t p,
-                                  const struct mpm_stencil *stencil, struct mpm_strip *strip);
-/* grid.gradient += momentum S_ip */
-void mpm_particle_add_extrapolated(const struct mpm_state *state, const struct mpm_stencil *stencil,
-                                   const double momentum[2]);
-
 /* Puts the domain of a particle's F into its place, where domains are kept. */
 void mpm_particle_set_domain(const struct mpm_state *state, size_t p);
 

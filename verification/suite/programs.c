@@ -12,6 +12,10 @@
     PROGRAM(shape_curves)                                                                          \
     PROGRAM(compression)                                                                           \
     PROGRAM(energy)                                                                                \
+    PROGRAM(vibration)                                                                             \
+    PROGRAM(step_wave)                                                                             \
+    PROGRAM(spin)                                                                                  \
+    PROGRAM(collision)                                                                             \
     PROGRAM(carried)                                                                               \
     PROGRAM(stability)                                                                             \
     PROGRAM(extremes)
