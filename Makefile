@@ -111,7 +111,8 @@ FAST_FLAGS    = -fno-math-errno -Wno-psabi \
                 $(if $(findstring clang,$(CC)),,-fno-predictive-commoning -fno-var-tracking) \
                 $(FAST_FLAGS_$(2)) $(call FAST_NAMES,$(1),$(2))
 FAST_NAMES    = -DFAST_FAMILY=$(1) -DFAST_LEVEL=$(2) \
-                -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z)
+                -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z) \
+                -DFAST_KEEPS_DOMAINS=$(if $(filter cpdi,$(1)),1,0)
 FAST_FLAGS_v3 := -march=x86-64-v3
 
 LIBRARY  := $(BUILD)/libmpm.a

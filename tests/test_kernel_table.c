@@ -5,6 +5,7 @@
 #include "suites.h"
 #include "support/folder.h"
 #include "support/kernel_pair.h"
+#include "support/settings.h"
 
 #include <glib.h>
 #include <math.h>
@@ -43,36 +44,6 @@ enum {
 
 /* ------------------------------------------------------------------ settings */
 
-struct settings {
-    const char *texts[16];
-    char *owned[16];
-    guint count, owned_count;
-};
-
-static void add(struct settings *settings, const char *text)
-{
-    ck_assert_uint_lt(settings->count, G_N_ELEMENTS(settings->texts) - 1);
-    settings->texts[settings->count++] = text;
-}
-
-static void add_formatted(struct settings *settings, const char *format, ...) G_GNUC_PRINTF(2, 3);
-static void add_formatted(struct settings *settings, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    char *text = g_strdup_vprintf(format, arguments);
-    va_end(arguments);
-    settings->owned[settings->owned_count++] = text;
-    add(settings, text);
-}
-
-static void settings_clear(struct settings *settings)
-{
-    for (guint i = 0; i < settings->owned_count; i++)
-        g_free(settings->owned[i]);
-    *settings = (struct settings){.count = 0};
-}
-
 static const struct order *order_of(int combination)
 {
     return &orders[combination / SHAPES / GEOMETRIES];
@@ -82,14 +53,14 @@ static const struct order *order_of(int combination)
 static const struct geometry *add_combination(struct settings *settings, int index)
 {
     const struct geometry *geometry = &geometries[index / SHAPES % GEOMETRIES];
-    add_formatted(settings, "method.shape=%s", shapes[index % SHAPES]);
-    add_formatted(settings, "geometry=%s", geometry->name);
+    settings_add_formatted(settings, "method.shape=%s", shapes[index % SHAPES]);
+    settings_add_formatted(settings, "geometry=%s", geometry->name);
     if (geometry->setting != NULL)
-        add(settings, geometry->setting);
+        settings_add(settings, geometry->setting);
     const struct order *const order = order_of(index);
-    add_formatted(settings, "method.stress_update=%s", order->name);
+    settings_add_formatted(settings, "method.stress_update=%s", order->name);
     if (order->setting != NULL)
-        add(settings, order->setting);
+        settings_add(settings, order->setting);
     return geometry;
 }
 
@@ -109,7 +80,7 @@ static void add_translated(struct settings *settings, const char *text,
 {
     char *copy = translated(text, geometry);
     settings->owned[settings->owned_count++] = copy;
-    add(settings, copy);
+    settings_add(settings, copy);
 }
 
 /* --------------------------------------------------------------------- pairs */
@@ -245,13 +216,14 @@ static void add_features(struct settings *settings, unsigned chosen, unsigned ex
                          const struct geometry *geometry)
 {
     if ((chosen & 1u) != 0)
-        add(settings, "method.position_update=midpoint");
+        settings_add(settings, "method.position_update=midpoint");
     if ((chosen & 2u) != 0)
-        add(settings, exchanges[exchange % G_N_ELEMENTS(exchanges)]);
+        settings_add(settings, exchanges[exchange % G_N_ELEMENTS(exchanges)]);
     if ((chosen & 4u) != 0)
         add_translated(settings, "loads={body_force: ['0.02*sin(X+t)', -0.03]}", geometry);
     if ((chosen & 8u) != 0)
-        add(settings, geometry->hoop ? "method.radius_update=hoop" : "method.deformation_terms=4");
+        settings_add(settings,
+                     geometry->hoop ? "method.radius_update=hoop" : "method.deformation_terms=4");
 }
 
 /* All of the table in the long tier; otherwise two choices of features for each combination,
@@ -267,11 +239,11 @@ START_TEST(both_kernels_agree_on_every_combination)
             const unsigned chosen =
                 kernel_pair_is_long() ? k : (7 * (unsigned)_i + 5 * law + 11 * k) % FEATURES;
             if (geometry->axisymmetric)
-                add(&settings, "grid.origin=[0, 0]");
+                settings_add(&settings, "grid.origin=[0, 0]");
             for (size_t i = 0; i < G_N_ELEMENTS(crowd_velocities); i++)
                 add_translated(&settings, crowd_velocities[i], geometry);
-            add_formatted(&settings, "materials.soft.law=%s", laws[law][0]);
-            add_formatted(&settings, "materials.heavy.law=%s", laws[law][1]);
+            settings_add_formatted(&settings, "materials.soft.law=%s", laws[law][0]);
+            settings_add_formatted(&settings, "materials.heavy.law=%s", laws[law][1]);
             add_features(&settings, chosen, (unsigned)_i + law + (unsigned)_i / SHAPES, geometry);
             ck_assert(run_pair(_i, CROWD, &settings) > 0.01);
             settings_clear(&settings);
@@ -296,7 +268,7 @@ static const char ALONE[] =
 static void place_body(struct settings *settings, const struct geometry *geometry)
 {
     if (geometry->axisymmetric)
-        add(settings, "grid.origin=[0, -2]");
+        settings_add(settings, "grid.origin=[0, -2]");
 }
 
 /* Fewer than a vector, and the rest of one. */
@@ -307,7 +279,7 @@ START_TEST(both_kernels_agree_on_a_few_particles)
         struct settings settings = {.count = 0};
         const struct geometry *geometry = add_combination(&settings, _i);
         place_body(&settings, geometry);
-        add_formatted(&settings, "bodies.body.particles_per_cell=[%d, 1]", counts[k]);
+        settings_add_formatted(&settings, "bodies.body.particles_per_cell=[%d, 1]", counts[k]);
         add_translated(&settings, "bodies.body.velocity=['0.2*sin(9*X)', '0.3*sin(7*X)']",
                        geometry);
         (void)run_pair(_i, ALONE, &settings);
@@ -323,11 +295,11 @@ START_TEST(both_kernels_agree_on_particles_that_stand_on_the_lines_of_the_grid)
     struct settings settings = {.count = 0};
     const struct geometry *geometry = add_combination(&settings, _i);
     place_body(&settings, geometry);
-    add(&settings, "bodies.body.region.rectangle.to=[7, 6]");
-    add(&settings, "bodies.body.particles_per_cell=[2, 2]");
-    add(&settings, "time={end: 1000, step: 0.125}");
-    add(&settings,
-        geometry->axisymmetric ? "bodies.body.velocity=[0, 1]" : "bodies.body.velocity=[0.5, 1]");
+    settings_add(&settings, "bodies.body.region.rectangle.to=[7, 6]");
+    settings_add(&settings, "bodies.body.particles_per_cell=[2, 2]");
+    settings_add(&settings, "time={end: 1000, step: 0.125}");
+    settings_add(&settings, geometry->axisymmetric ? "bodies.body.velocity=[0, 1]"
+                                                   : "bodies.body.velocity=[0.5, 1]");
     /* classic: a node next to a particle on a line may have a gradient and no mass */
     const double strain = run_pair(_i, ALONE, &settings);
     ck_assert_msg(strain < 1e-12 || _i % SHAPES == 0, "%g", strain);
@@ -348,14 +320,14 @@ START_TEST(both_kernels_agree_on_stretched_and_sheared_bodies)
         struct settings settings = {.count = 0};
         const struct geometry *geometry = add_combination(&settings, _i);
         place_body(&settings, geometry);
-        add(&settings, "grid.cell=[1, 0.6]");
-        add(&settings, "grid.cells=[40, 60]");
-        add(&settings, "time.courant=0.12");
-        add(&settings, "materials.soft.bulk=0.05");
-        add(&settings, "materials.soft.shear=0.03");
-        add(&settings, "bodies.body.region.rectangle.from=[15.2, 15.5]");
-        add(&settings, "bodies.body.region.rectangle.to=[19, 19]");
-        add(&settings, "bodies.body.particles_per_cell=[2, 2]");
+        settings_add(&settings, "grid.cell=[1, 0.6]");
+        settings_add(&settings, "grid.cells=[40, 60]");
+        settings_add(&settings, "time.courant=0.12");
+        settings_add(&settings, "materials.soft.bulk=0.05");
+        settings_add(&settings, "materials.soft.shear=0.03");
+        settings_add(&settings, "bodies.body.region.rectangle.from=[15.2, 15.5]");
+        settings_add(&settings, "bodies.body.region.rectangle.to=[19, 19]");
+        settings_add(&settings, "bodies.body.particles_per_cell=[2, 2]");
         add_translated(&settings, motions[k], geometry);
         const double strain = run_pair(_i, ALONE, &settings);
         ck_assert_msg(strain > 0.2, "%s: %g", motions[k], strain);
@@ -376,12 +348,12 @@ START_TEST(both_kernels_agree_next_to_the_axis)
         const struct geometry *geometry = add_combination(&settings, _i);
         if (geometry->axisymmetric) {
             place_body(&settings, geometry);
-            add(&settings, "bodies.body.region.rectangle.from=[0, 4]");
-            add(&settings, "bodies.body.region.rectangle.to=[3, 7]");
-            add(&settings, "bodies.body.particles_per_cell=[4, 2]");
+            settings_add(&settings, "bodies.body.region.rectangle.from=[0, 4]");
+            settings_add(&settings, "bodies.body.region.rectangle.to=[3, 7]");
+            settings_add(&settings, "bodies.body.particles_per_cell=[4, 2]");
             add_translated(&settings, motions[k], geometry);
             if (k > 0 && geometry->hoop)
-                add(&settings, "method.radius_update=hoop");
+                settings_add(&settings, "method.radius_update=hoop");
             const double strain = run_pair(_i, ALONE, &settings);
             ck_assert_msg(strain > 0.01, "%g", strain);
         }
@@ -399,20 +371,22 @@ START_TEST(both_kernels_agree_from_wall_to_wall)
         const int w = sizes[k][0], h = sizes[k][1];
         struct settings settings = {.count = 0};
         const struct geometry *geometry = add_combination(&settings, _i);
-        add(&settings, "grid.origin=[0, 0]");
-        add_formatted(&settings, "grid.cells=[%d, %d]", w, h);
-        add_formatted(&settings, "bodies.body.region.rectangle={from: [0, 0], to: [%d, %d]}", w, h);
-        add(&settings, "bodies.body.particles_per_cell=[3, 2]");
+        settings_add(&settings, "grid.origin=[0, 0]");
+        settings_add_formatted(&settings, "grid.cells=[%d, %d]", w, h);
+        settings_add_formatted(&settings,
+                               "bodies.body.region.rectangle={from: [0, 0], to: [%d, %d]}", w, h);
+        settings_add(&settings, "bodies.body.particles_per_cell=[3, 2]");
         char *motion = g_strdup_printf("bodies.body.velocity=['0.05*sin(%g*X)*cos(2*Y)', "
                                        "'0.05*sin(%g*Y)*cos(X)']",
                                        G_PI / w, G_PI / h);
         add_translated(&settings, motion, geometry);
-        add_formatted(&settings,
-                      "boundary=[{region: {line: {from: [0, 0], to: [0, %d]}}, velocity: [0, "
-                      "free]}, {region: {line: {from: [%d, 0], to: [%d, %d]}}, velocity: [0, "
-                      "free]}, {region: {line: {from: [0, 0], to: [%d, 0]}}, velocity: [free, "
-                      "0]}, {region: {line: {from: [0, %d], to: [%d, %d]}}, velocity: [free, 0]}]",
-                      h, w, w, h, w, h, w, h);
+        settings_add_formatted(
+            &settings,
+            "boundary=[{region: {line: {from: [0, 0], to: [0, %d]}}, velocity: [0, "
+            "free]}, {region: {line: {from: [%d, 0], to: [%d, %d]}}, velocity: [0, "
+            "free]}, {region: {line: {from: [0, 0], to: [%d, 0]}}, velocity: [free, "
+            "0]}, {region: {line: {from: [0, %d], to: [%d, %d]}}, velocity: [free, 0]}]",
+            h, w, w, h, w, h, w, h);
         (void)run_pair(_i, ALONE, &settings);
         g_free(motion);
         settings_clear(&settings);
@@ -471,7 +445,7 @@ static void fail_alike(int combination, const struct failing *failing_scene)
     struct settings settings = {.count = 0};
     const struct geometry *geometry = add_combination(&settings, combination);
     place_body(&settings, geometry);
-    add(&settings, "bodies.body.particles_per_cell=[2, 2]");
+    settings_add(&settings, "bodies.body.particles_per_cell=[2, 2]");
     for (size_t k = 0; failing_scene->settings[k] != NULL; k++)
         add_translated(&settings, failing_scene->settings[k], geometry);
     struct kernel_pair pair = open_pair(ALONE, &settings, false);

@@ -112,7 +112,7 @@ START_TEST(xpic_and_fmpm_are_the_series_of_their_papers)
     double *const f = test_run_field(&run, MPM_FIELD_DEFORMATION_GRADIENT, NULL);
     const double dt = mpm_simulation_time_step(run.simulation);
     for (size_t axis = 0; axis < 2; axis++) {
-        double start[512], w[64][64], lumped[64][64];
+        double start[512] = {0.0}, w[64][64], lumped[64][64];
         for (size_t p = 0; p < weights->particles; p++)
             start[p] = v0[2 * p + axis];
         series(weights, start, ORDER, w);

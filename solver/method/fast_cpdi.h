@@ -173,7 +173,7 @@ MPM_INLINE bool corner_places(const struct fast_constants *k, int axis, mpm_vect
                               const mpm_vector d[4], mpm_vector place[MPM_CORNERS],
                               mpm_vector *first)
 {
-    mpm_vector low, high;
+    mpm_vector low = mpm_splat(0.0), high = low;
     for (int c = 0; c < MPM_CORNERS; c++) {
         const mpm_vector x = position + fast_sign1[c] * d[axis] + fast_sign2[c] * d[2 + axis];
         place[c] = fast_snap((x - k->origin[axis]) * k->inverse_cell[axis]);

@@ -1,6 +1,6 @@
 /* The fast kernels of one shape family and one level of SIMD: this file is compiled for each
  * pair, with FAST_FAMILY (a name of method.shape), FAST_SHAPE (the same in capitals) and
- * FAST_LEVEL (baseline, v3).
+ * FAST_LEVEL (baseline, v3), FAST_KEEPS_DOMAINS (1 where they change within a step).
  *
  * A kernel is one of the bodies in fast_passes.h with constants. Planar kernels of plane
  * strain and plane stress differ in the stress update only; the axisymmetric ones move r
@@ -136,10 +136,7 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
 
 /* Only the domains of CPDI change between two passes of a step, so only they may have to be kept:
  * for other families a pass and its twin for kept domains are one. */
-#define JOIN(a, b)       a##b
-#define KEEPS_OF(family) JOIN(FAST_KEEPS_, family)
-#define FAST_KEEPS_cpdi  1
-#if KEEPS_OF(FAST_FAMILY)
+#if FAST_KEEPS_DOMAINS
 #define KEPT(name)            name##_kept
 #define TWIN(body, name, ...) KERNEL(body, name##_kept, .kept_domain = true, __VA_ARGS__)
 #else

@@ -200,7 +200,7 @@ static enum mpm_status check_comparison(const char *path, const struct case_file
     if (unknown != NULL)
         return yaml_refuse(path, error, "comparison.pareto", "\"%s\" is the quantity of no column",
                            unknown);
-    if (strcmp(pareto->x, pareto->y) == 0)
+    if (g_strcmp0(pareto->x, pareto->y) == 0)
         return yaml_refuse(path, error, "comparison.pareto", "x and y are the same quantity");
     return MPM_OK;
 }

@@ -189,7 +189,7 @@ struct comparison_view comparison_view_make(const struct records *records, const
         if (is_row(view.declared, record_text(variant, "variant")))
             view.variants[rows++] = variant;
     }
-    qsort(view.variants, rows, sizeof *view.variants, compare_variants);
+    qsort(view.variants, rows, sizeof(void *), compare_variants);
     for (size_t row = 0; row < rows; row++)
         view.names[row] = record_text(view.variants[row], "variant");
     for (size_t column = 0; column < column_count; column++)

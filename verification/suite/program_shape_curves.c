@@ -59,8 +59,8 @@ static const struct point POINTS[] = {
 };
 
 struct curve {
-    enum mpm_shape shape;
     const char *name;
+    enum mpm_shape shape;
     enum mpm_geometry geometry;
     enum mpm_axis axis;
     bool edge; /* at node 0 */
@@ -69,13 +69,13 @@ struct curve {
 };
 
 static const struct curve CURVES[] = {
-    {MPM_UGIMP, "truncated", MPM_AXISYMMETRIC, MPM_TRUNCATED, false, -1, -3, 6},
-    {MPM_UGIMP, "untruncated", MPM_AXISYMMETRIC, MPM_UNTRUNCATED, false, -1, -3, 6},
-    {MPM_UGIMP, "planar", MPM_PLANE_STRAIN, MPM_TRUNCATED, false, -1, -3, 6},
-    {MPM_BSPLINE2, "folded", MPM_PLANE_STRAIN, MPM_TRUNCATED, true, 0, 0, 6},
-    {MPM_BSPLINE2, "free", MPM_PLANE_STRAIN, MPM_TRUNCATED, false, -1, 0, 6},
-    {MPM_BSPLINE3, "folded", MPM_PLANE_STRAIN, MPM_TRUNCATED, true, 0, 0, 6},
-    {MPM_BSPLINE3, "free", MPM_PLANE_STRAIN, MPM_TRUNCATED, false, -1, 0, 6},
+    {"truncated", MPM_UGIMP, MPM_AXISYMMETRIC, MPM_TRUNCATED, false, -1, -3, 6},
+    {"untruncated", MPM_UGIMP, MPM_AXISYMMETRIC, MPM_UNTRUNCATED, false, -1, -3, 6},
+    {"planar", MPM_UGIMP, MPM_PLANE_STRAIN, MPM_TRUNCATED, false, -1, -3, 6},
+    {"folded", MPM_BSPLINE2, MPM_PLANE_STRAIN, MPM_TRUNCATED, true, 0, 0, 6},
+    {"free", MPM_BSPLINE2, MPM_PLANE_STRAIN, MPM_TRUNCATED, false, -1, 0, 6},
+    {"folded", MPM_BSPLINE3, MPM_PLANE_STRAIN, MPM_TRUNCATED, true, 0, 0, 6},
+    {"free", MPM_BSPLINE3, MPM_PLANE_STRAIN, MPM_TRUNCATED, false, -1, 0, 6},
 };
 
 /* B-splines of points are the same in every geometry: with r = 0, the edge. */
