@@ -45,7 +45,10 @@
     SUITE(kernel_bits)                                                                             \
     SUITE(pareto)                                                                                  \
     SUITE(accuracy)                                                                                \
-    SUITE(bench_report)
+    SUITE(bench_report)                                                                            \
+    SUITE(measures)                                                                                \
+    SUITE(modes)                                                                                   \
+    SUITE(stability)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE)

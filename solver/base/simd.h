@@ -20,12 +20,19 @@
 enum { MPM_VECTOR_SIZE = 4 };
 
 typedef double mpm_vector __attribute__((vector_size(32)));
-typedef double mpm_half_vector __attribute__((vector_size(16)));
+typedef double mpm_half_vector __attribute__((vector_size(16), may_alias));
 typedef int64_t mpm_mask __attribute__((vector_size(32))); /* all bits of a lane, or none */
 typedef uint64_t mpm_bits __attribute__((vector_size(32)));
 typedef int64_t mpm_half_mask __attribute__((vector_size(16)));
 
 #define MPM_INLINE static inline __attribute__((always_inline))
+
+/* The contrary: one copy, called. Vectors go by address. gcc would copy it for constants. */
+#ifdef __clang__
+#define MPM_SEPARATE static __attribute__((unused, noinline))
+#else
+#define MPM_SEPARATE static __attribute__((unused, noinline, noclone))
+#endif
 
 MPM_INLINE mpm_vector mpm_load(const double *from)
 {
@@ -63,12 +70,16 @@ MPM_INLINE mpm_vector mpm_join(mpm_half_vector low, mpm_half_vector high)
 /* from[0] from[1] from[0] from[1] */
 MPM_INLINE mpm_vector mpm_load_pair(const double *from)
 {
+#if defined __AVX__ && !defined __clang__ /* gcc would load first, and permute then */
+    return __builtin_ia32_vbroadcastf128_pd256((const mpm_half_vector *)(const void *)from);
+#else
     mpm_half_vector v;
     memcpy(&v, from, sizeof v);
 #ifdef __AVX__
     return __builtin_shufflevector(v, v, 0, 1, 0, 1);
 #else
     return mpm_join(v, v);
+#endif
 #endif
 }
 

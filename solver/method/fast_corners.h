@@ -1,7 +1,7 @@
-/* Fast kernels: CPDI stencils, sums over the four corners of a parallelogram of the hat
- * functions there, for four particles at once. A corner spreads to the four nodes of its
- * cell by itself, however far the corners are apart. Weights as in shape_cpdi.c, nodal
- * vectors as in fast_lines.h.
+/* Fast kernels: CPDI stencils corner by corner, see fast_cpdi.h for when: sums over the four
+ * corners of a parallelogram of the hat functions there, for four particles at once. A corner
+ * spreads to the four nodes of its cell by itself, however far the corners are apart. Weights
+ * as in shape_cpdi.c, nodal vectors as in fast_lines.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_FAST_CORNERS_H
@@ -129,12 +129,10 @@ MPM_INLINE void fast_corners_spread(const struct fast_spec *spec, const struct f
             value[2] = p[1] * corners->s[c];
             mpm_store(mass, load->mass * corners->s[c]);
         }
-        if (spec->force) {
-            value[1] = f[MPM_SYM_XX] * g[0] + f[MPM_SYM_XY] * g[1];
-            value[3] = f[MPM_SYM_XY] * g[0] + f[MPM_SYM_YY] * g[1];
-            if (spec->axisymmetric)
-                value[1] += f[MPM_SYM_ZZ] * corners->t;
-        }
+        value[1] = f[MPM_SYM_XX] * g[0] + f[MPM_SYM_XY] * g[1];
+        value[3] = f[MPM_SYM_XY] * g[0] + f[MPM_SYM_YY] * g[1];
+        if (spec->axisymmetric)
+            value[1] += f[MPM_SYM_ZZ] * corners->t;
         mpm_transpose(value);
 #pragma GCC unroll 4
         for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
@@ -148,18 +146,19 @@ MPM_INLINE void fast_corners_spread(const struct fast_spec *spec, const struct f
     }
 }
 
-MPM_INLINE void fast_corners_spread_momentum(const struct fast_constants *k,
-                                             const struct fast_corners *corners,
-                                             const mpm_vector momentum[2])
+MPM_INLINE void fast_corners_spread_values(const struct fast_constants *k,
+                                           const struct fast_corners *corners, void *array,
+                                           const mpm_vector values[4])
 {
 #pragma GCC unroll 4
     for (int c = 0; c < MPM_CORNERS; c++) {
-        const mpm_vector px = momentum[0] * corners->s[c], py = momentum[1] * corners->s[c];
-        mpm_vector value[4] = {px, px, py, py};
+        mpm_vector value[4];
+        for (int i = 0; i < 4; i++)
+            value[i] = values[i] * corners->s[c];
         mpm_transpose(value);
 #pragma GCC unroll 4
         for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
-            spread_corner(fast_row(k->gradient, corners->node[c][lane], 0, k), k->stride,
+            spread_corner(fast_row(array, corners->node[c][lane], 0, k), k->stride,
                           &corners->x[c][fast_pair[lane]], &corners->y[c][fast_pair[lane]],
                           value[lane]);
     }

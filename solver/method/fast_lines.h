@@ -241,7 +241,7 @@ MPM_INLINE void spread_lane(const struct fast_spec *spec, const struct fast_cons
 {
     const int nodes = line_nodes(spec), pair = fast_pair[lane];
     mpm_vector d[MPM_LINE_NODES];
-    for (int i = 0; spec->force && i < nodes; i++) {
+    for (int i = 0; i < nodes; i++) {
         d[i] = mpm_scale(lines->x[i][pair], along_x);
         if (spec->axisymmetric)
             d[i] += mpm_scale(lines->t[i][lane], hoop);
@@ -250,9 +250,8 @@ MPM_INLINE void spread_lane(const struct fast_spec *spec, const struct fast_cons
         double *const row = fast_row(k->sum, lines->node[lane], j, k);
         const mpm_vector e = mpm_load_pair(&lines->y[j][pair]) * along_y;
         for (int i = 0; i < nodes; i++) {
-            mpm_vector add = mpm_scale(lines->x[i][pair + 1], e);
-            if (spec->force)
-                add += mpm_scale(lines->y[j][pair], d[i]);
+            const mpm_vector add =
+                mpm_scale(lines->x[i][pair + 1], e) + mpm_scale(lines->y[j][pair], d[i]);
             mpm_store(row + 4 * i, mpm_load(row + 4 * i) + add);
         }
     }
@@ -280,9 +279,8 @@ MPM_INLINE void fast_lines_spread(const struct fast_spec *spec, const struct fas
     for (int i = 0; i < line_nodes(spec); i++)
         mass[i] = load->mass * lines->sx[i];
     mpm_transpose(along_y);
-    if (spec->force)
-        mpm_transpose(along_x);
-    if (spec->force && spec->axisymmetric)
+    mpm_transpose(along_x);
+    if (spec->axisymmetric)
         mpm_transpose(hoop);
     if (spec->momentum)
         mpm_transpose(mass);
@@ -294,29 +292,30 @@ MPM_INLINE void fast_lines_spread(const struct fast_spec *spec, const struct fas
     }
 }
 
-/* The re-extrapolated momentum (p_x, p_x, p_y, p_y). */
-MPM_INLINE void spread_momentum_lane(const struct fast_spec *spec, const struct fast_constants *k,
-                                     const struct fast_lines *lines, int lane, mpm_vector momentum)
+/* Adds s times a particle's vector to those of the nodes. */
+MPM_INLINE void spread_value_lane(const struct fast_spec *spec, const struct fast_constants *k,
+                                  const struct fast_lines *lines, int lane, void *array,
+                                  mpm_vector value)
 {
     const int nodes = line_nodes(spec), pair = fast_pair[lane];
     for (int j = 0; j < nodes; j++) {
-        double *const row = fast_row(k->gradient, lines->node[lane], j, k);
-        const mpm_vector part = mpm_scale(lines->y[j][pair], momentum);
+        double *const row = fast_row(array, lines->node[lane], j, k);
+        const mpm_vector part = mpm_scale(lines->y[j][pair], value);
         for (int i = 0; i < nodes; i++)
             mpm_store(row + 4 * i, mpm_load(row + 4 * i) + mpm_scale(lines->x[i][pair + 1], part));
     }
 }
 
-MPM_INLINE void fast_lines_spread_momentum(const struct fast_spec *spec,
-                                           const struct fast_constants *k,
-                                           const struct fast_lines *lines,
-                                           const mpm_vector momentum[2])
+MPM_INLINE void fast_lines_spread_values(const struct fast_spec *spec,
+                                         const struct fast_constants *k,
+                                         const struct fast_lines *lines, void *array,
+                                         const mpm_vector values[4])
 {
-    mpm_vector p[4] = {momentum[0], momentum[0], momentum[1], momentum[1]};
-    mpm_transpose(p);
+    mpm_vector value[4] = {values[0], values[1], values[2], values[3]};
+    mpm_transpose(value);
 #pragma GCC unroll 4
     for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
-        spread_momentum_lane(spec, k, lines, lane, p[lane]);
+        spread_value_lane(spec, k, lines, lane, array, value[lane]);
 }
 
 /* ------------------------------------------------------------------- gather */

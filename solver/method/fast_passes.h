@@ -7,7 +7,7 @@
 
 #include "method/extent.h"
 #include "method/fast_block.h"
-#include "method/fast_corners.h"
+#include "method/fast_cpdi.h"
 #include "method/fast_lines.h"
 #include "method/fast_stress.h"
 
@@ -15,7 +15,7 @@
 
 union fast_stencil {
     struct fast_lines lines;
-    struct fast_corners corners;
+    struct fast_cpdi cpdi;
 };
 
 /* Half edges of CPDI domains: kept where F changes within a step, else of F. */
@@ -53,25 +53,36 @@ MPM_INLINE void evaluate(const struct fast_spec *spec, const struct fast_constan
         load_deformation(particles, p, f);
         edges_of(k, f, edge);
     }
-    fast_corners_evaluate(spec, k, position, edge, &stencil->corners);
+    fast_cpdi_evaluate(spec, k, position, edge, &stencil->cpdi);
 }
 
+/* Forces, and with them momentum and mass. */
 MPM_INLINE void spread(const struct fast_spec *spec, const struct fast_constants *k,
                        const union fast_stencil *stencil, const struct fast_load *load)
 {
     if (spec->shape == MPM_CPDI)
-        fast_corners_spread(spec, k, &stencil->corners, load);
+        fast_cpdi_spread(spec, k, &stencil->cpdi, load);
     else
         fast_lines_spread(spec, k, &stencil->lines, load);
 }
 
+/* Values that go with S only, to the nodal vectors of an array. */
+MPM_INLINE void spread_values(const struct fast_spec *spec, const struct fast_constants *k,
+                              const union fast_stencil *stencil, void *array,
+                              const mpm_vector values[4])
+{
+    if (spec->shape == MPM_CPDI)
+        fast_cpdi_spread_values(k, &stencil->cpdi, array, values);
+    else
+        fast_lines_spread_values(spec, k, &stencil->lines, array, values);
+}
+
+/* (p_x, p_x, p_y, p_y), to make a velocity of which a gradient can be taken */
 MPM_INLINE void spread_momentum(const struct fast_spec *spec, const struct fast_constants *k,
                                 const union fast_stencil *stencil, const mpm_vector momentum[2])
 {
-    if (spec->shape == MPM_CPDI)
-        fast_corners_spread_momentum(k, &stencil->corners, momentum);
-    else
-        fast_lines_spread_momentum(spec, k, &stencil->lines, momentum);
+    const mpm_vector values[4] = {momentum[0], momentum[0], momentum[1], momentum[1]};
+    spread_values(spec, k, stencil, k->gradient, values);
 }
 
 /* sum S and sum T of (a_x, a_y, v_x, v_y) */
@@ -80,7 +91,7 @@ MPM_INLINE void gather_motion(const struct fast_spec *spec, const struct fast_co
                               mpm_vector motion[4], mpm_vector hoop[4])
 {
     if (spec->shape == MPM_CPDI)
-        fast_corners_motion(k, &stencil->corners, wants_hoop, motion, hoop);
+        fast_cpdi_motion(spec, k, &stencil->cpdi, wants_hoop, motion, hoop);
     else
         fast_lines_motion(spec, k, &stencil->lines, wants_hoop, motion, hoop);
 }
@@ -90,7 +101,7 @@ MPM_INLINE void gather_gradient(const struct fast_spec *spec, const struct fast_
                                 mpm_vector gradient[MPM_GRADIENT_SIZE])
 {
     if (spec->shape == MPM_CPDI)
-        fast_corners_gradient(spec, k, &stencil->corners, gradient);
+        fast_cpdi_gradient(spec, k, &stencil->cpdi, gradient);
     else
         fast_lines_gradient(spec, k, &stencil->lines, gradient);
 }
@@ -279,9 +290,13 @@ MPM_INLINE void block_to_grid(const struct fast_spec *spec, enum fast_law law,
         struct fast_load load = {.mass = mpm_load(block->particles->mass + p)};
         for (int axis = 0; axis < 2; axis++)
             load.momentum[axis] = load.mass * mpm_load(block->particles->velocity[axis] + p);
-        if (spec->force)
+        if (spec->force) {
             load_stress(block->particles, p, &load);
-        spread(spec, block->k, &stencil[v], &load);
+            spread(spec, block->k, &stencil[v], &load);
+        } else { /* no forces yet: masses take their place, see mpm_row_start_from_sums */
+            const mpm_vector values[4] = {load.momentum[0], load.mass, load.momentum[1]};
+            spread_values(spec, block->k, &stencil[v], block->k->sum, values);
+        }
     }
 }
 

@@ -38,14 +38,16 @@ void mpm_row_clear(void *context, int64_t row, int worker)
     memset(state->grid.sum + span.first, 0, count * sizeof *state->grid.sum);
 }
 
-void mpm_row_start_velocity(void *context, int64_t row, int worker)
+static inline void start_row(const struct mpm_state *state, int64_t row, bool mass_in_sums)
 {
-    const struct mpm_state *const state = context;
     const struct mpm_grid *const grid = &state->grid;
     const struct mpm_row_span span = mpm_row_span(state, row);
     const bool stress_before = state->order->before > 0.0; /* else nobody asks yet */
-    (void)worker;
     for (int64_t node = span.first; node < span.end; node++) {
+        if (mass_in_sums) {
+            grid->mass[node] = grid->sum[node][0].force;
+            grid->sum[node][0].force = 0.0;
+        }
         const double inverse = mpm_inverse_mass(grid->mass[node]);
         for (int axis = 0; axis < 2; axis++)
             grid->start[node][axis] = grid->sum[node][axis].momentum * inverse;
@@ -54,12 +56,25 @@ void mpm_row_start_velocity(void *context, int64_t row, int worker)
     }
 }
 
+void mpm_row_start_velocity(void *context, int64_t row, int worker)
+{
+    (void)worker;
+    start_row(context, row, false);
+}
+
+void mpm_row_start_from_sums(void *context, int64_t row, int worker)
+{
+    (void)worker;
+    start_row(context, row, true);
+}
+
 static inline void update_row(const struct mpm_state *state, int64_t row, bool body_force)
 {
     static const double nothing_yet[2] = {0.0, 0.0};
     const struct mpm_grid *const grid = &state->grid;
     const struct mpm_row_span span = mpm_row_span(state, row);
     const bool extrapolate = state->order->extrapolate;
+    const bool stress_after = state->order->after > 0.0; /* else nobody asks any more */
     for (int64_t node = span.first; node < span.end; node++) {
         const double inverse = mpm_inverse_mass(grid->mass[node]);
         struct mpm_node_motion *const motion = &grid->motion[node];
@@ -70,7 +85,8 @@ static inline void update_row(const struct mpm_state *state, int64_t row, bool b
             motion->end[axis] =
                 grid->start[node][axis] + state->time_step * motion->acceleration[axis];
         }
-        mpm_node_set_gradient(grid, node, extrapolate ? nothing_yet : motion->end);
+        if (stress_after)
+            mpm_node_set_gradient(grid, node, extrapolate ? nothing_yet : motion->end);
     }
 }
 

@@ -92,6 +92,7 @@ static void choose_reference(const struct mpm_scene *scene, const char *reason,
 {
     *choice = (struct mpm_kernel_choice){
         .passes = reference_passes(scene),
+        .start_rows = mpm_row_start_velocity,
         .name = "reference",
         .reason = reason,
         .simd = "none",
@@ -102,8 +103,10 @@ static void choose_reference(const struct mpm_scene *scene, const char *reason,
 static enum mpm_status choose_fast(const struct mpm_scene *scene, enum mpm_simd simd,
                                    struct mpm_kernel_choice *choice, struct mpm_error *error)
 {
+    const bool without_forces = mpm_stress_order(scene->stress_update)->before > 0.0;
     *choice = (struct mpm_kernel_choice){
         .passes = mpm_fast_passes(scene, simd),
+        .start_rows = without_forces ? mpm_row_start_from_sums : mpm_row_start_velocity,
         .name = "fast",
         .reason = "all that the scene asks for has them; four particles at a time",
         .simd = simd_names[simd],

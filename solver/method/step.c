@@ -218,7 +218,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     charge(seconds, MPM_PHASE_TO_GRID, &mark);
 
     /* Task 2: velocities at the start, conditions */
-    run_rows(state, mpm_row_start_velocity);
+    run_rows(state, state->kernels.start_rows);
     MPM_TRY(mpm_conditions_gather(state, error));
     mpm_conditions_apply_start(state);
     charge(seconds, MPM_PHASE_GRID, &mark);

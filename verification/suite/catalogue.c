@@ -108,6 +108,14 @@ static enum mpm_status case_fill(const char *path, const char *family, const cha
     return read_readme(entry, error);
 }
 
+char *catalogue_scene_path(const struct catalogue_case *entry, const struct case_variant *variant)
+{
+    for (unsigned i = 0; i < variant->parameters_count; i++)
+        if (strcmp(variant->parameters[i].name, "scene") == 0)
+            return g_build_filename(entry->folder, variant->parameters[i].value, NULL);
+    return g_strdup(entry->scene_path);
+}
+
 static int compare_texts(const void *a, const void *b)
 {
     return strcmp(*(char *const *)a, *(char *const *)b);

@@ -116,7 +116,7 @@ struct case_file {
 struct catalogue_case {
     struct case_file *file;
     char *folder;
-    char *scene_path; /* NULL if it has none */
+    char *scene_path; /* of the variants that name none; NULL if it has none */
     char *readme;     /* Markdown */
     const struct measure_program *program;
 };
@@ -133,6 +133,10 @@ struct catalogue {
 enum mpm_status catalogue_read(const char *folder, struct program_table programs,
                                struct catalogue **catalogue, struct mpm_error *error);
 void catalogue_free(struct catalogue *catalogue);
+
+/* Path of the scene that a variant runs: its parameter `scene`, a file of the case's folder, or the
+ * case's own; NULL if there is none. The caller frees it with g_free. */
+char *catalogue_scene_path(const struct catalogue_case *entry, const struct case_variant *variant);
 
 const char *basis_name(enum case_basis basis);
 const char *tier_name(enum tier tier);

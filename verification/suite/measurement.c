@@ -80,24 +80,45 @@ enum mpm_status measurement_number(const struct measurement *measurement, const 
                        measurement_case(measurement), measurement_variant(measurement), name, text);
 }
 
-enum mpm_status measurement_scene(const struct measurement *measurement,
+static enum mpm_status read_scene(const struct measurement *measurement, const char *path,
                                   const char *const *settings, size_t setting_count,
                                   struct mpm_scene **scene, struct mpm_error *error)
 {
     const struct case_variant *variant = measurement->setup.variant;
-    *scene = NULL;
-    if (measurement->setup.entry->scene_path == NULL)
-        return failure_set(error, MPM_BAD_INPUT, "case %s names no scene",
-                           measurement_case(measurement));
     GPtrArray *all = g_ptr_array_new();
     for (unsigned i = 0; i < variant->settings_count; i++)
         g_ptr_array_add(all, variant->settings[i]);
     for (size_t i = 0; i < setting_count; i++)
         g_ptr_array_add(all, (void *)(uintptr_t)settings[i]);
     const enum mpm_status status =
-        mpm_scene_read(measurement->setup.entry->scene_path, (const char *const *)all->pdata,
-                       all->len, scene, error);
+        mpm_scene_read(path, (const char *const *)all->pdata, all->len, scene, error);
     g_ptr_array_unref(all);
+    return status;
+}
+
+enum mpm_status measurement_scene(const struct measurement *measurement,
+                                  const char *const *settings, size_t setting_count,
+                                  struct mpm_scene **scene, struct mpm_error *error)
+{
+    *scene = NULL;
+    char *path = catalogue_scene_path(measurement->setup.entry, measurement->setup.variant);
+    if (path == NULL)
+        return failure_set(error, MPM_BAD_INPUT, "case %s names no scene",
+                           measurement_case(measurement));
+    const enum mpm_status status =
+        read_scene(measurement, path, settings, setting_count, scene, error);
+    g_free(path);
+    return status;
+}
+
+enum mpm_status measurement_scene_file(const struct measurement *measurement, const char *file,
+                                       const char *const *settings, size_t setting_count,
+                                       struct mpm_scene **scene, struct mpm_error *error)
+{
+    char *path = g_build_filename(measurement->setup.entry->folder, file, NULL);
+    const enum mpm_status status =
+        read_scene(measurement, path, settings, setting_count, scene, error);
+    g_free(path);
     return status;
 }
 

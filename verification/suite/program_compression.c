@@ -6,7 +6,7 @@
 #include "verification/measures/fields.h"
 #include "verification/measures/pareto.h"
 #include "verification/measures/particle_set.h"
-#include "verification/suite/programs.h"
+#include "verification/suite/follow.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -245,23 +245,6 @@ static enum mpm_status report_fields(struct study *study, struct mpm_error *erro
     return status;
 }
 
-/* Advances to a time; a broken run is a result. *alive tells whether it got there. */
-static enum mpm_status advance_to(struct study *study, double time, bool *alive,
-                                  struct mpm_error *error)
-{
-    *alive = true;
-    while (*alive && mpm_simulation_time(study->simulation) < time) {
-        const enum mpm_status status = mpm_simulation_advance(study->simulation, time, error);
-        if (status == MPM_RUN_FAILED) {
-            *alive = false;
-            measurement_note(study->measurement, "the run ended: %s", error->message);
-        } else if (status != MPM_OK) {
-            return status;
-        }
-    }
-    return MPM_OK;
-}
-
 static void report_breakdown(struct study *study, double last_strain, bool alive)
 {
     static const char *const quantity[PARTS] = {"breakdown_all", "breakdown_interior"};
@@ -293,7 +276,7 @@ static enum mpm_status follow(struct study *study, double end, struct mpm_error 
     for (size_t k = 1; alive && study->broken[ALL] * study->broken[INNER] == 0.0; k++) {
         double time = unit * p->sampling * (double)k;
         const bool last = time >= end;
-        TRY(advance_to(study, last ? end : time, &alive, error));
+        TRY(follow_to(study->measurement, study->simulation, last ? end : time, &alive, error));
         if (!alive)
             break;
         TRY(look_now(study, error));
@@ -309,8 +292,7 @@ static enum mpm_status follow(struct study *study, double end, struct mpm_error 
     if (!study->judged)
         report_unjudged(study);
     report_breakdown(study, p->speed * mpm_simulation_time(study->simulation) / p->radius, alive);
-    measurement_work(study->measurement, mpm_simulation_step(study->simulation) *
-                                             mpm_simulation_particle_count(study->simulation));
+    follow_count_work(study->measurement, study->simulation);
     return measurement_series(study->measurement, "curve",
                               "strain J_percent rr zz exact_rr exact_zz sd_all_percent "
                               "sd_interior_percent",
@@ -354,7 +336,8 @@ static enum mpm_status run_level(struct measurement *measurement, const struct p
     enum mpm_status status = open_study(&study, setting, &scene, error);
     const double start = measurement_processor_seconds();
     if (status == MPM_OK)
-        status = advance_to(&study, p->strain * p->radius / p->speed, &alive, error);
+        status = follow_to(measurement, study.simulation, p->strain * p->radius / p->speed, &alive,
+                           error);
     if (status == MPM_OK) {
         *level = (struct level){
             .particle_steps = (double)mpm_simulation_step(study.simulation) *

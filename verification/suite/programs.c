@@ -11,7 +11,14 @@
     PROGRAM(shape_identities)                                                                      \
     PROGRAM(shape_curves)                                                                          \
     PROGRAM(compression)                                                                           \
-    PROGRAM(energy)
+    PROGRAM(energy)                                                                                \
+    PROGRAM(vibration)                                                                             \
+    PROGRAM(step_wave)                                                                             \
+    PROGRAM(spin)                                                                                  \
+    PROGRAM(collision)                                                                             \
+    PROGRAM(carried)                                                                               \
+    PROGRAM(stability)                                                                             \
+    PROGRAM(extremes)
 
 #define PROGRAM(name) extern const struct measure_program program_##name;
 PROGRAMS

@@ -75,11 +75,16 @@ enum mpm_status measurement_text(const struct measurement *measurement, const ch
 /* Whether the case or the variant gives that parameter (for optional ones). */
 bool measurement_has(const struct measurement *measurement, const char *name);
 
-/* Reads the case's scene with the variant's settings, then `settings` (PATH=VALUE,
+/* Reads the variant's scene (its parameter `scene` or the case's) with its settings, then `settings` (PATH=VALUE,
  * the last wins). MPM_BAD_INPUT if the case has no scene. The caller frees it. */
 enum mpm_status measurement_scene(const struct measurement *measurement,
                                   const char *const *settings, size_t setting_count,
                                   struct mpm_scene **scene, struct mpm_error *error);
+
+/* The same for the scene in `file` of the case's folder: a case of several scenes. */
+enum mpm_status measurement_scene_file(const struct measurement *measurement, const char *file,
+                                       const char *const *settings, size_t setting_count,
+                                       struct mpm_scene **scene, struct mpm_error *error);
 
 /* ----------------------------------------------------- what a program reports */
 

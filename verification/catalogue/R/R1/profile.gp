@@ -8,5 +8,5 @@ set xrange [0:50]
 set yrange [8:22]
 set key top left
 plot 16 with lines ls 8 title 'exact', \
-     data.'/data-ugimp-profile.dat' using 1:3 with points ls 1 title 'uGIMP', \
-     data.'/data-cpdi-profile.dat' using 1:3 with points ls 2 title 'CPDI'
+     data.'/data-ugimp_musl-profile.dat' using 1:3 with points ls 1 title 'uGIMP', \
+     data.'/data-cpdi_musl-profile.dat' using 1:3 with points ls 2 title 'CPDI'

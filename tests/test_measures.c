@@ -1,0 +1,156 @@
+/* Tests of what long runs are measured by: books of energy and momentum, the fit of an
+ * oscillation.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/measures/books.h"
+#include "verification/measures/oscillation.h"
+
+#include <check.h>
+#include <math.h>
+
+Suite *suite_measures(void);
+
+static const double TWO_PI = 6.28318530717958647692;
+
+/* ------------------------------------------------------------------- books */
+
+static struct mpm_ledger ledger_at(double energy, double work, double px, double py, double spin)
+{
+    return (struct mpm_ledger){.mass = 2,
+                               .momentum = {px, py},
+                               .angular_momentum = spin,
+                               .kinetic_energy = 0.25 * energy,
+                               .strain_energy = 0.75 * energy,
+                               .external_work = work,
+                               .total_energy = energy};
+}
+
+START_TEST(books_hold_the_largest_drift_either_way_less_the_work_from_outside)
+{
+    struct books books;
+    const struct mpm_ledger rows[] = {ledger_at(4, 0, 1, 1, 5), ledger_at(5, 0.5, 1, 1, 5),
+                                      ledger_at(3, 0.5, 4, 5, 3), ledger_at(4, 0, 1, 1, 5)};
+    books_open(&books, &rows[0]);
+    for (size_t k = 1; k < 4; k++)
+        books_add(&books, &rows[k]);
+    ck_assert_uint_eq(books.samples, 4);
+    ck_assert_double_eq(books.energy_high, 0.125);
+    ck_assert_double_eq(books.energy_low, -0.375);
+    ck_assert_double_eq(books_energy_drift(&books), 0.375);
+    ck_assert_double_eq(books_energy_now(&books), 0);
+    ck_assert_double_eq(books.smallest_kinetic, 0.1875);
+    /* sqrt(2 * 2 * 4) = 4; the momentum moved by (3, 4), the angular momentum by 2 */
+    ck_assert_double_eq(books_momentum_drift(&books), 1.25);
+    ck_assert_double_eq(books_angular_momentum_drift(&books, 2), 0.25);
+}
+END_TEST
+
+START_TEST(a_nan_in_one_ledger_stays_in_the_books)
+{
+    struct books books;
+    struct mpm_ledger row = ledger_at(4, 0, 1, 1, 5);
+    books_open(&books, &row);
+    row = ledger_at((double)NAN, 0, (double)NAN, 0, (double)NAN);
+    books_add(&books, &row);
+    row = ledger_at(4, 0, 1, 1, 5);
+    books_add(&books, &row);
+    ck_assert_double_nan(books_energy_drift(&books));
+    ck_assert_double_nan(books_momentum_drift(&books));
+    ck_assert_double_nan(books_angular_momentum_drift(&books, 1));
+    ck_assert_double_nan(books.smallest_kinetic);
+}
+END_TEST
+
+/* ------------------------------------------------------------- oscillation */
+
+enum { SAMPLES = 2001 };
+
+/* 100 periods of 1, 20 samples each, at times that are off the lattice, as steps are. */
+static void sample(double frequency, double decay, double overtone, double *time, double *value)
+{
+    for (int k = 0; k < SAMPLES; k++) {
+        const double t = 0.05 * k + 0.002 * sin(17.0 * k);
+        time[k] = t;
+        value[k] = exp(-decay * t) * (0.7 * cos(frequency * t) - 0.4 * sin(frequency * t)) +
+                   overtone * cos(3.7 * frequency * t);
+    }
+}
+
+/* The guess is off by up to a tenth: ten periods over the whole run. */
+START_TEST(a_fit_finds_frequency_and_decay_over_a_hundred_periods)
+{
+    static const struct {
+        double frequency, decay;
+    } cases[] = {{1.0, 0}, {0.91, 0.003}, {1.09, -0.01}, {0.995, 0.1}, {1.02, 0.0001}};
+    /* the phase is known to eps over 2000 samples, the frequency to that over 100 periods */
+    static const double TOLERANCE = 1e-12;
+    double time[SAMPLES], value[SAMPLES];
+    const double frequency = TWO_PI * cases[_i].frequency, decay = cases[_i].decay;
+    struct oscillation fit;
+    sample(frequency, decay, 0, time, value);
+    ck_assert(oscillation_fit(SAMPLES, time, value, TWO_PI, &fit));
+    ck_assert_double_eq_tol(fit.frequency, frequency, TOLERANCE * frequency);
+    ck_assert_double_eq_tol(fit.decay, decay, TOLERANCE * frequency);
+    ck_assert_double_eq_tol(fit.amplitude, hypot(0.7, 0.4), 1e-10);
+    ck_assert_double_lt(fit.residual, 1e-10);
+}
+END_TEST
+
+START_TEST(the_bound_of_a_fit_holds_with_an_overtone)
+{
+    double time[SAMPLES], value[SAMPLES];
+    struct oscillation fit;
+    for (int k = 0; k < 5; k++) {
+        const double frequency = TWO_PI * (0.98 + 0.01 * k);
+        sample(frequency, 0.002, 0.05, time, value);
+        ck_assert(oscillation_fit(SAMPLES, time, value, TWO_PI, &fit));
+        ck_assert_double_le(fabs(fit.frequency - frequency), fit.bound);
+        ck_assert_double_lt(fit.bound, 1e-3 * frequency);
+        ck_assert_double_gt(fit.residual, 0.01);
+    }
+}
+END_TEST
+
+START_TEST(a_frequency_that_moves_shows_in_the_bound)
+{
+    double time[SAMPLES], value[SAMPLES];
+    struct oscillation fit;
+    for (int k = 0; k < SAMPLES; k++) {
+        time[k] = 0.05 * k;
+        value[k] = cos(TWO_PI * time[k] * (1 + 1e-5 * time[k]));
+    }
+    ck_assert(oscillation_fit(SAMPLES, time, value, TWO_PI, &fit));
+    /* 1 at the start, 1 + 2e-3 at the end: the halves' means lie 5e-4 on either side */
+    ck_assert_double_gt(fit.bound, 3e-4 * TWO_PI);
+    ck_assert_double_lt(fit.bound, 1e-3 * TWO_PI);
+}
+END_TEST
+
+START_TEST(what_is_no_oscillation_is_not_fitted)
+{
+    double time[SAMPLES], value[SAMPLES];
+    struct oscillation fit;
+    sample(TWO_PI, 0, 0, time, value);
+    ck_assert(!oscillation_fit(4, time, value, TWO_PI, &fit));
+    ck_assert(!oscillation_fit(SAMPLES, time, value, 0, &fit));
+    value[1000] = (double)NAN;
+    ck_assert(!oscillation_fit(SAMPLES, time, value, TWO_PI, &fit));
+    ck_assert_double_nan(fit.frequency);
+    ck_assert_double_nan(fit.bound);
+}
+END_TEST
+
+Suite *suite_measures(void)
+{
+    Suite *suite = suite_create("measures");
+    TCase *books = tcase_create("books"), *fits = tcase_create("oscillation");
+    tcase_add_test(books, books_hold_the_largest_drift_either_way_less_the_work_from_outside);
+    tcase_add_test(books, a_nan_in_one_ledger_stays_in_the_books);
+    tcase_add_loop_test(fits, a_fit_finds_frequency_and_decay_over_a_hundred_periods, 0, 5);
+    tcase_add_test(fits, the_bound_of_a_fit_holds_with_an_overtone);
+    tcase_add_test(fits, a_frequency_that_moves_shows_in_the_bound);
+    tcase_add_test(fits, what_is_no_oscillation_is_not_fitted);
+    suite_add_tcase(suite, books);
+    suite_add_tcase(suite, fits);
+    return suite;
+}

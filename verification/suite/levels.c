@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/suite/levels.h"
+
+#include "verification/measures/orders.h"
+
+#include <glib.h>
+#include <math.h>
+
+enum { COLUMNS = 2 };
+
+enum mpm_status levels_read(const struct measurement *measurement, struct levels *levels,
+                            struct mpm_error *error)
+{
+    *levels = (struct levels){0};
+    for (char name[] = "level_1"; levels->count < LEVELS_MAX; levels->count++) {
+        name[sizeof name - 2] = (char)('1' + levels->count);
+        if (!measurement_has(measurement, name))
+            break;
+        TRY(measurement_text(measurement, name, &levels->setting[levels->count], error));
+    }
+    return MPM_OK;
+}
+
+size_t levels_runs(const struct levels *levels)
+{
+    return levels->count == 0 ? 1 : levels->count;
+}
+
+static void report(struct measurement *measurement, const char *name, const char *suffix,
+                   double value)
+{
+    char *const quantity = g_strconcat(name, suffix, NULL);
+    measurement_report(measurement, quantity, value);
+    g_free(quantity);
+}
+
+enum mpm_status levels_report(struct measurement *measurement, const struct levels *levels,
+                              const char *suffix, const double error[LEVELS_MAX],
+                              struct mpm_error *failure)
+{
+    double h[LEVELS_MAX], rows[COLUMNS * LEVELS_MAX];
+    for (size_t k = 0; k < levels->count; k++) {
+        h[k] = ldexp(1.0, -(int)k);
+        rows[COLUMNS * k] = h[k];
+        rows[COLUMNS * k + 1] = error[k];
+    }
+    report(measurement, "order_last", suffix, order_last(levels->count, h, error));
+    report(measurement, "order_fitted", suffix, order_fitted(levels->count, h, error));
+    char *const series = g_strconcat("levels", suffix, NULL);
+    const enum mpm_status status = measurement_series(measurement, series, "cell_over_first error",
+                                                      COLUMNS, levels->count, rows, failure);
+    g_free(series);
+    return status;
+}
