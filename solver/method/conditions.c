@@ -262,3 +262,17 @@ void mpm_conditions_apply_extrapolated(struct mpm_state *state)
         set_gradient(state, mirror, -state->grid.gradient[mirror_image(state, mirror->node)][0][0]);
     }
 }
+
+void mpm_conditions_apply_smoothed(struct mpm_state *state)
+{
+    struct mpm_node_motion *const smoothed = state->grid.smoothed;
+    for (size_t k = 0; k < state->first_mirror; k++) {
+        struct mpm_node_motion *const held = &smoothed[state->active[k].node];
+        const int axis = state->active[k].component;
+        held->acceleration[axis] = held->end[axis];
+    }
+    for (size_t k = state->first_mirror; k < state->active_count; k++) {
+        const int64_t node = state->active[k].node;
+        smoothed[node].acceleration[0] = -smoothed[mirror_image(state, node)].acceleration[0];
+    }
+}

@@ -23,6 +23,9 @@ void mpm_conditions_apply_end(struct mpm_state *state);
 /* End velocities over the re-extrapolated ones. */
 void mpm_conditions_apply_extrapolated(struct mpm_state *state);
 
+/* Velocities on their way through the orders of XPIC and FMPM: those that they began as. */
+void mpm_conditions_apply_smoothed(struct mpm_state *state);
+
 /* Moves the rigid bodies' particles over the step. MPM_RUN_FAILED: one leaves the grid. */
 enum mpm_status mpm_rigid_advance(struct mpm_state *state, struct mpm_error *error);
 

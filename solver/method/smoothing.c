@@ -2,6 +2,7 @@
 #include "method/smoothing.h"
 
 #include "base/strips.h"
+#include "method/conditions.h"
 #include "method/grid_update.h"
 #include "method/particle_updates.h"
 
@@ -52,15 +53,6 @@ static void next_order(void *context, int64_t row, int worker)
     }
 }
 
-static void hold_nodes(const struct mpm_state *state)
-{
-    for (size_t k = 0; k < state->active_count; k++) {
-        const int axis = state->active[k].component;
-        struct mpm_node_motion *const smoothed = &state->grid.smoothed[state->active[k].node];
-        smoothed->acceleration[axis] = smoothed->end[axis];
-    }
-}
-
 void mpm_smoothing_run(struct mpm_state *state, int workers)
 {
     const bool after_update = state->scene->transfer == MPM_TRANSFER_FMPM;
@@ -69,7 +61,7 @@ void mpm_smoothing_run(struct mpm_state *state, int workers)
     for (int order = 1; order < state->scene->transfer_order; order++) {
         mpm_strips_run(state->strip_count, workers, state->kernels.passes->smooth, state);
         mpm_rows_run(state->first_row, state->last_row, state->workers, next_order, state);
-        hold_nodes(state);
+        mpm_conditions_apply_smoothed(state);
     }
 }
 
