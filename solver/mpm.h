@@ -124,6 +124,39 @@ void mpm_simulation_free(struct mpm_simulation *simulation);
 enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double time_limit,
                                        struct mpm_error *error);
 
+/* A body force per unit mass that the caller computes, in addition to the scene's. */
+enum { MPM_BODY_FORCE_BLOCK = 256 };
+struct mpm_body_force {
+    /* Sets force[axis][k], length / time^2, for the particles id[k] with k < count, count at most
+     * MPM_BODY_FORCE_BLOCK, at the start of a step, `time`. Ids are in creation order and stay with
+     * their particles; rigid ones are never asked for. Several threads call it at a time, for
+     * different particles, and a failed run calls it for times gone by: the force must be a
+     * function of id and time alone. */
+    void (*evaluate)(void *context, double time, size_t count, const uint32_t id[],
+                     double *const force[2]);
+    void *context; /* must outlive the simulation */
+};
+
+/* Adds f_i += sum m_p S_ip b_p, N&G (4), to each step from now on, whatever the kernels. Its work
+ * is in the ledger's external_work. May be set again; NULL ends it. A value that is not finite
+ * fails the run. MPM_BAD_INPUT: no function `evaluate`; MPM_ENVIRONMENT_FAILED: no memory.
+ * Cost: one more pass of the particles to the grid; memory of 2 numbers a particle, 5 a node. */
+enum mpm_status mpm_simulation_set_body_force(struct mpm_simulation *simulation,
+                                              const struct mpm_body_force *force,
+                                              struct mpm_error *error);
+
+/* Gives all particles, by id, velocities (2 each) and deformation gradients (5 each, of particles
+ * in the places where they are) to start with, in the order of mpm_field; NULL keeps those at
+ * hand, values of rigid particles are passed over. Stress, domains and the ledger's energy follow
+ * from F; in plane stress F_zz is made the one without stress, found from the caller's. With orders
+ * that stagger velocity or stress against time, the caller gives each at its own time.
+ * MPM_BAD_INPUT, and nothing is changed: after the first step; a value that is not finite; F with
+ * F_xx F_yy - F_xy F_yx or F_zz not above 0; F_zz of plane strain other than 1. MPM_BAD_INPUT, and
+ * the simulation can take no step: a fixed time step beyond the stability limit of this start. */
+enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, const double *velocity,
+                                         const double *deformation_gradient,
+                                         struct mpm_error *error);
+
 double mpm_simulation_time(const struct mpm_simulation *simulation);
 uint64_t mpm_simulation_step(const struct mpm_simulation *simulation);
 double mpm_simulation_time_step(const struct mpm_simulation *simulation); /* the last one taken */
