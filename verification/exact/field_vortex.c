@@ -33,6 +33,7 @@ static void swing(const struct manufactured_problem *problem, struct jet time,
 static void displacement(const struct manufactured_problem *problem, const struct jet place[2],
                          const struct jet swings[MANUFACTURED_SWINGS], struct jet u[2])
 {
+    (void)problem;
     const struct jet r = jet_root(jet_add(jet_square(place[0]), jet_square(place[1])));
     const struct jet bump = jet_shift(jet_scale(-16.0, jet_square(jet_shift(r, -1.0))), 1.0);
     struct jet s, c;
