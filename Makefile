@@ -114,8 +114,9 @@ FAST_FLAGS    = -fno-math-errno -Wno-psabi \
 FAST_NAMES    = -DFAST_FAMILY=$(1) -DFAST_LEVEL=$(2) \
                 -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z) \
                 -DFAST_KEEPS_DOMAINS=$(if $(filter cpdi,$(1)),1,0)
-# The baseline is for old machines: a quarter less to compile counts more there than -O3.
-FAST_FLAGS_baseline := $(if $(filter release,$(VARIANT)),-O2)
+# Where there is another level, the baseline is for old machines: a quarter less to compile counts
+# more than -O3.
+FAST_FLAGS_baseline := $(if $(filter release,$(VARIANT)),$(if $(filter v3,$(FAST_LEVELS)),-O2))
 FAST_FLAGS_v3       := -march=x86-64-v3
 
 LIBRARY  := $(BUILD)/libmpm.a
