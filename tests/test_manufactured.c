@@ -5,7 +5,7 @@
 #include "suites.h"
 #include "support/near.h"
 #include "support/scenes.h"
-#include "verification/exact/manufactured.h"
+#include "verification/exact/manufactured_field.h"
 
 #include <glib.h>
 #include <math.h>
@@ -354,6 +354,32 @@ START_TEST(the_callback_gives_the_body_force_for_any_count_and_order_of_ids)
 }
 END_TEST
 
+START_TEST(every_level_of_instructions_gives_the_same_bits)
+{
+    struct manufactured_problem problem;
+    if (!open_kind(_i, &problem))
+        return;
+    enum { COUNT = 37 };
+    double places[COUNT][AXES], b[2][AXES][COUNT];
+    uint32_t ids[COUNT];
+    struct manufactured_problem other = problem;
+    other.level = &manufactured_level_baseline;
+    other.field = other.level->fields[_i % FIELDS];
+    for (int k = 0; k < COUNT; k++) {
+        place_of(&problem, k % PLACES, places[k]);
+        places[k][0] *= 1.0 + 1e-3 * k;
+        ids[k] = (uint32_t)k;
+    }
+    for (int side = 0; side < 2; side++) {
+        struct manufactured_load load = {side == 0 ? &problem : &other, &places[0][0]};
+        double *const force[AXES] = {b[side][0], b[side][1]};
+        manufactured_load_evaluate(&load, problem.end, COUNT, ids, force);
+    }
+    ck_assert_int_eq(memcmp(b[0], b[1], sizeof b[0]), 0);
+    ck_assert(fabs(b[0][0][5]) > 0.0);
+}
+END_TEST
+
 /* ----------------------------------------------------------------- activity */
 
 START_TEST(every_field_has_all_terms_at_its_own_end)
@@ -468,6 +494,7 @@ Suite *suite_manufactured(void)
     tcase_add_loop_test(fields, a_field_is_regular_on_the_axis, 0, 2 * LAWS);
     tcase_add_loop_test(fields, the_callback_gives_the_body_force_for_any_count_and_order_of_ids, 0,
                         KINDS);
+    tcase_add_loop_test(fields, every_level_of_instructions_gives_the_same_bits, 0, KINDS);
     suite_add_tcase(suite, fields);
     TCase *choices = tcase_create("choices");
     tcase_add_loop_test(choices, every_field_has_all_terms_at_its_own_end, 0, KINDS);

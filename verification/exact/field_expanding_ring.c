@@ -59,7 +59,7 @@ static void displacement(const struct manufactured_problem *problem, const struc
     u[1] = radial ? jet_constant(0.0) : jet_multiply(part, place[1]);
 }
 
-const struct manufactured_field manufactured_expanding_ring = {
+const struct manufactured_field MANUFACTURED_OF_LEVEL(expanding_ring) = {
     .name = "expanding_ring",
     .title = "a ring with free faces that breathes (Wallstedt and Guilkey 2008)",
     .parameter = {[AMPLITUDE] = {"amplitude", 0.1, 1e-9, 0.15, "A, length: of the outer face"},

@@ -99,8 +99,8 @@ LANES_INLINE void stress_free_thickness(const struct manufactured_problem *m,
     for (int k = 0; k < P_SIZE; k++)
         alone[k] = (struct slope){.f = f[k].f};
     alone[P_ZZ] = (struct slope){.f = lanes_splat(1.0), .x = lanes_splat(1.0)};
-    lanes_mask open = rate > 0.0; /* a lane that is done waits for the other */
-    for (int turn = 0; turn < 60 && (open[0] | open[1]) != 0; turn++) {
+    lanes_mask open = rate > 0.0; /* lanes that are done wait for others */
+    for (int turn = 0; turn < 60 && lanes_any(open); turn++) {
         stress_of_law(m, alone, p);
         rate = lanes_select(open, p[P_ZZ].x, rate);
         const lanes old = alone[P_ZZ].f, wanted = old - p[P_ZZ].f / p[P_ZZ].x;
