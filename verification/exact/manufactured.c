@@ -8,9 +8,9 @@
 #define NAME_OF(name) ", " #name
 static const char field_names[] = MANUFACTURED_FIELDS(NAME_OF);
 #undef NAME_OF
-#define ONE(name) +1
-enum { FIELDS = 0 MANUFACTURED_FIELDS(ONE) };
-#undef ONE
+#define NUMBER_OF(name) FIELD_##name,
+enum { MANUFACTURED_FIELDS(NUMBER_OF) FIELDS };
+#undef NUMBER_OF
 
 static const char *const laws[] = {
     [MANUFACTURED_NEO_HOOKEAN] = "neo_hookean",
@@ -40,14 +40,15 @@ static bool runs_v3(void)
 
 const struct manufactured_level *manufactured_level_at(size_t index)
 {
-    const struct manufactured_level *levels[3] = {&manufactured_level_baseline};
+    enum { LEVELS = 2 };
+    const struct manufactured_level *levels[LEVELS] = {&manufactured_level_baseline};
 #ifdef __x86_64__
     if (runs_v3()) {
         levels[1] = levels[0];
         levels[0] = &manufactured_level_v3;
     }
 #endif
-    return index < sizeof levels / sizeof *levels ? levels[index] : NULL;
+    return index < LEVELS ? levels[index] : NULL;
 }
 
 void manufactured_evaluate(const struct manufactured_problem *problem, const double place[2],
