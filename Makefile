@@ -128,7 +128,8 @@ WIDE_OBJECTS := $(if $(filter v3,$(FAST_LEVELS)),$(patsubst verification/exact/%
 VERIFY_OBJECTS = $(call objects,$(VERIFY_SOURCES)) $(WIDE_OBJECTS)
 
 ifneq ($(filter v3,$(FAST_LEVELS)),)
-$(BUILD)/objects/solver/method/fast.o: CODE_FLAGS += -DMPM_FAST_V3
+$(BUILD)/objects/solver/method/fast.o $(BUILD)/objects/verification/exact/manufactured.o: \
+  CODE_FLAGS += -DMPM_FAST_V3
 endif
 
 LIBRARY  := $(BUILD)/libmpm.a

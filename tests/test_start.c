@@ -39,14 +39,11 @@ static struct start make_start(const struct test_run *run)
     start.velocity = test_run_field(run, MPM_FIELD_VELOCITY, &start.count);
     start.deformation = test_run_field(run, MPM_FIELD_DEFORMATION_GRADIENT, NULL);
     for (size_t k = 0; k < start.count; k++) {
-        double *const f = &start.deformation[GRADIENT * k];
-        const double part = 1e-3 * (double)k;
+        const double change[GRADIENT] = {0.1 + 1e-3 * (double)k, 0.05, -1e-3 * (double)k, -0.02};
         for (size_t axis = 0; axis < AXES; axis++)
             start.velocity[AXES * k + axis] = 0.01 * sin((double)(AXES * k + axis));
-        f[0] += 0.1 + part;
-        f[1] += 0.05;
-        f[2] -= part;
-        f[3] -= 0.02;
+        for (size_t c = 0; c < GRADIENT; c++)
+            start.deformation[GRADIENT * k + c] += change[c];
     }
     return start;
 }

@@ -30,7 +30,7 @@ enum mpm_status manufactured_refuse(struct mpm_error *error, const char *format,
 
 /* ------------------------------------------------------------------- levels */
 
-#ifdef __x86_64__
+#ifdef MPM_FAST_V3 /* of the makefile: this build has that level */
 static bool runs_v3(void)
 {
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
@@ -42,7 +42,7 @@ const struct manufactured_level *manufactured_level_at(size_t index)
 {
     enum { LEVELS = 2 };
     const struct manufactured_level *levels[LEVELS] = {&manufactured_level_baseline};
-#ifdef __x86_64__
+#ifdef MPM_FAST_V3 /* of the makefile: this build has that level */
     if (runs_v3()) {
         levels[1] = levels[0];
         levels[0] = &manufactured_level_v3;
