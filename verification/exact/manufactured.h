@@ -84,8 +84,8 @@ const char *manufactured_title(const struct manufactured_field *field);
 /* The fields one by one; NULL past the last. */
 const struct manufactured_field *manufactured_at(size_t index);
 /* The parameters of a field one by one; NULL past the last. */
-const struct manufactured_parameter *manufactured_parameter_at(
-    const struct manufactured_field *field, size_t index);
+const struct manufactured_parameter *
+manufactured_parameter_at(const struct manufactured_field *field, size_t index);
 
 /* A field with its own parameters and the material `law` (a name of the solver's), density, bulk
  * and shear modulus. MPM_BAD_INPUT: a name or a value that is not allowed; a geometry in which the
