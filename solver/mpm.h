@@ -49,6 +49,17 @@ void mpm_scene_free(struct mpm_scene *scene);
 size_t mpm_scene_body_count(const struct mpm_scene *scene);
 const char *mpm_scene_body_name(const struct mpm_scene *scene, size_t body);
 double mpm_scene_end_time(const struct mpm_scene *scene);
+/* By how many time steps what particles carry stands behind the time of the simulation, after any
+ * step and so at the start as well: velocity and F of a scheme are those of time - lag * step, at a
+ * fixed step. Velocities are those of the middle of the last step. F is where the force of a step
+ * wants it when the stress is updated last (usl, musl: 0), a step behind that when it is updated
+ * first (usf: 1), and between (usavg: 1/2). Positions moved by the mean of old and new velocity
+ * (midpoint) lag half a step. A start that heeds the lags makes a run second order in time; one
+ * that does not is off by first order, once. */
+struct mpm_lags {
+    double position, velocity, deformation;
+};
+struct mpm_lags mpm_scene_lags(const struct mpm_scene *scene);
 /* Does the scene ask for checkpoints? This version writes none. */
 bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene);
 

@@ -51,6 +51,7 @@
     SUITE(pareto)                                                                                  \
     SUITE(accuracy)                                                                                \
     SUITE(bench_report)                                                                            \
+    SUITE(orders)                                                                                  \
     SUITE(measures)                                                                                \
     SUITE(modes)                                                                                   \
     SUITE(stability)
