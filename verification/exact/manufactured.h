@@ -137,7 +137,8 @@ void manufactured_evaluate(const struct manufactured_problem *problem, const dou
                            double time, struct manufactured_state *state);
 
 /* The body force as the solver's callback (mpm_body_force.evaluate): pass a manufactured_load as
- * context. Cost: about 60 ns a particle. */
+ * context. Cost: about 35 ns a particle with the instructions of x86-64-v3, 60 ns without;
+ * plane stress three times as much. */
 struct manufactured_load {
     const struct manufactured_problem *problem;
     const double *places; /* 2 for each id: where the particles start */
