@@ -99,32 +99,31 @@ static void close_problem(const struct accuracy_problem *problem, struct opened 
         problem->finish(opened->begun);
 }
 
-static struct opened open_problem(const struct accuracy_problem *problem, const char *shape,
-                                  unsigned cells)
+static void open_problem(const struct accuracy_problem *problem, const char *shape, unsigned cells,
+                         struct opened *opened)
 {
     const struct bench_context context = {.benchmarks = "benchmarks",
                                           .catalogue = "verification/catalogue"};
     const struct mpm_simulation_options options = {.threads = 1};
-    struct opened opened = {0};
     struct mpm_error error = {.status = MPM_OK};
+    *opened = (struct opened){0};
     GPtrArray *settings = g_ptr_array_new_with_free_func(g_free);
     char *path = problem->scene(&context);
     accuracy_set(settings, "method.shape=%s", shape);
     accuracy_set(settings, "time.end=%.17g", problem->end);
     problem->set(settings, cells);
     ck_assert_msg(mpm_scene_read(path, (const char *const *)settings->pdata, settings->len,
-                                 &opened.scene, &error) == MPM_OK,
+                                 &opened->scene, &error) == MPM_OK,
                   "%s: %s", problem->name, error.message);
-    ck_assert_msg(mpm_simulation_create(opened.scene, &options, &opened.simulation, &error) ==
+    ck_assert_msg(mpm_simulation_create(opened->scene, &options, &opened->simulation, &error) ==
                       MPM_OK,
                   "%s: %s", problem->name, error.message);
     if (problem->begin != NULL)
-        opened.begun = problem->begin(opened.simulation, opened.scene, &error);
-    ck_assert_msg((opened.begun == NULL) == (problem->begin == NULL), "%s: %s", problem->name,
+        opened->begun = problem->begin(opened->simulation, opened->scene, &error);
+    ck_assert_msg((opened->begun == NULL) == (problem->begin == NULL), "%s: %s", problem->name,
                   error.message);
     g_free(path);
     g_ptr_array_unref(settings);
-    return opened;
 }
 
 /* The first error of the problem at its end. */
@@ -133,7 +132,8 @@ static double error_at_end(const struct accuracy_problem *problem, unsigned cell
     struct mpm_error error = {.status = MPM_OK};
     struct accuracy_sum sums[ACCURACY_ERRORS_MAX] = {{0, 0}};
     struct particle_set particles;
-    struct opened opened = open_problem(problem, "cpdi", cells);
+    struct opened opened;
+    open_problem(problem, "cpdi", cells, &opened);
     struct mpm_simulation *const simulation = opened.simulation;
     ck_assert(particle_set_create(simulation, 0, &particles, &error) == MPM_OK);
     while (mpm_simulation_time(simulation) < problem->end)
@@ -152,7 +152,8 @@ START_TEST(every_ladder_is_accepted_by_the_solver)
     const struct accuracy_problem *const *problems = accuracy_problems(&count);
     for (size_t p = 0; p < count; p++) {
         for (size_t i = 0; i < ACCURACY_LADDER_MAX && problems[p]->cells[i] > 0; i++) {
-            struct opened opened = open_problem(problems[p], "ugimp", problems[p]->cells[i]);
+            struct opened opened;
+            open_problem(problems[p], "ugimp", problems[p]->cells[i], &opened);
             close_problem(problems[p], &opened);
         }
         bool listed = false;
