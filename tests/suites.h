@@ -20,6 +20,7 @@
     SUITE(transfer_series)                                                                         \
     SUITE(forms)                                                                                   \
     SUITE(loads)                                                                                   \
+    SUITE(given)                                                                                   \
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
     SUITE(time_step)                                                                               \
