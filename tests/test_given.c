@@ -129,9 +129,8 @@ START_TEST(a_uniform_force_is_the_same_from_the_scene_and_from_the_caller)
         g_strdup_printf("method.stress_update=%s", orders[_i / SHAPES / GEOMETRIES % ORDERS]);
     const bool amplifies = _i % SHAPES == 0 && _i / SHAPES / GEOMETRIES % ORDERS == 0;
     const char *settings[] = {shape, place, order, NULL};
-    struct kernel_pair pair =
-        open_pair(settings, _i < COMBINATIONS / KERNEL_SETS ? MPM_KERNELS_REFERENCE
-                                                            : MPM_KERNELS_FAST);
+    struct kernel_pair pair = open_pair(
+        settings, _i < COMBINATIONS / KERNEL_SETS ? MPM_KERNELS_REFERENCE : MPM_KERNELS_FAST);
     check_pair(&pair, amplifies ? 10 : KERNEL_PAIR_STEPS);
     g_free(shape);
     g_free(place);
@@ -370,8 +369,7 @@ START_TEST(a_start_is_read_back_by_id_and_stress_and_energy_follow_from_it)
         ck_assert_int_eq(memcmp(f, &start.deformation[GRADIENT * k], 4 * sizeof *f), 0);
         const double j = (f[0] * f[3] - f[1] * f[2]) * f[4], factor = shear / cbrt(j * j);
         const double trace = f[0] * f[0] + f[1] * f[1] + f[2] * f[2] + f[3] * f[3] + f[4] * f[4];
-        const double zz =
-            (0.5 * bulk * (j * j - 1.0) + factor * (f[4] * f[4] - trace / 3.0)) / j;
+        const double zz = (0.5 * bulk * (j * j - 1.0) + factor * (f[4] * f[4] - trace / 3.0)) / j;
         ck_assert(stress_free ? f[4] < 1.0 : f[4] == 1.0);
         ck_assert_near(stress[4 * k + 2], stress_free ? 0.0 : zz, ROUND_OFF);
         ck_assert_near(stress[4 * k + 3], factor * (f[0] * f[2] + f[1] * f[3]) / j, ROUND_OFF);
@@ -421,10 +419,9 @@ END_TEST
 
 START_TEST(a_run_that_fails_at_once_goes_back_to_the_start_that_was_given)
 {
-    const char *const settings[] = {_i == 0 ? "method.shape=ugimp" : "method.shape=cpdi",
-                                    _i == 0 ? "method.stress_update=usl"
-                                            : "method.stress_update=usavg",
-                                    NULL};
+    const char *const settings[] = {
+        _i == 0 ? "method.shape=ugimp" : "method.shape=cpdi",
+        _i == 0 ? "method.stress_update=usl" : "method.stress_update=usavg", NULL};
     struct test_run run = test_run_open(BLOCK, settings, 1);
     struct start start = make_start(&run);
     double spoilt = 0.0;
@@ -483,7 +480,8 @@ START_TEST(a_start_that_is_not_allowed_is_refused_and_changes_nothing)
 }
 END_TEST
 
-/* Waves at 1.5 cross 0.8 in 0.533; those of J = 1.5, with rho c^2 = K/2 (J^2 + 1) + ... , sooner. */
+/* Waves at 1.5 cross 0.8 in 0.533; those of J = 1.5, with rho c^2 = K/2 (J^2 + 1) + ... , sooner.
+ */
 START_TEST(a_fixed_step_beyond_the_limit_of_the_start_is_refused_for_good)
 {
     const char *const settings[] = {"time={end: 10, step: 0.52}", NULL};

@@ -35,6 +35,7 @@ struct run {
     size_t count;
     double *places, *mass;    /* 2 and 1 a particle */
     double *computed, *exact; /* LARGEST a particle each */
+    double product, square;   /* of computed and exact displacement, over particles and looks */
 };
 
 static void open_run(struct run *run)
@@ -97,11 +98,10 @@ static enum mpm_status start(struct run *run, struct mpm_error *error)
     return mpm_simulation_set_start(run->simulation, run->computed, run->exact, error);
 }
 
-static enum mpm_status advance(struct run *run, struct measurement *m, bool *finished,
-                               struct mpm_error *error)
+static enum mpm_status advance(struct run *run, struct measurement *m, unsigned steps,
+                               bool *finished, struct mpm_error *error)
 {
-    *finished = true;
-    for (unsigned k = 0; k < run->level->steps; k++) {
+    for (unsigned k = 0; k < steps; k++) {
         const enum mpm_status status = mpm_simulation_advance(run->simulation, HUGE_VAL, error);
         if (status == MPM_RUN_FAILED) {
             *finished = false;
@@ -136,14 +136,13 @@ static void make_comparable(struct run *run, enum manufactured_quantity quantity
     }
 }
 
-static double amplitude_of(const struct run *run)
+/* Adds to the sums of the amplitude. */
+static void project(struct run *run)
 {
-    double product = 0.0, square = 0.0;
     for (size_t k = 0; k < AXES * run->count; k++) {
-        product += run->mass[k / AXES] * run->computed[k] * run->exact[k];
-        square += run->mass[k / AXES] * run->exact[k] * run->exact[k];
+        run->product += run->mass[k / AXES] * run->computed[k] * run->exact[k];
+        run->square += run->mass[k / AXES] * run->exact[k] * run->exact[k];
     }
-    return product / square;
 }
 
 /* Columns 0 and 1 the place, 2 and 3 the displacement, then |error| of u, F and stress over the
@@ -168,29 +167,68 @@ static void fill_rows(const struct run *run, enum manufactured_quantity quantity
     }
 }
 
-static enum mpm_status compare(struct run *run, struct measurement *m,
-                               struct manufactured_outcome *outcome, struct mpm_error *error)
+/* Fills norms[quantity][look]; `rows` of the series, or NULL. */
+static void look(struct run *run, unsigned number, struct error_norms *const norms[], double *rows)
 {
-    const char *const series = run->level->series;
-    double *const rows = series == NULL ? NULL : g_new0(double, COLUMNS * run->count);
+    const double time = run->step * (double)mpm_simulation_step(run->simulation);
     for (unsigned k = 0; k < MANUFACTURED_QUANTITIES; k++) {
         const enum manufactured_quantity quantity = (enum manufactured_quantity)k;
         const struct quantity *const q = &QUANTITIES[k];
         mpm_simulation_field(run->simulation, q->field, run->computed);
-        exact_at(run, quantity, run->step * run->level->steps, run->exact);
+        exact_at(run, quantity, time, run->exact);
         make_comparable(run, quantity);
-        outcome->norms[k] = error_norms(run->count, q->components, q->multiple, run->mass,
-                                        run->computed, run->exact);
+        norms[k][number] = error_norms(run->count, q->components, q->multiple, run->mass,
+                                       run->computed, run->exact);
         if (quantity == MANUFACTURED_DISPLACEMENT)
-            outcome->amplitude = amplitude_of(run);
+            project(run);
         if (rows != NULL)
-            fill_rows(run, quantity, outcome->norms[k].exact_linf, rows);
+            fill_rows(run, quantity, norms[k][number].exact_linf, rows);
     }
+}
+
+static enum mpm_status write_fields(struct measurement *m, const struct run *run,
+                                    const double *rows, struct mpm_error *error)
+{
+    return measurement_series(m, run->level->series, "X Y u_x u_y error_u error_F error_stress",
+                              COLUMNS, run->count, rows, error);
+}
+
+/* From look to look, to the end or to where the run breaks. */
+static enum mpm_status follow_looks(struct run *run, struct measurement *m,
+                                    struct error_norms *const norms[],
+                                    struct manufactured_outcome *outcome, struct mpm_error *error)
+{
+    const struct manufactured_level *const level = run->level;
+    double *const rows = level->series == NULL ? NULL : g_new0(double, COLUMNS * run->count);
     enum mpm_status status = MPM_OK;
-    if (rows != NULL)
-        status = measurement_series(m, series, "X Y u_x u_y error_u error_F error_stress", COLUMNS,
-                                    run->count, rows, error);
+    outcome->finished = true;
+    for (unsigned k = 0; status == MPM_OK && outcome->finished && k < level->looks; k++) {
+        status = advance(run, m, level->steps / level->looks, &outcome->finished, error);
+        if (status == MPM_OK && outcome->finished)
+            look(run, k, norms, k + 1 == level->looks ? rows : NULL);
+    }
+    if (status == MPM_OK && outcome->finished && rows != NULL)
+        status = write_fields(m, run, rows, error);
     g_free(rows);
+    return status;
+}
+
+static enum mpm_status follow(struct run *run, struct measurement *m,
+                              struct manufactured_outcome *outcome, struct mpm_error *error)
+{
+    const unsigned looks = run->level->looks;
+    struct error_norms *const all = g_new0(struct error_norms, MANUFACTURED_QUANTITIES * looks);
+    struct error_norms *norms[MANUFACTURED_QUANTITIES];
+    for (unsigned k = 0; k < MANUFACTURED_QUANTITIES; k++)
+        norms[k] = &all[k * looks];
+    const enum mpm_status status = follow_looks(run, m, norms, outcome, error);
+    for (unsigned k = 0; status == MPM_OK && outcome->finished && k < MANUFACTURED_QUANTITIES;
+         k++) {
+        outcome->norms[k] = error_norms_over_time(looks, norms[k]);
+        outcome->at_end[k] = norms[k][looks - 1];
+        outcome->amplitude = run->product / run->square;
+    }
+    g_free(all);
     return status;
 }
 
@@ -201,9 +239,9 @@ static enum mpm_status drive(struct run *run, struct measurement *m,
     const struct mpm_body_force force = {.evaluate = manufactured_load_evaluate, .context = &load};
     TRY(mpm_simulation_set_body_force(run->simulation, &force, error));
     TRY(start(run, error));
-    TRY(advance(run, m, &outcome->finished, error));
+    TRY(follow(run, m, outcome, error));
     follow_count_work(m, run->simulation);
-    return outcome->finished ? compare(run, m, outcome, error) : MPM_OK;
+    return MPM_OK;
 }
 
 static void forget(struct manufactured_outcome *outcome)
@@ -211,7 +249,7 @@ static void forget(struct manufactured_outcome *outcome)
     const double nan = (double)NAN;
     *outcome = (struct manufactured_outcome){.amplitude = nan};
     for (unsigned k = 0; k < MANUFACTURED_QUANTITIES; k++)
-        outcome->norms[k] = (struct error_norms){nan, nan, nan, nan, nan};
+        outcome->norms[k] = outcome->at_end[k] = (struct error_norms){nan, nan, nan, nan, nan};
 }
 
 enum mpm_status manufactured_level_run(struct measurement *measurement,
