@@ -21,6 +21,7 @@
     SUITE(forms)                                                                                   \
     SUITE(loads)                                                                                   \
     SUITE(given)                                                                                   \
+    SUITE(start)                                                                                   \
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
     SUITE(time_step)                                                                               \

@@ -1,0 +1,42 @@
+/* What a field's file gives, and the list of fields: the inner side of manufactured.h.
+ *
+ * A new field is one file, field_<name>.c, and one line of the list.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_EXACT_MANUFACTURED_FIELD_H
+#define VERIFICATION_EXACT_MANUFACTURED_FIELD_H
+
+#include "verification/exact/jet.h"
+#include "verification/exact/manufactured.h"
+
+#define MANUFACTURED_PI 3.14159265358979323846
+
+struct manufactured_field {
+    const char *name;
+    const char *title;
+    struct manufactured_parameter parameter[MANUFACTURED_PARAMETERS]; /* to a name of NULL */
+    /* Sets domain, edges, period, end, and the field's own constants from parameters and material;
+     * all are zero before. */
+    void (*prepare)(struct manufactured_problem *problem);
+    /* u of the particle that started at `place`, 0 at t = 0. */
+    void (*displacement)(const struct manufactured_problem *problem, const struct jet place[2],
+                         const struct jet *time, struct jet u[2]);
+};
+
+/* Fills the error with one line; returns MPM_BAD_INPUT. */
+enum mpm_status manufactured_refuse(struct mpm_error *error, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* field_<name>.c each; the number in the catalogue's family M */
+#define MANUFACTURED_FIELDS(FIELD)                                                                 \
+    FIELD(axis_aligned)   /* M1 */                                                                 \
+    FIELD(expanding_ring) /* M2 */                                                                 \
+    FIELD(vortex)         /* M3 */                                                                 \
+    FIELD(cylinder)       /* M4 */                                                                 \
+    FIELD(bar)            /* the tutorial's */
+
+#define MANUFACTURED_DECLARE(name) extern const struct manufactured_field manufactured_##name;
+MANUFACTURED_FIELDS(MANUFACTURED_DECLARE)
+#undef MANUFACTURED_DECLARE
+
+#endif
