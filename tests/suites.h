@@ -27,6 +27,8 @@
     SUITE(time_step)                                                                               \
     SUITE(shapes)                                                                                  \
     SUITE(exact)                                                                                   \
+    SUITE(jets)                                                                                    \
+    SUITE(manufactured)                                                                            \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
     SUITE(catalogue)                                                                               \

@@ -21,15 +21,21 @@ static void prepare(struct manufactured_problem *problem)
     problem->constant[0] = MANUFACTURED_PI * speed;
 }
 
+static void swing(const struct manufactured_problem *problem, struct jet time,
+                  struct jet swings[MANUFACTURED_SWINGS])
+{
+    const struct jet phase = jet_scale(problem->constant[0], time);
+    swings[0] = jet_scale(problem->parameter[AMPLITUDE], jet_sin(phase));
+    swings[1] =
+        jet_scale(problem->parameter[AMPLITUDE], jet_sin(jet_shift(phase, MANUFACTURED_PI)));
+}
+
 static void displacement(const struct manufactured_problem *problem, const struct jet place[2],
-                         const struct jet *time, struct jet u[2])
+                         const struct jet swings[MANUFACTURED_SWINGS], struct jet u[2])
 {
     const double k = 2.0 * MANUFACTURED_PI * problem->parameter[WAVES];
-    const struct jet phase = jet_scale(problem->constant[0], *time);
-    const struct jet swing[2] = {jet_sin(phase), jet_sin(jet_shift(phase, MANUFACTURED_PI))};
     for (int axis = 0; axis < 2; axis++)
-        u[axis] = jet_scale(problem->parameter[AMPLITUDE],
-                            jet_multiply(jet_sin(jet_scale(k, place[axis])), swing[axis]));
+        u[axis] = jet_multiply(jet_sin(jet_scale(k, place[axis])), swings[axis]);
 }
 
 const struct manufactured_field manufactured_axis_aligned = {
@@ -38,5 +44,6 @@ const struct manufactured_field manufactured_axis_aligned = {
     .parameter = {[AMPLITUDE] = {"amplitude", 0.05, 1e-9, 0.15, "A, length; the side is 1"},
                   [WAVES] = {"waves", 1, 1, 64, "n, on the side"}},
     .prepare = prepare,
+    .swing = swing,
     .displacement = displacement,
 };

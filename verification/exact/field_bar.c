@@ -19,12 +19,18 @@ static void prepare(struct manufactured_problem *problem)
     problem->constant[1] = 2.0 * MANUFACTURED_PI / problem->period;
 }
 
+static void swing(const struct manufactured_problem *problem, struct jet time,
+                  struct jet swings[MANUFACTURED_SWINGS])
+{
+    swings[0] =
+        jet_scale(problem->parameter[AMPLITUDE], jet_sin(jet_scale(problem->constant[1], time)));
+}
+
 static void displacement(const struct manufactured_problem *problem, const struct jet place[2],
-                         const struct jet *time, struct jet u[2])
+                         const struct jet swings[MANUFACTURED_SWINGS], struct jet u[2])
 {
     const struct jet wave = jet_sin(jet_scale(problem->constant[0], place[0]));
-    const struct jet swing = jet_sin(jet_scale(problem->constant[1], *time));
-    u[0] = jet_scale(problem->parameter[AMPLITUDE], jet_multiply(wave, swing));
+    u[0] = jet_multiply(wave, swings[0]);
     u[1] = jet_constant(0.0);
 }
 
@@ -34,5 +40,6 @@ const struct manufactured_field manufactured_bar = {
     .parameter = {[AMPLITUDE] = {"amplitude", 0.05, 1e-9, 0.3, "A, length"},
                   [LENGTH] = {"length", 1, 0.01, 100, "L, length"}},
     .prepare = prepare,
+    .swing = swing,
     .displacement = displacement,
 };

@@ -28,15 +28,23 @@ static void prepare(struct manufactured_problem *problem)
     problem->constant[2] = MANUFACTURED_PI * p[WAVES] / p[HEIGHT];
 }
 
+static void swing(const struct manufactured_problem *problem, struct jet time,
+                  struct jet swings[MANUFACTURED_SWINGS])
+{
+    swings[0] =
+        jet_scale(problem->parameter[AMPLITUDE], jet_sin(jet_scale(problem->constant[0], time)));
+}
+
 static void displacement(const struct manufactured_problem *problem, const struct jet place[2],
-                         const struct jet *time, struct jet u[2])
+                         const struct jet swings[MANUFACTURED_SWINGS], struct jet u[2])
 {
     const struct jet kr = jet_scale(problem->constant[1], place[0]);
     const struct jet mz = jet_scale(problem->constant[2], place[1]);
-    const struct jet swing =
-        jet_scale(problem->parameter[AMPLITUDE], jet_sin(jet_scale(problem->constant[0], *time)));
-    u[0] = jet_multiply(jet_multiply(jet_sin(kr), jet_cos(mz)), swing);
-    u[1] = jet_scale(-1.0, jet_multiply(jet_multiply(jet_cos(kr), jet_sin(mz)), swing));
+    struct jet s[2], c[2];
+    jet_sin_cos(kr, &s[0], &c[0]);
+    jet_sin_cos(mz, &s[1], &c[1]);
+    u[0] = jet_multiply(jet_multiply(s[0], c[1]), swings[0]);
+    u[1] = jet_scale(-1.0, jet_multiply(jet_multiply(c[0], s[1]), swings[0]));
 }
 
 const struct manufactured_field manufactured_cylinder = {
@@ -47,5 +55,6 @@ const struct manufactured_field manufactured_cylinder = {
                   [RADIUS] = {"radius", 1, 0.01, 100, "length"},
                   [HEIGHT] = {"height", 0.75, 0.01, 100, "length"}},
     .prepare = prepare,
+    .swing = swing,
     .displacement = displacement,
 };

@@ -39,8 +39,14 @@ static void prepare(struct manufactured_problem *problem)
     problem->constant[3] = scale;
 }
 
+static void swing(const struct manufactured_problem *problem, struct jet time,
+                  struct jet swings[MANUFACTURED_SWINGS])
+{
+    swings[0] = jet_sin(jet_scale(problem->constant[0], time));
+}
+
 static void displacement(const struct manufactured_problem *problem, const struct jet place[2],
-                         const struct jet *time, struct jet u[2])
+                         const struct jet swings[MANUFACTURED_SWINGS], struct jet u[2])
 {
     const double *const c = problem->constant;
     const bool radial = problem->geometry == MPM_AXISYMMETRIC;
@@ -48,7 +54,7 @@ static void displacement(const struct manufactured_problem *problem, const struc
     const struct jet r = radial ? place[0] : jet_root(square);
     const struct jet slope = jet_shift(jet_scale(c[3], r), c[2]);
     const struct jet profile = jet_shift(jet_multiply(slope, r), c[1]);
-    const struct jet part = jet_multiply(profile, jet_sin(jet_scale(c[0], *time)));
+    const struct jet part = jet_multiply(profile, swings[0]);
     u[0] = jet_multiply(part, place[0]);
     u[1] = radial ? jet_constant(0.0) : jet_multiply(part, place[1]);
 }
@@ -61,5 +67,6 @@ const struct manufactured_field manufactured_expanding_ring = {
                   [OUTER] = {"outer", 0.6, 0.02, 20, "r_b, length"},
                   [HEIGHT] = {"height", 0.2, 0.001, 20, "of the cylinder in axisymmetry, length"}},
     .prepare = prepare,
+    .swing = swing,
     .displacement = displacement,
 };

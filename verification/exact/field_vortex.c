@@ -23,15 +23,22 @@ static void prepare(struct manufactured_problem *problem)
     problem->constant[0] = 2.0 * MANUFACTURED_PI / problem->period;
 }
 
-static void displacement(const struct manufactured_problem *problem, const struct jet place[2],
-                         const struct jet *time, struct jet u[2])
+static void swing(const struct manufactured_problem *problem, struct jet time,
+                  struct jet swings[MANUFACTURED_SWINGS])
 {
+    swings[0] =
+        jet_scale(problem->parameter[AMPLITUDE], jet_sin(jet_scale(problem->constant[0], time)));
+}
+
+static void displacement(const struct manufactured_problem *problem, const struct jet place[2],
+                         const struct jet swings[MANUFACTURED_SWINGS], struct jet u[2])
+{
+    (void)problem;
     const struct jet r = jet_root(jet_add(jet_square(place[0]), jet_square(place[1])));
     const struct jet bump = jet_shift(jet_scale(-16.0, jet_square(jet_shift(r, -1.0))), 1.0);
-    const struct jet swing = jet_sin(jet_scale(problem->constant[0], *time));
-    const struct jet angle =
-        jet_scale(problem->parameter[AMPLITUDE], jet_multiply(swing, jet_square(bump)));
-    const struct jet s = jet_sin(angle), less = jet_shift(jet_cos(angle), -1.0);
+    struct jet s, c;
+    jet_sin_cos(jet_multiply(swings[0], jet_square(bump)), &s, &c);
+    const struct jet less = jet_shift(c, -1.0);
     u[0] = jet_subtract(jet_multiply(less, place[0]), jet_multiply(s, place[1]));
     u[1] = jet_add(jet_multiply(s, place[0]), jet_multiply(less, place[1]));
 }
@@ -41,5 +48,6 @@ const struct manufactured_field manufactured_vortex = {
     .title = "the generalized vortex (Kamojjala and others 2015)",
     .parameter = {[AMPLITUDE] = {"amplitude", 0.2, 1e-9, 1, "A, largest angle"}},
     .prepare = prepare,
+    .swing = swing,
     .displacement = displacement,
 };

@@ -115,18 +115,26 @@ LANES_INLINE struct jet jet_root(struct jet a)
     return jet_compose(a, g, first, -0.5 * (first / a.f));
 }
 
-LANES_INLINE struct jet jet_sin(struct jet a)
+LANES_INLINE void jet_sin_cos(struct jet a, struct jet *sine, struct jet *cosine)
 {
     lanes s, c;
     lanes_sin_cos(a.f, &s, &c);
-    return jet_compose(a, s, c, -s);
+    *sine = jet_compose(a, s, c, -s);
+    *cosine = jet_compose(a, c, -s, -c);
+}
+
+LANES_INLINE struct jet jet_sin(struct jet a)
+{
+    struct jet sine, cosine;
+    jet_sin_cos(a, &sine, &cosine);
+    return sine;
 }
 
 LANES_INLINE struct jet jet_cos(struct jet a)
 {
-    lanes s, c;
-    lanes_sin_cos(a.f, &s, &c);
-    return jet_compose(a, c, -s, -c);
+    struct jet sine, cosine;
+    jet_sin_cos(a, &sine, &cosine);
+    return cosine;
 }
 
 /* ------------------------------------------------------------------- slopes */

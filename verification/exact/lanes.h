@@ -30,24 +30,34 @@ LANES_INLINE lanes lanes_root(lanes x)
     return (lanes){sqrt(x[0]), sqrt(x[1])};
 }
 
+/* Compilers load the same number twice from a table of vectors only. */
+#define LANES_BOTH(value)                                                                          \
+    {                                                                                              \
+        (value), (value)                                                                           \
+    }
+
 /* sin and cos of |x| < 1e5 to 2e-16: less a multiple of pi/2, itself in parts of 33 bits whose
- * products with the multiple are exact, then Taylor series, which leave 5e-18 on [0, pi/4]. */
+ * products with the multiple are exact, then Taylor series, which leave 5e-17 on [0, pi/4]. */
 LANES_INLINE void lanes_sin_cos(lanes x, lanes *sine, lanes *cosine)
 {
-    static const double two_over_pi = 0.63661977236758134;
-    static const double part[3] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2e037073p-69};
     static const double round = 0x1.8p+52; /* adding it leaves an integer in the last bits */
-    static const double odd[] = {
-        -1.0 / 6,        1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
-        -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
-    static const double even[] = {
-        -1.0 / 2,       1.0 / 24,        -1.0 / 720,         1.0 / 40320,
-        -1.0 / 3628800, 1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000};
-    const lanes shifted = x * two_over_pi + round, turns = shifted - round;
-    const lanes r = ((x - turns * part[0]) - turns * part[1]) - turns * part[2];
+    static const lanes odd[] = {LANES_BOTH(-1.0 / 6),
+                                LANES_BOTH(1.0 / 120),
+                                LANES_BOTH(-1.0 / 5040),
+                                LANES_BOTH(1.0 / 362880),
+                                LANES_BOTH(-1.0 / 39916800),
+                                LANES_BOTH(1.0 / 6227020800),
+                                LANES_BOTH(-1.0 / 1307674368000)};
+    static const lanes even[] = {LANES_BOTH(-1.0 / 2),           LANES_BOTH(1.0 / 24),
+                                 LANES_BOTH(-1.0 / 720),         LANES_BOTH(1.0 / 40320),
+                                 LANES_BOTH(-1.0 / 3628800),     LANES_BOTH(1.0 / 479001600),
+                                 LANES_BOTH(-1.0 / 87178291200), LANES_BOTH(1.0 / 20922789888000)};
+    const lanes shifted = x * 0.63661977236758134 + round, turns = shifted - round;
+    const lanes r =
+        ((x - turns * 0x1.921fb544p+0) - turns * 0x1.0b4611a6p-34) - turns * 0x1.3198a2e037073p-69;
     const lanes z = r * r;
-    lanes s = lanes_splat(odd[7]), c = lanes_splat(even[7]);
-    for (int k = 6; k >= 0; k--) {
+    lanes s = odd[6], c = even[7] * z + even[6];
+    for (int k = 5; k >= 0; k--) {
         s = s * z + odd[k];
         c = c * z + even[k];
     }

@@ -10,6 +10,7 @@
 #include "verification/exact/manufactured.h"
 
 #define MANUFACTURED_PI 3.14159265358979323846
+enum { MANUFACTURED_SWINGS = 2 };
 
 struct manufactured_field {
     const char *name;
@@ -18,9 +19,12 @@ struct manufactured_field {
     /* Sets domain, edges, period, end, and the field's own constants from parameters and material;
      * all are zero before. */
     void (*prepare)(struct manufactured_problem *problem);
-    /* u of the particle that started at `place`, 0 at t = 0. */
+    /* Functions of time alone, which all places have in common: found once for many of them. */
+    void (*swing)(const struct manufactured_problem *problem, struct jet time,
+                  struct jet swing[MANUFACTURED_SWINGS]);
+    /* u of the particle that started at `place`, from them; 0 at t = 0. */
     void (*displacement)(const struct manufactured_problem *problem, const struct jet place[2],
-                         const struct jet *time, struct jet u[2]);
+                         const struct jet swing[MANUFACTURED_SWINGS], struct jet u[2]);
 };
 
 /* Fills the error with one line; returns MPM_BAD_INPUT. */

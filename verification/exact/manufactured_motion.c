@@ -18,12 +18,11 @@ struct pair {
     struct slope f[P_SIZE], p[P_SIZE];
 };
 
-LANES_INLINE void move_pair(const struct manufactured_problem *problem, double time,
+LANES_INLINE void move_pair(const struct manufactured_problem *problem, const struct jet swings[],
                             struct pair *pair)
 {
     const struct jet place[AXES] = {jet_place(0, pair->place[0]), jet_place(1, pair->place[1])};
-    const struct jet now = jet_time(time);
-    problem->field->displacement(problem, place, &now, pair->u);
+    problem->field->displacement(problem, place, swings, pair->u);
 }
 
 /* u_r / R; where R = 0 its limit: (u_r)_R, (u_r)_RR / 2 and (u_r)_RZ */
@@ -78,11 +77,11 @@ LANES_INLINE void diverge(const struct manufactured_problem *problem, const stru
 
 /* ------------------------------------------------------------------- forces */
 
-LANES_INLINE void pair_force(const struct manufactured_problem *problem, double time,
+LANES_INLINE void pair_force(const struct manufactured_problem *problem, const struct jet swings[],
                              struct pair *pair, lanes force[AXES])
 {
     lanes divergence[AXES], hoop[AXES];
-    move_pair(problem, time, pair);
+    move_pair(problem, swings, pair);
     strain_pair(problem, pair);
     stress_of_law(problem, pair->f, pair->p);
     diverge(problem, pair, pair->p, divergence, hoop);
@@ -94,13 +93,15 @@ void manufactured_load_evaluate(void *load, double time, size_t count, const uin
                                 double *const force[2])
 {
     const struct manufactured_load *const given = load;
+    struct jet swings[MANUFACTURED_SWINGS];
+    given->problem->field->swing(given->problem, jet_time(time), swings);
     for (size_t k = 0; k < count; k += LANES) {
         const size_t last = k + 1 < count ? k + 1 : k;
         const double *const first = given->places + AXES * (size_t)id[k];
         const double *const second = given->places + AXES * (size_t)id[last];
         struct pair pair = {.place = {{first[0], second[0]}, {first[1], second[1]}}};
         lanes b[AXES];
-        pair_force(given->problem, time, &pair, b);
+        pair_force(given->problem, swings, &pair, b);
         for (int axis = 0; axis < AXES; axis++) {
             force[axis][last] = b[axis][1];
             force[axis][k] = b[axis][0];
@@ -130,7 +131,9 @@ void manufactured_evaluate(const struct manufactured_problem *problem, const dou
 {
     struct pair pair = {.place = {lanes_splat(place[0]), lanes_splat(place[1])}};
     lanes force[AXES], divergence[AXES], hoop[AXES], linear[AXES], unused[AXES];
-    pair_force(problem, time, &pair, force);
+    struct jet swings[MANUFACTURED_SWINGS];
+    problem->field->swing(problem, jet_time(time), swings);
+    pair_force(problem, swings, &pair, force);
     diverge(problem, &pair, pair.p, divergence, hoop);
     copy_tensors(&pair, state);
     stress_hooke(problem, pair.f, pair.p);
