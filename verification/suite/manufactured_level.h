@@ -25,6 +25,8 @@ struct manufactured_level {
     unsigned steps;     /* to the end */
     unsigned looks; /* instants at which errors are measured, the last at the end; divides steps */
     double end;     /* time */
+    double margin;  /* particles that start nearer than this to an edge are not measured */
+    bool at_once;   /* start with all quantities of time 0, whatever the scheme wants */
     const char *series; /* of the fields at the end, or NULL */
 };
 
@@ -34,7 +36,8 @@ struct manufactured_outcome {
     /* of the computed displacement u in the exact one e: sum m u.e / sum m e.e over particles and
      * looks */
     double amplitude;
-    /* of the particles, weighted by mass, over all looks and at the end; NaN if not finished */
+    /* of the particles measured, weighted by mass, over all looks and at the end; NaN if not
+     * finished */
     struct error_norms norms[MANUFACTURED_QUANTITIES], at_end[MANUFACTURED_QUANTITIES];
 };
 

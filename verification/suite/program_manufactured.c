@@ -102,6 +102,9 @@ static enum mpm_status read_study(const struct measurement *m, struct study *stu
     TRY(read_count(m, "refine_time", 1, 2, &study->time, error));
     TRY(read_count(m, "refine_particles", 1, 2, &study->particles, error));
     study->picture = measurement_has(m, "picture");
+    study->first.at_once = measurement_has(m, "start_at_once");
+    if (measurement_has(m, "margin"))
+        TRY(measurement_number(m, "margin", &study->first.margin, error));
     if (study->first.steps % study->first.looks != 0)
         return failure_set(error, MPM_BAD_INPUT,
                            "case %s: parameter \"steps\" is %u; allowed: "
