@@ -63,6 +63,19 @@ START_TEST(norms_do_not_depend_on_the_unit_of_volume_and_are_ordered)
 }
 END_TEST
 
+START_TEST(norms_over_time_are_means_roots_of_mean_squares_and_maxima)
+{
+    static const struct error_norms at[] = {{1, 3, 5, 7, 9}, {2, 4, 1, 1, 2}};
+    const struct error_norms n = error_norms_over_time(2, at);
+    ck_assert_double_eq_tol(n.l1, 1.5, ROUND);
+    ck_assert_double_eq_tol(n.l2, sqrt(12.5), ROUND);
+    ck_assert_double_eq_tol(n.linf, 5, ROUND);
+    ck_assert_double_eq_tol(n.exact_l2, 5, ROUND);
+    ck_assert_double_eq_tol(n.exact_linf, 9, ROUND);
+    ck_assert_double_nan(error_norms_over_time(0, at).l2);
+}
+END_TEST
+
 START_TEST(a_nan_or_no_particle_is_a_nan_in_every_norm)
 {
     static const double volume[] = {1, 1, 1}, exact[] = {0, 1, 2};
@@ -184,6 +197,7 @@ Suite *suite_orders(void)
     TCase *norms = tcase_create("norms"), *orders = tcase_create("orders");
     tcase_add_test(norms, norms_weigh_particles_by_volume_and_components_by_their_multiple);
     tcase_add_test(norms, norms_do_not_depend_on_the_unit_of_volume_and_are_ordered);
+    tcase_add_test(norms, norms_over_time_are_means_roots_of_mean_squares_and_maxima);
     tcase_add_test(norms, a_nan_or_no_particle_is_a_nan_in_every_norm);
     tcase_add_test(orders, a_power_law_is_fitted_with_its_constant_and_no_width);
     tcase_add_test(orders, the_interval_is_that_of_students_t);

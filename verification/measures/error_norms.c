@@ -34,6 +34,25 @@ struct error_norms error_norms(size_t count, size_t components, const double *mu
     return norms;
 }
 
+struct error_norms error_norms_over_time(size_t count, const struct error_norms *norms)
+{
+    const double share = 1.0 / (double)count;
+    struct error_norms total = {0};
+    for (size_t k = 0; k < count; k++) {
+        total.l1 += share * norms[k].l1;
+        total.l2 += share * norms[k].l2 * norms[k].l2;
+        total.exact_l2 += share * norms[k].exact_l2 * norms[k].exact_l2;
+        total.linf = field_larger(total.linf, norms[k].linf);
+        total.exact_linf = field_larger(total.exact_linf, norms[k].exact_linf);
+    }
+    total.l2 = sqrt(total.l2);
+    total.exact_l2 = sqrt(total.exact_l2);
+    if (count == 0)
+        total =
+            (struct error_norms){(double)NAN, (double)NAN, (double)NAN, (double)NAN, (double)NAN};
+    return total;
+}
+
 double error_norms_relative(const struct error_norms *norms)
 {
     return norms->l2 / norms->exact_l2;

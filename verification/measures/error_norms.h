@@ -22,6 +22,11 @@ struct error_norms {
 struct error_norms error_norms(size_t count, size_t components, const double *multiple,
                                const double *volume, const double *computed, const double *exact);
 
+/* The norms over several instants as well: means of l1, root mean squares of l2, maxima of linf,
+ * and so for the exact field. NaN if count is 0. An error that waves carry to and fro passes
+ * through zero at times, where its order is not that of its size; norms over time do not. */
+struct error_norms error_norms_over_time(size_t count, const struct error_norms *norms);
+
 /* l2 over exact_l2. */
 double error_norms_relative(const struct error_norms *norms);
 

@@ -23,20 +23,27 @@ struct manufactured_level {
     unsigned refine;    /* grid.refine */
     unsigned particles; /* a side of each cell */
     unsigned steps;     /* to the end */
-    double end;         /* time */
+    unsigned looks; /* instants at which errors are measured, the last at the end; divides steps */
+    double end;     /* time */
+    double margin;  /* particles that start nearer than this to an edge are not measured */
+    bool at_once;   /* start with all quantities of time 0, whatever the scheme wants */
     const char *series; /* of the fields at the end, or NULL */
 };
 
 /* What came of it. */
 struct manufactured_outcome {
-    bool finished;    /* false: the guard ended the run, its message is a note of the variant */
-    double amplitude; /* of the computed displacement in the exact one: sum w u.u' / sum w u'^2 */
-    struct error_norms norms[MANUFACTURED_QUANTITIES]; /* weighted by mass; NaN if not finished */
+    bool finished; /* false: the guard ended the run, its message is a note of the variant */
+    /* of the computed displacement u in the exact one e: sum m u.e / sum m e.e over particles and
+     * looks */
+    double amplitude;
+    /* of the particles measured, weighted by mass, over all looks and at the end; NaN if not
+     * finished */
+    struct error_norms norms[MANUFACTURED_QUANTITIES], at_end[MANUFACTURED_QUANTITIES];
 };
 
 /* Starts the variant's scene with the field's velocities and deformation gradients, each at the
  * time that the scheme wants (mpm_scene_lags), drives it with the field's body force in `steps`
- * equal steps, and compares each quantity at the end with the exact one of its own time. */
+ * equal steps, and compares each quantity at each look with the exact one of its own time. */
 enum mpm_status manufactured_level_run(struct measurement *measurement,
                                        const struct manufactured_problem *problem,
                                        const struct manufactured_level *level,

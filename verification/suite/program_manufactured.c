@@ -96,11 +96,20 @@ static enum mpm_status read_study(const struct measurement *m, struct study *stu
     TRY(read_count(m, "refine", 1, 1024, &study->first.refine, error));
     TRY(read_count(m, "particles", 1, 16, &study->first.particles, error));
     TRY(read_count(m, "steps", 1, 1000000, &study->first.steps, error));
+    TRY(read_count(m, "looks", 1, 1000, &study->first.looks, error));
     TRY(read_count(m, "levels", 1, LEVELS_MAX, &study->levels, error));
     TRY(read_count(m, "refine_space", 1, 2, &study->space, error));
     TRY(read_count(m, "refine_time", 1, 2, &study->time, error));
     TRY(read_count(m, "refine_particles", 1, 2, &study->particles, error));
     study->picture = measurement_has(m, "picture");
+    study->first.at_once = measurement_has(m, "start_at_once");
+    if (measurement_has(m, "margin"))
+        TRY(measurement_number(m, "margin", &study->first.margin, error));
+    if (study->first.steps % study->first.looks != 0)
+        return failure_set(error, MPM_BAD_INPUT,
+                           "case %s: parameter \"steps\" is %u; allowed: "
+                           "multiples of \"looks\", %u",
+                           measurement_case(m), study->first.steps, study->first.looks);
     return MPM_OK;
 }
 
