@@ -45,10 +45,11 @@ FLAGS_release := -O3
 FLAGS_debug   := -O0 -g3
 FLAGS_asan    := -O1 -g -fsanitize=address -fno-omit-frame-pointer
 FLAGS_ubsan   := -O1 -g -fsanitize=undefined -fno-sanitize-recover=all
+FLAGS_san     := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 FLAGS_tsan    := -O1 -g -fsanitize=thread
 FLAGS_cov     := -O0 -g --coverage
 ifeq ($(origin FLAGS_$(VARIANT)),undefined)
-$(error VARIANT=$(VARIANT): allowed are release debug asan ubsan tsan cov)
+$(error VARIANT=$(VARIANT): allowed are release debug asan ubsan san tsan cov)
 endif
 
 # Contraction is off so that every compiler and SIMD level gives the same bits.
@@ -99,7 +100,10 @@ HEADERS := $(sort $(wildcard solver/*.h solver/*/*.h verification/*/*.h benchmar
              tests/*.h tests/*/*.h))
 objects  = $(patsubst %.c,$(BUILD)/objects/%.o,$(1))
 
-FAST_LEVELS  := baseline $(if $(findstring x86_64,$(shell $(CC) -dumpmachine 2>/dev/null)),v3)
+# Levels of SIMD differ in instructions, not in what is written: builds that look for faults or for
+# lines not covered have one.
+FAST_LEVELS  := baseline $(if $(filter release,$(VARIANT)),$(if $(findstring x86_64,\
+                  $(shell $(CC) -dumpmachine 2>/dev/null)),v3))
 # They take longest to compile: first in every list, and the longest of them before the others.
 FAST_OBJECTS := $(foreach family,cpdi bspline3 ugimp bspline2 classic,$(foreach level,$(FAST_LEVELS),\
                   $(BUILD)/objects/fast/$(family).$(level).o))
@@ -113,7 +117,20 @@ FAST_FLAGS    = -fno-math-errno -Wno-psabi \
 FAST_NAMES    = -DFAST_FAMILY=$(1) -DFAST_LEVEL=$(2) \
                 -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z) \
                 -DFAST_KEEPS_DOMAINS=$(if $(filter cpdi,$(1)),1,0)
-FAST_FLAGS_v3 := -march=x86-64-v3
+# Where there is another level, the baseline is for old machines: a quarter less to compile counts
+# more than -O3.
+FAST_FLAGS_baseline := $(if $(filter v3,$(FAST_LEVELS)),-O2)
+FAST_FLAGS_v3       := -march=x86-64-v3
+# Manufactured solutions are evaluated for each particle and step: for v3 as well.
+WIDE_OBJECTS := $(if $(filter v3,$(FAST_LEVELS)),$(patsubst verification/exact/%.c,\
+                  $(BUILD)/objects/wide/%.o,$(filter verification/exact/field_%.c \
+                  verification/exact/manufactured_motion.c,$(VERIFY_SOURCES))))
+VERIFY_OBJECTS = $(call objects,$(VERIFY_SOURCES)) $(WIDE_OBJECTS)
+
+ifneq ($(filter v3,$(FAST_LEVELS)),)
+$(BUILD)/objects/solver/method/fast.o $(BUILD)/objects/verification/exact/manufactured.o: \
+  CODE_FLAGS += -DMPM_FAST_V3
+endif
 
 LIBRARY  := $(BUILD)/libmpm.a
 PROGRAMS := $(if $(CLI_SOURCES),$(BUILD)/bin/mpm) $(if $(VERIFY_MAIN),$(BUILD)/bin/mpm-verify) \
@@ -133,15 +150,15 @@ $(LIBRARY): $(call objects,$(SOLVER_SOURCES)) $(FAST_OBJECTS)
 link = $(call short,LINK,$@)$(CC) $(CODE_FLAGS) -o $@ $(filter %.o %.a,$^)
 $(BUILD)/bin/mpm: $(call objects,$(CLI_SOURCES)) $(LIBRARY)
 	$(link) $(LIBS_SOLVER)
-$(BUILD)/bin/mpm-verify: $(call objects,$(VERIFY_MAIN) $(VERIFY_SOURCES)) $(LIBRARY)
+$(BUILD)/bin/mpm-verify: $(call objects,$(VERIFY_MAIN)) $(VERIFY_OBJECTS) $(LIBRARY)
 	$(link) $(LIBS_SUITE) $(LIBS_SOLVER)
-$(BUILD)/bin/mpm-bench: $(call objects,$(BENCH_MAIN) $(BENCH_SOURCES) $(VERIFY_SOURCES)) $(LIBRARY)
+$(BUILD)/bin/mpm-bench: $(call objects,$(BENCH_MAIN) $(BENCH_SOURCES)) $(VERIFY_OBJECTS) $(LIBRARY)
 	$(link) $(LIBS_SUITE) $(LIBS_SOLVER)
-$(TESTER): $(call objects,$(TEST_SOURCES) $(BENCH_SOURCES) $(VERIFY_SOURCES)) $(LIBRARY)
+$(TESTER): $(call objects,$(TEST_SOURCES) $(BENCH_SOURCES)) $(VERIFY_OBJECTS) $(LIBRARY)
 	$(link) $(LIBS_TESTS) $(LIBS_SUITE) $(LIBS_SOLVER)
 
 .PHONY: objects
-objects: $(FAST_OBJECTS) $(call objects,$(filter-out $(FAST_SOURCE),$(SOURCES)))
+objects: $(FAST_OBJECTS) $(WIDE_OBJECTS) $(call objects,$(filter-out $(FAST_SOURCE),$(SOURCES)))
 $(BUILD)/objects/%.o: %.c $(BUILD)/generated/flags.txt | $(BUILD)/generated/build_facts.h
 	@mkdir -p $(@D)
 	$(call short,CC,$<)$(CC) $(CODE_FLAGS) $(WARNINGS) $(call includes,$<) -MMD -MP -c -o $@ $<
@@ -151,7 +168,12 @@ $(FAST_OBJECTS): $(BUILD)/objects/fast/%.o: $(FAST_SOURCE) $(BUILD)/generated/fl
 	$(call short,CC,$< ($*))$(CC) $(CODE_FLAGS) $(WARNINGS) \
 	  $(call FAST_FLAGS,$(basename $*),$(patsubst .%,%,$(suffix $*))) -Isolver -MMD -MP -c -o $@ $<
 
--include $(patsubst %.o,%.d,$(call objects,$(SOURCES)) $(FAST_OBJECTS))
+$(WIDE_OBJECTS): $(BUILD)/objects/wide/%.o: verification/exact/%.c $(BUILD)/generated/flags.txt
+	@mkdir -p $(@D)
+	$(call short,CC,$< (v3))$(CC) $(CODE_FLAGS) $(WARNINGS) -fno-math-errno $(FAST_FLAGS_v3) \
+	  -DMANUFACTURED_LEVEL=v3 -Isolver -I. -MMD -MP -c -o $@ $<
+
+-include $(patsubst %.o,%.d,$(call objects,$(SOURCES)) $(FAST_OBJECTS) $(WIDE_OBJECTS))
 
 # Facts recorded in the binary: rewritten only when they change; never a date. The
 # revision is this tree's own, not that of a repository that it was unpacked into.
@@ -176,11 +198,12 @@ FORCE:
 # Sanitizers slow a test down: Check's time-out is multiplied.
 # libomp itself is not built for the thread sanitizer: archer speaks for it.
 TEST_ENVIRONMENT_asan := CK_TIMEOUT_MULTIPLIER=5 ASAN_OPTIONS=detect_leaks=1:$(ASAN_OPTIONS)
+TEST_ENVIRONMENT_san  := $(TEST_ENVIRONMENT_asan)
 TEST_ENVIRONMENT_tsan := CK_TIMEOUT_MULTIPLIER=10 TSAN_OPTIONS=ignore_noninstrumented_modules=1:$(TSAN_OPTIONS)
 TEST_ENVIRONMENT_cov  := CK_TIMEOUT_MULTIPLIER=5
 
 .PHONY: test
-test: $(FAST_OBJECTS) $(TESTER) $(PROGRAMS) ## unit tests; also VARIANT=debug|asan|ubsan|tsan|cov
+test: $(FAST_OBJECTS) $(TESTER) $(PROGRAMS) ## unit tests; also VARIANT=debug|asan|ubsan|san|tsan|cov
 	@MPM_BIN=$(abspath $(BUILD)/bin) $(TEST_ENVIRONMENT_$(VARIANT)) $(TESTER)
 
 # The short tier of these two is in `make test`.
@@ -231,9 +254,11 @@ check-includes: $(BUILD)/generated/build_facts.h
 	  $(CC) $(CODE_FLAGS) -I. -Isolver -Itests -I$(BUILD)/generated $(PACKAGE_FLAGS) \
 	    -x c -M -MT $$file $$file >> build/check/includes || exit 1; done
 	@.ci/check-includes --self-test && .ci/check-includes < build/check/includes
+# Where warnings are errors anyway (CI), the build of tests and programs is this one too.
+GCC_BUILD := build/$(if $(WERROR),release,check/gcc)
 .PHONY: check-gcc
 check-gcc:
-	+@$(MAKE) VARIANT=release BUILD=build/check/gcc CC=gcc WERROR=1 all objects
+	+@$(MAKE) VARIANT=release BUILD=$(GCC_BUILD) CC=gcc WERROR=1 all objects
 check-warnings: check-gcc
 	+@$(MAKE) VARIANT=release BUILD=build/check/clang CC=clang WERROR=1 objects
 # The file of fast kernels is read as one of those that it stands for.
@@ -251,13 +276,14 @@ check-tidy: $(BUILD)/generated/build_facts.h
 # The compilers and, where this machine runs it, another level of SIMD.
 WIDE := $(shell grep -qsw avx2 /proc/cpuinfo && echo x86-64-v3)
 check-bits: check-warnings
-	+@$(MAKE) VARIANT=release BUILD=build/check/clang CC=clang WERROR=1 all
+	+@$(MAKE) VARIANT=release BUILD=build/check/clang CC=clang WERROR=1 build/check/clang/bin/mpm
 	+@$(if $(WIDE),$(MAKE) VARIANT=release BUILD=build/check/gcc-wide CC=gcc WERROR=1 \
-	  EXTRA_FLAGS=-march=$(WIDE) all)
-	@.ci/check-bits $(patsubst %,build/check/%/bin/mpm,gcc clang $(if $(WIDE),gcc-wide))
+	  EXTRA_FLAGS=-march=$(WIDE) build/check/gcc-wide/bin/mpm)
+	@.ci/check-bits $(addsuffix /bin/mpm,$(GCC_BUILD) build/check/clang \
+	  $(if $(WIDE),build/check/gcc-wide))
 # Always the gcc release build, whatever compiler and variant are asked for.
 check-budget: check-gcc ## instructions, branches and bytes of small runs against their budget
-	@build/check/gcc/bin/mpm-bench budget
+	@$(GCC_BUILD)/bin/mpm-bench budget
 check-reference:
 	@$(if $(wildcard reference_data),cd reference_data && sha256sum --quiet -c MANIFEST.sha256)
 

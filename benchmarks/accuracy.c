@@ -5,6 +5,7 @@
 
 #include "benchmarks/findings.h"
 #include "benchmarks/timing.h"
+#include "benchmarks/variants.h"
 #include "verification/suite/failure.h"
 
 #include <math.h>
@@ -14,29 +15,14 @@ static const double SHORTEST = 0.02;
 enum { ROUNDS = BENCH_ROUNDS_MIN, REPEATS_MAX = 16, QUICK_LADDER = 2 };
 
 static const struct accuracy_problem *const problems[] = {
-    &accuracy_compression,
-    &accuracy_bars[0],
-    &accuracy_bars[1],
+    &accuracy_compression,     &accuracy_bars[0],         &accuracy_bars[1],
+    &accuracy_manufactured[0], &accuracy_manufactured[1], &accuracy_manufactured[2],
 };
-static const char *const shapes[] = {"classic", "ugimp", "cpdi"};
-static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
 
 const struct accuracy_problem *const *accuracy_problems(size_t *count)
 {
     *count = G_N_ELEMENTS(problems);
     return problems;
-}
-
-const char *const *accuracy_shapes(size_t *count)
-{
-    *count = G_N_ELEMENTS(shapes);
-    return shapes;
-}
-
-const char *const *accuracy_orders(size_t *count)
-{
-    *count = G_N_ELEMENTS(orders);
-    return orders;
 }
 
 void accuracy_set(GPtrArray *settings, const char *format, ...)
@@ -68,26 +54,33 @@ static void clear_run(void *item)
 
 /* ------------------------------------------------------------------ the runs */
 
-static void describe(struct run *run, const char *shape, const char *order, unsigned cells)
+static void describe(struct run *run, const struct bench_variant *variant, unsigned cells)
 {
-    run->name = g_strdup_printf("%s/%s/%s/%u", run->problem->name, shape, order, cells);
+    run->name = g_strdup_printf("%s/%s/%s%s%s/%u", run->problem->name, variant->shape,
+                                variant->stress_update, *variant->change == '\0' ? "" : "/",
+                                variant->change, cells);
     run->settings = json_object();
     json_object_set_new(run->settings, "problem", json_string(run->problem->name));
-    json_object_set_new(run->settings, "shape", json_string(shape));
-    json_object_set_new(run->settings, "stress_update", json_string(order));
+    json_object_set_new(run->settings, "shape", json_string(variant->shape));
+    json_object_set_new(run->settings, "stress_update", json_string(variant->stress_update));
+    if (*variant->change != '\0')
+        json_object_set_new(run->settings, "change", json_string(variant->change));
     json_object_set_new(run->settings, "cells", json_integer(cells));
 }
 
 static enum mpm_status add_run(struct bench_context *context, GArray *runs,
-                               const struct accuracy_problem *problem, const char *const variant[2],
-                               unsigned cells, struct mpm_error *error)
+                               const struct accuracy_problem *problem,
+                               const struct bench_variant *variant, unsigned cells,
+                               struct mpm_error *error)
 {
     struct run run = {.problem = problem, .repeats = 1};
     GPtrArray *settings = g_ptr_array_new_with_free_func(g_free);
     char *path = problem->scene(context);
-    describe(&run, variant[0], variant[1], cells);
-    accuracy_set(settings, "method.shape=%s", variant[0]);
-    accuracy_set(settings, "method.stress_update=%s", variant[1]);
+    describe(&run, variant, cells);
+    accuracy_set(settings, "method.shape=%s", variant->shape);
+    accuracy_set(settings, "method.stress_update=%s", variant->stress_update);
+    if (variant->setting != NULL)
+        accuracy_set(settings, "%s", variant->setting);
     accuracy_set(settings, "time.end=%.17g", problem->end);
     problem->set(settings, cells);
     const enum mpm_status status = mpm_scene_read(path, (const char *const *)settings->pdata,
@@ -100,7 +93,7 @@ static enum mpm_status add_run(struct bench_context *context, GArray *runs,
 
 static enum mpm_status add_ladder(struct bench_context *context, GArray *runs,
                                   const struct accuracy_problem *problem,
-                                  const char *const variant[2], struct mpm_error *error)
+                                  const struct bench_variant *variant, struct mpm_error *error)
 {
     const unsigned most = context->tier == BENCH_QUICK ? QUICK_LADDER : ACCURACY_LADDER_MAX;
     for (unsigned i = 0; i < most && problem->cells[i] > 0; i++)
@@ -111,14 +104,42 @@ static enum mpm_status add_ladder(struct bench_context *context, GArray *runs,
 static enum mpm_status add_all(struct bench_context *context, GArray *runs, struct mpm_error *error)
 {
     for (size_t p = 0; p < G_N_ELEMENTS(problems); p++)
-        for (size_t s = 0; s < G_N_ELEMENTS(shapes); s++)
-            for (size_t o = 0; o < G_N_ELEMENTS(orders); o++)
-                TRY(add_ladder(context, runs, problems[p],
-                               (const char *const[]){shapes[s], orders[o]}, error));
+        for (size_t v = 0; v < bench_variants_count(); v++) {
+            const struct bench_variant variant = bench_variant(v);
+            if (*variant.change == '\0' || !problems[p]->plain)
+                TRY(add_ladder(context, runs, problems[p], &variant, error));
+        }
     return MPM_OK;
 }
 
 /* ---------------------------------------------------------------- the errors */
+
+/* A simulation at its start; freed by close_simulation. */
+struct begun {
+    struct mpm_simulation *simulation;
+    void *own; /* of the problem */
+};
+
+static void close_simulation(const struct run *run, struct begun *begun)
+{
+    mpm_simulation_free(begun->simulation);
+    if (begun->own != NULL)
+        run->problem->finish(begun->own);
+}
+
+static enum mpm_status open_simulation(const struct bench_context *context, const struct run *run,
+                                       struct begun *begun, struct mpm_error *error)
+{
+    *begun = (struct begun){0};
+    TRY(mpm_simulation_create(run->scene, &context->simulation, &begun->simulation, error));
+    if (run->problem->begin == NULL)
+        return MPM_OK;
+    begun->own = run->problem->begin(begun->simulation, run->scene, error);
+    if (begun->own != NULL)
+        return MPM_OK;
+    close_simulation(run, begun);
+    return error->status;
+}
 
 /* To that time; a guard that ends the run is a result. */
 static enum mpm_status advance_to(struct run *run, struct mpm_simulation *simulation, double time,
@@ -165,16 +186,16 @@ static void note_facts(struct run *run, const struct mpm_simulation *simulation)
 static enum mpm_status measure_errors(struct bench_context *context, struct run *run,
                                       struct mpm_error *error)
 {
-    struct mpm_simulation *simulation = NULL;
+    struct begun begun;
     struct particle_set particles;
-    TRY(mpm_simulation_create(run->scene, &context->simulation, &simulation, error));
-    enum mpm_status status = particle_set_create(simulation, 0, &particles, error);
+    TRY(open_simulation(context, run, &begun, error));
+    enum mpm_status status = particle_set_create(begun.simulation, 0, &particles, error);
     if (status == MPM_OK) {
-        status = follow(run, simulation, &particles, error);
+        status = follow(run, begun.simulation, &particles, error);
         particle_set_free(&particles);
     }
-    note_facts(run, simulation);
-    mpm_simulation_free(simulation);
+    note_facts(run, begun.simulation);
+    close_simulation(run, &begun);
     return status;
 }
 
@@ -183,12 +204,13 @@ static enum mpm_status measure_errors(struct bench_context *context, struct run 
 static enum mpm_status time_once(struct bench_context *context, struct run *run, double *seconds,
                                  struct mpm_error *error)
 {
-    struct mpm_simulation *simulation = NULL;
-    TRY(mpm_simulation_create(run->scene, &context->simulation, &simulation, error));
+    struct begun begun;
+    TRY(open_simulation(context, run, &begun, error));
     const double start = bench_clock_cpu();
-    const enum mpm_status status = advance_to(run, simulation, run->problem->end, true, error);
+    const enum mpm_status status =
+        advance_to(run, begun.simulation, run->problem->end, true, error);
     *seconds += bench_clock_cpu() - start;
-    mpm_simulation_free(simulation);
+    close_simulation(run, &begun);
     return status;
 }
 

@@ -29,6 +29,7 @@
     SUITE(exact)                                                                                   \
     SUITE(jets)                                                                                    \
     SUITE(manufactured)                                                                            \
+    SUITE(activity)                                                                                \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
     SUITE(catalogue)                                                                               \

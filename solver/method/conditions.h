@@ -18,7 +18,9 @@ enum mpm_status mpm_conditions_gather(struct mpm_state *state, struct mpm_error 
 
 /* Start velocities. */
 void mpm_conditions_apply_start(struct mpm_state *state);
-/* End velocities and accelerations; adds the conditions' work to external_work. */
+/* End velocities and accelerations; adds the conditions' work to external_work: reaction times the
+ * prescribed velocity. Where that accelerates, particles take the node's inertia at the velocity
+ * that they gave it, so that the balance of energy closes to second order in the cell. */
 void mpm_conditions_apply_end(struct mpm_state *state);
 /* End velocities over the re-extrapolated ones. */
 void mpm_conditions_apply_extrapolated(struct mpm_state *state);

@@ -38,7 +38,7 @@ static void displacement(const struct manufactured_problem *problem, const struc
         u[axis] = jet_multiply(jet_sin(jet_scale(k, place[axis])), swings[axis]);
 }
 
-const struct manufactured_field manufactured_axis_aligned = {
+const struct manufactured_field MANUFACTURED_OF_LEVEL(axis_aligned) = {
     .name = "axis_aligned",
     .title = "waves along the axes of a square (Wallstedt and Guilkey 2008)",
     .parameter = {[AMPLITUDE] = {"amplitude", 0.05, 1e-9, 0.15, "A, length; the side is 1"},

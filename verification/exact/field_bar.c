@@ -34,7 +34,7 @@ static void displacement(const struct manufactured_problem *problem, const struc
     u[1] = jet_constant(0.0);
 }
 
-const struct manufactured_field manufactured_bar = {
+const struct manufactured_field MANUFACTURED_OF_LEVEL(bar) = {
     .name = "bar",
     .title = "the first axial mode of a bar held at both ends",
     .parameter = {[AMPLITUDE] = {"amplitude", 0.05, 1e-9, 0.3, "A, length"},

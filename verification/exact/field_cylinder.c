@@ -47,7 +47,7 @@ static void displacement(const struct manufactured_problem *problem, const struc
     u[1] = jet_scale(-1.0, jet_multiply(jet_multiply(c[0], s[1]), swings[0]));
 }
 
-const struct manufactured_field manufactured_cylinder = {
+const struct manufactured_field MANUFACTURED_OF_LEVEL(cylinder) = {
     .name = "cylinder",
     .title = "waves along and across a cylinder, both components, finite strain on the axis",
     .parameter = {[AMPLITUDE] = {"amplitude", 0.05, 1e-9, 0.2, "A, length"},

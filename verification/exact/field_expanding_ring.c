@@ -6,8 +6,8 @@
  * with u_r = A sin(...) at r_b and no traction on both faces at small strain,
  *     M u_r' + L u_r / R = 0,   M = lambda + 2 G, L = lambda, in plane stress with 2 G lambda / M
  * for lambda. With the law linear_elastic, whose P is Hooke's wherever nothing turns, that is so at
- * any amplitude; with neo_hookean a traction of second order in A is left
- * (manufactured_edges_left), which a scene has to apply.
+ * any amplitude; with neo_hookean a traction of second order in A is left, at A = 0.1 a tenth of
+ * the largest |P| (manufactured_edges), which a scene would have to apply.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/exact/manufactured_field.h"
@@ -59,7 +59,7 @@ static void displacement(const struct manufactured_problem *problem, const struc
     u[1] = radial ? jet_constant(0.0) : jet_multiply(part, place[1]);
 }
 
-const struct manufactured_field manufactured_expanding_ring = {
+const struct manufactured_field MANUFACTURED_OF_LEVEL(expanding_ring) = {
     .name = "expanding_ring",
     .title = "a ring with free faces that breathes (Wallstedt and Guilkey 2008)",
     .parameter = {[AMPLITUDE] = {"amplitude", 0.1, 1e-9, 0.15, "A, length: of the outer face"},

@@ -43,7 +43,7 @@ static void displacement(const struct manufactured_problem *problem, const struc
     u[1] = jet_add(jet_multiply(s, place[0]), jet_multiply(less, place[1]));
 }
 
-const struct manufactured_field manufactured_vortex = {
+const struct manufactured_field MANUFACTURED_OF_LEVEL(vortex) = {
     .name = "vortex",
     .title = "the generalized vortex (Kamojjala and others 2015)",
     .parameter = {[AMPLITUDE] = {"amplitude", 0.2, 1e-9, 1, "A, largest angle"}},

@@ -1,6 +1,6 @@
 /* Jets: a function of X, Y and t together with the derivatives that a manufactured solution
  * needs, carried through sums, products and functions by the rules of calculus (automatic
- * differentiation). Of two places at a time.
+ * differentiation). Of LANES places at a time.
  *
  * A displacement is written on jets that begin as jet_place and jet_time; out come u, Grad u,
  * Grad Grad u, v and a. A slope is the same with the gradient alone: what a stress needs for its

@@ -4,14 +4,13 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#define FIELD_OF(name) &manufactured_##name,
-static const struct manufactured_field *const fields[] = {MANUFACTURED_FIELDS(FIELD_OF)};
-#undef FIELD_OF
 /* the first comma and blank are passed over */
 #define NAME_OF(name) ", " #name
 static const char field_names[] = MANUFACTURED_FIELDS(NAME_OF);
 #undef NAME_OF
-enum { FIELDS = sizeof fields / sizeof *fields };
+#define NUMBER_OF(name) FIELD_##name,
+enum { MANUFACTURED_FIELDS(NUMBER_OF) FIELDS };
+#undef NUMBER_OF
 
 static const char *const laws[] = {
     [MANUFACTURED_NEO_HOOKEAN] = "neo_hookean",
@@ -29,18 +28,55 @@ enum mpm_status manufactured_refuse(struct mpm_error *error, const char *format,
     return MPM_BAD_INPUT;
 }
 
+/* ------------------------------------------------------------------- levels */
+
+#ifdef MPM_FAST_V3 /* of the makefile: this build has that level */
+static bool runs_v3(void)
+{
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
+           __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
+}
+#endif
+
+const struct manufactured_level *manufactured_level_at(size_t index)
+{
+    enum { LEVELS = 2 };
+    const struct manufactured_level *levels[LEVELS] = {&manufactured_level_baseline};
+#ifdef MPM_FAST_V3 /* of the makefile: this build has that level */
+    if (runs_v3()) {
+        levels[1] = levels[0];
+        levels[0] = &manufactured_level_v3;
+    }
+#endif
+    return index < LEVELS ? levels[index] : NULL;
+}
+
+void manufactured_evaluate(const struct manufactured_problem *problem, const double place[2],
+                           double time, struct manufactured_state *state)
+{
+    problem->level->evaluate(problem, place, time, state);
+}
+
+void manufactured_load_evaluate(void *load, double time, size_t count, const uint32_t id[],
+                                double *const force[2])
+{
+    const struct manufactured_load *const given = load;
+    given->problem->level->load(load, time, count, id, force);
+}
+
 /* ------------------------------------------------------------------- tables */
 
 const struct manufactured_field *manufactured_at(size_t index)
 {
-    return index < FIELDS ? fields[index] : NULL;
+    return index < FIELDS ? manufactured_level_at(0)->fields[index] : NULL;
 }
 
 const struct manufactured_field *manufactured_find(const char *name)
 {
-    for (size_t k = 0; k < FIELDS; k++)
-        if (strcmp(fields[k]->name, name) == 0)
-            return fields[k];
+    const struct manufactured_field *field;
+    for (size_t k = 0; (field = manufactured_at(k)) != NULL; k++)
+        if (strcmp(field->name, name) == 0)
+            return field;
     return NULL;
 }
 
@@ -107,6 +143,7 @@ enum mpm_status manufactured_open(const struct manufactured_setup *setup,
     const double values[] = {setup->density, setup->bulk, setup->shear};
     static const char *const names[] = {"density", "bulk modulus", "shear modulus"};
     *problem = (struct manufactured_problem){.field = manufactured_find(setup->field),
+                                             .level = manufactured_level_at(0),
                                              .geometry = setup->geometry,
                                              .density = setup->density,
                                              .bulk = setup->bulk,

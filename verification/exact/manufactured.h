@@ -79,10 +79,12 @@ enum {
 };
 
 struct manufactured_field;
+struct manufactured_level;
 
 /* A field with its parameters, material and geometry. */
 struct manufactured_problem {
     const struct manufactured_field *field;
+    const struct manufactured_level *level; /* the instructions that evaluate it */
     enum mpm_geometry geometry;
     enum manufactured_law { MANUFACTURED_NEO_HOOKEAN, MANUFACTURED_LINEAR_ELASTIC } law;
     double density, bulk, shear, lame; /* lame = K - 2 G / 3 */
@@ -135,7 +137,8 @@ void manufactured_evaluate(const struct manufactured_problem *problem, const dou
                            double time, struct manufactured_state *state);
 
 /* The body force as the solver's callback (mpm_body_force.evaluate): pass a manufactured_load as
- * context. Cost: about 60 ns a particle. */
+ * context. Cost: about 35 ns a particle with the instructions of x86-64-v3, 60 ns without;
+ * plane stress three times as much. */
 struct manufactured_load {
     const struct manufactured_problem *problem;
     const double *places; /* 2 for each id: where the particles start */

@@ -39,8 +39,25 @@ enum mpm_status manufactured_refuse(struct mpm_error *error, const char *format,
     FIELD(cylinder)       /* M4 */                                                                 \
     FIELD(bar)            /* the tutorial's */
 
-#define MANUFACTURED_DECLARE(name) extern const struct manufactured_field manufactured_##name;
-MANUFACTURED_FIELDS(MANUFACTURED_DECLARE)
-#undef MANUFACTURED_DECLARE
+/* Fields and what evaluates them are compiled for each level of instructions; results are the same
+ * bits. MANUFACTURED_OF_LEVEL(name) is a name in the level that a file is compiled for. */
+#ifndef MANUFACTURED_LEVEL
+#define MANUFACTURED_LEVEL baseline
+#endif
+#define MANUFACTURED_JOIN(name, level) manufactured_##name##_##level
+#define MANUFACTURED_NAME(name, level) MANUFACTURED_JOIN(name, level)
+#define MANUFACTURED_OF_LEVEL(name)    MANUFACTURED_NAME(name, MANUFACTURED_LEVEL)
+
+struct manufactured_level {
+    const struct manufactured_field *const *fields; /* in the order of the list */
+    void (*evaluate)(const struct manufactured_problem *problem, const double place[2], double time,
+                     struct manufactured_state *state);
+    void (*load)(void *load, double time, size_t count, const uint32_t id[],
+                 double *const force[2]);
+};
+extern const struct manufactured_level manufactured_level_baseline, manufactured_level_v3;
+
+/* The levels that this build and this machine have, the widest first; NULL past the last. */
+const struct manufactured_level *manufactured_level_at(size_t index);
 
 #endif

@@ -99,14 +99,14 @@ LANES_INLINE void stress_free_thickness(const struct manufactured_problem *m,
     for (int k = 0; k < P_SIZE; k++)
         alone[k] = (struct slope){.f = f[k].f};
     alone[P_ZZ] = (struct slope){.f = lanes_splat(1.0), .x = lanes_splat(1.0)};
-    for (int turn = 0; turn < 60; turn++) {
+    lanes_mask open = rate > 0.0; /* lanes that are done wait for others */
+    for (int turn = 0; turn < 60 && lanes_any(open); turn++) {
         stress_of_law(m, alone, p);
-        rate = p[P_ZZ].x;
-        const lanes old = alone[P_ZZ].f, next = old - p[P_ZZ].f / rate;
-        alone[P_ZZ].f = lanes_select(next > 0.1 * old, next, 0.1 * old);
-        const lanes change = alone[P_ZZ].f - old;
-        if (fabs(change[0]) <= 4e-16 * old[0] && fabs(change[1]) <= 4e-16 * old[1])
-            break;
+        rate = lanes_select(open, p[P_ZZ].x, rate);
+        const lanes old = alone[P_ZZ].f, wanted = old - p[P_ZZ].f / p[P_ZZ].x;
+        const lanes next = lanes_select(wanted > 0.1 * old, wanted, 0.1 * old);
+        alone[P_ZZ].f = lanes_select(open, next, old);
+        open &= (next - old > 4e-16 * old) | (old - next > 4e-16 * old);
     }
     f[P_ZZ] = (struct slope){.f = alone[P_ZZ].f};
     stress_of_law(m, f, p);
