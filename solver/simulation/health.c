@@ -74,6 +74,14 @@ static void describe(const struct mpm_simulation *simulation, const struct mpm_f
         (void)snprintf(text, size, "has a body force that is not finite: loads.body_force.%d = %g",
                        failure->axis, failure->value);
         return;
+    case MPM_TRACTION_NOT_FINITE:
+        (void)snprintf(text, size, "bears a load that is not finite: loads.%s.%zu.value.%d = %g",
+                       simulation->scene->edge_loads[failure->load].on_particles
+                           ? "particle_forces"
+                           : "tractions",
+                       simulation->scene->edge_loads[failure->load].position, failure->axis,
+                       failure->value);
+        return;
     case MPM_RATE_REFUSED:
         (void)snprintf(text, size,
                        "has damping.particle = %g; allowed: at least 0 and below %g, 1 over the "
