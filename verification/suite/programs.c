@@ -18,7 +18,8 @@
     PROGRAM(collision)                                                                             \
     PROGRAM(carried)                                                                               \
     PROGRAM(stability)                                                                             \
-    PROGRAM(extremes)
+    PROGRAM(extremes)                                                                              \
+    PROGRAM(statics)
 
 #define PROGRAM(name) extern const struct measure_program program_##name;
 PROGRAMS
