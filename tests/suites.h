@@ -23,6 +23,8 @@
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
     SUITE(time_step)                                                                               \
+    SUITE(edges)                                                                                   \
+    SUITE(tractions)                                                                               \
     SUITE(shapes)                                                                                  \
     SUITE(exact)                                                                                   \
     SUITE(results)                                                                                 \
