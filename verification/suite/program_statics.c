@@ -18,6 +18,8 @@ enum { AXES = STATIC_AXES, STRESS = STATIC_STRESS, GRADIENT = 5, COLUMNS = 10, A
 
 /* Errors of one run. */
 struct errors {
+    double pair_stress_l2;        /* of the means of two particles each, see pair_error */
+    double inner_displacement_l2; /* without four particles at either end of a row */
     double stress_worst, stress_l2, displacement_worst, displacement_l2, strain_worst;
     double axial_worst;           /* of the stress along y or z */
     double edge_axial, rest_axial; /* its mean in the uppermost row, and below the middle */
@@ -92,6 +94,27 @@ static double norm_l2(const struct norm *norm)
     return sqrt(norm->squares / norm->mass);
 }
 
+/* The error of the mean stress of particles 2 k and 2 k + 1, the two of a cell in a row of them: the
+ * gradients of hat functions are those of the cell, and exact to second order at its centre only. */
+static double pair_error(const struct static_solution *solution, const struct view *view)
+{
+    struct norm norm = {0};
+    for (size_t k = 0; k + 1 < view->set.count; k += 2) {
+        const struct static_state exact[2] = {
+            solution->at(solution, &view->set.start[AXES * k]),
+            solution->at(solution, &view->set.start[AXES * (k + 1)]),
+        };
+        const double *const sigma = &view->set.stress[STRESS * k];
+        double mean[STRESS], exact_mean[STRESS];
+        for (size_t c = 0; c < STRESS; c++) {
+            mean[c] = 0.5 * (sigma[c] + sigma[STRESS + c]);
+            exact_mean[c] = 0.5 * (exact[0].stress[c] + exact[1].stress[c]);
+        }
+        norm_add(&norm, mean, exact_mean, STRESS, view->mass[k] + view->mass[k + 1]);
+    }
+    return norm_l2(&norm);
+}
+
 static double highest_start(const struct particle_set *set)
 {
     double highest = -HUGE_VAL;
@@ -114,6 +137,22 @@ static double mean_axial(const struct view *view, double from, double to)
     return sum / mass;
 }
 
+/* In a row of particles, without two cells at either end: what faces do not spoil. */
+static double inner_error(const struct static_solution *solution, const struct view *view)
+{
+    enum { AWAY = 4 };
+    const struct particle_set *const set = &view->set;
+    struct norm norm = {0};
+    for (size_t k = AWAY; k + AWAY < set->count; k++) {
+        const double *const start = &set->start[AXES * k];
+        const struct static_state exact = solution->at(solution, start);
+        const double moved[AXES] = {set->position[AXES * k] - start[0],
+                                    set->position[AXES * k + 1] - start[1]};
+        norm_add(&norm, moved, exact.displacement, AXES, view->mass[k]);
+    }
+    return norm_l2(&norm);
+}
+
 static struct errors measure(const struct static_solution *solution, const struct view *view)
 {
     const struct particle_set *const set = &view->set;
@@ -133,6 +172,8 @@ static struct errors measure(const struct static_solution *solution, const struc
     const double of_stress = 100.0 / solution->stress_scale;
     const double of_displacement = 100.0 / solution->displacement_scale;
     return (struct errors){
+        .pair_stress_l2 = of_stress * pair_error(solution, view),
+        .inner_displacement_l2 = of_displacement * inner_error(solution, view),
         .stress_worst = of_stress * stress.largest,
         .stress_l2 = of_stress * norm_l2(&stress),
         .displacement_worst = of_displacement * displacement.largest,
@@ -243,6 +284,8 @@ static void report(struct measurement *m, const struct static_solution *solution
         const char *name;
         double value;
     } table[] = {
+        {"pair_stress_l2", e->pair_stress_l2},
+        {"inner_displacement_l2", e->inner_displacement_l2},
         {"stress_worst", e->stress_worst},
         {"stress_l2", e->stress_l2},
         {"axial_worst", e->axial_worst},
@@ -262,25 +305,34 @@ static void report(struct measurement *m, const struct static_solution *solution
     measurement_report(m, "energy_drift", 100.0 * fabs(outcome->imbalance));
 }
 
+/* Errors over the levels, by kind. */
+enum kind { OF_STRESS, OF_PAIRS, OF_DISPLACEMENT, OF_INNER, KINDS };
+static const char *const suffixes[KINDS] = {"_stress", "_pairs", "_displacement", "_inner"};
+
 static enum mpm_status report_orders(struct measurement *m, const struct levels *levels,
-                                     const double stress[], const double displacement[],
-                                     bool finished, struct mpm_error *error)
+                                     double errors[KINDS][LEVELS_MAX], bool finished,
+                                     struct mpm_error *error)
 {
-    static const char *const orders[] = {"order_last_stress", "order_fitted_stress",
-                                         "order_last_displacement", "order_fitted_displacement"};
-    for (size_t k = 0; !finished && k < sizeof orders / sizeof *orders; k++)
-        measurement_inconclusive(m, orders[k], "a grid's run did not come to its end");
-    if (!finished)
-        return MPM_OK;
-    TRY(levels_report(m, levels, "_stress", stress, error));
-    return levels_report(m, levels, "_displacement", displacement, error);
+    for (size_t k = 0; k < KINDS; k++) {
+        if (finished) {
+            TRY(levels_report(m, levels, suffixes[k], errors[k], error));
+            continue;
+        }
+        for (size_t order = 0; order < 2; order++) {
+            char *const name =
+                g_strconcat(order == 0 ? "order_last" : "order_fitted", suffixes[k], NULL);
+            measurement_inconclusive(m, name, "a grid's run did not come to its end");
+            g_free(name);
+        }
+    }
+    return MPM_OK;
 }
 
 static enum mpm_status run(struct measurement *m, struct mpm_error *error)
 {
     struct static_solution solution;
     struct levels levels;
-    double stress[LEVELS_MAX] = {0}, displacement[LEVELS_MAX] = {0};
+    double errors[KINDS][LEVELS_MAX] = {{0.0}};
     struct outcome outcome = {.finished = false};
     bool finished = true;
     TRY(static_solution_read(m, &solution, error));
@@ -289,13 +341,15 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
         const bool last = k + 1 == levels_runs(&levels);
         outcome = (struct outcome){.finished = false};
         TRY(run_level(m, &solution, levels.setting[k], last, &outcome, error));
-        stress[k] = outcome.errors.stress_l2;
-        displacement[k] = outcome.errors.displacement_l2;
+        errors[OF_STRESS][k] = outcome.errors.stress_l2;
+        errors[OF_PAIRS][k] = outcome.errors.pair_stress_l2;
+        errors[OF_INNER][k] = outcome.errors.inner_displacement_l2;
+        errors[OF_DISPLACEMENT][k] = outcome.errors.displacement_l2;
         finished = finished && outcome.finished;
     }
     report(m, &solution, &outcome);
     if (levels.count > 0)
-        return report_orders(m, &levels, stress, displacement, finished, error);
+        return report_orders(m, &levels, errors, finished, error);
     return MPM_OK;
 }
 

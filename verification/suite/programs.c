@@ -19,7 +19,9 @@
     PROGRAM(carried)                                                                               \
     PROGRAM(stability)                                                                             \
     PROGRAM(extremes)                                                                              \
-    PROGRAM(statics)
+    PROGRAM(statics)                                                                               \
+    PROGRAM(traction_sum)                                                                          \
+    PROGRAM(turning_load)
 
 #define PROGRAM(name) extern const struct measure_program program_##name;
 PROGRAMS

@@ -34,6 +34,17 @@ static struct static_state homogeneous_at(const struct static_solution *s, const
     };
 }
 
+/* The state of a disk under a load on its rim is that of a plane body under it all around. */
+static struct static_state plane_at(const struct static_solution *s, const double start[2])
+{
+    const double strain = s->numbers[STRETCH_R] - 1.0;
+    return (struct static_state){
+        .displacement = {strain * (start[0] - s->centre[0]), strain * (start[1] - s->centre[1])},
+        .stress = {s->numbers[SIGMA_RR], s->numbers[SIGMA_RR], s->numbers[SIGMA_ZZ]},
+        .strain = {strain, strain},
+    };
+}
+
 static enum mpm_status take_homogeneous(bool found, const struct homogeneous_state *state,
                                         double length, struct static_solution *solution,
                                         struct mpm_error *error)
@@ -74,6 +85,16 @@ static enum mpm_status read_rim_load(const struct measurement *m, struct static_
     const struct compression_material material = {n[0], n[1]};
     const bool found = homogeneous_rim_load(&material, n[2], &state);
     return take_homogeneous(found, &state, n[3], solution, error);
+}
+
+static enum mpm_status read_plane(const struct measurement *m, struct static_solution *solution,
+                                  struct mpm_error *error)
+{
+    TRY(read_rim_load(m, solution, error));
+    TRY(measurement_number(m, "centre_x", &solution->centre[0], error));
+    TRY(measurement_number(m, "centre_y", &solution->centre[1], error));
+    solution->at = plane_at;
+    return MPM_OK;
 }
 
 /* ------------------------------------------------------------------------ Lame */
@@ -148,6 +169,7 @@ static const struct {
 } solutions[] = {
     {"end_load", read_end_load},
     {"rim_load", read_rim_load},
+    {"plane", read_plane},
     {"lame", read_lame},
     {"self_weight", read_column},
 };
@@ -163,7 +185,7 @@ enum mpm_status static_solution_read(const struct measurement *measurement,
             return solutions[k].read(measurement, solution, error);
         }
     return failure_set(error, MPM_BAD_INPUT,
-                       "parameter \"solution\": \"%s\": allowed are end_load, rim_load, lame and "
-                       "self_weight",
+                       "parameter \"solution\": \"%s\": allowed are end_load, rim_load, plane, "
+                       "lame and self_weight",
                        name);
 }

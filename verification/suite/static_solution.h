@@ -18,13 +18,15 @@ struct static_state {
 struct static_solution {
     const char *name; /* as in the parameter `solution` */
     double stress_scale, displacement_scale, strain_scale; /* what errors are told in parts of */
-    double numbers[6]; /* what the solution was read from */
+    double numbers[6];          /* what the solution was read from */
+    double centre[STATIC_AXES]; /* of a body that nothing holds */
     struct static_state (*at)(const struct static_solution *solution, const double start[2]);
 };
 
 /* Reads the parameter `solution` and those that it needs:
  *   end_load     bulk, shear, traction, power; length
  *   rim_load     bulk, shear, traction; length (radius)
+ *   plane        the same and centre_x, centre_y: a plane body loaded all around
  *   lame         inner, outer, inner_pressure, outer_pressure, young, poisson
  *   self_weight  height, weight, modulus
  * MPM_BAD_INPUT: no such solution, or none in the range of its root finder. */
