@@ -93,26 +93,15 @@ static void integrate_interpolated(const struct mpm_shape_grid *grid,
     }
 }
 
-/* Gauss's rule of four points: exact to degree 7, that of a product of two cubics and r. */
-static const double gauss_place[4] = {-0.86113631159405257522, -0.33998104358485626480,
-                                      0.33998104358485626480, 0.86113631159405257522};
-static const double gauss_weight[4] = {0.34785484513745385737, 0.65214515486254614263,
-                                       0.65214515486254614263, 0.34785484513745385737};
-
-static void integrate_continued(const struct mpm_shape_family *family,
-                                const struct mpm_shape_grid *grid, const double home[2],
-                                const struct mpm_edge_line *line, double depth,
-                                struct mpm_edge_weights *weights)
+/* One point for an edge, as the particle is one for its volume: a uniform stress is in balance only
+ * if both are taken alike along the edge. */
+static void take_middle(const struct mpm_shape_family *family, const struct mpm_shape_grid *grid,
+                        const double home[2], const struct mpm_edge_line *line, double depth,
+                        struct mpm_edge_weights *weights)
 {
-    const double length = half_length(line);
-    for (int k = 0; k < 4; k++) {
-        const double place[2] = {line->middle[0] + gauss_place[k] * line->half[0],
-                                 line->middle[1] + gauss_place[k] * line->half[1]};
-        const double width = grid->axisymmetric ? place[0] : depth;
-        struct mpm_stencil here;
-        family->continue_to(grid, home, place, &here);
-        add_stencil(weights, &here, gauss_weight[k] * length * width);
-    }
+    struct mpm_stencil middle;
+    family->continue_to(grid, home, line->middle, &middle);
+    add_stencil(weights, &middle, mpm_edge_area(grid, line, depth));
 }
 
 void mpm_edge_integrate(const struct mpm_shape_family *family, const struct mpm_shape_grid *grid,
@@ -122,7 +111,7 @@ void mpm_edge_integrate(const struct mpm_shape_family *family, const struct mpm_
     const struct mpm_edge_line line = mpm_edge_find(family, grid, domain, edge);
     weights->count = 0;
     if (family->point)
-        integrate_continued(family, grid, domain->position, &line, depth, weights);
+        take_middle(family, grid, domain->position, &line, depth, weights);
     else
         integrate_interpolated(grid, &line, depth, weights);
 }

@@ -9,11 +9,13 @@
  *   cpdi      the edge that F carries; N_i between its two corners is interpolated, which is
  *             what CPDI takes it for inside the domain too: N&G (41)-(44), (50)-(53)
  *   ugimp     the same with the undeformed domain, (45)-(48): there it is the trapezoidal rule
- *   classic,  points have no domain: the edge is that of CPDI, N_i the functions of the cells
- *   bsplines  that the particle is in, integrated exactly. Where the edge reaches past these cells
- *             they are continued as the polynomials they are: the particle gives to nodes that it
- *             reaches with its mass, as everywhere in the method, and the force's sum and moment
- *             are those of the edge.
+ *   classic,  points have no domain: the edge is that of CPDI, and N_i is taken at its middle, by
+ *   bsplines  the functions of the cells that the particle is in. One point for the edge, since
+ *             the particle is one for its volume: integrated exactly, a uniform stress would be out
+ *             of balance along every edge (quadratic splines: by half of it in corners). Where the
+ *             middle lies past these cells, functions are continued as the polynomials they are:
+ *             the particle gives to nodes that it reaches with its mass, as everywhere in the
+ *             method, and the force's sum and moment are those of the edge's middle.
  *
  * Domains that would pass r = 0 are cut or shrunk first, as the shape functions' own are; those
  * that are not (axis: untruncated, planar) keep the sign of r, as their mass does. Edges of points
@@ -52,7 +54,7 @@ struct mpm_edge_weights {
 void mpm_edge_weights_add(struct mpm_edge_weights *weights, int64_t node, double w);
 
 /* w_i of every node that the edge reaches: a subset of the nodes that the particle's domain
- * reaches. Cost: some 0.1 us; points 0.5 us. */
+ * reaches. Cost: some 0.1 us. */
 void mpm_edge_integrate(const struct mpm_shape_family *family, const struct mpm_shape_grid *grid,
                         const struct mpm_shape_domain *domain, enum mpm_edge edge, double depth,
                         struct mpm_edge_weights *weights);
