@@ -15,6 +15,10 @@
 
 enum { AXES = 2, GRADIENT = 5, EDGES = 4, FRAMES = 2 };
 
+/* Whose area: of the edges that F carries, or of the undeformed ones (uGIMP). */
+enum area { CARRIED, UNDEFORMED, AREAS };
+static const char *const quantities[AREAS] = {"force_error", "force_error_undeformed"};
+
 static const char *const edge_names[EDGES] = {"bottom", "right", "top", "left"};
 static const char *const frame_names[FRAMES] = {"global", "edge"};
 
@@ -23,7 +27,6 @@ struct parameters {
     double half[AXES];         /* half edges of a particle at t = 0 */
     double columns, rows;      /* of sites */
     double value[AXES];        /* of the load */
-    double carried;            /* 1: areas are those of edges that F carries, else of the undeformed */
     double axisymmetric;       /* 1 or 0 */
 };
 
@@ -42,9 +45,10 @@ static enum mpm_status read_parameters(const struct measurement *m, struct param
         const char *name;
         double *value;
     } table[] = {
-        {"time", &p->time},         {"half_x", &p->half[0]},      {"half_y", &p->half[1]},
-        {"columns", &p->columns},   {"rows", &p->rows},           {"value_x", &p->value[0]},
-        {"value_y", &p->value[1]},  {"carried", &p->carried},     {"axisymmetric", &p->axisymmetric},
+        {"time", &p->time},        {"half_x", &p->half[0]},
+        {"half_y", &p->half[1]},   {"columns", &p->columns},
+        {"rows", &p->rows},        {"value_x", &p->value[0]},
+        {"value_y", &p->value[1]}, {"axisymmetric", &p->axisymmetric},
     };
     for (size_t k = 0; k < sizeof table / sizeof *table; k++)
         TRY(measurement_number(m, table[k].name, table[k].value, error));
@@ -109,16 +113,16 @@ static void carry(const double *f, double x, double y, double out[AXES])
 
 /* Adds the force on one particle's edge; returns its size. */
 static double add_edge(const struct parameters *p, const struct step *step, size_t id, int edge,
-                       bool in_edge, double force[AXES])
+                       bool in_edge, enum area of, double force[AXES])
 {
     static const int outward[EDGES][AXES] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
     static const double unit[GRADIENT] = {1.0, 0.0, 0.0, 1.0, 1.0};
-    const double *const f = &step->f[GRADIENT * id];
+    const double *const f = &step->f[GRADIENT * id], *const own_f = of == CARRIED ? f : unit;
     const int *const n = outward[edge];
     double along[AXES], own[AXES], away[AXES];
     carry(f, -2.0 * n[1] * p->half[0], 2.0 * n[0] * p->half[1], along);
-    carry(p->carried > 0.0 ? f : unit, -2.0 * n[1] * p->half[0], 2.0 * n[0] * p->half[1], own);
-    carry(p->carried > 0.0 ? f : unit, n[0] * p->half[0], n[1] * p->half[1], away);
+    carry(own_f, -2.0 * n[1] * p->half[0], 2.0 * n[0] * p->half[1], own);
+    carry(own_f, n[0] * p->half[0], n[1] * p->half[1], away);
     const double depth = p->axisymmetric > 0.0 ? step->position[AXES * id] + away[0] : 1.0;
     const double area = hypot(own[0], own[1]) * depth, length = hypot(along[0], along[1]);
     const double *const v = p->value;
@@ -128,24 +132,33 @@ static double add_edge(const struct parameters *p, const struct step *step, size
 }
 
 /* |force found - force due| over the sum of the sizes of all edges' forces. */
+static void compare(const struct parameters *p, const struct step *without, const struct step *with,
+                    int edge, int frame, double worst[AREAS])
+{
+    for (int of = 0; of < AREAS; of++) {
+        double due[AXES] = {0.0, 0.0}, size = 0.0;
+        for (size_t id = 0; id < with->count; id++)
+            if (is_on_face(p, id, edge))
+                size += add_edge(p, with, id, edge, frame == 1, (enum area)of, due);
+        for (int axis = 0; axis < AXES; axis++) {
+            const double found = (with->momentum[axis] - without->momentum[axis]) / with->time_step;
+            worst[of] = field_larger(worst[of], fabs(found - due[axis]) / size);
+        }
+    }
+}
+
 static enum mpm_status force_error(struct measurement *m, const struct parameters *p,
-                                   const struct step *without, int edge, int frame, double *worst,
-                                   struct mpm_error *error)
+                                   const struct step *without, int edge, int frame,
+                                   double worst[AREAS], struct mpm_error *error)
 {
     struct step with = {.alive = false};
-    double due[AXES] = {0.0, 0.0}, size = 0.0;
     char *const load = g_strdup_printf(
         "loads.tractions=[{body: block, edge: %s, frame: %s, value: ['%.17g*(t>=%.17g)', "
         "'%.17g*(t>=%.17g)']}]",
         edge_names[edge], frame_names[frame], p->value[0], p->time, p->value[1], p->time);
     const enum mpm_status status = run_with(m, p, load, &with, error);
-    for (size_t id = 0; status == MPM_OK && id < with.count; id++)
-        if (is_on_face(p, id, edge))
-            size += add_edge(p, &with, id, edge, frame == 1, due);
-    for (int axis = 0; status == MPM_OK && axis < AXES; axis++) {
-        const double found = (with.momentum[axis] - without->momentum[axis]) / with.time_step;
-        *worst = field_larger(*worst, fabs(found - due[axis]) / size);
-    }
+    if (status == MPM_OK)
+        compare(p, without, &with, edge, frame, worst);
     g_free(load);
     free_step(&with);
     return status;
@@ -155,15 +168,16 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
 {
     struct parameters p;
     struct step without = {.alive = false};
-    double worst = 0.0;
+    double worst[AREAS] = {0.0};
     TRY(read_parameters(m, &p, error));
     enum mpm_status status = run_with(m, &p, "loads.tractions=[]", &without, error);
     for (int k = 0; status == MPM_OK && k < EDGES * FRAMES; k++)
-        status = force_error(m, &p, &without, k / FRAMES, k % FRAMES, &worst, error);
-    if (status == MPM_OK && without.alive)
-        measurement_report(m, "force_error", worst);
-    else if (status == MPM_OK)
-        measurement_inconclusive(m, "force_error", "the run ended before the load began");
+        status = force_error(m, &p, &without, k / FRAMES, k % FRAMES, worst, error);
+    for (int of = 0; status == MPM_OK && of < AREAS; of++)
+        if (without.alive)
+            measurement_report(m, quantities[of], worst[of]);
+        else
+            measurement_inconclusive(m, quantities[of], "the run ended before the load began");
     free_step(&without);
     return status;
 }
