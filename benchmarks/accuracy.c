@@ -5,6 +5,7 @@
 
 #include "benchmarks/findings.h"
 #include "benchmarks/timing.h"
+#include "benchmarks/variants.h"
 #include "verification/suite/failure.h"
 
 #include <math.h>
@@ -18,25 +19,11 @@ static const struct accuracy_problem *const problems[] = {
     &accuracy_bars[0],
     &accuracy_bars[1],
 };
-static const char *const shapes[] = {"classic", "ugimp", "cpdi"};
-static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
 
 const struct accuracy_problem *const *accuracy_problems(size_t *count)
 {
     *count = G_N_ELEMENTS(problems);
     return problems;
-}
-
-const char *const *accuracy_shapes(size_t *count)
-{
-    *count = G_N_ELEMENTS(shapes);
-    return shapes;
-}
-
-const char *const *accuracy_orders(size_t *count)
-{
-    *count = G_N_ELEMENTS(orders);
-    return orders;
 }
 
 void accuracy_set(GPtrArray *settings, const char *format, ...)
@@ -68,26 +55,33 @@ static void clear_run(void *item)
 
 /* ------------------------------------------------------------------ the runs */
 
-static void describe(struct run *run, const char *shape, const char *order, unsigned cells)
+static void describe(struct run *run, const struct bench_variant *variant, unsigned cells)
 {
-    run->name = g_strdup_printf("%s/%s/%s/%u", run->problem->name, shape, order, cells);
+    run->name = g_strdup_printf("%s/%s/%s%s%s/%u", run->problem->name, variant->shape,
+                                variant->stress_update, *variant->change == '\0' ? "" : "/",
+                                variant->change, cells);
     run->settings = json_object();
     json_object_set_new(run->settings, "problem", json_string(run->problem->name));
-    json_object_set_new(run->settings, "shape", json_string(shape));
-    json_object_set_new(run->settings, "stress_update", json_string(order));
+    json_object_set_new(run->settings, "shape", json_string(variant->shape));
+    json_object_set_new(run->settings, "stress_update", json_string(variant->stress_update));
+    if (*variant->change != '\0')
+        json_object_set_new(run->settings, "change", json_string(variant->change));
     json_object_set_new(run->settings, "cells", json_integer(cells));
 }
 
 static enum mpm_status add_run(struct bench_context *context, GArray *runs,
-                               const struct accuracy_problem *problem, const char *const variant[2],
-                               unsigned cells, struct mpm_error *error)
+                               const struct accuracy_problem *problem,
+                               const struct bench_variant *variant, unsigned cells,
+                               struct mpm_error *error)
 {
     struct run run = {.problem = problem, .repeats = 1};
     GPtrArray *settings = g_ptr_array_new_with_free_func(g_free);
     char *path = problem->scene(context);
-    describe(&run, variant[0], variant[1], cells);
-    accuracy_set(settings, "method.shape=%s", variant[0]);
-    accuracy_set(settings, "method.stress_update=%s", variant[1]);
+    describe(&run, variant, cells);
+    accuracy_set(settings, "method.shape=%s", variant->shape);
+    accuracy_set(settings, "method.stress_update=%s", variant->stress_update);
+    if (variant->setting != NULL)
+        accuracy_set(settings, "%s", variant->setting);
     accuracy_set(settings, "time.end=%.17g", problem->end);
     problem->set(settings, cells);
     const enum mpm_status status = mpm_scene_read(path, (const char *const *)settings->pdata,
@@ -100,7 +94,7 @@ static enum mpm_status add_run(struct bench_context *context, GArray *runs,
 
 static enum mpm_status add_ladder(struct bench_context *context, GArray *runs,
                                   const struct accuracy_problem *problem,
-                                  const char *const variant[2], struct mpm_error *error)
+                                  const struct bench_variant *variant, struct mpm_error *error)
 {
     const unsigned most = context->tier == BENCH_QUICK ? QUICK_LADDER : ACCURACY_LADDER_MAX;
     for (unsigned i = 0; i < most && problem->cells[i] > 0; i++)
@@ -111,10 +105,10 @@ static enum mpm_status add_ladder(struct bench_context *context, GArray *runs,
 static enum mpm_status add_all(struct bench_context *context, GArray *runs, struct mpm_error *error)
 {
     for (size_t p = 0; p < G_N_ELEMENTS(problems); p++)
-        for (size_t s = 0; s < G_N_ELEMENTS(shapes); s++)
-            for (size_t o = 0; o < G_N_ELEMENTS(orders); o++)
-                TRY(add_ladder(context, runs, problems[p],
-                               (const char *const[]){shapes[s], orders[o]}, error));
+        for (size_t v = 0; v < bench_variants_count(); v++) {
+            const struct bench_variant variant = bench_variant(v);
+            TRY(add_ladder(context, runs, problems[p], &variant, error));
+        }
     return MPM_OK;
 }
 

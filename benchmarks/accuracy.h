@@ -1,12 +1,13 @@
 /* Error against run time: problems with an exact solution, run by every variant of the solver
  * on a ladder of grids.
  *
- * Lines of a run, point "<problem>/<shape>/<stress_update>/<cells>":
+ * Lines of a run, point "<problem>/<shape>/<stress_update>[/<change>]/<cells>":
  *   value   "error_..."    root mean square over particles (and samples in time), relative;
  *                          null where the run failed
  *   result  "cpu_seconds"  processor time of the steps alone; none where the run failed
- * with the settings problem, shape, stress_update, cells, particles, outcome ("done" or
- * "failed") and reached, the part of the run's time that it got through.
+ * with the settings problem, shape, stress_update, change (variants.h; none if ""), cells,
+ * particles, outcome ("done" or "failed") and reached, the part of the run's time that it got
+ * through.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef BENCHMARKS_ACCURACY_H
@@ -47,10 +48,6 @@ const struct accuracy_problem *const *accuracy_problems(size_t *count);
 
 enum { ACCURACY_BARS = 2 };
 extern const struct accuracy_problem accuracy_compression, accuracy_bars[ACCURACY_BARS];
-
-/* The variants of the solver, as their names in a scene; *count of them. */
-const char *const *accuracy_shapes(size_t *count);
-const char *const *accuracy_orders(size_t *count);
 
 /* Adds a text PATH=VALUE, printed from the format. */
 void accuracy_set(GPtrArray *settings, const char *format, ...)

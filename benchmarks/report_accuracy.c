@@ -38,10 +38,11 @@ static const struct accuracy_problem *find_problem(const char *name)
     return NULL;
 }
 
-static bool is_variant(const json_t *line, const char *shape, const char *order)
+static bool is_variant(const json_t *line, const struct bench_variant *variant)
 {
-    return strcmp(report_setting(line, "shape"), shape) == 0 &&
-           strcmp(report_setting(line, "stress_update"), order) == 0;
+    return strcmp(report_setting(line, "shape"), variant->shape) == 0 &&
+           strcmp(report_setting(line, "stress_update"), variant->stress_update) == 0 &&
+           strcmp(report_setting(line, "change"), variant->change) == 0;
 }
 
 static struct pareto_point point_of(const struct ladder *ladder, const json_t *line,
@@ -54,13 +55,13 @@ static struct pareto_point point_of(const struct ladder *ladder, const json_t *l
 }
 
 /* The points of a variant (NULL: of all) by rising cells; returns how many. */
-static size_t points_of(const struct ladder *ladder, const char *shape, const char *order,
+static size_t points_of(const struct ladder *ladder, const struct bench_variant *variant,
                         enum bound bound, struct pareto_point *points)
 {
     size_t count = 0;
     for (unsigned i = 0; i < ladder->lines->len; i++) {
         const json_t *line = ladder->lines->pdata[i];
-        if (shape == NULL || is_variant(line, shape, order))
+        if (variant == NULL || is_variant(line, variant))
             points[count++] = point_of(ladder, line, bound);
     }
     return count;
@@ -82,24 +83,21 @@ static void data_point(GString *data, const struct pareto_point *point)
 /* A block for each variant, then the front; a block without points would be a warning. */
 static char *figure_data(const struct ladder *ladder, GString *settings)
 {
-    size_t shape_count, order_count;
-    const char *const *shapes = accuracy_shapes(&shape_count);
-    const char *const *orders = accuracy_orders(&order_count);
     struct pareto_point *points = g_new0(struct pareto_point, ladder->lines->len);
     size_t *front = g_new0(size_t, ladder->lines->len);
     GString *data = g_string_new("# CPU seconds, error in per cent\n");
     g_string_append(settings, "blocks='");
-    for (size_t v = 0; v < shape_count * order_count; v++) {
-        const size_t shape = v / order_count, order = v % order_count;
-        const size_t count = points_of(ladder, shapes[shape], orders[order], MEDIAN, points);
+    for (size_t v = 0; v < bench_variants_count(); v++) {
+        const struct bench_variant variant = bench_variant(v);
+        const size_t count = points_of(ladder, &variant, MEDIAN, points);
         if (pareto_front(points, count, front) == 0)
             continue;
-        g_string_append_printf(settings, "%zu%zu ", shape + 1, order + 1);
+        g_string_append_printf(settings, "%zu%zu ", variant.colour + 1, variant.marker + 1);
         for (size_t i = 0; i < count; i++)
             data_point(data, &points[i]);
         g_string_append(data, "\n\n");
     }
-    const size_t count = points_of(ladder, NULL, NULL, MEDIAN, points);
+    const size_t count = points_of(ladder, NULL, MEDIAN, points);
     const size_t on_front = pareto_front(points, count, front);
     for (size_t i = 0; i < on_front; i++)
         data_point(data, &points[front[i]]);
@@ -121,7 +119,8 @@ static void add_picture(struct report *report, const struct ladder *ladder, size
     const char *words = ladder->problem == NULL ? "error" : ladder->problem->headline_words;
     char *caption = g_strdup_printf(
         "Vertical: %s. Colour and dashes tell the shape functions, markers the stress-update "
-        "order; each line is one variant from its coarsest grid to its finest, the thick line the "
+        "order (other transfers and the momentum form: uGIMP with MUSL); each line is one variant "
+        "from its coarsest grid to its finest, the thick line the "
         "Pareto front over all of them. Errors above 200 %% are not drawn.",
         words);
     g_string_append_printf(settings, "; label='%s (%%)'", words);
@@ -147,13 +146,13 @@ static char *cost_text(const struct pareto_cost *cost)
     return text;
 }
 
-static void cell_cost(struct report *report, const struct ladder *ladder, const char *shape,
-                      const char *order, double error)
+static void cell_cost(struct report *report, const struct ladder *ladder,
+                      const struct bench_variant *variant, double error)
 {
     struct pareto_point *points = g_new0(struct pareto_point, ladder->lines->len);
     struct pareto_cost cost[BOUNDS];
     for (int b = 0; b < BOUNDS; b++) {
-        const size_t count = points_of(ladder, shape, order, (enum bound)b, points);
+        const size_t count = points_of(ladder, variant, (enum bound)b, points);
         cost[b] = pareto_cost_to_reach(points, count, error);
     }
     char *about = NULL;
@@ -168,14 +167,14 @@ static void cell_cost(struct report *report, const struct ladder *ladder, const 
 }
 
 /* The least error of a variant and the grid it was found on. */
-static void cell_least(struct report *report, const struct ladder *ladder, const char *shape,
-                       const char *order)
+static void cell_least(struct report *report, const struct ladder *ladder,
+                       const struct bench_variant *variant)
 {
     const json_t *least = NULL;
     size_t failed = 0;
     for (unsigned i = 0; i < ladder->lines->len; i++) {
         const json_t *line = ladder->lines->pdata[i];
-        if (!is_variant(line, shape, order))
+        if (!is_variant(line, variant))
             continue;
         const double error = record_number(line, "value");
         failed += isfinite(error) ? 0 : 1;
@@ -191,10 +190,10 @@ static void cell_least(struct report *report, const struct ladder *ladder, const
     g_free(failures);
 }
 
-static bool has_variant(const struct ladder *ladder, const char *shape, const char *order)
+static bool has_variant(const struct ladder *ladder, const struct bench_variant *variant)
 {
     for (unsigned i = 0; i < ladder->lines->len; i++)
-        if (is_variant(ladder->lines->pdata[i], shape, order))
+        if (is_variant(ladder->lines->pdata[i], variant))
             return true;
     return false;
 }
@@ -203,23 +202,19 @@ static void add_table(struct report *report, const struct ladder *ladder)
 {
     const char *const columns[] = {"Variant",        ">Least error, %", levels[0].column,
                                    levels[1].column, levels[2].column,  NULL};
-    size_t shape_count, order_count;
-    const char *const *shapes = accuracy_shapes(&shape_count);
-    const char *const *orders = accuracy_orders(&order_count);
     document_table(report->document,
                    "Cost to reach an error, interpolated between the two grids around it where it "
                    "is first reached, never extrapolated. ≤: reached by the coarsest grid "
                    "already. A failed run was ended by the solver's guard.",
                    columns);
-    for (size_t v = 0; v < shape_count * order_count; v++) {
-        const char *shape = shapes[v / order_count], *order = orders[v % order_count];
-        if (!has_variant(ladder, shape, order))
+    for (size_t v = 0; v < bench_variants_count(); v++) {
+        const struct bench_variant variant = bench_variant(v);
+        if (!has_variant(ladder, &variant))
             continue;
-        document_cell(report->document,
-                      g_strdup_printf("%s, %s", report_word(shape), report_word(order)), NULL);
-        cell_least(report, ladder, shape, order);
+        document_cell(report->document, report_variant_words(&variant), NULL);
+        cell_least(report, ladder, &variant);
         for (size_t l = 0; l < G_N_ELEMENTS(levels); l++)
-            cell_cost(report, ladder, shape, order, levels[l].error);
+            cell_cost(report, ladder, &variant, levels[l].error);
     }
 }
 

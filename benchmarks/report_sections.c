@@ -63,6 +63,8 @@ const char *report_word(const char *name)
         {"classic", "classic"},
         {"ugimp", "uGIMP"},
         {"cpdi", "CPDI"},
+        {"bspline2", "B-spline 2"},
+        {"bspline3", "B-spline 3"},
         {"usl", "USL"},
         {"musl", "MUSL"},
         {"usf", "USF"},
@@ -70,11 +72,23 @@ const char *report_word(const char *name)
         {"plane_strain", "plane strain"},
         {"plane_stress", "plane stress"},
         {"axisymmetric", "axisymmetric"},
+        {"apic", "APIC"},
+        {"xpic2", "XPIC(2)"},
+        {"fmpm2", "FMPM(2)"},
+        {"flip99", "FLIP 0.99"},
+        {"momentum", "momentum form"},
     };
     for (size_t i = 0; i < G_N_ELEMENTS(words); i++)
         if (strcmp(name, words[i][0]) == 0)
             return words[i][1];
     return name;
+}
+
+char *report_variant_words(const struct bench_variant *variant)
+{
+    return g_strdup_printf("%s, %s%s%s", report_word(variant->shape),
+                           report_word(variant->stress_update),
+                           *variant->change == '\0' ? "" : ", ", report_word(variant->change));
 }
 
 char *report_variant(const json_t *line)

@@ -6,6 +6,7 @@
 
 #include "benchmarks/document.h"
 #include "benchmarks/records.h"
+#include "benchmarks/variants.h"
 
 /* What a section writes to. */
 struct report {
@@ -46,6 +47,9 @@ bool report_has(struct report *report, const char *group, const char *what);
 /* "uGIMP", "plane strain", "MUSL": as texts name what scenes call otherwise; any other name
  * as it is. */
 const char *report_word(const char *name);
+
+/* "uGIMP, MUSL", with "APIC" behind it where that differs; g_free. */
+char *report_variant_words(const struct bench_variant *variant);
 
 /* "uGIMP, MUSL, plane strain" of a line's settings; g_free. */
 char *report_variant(const json_t *line);

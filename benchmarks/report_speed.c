@@ -73,21 +73,20 @@ static bool is_variant(const struct report *report, const json_t *line)
            strchr(record_text(line, "point"), ',') == NULL;
 }
 
-static const json_t *variant(const struct report *report, const GPtrArray *lines, const char *shape,
-                             const char *order, const char *geometry)
+static const json_t *find_variant(const struct report *report, const GPtrArray *lines,
+                                  const struct bench_variant *variant, const char *geometry)
 {
     for (unsigned i = 0; i < lines->len; i++) {
         const json_t *line = lines->pdata[i];
-        if (is_variant(report, line) && strcmp(report_setting(line, "shape"), shape) == 0 &&
-            strcmp(report_setting(line, "stress_update"), order) == 0 &&
+        if (is_variant(report, line) &&
+            strcmp(report_setting(line, "shape"), variant->shape) == 0 &&
+            strcmp(report_setting(line, "stress_update"), variant->stress_update) == 0 &&
             strcmp(report_setting(line, "geometry"), geometry) == 0)
             return line;
     }
     return NULL;
 }
 
-static const char *const shapes[] = {"classic", "ugimp", "cpdi"};
-static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
 static const char *const geometries[] = {"plane_strain", "axisymmetric"};
 
 /* Median, low and high in millions; '-' is what the script takes for no value. */
@@ -107,18 +106,18 @@ static void add_bars(struct report *report, const GPtrArray *lines)
     char settings[] = "shown='   '"; /* places of the geometries that have bars */
     GString *data = g_string_new("# shape order, plane strain: median low high, axisymmetric: "
                                  "median low high; million particle-steps/s\n");
-    for (size_t s = 0; s < G_N_ELEMENTS(shapes); s++)
-        for (size_t o = 0; o < G_N_ELEMENTS(orders); o++) {
-            g_string_append_printf(data, "\"%s\" \"%s\"", report_word(shapes[s]),
-                                   report_word(orders[o]));
-            for (size_t g = 0; g < G_N_ELEMENTS(geometries); g++) {
-                const json_t *line = variant(report, lines, shapes[s], orders[o], geometries[g]);
-                bar_data(data, line);
-                if (line != NULL) /* no bars at all would be a warning */
-                    settings[strlen("shown='") + 2 * g] = (char)('0' + g);
-            }
-            g_string_append_c(data, '\n');
+    for (size_t v = 0; v < bench_variants_plain(); v++) {
+        const struct bench_variant variant = bench_variant(v);
+        g_string_append_printf(data, "\"%s\" \"%s\"", report_word(variant.shape),
+                               report_word(variant.stress_update));
+        for (size_t g = 0; g < G_N_ELEMENTS(geometries); g++) {
+            const json_t *line = find_variant(report, lines, &variant, geometries[g]);
+            bar_data(data, line);
+            if (line != NULL) /* no bars at all would be a warning */
+                settings[strlen("shown='") + 2 * g] = (char)('0' + g);
         }
+        g_string_append_c(data, '\n');
+    }
     report_add_figure(report,
                       &(struct report_figure){"throughput", "throughput", settings, data->str,
                                               "Throughput of every variant",
@@ -132,15 +131,13 @@ static void add_variants(struct report *report, const GPtrArray *lines)
     static const char *const columns[] = {"Variant", ">Plane strain", ">Axisymmetric", NULL};
     document_heading(report->document, 3, "Every variant");
     document_table(report->document, "Million particle-steps a second, one thread.", columns);
-    for (size_t s = 0; s < G_N_ELEMENTS(shapes); s++)
-        for (size_t o = 0; o < G_N_ELEMENTS(orders); o++) {
-            document_cell(report->document,
-                          g_strdup_printf("%s, %s", report_word(shapes[s]), report_word(orders[o])),
-                          NULL);
-            for (size_t g = 0; g < G_N_ELEMENTS(geometries); g++)
-                report_cell_result(
-                    report, variant(report, lines, shapes[s], orders[o], geometries[g]), MILLION);
-        }
+    for (size_t v = 0; v < bench_variants_plain(); v++) {
+        const struct bench_variant variant = bench_variant(v);
+        document_cell(report->document, report_variant_words(&variant), NULL);
+        for (size_t g = 0; g < G_N_ELEMENTS(geometries); g++)
+            report_cell_result(report, find_variant(report, lines, &variant, geometries[g]),
+                               MILLION);
+    }
     add_bars(report, lines);
 }
 

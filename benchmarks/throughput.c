@@ -3,9 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/blocks.h"
 #include "benchmarks/timing.h"
+#include "benchmarks/variants.h"
 
-static const char *const shapes[] = {"classic", "ugimp", "cpdi"};
-static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
 static const char *const geometries[] = {"plane_strain", "axisymmetric"};
 
 /* Seconds for each list, in the standard tier. */
@@ -19,12 +18,12 @@ static unsigned usual_size(const struct bench_context *context)
 static void add_variants(struct bench_context *context, GArray *points)
 {
     for (size_t g = 0; g < G_N_ELEMENTS(geometries); g++)
-        for (size_t s = 0; s < G_N_ELEMENTS(shapes); s++)
-            for (size_t o = 0; o < G_N_ELEMENTS(orders); o++) {
-                const struct bench_block block = {geometries[g], shapes[s], orders[o],
-                                                  usual_size(context)};
-                bench_block_add(context, points, &block, NULL)->phases = true;
-            }
+        for (size_t v = 0; v < bench_variants_plain(); v++) {
+            const struct bench_variant variant = bench_variant(v);
+            const struct bench_block block = {geometries[g], variant.shape, variant.stress_update,
+                                              usual_size(context)};
+            bench_block_add(context, points, &block, NULL)->phases = true;
+        }
 }
 
 static void add_sizes(struct bench_context *context, GArray *points)

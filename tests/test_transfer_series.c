@@ -2,6 +2,7 @@
  * step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/simulation.h"
 #include "suites.h"
 #include "support/near.h"
 #include "support/transfer_block.h"
@@ -139,11 +140,46 @@ START_TEST(xpic_and_fmpm_are_the_series_of_their_papers)
 }
 END_TEST
 
+/* The extra nodes of planar functions at the axis, mirrored: w_r there is minus that of the node at
+ * the other side, w_z their own, in every order. Domains that move inwards reach them. */
+START_TEST(nodes_beyond_the_axis_mirror_every_order)
+{
+    static const char *const transfers[] = {"{kind: xpic, order: 2}", "{kind: xpic, order: 5}",
+                                            "{kind: fmpm, order: 2}", "{kind: fmpm, order: 4}"};
+    struct block_settings settings = {.count = 0};
+    block_add(&settings, "geometry=axisymmetric");
+    block_add(&settings, "bodies.block.region.rectangle.from=[0, 3.2]");
+    block_add_method(&settings, "ugimp", "stress_update: usl, axis: planar, axis_nodes: mirrored",
+                     transfers[_i]);
+    block_add(&settings, "bodies.block.velocity=['-0.3*(1+cos(z)^2)*r', '0.4*cos(r+2*z)']");
+    struct test_run run = block_open(&settings, 1);
+    test_run_steps(&run, 2);
+    const struct mpm_state *const state = &run.simulation->state;
+    const struct mpm_grid *const grid = &state->grid;
+    int mirrored = 0, other_z = 0;
+    for (int64_t row = state->first_row; row <= state->last_row; row++) {
+        const int64_t axis = row * grid->columns + state->mirror_column;
+        if (grid->mass[axis - 1] == 0.0)
+            continue;
+        const double *const beyond = grid->smoothed[axis - 1].acceleration;
+        const double *const image = grid->smoothed[axis + 1].acceleration;
+        ck_assert_double_ne(image[0], 0.0);
+        ck_assert_double_eq(beyond[0], -image[0]);
+        mirrored++;
+        other_z += beyond[1] != image[1];
+    }
+    ck_assert_int_gt(mirrored, 4);
+    ck_assert_int_gt(other_z, 4);
+    test_run_close(&run);
+}
+END_TEST
+
 Suite *suite_transfer_series(void)
 {
     Suite *const suite = suite_create("transfer_series");
     TCase *const series_case = tcase_create("series");
     tcase_add_loop_test(series_case, xpic_and_fmpm_are_the_series_of_their_papers, 0, 2 * SHAPES);
+    tcase_add_loop_test(series_case, nodes_beyond_the_axis_mirror_every_order, 0, 4);
     suite_add_tcase(suite, series_case);
     return suite;
 }
