@@ -78,10 +78,9 @@ static void corners_of(const struct sample *sample, double ends[2][2])
     for (int end = 0; end < 2; end++) {
         const int *const sign = first[((int)sample->edge + end) % 4];
         for (int axis = 0; axis < 2; axis++)
-            ends[end][axis] =
-                domain->position[axis] +
-                (ugimp ? sign[axis] * half[axis]
-                       : scale * (sign[0] * e[axis] + sign[1] * e[2 + axis]));
+            ends[end][axis] = domain->position[axis] +
+                              (ugimp ? sign[axis] * half[axis]
+                                     : scale * (sign[0] * e[axis] + sign[1] * e[2 + axis]));
         if (ends_there && ugimp)
             ends[end][0] = fmax(ends[end][0], 0.0);
     }
@@ -190,8 +189,8 @@ START_TEST(weights_of_an_edge_are_the_integrals_of_the_nodes_functions_along_it)
 }
 END_TEST
 
-/* Whatever the edge reaches past: sum w = A and sum w x_i = integral of x dS (of points: A times the
- * middle), so that a traction's force and moment are the edge's. */
+/* Whatever the edge reaches past: sum w = A and sum w x_i = integral of x dS (of points: A times
+ * the middle), so that a traction's force and moment are the edge's. */
 START_TEST(weights_of_an_edge_have_its_area_and_its_first_moment)
 {
     GRand *const random = g_rand_new_with_seed(777 + (guint32)_i);
@@ -212,8 +211,9 @@ START_TEST(weights_of_an_edge_have_its_area_and_its_first_moment)
         ck_assert_near(area, 0.5 * length * (depth[0] + depth[1]), ROUND_OFF);
         for (int axis = 0; axis < 2; axis++) {
             const double middle = 0.5 * (ends[0][axis] + ends[1][axis]);
-            const double integral = length / 6.0 * (ends[0][axis] * (2.0 * depth[0] + depth[1]) +
-                                                    ends[1][axis] * (depth[0] + 2.0 * depth[1]));
+            const double integral = length / 6.0 *
+                                    (ends[0][axis] * (2.0 * depth[0] + depth[1]) +
+                                     ends[1][axis] * (depth[0] + 2.0 * depth[1]));
             ck_assert_near(moment[axis], sample.family->point ? middle * area : integral,
                            40.0 * ROUND_OFF);
         }

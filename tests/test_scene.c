@@ -299,8 +299,7 @@ static char *describe(const struct mpm_scene *scene)
         body->velocity.text[1], scene->boundary_count,
         scene->body_force.text[0] != NULL ? scene->body_force.text[0] : "none",
         scene->body_force.text[1] != NULL ? scene->body_force.text[1] : "none",
-        (gint64)scene->rest.steps, scene->rest.after, scene->damping.target,
-        scene->edge_load_count,
+        (gint64)scene->rest.steps, scene->rest.after, scene->damping.target, scene->edge_load_count,
         scene->edge_load_count > 0 ? (int)scene->edge_loads[0].frame : 0);
 }
 
@@ -366,8 +365,8 @@ START_TEST(loads_on_edges_say_what_their_file_says)
 {
     struct mpm_scene *scene = test_scene_read("tests/scenes/good/loaded_block.yaml", NULL);
     ck_assert_uint_eq(scene->edge_load_count, 2);
-    const struct mpm_edge_load_spec *const first = &scene->edge_loads[0],
-                                           *const second = &scene->edge_loads[1];
+    const struct mpm_edge_load_spec *const first = &scene->edge_loads[0], *const second =
+                                                                              &scene->edge_loads[1];
     ck_assert(!first->on_particles && first->position == 0 && first->body == 1);
     ck_assert(first->edge == MPM_EDGE_ALL && first->frame == MPM_FRAME_GLOBAL);
     ck_assert_ptr_null(first->value.text[0]);

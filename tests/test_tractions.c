@@ -107,16 +107,15 @@ static void expected_force(const struct moment *moment, int index, int edge, boo
         edge_of(moment, id, edge, !ugimp, vector, middle);
         edge_of(moment, id, edge, true, along, unused);
         const double length = hypot(along[0], along[1]);
-        const double depth = geometry == AXISYMMETRIC ? middle[0]
-                             : geometry == PLANE_STRESS && !ugimp
-                                 ? moment->f[GRADIENT * id + 4]
-                                 : 1.0;
+        const double depth = geometry == AXISYMMETRIC             ? middle[0]
+                             : geometry == PLANE_STRESS && !ugimp ? moment->f[GRADIENT * id + 4]
+                                                                  : 1.0;
         const double area = hypot(vector[0], vector[1]) * depth;
         const double value[2] = {0.01 * middle[0], 0.02 + 0.003 * middle[1]};
-        force[0] += area * (in_edge ? (value[0] * along[1] + value[1] * along[0]) / length
-                                    : value[0]);
-        force[1] += area * (in_edge ? (value[1] * along[1] - value[0] * along[0]) / length
-                                    : value[1]);
+        force[0] +=
+            area * (in_edge ? (value[0] * along[1] + value[1] * along[0]) / length : value[0]);
+        force[1] +=
+            area * (in_edge ? (value[1] * along[1] - value[0] * along[0]) / length : value[1]);
     }
 }
 
@@ -196,10 +195,9 @@ END_TEST
  * without mass, in reach of the upper edge. */
 START_TEST(no_force_is_lost_on_a_node_without_mass)
 {
-    const char *const settings[] = {"method.shape=bspline2",
-                                    "bodies.block.particles_per_cell=[1, 1]",
-                                    "loads={tractions: [{body: block, edge: top, value: [0, 1]}]}",
-                                    NULL};
+    const char *const settings[] = {
+        "method.shape=bspline2", "bodies.block.particles_per_cell=[1, 1]",
+        "loads={tractions: [{body: block, edge: top, value: [0, 1]}]}", NULL};
     struct test_run run = test_run_open(BLOCK, settings, 1);
     struct mpm_ledger start, end;
     mpm_simulation_ledger(run.simulation, &start);

@@ -86,7 +86,8 @@ static void integrate_interpolated(const struct mpm_shape_grid *grid,
     for (int end = -1; end <= 1; end += 2) {
         const double place[2] = {line->middle[0] + end * line->half[0],
                                  line->middle[1] + end * line->half[1]};
-        const double mean = grid->axisymmetric ? line->middle[0] + end * line->half[0] / 3.0 : depth;
+        const double mean =
+            grid->axisymmetric ? line->middle[0] + end * line->half[0] / 3.0 : depth;
         struct mpm_stencil corner;
         mpm_shape_classic.continue_to(grid, place, place, &corner);
         add_stencil(weights, &corner, length * mean);

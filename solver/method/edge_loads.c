@@ -204,8 +204,7 @@ static void spread_strip(void *context, int64_t index, int worker)
         if (taken != 0.0)
             give_by_shape(state, edge, taken);
         for (int i = 0; i < edge->weights.count; i++)
-            add_force(state, edge->weights.entry[i].node, edge->traction,
-                      edge->weights.entry[i].w);
+            add_force(state, edge->weights.entry[i].node, edge->traction, edge->weights.entry[i].w);
     }
 }
 

@@ -100,7 +100,7 @@ enum mpm_frame {
 /* A load on the edges of particles on one face of a body: entry `position` of loads.tractions or
  * of loads.particle_forces. */
 struct mpm_edge_load_spec {
-    bool on_particles;                  /* particle_forces */
+    bool on_particles; /* particle_forces */
     size_t position;
     size_t body;
     enum mpm_edge edge;

@@ -59,13 +59,13 @@ static enum mpm_status create_expressions(struct mpm_simulation *simulation,
         return mpm_error_memory(error, sizeof *state->boundary_velocity, "the expressions");
     for (size_t k = 0; k < scene->boundary_count; k++)
         MPM_TRY(mpm_vector_field_create(scene, &scene->boundaries[k].velocity, true, 1,
-                             &state->boundary_velocity[k], error));
+                                        &state->boundary_velocity[k], error));
     for (size_t k = 0; k < scene->body_count; k++)
         if (scene->bodies[k].rigid)
             MPM_TRY(mpm_vector_field_create(scene, &scene->bodies[k].velocity, true, 1,
-                                 &state->body_velocity[k], error));
-    MPM_TRY(
-        mpm_vector_field_create(scene, &scene->body_force, true, state->workers, &state->body_force, error));
+                                            &state->body_velocity[k], error));
+    MPM_TRY(mpm_vector_field_create(scene, &scene->body_force, true, state->workers,
+                                    &state->body_force, error));
     state->body_force_kind = body_force_kind(&state->body_force);
     return mpm_damping_create(simulation, coordinate_names(scene), error);
 }
@@ -160,7 +160,8 @@ static enum mpm_status set_velocities(struct mpm_simulation *simulation, struct 
         struct mpm_vector_field field = {0};
         if (scene->bodies[body].rigid)
             continue;
-        status = mpm_vector_field_create(scene, &scene->bodies[body].velocity, false, 1, &field, error);
+        status =
+            mpm_vector_field_create(scene, &scene->bodies[body].velocity, false, 1, &field, error);
         for (; status == MPM_OK && p < particles->count && particles->body[p] == body; p++) {
             const double position[2] = {particles->position[0][p], particles->position[1][p]};
             for (int axis = 0; axis < 2 && status == MPM_OK; axis++) {

@@ -1,8 +1,8 @@
 /* Which edges of which particles bear a load: settled when the simulation is created.
  *
  * A load on a face of a body acts on the edges on that side of those particles that have no
- * neighbour of the same body there: whether the lattice site beyond the edge belongs to the body, as
- * created. Faces that do not follow the lattice become stairs. The axis r = 0 is no face.
+ * neighbour of the same body there: whether the lattice site beyond the edge belongs to the body,
+ * as created. Faces that do not follow the lattice become stairs. The axis r = 0 is no face.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/edge_loads.h"
@@ -34,9 +34,9 @@ static const char *key_of(const struct mpm_edge_load_spec *load, const char *las
 struct finder {
     const struct mpm_state *state;
     double half[2];
-    uint32_t id;   /* of the site in hand, or of the first one of the body */
-    size_t load;   /* the one that is looked for, or all */
-    size_t count;  /* of edges found */
+    uint32_t id;                 /* of the site in hand, or of the first one of the body */
+    size_t load;                 /* the one that is looked for, or all */
+    size_t count;                /* of edges found */
     struct mpm_edge_site *sites; /* NULL: only counts */
 };
 
@@ -197,8 +197,8 @@ enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulati
 
 void mpm_edge_loads_free(struct mpm_state *state)
 {
-    for (size_t load = 0;
-         state->edge_loads.value != NULL && load < state->scene->edge_load_count; load++)
+    for (size_t load = 0; state->edge_loads.value != NULL && load < state->scene->edge_load_count;
+         load++)
         mpm_vector_field_free(&state->edge_loads.value[load]);
     free(state->edge_loads.value);
 }

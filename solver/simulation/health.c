@@ -76,9 +76,8 @@ static void describe(const struct mpm_simulation *simulation, const struct mpm_f
         return;
     case MPM_TRACTION_NOT_FINITE:
         (void)snprintf(text, size, "bears a load that is not finite: loads.%s.%zu.value.%d = %g",
-                       simulation->scene->edge_loads[failure->load].on_particles
-                           ? "particle_forces"
-                           : "tractions",
+                       simulation->scene->edge_loads[failure->load].on_particles ? "particle_forces"
+                                                                                 : "tractions",
                        simulation->scene->edge_loads[failure->load].position, failure->axis,
                        failure->value);
         return;

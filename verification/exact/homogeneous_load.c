@@ -26,17 +26,15 @@ static double find_root(double (*function)(double, void *), void *context)
     static const double LOWEST = 0.2, HIGHEST = 5.0, TOLERANCE = 1e-13;
     gsl_function f = {.function = function, .params = context};
     gsl_root_fsolver *const solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-    int status =
-        solver == NULL ? GSL_ENOMEM : gsl_root_fsolver_set(solver, &f, LOWEST, HIGHEST);
+    int status = solver == NULL ? GSL_ENOMEM : gsl_root_fsolver_set(solver, &f, LOWEST, HIGHEST);
     int test = GSL_CONTINUE;
     for (int round = 0; status == GSL_SUCCESS && test == GSL_CONTINUE && round < ROUNDS; round++) {
         status = gsl_root_fsolver_iterate(solver);
         test = gsl_root_test_interval(gsl_root_fsolver_x_lower(solver),
                                       gsl_root_fsolver_x_upper(solver), 0.0, TOLERANCE);
     }
-    const double root = status == GSL_SUCCESS && test == GSL_SUCCESS
-                            ? gsl_root_fsolver_root(solver)
-                            : (double)NAN;
+    const double root =
+        status == GSL_SUCCESS && test == GSL_SUCCESS ? gsl_root_fsolver_root(solver) : (double)NAN;
     if (solver != NULL)
         gsl_root_fsolver_free(solver);
     return root;

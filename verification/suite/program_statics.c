@@ -21,7 +21,7 @@ struct errors {
     double pair_stress_l2;        /* of the means of two particles each, see pair_error */
     double inner_displacement_l2; /* without four particles at either end of a row */
     double stress_worst, stress_l2, displacement_worst, displacement_l2, strain_worst;
-    double axial_worst;           /* of the stress along y or z */
+    double axial_worst;            /* of the stress along y or z */
     double edge_axial, rest_axial; /* its mean in the uppermost row, and below the middle */
 };
 
@@ -94,8 +94,9 @@ static double norm_l2(const struct norm *norm)
     return sqrt(norm->squares / norm->mass);
 }
 
-/* The error of the mean stress of particles 2 k and 2 k + 1, the two of a cell in a row of them: the
- * gradients of hat functions are those of the cell, and exact to second order at its centre only. */
+/* The error of the mean stress of particles 2 k and 2 k + 1, the two of a cell in a row of them:
+ * the gradients of hat functions are those of the cell, and exact to second order at its centre
+ * only. */
 static double pair_error(const struct static_solution *solution, const struct view *view)
 {
     struct norm norm = {0};
@@ -201,9 +202,9 @@ static enum mpm_status write_profile(struct measurement *m, const struct static_
         for (size_t c = 0; c < STRESS; c++)
             row[2 + STRESS + c] = exact.stress[c];
     }
-    const enum mpm_status status = measurement_series(
-        m, "profile", "x0 y0 xx yy zz xy exact_xx exact_yy exact_zz exact_xy", COLUMNS, set->count,
-        rows, error);
+    const enum mpm_status status =
+        measurement_series(m, "profile", "x0 y0 xx yy zz xy exact_xx exact_yy exact_zz exact_xy",
+                           COLUMNS, set->count, rows, error);
     g_free(rows);
     return status;
 }
@@ -245,8 +246,7 @@ static enum mpm_status run_opened(struct measurement *m, const struct static_sol
     if (status == MPM_OK) {
         mpm_simulation_ledger(simulation, &now);
         outcome->time = now.time;
-        outcome->imbalance =
-            (now.total_energy - start.total_energy) / now.external_work - 1.0;
+        outcome->imbalance = (now.total_energy - start.total_energy) / now.external_work - 1.0;
         read_view(&view, simulation);
         outcome->errors = measure(solution, &view);
         if (last)
@@ -267,8 +267,8 @@ static enum mpm_status run_level(struct measurement *m, const struct static_solu
     if (status == MPM_OK)
         status = mpm_simulation_create(scene, measurement_options(m), &simulation, error);
     if (status == MPM_OK)
-        status = run_opened(m, solution, simulation, mpm_scene_end_time(scene), last, outcome,
-                            error);
+        status =
+            run_opened(m, solution, simulation, mpm_scene_end_time(scene), last, outcome, error);
     mpm_simulation_free(simulation);
     mpm_scene_free(scene);
     return status;

@@ -1,5 +1,5 @@
-/* T2: does a load give what it says? The force that a traction on one face exerts in a step, from the
- * change of momentum, against value times deformed area, edge by edge from F.
+/* T2: does a load give what it says? The force that a traction on one face exerts in a step, from
+ * the change of momentum, against value times deformed area, edge by edge from F.
  *
  * Two runs of the scene agree until `time`, when the load of one of them begins; the first step
  * after that tells the force by the difference of their momenta. The body is a lattice of sites,
@@ -23,11 +23,11 @@ static const char *const edge_names[EDGES] = {"bottom", "right", "top", "left"};
 static const char *const frame_names[FRAMES] = {"global", "edge"};
 
 struct parameters {
-    double time;               /* when loads begin */
-    double half[AXES];         /* half edges of a particle at t = 0 */
-    double columns, rows;      /* of sites */
-    double value[AXES];        /* of the load */
-    double axisymmetric;       /* 1 or 0 */
+    double time;          /* when loads begin */
+    double half[AXES];    /* half edges of a particle at t = 0 */
+    double columns, rows; /* of sites */
+    double value[AXES];   /* of the load */
+    double axisymmetric;  /* 1 or 0 */
 };
 
 /* A step of the scene and the state before it. */
@@ -81,8 +81,8 @@ static enum mpm_status take_step(struct measurement *m, const struct parameters 
     return MPM_OK;
 }
 
-static enum mpm_status run_with(struct measurement *m, const struct parameters *p,
-                                const char *load, struct step *step, struct mpm_error *error)
+static enum mpm_status run_with(struct measurement *m, const struct parameters *p, const char *load,
+                                struct step *step, struct mpm_error *error)
 {
     struct mpm_scene *scene = NULL;
     struct mpm_simulation *simulation = NULL;

@@ -18,7 +18,7 @@ static const double DEGREES = 57.295779513082320877;
 struct study {
     size_t count;
     double *f, *stress, *volume;
-    double traction, after; /* stress that the ends bear; errors count from this time on */
+    double traction, after;          /* stress that the ends bear; errors count from this time on */
     double axial, transverse, shear; /* largest errors since, in parts of the traction */
     double angle, angular_start, angular_change;
     struct follow_rows rows;
@@ -69,11 +69,14 @@ static enum mpm_status measure(struct measurement *m, struct mpm_simulation *sim
     struct study study = {.count = n, .rows = {.columns = COLUMNS}};
     TRY(measurement_number(m, "traction", &study.traction, error));
     TRY(measurement_number(m, "after", &study.after, error));
-    study.f = g_new(double, GRADIENT * n);
-    study.stress = g_new(double, STRESS * n);
+    study.f = g_new(double, GRADIENT *n);
+    study.stress = g_new(double, STRESS *n);
     study.volume = g_new(double, n);
-    const struct follow follow = {
-        .measurement = m, .end = end, .interval = end / 200.0, .sample = look_at, .context = &study};
+    const struct follow follow = {.measurement = m,
+                                  .end = end,
+                                  .interval = end / 200.0,
+                                  .sample = look_at,
+                                  .context = &study};
     enum mpm_status status = follow_run(&follow, simulation, &result, error);
     if (status == MPM_OK)
         status = follow_rows_check(&study.rows, error);

@@ -27,9 +27,8 @@ static struct static_state homogeneous_at(const struct static_solution *s, const
     return (struct static_state){
         .displacement = {(s->numbers[STRETCH_R] - 1.0) * start[0],
                          (s->numbers[STRETCH_Z] - 1.0) * start[1]},
-        .stress = {[RR] = s->numbers[SIGMA_RR],
-                   [ZZ] = s->numbers[SIGMA_ZZ],
-                   [TT] = s->numbers[SIGMA_RR]},
+        .stress =
+            {[RR] = s->numbers[SIGMA_RR], [ZZ] = s->numbers[SIGMA_ZZ], [TT] = s->numbers[SIGMA_RR]},
         .strain = {s->numbers[STRETCH_R] - 1.0, s->numbers[STRETCH_Z] - 1.0},
     };
 }
@@ -167,11 +166,8 @@ static const struct {
     enum mpm_status (*read)(const struct measurement *m, struct static_solution *solution,
                             struct mpm_error *error);
 } solutions[] = {
-    {"end_load", read_end_load},
-    {"rim_load", read_rim_load},
-    {"plane", read_plane},
-    {"lame", read_lame},
-    {"self_weight", read_column},
+    {"end_load", read_end_load}, {"rim_load", read_rim_load},  {"plane", read_plane},
+    {"lame", read_lame},         {"self_weight", read_column},
 };
 
 enum mpm_status static_solution_read(const struct measurement *measurement,
