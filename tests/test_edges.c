@@ -204,9 +204,10 @@ START_TEST(weights_of_an_edge_have_its_area_and_its_first_moment)
         const double depth[2] = {radial ? ends[0][0] : DEPTH, radial ? ends[1][0] : DEPTH};
         for (int n = 0; n < weights.count; n++) {
             const int64_t node = weights.entry[n].node + 10500;
+            const int64_t row = node / 1000 - 10;
             area += weights.entry[n].w;
             moment[0] += weights.entry[n].w * 2.0 * (double)(node % 1000 - 500);
-            moment[1] += weights.entry[n].w * (3.0 * (double)(node / 1000 - 10) - 3.0);
+            moment[1] += weights.entry[n].w * (3.0 * (double)row - 3.0);
         }
         ck_assert_near(area, 0.5 * length * (depth[0] + depth[1]), ROUND_OFF);
         for (int axis = 0; axis < 2; axis++) {

@@ -291,6 +291,10 @@ END_TEST
 
 /* ---------------------------------------------------------------- bits, refusals */
 
+static const char LOADS[] =
+    "loads={tractions: [{body: block, edge: all, frame: edge, value: ['-0.1*sin(x)', 0.02]}], "
+    "particle_forces: [{body: block, edge: left, value: ['0.1*t', '0.01*y']}]}";
+
 /* Enough particles for three workers. */
 START_TEST(any_number_of_threads_gives_the_same_bits_under_tractions)
 {
@@ -298,8 +302,7 @@ START_TEST(any_number_of_threads_gives_the_same_bits_under_tractions)
         "grid.cells=[70, 70]",
         "bodies.block.region.rectangle={from: [3, 3.2], to: [63, 51.2]}",
         "bodies.block.velocity=['0.1*sin(y/5)', '0.1*cos(x/4)']",
-        "loads={tractions: [{body: block, edge: all, frame: edge, value: ['-0.1*sin(x)', 0.02]}], "
-        "particle_forces: [{body: block, edge: left, value: ['0.1*t', '0.01*y']}]}",
+        LOADS,
         "method.stress_update=usavg",
         _i == 0 ? "method.shape=cpdi" : "method.shape=bspline2",
         NULL,
