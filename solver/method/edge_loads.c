@@ -82,15 +82,21 @@ void mpm_edge_load_value(const struct mpm_edge_loads *loads, size_t load, int wo
     }
 }
 
+static void place_of(const struct mpm_state *state, const struct mpm_edge_site *site,
+                     const struct mpm_shape_domain *domain, double place[2])
+{
+    const struct mpm_edge_line line =
+        mpm_edge_find(state->family, &state->shape_grid, domain, site->edge);
+    const double *const taken = spec_of(state, site)->on_particles ? domain->position : line.middle;
+    place[0] = taken[0];
+    place[1] = taken[1];
+}
+
 void mpm_edge_load_place(const struct mpm_state *state, const struct mpm_edge_site *site, size_t p,
                          double place[2])
 {
     const struct mpm_shape_domain domain = carried_domain(state, p);
-    const struct mpm_edge_line line =
-        mpm_edge_find(state->family, &state->shape_grid, &domain, site->edge);
-    const bool on_particle = spec_of(state, site)->on_particles;
-    for (int axis = 0; axis < 2; axis++)
-        place[axis] = on_particle ? domain.position[axis] : line.middle[axis];
+    place_of(state, site, &domain, place);
 }
 
 /* From the components along the outward normal and the edge to those along the axes. */
@@ -113,7 +119,7 @@ static void find_traction(const struct mpm_state *state, const struct mpm_shape_
                           int worker, struct mpm_strip *strip, struct mpm_loaded_edge *edge)
 {
     double place[2];
-    mpm_edge_load_place(state, edge->site, edge->particle, place);
+    place_of(state, edge->site, domain, place);
     mpm_edge_load_value(&state->edge_loads, edge->site->load, worker, place, state->time,
                         edge->traction);
     for (int axis = 0; axis < 2; axis++)

@@ -99,16 +99,16 @@ static double norm_l2(const struct norm *norm)
  * only. */
 static double pair_error(const struct static_solution *solution, const struct view *view)
 {
+    const double *const sigma = view->set.stress;
     struct norm norm = {0};
     for (size_t k = 0; k + 1 < view->set.count; k += 2) {
         const struct static_state exact[2] = {
             solution->at(solution, &view->set.start[AXES * k]),
             solution->at(solution, &view->set.start[AXES * (k + 1)]),
         };
-        const double *const sigma = &view->set.stress[STRESS * k];
         double mean[STRESS], exact_mean[STRESS];
         for (size_t c = 0; c < STRESS; c++) {
-            mean[c] = 0.5 * (sigma[c] + sigma[STRESS + c]);
+            mean[c] = 0.5 * (sigma[STRESS * k + c] + sigma[STRESS * (k + 1) + c]);
             exact_mean[c] = 0.5 * (exact[0].stress[c] + exact[1].stress[c]);
         }
         norm_add(&norm, mean, exact_mean, STRESS, view->mass[k] + view->mass[k + 1]);
