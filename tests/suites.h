@@ -20,6 +20,8 @@
     SUITE(transfer_series)                                                                         \
     SUITE(forms)                                                                                   \
     SUITE(loads)                                                                                   \
+    SUITE(given)                                                                                   \
+    SUITE(start)                                                                                   \
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
     SUITE(time_step)                                                                               \
@@ -28,6 +30,9 @@
     SUITE(shapes)                                                                                  \
     SUITE(exact)                                                                                   \
     SUITE(static_states)                                                                           \
+    SUITE(jets)                                                                                    \
+    SUITE(manufactured)                                                                            \
+    SUITE(activity)                                                                                \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
     SUITE(catalogue)                                                                               \
@@ -49,6 +54,7 @@
     SUITE(pareto)                                                                                  \
     SUITE(accuracy)                                                                                \
     SUITE(bench_report)                                                                            \
+    SUITE(orders)                                                                                  \
     SUITE(measures)                                                                                \
     SUITE(modes)                                                                                   \
     SUITE(stability)

@@ -39,6 +39,7 @@ enum mpm_failure_kind {
     MPM_UNIFORM_LOAD_NOT_FINITE, /* the same; of no particle */
     MPM_RATE_REFUSED,            /* value: the particle's damping rate */
     MPM_TRACTION_NOT_FINITE,     /* value: a component of the load `load`'s value */
+    MPM_GIVEN_FORCE_NOT_FINITE,  /* value: the caller's body force along the axis */
 };
 
 struct mpm_failure {
@@ -109,6 +110,15 @@ struct mpm_edge_loads {
     struct mpm_edge_site *sites;
     struct mpm_loaded_edge *edges;
     size_t *first; /* per strip: its first edge; one more entry, `count` */
+};
+
+/* A body force that the caller gives; see given_force.h. All NULL where none is given. */
+struct mpm_given_force {
+    struct mpm_body_force caller;
+    double *value[2];              /* per particle: b_p of the step */
+    struct mpm_node_sum (*sum)[2]; /* per node: sum m_p S_ip b_p in the place of the momentum */
+    double *mass;                  /* per node: comes with it, and nobody asks for it */
+    double *row_work;              /* per node row */
 };
 
 /* What damping remembers from step to step. */
@@ -183,6 +193,7 @@ struct mpm_state {
 
     struct mpm_edge_loads edge_loads;
 
+    struct mpm_given_force given_force;
     struct mpm_damping damping;
     struct mpm_balance balance;    /* of the last step, if the scene asks for rest */
     struct mpm_row_sums *row_sums; /* per node row */

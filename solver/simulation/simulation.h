@@ -24,6 +24,7 @@ struct mpm_backup {
 struct mpm_simulation {
     const struct mpm_scene *scene;
     struct mpm_arena arena;
+    struct mpm_arena given; /* of a caller's body force; empty without */
     struct mpm_state state;
     struct mpm_backup backup;
     uint64_t step;
@@ -83,6 +84,10 @@ enum mpm_status mpm_vector_field_create(const struct mpm_scene *scene,
                                         int workers, struct mpm_vector_field *field,
                                         struct mpm_error *error);
 void mpm_vector_field_free(struct mpm_vector_field *field);
+
+/* create.c: what follows from the particles' start: speeds and the checks that need them, the
+ * energy against which the run is judged, the first sort and backup. */
+enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, struct mpm_error *error);
 
 /* rest.c: judges the step just taken. */
 void mpm_rest_judge(struct mpm_simulation *simulation);
