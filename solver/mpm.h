@@ -223,7 +223,7 @@ struct mpm_ledger {
     double angular_momentum;
     double kinetic_energy; /* sum of m_p v_p^2 / 2; an affine part has none in it */
     double strain_energy;
-    double external_work;       /* by body forces, boundaries and rigid bodies since t = 0 */
+    double external_work;       /* by loads, boundaries and rigid bodies since t = 0 */
     double damping_dissipation; /* taken out by damping since t = 0; 0 without */
     double total_energy;        /* kinetic + strain + dissipation */
     double j_min, j_max;        /* extremes of det F */

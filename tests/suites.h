@@ -25,8 +25,11 @@
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
     SUITE(time_step)                                                                               \
+    SUITE(edges)                                                                                   \
+    SUITE(tractions)                                                                               \
     SUITE(shapes)                                                                                  \
     SUITE(exact)                                                                                   \
+    SUITE(static_states)                                                                           \
     SUITE(jets)                                                                                    \
     SUITE(manufactured)                                                                            \
     SUITE(activity)                                                                                \

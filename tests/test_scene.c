@@ -289,7 +289,7 @@ static char *describe(const struct mpm_scene *scene)
     const struct mpm_body_spec *body = &scene->bodies[0];
     return g_strdup_printf(
         "%s|%s|%s|%s|%s|%.17g|%.17g %.17g|%.17g|%" G_GINT64_FORMAT "|%.17g %.17g %d|%d %d %d %d %d "
-        "%.17g %d|%d %d %s %s|%zu|%s %s|%" G_GINT64_FORMAT " %.17g %.17g",
+        "%.17g %d|%d %d %s %s|%zu|%s %s|%" G_GINT64_FORMAT " %.17g %.17g|%zu %d",
         scene->title, scene->units_length, scene->units_mass, scene->units_time,
         scene->units_temperature, scene->thickness, scene->origin[0], scene->origin[1],
         scene->cell[0], (gint64)scene->cells[0], scene->courant, scene->step, scene->allow_unstable,
@@ -299,12 +299,16 @@ static char *describe(const struct mpm_scene *scene)
         body->velocity.text[1], scene->boundary_count,
         scene->body_force.text[0] != NULL ? scene->body_force.text[0] : "none",
         scene->body_force.text[1] != NULL ? scene->body_force.text[1] : "none",
-        (gint64)scene->rest.steps, scene->rest.after, scene->damping.target);
+        (gint64)scene->rest.steps, scene->rest.after, scene->damping.target, scene->edge_load_count,
+        scene->edge_load_count > 0 ? (int)scene->edge_loads[0].frame : 0);
 }
 
 /* A scene in which one more key can be set: some need their group, with what that requires. */
 static const char *scene_around(const char *key, bool axisymmetric)
 {
+    if (g_str_has_prefix(key, "loads.tractions[].") ||
+        g_str_has_prefix(key, "loads.particle_forces[]."))
+        return "tests/scenes/good/loaded_block.yaml";
     if (g_str_has_prefix(key, "time.rest.") || g_str_has_prefix(key, "damping.thermostat."))
         return "tests/scenes/good/damped_to_rest.yaml";
     return axisymmetric ? "tests/scenes/good/compressed_disk.yaml" : TEST_MINIMAL_SCENE;
@@ -357,6 +361,23 @@ START_TEST(damping_and_rest_say_what_their_file_says)
 }
 END_TEST
 
+START_TEST(loads_on_edges_say_what_their_file_says)
+{
+    struct mpm_scene *scene = test_scene_read("tests/scenes/good/loaded_block.yaml", NULL);
+    ck_assert_uint_eq(scene->edge_load_count, 2);
+    const struct mpm_edge_load_spec *const first = &scene->edge_loads[0], *const second =
+                                                                              &scene->edge_loads[1];
+    ck_assert(!first->on_particles && first->position == 0 && first->body == 1);
+    ck_assert(first->edge == MPM_EDGE_ALL && first->frame == MPM_FRAME_GLOBAL);
+    ck_assert_ptr_null(first->value.text[0]);
+    ck_assert_str_eq(first->value.text[1], "1000*t");
+    ck_assert(second->on_particles && second->position == 0 && second->body == 0);
+    ck_assert(second->edge == MPM_EDGE_LEFT && second->frame == MPM_FRAME_EDGE);
+    ck_assert_str_eq(second->value.text[0], "x");
+    mpm_scene_free(scene);
+}
+END_TEST
+
 START_TEST(every_default_is_what_the_schema_prints)
 {
     enum { DEFAULTS_LEAST = 20 };
@@ -393,6 +414,8 @@ START_TEST(the_schema_lists_keys_with_type_unit_default_and_range)
         {"materials[].density", "number", "mass/length^3", "required", "above 0"},
         {"bodies[].region.polygon.points", "list of 2 numbers", "length", "required",
          "3 to 10000 points"},
+        {"loads.tractions[].edge", "choice", "", "required", "top | bottom | left | right | all"},
+        {"loads.particle_forces[].frame", "choice", "", "global", "global | edge"},
         {"boundary[].velocity", "2 expressions or free", "length/time", "required", ""},
         {"output.snapshots", "number", "time", "-", "above 0"},
     };
@@ -431,6 +454,7 @@ Suite *suite_scene(void)
     tcase_add_test(content, the_hash_is_that_of_the_bytes);
     tcase_add_test(content, a_minimal_scene_has_the_documented_defaults);
     tcase_add_test(content, damping_and_rest_say_what_their_file_says);
+    tcase_add_test(content, loads_on_edges_say_what_their_file_says);
     tcase_add_test(content, every_default_is_what_the_schema_prints);
     tcase_add_test(content, the_schema_lists_keys_with_type_unit_default_and_range);
     suite_add_tcase(suite, content);

@@ -210,8 +210,7 @@ enum mpm_status mpm_build_boundaries(const struct mpm_reading *reading)
     return MPM_OK;
 }
 
-/* A component that is 0 costs a step nothing: it is left out. */
-static void drop_zero(char **text)
+void mpm_drop_zero(char **text)
 {
     double value = 1.0;
     if (*text == NULL || !mpm_number_parse(*text, &value) || value != 0.0)
@@ -226,13 +225,11 @@ enum mpm_status mpm_build_loads(const struct mpm_reading *reading)
     const struct mpm_region everywhere = {.kind = MPM_REGION_ALL};
     double place[2];
     mpm_region_sample(scene, &everywhere, place);
-    if (reading->raw->loads->tractions_count > 0)
-        return mpm_reading_fault(reading, "loads.tractions",
-                                 "this version knows no tractions; allowed: an empty list");
+    MPM_TRY(mpm_build_edge_loads(reading));
     scene->line_body_force = mpm_reading_line(reading, "loads.body_force");
     MPM_TRY(mpm_build_expressions(reading, "loads.body_force", reading->raw->loads->body_force,
                                   true, place, &scene->body_force));
-    drop_zero(&scene->body_force.text[0]);
-    drop_zero(&scene->body_force.text[1]);
+    mpm_drop_zero(&scene->body_force.text[0]);
+    mpm_drop_zero(&scene->body_force.text[1]);
     return MPM_OK;
 }

@@ -27,6 +27,8 @@ enum mpm_status mpm_build_materials(const struct mpm_reading *reading);
 enum mpm_status mpm_build_bodies(const struct mpm_reading *reading);
 enum mpm_status mpm_build_boundaries(const struct mpm_reading *reading);
 enum mpm_status mpm_build_loads(const struct mpm_reading *reading);
+/* A part of it: tractions and particle forces. */
+enum mpm_status mpm_build_edge_loads(const struct mpm_reading *reading);
 /* Damping, and when a run is at rest. */
 enum mpm_status mpm_build_damping(const struct mpm_reading *reading);
 
@@ -47,6 +49,9 @@ void mpm_region_sample(const struct mpm_scene *scene, const struct mpm_region *r
 enum mpm_status mpm_build_expressions(const struct mpm_reading *reading, const char *path,
                                       char *const texts[2], bool has_time, const double place[2],
                                       struct mpm_vector_expression *vector);
+
+/* A component of a load that is 0 costs a step nothing: becomes NULL. */
+void mpm_drop_zero(char **text);
 
 /* The same for one text; *value at `place` and t = 0. */
 enum mpm_status mpm_build_expression(const struct mpm_reading *reading, const char *path,

@@ -66,6 +66,17 @@
     C("velocity", MPM_FORM_VELOCITY)                                                               \
     C("momentum", MPM_FORM_MOMENTUM)
 
+#define CHOICES_edge(C)                                                                            \
+    C("top", MPM_EDGE_TOP)                                                                         \
+    C("bottom", MPM_EDGE_BOTTOM)                                                                   \
+    C("left", MPM_EDGE_LEFT)                                                                       \
+    C("right", MPM_EDGE_RIGHT)                                                                     \
+    C("all", MPM_EDGE_ALL)
+
+#define CHOICES_frame(C)                                                                           \
+    C("global", MPM_FRAME_GLOBAL)                                                                  \
+    C("edge", MPM_FRAME_EDGE)
+
 /* NOLINTEND(readability-identifier-naming) */
 
 #define MPM_CHOICE_LISTS(L)                                                                        \
@@ -77,7 +88,9 @@
     L(position_update)                                                                             \
     L(radius_update)                                                                               \
     L(form)                                                                                        \
-    L(transfer_kind)
+    L(transfer_kind)                                                                               \
+    L(edge)                                                                                        \
+    L(frame)
 
 /* -------------------------------------------------------------------- keys */
 
@@ -224,13 +237,21 @@
       "their velocity, in coordinates and t")
 
 #define KEYS_traction(X, S)                                                                        \
-    X(S, ONE, body, NAME, ANYWHERE, REQUIRED, "", NULL, ANY, "reserved")
+    X(S, ONE, body, NAME, ANYWHERE, REQUIRED, "", NULL, ANY, "name of a deformable body")          \
+    X(S, CHOICE, edge, edge, ANYWHERE, REQUIRED, "", NULL, ANY,                                    \
+      "which edges of its particles: those on that side, at t = 0, of which the body has no site") \
+    X(S, PAIR, value, EXPRESSION, ANYWHERE, REQUIRED, "mass/(length time^2)", NULL, ANY,           \
+      "force per area, in coordinates and t: two components, or normal (outwards) and tangential (counter clockwise)") \
+    X(S, CHOICE, frame, frame, ANYWHERE, OPTIONAL, "", "global", ANY,                              \
+      "components along the axes, or along the deformed edge's normal and the edge itself")
 
 #define KEYS_loads(X, S)                                                                           \
     X(S, PAIR, body_force, EXPRESSION, ANYWHERE, OPTIONAL, "length/time^2", "[0, 0]", ANY,         \
       "force per unit mass, in coordinates and t")                                                 \
     X(S, LIST, tractions, traction, ANYWHERE, OPTIONAL, "", "[]", ANY,                             \
-      "reserved: this version knows no tractions and takes an empty list only")
+      "on edges of particles: value times the area of the deformed edge (ugimp: of the undeformed one)") \
+    X(S, LIST, particle_forces, traction, ANYWHERE, OPTIONAL, "", "[]", ANY,                       \
+      "on the particles that have these edges: value times the area of the edge at t = 0")
 
 #define KEYS_thermostat(X, S)                                                                      \
     X(S, ONE, gain, NUMBER, ANYWHERE, REQUIRED, "1/time^2", NULL, ABOVE(0),                        \

@@ -214,6 +214,8 @@ void mpm_scene_free(struct mpm_scene *scene)
     }
     for (size_t i = 0; i < scene->boundary_count; i++)
         free_vector(&scene->boundaries[i].velocity);
+    for (size_t i = 0; i < scene->edge_load_count; i++)
+        free_vector(&scene->edge_loads[i].value);
     for (size_t i = 0; i < scene->setting_count; i++)
         free(scene->settings[i]);
     free_vector(&scene->body_force);
@@ -222,6 +224,7 @@ void mpm_scene_free(struct mpm_scene *scene)
     free(scene->damping.pic);
     free(scene->bodies);
     free(scene->boundaries);
+    free(scene->edge_loads);
     free(scene->materials);
     free(scene->settings);
     free(scene->title);

@@ -4,7 +4,8 @@
 void mpm_strip_record(struct mpm_strip *strip, enum mpm_failure_kind kind, uint32_t particle,
                       int axis, double value)
 {
-    const struct mpm_failure failure = {kind, particle, axis, value};
+    const struct mpm_failure failure = {
+        .kind = kind, .particle = particle, .axis = axis, .value = value};
     mpm_failure_merge(&strip->failure, &failure);
 }
 

@@ -61,6 +61,11 @@ struct mpm_shape_family {
     int nodes_past_end;
     void (*evaluate)(const struct mpm_shape_grid *grid, const struct mpm_shape_domain *domain,
                      struct mpm_stencil *stencil);
+    /* Points: the S of another place by the polynomials of the span of cells that the particle at
+     * `home` is in, so that the nodes are the particle's own: sum S = 1 and sum x_i S = place
+     * hold, S < 0 is possible beyond the span. G and T are not of use. Domains: NULL. */
+    void (*continue_to)(const struct mpm_shape_grid *grid, const double home[2],
+                        const double place[2], struct mpm_stencil *stencil);
     /* Largest distance of the domain from its centre along each axis; of a point, that at
      * which the cells lie whose nodes it reaches. */
     void (*reach)(const struct mpm_shape_grid *grid, const struct mpm_shape_domain *domain,
@@ -78,6 +83,18 @@ extern const struct mpm_shape_family mpm_shape_ugimp;
 extern const struct mpm_shape_family mpm_shape_cpdi;
 extern const struct mpm_shape_family mpm_shape_bspline2;
 extern const struct mpm_shape_family mpm_shape_bspline3;
+
+/* Half edges that would pass r = 0 shrink, both, until the domain touches the axis. The smallest
+ * radius of its corners is r - (|d1r| + |d2r|). */
+static inline void mpm_shape_shrink_to_axis(double r, double d[4])
+{
+    const double extent = fabs(d[0]) + fabs(d[2]);
+    if (extent <= r)
+        return;
+    const double scale = r / extent;
+    for (int k = 0; k < 4; k++)
+        d[k] *= scale;
+}
 
 /* Half edges of a convected domain: the initial ones, half_size along each axis, pushed
  * forward by F (xx xy yx yy first). N&G (31) prints this for square cells and l_p = 1/2. */

@@ -23,11 +23,12 @@ struct line {
     double s[LINE_NODES], ds[LINE_NODES];
 };
 
-/* Knots lie half way between nodes. At an edge the function is the hat for half a cell. */
-static struct line quadratic_line(double coordinate, int64_t low, int64_t high)
+/* Knots lie half way between nodes; the functions are those of the span that `home` is in. At an
+ * edge the function is the hat for half a cell. */
+static struct line quadratic_line(double home, double coordinate, int64_t low, int64_t high)
 {
     const double place = 0.5 * mpm_shape_cells(2.0 * coordinate);
-    const int64_t node = mpm_floor(place + 0.5);
+    const int64_t node = mpm_floor(0.5 * mpm_shape_cells(2.0 * home) + 0.5);
     const double d = place - (double)node, from = 0.5 - d, to = 0.5 + d;
     if (node == low)
         return (struct line){.first = node, .count = 2, .s = {1.0 - d, d}, .ds = {-1.0, 1.0}};
@@ -42,10 +43,10 @@ static struct line quadratic_line(double coordinate, int64_t low, int64_t high)
 }
 
 /* Knots are the nodes. In a cell at the edge u or 1 - u stands where a cubic did. */
-static struct line cubic_line(double coordinate, int64_t low, int64_t high)
+static struct line cubic_line(double home, double coordinate, int64_t low, int64_t high)
 {
     const double place = mpm_shape_cells(coordinate);
-    const int64_t floor = mpm_floor(place);
+    const int64_t floor = mpm_floor(mpm_shape_cells(home));
     const int64_t cell = floor < high ? floor : high - 1; /* the last node ends the last cell */
     const double u = place - (double)cell, v = 1.0 - u;
     const double uu = u * u, vv = v * v, u_end = uu * u / 6.0, v_end = vv * v / 6.0;
@@ -70,10 +71,9 @@ static struct line cubic_line(double coordinate, int64_t low, int64_t high)
 }
 
 /* Nodes on which a knot or an edge leaves nothing are no part of the stencil. */
-static void fill(const struct mpm_shape_grid *grid, double radius, const struct line *x,
+static void fill(const struct mpm_shape_grid *grid, double hoop, const struct line *x,
                  const struct line *y, struct mpm_stencil *stencil)
 {
-    const double hoop = grid->axisymmetric ? 1.0 / radius : 0.0;
     stencil->count = 0;
     for (int row = 0; row < y->count; row++)
         for (int column = 0; column < x->count; column++) {
@@ -91,17 +91,32 @@ static void fill(const struct mpm_shape_grid *grid, double radius, const struct 
         }
 }
 
-typedef struct line line_function(double coordinate, int64_t low, int64_t high);
+typedef struct line line_function(double home, double coordinate, int64_t low, int64_t high);
+
+static inline double in_cells(const struct mpm_shape_grid *grid, int axis, double position)
+{
+    return (position - grid->origin[axis]) * grid->inverse_cell[axis];
+}
 
 static void evaluate_with(line_function *line_of, const struct mpm_shape_grid *grid,
                           const struct mpm_shape_domain *domain, struct mpm_stencil *stencil)
 {
     struct line line[2];
+    for (int axis = 0; axis < 2; axis++) {
+        const double here = in_cells(grid, axis, domain->position[axis]);
+        line[axis] = line_of(here, here, grid->edge_low[axis], grid->edge_high[axis]);
+    }
+    fill(grid, grid->axisymmetric ? 1.0 / domain->position[0] : 0.0, &line[0], &line[1], stencil);
+}
+
+static void continue_with(line_function *line_of, const struct mpm_shape_grid *grid,
+                          const double home[2], const double place[2], struct mpm_stencil *stencil)
+{
+    struct line line[2];
     for (int axis = 0; axis < 2; axis++)
-        line[axis] =
-            line_of((domain->position[axis] - grid->origin[axis]) * grid->inverse_cell[axis],
-                    grid->edge_low[axis], grid->edge_high[axis]);
-    fill(grid, domain->position[0], &line[0], &line[1], stencil);
+        line[axis] = line_of(in_cells(grid, axis, home[axis]), in_cells(grid, axis, place[axis]),
+                             grid->edge_low[axis], grid->edge_high[axis]);
+    fill(grid, 0.0, &line[0], &line[1], stencil);
 }
 
 static void evaluate_quadratic(const struct mpm_shape_grid *grid,
@@ -114,6 +129,18 @@ static void evaluate_cubic(const struct mpm_shape_grid *grid, const struct mpm_s
                            struct mpm_stencil *stencil)
 {
     evaluate_with(cubic_line, grid, domain, stencil);
+}
+
+static void continue_quadratic(const struct mpm_shape_grid *grid, const double home[2],
+                               const double place[2], struct mpm_stencil *stencil)
+{
+    continue_with(quadratic_line, grid, home, place, stencil);
+}
+
+static void continue_cubic(const struct mpm_shape_grid *grid, const double home[2],
+                           const double place[2], struct mpm_stencil *stencil)
+{
+    continue_with(cubic_line, grid, home, place, stencil);
 }
 
 /* A node's support, less the cell around which boxes of nodes are drawn. */
@@ -138,6 +165,7 @@ const struct mpm_shape_family mpm_shape_bspline2 = {
     .point = true,
     .nodes_past_end = 1,
     .evaluate = evaluate_quadratic,
+    .continue_to = continue_quadratic,
     .reach = reach_quadratic,
 };
 
@@ -146,5 +174,6 @@ const struct mpm_shape_family mpm_shape_bspline3 = {
     .point = true,
     .nodes_past_end = 1,
     .evaluate = evaluate_cubic,
+    .continue_to = continue_cubic,
     .reach = reach_cubic,
 };

@@ -13,11 +13,33 @@ struct hats {
     double n[2];
 };
 
-static struct hats hats_at(double coordinate)
+static struct hats hats_of_cell(int64_t cell, double coordinate)
 {
-    const int64_t cell = mpm_floor(coordinate);
     const double u = coordinate - (double)cell;
     return (struct hats){.first = cell, .n = {1.0 - u, u}};
+}
+
+static struct hats hats_at(double coordinate)
+{
+    return hats_of_cell(mpm_floor(coordinate), coordinate);
+}
+
+static void continue_to(const struct mpm_shape_grid *grid, const double home[2],
+                        const double place[2], struct mpm_stencil *stencil)
+{
+    struct hats hats[2];
+    for (int axis = 0; axis < 2; axis++) {
+        const double scale = grid->inverse_cell[axis], origin = grid->origin[axis];
+        hats[axis] = hats_of_cell(mpm_floor(mpm_shape_cells((home[axis] - origin) * scale)),
+                                  mpm_shape_cells((place[axis] - origin) * scale));
+    }
+    stencil->count = 0;
+    for (int row = 0; row < 2; row++)
+        for (int column = 0; column < 2; column++)
+            stencil->node[stencil->count++] = (struct mpm_stencil_node){
+                .node = (hats[1].first + row) * grid->columns + (hats[0].first + column),
+                .s = hats[0].n[column] * hats[1].n[row],
+            };
 }
 
 static void evaluate(const struct mpm_shape_grid *grid, const struct mpm_shape_domain *domain,
@@ -58,5 +80,6 @@ const struct mpm_shape_family mpm_shape_classic = {
     .nodes_past_end = 2,
     .lone_node = true,
     .evaluate = evaluate,
+    .continue_to = continue_to,
     .reach = reach,
 };

@@ -20,18 +20,6 @@ struct weights {
     double t;
 };
 
-/* The smallest corner radius is r - (|d1r| + |d2r|): if it is negative, both half
- * edges shrink until the domain touches the axis. */
-static void shrink_to_axis(double r, double d[4])
-{
-    const double extent = fabs(d[0]) + fabs(d[2]);
-    if (extent <= r)
-        return;
-    const double scale = r / extent;
-    for (int k = 0; k < 4; k++)
-        d[k] *= scale;
-}
-
 static struct weights corner_weights(const double d[4], double third_over_r, double inverse_r)
 {
     struct weights w;
@@ -163,7 +151,7 @@ static void evaluate(const struct mpm_shape_grid *grid, const struct mpm_shape_d
         inverse_r = 1.0 / r;
         third_over_r = grid->radial ? inverse_r / 3.0 : 0.0;
         if (grid->truncated)
-            shrink_to_axis(r, d);
+            mpm_shape_shrink_to_axis(r, d);
     }
     const struct weights w = corner_weights(d, third_over_r, inverse_r);
     struct corner corners[CORNERS];

@@ -6,6 +6,7 @@
 #define MPM_METHOD_STATE_H
 
 #include "base/expression.h"
+#include "method/edge.h"
 #include "method/kernels.h"
 #include "method/shape.h"
 #include "model/boundary.h"
@@ -37,6 +38,7 @@ enum mpm_failure_kind {
     MPM_LOAD_NOT_FINITE,         /* value: the body force along the axis */
     MPM_UNIFORM_LOAD_NOT_FINITE, /* the same; of no particle */
     MPM_RATE_REFUSED,            /* value: the particle's damping rate */
+    MPM_TRACTION_NOT_FINITE,     /* value: a component of the load `load`'s value */
     MPM_GIVEN_FORCE_NOT_FINITE,  /* value: the caller's body force along the axis */
 };
 
@@ -45,6 +47,7 @@ struct mpm_failure {
     uint32_t particle;
     int axis;
     double value;
+    size_t load; /* index in the scene's edge_loads */
 };
 
 struct mpm_strip {
@@ -53,7 +56,7 @@ struct mpm_strip {
     int64_t row_low, row_high;
     double kinetic_energy;
     double wave_speed_squared; /* largest */
-    double external_work;      /* of body forces in the step */
+    double external_work;      /* of body forces, or of loads on edges, in the step */
     double dissipated;         /* by damping at the particles, in a part of the step */
     struct mpm_failure failure;
 };
@@ -82,6 +85,31 @@ enum mpm_body_force_kind {
     MPM_NO_BODY_FORCE,
     MPM_UNIFORM_BODY_FORCE, /* a constant, or of time alone: all of it at the nodes */
     MPM_VARYING_BODY_FORCE, /* in space: at the particles */
+};
+
+/* An edge of a particle that a load acts on; by ascending id. */
+struct mpm_edge_site {
+    uint32_t id; /* of the particle */
+    uint32_t load;
+    enum mpm_edge edge;
+    double area; /* at t = 0 */
+};
+
+/* The same, in the order of the particles, with what it gives to the nodes in this step. */
+struct mpm_loaded_edge {
+    size_t particle;
+    const struct mpm_edge_site *site;
+    double traction[2];
+    struct mpm_edge_weights weights;
+};
+
+/* Tractions and particle forces; all empty where a scene has none. See edge_loads.h. */
+struct mpm_edge_loads {
+    struct mpm_vector_field *value; /* per load of the scene */
+    size_t count;
+    struct mpm_edge_site *sites;
+    struct mpm_loaded_edge *edges;
+    size_t *first; /* per strip: its first edge; one more entry, `count` */
 };
 
 /* A body force that the caller gives; see given_force.h. All NULL where none is given. */
@@ -162,6 +190,8 @@ struct mpm_state {
     enum mpm_body_force_kind body_force_kind;
     double uniform_force[2];   /* its value in this step */
     double (*row_momentum)[2]; /* per node row: sum m_i (v_i^n + v_i^{n+1}); for a uniform one */
+
+    struct mpm_edge_loads edge_loads;
 
     struct mpm_given_force given_force;
     struct mpm_damping damping;

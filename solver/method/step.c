@@ -4,6 +4,7 @@
 #include "base/strips.h"
 #include "method/conditions.h"
 #include "method/damping.h"
+#include "method/edge_loads.h"
 #include "method/given_force.h"
 #include "method/grid_update.h"
 #include "method/rest.h"
@@ -103,6 +104,7 @@ void mpm_step_sort(struct mpm_state *state, double *const kept[MPM_KEPT_ARRAYS],
             p++;
         strip->end = p;
     }
+    mpm_edge_loads_place(state);
     run_particles(state, state->workers, mpm_pass_measure);
     state->strips_touch_when_sorted = strips_touch(state);
     state->steps_since_sort = 0;
@@ -211,6 +213,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     if (uniform_force)
         MPM_TRY(evaluate_uniform_force(state));
     MPM_TRY(mpm_damping_begin(state, error));
+    mpm_edge_loads_prepare(state); /* tractions of the state at the start */
     mpm_grid_find_active(state);
     run_rows(state, mpm_row_clear);
     charge(seconds, MPM_PHASE_GRID, &mark);
@@ -231,6 +234,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     mpm_rest_measure_internal(state);
     if (varying_force)
         run_particles(state, workers, mpm_pass_body_force);
+    mpm_edge_loads_spread(state, workers);
     mpm_given_force_add(state);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
@@ -239,6 +243,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
 
     if (varying_force)
         state->external_work += varying_work(state, workers);
+    state->external_work += mpm_edge_loads_work(state, state->workers);
     update_velocities(state, workers);
     charge(seconds, MPM_PHASE_TO_PARTICLES, &mark);
     if (order->extrapolate) {

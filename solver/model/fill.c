@@ -53,6 +53,15 @@ mpm_body_sites(const struct mpm_scene *scene, const struct mpm_grid *grid, size_
     return MPM_OK;
 }
 
+bool mpm_body_contains_site(const struct mpm_scene *scene, const struct mpm_grid *grid, size_t body,
+                            const double site[2])
+{
+    const double slack = SITE_SLACK * fmin(grid->cell[0], grid->cell[1]);
+    if (scene->geometry == MPM_AXISYMMETRIC && site[0] <= 0.0)
+        return false;
+    return mpm_region_contains(&scene->bodies[body].region, site, slack);
+}
+
 struct counter {
     const struct mpm_scene *scene;
     double slack;

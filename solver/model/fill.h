@@ -14,6 +14,10 @@ mpm_body_sites(const struct mpm_scene *scene, const struct mpm_grid *grid, size_
                enum mpm_status (*visit)(void *context, size_t body, const double site[2]),
                void *context);
 
+/* Would a site at this place be one of the body's? In axisymmetry there is none at r <= 0. */
+bool mpm_body_contains_site(const struct mpm_scene *scene, const struct mpm_grid *grid, size_t body,
+                            const double site[2]);
+
 struct mpm_fill_counts {
     size_t deformable, rigid; /* particles */
 };

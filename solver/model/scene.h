@@ -87,6 +87,28 @@ struct mpm_boundary_spec {
     int line;
 };
 
+/* The edges of a particle's domain, counter clockwise from the lower one: N&G Fig. 4, edges 1 to 4.
+ * They keep their names as the domain turns. */
+enum mpm_edge { MPM_EDGE_BOTTOM, MPM_EDGE_RIGHT, MPM_EDGE_TOP, MPM_EDGE_LEFT, MPM_EDGE_ALL };
+enum { MPM_EDGE_COUNT = MPM_EDGE_ALL };
+
+enum mpm_frame {
+    MPM_FRAME_GLOBAL, /* components along the axes */
+    MPM_FRAME_EDGE,   /* along the outward normal of the deformed edge and, counter clockwise, it */
+};
+
+/* A load on the edges of particles on one face of a body: entry `position` of loads.tractions or
+ * of loads.particle_forces. */
+struct mpm_edge_load_spec {
+    bool on_particles; /* particle_forces */
+    size_t position;
+    size_t body;
+    enum mpm_edge edge;
+    enum mpm_frame frame;
+    struct mpm_vector_expression value; /* force per area; a NULL component is 0 */
+    int line;
+};
+
 /* Rates are expressions in the coordinates and t, NULL where there is none. */
 struct mpm_damping_spec {
     char *grid, *particle; /* alpha_g, alpha_p, 1/time */
@@ -143,6 +165,8 @@ struct mpm_scene {
     struct mpm_boundary_spec *boundaries;
     size_t boundary_count;
     struct mpm_vector_expression body_force; /* NULL components: none */
+    struct mpm_edge_load_spec *edge_loads;   /* tractions, then particle forces */
+    size_t edge_load_count;
     struct mpm_damping_spec damping;
 
     double history_interval, snapshot_interval;              /* 0: only first and last */

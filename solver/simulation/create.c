@@ -15,10 +15,10 @@ static const char *const *coordinate_names(const struct mpm_scene *scene)
     return scene->geometry == MPM_AXISYMMETRIC ? radial : planar;
 }
 
-static enum mpm_status create_field(const struct mpm_scene *scene,
-                                    const struct mpm_vector_expression *text, bool has_time,
-                                    int workers, struct mpm_vector_field *field,
-                                    struct mpm_error *error)
+enum mpm_status mpm_vector_field_create(const struct mpm_scene *scene,
+                                        const struct mpm_vector_expression *text, bool has_time,
+                                        int workers, struct mpm_vector_field *field,
+                                        struct mpm_error *error)
 {
     const char *const *const names = coordinate_names(scene);
     for (int axis = 0; axis < 2; axis++)
@@ -28,7 +28,7 @@ static enum mpm_status create_field(const struct mpm_scene *scene,
     return MPM_OK;
 }
 
-static void free_field(struct mpm_vector_field *field)
+void mpm_vector_field_free(struct mpm_vector_field *field)
 {
     for (int axis = 0; axis < 2; axis++)
         mpm_expression_free(field->component[axis]);
@@ -58,14 +58,14 @@ static enum mpm_status create_expressions(struct mpm_simulation *simulation,
     if (state->boundary_velocity == NULL || state->body_velocity == NULL)
         return mpm_error_memory(error, sizeof *state->boundary_velocity, "the expressions");
     for (size_t k = 0; k < scene->boundary_count; k++)
-        MPM_TRY(create_field(scene, &scene->boundaries[k].velocity, true, 1,
-                             &state->boundary_velocity[k], error));
+        MPM_TRY(mpm_vector_field_create(scene, &scene->boundaries[k].velocity, true, 1,
+                                        &state->boundary_velocity[k], error));
     for (size_t k = 0; k < scene->body_count; k++)
         if (scene->bodies[k].rigid)
-            MPM_TRY(create_field(scene, &scene->bodies[k].velocity, true, 1,
-                                 &state->body_velocity[k], error));
-    MPM_TRY(
-        create_field(scene, &scene->body_force, true, state->workers, &state->body_force, error));
+            MPM_TRY(mpm_vector_field_create(scene, &scene->bodies[k].velocity, true, 1,
+                                            &state->body_velocity[k], error));
+    MPM_TRY(mpm_vector_field_create(scene, &scene->body_force, true, state->workers,
+                                    &state->body_force, error));
     state->body_force_kind = body_force_kind(&state->body_force);
     return mpm_damping_create(simulation, coordinate_names(scene), error);
 }
@@ -109,6 +109,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     if (state->body_force_kind == MPM_UNIFORM_BODY_FORCE)
         state->row_momentum = mpm_arena_take(arena, rows, sizeof *state->row_momentum);
     mpm_damping_layout(state, arena);
+    mpm_edge_loads_layout(state, arena);
     state->sort_counts = MPM_TAKE(arena, uint32_t, longest + 1);
     const size_t driven =
         counts->rigid * MPM_STENCIL_MAX < nodes ? counts->rigid * MPM_STENCIL_MAX : nodes;
@@ -159,7 +160,8 @@ static enum mpm_status set_velocities(struct mpm_simulation *simulation, struct 
         struct mpm_vector_field field = {0};
         if (scene->bodies[body].rigid)
             continue;
-        status = create_field(scene, &scene->bodies[body].velocity, false, 1, &field, error);
+        status =
+            mpm_vector_field_create(scene, &scene->bodies[body].velocity, false, 1, &field, error);
         for (; status == MPM_OK && p < particles->count && particles->body[p] == body; p++) {
             const double position[2] = {particles->position[0][p], particles->position[1][p]};
             for (int axis = 0; axis < 2 && status == MPM_OK; axis++) {
@@ -173,7 +175,7 @@ static enum mpm_status set_velocities(struct mpm_simulation *simulation, struct 
                                         scene->bodies[body].name, v, position[0], position[1]);
             }
         }
-        free_field(&field);
+        mpm_vector_field_free(&field);
     }
     return status;
 }
@@ -247,7 +249,7 @@ static enum mpm_status check_start(const struct mpm_simulation *simulation, stru
         MPM_TRY(check_field(simulation, &state->body_force, position, scene->line_body_force,
                             "loads.body_force", error));
     }
-    return MPM_OK;
+    return mpm_edge_loads_check_start(simulation, error);
 }
 
 static double initial_wave_speed(const struct mpm_state *state)
@@ -335,6 +337,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     MPM_TRY(mpm_kernels_choose(scene, options, &state->kernels, error));
     MPM_TRY(create_expressions(simulation, error));
     MPM_TRY(mpm_bodies_count(scene, &state->grid, &counts, error));
+    MPM_TRY(mpm_edge_loads_create(simulation, error));
     limit_workers(state, counts.deformable);
     MPM_TRY(mpm_conditions_list(scene, &state->grid, boundary_value, state, &state->conditions,
                                 &state->condition_count, error));
@@ -349,6 +352,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     }
     describe_bodies(simulation);
     mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid);
+    mpm_edge_loads_fill(simulation);
     MPM_TRY(set_velocities(simulation, error));
     for (size_t p = 0; p < state->particles.count; p++)
         mpm_particle_set_domain(state, p);
@@ -386,10 +390,11 @@ void mpm_simulation_free(struct mpm_simulation *simulation)
     struct mpm_state *const state = &simulation->state;
     for (size_t k = 0; state->boundary_velocity != NULL && k < simulation->scene->boundary_count;
          k++)
-        free_field(&state->boundary_velocity[k]);
+        mpm_vector_field_free(&state->boundary_velocity[k]);
     for (size_t k = 0; state->body_velocity != NULL && k < simulation->scene->body_count; k++)
-        free_field(&state->body_velocity[k]);
-    free_field(&state->body_force);
+        mpm_vector_field_free(&state->body_velocity[k]);
+    mpm_vector_field_free(&state->body_force);
+    mpm_edge_loads_free(state);
     mpm_damping_free(&state->damping);
     free(state->boundary_velocity);
     free(state->body_velocity);

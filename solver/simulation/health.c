@@ -74,6 +74,13 @@ static void describe(const struct mpm_simulation *simulation, const struct mpm_f
         (void)snprintf(text, size, "has a body force that is not finite: loads.body_force.%d = %g",
                        failure->axis, failure->value);
         return;
+    case MPM_TRACTION_NOT_FINITE:
+        (void)snprintf(text, size, "bears a load that is not finite: loads.%s.%zu.value.%d = %g",
+                       simulation->scene->edge_loads[failure->load].on_particles ? "particle_forces"
+                                                                                 : "tractions",
+                       simulation->scene->edge_loads[failure->load].position, failure->axis,
+                       failure->value);
+        return;
     case MPM_GIVEN_FORCE_NOT_FINITE:
         (void)snprintf(text, size, "is given a body force that is not finite: %g along %s",
                        failure->value, name);

@@ -69,6 +69,22 @@ enum mpm_status mpm_damping_check_start(const struct mpm_simulation *simulation,
                                         struct mpm_error *error);
 void mpm_damping_free(struct mpm_damping *damping);
 
+/* edge_loads.c: parses the loads and counts the edges that bear them, MPM_BAD_INPUT where one
+ * finds none; their memory; which edges they are; values at t = 0 must be finite. */
+enum mpm_status mpm_edge_loads_create(struct mpm_simulation *simulation, struct mpm_error *error);
+void mpm_edge_loads_layout(struct mpm_state *state, struct mpm_arena *arena);
+void mpm_edge_loads_fill(struct mpm_simulation *simulation);
+enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulation,
+                                           struct mpm_error *error);
+void mpm_edge_loads_free(struct mpm_state *state);
+
+/* create.c: parses a pair of expressions of a scene; a NULL text stays a NULL component. */
+enum mpm_status mpm_vector_field_create(const struct mpm_scene *scene,
+                                        const struct mpm_vector_expression *text, bool has_time,
+                                        int workers, struct mpm_vector_field *field,
+                                        struct mpm_error *error);
+void mpm_vector_field_free(struct mpm_vector_field *field);
+
 /* create.c: what follows from the particles' start: speeds and the checks that need them, the
  * energy against which the run is judged, the first sort and backup. */
 enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, struct mpm_error *error);

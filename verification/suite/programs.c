@@ -19,7 +19,10 @@
     PROGRAM(carried)                                                                               \
     PROGRAM(manufactured)                                                                          \
     PROGRAM(stability)                                                                             \
-    PROGRAM(extremes)
+    PROGRAM(extremes)                                                                              \
+    PROGRAM(statics)                                                                               \
+    PROGRAM(traction_sum)                                                                          \
+    PROGRAM(turning_load)
 
 #define PROGRAM(name) extern const struct measure_program program_##name;
 PROGRAMS

@@ -1,0 +1,204 @@
+/* Which edges of which particles bear a load: settled when the simulation is created.
+ *
+ * A load on a face of a body acts on the edges on that side of those particles that have no
+ * neighbour of the same body there: whether the lattice site beyond the edge belongs to the body,
+ * as created. Faces that do not follow the lattice become stairs. The axis r = 0 is no face.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/edge_loads.h"
+
+#include "model/fill.h"
+#include "simulation/simulation.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const char *const edge_names[MPM_EDGE_COUNT + 1] = {
+    [MPM_EDGE_BOTTOM] = "bottom", [MPM_EDGE_RIGHT] = "right", [MPM_EDGE_TOP] = "top",
+    [MPM_EDGE_LEFT] = "left",     [MPM_EDGE_ALL] = "all",
+};
+
+/* "loads.tractions.0.value" */
+enum { KEY_SIZE = 64 };
+static const char *key_of(const struct mpm_edge_load_spec *load, const char *last,
+                          char key[KEY_SIZE])
+{
+    (void)snprintf(key, KEY_SIZE, "loads.%s.%zu.%s",
+                   load->on_particles ? "particle_forces" : "tractions", load->position, last);
+    return key;
+}
+
+/* ------------------------------------------------------------------ finding */
+
+struct finder {
+    const struct mpm_state *state;
+    double half[2];
+    uint32_t id;                 /* of the site in hand, or of the first one of the body */
+    size_t load;                 /* the one that is looked for, or all */
+    size_t count;                /* of edges found */
+    struct mpm_edge_site *sites; /* NULL: only counts */
+};
+
+static bool is_face(const struct finder *finder, size_t body, const double site[2],
+                    enum mpm_edge edge)
+{
+    static const int step[MPM_EDGE_COUNT][2] = {
+        [MPM_EDGE_BOTTOM] = {0, -1},
+        [MPM_EDGE_RIGHT] = {1, 0},
+        [MPM_EDGE_TOP] = {0, 1},
+        [MPM_EDGE_LEFT] = {-1, 0},
+    };
+    const struct mpm_scene *const scene = finder->state->scene;
+    const double beyond[2] = {site[0] + 2.0 * step[edge][0] * finder->half[0],
+                              site[1] + 2.0 * step[edge][1] * finder->half[1]};
+    if (scene->geometry == MPM_AXISYMMETRIC && beyond[0] <= 0.0)
+        return false;
+    return !mpm_body_contains_site(scene, &finder->state->grid, body, beyond);
+}
+
+static double initial_area(const struct finder *finder, const double site[2], enum mpm_edge edge)
+{
+    const struct mpm_shape_domain domain = {
+        .position = {site[0], site[1]},
+        .half_size = {finder->half[0], finder->half[1]},
+        .edge = {finder->half[0], 0.0, 0.0, finder->half[1]},
+    };
+    const struct mpm_state *const state = finder->state;
+    const struct mpm_edge_line line =
+        mpm_edge_find(state->family, &state->shape_grid, &domain, edge);
+    return mpm_edge_area(&state->shape_grid, &line, state->scene->thickness);
+}
+
+static void find_edges(struct finder *finder, size_t load, const double site[2])
+{
+    const struct mpm_edge_load_spec *const spec = &finder->state->scene->edge_loads[load];
+    for (int edge = 0; edge < MPM_EDGE_COUNT; edge++) {
+        if ((spec->edge != MPM_EDGE_ALL && (int)spec->edge != edge) ||
+            !is_face(finder, spec->body, site, (enum mpm_edge)edge))
+            continue;
+        if (finder->sites != NULL)
+            finder->sites[finder->count] = (struct mpm_edge_site){
+                .id = finder->id,
+                .load = (uint32_t)load,
+                .edge = (enum mpm_edge)edge,
+                .area = initial_area(finder, site, (enum mpm_edge)edge),
+            };
+        finder->count++;
+    }
+}
+
+static enum mpm_status count_site(void *context, size_t body, const double site[2])
+{
+    struct finder *const finder = context;
+    (void)body;
+    find_edges(finder, finder->load, site);
+    return MPM_OK;
+}
+
+static enum mpm_status fill_site(void *context, size_t body, const double site[2])
+{
+    struct finder *const finder = context;
+    const struct mpm_scene *const scene = finder->state->scene;
+    for (size_t load = 0; load < scene->edge_load_count; load++)
+        if (scene->edge_loads[load].body == body)
+            find_edges(finder, load, site);
+    finder->id++;
+    return MPM_OK;
+}
+
+static enum mpm_status count_edges(struct mpm_simulation *simulation, size_t load,
+                                   struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    const struct mpm_edge_load_spec *const spec = &scene->edge_loads[load];
+    struct finder finder = {.state = &simulation->state, .load = load};
+    char key[KEY_SIZE];
+    mpm_body_half_size(scene, &simulation->state.grid, spec->body, finder.half);
+    MPM_TRY(mpm_body_sites(scene, &simulation->state.grid, spec->body, count_site, &finder));
+    simulation->state.edge_loads.count += finder.count;
+    if (finder.count > 0)
+        return MPM_OK;
+    return mpm_scene_error(error, scene, spec->line, key_of(spec, "edge", key),
+                           "no particle of body '%s' has an edge on its %s that is not on r = 0; "
+                           "allowed: a side with a face",
+                           scene->bodies[spec->body].name, edge_names[spec->edge]);
+}
+
+/* ----------------------------------------------------------------- creating */
+
+enum mpm_status mpm_edge_loads_create(struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    struct mpm_state *const state = &simulation->state;
+    struct mpm_edge_loads *const loads = &state->edge_loads;
+    if (scene->edge_load_count == 0)
+        return MPM_OK;
+    loads->value = calloc(scene->edge_load_count, sizeof *loads->value);
+    if (loads->value == NULL)
+        return mpm_error_memory(error, sizeof *loads->value, "the loads");
+    for (size_t load = 0; load < scene->edge_load_count; load++) {
+        MPM_TRY(mpm_vector_field_create(scene, &scene->edge_loads[load].value, true, state->workers,
+                                        &loads->value[load], error));
+        MPM_TRY(count_edges(simulation, load, error));
+    }
+    return MPM_OK;
+}
+
+void mpm_edge_loads_layout(struct mpm_state *state, struct mpm_arena *arena)
+{
+    struct mpm_edge_loads *const loads = &state->edge_loads;
+    if (loads->count == 0)
+        return;
+    loads->sites = MPM_TAKE(arena, struct mpm_edge_site, loads->count);
+    loads->edges = MPM_TAKE(arena, struct mpm_loaded_edge, loads->count);
+    loads->first = MPM_TAKE(arena, size_t, (size_t)state->strip_count + 1);
+}
+
+/* Ids are given out as bodies are filled: in this order. */
+void mpm_edge_loads_fill(struct mpm_simulation *simulation)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    struct mpm_state *const state = &simulation->state;
+    struct finder finder = {.state = state, .sites = state->edge_loads.sites};
+    if (state->edge_loads.count == 0)
+        return;
+    for (size_t body = 0; body < scene->body_count; body++) {
+        mpm_body_half_size(scene, &state->grid, body, finder.half);
+        (void)mpm_body_sites(scene, &state->grid, body, fill_site, &finder);
+    }
+}
+
+/* Particles still stand in creation order, as the sites do. */
+enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulation,
+                                           struct mpm_error *error)
+{
+    const struct mpm_state *const state = &simulation->state;
+    size_t p = 0;
+    for (size_t k = 0; k < state->edge_loads.count; k++) {
+        const struct mpm_edge_site *const site = &state->edge_loads.sites[k];
+        const struct mpm_edge_load_spec *const spec = &simulation->scene->edge_loads[site->load];
+        double place[2], value[2];
+        char key[KEY_SIZE];
+        while (state->particles.id[p] < site->id)
+            p++;
+        mpm_edge_load_place(state, site, p, place);
+        mpm_edge_load_value(&state->edge_loads, site->load, 0, place, 0.0, value);
+        for (int axis = 0; axis < 2; axis++)
+            if (!isfinite(value[axis]))
+                return mpm_scene_error(
+                    error, simulation->scene, spec->line, key_of(spec, "value", key),
+                    "'%s' is %g at (%g, %g), time 0; allowed: finite",
+                    mpm_expression_text(state->edge_loads.value[site->load].component[axis]),
+                    value[axis], place[0], place[1]);
+    }
+    return MPM_OK;
+}
+
+void mpm_edge_loads_free(struct mpm_state *state)
+{
+    for (size_t load = 0; state->edge_loads.value != NULL && load < state->scene->edge_load_count;
+         load++)
+        mpm_vector_field_free(&state->edge_loads.value[load]);
+    free(state->edge_loads.value);
+}

@@ -1,0 +1,368 @@
+/* Tractions and particle forces in scenes: their sum, their work, their frames, which edges bear
+ * them, and what is refused.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "suites.h"
+#include "support/near.h"
+#include "support/scene_files.h"
+#include "support/scenes.h"
+#include "support/settings.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
+static const char *const geometries[] = {"plane_strain", "plane_stress", "axisymmetric"};
+static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
+static const char *const edges[] = {"bottom", "right", "top", "left"};
+enum {
+    SHAPES = G_N_ELEMENTS(shapes),
+    GEOMETRIES = G_N_ELEMENTS(geometries),
+    ORDERS = G_N_ELEMENTS(orders),
+    EDGES = 4,
+    COMBINATIONS = SHAPES * GEOMETRIES * ORDERS,
+    GRADIENT = 5,
+};
+enum { UGIMP = 1, PLANE_STRESS = 1, AXISYMMETRIC = 2 };
+
+/* Six by four sites that strain and turn; free, so that only loads change the momentum. */
+static const char BLOCK[] =
+    "format: 1\n"
+    "title: A block under load\n"
+    "geometry: plane_strain\n"
+    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}\n"
+    "time: {end: 1000, step: 0.05}\n"
+    "materials: [{name: soft, law: neo_hookean, density: 1, bulk: 1.25, shear: 0.75}]\n"
+    "bodies:\n"
+    "  - {name: block, material: soft, region: {rectangle: {from: [4, 3.2], to: [7, 4.8]}},\n"
+    "     velocity: [0, 0]}\n";
+enum { COLUMNS = 6, ROWS = 4, COUNT = COLUMNS * ROWS };
+static const double HALF[2] = {0.25, 0.2};
+
+static struct test_run open_block(int index, const char *load)
+{
+    static const char *const planar = "bodies.block.velocity=['0.3*sin(y)+0.1*x', '0.2*cos(x)']";
+    static const char *const radial = "bodies.block.velocity=['0.3*sin(z)+0.1*r', '0.2*cos(r)']";
+    struct settings settings = {0};
+    settings_add_formatted(&settings, "method.shape=%s", shapes[index % SHAPES]);
+    settings_add_formatted(&settings, "geometry=%s", geometries[index / SHAPES % GEOMETRIES]);
+    settings_add_formatted(&settings, "method.stress_update=%s",
+                           orders[index / SHAPES / GEOMETRIES]);
+    settings_add(&settings, index / SHAPES % GEOMETRIES == AXISYMMETRIC ? radial : planar);
+    settings_add(&settings, load);
+    const struct test_run run = test_run_open(BLOCK, settings.texts, 1);
+    settings_clear(&settings);
+    return run;
+}
+
+/* Fields of all particles at one moment. */
+struct moment {
+    double position[2 * COUNT], f[GRADIENT * COUNT];
+    struct mpm_ledger ledger;
+};
+
+static void look(const struct test_run *run, struct moment *moment)
+{
+    ck_assert_uint_eq(mpm_simulation_particle_count(run->simulation), COUNT);
+    mpm_simulation_field(run->simulation, MPM_FIELD_POSITION, moment->position);
+    mpm_simulation_field(run->simulation, MPM_FIELD_DEFORMATION_GRADIENT, moment->f);
+    mpm_simulation_ledger(run->simulation, &moment->ledger);
+}
+
+static bool is_on_face(int id, int edge)
+{
+    const int column = id % COLUMNS, row = id / COLUMNS;
+    return (edge == 0 && row == 0) || (edge == 1 && column == COLUMNS - 1) ||
+           (edge == 2 && row == ROWS - 1) || (edge == 3 && column == 0);
+}
+
+/* The edge as a vector, counter clockwise, and its middle: of F, or of the undeformed domain. */
+static void edge_of(const struct moment *moment, int id, int edge, bool carried, double vector[2],
+                    double middle[2])
+{
+    static const double unit[GRADIENT] = {1.0, 0.0, 0.0, 1.0, 1.0};
+    static const int outward[EDGES][2] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
+    const double *const f = carried ? &moment->f[GRADIENT * id] : unit;
+    const int *const n = outward[edge];
+    for (int axis = 0; axis < 2; axis++) {
+        vector[axis] = 2.0 * (-f[2 * axis] * HALF[0] * n[1] + f[2 * axis + 1] * HALF[1] * n[0]);
+        middle[axis] = moment->position[2 * id + axis] + f[2 * axis] * HALF[0] * n[0] +
+                       f[2 * axis + 1] * HALF[1] * n[1];
+    }
+}
+
+/* Force of the traction (n, t) in a frame, over all edges on a face: T times the deformed area. */
+static void expected_force(const struct moment *moment, int index, int edge, bool in_edge,
+                           double force[2])
+{
+    const bool ugimp = index % SHAPES == UGIMP;
+    const int geometry = index / SHAPES % GEOMETRIES;
+    force[0] = force[1] = 0.0;
+    for (int id = 0; id < COUNT; id++) {
+        double vector[2], along[2], middle[2], unused[2];
+        if (!is_on_face(id, edge))
+            continue;
+        edge_of(moment, id, edge, !ugimp, vector, middle);
+        edge_of(moment, id, edge, true, along, unused);
+        const double length = hypot(along[0], along[1]);
+        const double depth = geometry == AXISYMMETRIC             ? middle[0]
+                             : geometry == PLANE_STRESS && !ugimp ? moment->f[GRADIENT * id + 4]
+                                                                  : 1.0;
+        const double area = hypot(vector[0], vector[1]) * depth;
+        const double value[2] = {0.01 * middle[0], 0.02 + 0.003 * middle[1]};
+        force[0] +=
+            area * (in_edge ? (value[0] * along[1] + value[1] * along[0]) / length : value[0]);
+        force[1] +=
+            area * (in_edge ? (value[1] * along[1] - value[0] * along[0]) / length : value[1]);
+    }
+}
+
+/* FLIP hands the forces of a step to the particles whole: with a load, the sum of momenta is dt
+ * times their sum larger than without. Momenta are of order one, sums of 24 particles over 16
+ * nodes; a step's change is of order 1e-3, so that a wrong factor is 1e9 times the bound. */
+static const double MOMENTUM_ROUND_OFF = 24 * 16 * 8 * DBL_EPSILON;
+
+/* Loads begin with the seventh step, when the block has strained. */
+enum { STEPS_BEFORE = 6 };
+static const double STEP = 0.05;
+#define LOADED "(t>0.29)"
+
+/* Momentum after the loaded step; the state before it. */
+static void step_under(int index, const char *load, struct moment *before, double momentum[2])
+{
+    struct test_run run = open_block(index, load);
+    struct mpm_ledger ledger;
+    test_run_steps(&run, STEPS_BEFORE);
+    look(&run, before);
+    test_run_steps(&run, 1);
+    mpm_simulation_ledger(run.simulation, &ledger);
+    memcpy(momentum, ledger.momentum, sizeof ledger.momentum);
+    test_run_close(&run);
+}
+
+static char *load_text(int index, const char *list, const char *edge, const char *frame)
+{
+    const bool radial = index / SHAPES % GEOMETRIES == AXISYMMETRIC;
+    return g_strdup_printf("loads={%s: [{body: block, edge: %s, frame: %s, value: "
+                           "['0.01*%s*" LOADED "', '(0.02+0.003*%s)*" LOADED "']}]}",
+                           list, edge, frame, radial ? "r" : "x", radial ? "z" : "y");
+}
+
+/* Every family in every geometry at every edge, and in every order. */
+START_TEST(a_traction_gives_its_value_times_the_deformed_area)
+{
+    const int edge = (_i + _i / SHAPES + _i / (SHAPES * GEOMETRIES)) % EDGES;
+    struct moment before;
+    double without[2];
+    step_under(_i, "loads={}", &before, without);
+    for (int frame = 0; frame < 2; frame++) {
+        char *const load = load_text(_i, "tractions", edges[edge], frame == 0 ? "global" : "edge");
+        double with[2], force[2];
+        step_under(_i, load, &before, with);
+        expected_force(&before, _i, edge, frame == 1, force);
+        for (int axis = 0; axis < 2; axis++) {
+            ck_assert_double_gt(fabs(force[axis]), 1e-3);
+            ck_assert_near(with[axis] - without[axis], STEP * force[axis], MOMENTUM_ROUND_OFF);
+        }
+        g_free(load);
+    }
+}
+END_TEST
+
+/* The value at the particle times the edge's area at t = 0. */
+START_TEST(a_particle_force_gives_its_value_times_the_area_at_the_start)
+{
+    struct moment before;
+    double without[2], with[2], force[2] = {0.0, 0.0};
+    const bool radial = _i / SHAPES % GEOMETRIES == AXISYMMETRIC;
+    step_under(_i, "loads={}", &before, without);
+    char *const load = load_text(_i, "particle_forces", "right", "global");
+    step_under(_i, load, &before, with);
+    for (int id = COLUMNS - 1; id < COUNT; id += COLUMNS) {
+        const double area = 2.0 * HALF[1] * (radial ? 7.0 : 1.0);
+        force[0] += area * 0.01 * before.position[2 * id];
+        force[1] += area * (0.02 + 0.003 * before.position[2 * id + 1]);
+    }
+    for (int axis = 0; axis < 2; axis++)
+        ck_assert_near(with[axis] - without[axis], STEP * force[axis], MOMENTUM_ROUND_OFF);
+    g_free(load);
+}
+END_TEST
+
+/* One particle to a cell stands on a knot of the quadratic splines: the span beyond has a node
+ * without mass, in reach of the upper edge. */
+START_TEST(no_force_is_lost_on_a_node_without_mass)
+{
+    const char *const settings[] = {
+        "method.shape=bspline2", "bodies.block.particles_per_cell=[1, 1]",
+        "loads={tractions: [{body: block, edge: top, value: [0, 1]}]}", NULL};
+    struct test_run run = test_run_open(BLOCK, settings, 1);
+    struct mpm_ledger start, end;
+    mpm_simulation_ledger(run.simulation, &start);
+    test_run_steps(&run, 1);
+    mpm_simulation_ledger(run.simulation, &end);
+    ck_assert_near(end.momentum[1] - start.momentum[1],
+                   3.0 * mpm_simulation_time_step(run.simulation), MOMENTUM_ROUND_OFF);
+    test_run_close(&run);
+}
+END_TEST
+
+/* Energy gained over work at t = 1 with so many steps. */
+static double balance(int index, const char *list, int steps)
+{
+    struct settings settings = {0};
+    struct mpm_ledger ledger;
+    settings_add_formatted(&settings, "method.shape=%s", shapes[index % SHAPES]);
+    settings_add_formatted(&settings, "geometry=%s", geometries[index / SHAPES]);
+    settings_add(&settings, "method.stress_update=usavg");
+    settings_add(&settings, "method.extrapolate=false");
+    settings_add_formatted(&settings, "time.step=%.17g", 1.0 / steps);
+    settings_add_formatted(&settings,
+                           "loads={%s: [{body: block, edge: all, frame: edge, "
+                           "value: ['0.01*t', '0.005*t']}]}",
+                           list);
+    struct test_run run = test_run_open(BLOCK, settings.texts, 1);
+    test_run_steps(&run, steps);
+    mpm_simulation_ledger(run.simulation, &ledger);
+    ck_assert_double_gt(ledger.external_work, 1e-5);
+    test_run_close(&run);
+    settings_clear(&settings);
+    return ledger.total_energy / ledger.external_work;
+}
+
+/* A transfer by FLIP loses energy in proportion to the step, some percent of so little here:
+ * steps of 0.01 and 0.005 tell what is left of the balance at none, to second order, 0.001. */
+START_TEST(tractions_and_particle_forces_work_what_the_energy_gains)
+{
+    static const char *const lists[] = {"tractions", "particle_forces"};
+    for (size_t list = 0; list < 2; list++)
+        ck_assert_near(2.0 * balance(_i, lists[list], 200) - balance(_i, lists[list], 100), 1.0,
+                       0.001);
+}
+END_TEST
+
+/* ------------------------------------------------------------------ which edges */
+
+/* Momentum in a step over its length is the force: with a stress of one the area. */
+static double area_of(const char *region, const char *load, int axis)
+{
+    struct settings settings = {0};
+    settings_add_formatted(&settings, "bodies.block.region=%s", region);
+    settings_add_formatted(&settings, "loads={tractions: [%s]}", load);
+    settings_add(&settings, "bodies.block.velocity=[0, 0]");
+    struct test_run run = test_run_open(BLOCK, settings.texts, 1);
+    struct mpm_ledger ledger;
+    test_run_steps(&run, 1);
+    mpm_simulation_ledger(run.simulation, &ledger);
+    const double area = ledger.momentum[axis] / mpm_simulation_time_step(run.simulation);
+    test_run_close(&run);
+    settings_clear(&settings);
+    return area;
+}
+
+START_TEST(a_face_is_made_of_edges_without_a_neighbour_whatever_the_region)
+{
+    static const char DISK[] = "{disk: {center: [7, 6.4], radius: 2}}";
+    static const char RING[] = "{annulus: {center: [7, 6.4], inner: 1, outer: 2}}";
+    static const char TOP[] = "{body: block, edge: top, value: [0, 1]}";
+    static const char LEFT[] = "{body: block, edge: left, value: [1, 0]}";
+    static const char PRESSURE[] = "{body: block, edge: all, value: [-1, 0], frame: edge}";
+    /* stairs: as wide as the disk, 4, and as the hole besides; sites of 0.5 by 0.4 */
+    ck_assert_near(area_of(DISK, TOP, 1), 4.0, MOMENTUM_ROUND_OFF);
+    ck_assert_near(area_of(DISK, LEFT, 0), 4.0, MOMENTUM_ROUND_OFF);
+    ck_assert_near(area_of(RING, TOP, 1), 4.0 + 2.0, MOMENTUM_ROUND_OFF);
+    ck_assert_near(area_of(RING, PRESSURE, 0), 0.0, MOMENTUM_ROUND_OFF);
+    ck_assert_near(area_of(RING, PRESSURE, 1), 0.0, MOMENTUM_ROUND_OFF);
+}
+END_TEST
+
+START_TEST(loads_on_one_edge_add_up)
+{
+    static const char BLOCK_REGION[] = "{rectangle: {from: [4, 3.2], to: [7, 4.8]}}";
+    ck_assert_near(area_of(BLOCK_REGION,
+                           "{body: block, edge: top, value: [0, 1]}, "
+                           "{body: block, edge: all, value: [0, 2]}",
+                           1),
+                   3.0 + 2.0 * 2.0 * (3.0 + 1.6), MOMENTUM_ROUND_OFF);
+}
+END_TEST
+
+/* ---------------------------------------------------------------- bits, refusals */
+
+static const char LOADS[] =
+    "loads={tractions: [{body: block, edge: all, frame: edge, value: ['-0.1*sin(x)', 0.02]}], "
+    "particle_forces: [{body: block, edge: left, value: ['0.1*t', '0.01*y']}]}";
+
+/* Enough particles for three workers. */
+START_TEST(any_number_of_threads_gives_the_same_bits_under_tractions)
+{
+    const char *const settings[] = {
+        "grid.cells=[70, 70]",
+        "bodies.block.region.rectangle={from: [3, 3.2], to: [63, 51.2]}",
+        "bodies.block.velocity=['0.1*sin(y/5)', '0.1*cos(x/4)']",
+        LOADS,
+        "method.stress_update=usavg",
+        _i == 0 ? "method.shape=cpdi" : "method.shape=bspline2",
+        NULL,
+    };
+    struct test_run one = test_run_open(BLOCK, settings, 1);
+    test_run_steps(&one, 20);
+    for (int threads = 2; threads <= 3; threads++) {
+        struct test_run more = test_run_open(BLOCK, settings, threads);
+        struct mpm_ledger ledger[2];
+        size_t count;
+        test_run_steps(&more, 20);
+        mpm_simulation_ledger(one.simulation, &ledger[0]);
+        mpm_simulation_ledger(more.simulation, &ledger[1]);
+        ck_assert(ledger[0].external_work == ledger[1].external_work);
+        double *const a = test_run_field(&one, MPM_FIELD_VELOCITY, &count);
+        double *const b = test_run_field(&more, MPM_FIELD_VELOCITY, NULL);
+        ck_assert_int_eq(memcmp(a, b, 2 * count * sizeof *a), 0);
+        free(a);
+        free(b);
+        test_run_close(&more);
+    }
+    test_run_close(&one);
+}
+END_TEST
+
+START_TEST(a_load_that_stops_being_finite_ends_the_run_and_names_itself)
+{
+    const char *const settings[] = {
+        "loads={particle_forces: [{body: block, edge: top, value: [0, 'sqrt(0.5-t)']}]}", NULL};
+    struct test_run run = test_run_open(BLOCK, settings, 1);
+    struct mpm_error error = {.message = ""};
+    enum mpm_status status = MPM_OK;
+    for (int step = 0; step < 1000 && status == MPM_OK; step++)
+        status = mpm_simulation_advance(run.simulation, HUGE_VAL, &error);
+    ck_assert_int_eq(status, MPM_RUN_FAILED);
+    test_contains(error.message, "particle 18 (body 'block') bears a load that is not finite: "
+                                 "loads.particle_forces.0.value.1 = ");
+    test_run_close(&run);
+}
+END_TEST
+
+Suite *suite_tractions(void)
+{
+    Suite *suite = suite_create("tractions");
+    TCase *forces = tcase_create("forces");
+    tcase_add_loop_test(forces, a_traction_gives_its_value_times_the_deformed_area, 0,
+                        COMBINATIONS);
+    tcase_add_loop_test(forces, a_particle_force_gives_its_value_times_the_area_at_the_start, 0,
+                        SHAPES * GEOMETRIES);
+    tcase_add_test(forces, no_force_is_lost_on_a_node_without_mass);
+    tcase_add_loop_test(forces, tractions_and_particle_forces_work_what_the_energy_gains, 0,
+                        SHAPES * GEOMETRIES);
+    suite_add_tcase(suite, forces);
+    TCase *faces = tcase_create("faces");
+    tcase_add_test(faces, a_face_is_made_of_edges_without_a_neighbour_whatever_the_region);
+    tcase_add_test(faces, loads_on_one_edge_add_up);
+    suite_add_tcase(suite, faces);
+    TCase *runs = tcase_create("runs");
+    tcase_add_loop_test(runs, any_number_of_threads_gives_the_same_bits_under_tractions, 0, 2);
+    tcase_add_test(runs, a_load_that_stops_being_finite_ends_the_run_and_names_itself);
+    suite_add_tcase(suite, runs);
+    return suite;
+}

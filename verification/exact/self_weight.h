@@ -1,0 +1,28 @@
+/* A column that stands under its own weight, held sideways or without Poisson's effect: the
+ * exact solution of case T4.
+ *
+ * P_yy = rho_0 g (l_0 - Y) balances the weight of what is above the initial height Y, whatever the
+ * law, and where nothing strains sideways the Cauchy stress sigma_yy is P_yy (sigma = P F^T / J,
+ * J = F_yy): W. M. Coombs, C. E. Augarde, AMPLE: a material point learning environment, Adv. Eng.
+ * Softw. 139 (2020) 102748. For the law `linear_elastic`, P_yy = M (F_yy - 1) at any strain
+ * (vibrating_bar.h), so that
+ *
+ *     v(Y) = rho_0 g / M (l_0 Y - Y^2/2).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_EXACT_SELF_WEIGHT_H
+#define VERIFICATION_EXACT_SELF_WEIGHT_H
+
+struct self_weight {
+    double height;  /* l_0 */
+    double weight;  /* rho_0 g, negative downwards */
+    double modulus; /* M: E without Poisson's effect */
+};
+
+/* sigma_yy at the initial height Y, 0 <= Y <= l_0. */
+double self_weight_stress(const struct self_weight *column, double start);
+
+/* v(Y) */
+double self_weight_displacement(const struct self_weight *column, double start);
+
+#endif
