@@ -202,6 +202,7 @@ START_TEST(a_column_is_constant_where_all_that_count_have_one_number)
         {{N(6), N(1), N(6), N(1), N(6), N(1)}, true, true},
         {{N(6), N(1), N(6), N(1), N(2), N(7)}, true, false},
         {{N(6), N(1), N(6), N(1.5), N(6), N(1)}, true, false},
+        {{N(6), N(1), N(2), N(1), N(3), N(1)}, false, false},
         {{N(6), N(1), N(7), FAILED, N(6), N(1)}, false, false},
         {{N(6), N(1), ABSENT, ABSENT, N(6), N(1)}, false, false},
         {{N(2), ABSENT, N(2), ABSENT, N(2), ABSENT}, false, false},
@@ -299,6 +300,10 @@ START_TEST(where_many_are_equal_no_winner_is_named)
     char *advice = comparison_advice(&table, 0);
     ck_assert_str_eq(advice, "6 of 7 are equal (1 %)");
     g_free(advice);
+    const struct comparison_table tied = {2, 1, names, RULES, cells};
+    advice = comparison_advice(&tied, 0);
+    ck_assert_str_eq(advice, "all 2 are equal (1 %)");
+    g_free(advice);
 }
 END_TEST
 
@@ -318,14 +323,14 @@ START_TEST(the_guide_takes_the_cheapest_of_the_best_and_names_who_is_cheaper)
     char *guide = comparison_guide(&table, 0, 1),
          *alone = comparison_guide(&table, 0, COMPARISON_NONE);
     ck_assert_uint_eq(comparison_choice(&table, 0, 1), 1);
-    ck_assert_str_eq(guide,
-                     "Use beta: Error 1.05 %, the best of the 4 that count, equal to alpha and the "
-                     "cheapest of these. Time: 6 s, 3 times the best. Where cost counts more: "
-                     "delta, 2.2 s with Error 3 %. 1 of 5 do not count: they broke or are beyond "
-                     "a limit (the column Run).");
-    ck_assert_str_eq(alone,
-                     "Use alpha: Error 1 %, the best of the 4 that count, equal to beta. 1 of 5 do "
-                     "not count: they broke or are beyond a limit (the column Run).");
+    ck_assert_str_eq(
+        guide, "Use beta (Error: 1.05 %), the best of the 4 that count, equal to alpha and the "
+               "cheapest of these. Time: 6 s, 3 times the best. Where cost counts more: "
+               "delta, 2.2 s (Error: 3 %). 1 of 5 do not count: they broke or are beyond "
+               "a limit (the column Run).");
+    ck_assert_str_eq(alone, "Use alpha (Error: 1 %), the best of the 4 that count, equal to beta. "
+                            "Next: delta (3 %). 1 of 5 do "
+                            "not count: they broke or are beyond a limit (the column Run).");
     g_free(alone);
     g_free(guide);
 }

@@ -137,7 +137,7 @@ bool comparison_is_last(const struct comparison_table *table, size_t row, size_t
 bool comparison_is_constant(const struct comparison_table *table, size_t column)
 {
     const size_t best = comparison_best(table, column);
-    if (best == COMPARISON_NONE || table->row_count < 2)
+    if (comparison_count(table, column) < 2)
         return false;
     const double value = comparison_cell(table, best, column)->value;
     for (size_t row = 0; row < table->row_count; row++) {

@@ -70,7 +70,7 @@ static void add_choice(GString *text, const struct comparison_table *table, size
                        size_t leading, size_t cost)
 {
     char *number = number_of(table, choice, leading);
-    g_string_append_printf(text, "Use %s: %s %s, the best of the %zu that count",
+    g_string_append_printf(text, "Use %s (%s: %s), the best of the %zu that count",
                            table->names[choice], table->columns[leading].title, number,
                            comparison_count(table, leading));
     const bool cheapest = cost != COMPARISON_NONE && comparison_rank(table, choice, cost) > 0;
@@ -102,10 +102,24 @@ static void add_cost(GString *text, const struct comparison_table *table, size_t
     char *price = number_of(table, cheap, cost);
     const bool known = comparison_rank(table, cheap, leading) > 0;
     char *number = known ? number_of(table, cheap, leading) : g_strdup("no number");
-    g_string_append_printf(text, " Where cost counts more: %s, %s with %s %s.", table->names[cheap],
+    g_string_append_printf(text, " Where cost counts more: %s, %s (%s: %s).", table->names[cheap],
                            price, table->columns[leading].title, number);
     g_free(number);
     g_free(price);
+}
+
+/* Where no cost decides: the best of those that do not equal the best. */
+static void add_next(GString *text, const struct comparison_table *table, size_t leading)
+{
+    const size_t rank = comparison_level_count(table, leading) + 1;
+    for (size_t row = 0; row < table->row_count; row++) {
+        if (comparison_rank(table, row, leading) != rank)
+            continue;
+        char *number = number_of(table, row, leading);
+        g_string_append_printf(text, " Next: %s (%s).", table->names[row], number);
+        g_free(number);
+        return;
+    }
 }
 
 static void add_outside(GString *text, const struct comparison_table *table)
@@ -128,6 +142,8 @@ char *comparison_guide(const struct comparison_table *table, size_t leading, siz
     add_choice(text, table, choice, leading, cost);
     if (cost != COMPARISON_NONE && comparison_count(table, cost) > 0)
         add_cost(text, table, choice, leading, cost);
+    else
+        add_next(text, table, leading);
     add_outside(text, table);
     return g_string_free(text, FALSE);
 }
@@ -142,9 +158,11 @@ char *comparison_advice(const struct comparison_table *table, size_t column)
     char *number = number_of(table, best, column);
     const size_t level = comparison_level_count(table, column);
     GString *text = g_string_new(NULL);
-    if (level > EQUALS_NAMED + 1) {
-        g_string_append_printf(text, "%zu of %zu are equal (%s)", level,
-                               comparison_count(table, column), number);
+    const size_t count = comparison_count(table, column);
+    if (level == count && count > 1) {
+        g_string_append_printf(text, "all %zu are equal (%s)", count, number);
+    } else if (level > EQUALS_NAMED + 1) {
+        g_string_append_printf(text, "%zu of %zu are equal (%s)", level, count, number);
     } else {
         g_string_append_printf(text, "%s (%s)", table->names[best], number);
         add_equals(text, table, best, column, "; equal: ");

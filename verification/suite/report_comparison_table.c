@@ -63,19 +63,25 @@ static char *standing_of(const struct comparison_table *table, size_t row, size_
     char *factor = comparison_factor_words(table, row, column);
     char *rank = comparison_rank_words(table, row, column);
     const char *place = g_str_has_prefix(rank, "rank ") ? rank + strlen("rank ") : rank;
-    char *text = g_strconcat(place, *factor == '\0' ? "" : high ? ", ÷ " : ", × ", factor, NULL);
+    char *text = g_strconcat(place,
+                             *factor == '\0' ? ""
+                             : high          ? ", ÷\u00a0"
+                                             : ", ×\u00a0",
+                             factor, NULL);
     g_free(rank);
     g_free(factor);
     return text;
 }
 
-static void add_missing(GString *html, const struct comparison_column *rule,
-                        const struct comparison_cell *cell)
+static void add_missing(GString *html, const struct comparison_table *table, size_t row,
+                        size_t column)
 {
-    const bool failed = cell->state == COMPARISON_FAILED;
-    const char *words = !failed                  ? "not measured"
-                        : *rule->missing == '\0' ? "no number"
-                                                 : rule->missing;
+    const struct comparison_cell *cell = comparison_cell(table, row, column);
+    const char *missing = table->columns[column].missing;
+    const bool failed = cell->state == COMPARISON_FAILED && comparison_takes_part(table, row);
+    const char *words = cell->state == COMPARISON_ABSENT ? "not measured"
+                        : !failed || *missing == '\0'    ? "no number"
+                                                         : missing;
     text_markup(html,
                 "<td class=\"n\" data-key=\"\" title=\"%s\"><span class=\"%s\"><span "
                 "aria-hidden=\"true\">%s</span> %s</span></td>",
@@ -87,7 +93,7 @@ static void add_cell(GString *html, const struct comparison_table *table, size_t
     const struct comparison_cell *cell = comparison_cell(table, row, column);
     const struct comparison_column *rule = &table->columns[column];
     if (cell->state != COMPARISON_NUMBER) {
-        add_missing(html, rule, cell);
+        add_missing(html, table, row, column);
         return;
     }
     char key[G_ASCII_DTOSTR_BUF_SIZE];
@@ -114,15 +120,25 @@ static void add_outcome(GString *html, const struct comparison_view *view, size_
     g_string_append(html, "</span></td>");
 }
 
+/* A name may be broken after each underscore. */
+static void add_name(GString *html, const char *name)
+{
+    char **parts = g_strsplit(name, "_", -1);
+    for (char **part = parts; *part != NULL; part++)
+        text_markup(html, part[1] == NULL ? "%s" : "%s_<wbr />", *part);
+    g_strfreev(parts);
+}
+
 static void add_row(GString *html, const struct comparison_view *view, size_t row)
 {
     const char *name = view->names[row], *title = record_text(view->variants[row], "title");
     char *number = g_strdup_printf("%zu", row + 1);
     text_markup(html,
                 "<tr><th scope=\"row\" data-name=\"%s\" data-key=\"%s\"><span "
-                "class=\"number\">%s</span> <a href=\"#%s\">%s</a><span "
-                "class=\"about\">%s</span></th>",
-                name, number, number, name, name, title);
+                "class=\"number\">%s</span> <a href=\"#%s\">",
+                name, number, number, name);
+    add_name(html, name);
+    text_markup(html, "</a><span class=\"about\">%s</span></th>", title);
     add_outcome(html, view, row);
     for (size_t column = 0; column < view->table.column_count; column++)
         if (!comparison_is_constant(&view->table, column))
