@@ -96,9 +96,11 @@ static void add_cell(GString *html, const struct comparison_table *table, size_t
         add_missing(html, table, row, column);
         return;
     }
-    char key[G_ASCII_DTOSTR_BUF_SIZE];
+    /* who takes no part stays last in any order */
+    char key[G_ASCII_DTOSTR_BUF_SIZE] = "";
     const bool zero = rule->better == COMPARISON_ZERO;
-    g_ascii_formatd(key, sizeof key, "%.17g", zero ? fabs(cell->value) : cell->value);
+    if (comparison_takes_part(table, row))
+        g_ascii_formatd(key, sizeof key, "%.17g", zero ? fabs(cell->value) : cell->value);
     text_markup(html, "<td class=\"n\" data-key=\"%s\">", key);
     html_numbers(html, comparison_number(cell->value, "1"));
     g_string_append(html, comparison_is_beyond(table, row, column) ? "<span class=\"about bad\">✗ "
@@ -234,11 +236,15 @@ void comparison_table_html(GString *html, const struct comparison_view *view)
 {
     g_string_append(
         html,
-        "<h2 id=\"table\">Every variant</h2>\n<p class=\"about\" id=\"how\">A heading sorts, "
-        "best first; again turns round. Under each number: its rank among the runs that were "
-        "kept, and how many times the best it is (×) or, where more is better, the best is it "
-        "(÷).</p>\n<div class=\"scroll tall\" tabindex=\"0\" role=\"region\" "
-        "aria-label=\"Every variant\"><table class=\"sortable\" aria-describedby=\"how\">\n");
+        "<h2 id=\"table\">Every variant</h2>\n<p class=\"about\" id=\"how\">Run: kept is to its "
+        "end "
+        "and within every limit; others have no rank and stay last. A heading sorts, best first; "
+        "again turns round. Under each number: its rank among the runs that were kept, and how "
+        "many "
+        "times the best it is (×) or, where more is better, the best is it (÷); where the best is "
+        "smaller than the difference that counts as equal, how many times that.</p>\n<div "
+        "class=\"scroll tall\" tabindex=\"0\" role=\"region\" aria-label=\"Every variant\"><table "
+        "class=\"sortable\" aria-describedby=\"how\">\n");
     add_head(html, view);
     g_string_append(html, "<tbody>\n");
     for (size_t row = 0; row < view->table.row_count; row++)
