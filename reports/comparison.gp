@@ -1,7 +1,8 @@
 # One quantity over another, a point for each variant: colour by the order of the stress update,
 # mark by the shape functions, filled on the front.
 # `data` has lines `x y order shape front`; the file `axes` sets ranges, tics, labels, and the
-# names of orders and shapes.
+# names of orders and shapes that
+# occur, with their places among colours and marks.
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set terminal svg size 760,520 dynamic enhanced font 'Helvetica,Arial,sans-serif,14' name name linewidth 1 rounded
@@ -21,5 +22,5 @@ filled_marks = '3 5 7 9 13 11'
 colour(i) = int(word(colours, i + 1 > words(colours) ? 1 : i + 1))
 mark(i, front) = int(word(front > 0 ? filled_marks : open_marks, i + 1 > 6 ? 1 : i + 1))
 plot data using 1:2:(mark(int($4), $5)):(colour(int($3))) with points pt variable ps 0.9 lw 1.6 lc rgb variable notitle, \
-     for [i=1:words(orders)] keyentry with points pt 5 ps 1.2 lc rgb colour(i) title word(orders, i), \
-     for [i=1:words(shapes)] keyentry with points pt mark(i, 0) ps 1 lw 1.6 lc rgb '#000000' title word(shapes, i)
+     for [i=1:words(orders)] keyentry with points pt 5 ps 1.2 lc rgb colour(int(word(order_places, i))) title word(orders, i), \
+     for [i=1:words(shapes)] keyentry with points pt mark(int(word(shape_places, i)), 0) ps 1 lw 1.6 lc rgb '#000000' title word(shapes, i)

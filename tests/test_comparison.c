@@ -113,13 +113,13 @@ END_TEST
 START_TEST(a_number_at_the_limit_is_within_it)
 {
     static const struct {
-        enum comparison_better better;
         double limit, value;
+        enum comparison_better better;
         bool beyond;
-    } table[] = {{COMPARISON_LOW, 2, 2, false},    {COMPARISON_LOW, 2, 2.01, true},
-                 {COMPARISON_LOW, 2, -9, false},   {COMPARISON_HIGH, 2, 2, false},
-                 {COMPARISON_HIGH, 2, 1.99, true}, {COMPARISON_ZERO, 2, -2, false},
-                 {COMPARISON_ZERO, 2, -2.01, true}};
+    } table[] = {{2, 2, COMPARISON_LOW, false},    {2, 2.01, COMPARISON_LOW, true},
+                 {2, -9, COMPARISON_LOW, false},   {2, 2, COMPARISON_HIGH, false},
+                 {2, 1.99, COMPARISON_HIGH, true}, {2, -2, COMPARISON_ZERO, false},
+                 {2, -2.01, COMPARISON_ZERO, true}};
     for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
         const struct comparison_column rule = {
             .better = table[i].better, .limited = true, .limit = table[i].limit};

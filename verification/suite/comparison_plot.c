@@ -203,35 +203,56 @@ static void add_labels(GString *axes, const struct comparison_view *view, const 
                        const struct axis *x, const struct axis *y)
 {
     struct label_place *labels = g_new0(struct label_place, points->len + 1);
-    char **texts = g_new0(char *, points->len + 1);
+    GPtrArray *texts = g_ptr_array_new_with_free_func(g_free);
     for (unsigned i = 0; i < points->len; i++) {
         const struct point *point = &g_array_index(points, struct point, i);
         labels[i].x = frame.width * place_on(x, point->x);
         labels[i].y = frame.height * place_on(y, point->y);
     }
     for (unsigned i = 0; i < points->len; i++) {
-        texts[i] = label_text(view, points, labels, i);
+        char *text = label_text(view, points, labels, i);
+        g_ptr_array_add(texts, text);
         const bool front = g_array_index(points, struct point, i).front;
-        labels[i].width = (double)strlen(texts[i]) * (front ? NAME_LETTER : NUMBER_LETTER);
+        labels[i].width = (double)strlen(text) * (front ? NAME_LETTER : NUMBER_LETTER);
         labels[i].height = LINE;
     }
     label_places_find(labels, points->len, &frame);
     for (unsigned i = 0; i < points->len; i++)
         if (labels[i].placed)
-            add_label(axes, texts[i], &labels[i], g_array_index(points, struct point, i).front);
-    g_strfreev(texts);
+            add_label(axes, texts->pdata[i], &labels[i],
+                      g_array_index(points, struct point, i).front);
+    g_ptr_array_unref(texts);
     g_free(labels);
 }
 
-/* Names of the parts of a kind that are drawn, in the order of their marks. */
-static void add_names(GString *axes, const struct comparison_view *view, const char *kind)
+static bool is_drawn(const GArray *points, bool order, unsigned place)
+{
+    for (unsigned i = 0; i < points->len; i++) {
+        const struct point *point = &g_array_index(points, struct point, i);
+        if ((order ? point->order : point->shape) == place)
+            return true;
+    }
+    return false;
+}
+
+/* Names of the parts of a kind that are drawn, and their places, which have a colour or mark. */
+static void add_names(GString *axes, const struct comparison_view *view, const GArray *points,
+                      const char *kind)
 {
     const json_t *parts = json_object_get(view->declared, "parts");
+    const bool order = strcmp(kind, "order") == 0;
+    GString *places = g_string_new(NULL);
+    unsigned place = 0;
     g_string_append_printf(axes, "%ss = '", kind);
-    for (size_t i = 0; i < json_array_size(parts); i++)
-        if (strcmp(record_text(json_array_get(parts, i), "kind"), kind) == 0)
-            g_string_append_printf(axes, "%s ", record_text(json_array_get(parts, i), "part"));
-    g_string_append(axes, "'\n");
+    for (size_t i = 0; i < json_array_size(parts); i++) {
+        const json_t *part = json_array_get(parts, i);
+        if (strcmp(record_text(part, "kind"), kind) != 0 || !is_drawn(points, order, ++place))
+            continue;
+        g_string_append_printf(axes, "%s ", record_text(part, "part"));
+        g_string_append_printf(places, "%u ", place);
+    }
+    g_string_append_printf(axes, "'\n%s_places = '%s'\n", kind, places->str);
+    g_string_free(places, TRUE);
 }
 
 char *comparison_plot_data(const struct comparison_view *view, size_t x, size_t y, GString *axes)
@@ -250,8 +271,8 @@ char *comparison_plot_data(const struct comparison_view *view, size_t x, size_t 
         }
         add_range(axes, 'x', &across);
         add_range(axes, 'y', &up);
-        add_names(axes, view, "order");
-        add_names(axes, view, "shape");
+        add_names(axes, view, points, "order");
+        add_names(axes, view, points, "shape");
         add_labels(axes, view, points, &across, &up);
     }
     g_array_unref(points);
