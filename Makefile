@@ -100,7 +100,10 @@ HEADERS := $(sort $(wildcard solver/*.h solver/*/*.h verification/*/*.h benchmar
              tests/*.h tests/*/*.h))
 objects  = $(patsubst %.c,$(BUILD)/objects/%.o,$(1))
 
-FAST_LEVELS  := baseline $(if $(findstring x86_64,$(shell $(CC) -dumpmachine 2>/dev/null)),v3)
+# Levels of SIMD differ in instructions, not in what is written: builds that look for faults or for
+# lines not covered have one.
+FAST_LEVELS  := baseline $(if $(filter release,$(VARIANT)),$(if $(findstring x86_64,\
+                  $(shell $(CC) -dumpmachine 2>/dev/null)),v3))
 # They take longest to compile: first in every list, and the longest of them before the others.
 FAST_OBJECTS := $(foreach family,cpdi bspline3 ugimp bspline2 classic,$(foreach level,$(FAST_LEVELS),\
                   $(BUILD)/objects/fast/$(family).$(level).o))
@@ -116,8 +119,12 @@ FAST_NAMES    = -DFAST_FAMILY=$(1) -DFAST_LEVEL=$(2) \
                 -DFAST_KEEPS_DOMAINS=$(if $(filter cpdi,$(1)),1,0)
 # Where there is another level, the baseline is for old machines: a quarter less to compile counts
 # more than -O3.
-FAST_FLAGS_baseline := $(if $(filter release,$(VARIANT)),$(if $(filter v3,$(FAST_LEVELS)),-O2))
+FAST_FLAGS_baseline := $(if $(filter v3,$(FAST_LEVELS)),-O2)
 FAST_FLAGS_v3       := -march=x86-64-v3
+
+ifneq ($(filter v3,$(FAST_LEVELS)),)
+$(BUILD)/objects/solver/method/fast.o: CODE_FLAGS += -DMPM_FAST_V3
+endif
 
 LIBRARY  := $(BUILD)/libmpm.a
 PROGRAMS := $(if $(CLI_SOURCES),$(BUILD)/bin/mpm) $(if $(VERIFY_MAIN),$(BUILD)/bin/mpm-verify) \

@@ -12,7 +12,7 @@
 
 static mpm_fast_family *const families[MPM_SIMD_COUNT][MPM_SHAPE_COUNT] = {
     [MPM_SIMD_BASELINE] = FAMILIES(baseline),
-#ifdef __x86_64__
+#ifdef MPM_FAST_V3 /* of the makefile: this build has that level */
     [MPM_SIMD_X86_64_V3] = FAMILIES(v3),
 #endif
 };
@@ -20,7 +20,7 @@ static mpm_fast_family *const families[MPM_SIMD_COUNT][MPM_SHAPE_COUNT] = {
 /* The level's AVX2, BMI and FMA stand for the whole of it: no processor has them alone. */
 static bool runs_v3(void)
 {
-#ifdef __x86_64__
+#ifdef MPM_FAST_V3
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
            __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
 #else
