@@ -21,6 +21,8 @@ open_marks = '2 4 6 8 12 10'
 filled_marks = '3 5 7 9 13 11'
 colour(i) = int(word(colours, i + 1 > words(colours) ? 1 : i + 1))
 mark(i, front) = int(word(front > 0 ? filled_marks : open_marks, i + 1 > 6 ? 1 : i + 1))
+# a name without parts has neither: the key is empty
+place(list, i) = i > words(list) ? 0 : int(word(list, i))
 plot data using 1:2:(mark(int($4), $5)):(colour(int($3))) with points pt variable ps 0.9 lw 1.6 lc rgb variable notitle, \
-     for [i=1:words(orders)] keyentry with points pt 5 ps 1.2 lc rgb colour(int(word(order_places, i))) title word(orders, i), \
-     for [i=1:words(shapes)] keyentry with points pt mark(int(word(shape_places, i)), 0) ps 1 lw 1.6 lc rgb '#000000' title word(shapes, i)
+     for [i=1:words(orders)] keyentry with points pt 5 ps 1.2 lc rgb colour(place(order_places, i)) title word(orders, i), \
+     for [i=1:words(shapes)] keyentry with points pt mark(place(shape_places, i), 0) ps 1 lw 1.6 lc rgb '#000000' title word(shapes, i)
