@@ -324,15 +324,35 @@ START_TEST(the_guide_takes_the_cheapest_of_the_best_and_names_who_is_cheaper)
          *alone = comparison_guide(&table, 0, COMPARISON_NONE);
     ck_assert_uint_eq(comparison_choice(&table, 0, 1), 1);
     ck_assert_str_eq(
-        guide, "Use beta (Error: 1.05 %), the best of the 4 that count, equal to alpha and the "
-               "cheapest of these. Time: 6 s, 3 times the best. Where cost counts more: "
-               "delta, 2.2 s (Error: 3 %). 1 of 5 do not count: they broke or are beyond "
-               "a limit (the column Run).");
-    ck_assert_str_eq(alone, "Use alpha (Error: 1 %), the best of the 4 that count, equal to beta. "
-                            "Next: delta (3 %). 1 of 5 do "
-                            "not count: they broke or are beyond a limit (the column Run).");
+        guide,
+        "Use beta (Error: 1.05 %), the best of the 4 that count, equal to alpha; of these among "
+        "the cheapest, and least behind elsewhere. Time: 6 s, 3 times the best. Where cost counts "
+        "more: delta, 2.2 s (Error: 3 %). 1 of 5 do not count: they broke or are beyond "
+        "a limit (the column Run).");
+    ck_assert_str_eq(alone,
+                     "Use beta (Error: 1.05 %), the best of the 4 that count, equal to alpha; of "
+                     "these least behind elsewhere. Next: delta (3 %). 1 of 5 do not count: they "
+                     "broke or are beyond a limit (the column Run).");
     g_free(alone);
     g_free(guide);
+}
+END_TEST
+
+START_TEST(a_difference_within_the_tolerance_of_cost_decides_nothing)
+{
+    static const struct comparison_column rules[] = {
+        {.title = "Error", .unit = "%", .better = COMPARISON_LOW, .tolerance = 0.1},
+        {.title = "Time", .unit = "s", .better = COMPARISON_LOW, .tolerance = 0.3},
+        {.title = "Swing", .unit = "%", .better = COMPARISON_LOW}};
+    static const struct comparison_cell cells[] = {N(1), N(1), N(10), N(1), N(1.2),
+                                                   N(1), N(1), N(2),  N(1)};
+    static const struct comparison_table table = {3, 3, NAMES, rules, cells};
+    ck_assert_uint_eq(comparison_choice(&table, 0, 1), 1);
+    static const struct comparison_table two = {2, 3, NAMES, rules, cells};
+    ck_assert_uint_eq(comparison_choice(&two, 0, 1), 1);
+    static const struct comparison_cell dear[] = {N(1), N(1), N(10), N(1), N(1.4), N(1)};
+    static const struct comparison_table apart = {2, 3, NAMES, rules, dear};
+    ck_assert_uint_eq(comparison_choice(&apart, 0, 1), 0);
 }
 END_TEST
 
@@ -400,6 +420,7 @@ Suite *suite_comparison(void)
     tcase_add_test(words, the_summary_names_the_best_and_its_equals);
     tcase_add_test(words, where_many_are_equal_no_winner_is_named);
     tcase_add_test(words, the_guide_takes_the_cheapest_of_the_best_and_names_who_is_cheaper);
+    tcase_add_test(words, a_difference_within_the_tolerance_of_cost_decides_nothing);
     tcase_add_test(labels, labels_cover_neither_points_nor_each_other);
     tcase_add_test(labels, where_there_is_no_room_a_label_is_left_out);
     suite_add_tcase(suite, cases);

@@ -6,29 +6,55 @@
 #include "verification/measures/comparison_words.h"
 
 #include <glib.h>
+#include <math.h>
 
 enum { EQUALS_NAMED = 4 };
 
-/* Whether `row` is better in the column than the one found so far, by any difference. */
-static bool is_better(const struct comparison_table *table, size_t row, size_t found, size_t column)
+/* The number of a row that takes part, or NULL. */
+static const struct comparison_cell *number_in(const struct comparison_table *table, size_t row,
+                                               size_t column)
 {
-    if (found == COMPARISON_NONE)
-        return true;
-    if (column == COMPARISON_NONE || comparison_rank(table, row, column) == 0)
-        return false;
-    const struct comparison_column *rule = &table->columns[column];
-    return comparison_rank(table, found, column) == 0 ||
-           comparison_badness(rule, comparison_cell(table, row, column)->value) <
-               comparison_badness(rule, comparison_cell(table, found, column)->value);
+    const bool ranked = column != COMPARISON_NONE && comparison_rank(table, row, column) > 0;
+    return ranked ? comparison_cell(table, row, column) : NULL;
 }
 
-/* Of the rows that equal the best of `first` that which is best in `second`. */
+/* Of the rows that equal the best of `first` the best number in `second`; NULL if none has one. */
+static const struct comparison_cell *best_in(const struct comparison_table *table, size_t first,
+                                             size_t second)
+{
+    const struct comparison_cell *best = NULL;
+    for (size_t row = 0; row < table->row_count; row++) {
+        const struct comparison_cell *own = number_in(table, row, second);
+        if (own != NULL && comparison_is_level(table, row, first) &&
+            (best == NULL || comparison_badness(&table->columns[second], own->value) <
+                                 comparison_badness(&table->columns[second], best->value)))
+            best = own;
+    }
+    return best;
+}
+
+/* How many times worse than the best the row is where it is that most. */
+static double most_behind(const struct comparison_table *table, size_t row)
+{
+    const size_t worst = comparison_worst(table, row);
+    const double factor = worst == COMPARISON_NONE ? 1.0 : comparison_factor(table, row, worst);
+    return isnan(factor) ? HUGE_VAL : factor;
+}
+
+/* Of the rows that equal the best of `first`, and of these the best in `second`, the one that is
+ * least behind in any column, so that noise within the tolerances decides nothing. */
 static size_t best_of_equals(const struct comparison_table *table, size_t first, size_t second)
 {
+    const struct comparison_cell *best = best_in(table, first, second);
     size_t found = COMPARISON_NONE;
-    for (size_t row = 0; row < table->row_count; row++)
-        if (comparison_is_level(table, row, first) && is_better(table, row, found, second))
+    for (size_t row = 0; row < table->row_count; row++) {
+        const struct comparison_cell *own = number_in(table, row, second);
+        const bool equal = best == NULL || (own != NULL && comparison_order(&table->columns[second],
+                                                                            best, own) == 0);
+        if (equal && comparison_is_level(table, row, first) &&
+            (found == COMPARISON_NONE || most_behind(table, row) < most_behind(table, found)))
             found = row;
+    }
     return found;
 }
 
@@ -73,10 +99,11 @@ static void add_choice(GString *text, const struct comparison_table *table, size
     g_string_append_printf(text, "Use %s (%s: %s), the best of the %zu that count",
                            table->names[choice], table->columns[leading].title, number,
                            comparison_count(table, leading));
-    const bool cheapest = cost != COMPARISON_NONE && comparison_rank(table, choice, cost) > 0;
+    const bool priced = number_in(table, choice, cost) != NULL;
     add_equals(text, table, choice, leading, ", equal to ");
     if (comparison_level_count(table, leading) > 1)
-        g_string_append(text, cheapest ? " and the cheapest of these" : "");
+        g_string_append(text, priced ? "; of these among the cheapest, and least behind elsewhere"
+                                     : "; of these least behind elsewhere");
     g_string_append_c(text, '.');
     g_free(number);
 }

@@ -7,8 +7,9 @@
 
 #include "verification/measures/comparison.h"
 
-/* Of the rows that equal the best in the column `leading` that which is best in `cost`
- * (COMPARISON_NONE: the first); COMPARISON_NONE without any. */
+/* Of the rows that equal the best in the column `leading`, and of these the best in `cost` (may be
+ * COMPARISON_NONE), the one that is behind the best of any column by the least factor;
+ * COMPARISON_NONE without any. */
 size_t comparison_choice(const struct comparison_table *table, size_t leading, size_t cost);
 
 /* Two to four sentences: the choice, its number and its equals; what it costs over the least; the
