@@ -121,9 +121,15 @@ FAST_NAMES    = -DFAST_FAMILY=$(1) -DFAST_LEVEL=$(2) \
 # more than -O3.
 FAST_FLAGS_baseline := $(if $(filter v3,$(FAST_LEVELS)),-O2)
 FAST_FLAGS_v3       := -march=x86-64-v3
+# Manufactured solutions are evaluated for each particle and step: for v3 as well.
+WIDE_OBJECTS := $(if $(filter v3,$(FAST_LEVELS)),$(patsubst verification/exact/%.c,\
+                  $(BUILD)/objects/wide/%.o,$(filter verification/exact/field_%.c \
+                  verification/exact/manufactured_motion.c,$(VERIFY_SOURCES))))
+VERIFY_OBJECTS = $(call objects,$(VERIFY_SOURCES)) $(WIDE_OBJECTS)
 
 ifneq ($(filter v3,$(FAST_LEVELS)),)
-$(BUILD)/objects/solver/method/fast.o: CODE_FLAGS += -DMPM_FAST_V3
+$(BUILD)/objects/solver/method/fast.o $(BUILD)/objects/verification/exact/manufactured.o: \
+  CODE_FLAGS += -DMPM_FAST_V3
 endif
 
 LIBRARY  := $(BUILD)/libmpm.a
@@ -144,15 +150,15 @@ $(LIBRARY): $(call objects,$(SOLVER_SOURCES)) $(FAST_OBJECTS)
 link = $(call short,LINK,$@)$(CC) $(CODE_FLAGS) -o $@ $(filter %.o %.a,$^)
 $(BUILD)/bin/mpm: $(call objects,$(CLI_SOURCES)) $(LIBRARY)
 	$(link) $(LIBS_SOLVER)
-$(BUILD)/bin/mpm-verify: $(call objects,$(VERIFY_MAIN) $(VERIFY_SOURCES)) $(LIBRARY)
+$(BUILD)/bin/mpm-verify: $(call objects,$(VERIFY_MAIN)) $(VERIFY_OBJECTS) $(LIBRARY)
 	$(link) $(LIBS_SUITE) $(LIBS_SOLVER)
-$(BUILD)/bin/mpm-bench: $(call objects,$(BENCH_MAIN) $(BENCH_SOURCES) $(VERIFY_SOURCES)) $(LIBRARY)
+$(BUILD)/bin/mpm-bench: $(call objects,$(BENCH_MAIN) $(BENCH_SOURCES)) $(VERIFY_OBJECTS) $(LIBRARY)
 	$(link) $(LIBS_SUITE) $(LIBS_SOLVER)
-$(TESTER): $(call objects,$(TEST_SOURCES) $(BENCH_SOURCES) $(VERIFY_SOURCES)) $(LIBRARY)
+$(TESTER): $(call objects,$(TEST_SOURCES) $(BENCH_SOURCES)) $(VERIFY_OBJECTS) $(LIBRARY)
 	$(link) $(LIBS_TESTS) $(LIBS_SUITE) $(LIBS_SOLVER)
 
 .PHONY: objects
-objects: $(FAST_OBJECTS) $(call objects,$(filter-out $(FAST_SOURCE),$(SOURCES)))
+objects: $(FAST_OBJECTS) $(WIDE_OBJECTS) $(call objects,$(filter-out $(FAST_SOURCE),$(SOURCES)))
 $(BUILD)/objects/%.o: %.c $(BUILD)/generated/flags.txt | $(BUILD)/generated/build_facts.h
 	@mkdir -p $(@D)
 	$(call short,CC,$<)$(CC) $(CODE_FLAGS) $(WARNINGS) $(call includes,$<) -MMD -MP -c -o $@ $<
@@ -162,7 +168,12 @@ $(FAST_OBJECTS): $(BUILD)/objects/fast/%.o: $(FAST_SOURCE) $(BUILD)/generated/fl
 	$(call short,CC,$< ($*))$(CC) $(CODE_FLAGS) $(WARNINGS) \
 	  $(call FAST_FLAGS,$(basename $*),$(patsubst .%,%,$(suffix $*))) -Isolver -MMD -MP -c -o $@ $<
 
--include $(patsubst %.o,%.d,$(call objects,$(SOURCES)) $(FAST_OBJECTS))
+$(WIDE_OBJECTS): $(BUILD)/objects/wide/%.o: verification/exact/%.c $(BUILD)/generated/flags.txt
+	@mkdir -p $(@D)
+	$(call short,CC,$< (v3))$(CC) $(CODE_FLAGS) $(WARNINGS) -fno-math-errno $(FAST_FLAGS_v3) \
+	  -DMANUFACTURED_LEVEL=v3 -Isolver -I. -MMD -MP -c -o $@ $<
+
+-include $(patsubst %.o,%.d,$(call objects,$(SOURCES)) $(FAST_OBJECTS) $(WIDE_OBJECTS))
 
 # Facts recorded in the binary: rewritten only when they change; never a date. The
 # revision is this tree's own, not that of a repository that it was unpacked into.

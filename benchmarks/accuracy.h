@@ -39,6 +39,12 @@ struct accuracy_problem {
     char *(*scene)(const struct bench_context *context);
     /* PATH=VALUE texts of a grid with so many cells. */
     void (*set)(GPtrArray *settings, unsigned cells);
+    /* What a scene cannot state, or NULL: gives it to a simulation at its start, and returns what
+     * belongs to it; NULL, with the error, if that fails. */
+    void *(*begin)(struct mpm_simulation *simulation, const struct mpm_scene *scene,
+                   struct mpm_error *error);
+    void (*finish)(void *begun);
+    bool plain; /* shapes and orders alone, no other transfers and forms */
     /* Adds the particles of the moment to the sums, one for each of `errors`. */
     void (*look)(const struct particle_set *particles, double time, struct accuracy_sum *sums);
 };
@@ -46,8 +52,9 @@ struct accuracy_problem {
 /* All problems; *count of them. */
 const struct accuracy_problem *const *accuracy_problems(size_t *count);
 
-enum { ACCURACY_BARS = 2 };
-extern const struct accuracy_problem accuracy_compression, accuracy_bars[ACCURACY_BARS];
+enum { ACCURACY_BARS = 2, ACCURACY_MANUFACTURED = 3 };
+extern const struct accuracy_problem accuracy_compression, accuracy_bars[ACCURACY_BARS],
+    accuracy_manufactured[ACCURACY_MANUFACTURED];
 
 /* Adds a text PATH=VALUE, printed from the format. */
 void accuracy_set(GPtrArray *settings, const char *format, ...)

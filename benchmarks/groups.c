@@ -12,7 +12,8 @@ static const struct bench_group groups[] = {
      "arithmetic and memory limit of one core, measured in the rounds of the target rows",
      bench_limit},
     {"accuracy", "Error against run time",
-     "R1 and a vibrating bar on ladders of grids: error and processor time of every variant",
+     "R1, a vibrating bar and manufactured motions on ladders of grids: error and processor time "
+     "of every variant",
      bench_accuracy},
     {"scaling", "Scaling",
      "threads at three sizes, separate runs beside them, particles per cell, empty grid",

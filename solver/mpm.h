@@ -49,6 +49,17 @@ void mpm_scene_free(struct mpm_scene *scene);
 size_t mpm_scene_body_count(const struct mpm_scene *scene);
 const char *mpm_scene_body_name(const struct mpm_scene *scene, size_t body);
 double mpm_scene_end_time(const struct mpm_scene *scene);
+/* By how many time steps what particles carry stands behind the time of the simulation, after any
+ * step and so at the start as well: velocity and F of a scheme are those of time - lag * step, at a
+ * fixed step. Velocities are those of the middle of the last step. F is where the force of a step
+ * wants it when the stress is updated last (usl, musl: 0), a step behind that when it is updated
+ * first (usf: 1), and between (usavg: 1/2). Positions moved by the mean of old and new velocity
+ * (midpoint) lag half a step. A start that heeds the lags makes a run second order in time; one
+ * that does not is off by first order, once. */
+struct mpm_lags {
+    double position, velocity, deformation;
+};
+struct mpm_lags mpm_scene_lags(const struct mpm_scene *scene);
 /* Does the scene ask for checkpoints? This version writes none. */
 bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene);
 
@@ -123,6 +134,39 @@ void mpm_simulation_free(struct mpm_simulation *simulation);
  * call fails alike. Cost: one step; once in 32 steps a sort and a copy of the state. */
 enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double time_limit,
                                        struct mpm_error *error);
+
+/* A body force per unit mass that the caller computes, in addition to the scene's. */
+enum { MPM_BODY_FORCE_BLOCK = 256 };
+struct mpm_body_force {
+    /* Sets force[axis][k], length / time^2, for the particles id[k] with k < count, count at most
+     * MPM_BODY_FORCE_BLOCK, at the start of a step, `time`. Ids are in creation order and stay with
+     * their particles; rigid ones are never asked for. Several threads call it at a time, for
+     * different particles, and a failed run calls it for times gone by: the force must be a
+     * function of id and time alone. */
+    void (*evaluate)(void *context, double time, size_t count, const uint32_t id[],
+                     double *const force[2]);
+    void *context; /* must outlive the simulation */
+};
+
+/* Adds f_i += sum m_p S_ip b_p, N&G (4), to each step, whatever the kernels. Its work is in the
+ * ledger's external_work. May be set again; NULL takes it away. A value that is not finite fails
+ * the run. MPM_BAD_INPUT: after the first step; no function `evaluate`. MPM_ENVIRONMENT_FAILED: no
+ * memory. Cost: one more pass of the particles to the grid; 2 numbers a particle, 5 a node. */
+enum mpm_status mpm_simulation_set_body_force(struct mpm_simulation *simulation,
+                                              const struct mpm_body_force *force,
+                                              struct mpm_error *error);
+
+/* Gives all particles, by id, velocities (2 each) and deformation gradients (5 each, of particles
+ * in the places where they are) to start with, in the order of mpm_field; NULL keeps those at
+ * hand, values of rigid particles are passed over. Stress, domains and the ledger's energy follow
+ * from F; in plane stress F_zz is made the one without stress, found from the caller's. With orders
+ * that stagger velocity or stress against time, the caller gives each at its own time.
+ * MPM_BAD_INPUT, and nothing is changed: after the first step; a value that is not finite; F with
+ * F_xx F_yy - F_xy F_yx or F_zz not above 0; F_zz of plane strain other than 1. MPM_BAD_INPUT, and
+ * the simulation can take no step: a fixed time step beyond the stability limit of this start. */
+enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, const double *velocity,
+                                         const double *deformation_gradient,
+                                         struct mpm_error *error);
 
 double mpm_simulation_time(const struct mpm_simulation *simulation);
 uint64_t mpm_simulation_step(const struct mpm_simulation *simulation);

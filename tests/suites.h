@@ -20,11 +20,16 @@
     SUITE(transfer_series)                                                                         \
     SUITE(forms)                                                                                   \
     SUITE(loads)                                                                                   \
+    SUITE(given)                                                                                   \
+    SUITE(start)                                                                                   \
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
     SUITE(time_step)                                                                               \
     SUITE(shapes)                                                                                  \
     SUITE(exact)                                                                                   \
+    SUITE(jets)                                                                                    \
+    SUITE(manufactured)                                                                            \
+    SUITE(activity)                                                                                \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
     SUITE(catalogue)                                                                               \
@@ -46,6 +51,7 @@
     SUITE(pareto)                                                                                  \
     SUITE(accuracy)                                                                                \
     SUITE(bench_report)                                                                            \
+    SUITE(orders)                                                                                  \
     SUITE(measures)                                                                                \
     SUITE(modes)                                                                                   \
     SUITE(stability)

@@ -85,38 +85,56 @@ END_TEST
 
 /* ------------------------------------------------------------- the problems */
 
-static struct mpm_simulation *open_problem(const struct accuracy_problem *problem,
-                                           const char *shape, unsigned cells,
-                                           struct mpm_scene **scene)
+struct opened {
+    struct mpm_scene *scene;
+    struct mpm_simulation *simulation;
+    void *begun;
+};
+
+static void close_problem(const struct accuracy_problem *problem, struct opened *opened)
+{
+    mpm_simulation_free(opened->simulation);
+    mpm_scene_free(opened->scene);
+    if (opened->begun != NULL)
+        problem->finish(opened->begun);
+}
+
+static void open_problem(const struct accuracy_problem *problem, const char *shape, unsigned cells,
+                         struct opened *opened)
 {
     const struct bench_context context = {.benchmarks = "benchmarks",
                                           .catalogue = "verification/catalogue"};
     const struct mpm_simulation_options options = {.threads = 1};
-    struct mpm_simulation *simulation = NULL;
     struct mpm_error error = {.status = MPM_OK};
+    *opened = (struct opened){0};
     GPtrArray *settings = g_ptr_array_new_with_free_func(g_free);
     char *path = problem->scene(&context);
     accuracy_set(settings, "method.shape=%s", shape);
     accuracy_set(settings, "time.end=%.17g", problem->end);
     problem->set(settings, cells);
-    ck_assert_msg(mpm_scene_read(path, (const char *const *)settings->pdata, settings->len, scene,
-                                 &error) == MPM_OK,
+    ck_assert_msg(mpm_scene_read(path, (const char *const *)settings->pdata, settings->len,
+                                 &opened->scene, &error) == MPM_OK,
                   "%s: %s", problem->name, error.message);
-    ck_assert_msg(mpm_simulation_create(*scene, &options, &simulation, &error) == MPM_OK, "%s: %s",
-                  problem->name, error.message);
+    ck_assert_msg(mpm_simulation_create(opened->scene, &options, &opened->simulation, &error) ==
+                      MPM_OK,
+                  "%s: %s", problem->name, error.message);
+    if (problem->begin != NULL)
+        opened->begun = problem->begin(opened->simulation, opened->scene, &error);
+    ck_assert_msg((opened->begun == NULL) == (problem->begin == NULL), "%s: %s", problem->name,
+                  error.message);
     g_free(path);
     g_ptr_array_unref(settings);
-    return simulation;
 }
 
 /* The first error of the problem at its end. */
 static double error_at_end(const struct accuracy_problem *problem, unsigned cells)
 {
-    struct mpm_scene *scene = NULL;
     struct mpm_error error = {.status = MPM_OK};
     struct accuracy_sum sums[ACCURACY_ERRORS_MAX] = {{0, 0}};
     struct particle_set particles;
-    struct mpm_simulation *simulation = open_problem(problem, "cpdi", cells, &scene);
+    struct opened opened;
+    open_problem(problem, "cpdi", cells, &opened);
+    struct mpm_simulation *const simulation = opened.simulation;
     ck_assert(particle_set_create(simulation, 0, &particles, &error) == MPM_OK);
     while (mpm_simulation_time(simulation) < problem->end)
         ck_assert_msg(mpm_simulation_advance(simulation, problem->end, &error) == MPM_OK, "%s",
@@ -124,8 +142,7 @@ static double error_at_end(const struct accuracy_problem *problem, unsigned cell
     particle_set_read(&particles, simulation);
     problem->look(&particles, mpm_simulation_time(simulation), sums);
     particle_set_free(&particles);
-    mpm_simulation_free(simulation);
-    mpm_scene_free(scene);
+    close_problem(problem, &opened);
     return sqrt(sums[0].squares / sums[0].count);
 }
 
@@ -135,9 +152,9 @@ START_TEST(every_ladder_is_accepted_by_the_solver)
     const struct accuracy_problem *const *problems = accuracy_problems(&count);
     for (size_t p = 0; p < count; p++) {
         for (size_t i = 0; i < ACCURACY_LADDER_MAX && problems[p]->cells[i] > 0; i++) {
-            struct mpm_scene *scene = NULL;
-            mpm_simulation_free(open_problem(problems[p], "ugimp", problems[p]->cells[i], &scene));
-            mpm_scene_free(scene);
+            struct opened opened;
+            open_problem(problems[p], "ugimp", problems[p]->cells[i], &opened);
+            close_problem(problems[p], &opened);
         }
         bool listed = false;
         for (size_t e = 0; e < ACCURACY_ERRORS_MAX && problems[p]->errors[e] != NULL; e++)

@@ -1,10 +1,9 @@
 /* Verdicts, bands and margins; the judge of a job's rows and its proof that each check
- * can fail; observed orders.
+ * can fail.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 
-#include "verification/measures/orders.h"
 #include "verification/measures/verdict.h"
 #include "verification/suite/judge.h"
 #include "verification/suite/rows.h"
@@ -265,24 +264,6 @@ START_TEST(values_survive_the_way_through_a_row)
 }
 END_TEST
 
-/* ------------------------------------------------------------------- orders */
-
-START_TEST(an_observed_order_is_that_of_the_power_law)
-{
-    const double round = 1e-12; /* logarithms of four numbers, divided by a spread near one */
-    double h[4], error[4];
-    for (int i = 0; i < 4; i++) {
-        h[i] = pow(0.5, i);
-        error[i] = 3 * pow(h[i], 1.75);
-    }
-    ck_assert_double_eq_tol(order_fitted(4, h, error), 1.75, round);
-    ck_assert_double_eq_tol(order_last(4, h, error), 1.75, round);
-    ck_assert(isnan(order_fitted(1, h, error)));
-    error[2] = 0;
-    ck_assert(isnan(order_fitted(4, h, error)));
-}
-END_TEST
-
 Suite *suite_judge(void)
 {
     Suite *suite = suite_create("judge");
@@ -299,8 +280,5 @@ Suite *suite_judge(void)
     tcase_add_test(rows, a_check_that_accepts_zero_is_found_out_by_the_proof);
     tcase_add_test(rows, values_survive_the_way_through_a_row);
     suite_add_tcase(suite, rows);
-    TCase *orders = tcase_create("orders");
-    tcase_add_test(orders, an_observed_order_is_that_of_the_power_law);
-    suite_add_tcase(suite, orders);
     return suite;
 }

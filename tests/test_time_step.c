@@ -7,6 +7,7 @@
 #include "support/scenes.h"
 
 #include <glib.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Neo-Hookean material that all nodes press together: it fills 8 cells, and at t = 8 only 2. */
@@ -100,6 +101,64 @@ START_TEST(a_fixed_step_in_which_a_particle_would_outrun_a_cell_is_refused)
 }
 END_TEST
 
+/* --------------------------------------------------------------------- lags */
+
+static const char FALL[] =
+    "format: 1\n"
+    "geometry: plane_strain\n"
+    "grid: {origin: [0, 0], cell: [1, 1], cells: [8, 40]}\n"
+    "time: {end: 10, step: 0.125}\n"
+    "materials: [{name: soft, law: neo_hookean, density: 1, bulk: 1.25, shear: 0.75}]\n"
+    "bodies:\n"
+    "  - {name: block, material: soft, region: {rectangle: {from: [2, 30], to: [5, 33]}}}\n"
+    "loads: {body_force: [0, -0.5]}\n";
+
+static const struct {
+    const char *update, *position;
+    double place, deformation;
+} LAGS[] = {
+    {"usl", "grid_velocity", 0.0, 0.0}, {"musl", "grid_velocity", 0.0, 0.0},
+    {"usf", "grid_velocity", 0.0, 1.0}, {"usavg", "grid_velocity", 0.0, 0.5},
+    {"usavg", "midpoint", 0.5, 0.5},    {"usl", "midpoint", 0.5, 0.0},
+};
+
+/* A free fall, y = -t^2/4 and v = -t/2, is followed exactly by steps whose velocities stand in
+ * their middle: then places and velocities of each scheme are those of their own times. */
+START_TEST(what_particles_carry_stands_at_the_times_that_the_lags_say)
+{
+    char *const update = g_strdup_printf("method.stress_update=%s", LAGS[_i].update);
+    char *const position = g_strdup_printf("method.position_update=%s", LAGS[_i].position);
+    const char *const settings[] = {update, position, NULL};
+    const double step = 0.125, steps = 40, round = 1e-12; /* 40 sums of numbers up to 40 */
+    struct test_run run = test_run_open(FALL, settings, 1);
+    const struct mpm_lags lags = mpm_scene_lags(run.scene);
+    ck_assert_double_eq(lags.position, LAGS[_i].place);
+    ck_assert_double_eq(lags.velocity, 0.5);
+    ck_assert_double_eq(lags.deformation, LAGS[_i].deformation);
+    size_t count;
+    double *const start = test_run_field(&run, MPM_FIELD_POSITION, &count);
+    double *const velocity = test_run_field(&run, MPM_FIELD_VELOCITY, NULL);
+    for (size_t p = 0; p < count; p++)
+        velocity[2 * p + 1] = 0.5 * lags.velocity * step;
+    ck_assert_int_eq(mpm_simulation_set_start(run.simulation, velocity, NULL, NULL), MPM_OK);
+    test_run_steps(&run, (int)steps);
+    double *const place = test_run_field(&run, MPM_FIELD_POSITION, NULL);
+    double *const speed = test_run_field(&run, MPM_FIELD_VELOCITY, NULL);
+    const double from = -lags.position * step, to = from + steps * step;
+    for (size_t p = 0; p < count; p++) {
+        ck_assert_near(place[2 * p + 1] - start[2 * p + 1], -0.25 * (to * to - from * from), round);
+        ck_assert_near(speed[2 * p + 1], -0.5 * (steps - lags.velocity) * step, round);
+    }
+    free(place);
+    free(speed);
+    free(start);
+    free(velocity);
+    test_run_close(&run);
+    g_free(update);
+    g_free(position);
+}
+END_TEST
+
 Suite *suite_time_step(void)
 {
     Suite *suite = suite_create("time_step");
@@ -108,6 +167,10 @@ Suite *suite_time_step(void)
     tcase_add_loop_test(state, a_particle_that_outruns_waves_gets_shorter_steps, 0,
                         G_N_ELEMENTS(bullets));
     tcase_add_test(state, a_fixed_step_in_which_a_particle_would_outrun_a_cell_is_refused);
+    TCase *lags = tcase_create("lags");
+    tcase_add_loop_test(lags, what_particles_carry_stands_at_the_times_that_the_lags_say, 0,
+                        sizeof LAGS / sizeof LAGS[0]);
+    suite_add_tcase(suite, lags);
     suite_add_tcase(suite, state);
     return suite;
 }

@@ -92,6 +92,7 @@ static void choose_reference(const struct mpm_scene *scene, const char *reason,
 {
     *choice = (struct mpm_kernel_choice){
         .passes = reference_passes(scene),
+        .spread_velocity = mpm_pass_momentum,
         .start_rows = mpm_row_start_velocity,
         .name = "reference",
         .reason = reason,
@@ -116,6 +117,7 @@ static enum mpm_status choose_fast(const struct mpm_scene *scene, enum mpm_simd 
                              "simd: %s is not what this build and this machine have; allowed: "
                              "auto, baseline",
                              simd_names[simd]);
+    choice->spread_velocity = choice->passes->to_grid;
     choose_transfer(scene, true, choice);
     return MPM_OK;
 }

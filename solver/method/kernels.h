@@ -25,7 +25,8 @@ struct mpm_state;
 /* What a simulation was created with. */
 struct mpm_kernel_choice {
     const struct mpm_passes *passes;
-    mpm_pass *start_rows; /* Task 2, velocities of the nodes from what to_grid leaves there */
+    mpm_pass *start_rows;      /* Task 2, velocities of the nodes from what to_grid leaves there */
+    mpm_pass *spread_velocity; /* sum m_p S_ip v_p, and perhaps more that a momentum comes with */
     /* What transfers other than FLIP do to nodes and particles before to_particles, in this
      * order; NULL: nothing. `smooth` works on all of the grid. */
     void (*smooth)(struct mpm_state *state, int workers);

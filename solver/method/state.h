@@ -37,6 +37,7 @@ enum mpm_failure_kind {
     MPM_LOAD_NOT_FINITE,         /* value: the body force along the axis */
     MPM_UNIFORM_LOAD_NOT_FINITE, /* the same; of no particle */
     MPM_RATE_REFUSED,            /* value: the particle's damping rate */
+    MPM_GIVEN_FORCE_NOT_FINITE,  /* value: the caller's body force along the axis */
 };
 
 struct mpm_failure {
@@ -81,6 +82,15 @@ enum mpm_body_force_kind {
     MPM_NO_BODY_FORCE,
     MPM_UNIFORM_BODY_FORCE, /* a constant, or of time alone: all of it at the nodes */
     MPM_VARYING_BODY_FORCE, /* in space: at the particles */
+};
+
+/* A body force that the caller gives; see given_force.h. All NULL where none is given. */
+struct mpm_given_force {
+    struct mpm_body_force caller;
+    double *value[2];              /* per particle: b_p of the step */
+    struct mpm_node_sum (*sum)[2]; /* per node: sum m_p S_ip b_p in the place of the momentum */
+    double *mass;                  /* per node: comes with it, and nobody asks for it */
+    double *row_work;              /* per node row */
 };
 
 /* What damping remembers from step to step. */
@@ -153,6 +163,7 @@ struct mpm_state {
     double uniform_force[2];   /* its value in this step */
     double (*row_momentum)[2]; /* per node row: sum m_i (v_i^n + v_i^{n+1}); for a uniform one */
 
+    struct mpm_given_force given_force;
     struct mpm_damping damping;
     struct mpm_balance balance;    /* of the last step, if the scene asks for rest */
     struct mpm_row_sums *row_sums; /* per node row */

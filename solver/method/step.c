@@ -4,6 +4,7 @@
 #include "base/strips.h"
 #include "method/conditions.h"
 #include "method/damping.h"
+#include "method/given_force.h"
 #include "method/grid_update.h"
 #include "method/rest.h"
 #include "method/transfer.h"
@@ -178,6 +179,7 @@ static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_for
     mpm_conditions_apply_end(state);
     if (uniform_force)
         state->external_work += uniform_work(state);
+    state->external_work += mpm_given_force_work(state);
     return MPM_OK;
 }
 
@@ -215,6 +217,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
 
     /* Task 1: mass and momentum of the nodes (26); with the stress at hand also Task 3 */
     run_particles(state, workers, passes->to_grid);
+    mpm_given_force_spread(state, workers);
     charge(seconds, MPM_PHASE_TO_GRID, &mark);
 
     /* Task 2: velocities at the start, conditions */
@@ -228,6 +231,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     mpm_rest_measure_internal(state);
     if (varying_force)
         run_particles(state, workers, mpm_pass_body_force);
+    mpm_given_force_add(state);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
     MPM_TRY(update_momentum(state, uniform_force, error));

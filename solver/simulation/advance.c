@@ -89,7 +89,7 @@ size_t mpm_simulation_particle_count(const struct mpm_simulation *simulation)
 
 size_t mpm_simulation_bytes(const struct mpm_simulation *simulation)
 {
-    return simulation->arena.capacity + sizeof *simulation +
+    return simulation->arena.capacity + simulation->given.capacity + sizeof *simulation +
            simulation->state.condition_count * sizeof *simulation->state.conditions;
 }
 

@@ -250,16 +250,16 @@ static enum mpm_status check_start(const struct mpm_simulation *simulation, stru
     return MPM_OK;
 }
 
-static double initial_wave_speed(const struct mpm_simulation *simulation)
+static double initial_wave_speed(const struct mpm_state *state)
 {
-    static const double unit[MPM_GRADIENT_SIZE] = {[MPM_XX] = 1.0, [MPM_YY] = 1.0, [MPM_ZZ] = 1.0};
+    const struct mpm_particles *const particles = &state->particles;
     double fastest = 0.0;
-    for (size_t k = 0; k < simulation->scene->body_count; k++) {
-        const struct mpm_material *const material = &simulation->state.bodies[k].material;
-        double stress[MPM_SYMMETRIC_SIZE], square;
-        if (simulation->scene->bodies[k].rigid)
-            continue;
-        material->law->stress(material, unit, stress, &square);
+    for (size_t p = 0; p < particles->count; p++) {
+        const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
+        double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], square;
+        for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+            f[k] = particles->deformation[k][p];
+        material->law->stress(material, f, stress, &square);
         fastest = fmax(fastest, square);
     }
     return sqrt(fastest);
@@ -309,6 +309,22 @@ static void limit_workers(struct mpm_state *state, size_t particles)
         state->workers = (int)useful;
 }
 
+enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    struct mpm_state *const state = &simulation->state;
+    simulation->wave_speed = initial_wave_speed(state);
+    simulation->wave_speed_start = simulation->wave_speed;
+    simulation->particle_speed = mpm_particle_speed(&state->particles, 0, state->particles.count);
+    simulation->lightest = lightest_particle(&state->particles);
+    MPM_TRY(mpm_time_step_check(simulation, error));
+    MPM_TRY(mpm_damping_check_start(simulation, error));
+    open_books(simulation);
+    double unused[MPM_PHASE_COUNT] = {0.0}; /* part of the set-up */
+    mpm_step_sort(state, simulation->backup.arrays, unused);
+    mpm_backup_save(simulation);
+    return MPM_OK;
+}
+
 static enum mpm_status build(struct mpm_simulation *simulation,
                              const struct mpm_simulation_options *options, struct mpm_error *error)
 {
@@ -339,17 +355,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     set_rigid_velocities(state);
     set_fixed(state);
     MPM_TRY(check_start(simulation, error));
-    simulation->wave_speed = initial_wave_speed(simulation);
-    simulation->wave_speed_start = simulation->wave_speed;
-    simulation->particle_speed = mpm_particle_speed(&state->particles, 0, state->particles.count);
-    simulation->lightest = lightest_particle(&state->particles);
-    MPM_TRY(mpm_time_step_check(simulation, error));
-    MPM_TRY(mpm_damping_check_start(simulation, error));
-    open_books(simulation);
-    double unused[MPM_PHASE_COUNT] = {0.0}; /* part of the set-up */
-    mpm_step_sort(state, simulation->backup.arrays, unused);
-    mpm_backup_save(simulation);
-    return MPM_OK;
+    return mpm_simulation_open(simulation, error);
 }
 
 enum mpm_status mpm_simulation_create(const struct mpm_scene *scene,
@@ -388,6 +394,7 @@ void mpm_simulation_free(struct mpm_simulation *simulation)
     free(state->boundary_velocity);
     free(state->body_velocity);
     free(state->conditions);
+    mpm_arena_free(&simulation->given);
     mpm_arena_free(&simulation->arena);
     free(simulation);
 }

@@ -74,6 +74,10 @@ static void describe(const struct mpm_simulation *simulation, const struct mpm_f
         (void)snprintf(text, size, "has a body force that is not finite: loads.body_force.%d = %g",
                        failure->axis, failure->value);
         return;
+    case MPM_GIVEN_FORCE_NOT_FINITE:
+        (void)snprintf(text, size, "is given a body force that is not finite: %g along %s",
+                       failure->value, name);
+        return;
     case MPM_RATE_REFUSED:
         (void)snprintf(text, size,
                        "has damping.particle = %g; allowed: at least 0 and below %g, 1 over the "

@@ -24,6 +24,7 @@ struct mpm_backup {
 struct mpm_simulation {
     const struct mpm_scene *scene;
     struct mpm_arena arena;
+    struct mpm_arena given; /* of a caller's body force; empty without */
     struct mpm_state state;
     struct mpm_backup backup;
     uint64_t step;
@@ -67,6 +68,10 @@ void mpm_damping_layout(struct mpm_state *state, struct mpm_arena *arena);
 enum mpm_status mpm_damping_check_start(const struct mpm_simulation *simulation,
                                         struct mpm_error *error);
 void mpm_damping_free(struct mpm_damping *damping);
+
+/* create.c: what follows from the particles' start: speeds and the checks that need them, the
+ * energy against which the run is judged, the first sort and backup. */
+enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, struct mpm_error *error);
 
 /* rest.c: judges the step just taken. */
 void mpm_rest_judge(struct mpm_simulation *simulation);

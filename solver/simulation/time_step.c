@@ -86,3 +86,12 @@ enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,
                            scene->step, limit, particles ? "the speed of particles," : "wave speed",
                            particles ? simulation->particle_speed : simulation->wave_speed);
 }
+
+struct mpm_lags mpm_scene_lags(const struct mpm_scene *scene)
+{
+    return (struct mpm_lags){
+        .position = scene->position_update == MPM_MIDPOINT ? 0.5 : 0.0,
+        .velocity = 0.5,
+        .deformation = mpm_stress_order(scene->stress_update)->before,
+    };
+}

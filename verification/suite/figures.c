@@ -125,7 +125,8 @@ char *figure_dress(const char *svg, const char *title, const char *description)
 static bool dress_file(const char *path, const char *title, const char *description)
 {
     char *svg = NULL;
-    bool good = g_file_get_contents(path, &svg, NULL, NULL) && strstr(svg, "</svg>") != NULL;
+    bool good = g_file_get_contents(path, &svg, NULL, NULL) && strstr(svg, "</svg>") != NULL &&
+                g_utf8_validate(svg, -1, NULL); /* no text else */
     if (good) {
         char *dressed = figure_dress(svg, title, description);
         good = g_file_set_contents(path, dressed, -1, NULL);

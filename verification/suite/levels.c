@@ -8,6 +8,8 @@
 
 enum { COLUMNS = 2 };
 
+static const double CONFIDENCE = 0.95;
+
 enum mpm_status levels_read(const struct measurement *measurement, struct levels *levels,
                             struct mpm_error *error)
 {
@@ -26,26 +28,38 @@ size_t levels_runs(const struct levels *levels)
     return levels->count == 0 ? 1 : levels->count;
 }
 
-static void report(struct measurement *measurement, const char *name, const char *suffix,
-                   double value)
+void levels_report_value(struct measurement *measurement, const char *name, const char *suffix,
+                         double value)
 {
     char *const quantity = g_strconcat(name, suffix, NULL);
     measurement_report(measurement, quantity, value);
     g_free(quantity);
 }
 
+void levels_report_orders(struct measurement *measurement, size_t count, const char *suffix,
+                          const double *error)
+{
+    double h[LEVELS_MAX];
+    for (size_t k = 0; k < count; k++)
+        h[k] = ldexp(1.0, -(int)k);
+    const struct order_fit fit = order_fit(count, h, error, CONFIDENCE);
+    levels_report_value(measurement, "order_last", suffix, order_last(count, h, error));
+    levels_report_value(measurement, "order_fitted", suffix, fit.order);
+    levels_report_value(measurement, "order_width", suffix, fit.half_width);
+    levels_report_value(measurement, "order_class", suffix,
+                        (double)order_classify(count, h, error));
+}
+
 enum mpm_status levels_report(struct measurement *measurement, const struct levels *levels,
                               const char *suffix, const double error[LEVELS_MAX],
                               struct mpm_error *failure)
 {
-    double h[LEVELS_MAX], rows[COLUMNS * LEVELS_MAX];
+    double rows[COLUMNS * LEVELS_MAX];
     for (size_t k = 0; k < levels->count; k++) {
-        h[k] = ldexp(1.0, -(int)k);
-        rows[COLUMNS * k] = h[k];
+        rows[COLUMNS * k] = ldexp(1.0, -(int)k);
         rows[COLUMNS * k + 1] = error[k];
     }
-    report(measurement, "order_last", suffix, order_last(levels->count, h, error));
-    report(measurement, "order_fitted", suffix, order_fitted(levels->count, h, error));
+    levels_report_orders(measurement, levels->count, suffix, error);
     char *const series = g_strconcat("levels", suffix, NULL);
     const enum mpm_status status = measurement_series(measurement, series, "cell_over_first error",
                                                       COLUMNS, levels->count, rows, failure);

@@ -1,4 +1,4 @@
-/* A measurement on several grids: the settings of each, the order of an error over them.
+/* A measurement on several levels: the settings of each, and what its errors do over them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef VERIFICATION_SUITE_LEVELS_H
@@ -21,11 +21,20 @@ enum mpm_status levels_read(const struct measurement *measurement, struct levels
 /* How many runs that is: one on the scene's own grid if there are no levels. */
 size_t levels_runs(const struct levels *levels);
 
-/* Reports order_last and order_fitted of error[0 .. count - 1] > 0, with `suffix` ("_1")
- * behind each name, and writes the errors over the relative size of the cells as the series
- * levels<suffix>. */
+/* Reports, with `suffix` ("_1") behind each name, of error[0 .. count - 1] on levels whose h
+ * halves: order_last; order_fitted; order_width, half of the fitted order's interval of 95 %
+ * confidence (orders.h); order_class, the number of enum order_class. */
+void levels_report_orders(struct measurement *measurement, size_t count, const char *suffix,
+                          const double *error);
+
+/* The same of the measurement's levels; writes the errors over the relative size of the cells as
+ * the series levels<suffix>. */
 enum mpm_status levels_report(struct measurement *measurement, const struct levels *levels,
                               const char *suffix, const double error[LEVELS_MAX],
                               struct mpm_error *failure);
+
+/* Reports `value` as the quantity <name><suffix>. */
+void levels_report_value(struct measurement *measurement, const char *name, const char *suffix,
+                         double value);
 
 #endif

@@ -17,6 +17,7 @@
     PROGRAM(spin)                                                                                  \
     PROGRAM(collision)                                                                             \
     PROGRAM(carried)                                                                               \
+    PROGRAM(manufactured)                                                                          \
     PROGRAM(stability)                                                                             \
     PROGRAM(extremes)
 

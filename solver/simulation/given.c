@@ -1,0 +1,114 @@
+/* What a caller gives that a scene cannot state: a body force, a start.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/given_force.h"
+#include "simulation/simulation.h"
+
+#include <math.h>
+
+static enum mpm_status check_time(const struct mpm_simulation *simulation, const char *what,
+                                  struct mpm_error *error)
+{
+    if (simulation->step == 0 && simulation->failure.status == MPM_OK)
+        return MPM_OK;
+    return mpm_error_set(error, MPM_BAD_INPUT, "%s: set after step %llu; allowed: before the first",
+                         what, (unsigned long long)simulation->step);
+}
+
+enum mpm_status mpm_simulation_set_body_force(struct mpm_simulation *simulation,
+                                              const struct mpm_body_force *force,
+                                              struct mpm_error *error)
+{
+    struct mpm_state *const state = &simulation->state;
+    MPM_TRY(check_time(simulation, "body force", error));
+    if (force != NULL && force->evaluate == NULL)
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "body force: evaluate is NULL; allowed: a function");
+    state->given_force = (struct mpm_given_force){0};
+    mpm_arena_free(&simulation->given);
+    if (force == NULL)
+        return MPM_OK;
+    mpm_given_force_layout(state, &simulation->given);
+    MPM_TRY(mpm_arena_allocate(&simulation->given, error));
+    mpm_given_force_layout(state, &simulation->given);
+    state->given_force.caller = *force;
+    return MPM_OK;
+}
+
+/* -------------------------------------------------------------------- start */
+
+enum { AXES = 2 };
+
+/* NaN if a value is not finite */
+static double smallest_stretch(const double f[MPM_GRADIENT_SIZE])
+{
+    const double plane = f[MPM_XX] * f[MPM_YY] - f[MPM_XY] * f[MPM_YX];
+    return isfinite(plane * f[MPM_ZZ]) ? fmin(plane, f[MPM_ZZ]) : (double)NAN;
+}
+
+static enum mpm_status check_particle(const struct mpm_simulation *simulation, uint32_t id,
+                                      const double *v, const double *f, struct mpm_error *error)
+{
+    for (int axis = 0; v != NULL && axis < AXES; axis++)
+        if (!isfinite(v[axis]))
+            return mpm_error_set(error, MPM_BAD_INPUT,
+                                 "start: velocity %d of particle %u is %g; allowed: finite", axis,
+                                 id, v[axis]);
+    if (f == NULL)
+        return MPM_OK;
+    if (!(smallest_stretch(f) > 0.0))
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "start: deformation gradient of particle %u is %g %g %g %g %g; "
+                             "allowed: finite, F_xx F_yy - F_xy F_yx > 0 and F_zz > 0",
+                             id, f[MPM_XX], f[MPM_XY], f[MPM_YX], f[MPM_YY], f[MPM_ZZ]);
+    if (simulation->scene->geometry == MPM_PLANE_STRAIN && f[MPM_ZZ] != 1.0)
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "start: F_zz of particle %u is %.17g; allowed: 1 in plane strain", id,
+                             f[MPM_ZZ]);
+    return MPM_OK;
+}
+
+static void set_deformation(const struct mpm_simulation *simulation, size_t p, const double *given)
+{
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    const struct mpm_material *const material =
+        &simulation->state.bodies[particles->body[p]].material;
+    double f[MPM_GRADIENT_SIZE];
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        f[k] = given[k];
+    if (simulation->scene->geometry == MPM_PLANE_STRESS)
+        f[MPM_ZZ] = material->law->thickness_stretch(material, f);
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        particles->deformation[k][p] = f[k];
+}
+
+enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, const double *velocity,
+                                         const double *deformation_gradient,
+                                         struct mpm_error *error)
+{
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    MPM_TRY(check_time(simulation, "start", error));
+    for (size_t p = 0; p < particles->count; p++) {
+        const size_t id = particles->id[p];
+        const double *const v = velocity == NULL ? NULL : velocity + AXES * id;
+        const double *const f =
+            deformation_gradient == NULL ? NULL : deformation_gradient + MPM_GRADIENT_SIZE * id;
+        MPM_TRY(check_particle(simulation, particles->id[p], v, f, error));
+    }
+    for (size_t p = 0; p < particles->count; p++) {
+        const size_t id = particles->id[p];
+        for (int axis = 0; velocity != NULL && axis < AXES; axis++)
+            particles->velocity[axis][p] = velocity[AXES * id + (size_t)axis];
+        if (deformation_gradient != NULL)
+            set_deformation(simulation, p, deformation_gradient + MPM_GRADIENT_SIZE * id);
+    }
+    mpm_step_recompute(&simulation->state);
+    struct mpm_error why = {0};
+    const enum mpm_status status = mpm_simulation_open(simulation, &why);
+    if (status == MPM_OK)
+        return MPM_OK;
+    simulation->failure = why;
+    if (error != NULL)
+        *error = why;
+    return status;
+}

@@ -1,0 +1,322 @@
+/* A body force that a caller gives for each particle and step.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "suites.h"
+#include "support/folder.h"
+#include "support/kernel_pair.h"
+#include "support/near.h"
+#include "support/scenes.h"
+
+#include <glib.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { AXES = 2 };
+
+/* Wave speed 1.5, masses of order 20. The boundary moves, so that the force has a part in the
+ * reaction there. */
+static const char BLOCK[] =
+    "format: 1\n"
+    "geometry: plane_strain\n"
+    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}\n"
+    "time: {end: 1000, courant: 0.3}\n"
+    "materials: [{name: soft, law: neo_hookean, density: 1, bulk: 1.25, shear: 0.75}]\n"
+    "bodies:\n"
+    "  - {name: wall, rigid: {velocity: [0, 0]}, region: {rectangle: {from: [11, 0],\n"
+    "     to: [12, 0.8]}}}\n"
+    "  - {name: block, material: soft, region: {rectangle: {from: [3, 3.2], to: [8, 7.2]}},\n"
+    "     particles_per_cell: [2, 2]}\n"
+    "boundary:\n"
+    "  - {region: {line: {from: [0, 3.2], to: [14, 3.2]}}, velocity: [free, '0.02*sin(2*t)']}\n";
+static const double WAVE_SPEED = 1.5;
+
+/* Sums of 80 particles' products, each rounded a few times: 1e3 eps/2 of the largest. */
+static const double ROUND_OFF = 1e-13;
+
+static double external_work(const struct mpm_simulation *simulation)
+{
+    struct mpm_ledger ledger;
+    mpm_simulation_ledger(simulation, &ledger);
+    return ledger.external_work;
+}
+
+/* --------------------------------------------------------------- body force */
+
+static void uniform_force(void *context, double time, size_t count, const uint32_t id[],
+                          double *const force[AXES])
+{
+    (void)context;
+    (void)id;
+    ck_assert(count > 0 && count <= MPM_BODY_FORCE_BLOCK);
+    for (size_t k = 0; k < count; k++) {
+        force[0][k] = 0.03 * cos(3.0 * time);
+        force[1][k] = -0.08;
+    }
+}
+static const struct mpm_body_force UNIFORM = {uniform_force, NULL};
+static const char UNIFORM_SETTING[] = "loads={body_force: ['0.03*cos(3*t)', -0.08]}";
+
+static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
+static const char *const geometries[] = {"plane_strain", "plane_stress", "axisymmetric"};
+static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
+/* Besides those: how particles and grid exchange, and what damps. */
+static const char *const exchanges[] = {
+    "method.transfer={kind: flip, fraction: 0.95}",
+    "method.transfer={kind: xpic, order: 3}",
+    "method.transfer={kind: fmpm, order: 2}",
+    "method.transfer={kind: apic}",
+    "method.form=momentum",
+    "damping={particle: '0.2+0*x', grid: 0.1}",
+    "damping={pic: 0.9}",
+};
+enum {
+    SHAPES = G_N_ELEMENTS(shapes),
+    GEOMETRIES = G_N_ELEMENTS(geometries),
+    ORDERS = G_N_ELEMENTS(orders),
+    EXCHANGES = G_N_ELEMENTS(exchanges),
+    KERNEL_SETS = 2,
+    COMBINATIONS = SHAPES * GEOMETRIES * ORDERS * KERNEL_SETS,
+};
+
+/* The scene with its own force, and without one, but the caller's. `settings` end with NULL and
+ * have room for one more. */
+static struct kernel_pair open_pair(const char *settings[], enum mpm_kernels kernels)
+{
+    const struct mpm_simulation_options options = {.threads = 1, .kernels = kernels};
+    const char *own[8] = {UNIFORM_SETTING};
+    for (size_t k = 0; settings[k] != NULL; k++)
+        own[k + 1] = settings[k];
+    const struct kernel_side sides[2] = {{own, options}, {settings, options}};
+    char *folder = test_folder_create();
+    char *path = test_folder_write(folder, "scene.yaml", BLOCK);
+    struct kernel_pair pair;
+    struct mpm_error error = {.message = ""};
+    enum mpm_status status = kernel_pair_open(path, sides, &pair, &error);
+    ck_assert_msg(status == MPM_OK, "%s", error.message);
+    status = mpm_simulation_set_body_force(pair.simulation[1], &UNIFORM, &error);
+    ck_assert_msg(status == MPM_OK, "%s", error.message);
+    test_folder_remove(folder);
+    g_free(path);
+    return pair;
+}
+
+/* Work is a sum of force times velocity times time: velocities agree to the bound in parts of
+ * the wave speed, forces in parts of the stiffness, 2.25, times the length of 5 that is held. */
+static void check_pair(struct kernel_pair *pair, int steps)
+{
+    for (int step = steps; step > 0; step--)
+        ck_assert_msg(kernel_pair_step(pair), "%s", pair->error[0].message);
+    char *text = kernel_pair_text(pair);
+    ck_assert_msg(kernel_pair_worst(pair) <= KERNEL_PAIR_BOUND, "%s", text);
+    g_free(text);
+    struct mpm_ledger ledger;
+    mpm_simulation_ledger(pair->simulation[0], &ledger);
+    const double work[2] = {ledger.external_work, external_work(pair->simulation[1])};
+    const double force = 0.085 * ledger.mass + 2.25 * 5.0;
+    const double bound = KERNEL_PAIR_BOUND * force * WAVE_SPEED * ledger.time;
+    ck_assert(fabs(work[0]) > 1e3 * bound);
+    ck_assert_near(work[1], work[0], bound);
+    kernel_pair_close(pair);
+}
+
+START_TEST(a_uniform_force_is_the_same_from_the_scene_and_from_the_caller)
+{
+    char *shape = g_strdup_printf("method.shape=%s", shapes[_i % SHAPES]);
+    char *place = g_strdup_printf("geometry=%s", geometries[_i / SHAPES % GEOMETRIES]);
+    char *order =
+        g_strdup_printf("method.stress_update=%s", orders[_i / SHAPES / GEOMETRIES % ORDERS]);
+    const bool amplifies = _i % SHAPES == 0 && _i / SHAPES / GEOMETRIES % ORDERS == 0;
+    const char *settings[] = {shape, place, order, NULL};
+    struct kernel_pair pair = open_pair(
+        settings, _i < COMBINATIONS / KERNEL_SETS ? MPM_KERNELS_REFERENCE : MPM_KERNELS_FAST);
+    check_pair(&pair, amplifies ? 10 : KERNEL_PAIR_STEPS);
+    g_free(shape);
+    g_free(place);
+    g_free(order);
+}
+END_TEST
+
+START_TEST(a_callers_force_is_added_in_every_exchange_and_under_damping)
+{
+    const char *settings[] = {exchanges[_i], "method.shape=bspline2", NULL};
+    struct kernel_pair pair = open_pair(settings, MPM_KERNELS_AUTO);
+    check_pair(&pair, 20);
+}
+END_TEST
+
+/* A force that no other particle has. */
+static void own_force(void *context, double time, size_t count, const uint32_t id[],
+                      double *const force[AXES])
+{
+    (void)context;
+    for (size_t k = 0; k < count; k++) {
+        force[0][k] = 1e-3 * id[k];
+        force[1][k] = 0.01 * sin(id[k]) - 1e-3 * time;
+    }
+}
+static const struct mpm_body_force OWN = {own_force, NULL};
+
+/* Also where the scene has a force of its own, at nodes or at particles. */
+START_TEST(a_free_block_gains_the_momentum_that_its_particles_are_given)
+{
+    static const char *const loads[] = {"loads={body_force: [0, 0]}",
+                                        "loads={body_force: [0.01, '0*t']}",
+                                        "loads={body_force: [0.01, '0*x']}"};
+    const char *const settings[] = {"boundary=[]", loads[_i], NULL};
+    const double own[3] = {0.0, 0.01, 0.01};
+    struct test_run run = test_run_open(BLOCK, settings, 1);
+    ck_assert_int_eq(mpm_simulation_set_body_force(run.simulation, &OWN, NULL), MPM_OK);
+    test_run_steps(&run, 1);
+    size_t count;
+    double *const mass = test_run_field(&run, MPM_FIELD_MASS, &count);
+    double expected[AXES] = {0.0, 0.0};
+    for (size_t k = 0; k < count; k++) {
+        const uint32_t id = (uint32_t)k;
+        double b[AXES], *const block[AXES] = {&b[0], &b[1]};
+        own_force(NULL, 0.0, 1, &id, block);
+        expected[0] += mass[k] * (b[0] + own[_i]);
+        expected[1] += mass[k] * b[1];
+    }
+    struct mpm_ledger ledger;
+    mpm_simulation_ledger(run.simulation, &ledger);
+    for (int axis = 0; axis < AXES; axis++)
+        ck_assert_near(ledger.momentum[axis], expected[axis] * ledger.time, ROUND_OFF);
+    /* from rest, in one step: force . v dt/2 = (force dt)^2 / 2 m of the nodes, not less than what
+     * particles get of it */
+    ck_assert(ledger.external_work >= ledger.kinetic_energy * (1.0 - ROUND_OFF));
+    free(mass);
+    test_run_close(&run);
+}
+END_TEST
+
+START_TEST(any_number_of_threads_gives_the_same_bits_under_a_callers_force)
+{
+    static const enum mpm_field fields[] = {MPM_FIELD_POSITION, MPM_FIELD_VELOCITY};
+    const char *const settings[] = {
+        "grid.cells=[70, 70]",
+        "bodies.block.region.rectangle={from: [3, 3.2], to: [63, 51.2]}",
+        _i == 0 ? "method.stress_update=usl" : "method.stress_update=usavg",
+        _i == 0 ? "method.shape=ugimp" : "method.shape=cpdi",
+        NULL,
+    };
+    struct test_run one = test_run_open(BLOCK, settings, 1);
+    ck_assert_int_eq(mpm_simulation_set_body_force(one.simulation, &OWN, NULL), MPM_OK);
+    test_run_steps(&one, 20);
+    for (int threads = 2; threads <= 3; threads++) {
+        struct test_run more = test_run_open(BLOCK, settings, threads);
+        ck_assert_int_eq(mpm_simulation_set_body_force(more.simulation, &OWN, NULL), MPM_OK);
+        test_run_steps(&more, 20);
+        ck_assert(external_work(one.simulation) == external_work(more.simulation));
+        for (size_t f = 0; f < G_N_ELEMENTS(fields); f++) {
+            size_t count;
+            double *const a = test_run_field(&one, fields[f], &count);
+            double *const b = test_run_field(&more, fields[f], NULL);
+            ck_assert_int_eq(memcmp(a, b, AXES * count * sizeof *a), 0);
+            free(a);
+            free(b);
+        }
+        test_run_close(&more);
+    }
+    test_run_close(&one);
+}
+END_TEST
+
+START_TEST(a_force_that_was_taken_away_leaves_no_trace)
+{
+    struct test_run runs[2];
+    double *values[2];
+    size_t count;
+    for (int k = 0; k < 2; k++) {
+        runs[k] = test_run_open(BLOCK, NULL, 1);
+        const size_t bytes = mpm_simulation_bytes(runs[k].simulation);
+        if (k == 1) {
+            ck_assert_int_eq(mpm_simulation_set_body_force(runs[k].simulation, &OWN, NULL), MPM_OK);
+            ck_assert_uint_gt(mpm_simulation_bytes(runs[k].simulation), bytes);
+            ck_assert_int_eq(mpm_simulation_set_body_force(runs[k].simulation, NULL, NULL), MPM_OK);
+        }
+        ck_assert_uint_eq(mpm_simulation_bytes(runs[k].simulation), bytes);
+        test_run_steps(&runs[k], 5);
+        values[k] = test_run_field(&runs[k], MPM_FIELD_VELOCITY, &count);
+    }
+    ck_assert_int_eq(memcmp(values[0], values[1], AXES * count * sizeof **values), 0);
+    for (int k = 0; k < 2; k++) {
+        free(values[k]);
+        test_run_close(&runs[k]);
+    }
+}
+END_TEST
+
+/* *context is the time from which on one particle's force is not a number. */
+static void spoilt_force(void *context, double time, size_t count, const uint32_t id[],
+                         double *const force[AXES])
+{
+    const double *const spoilt = context;
+    uniform_force(NULL, time, count, id, force);
+    for (size_t k = 0; k < count; k++)
+        if (id[k] == 17 && time >= *spoilt)
+            force[1][k] = (double)NAN;
+}
+
+START_TEST(a_force_that_is_not_finite_fails_the_run_and_names_the_particle)
+{
+    struct test_run run = test_run_open(BLOCK, NULL, 1);
+    struct mpm_error error = {.message = ""};
+    double spoilt = 2.0;
+    const struct mpm_body_force force = {spoilt_force, &spoilt};
+    ck_assert_int_eq(mpm_simulation_set_body_force(run.simulation, &force, &error), MPM_OK);
+    enum mpm_status status = MPM_OK;
+    double *before = NULL, time = 0.0;
+    size_t count;
+    while (status == MPM_OK) {
+        free(before);
+        before = test_run_field(&run, MPM_FIELD_VELOCITY, &count);
+        time = mpm_simulation_time(run.simulation);
+        status = mpm_simulation_advance(run.simulation, 10.0, &error);
+    }
+    ck_assert_int_eq(status, MPM_RUN_FAILED);
+    ck_assert_msg(strstr(error.message, "particle 17 (body 'block')") != NULL &&
+                      strstr(error.message, "body force that is not finite: nan along y") != NULL,
+                  "%s", error.message);
+    double *const after = test_run_field(&run, MPM_FIELD_VELOCITY, &count);
+    ck_assert(time > 1.5 && mpm_simulation_time(run.simulation) == time);
+    ck_assert_int_eq(memcmp(before, after, AXES * count * sizeof *after), 0);
+    free(before);
+    free(after);
+    test_run_close(&run);
+}
+END_TEST
+
+START_TEST(a_force_without_a_function_or_set_too_late_is_refused)
+{
+    static const struct mpm_body_force nothing = {NULL, NULL};
+    struct test_run run = test_run_open(BLOCK, NULL, 1);
+    struct mpm_error error;
+    ck_assert_int_eq(mpm_simulation_set_body_force(run.simulation, &nothing, &error),
+                     MPM_BAD_INPUT);
+    ck_assert_str_eq(error.message, "body force: evaluate is NULL; allowed: a function");
+    test_run_steps(&run, 2);
+    ck_assert_int_eq(mpm_simulation_set_body_force(run.simulation, &UNIFORM, &error),
+                     MPM_BAD_INPUT);
+    ck_assert_str_eq(error.message, "body force: set after step 2; allowed: before the first");
+    test_run_close(&run);
+}
+END_TEST
+
+Suite *suite_given(void)
+{
+    Suite *suite = suite_create("given");
+    TCase *force = tcase_create("force");
+    tcase_add_loop_test(force, a_uniform_force_is_the_same_from_the_scene_and_from_the_caller, 0,
+                        COMBINATIONS);
+    tcase_add_loop_test(force, a_callers_force_is_added_in_every_exchange_and_under_damping, 0,
+                        EXCHANGES);
+    tcase_add_loop_test(force, a_free_block_gains_the_momentum_that_its_particles_are_given, 0, 3);
+    tcase_add_loop_test(force, any_number_of_threads_gives_the_same_bits_under_a_callers_force, 0,
+                        2);
+    tcase_add_test(force, a_force_that_was_taken_away_leaves_no_trace);
+    tcase_add_test(force, a_force_that_is_not_finite_fails_the_run_and_names_the_particle);
+    tcase_add_test(force, a_force_without_a_function_or_set_too_late_is_refused);
+    suite_add_tcase(suite, force);
+    return suite;
+}
