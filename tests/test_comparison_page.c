@@ -54,6 +54,9 @@ START_TEST(the_page_has_a_row_for_each_variant_and_the_csv_its_numbers)
                                         "href=\"comparison.csv\"",
                                         "was not part of this run",
                                         "not measured",
+                                        "kept: Points (1000)",
+                                        "Use cubic (Integral &amp; more: 1 %), the best of the 2",
+                                        "Where each one loses",
                                         "data-first=\"descending\""};
     char *catalogue = catalogue_with("compared>", "compared>"), *output = test_folder_create();
     struct test_said said =
@@ -73,6 +76,65 @@ START_TEST(the_page_has_a_row_for_each_variant_and_the_csv_its_numbers)
     g_free(picture);
     g_free(index);
     g_free(csv);
+    g_free(page);
+    test_said_free(&said);
+    test_folder_remove(output);
+    test_folder_remove(catalogue);
+}
+END_TEST
+
+/* `text` in a file of the folder becomes `other`. */
+static void rewrite(const char *folder, const char *file, const char *text, const char *other)
+{
+    char *whole = test_folder_read(folder, file);
+    char **parts = g_strsplit(whole, text, 2);
+    ck_assert_msg(g_strv_length(parts) == 2, "%s is not in %s", text, file);
+    char *changed = g_strjoinv(other, parts);
+    g_free(test_folder_write(folder, file, changed));
+    g_free(changed);
+    g_strfreev(parts);
+    g_free(whole);
+}
+
+static void assert_says(const char *page, const char *const *parts, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        ck_assert_msg(strstr(page, parts[i]) != NULL, "%s is missing", parts[i]);
+}
+
+START_TEST(a_page_says_what_its_case_declares_and_the_front_page_who_counts)
+{
+    static const char *const on_page[] = {
+        "fell to 0.99",
+        "beyond the limit",
+        "Use cubic (Integral &amp; more: 1 %), the best of the 1 that",
+        "1 of 2 do not count",
+        "A run counts with: Integral &amp; more at least 1 %",
+        "<li>Mind the &lt;gap&gt;.</li>",
+        "The problem.</strong> Powers of x.",
+        "src=\"figure-curve.svg\"",
+        "Of x^n.",
+        "<span class=\"about\">A &lt;cube&gt;</span>",
+        "<dt>Does not count</dt><dd>ninth: fell to 0.99"};
+    static const char *const in_front[] = {"Every variant on every problem", "★ best",
+                                           "✗ fell to 0.99", "Use cubic (Integral"};
+    char *catalogue = catalogue_with(
+             "better: high, tolerance: 1e-6}",
+             "better: high, tolerance: 1e-6, limit: 0.9999, beyond: fell to, about: Of x^n.}"),
+         *output = test_folder_create();
+    rewrite(catalogue, "T/Q/case.yaml", "  columns:",
+            "  main: integral\n  cost: particle_steps\n  setup: Powers of x.\n  figure: curve\n"
+            "  notes: [Mind the <gap>.]\n  columns:");
+    rewrite(catalogue, "T/Q/case.yaml", "{name: cubic,", "{name: cubic, title: A <cube>,");
+    struct test_said said =
+        test_verify_with("mpm-verify run --case Q --catalogue @ --output @", catalogue, output);
+    char *page = test_folder_read(output, "cases/Q/comparison.html"),
+         *front = test_folder_read(output, "index.html");
+    assert_says(page, on_page, G_N_ELEMENTS(on_page));
+    assert_says(front, in_front, G_N_ELEMENTS(in_front));
+    test_assert_well_formed(page, "comparison.html");
+    test_assert_well_formed(front, "index.html");
+    g_free(front);
     g_free(page);
     test_said_free(&said);
     test_folder_remove(output);
@@ -171,6 +233,11 @@ START_TEST(a_bad_comparison_is_refused_with_its_line)
          "comparison.columns.2: case \"none\": the catalogue has none of that name"},
         {"better: high", "better: high, where: none",
          "comparison.columns.0: where: \"none\" is the quantity of no other column"},
+        {"tolerance: 1e-6", "limit: much", "\"much\" is not a finite number"},
+        {"tolerance: 1e-6", "beyond: fell to", "beyond: \"fell to\" belongs to a limit"},
+        {"  columns:", "  main: none\n  columns:", "main: \"none\" is the quantity of no column"},
+        {"  columns:", "  cost: none\n  columns:", "cost: \"none\" is the quantity of no column"},
+        {"  columns:", "  figure: none\n  columns:", "figure: \"none\" is no figure of the case"},
         {"better: high", "better: more", "case.yaml:"},
         {"  columns:", "  variants: [\"x*\"]\n  columns:", "\"x*\" matches no variant"},
         {"  title: Powers <compared>\n", "", "Missing required mapping field: title"},
@@ -333,6 +400,7 @@ Suite *suite_comparison_page(void)
     Suite *suite = suite_create("comparison_page");
     TCase *page = tcase_create("page");
     tcase_add_test(page, the_page_has_a_row_for_each_variant_and_the_csv_its_numbers);
+    tcase_add_test(page, a_page_says_what_its_case_declares_and_the_front_page_who_counts);
     tcase_add_test(page, the_cost_of_a_row_that_fell_behind_does_not_count);
     tcase_add_test(page, a_crash_is_a_missing_number_with_its_reason_and_never_a_zero);
     tcase_add_test(page, result_lines_alone_give_the_same_page_without_the_picture);

@@ -229,6 +229,8 @@ START_TEST(a_bad_table_of_methods_is_refused_with_its_line)
          "\"method.stress_update=usl\"]}\n  - {name: x, group: g, "
          "title: t, settings: [",
          "\"ugimp_hoop\" has the settings of \"ugimp_usl\""},
+        {"methods:", "parts:\n  - {part: ugimp, kind: shape, title: t}\nmethods:",
+         "parts does not explain \"classic\""},
         {"group: axis", "grp: axis", "methods.yaml:6: Unexpected key: grp"},
         {"name: ugimp_musl", "name: only",
          "\"only\" is the name of a variant, too: name it in except"},

@@ -42,40 +42,112 @@ int comparison_order(const struct comparison_column *column, const struct compar
     return one < other ? -1 : 1;
 }
 
+bool comparison_is_beyond(const struct comparison_table *table, size_t row, size_t column)
+{
+    const struct comparison_column *rule = &table->columns[column];
+    const struct comparison_cell *cell = comparison_cell(table, row, column);
+    if (!rule->limited || cell->state == COMPARISON_ABSENT)
+        return false;
+    return cell->state == COMPARISON_FAILED ||
+           comparison_badness(rule, cell->value) > comparison_badness(rule, rule->limit);
+}
+
+bool comparison_takes_part(const struct comparison_table *table, size_t row)
+{
+    bool number = false;
+    for (size_t column = 0; column < table->column_count; column++) {
+        if (comparison_is_beyond(table, row, column))
+            return false;
+        number = number || comparison_cell(table, row, column)->state == COMPARISON_NUMBER;
+    }
+    return number;
+}
+
+/* The row's cell if it takes part with a number, else NULL. */
+static const struct comparison_cell *ranked(const struct comparison_table *table, size_t row,
+                                            size_t column)
+{
+    const struct comparison_cell *cell = comparison_cell(table, row, column);
+    return cell->state == COMPARISON_NUMBER && comparison_takes_part(table, row) ? cell : NULL;
+}
+
 size_t comparison_best(const struct comparison_table *table, size_t column)
 {
+    const struct comparison_column *rule = &table->columns[column];
     size_t best = COMPARISON_NONE;
     for (size_t row = 0; row < table->row_count; row++) {
-        const struct comparison_cell *cell = comparison_cell(table, row, column);
-        if (cell->state != COMPARISON_NUMBER)
-            continue;
-        const double bad = comparison_badness(&table->columns[column], cell->value);
-        if (best == COMPARISON_NONE ||
-            bad < comparison_badness(&table->columns[column],
-                                     comparison_cell(table, best, column)->value))
+        const struct comparison_cell *cell = ranked(table, row, column);
+        if (cell != NULL &&
+            (best == COMPARISON_NONE ||
+             comparison_badness(rule, cell->value) <
+                 comparison_badness(rule, comparison_cell(table, best, column)->value)))
             best = row;
     }
     return best;
 }
 
-size_t comparison_rank(const struct comparison_table *table, size_t row, size_t column)
+bool comparison_is_level(const struct comparison_table *table, size_t row, size_t column)
+{
+    const struct comparison_cell *own = ranked(table, row, column);
+    return own != NULL &&
+           comparison_order(&table->columns[column],
+                            comparison_cell(table, comparison_best(table, column), column),
+                            own) == 0;
+}
+
+size_t comparison_level_count(const struct comparison_table *table, size_t column)
+{
+    size_t count = 0;
+    for (size_t row = 0; row < table->row_count; row++)
+        count += comparison_is_level(table, row, column);
+    return count;
+}
+
+/* How many rows with a number are better than this one (sign -1), or worse (1). */
+static size_t count_beside(const struct comparison_table *table, size_t row, size_t column,
+                           int sign)
 {
     const struct comparison_cell *own = comparison_cell(table, row, column);
-    size_t rank = 1;
-    if (own->state == COMPARISON_ABSENT)
-        return 0;
-    for (size_t other = 0; other < table->row_count; other++)
-        rank += comparison_order(&table->columns[column], comparison_cell(table, other, column),
-                                 own) < 0;
-    return rank;
+    size_t count = 0;
+    for (size_t other = 0; other < table->row_count; other++) {
+        const struct comparison_cell *cell = ranked(table, other, column);
+        count += cell != NULL && comparison_order(&table->columns[column], cell, own) == sign;
+    }
+    return count;
+}
+
+size_t comparison_rank(const struct comparison_table *table, size_t row, size_t column)
+{
+    return ranked(table, row, column) == NULL ? 0 : 1 + count_beside(table, row, column, -1);
 }
 
 size_t comparison_count(const struct comparison_table *table, size_t column)
 {
     size_t count = 0;
     for (size_t row = 0; row < table->row_count; row++)
-        count += comparison_cell(table, row, column)->state != COMPARISON_ABSENT;
+        count += ranked(table, row, column) != NULL;
     return count;
+}
+
+bool comparison_is_last(const struct comparison_table *table, size_t row, size_t column)
+{
+    return comparison_rank(table, row, column) > 1 && count_beside(table, row, column, 1) == 0;
+}
+
+bool comparison_is_constant(const struct comparison_table *table, size_t column)
+{
+    const size_t best = comparison_best(table, column);
+    if (comparison_count(table, column) < 2)
+        return false;
+    const double value = comparison_cell(table, best, column)->value;
+    for (size_t row = 0; row < table->row_count; row++) {
+        const struct comparison_cell *cell = comparison_cell(table, row, column);
+        const bool same =
+            cell->state == COMPARISON_NUMBER && !(cell->value < value) && !(cell->value > value);
+        if (!same && !comparison_is_beyond(table, row, column))
+            return false;
+    }
+    return true;
 }
 
 /* Over the best where less is better, the best over it where more is. */
@@ -84,7 +156,8 @@ static double factor_of(const struct comparison_column *column, double best, dou
     const bool high = column->better == COMPARISON_HIGH;
     const bool zero = column->better == COMPARISON_ZERO;
     const double larger = high ? best : zero ? fabs(value) : value;
-    const double smaller = high ? value : zero ? fabs(best) : best;
+    const double least = high ? value : zero ? fabs(best) : best;
+    const double smaller = column->floor > 0.0 ? fmax(least, column->floor) : least;
     if (larger <= smaller)
         return 1.0;
     if (smaller < 0.0)
@@ -108,38 +181,37 @@ bool comparison_dominates(const struct comparison_table *table, size_t one, size
                           size_t *better)
 {
     *better = 0;
+    if (!comparison_takes_part(table, one))
+        return false;
     for (size_t column = 0; column < table->column_count; column++) {
-        const int order =
-            comparison_order(&table->columns[column], comparison_cell(table, one, column),
-                             comparison_cell(table, other, column));
-        if (order > 0)
+        const struct comparison_cell *own = comparison_cell(table, one, column);
+        const struct comparison_cell *theirs = comparison_cell(table, other, column);
+        const bool unknown = own->state == COMPARISON_ABSENT && theirs->state != COMPARISON_ABSENT;
+        const int order = comparison_order(&table->columns[column], own, theirs);
+        if (unknown || order > 0)
             return false;
         *better += order < 0;
     }
     return *better > 0;
 }
 
-static bool has_number(const struct comparison_table *table, size_t row)
-{
-    for (size_t column = 0; column < table->column_count; column++)
-        if (comparison_cell(table, row, column)->state == COMPARISON_NUMBER)
-            return true;
-    return false;
-}
-
 bool comparison_on_front(const struct comparison_table *table, size_t row)
 {
     size_t better;
+    if (!comparison_takes_part(table, row))
+        return false;
     for (size_t other = 0; other < table->row_count; other++)
         if (comparison_dominates(table, other, row, &better))
             return false;
-    return has_number(table, row);
+    return true;
 }
 
 size_t comparison_dominator(const struct comparison_table *table, size_t row)
 {
     size_t found = COMPARISON_NONE, most = 0;
     bool found_front = false;
+    if (!comparison_takes_part(table, row))
+        return found;
     for (size_t other = 0; other < table->row_count; other++) {
         size_t better;
         if (!comparison_dominates(table, other, row, &better))
@@ -155,37 +227,18 @@ size_t comparison_dominator(const struct comparison_table *table, size_t row)
     return found;
 }
 
-/* Largest rank and sum of ranks; false if a number is missing that others have. */
-static bool add_ranks(const struct comparison_table *table, size_t row, size_t *largest,
-                      size_t *sum)
+size_t comparison_worst(const struct comparison_table *table, size_t row)
 {
-    *largest = *sum = 0;
+    size_t worst = COMPARISON_NONE;
+    double most = 0.0;
     for (size_t column = 0; column < table->column_count; column++) {
-        if (comparison_best(table, column) == COMPARISON_NONE)
+        if (comparison_rank(table, row, column) < 2)
             continue;
-        if (comparison_cell(table, row, column)->state != COMPARISON_NUMBER)
-            return false;
-        const size_t rank = comparison_rank(table, row, column);
-        *largest = rank > *largest ? rank : *largest;
-        *sum += rank;
-    }
-    return *largest > 0;
-}
-
-size_t comparison_all_round(const struct comparison_table *table, size_t *largest_rank)
-{
-    size_t found = COMPARISON_NONE, least_sum = 0;
-    *largest_rank = 0;
-    for (size_t row = 0; row < table->row_count; row++) {
-        size_t largest, sum;
-        if (!add_ranks(table, row, &largest, &sum))
-            continue;
-        if (found == COMPARISON_NONE || largest < *largest_rank ||
-            (largest == *largest_rank && sum < least_sum)) {
-            found = row;
-            *largest_rank = largest;
-            least_sum = sum;
+        const double factor = comparison_factor(table, row, column);
+        if (worst == COMPARISON_NONE || factor > most) {
+            worst = column;
+            most = isnan(factor) ? 0.0 : factor;
         }
     }
-    return found;
+    return worst;
 }

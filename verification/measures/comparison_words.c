@@ -16,7 +16,7 @@ char *comparison_number(double value, const char *unit)
     return g_strconcat(text, bare ? "" : " ", bare ? "" : unit, NULL);
 }
 
-char *comparison_times(const struct comparison_table *table, size_t row, size_t column)
+char *comparison_factor_words(const struct comparison_table *table, size_t row, size_t column)
 {
     const double factor = comparison_factor(table, row, column);
     char text[G_ASCII_DTOSTR_BUF_SIZE];
@@ -27,71 +27,106 @@ char *comparison_times(const struct comparison_table *table, size_t row, size_t 
                     : factor < 1e6 ? "%.0f"
                                    : "%.1e",
                     factor);
-    const bool high = table->columns[column].better == COMPARISON_HIGH;
-    return g_strconcat(high ? "the best is " : "", text, " times ", high ? "it" : "the best", NULL);
+    return g_strdup(text);
 }
 
-static const struct comparison_cell *best_cell(const struct comparison_table *table, size_t column)
+char *comparison_times(const struct comparison_table *table, size_t row, size_t column)
 {
-    const size_t best = comparison_best(table, column);
-    return best == COMPARISON_NONE ? NULL : comparison_cell(table, best, column);
+    const bool high = table->columns[column].better == COMPARISON_HIGH;
+    char *factor = comparison_factor_words(table, row, column);
+    char *text = *factor == '\0' ? g_strdup("")
+                                 : g_strconcat(high ? "the best is " : "", factor, " times ",
+                                               high ? "it" : "the best", NULL);
+    g_free(factor);
+    return text;
 }
 
-/* Whether the row has a number in the column that is worse than the best. */
+char *comparison_rank_words(const struct comparison_table *table, size_t row, size_t column)
+{
+    const size_t rank = comparison_rank(table, row, column),
+                 count = comparison_count(table, column);
+    if (rank == 0)
+        return g_strdup("");
+    return comparison_is_last(table, row, column) ? g_strdup_printf("last of %zu", count)
+                                                  : g_strdup_printf("rank %zu of %zu", rank, count);
+}
+
+/* "last of 9, 27 times the best" */
+static char *standing(const struct comparison_table *table, size_t row, size_t column)
+{
+    char *rank = comparison_rank_words(table, row, column);
+    char *times = comparison_times(table, row, column);
+    char *text = g_strconcat(rank, *times == '\0' ? "" : ", ", times, NULL);
+    g_free(times);
+    g_free(rank);
+    return text;
+}
+
+static char *own_number(const struct comparison_table *table, size_t row, size_t column)
+{
+    return comparison_number(comparison_cell(table, row, column)->value,
+                             table->columns[column].unit);
+}
+
+/* --------------------------------------------------------------- how it went */
+
+static bool has_words(const char *text)
+{
+    return text != NULL && *text != '\0';
+}
+
+/* "broke at 43.3 %", or what the column's missing number means; NULL without words. */
+static char *end_words(const struct comparison_table *table, size_t row, size_t column)
+{
+    const struct comparison_column *rule = &table->columns[column];
+    const bool failed = comparison_cell(table, row, column)->state == COMPARISON_FAILED;
+    if (failed)
+        return has_words(rule->missing) ? g_strdup(rule->missing) : NULL;
+    if (!has_words(rule->beyond))
+        return NULL;
+    char *number = own_number(table, row, column);
+    char *text = g_strconcat(rule->beyond, " ", number, NULL);
+    g_free(number);
+    return text;
+}
+
+char *comparison_run_words(const struct comparison_table *table, size_t row)
+{
+    GString *titles = g_string_new(NULL);
+    char *words = NULL;
+    for (size_t column = 0; words == NULL && column < table->column_count; column++) {
+        if (!comparison_is_beyond(table, row, column))
+            continue;
+        words = end_words(table, row, column);
+        g_string_append_printf(titles, "%s%s", titles->len == 0 ? "beyond the limit in " : ", ",
+                               table->columns[column].title);
+    }
+    if (words == NULL)
+        words = g_strdup(titles->len > 0                     ? titles->str
+                         : comparison_takes_part(table, row) ? "kept"
+                                                             : "no number");
+    g_string_free(titles, TRUE);
+    return words;
+}
+
+/* ----------------------------------------------------------------- sentences */
+
+/* Whether the row takes part with a number that is worse than the best. */
 static bool is_behind(const struct comparison_table *table, size_t row, size_t column)
 {
-    const struct comparison_cell *own = comparison_cell(table, row, column);
-    const struct comparison_cell *best = best_cell(table, column);
-    return own->state == COMPARISON_NUMBER && best != NULL &&
-           comparison_order(&table->columns[column], best, own) < 0;
-}
-
-static bool is_level(const struct comparison_table *table, size_t row, size_t column)
-{
-    return comparison_cell(table, row, column)->state == COMPARISON_NUMBER &&
-           !is_behind(table, row, column);
-}
-
-/* Rank as a part of those that were ranked. */
-static double place(const struct comparison_table *table, size_t row, size_t column)
-{
-    return (double)comparison_rank(table, row, column) / (double)comparison_count(table, column);
-}
-
-static size_t worst_column(const struct comparison_table *table, size_t row)
-{
-    size_t worst = COMPARISON_NONE;
-    for (size_t column = 0; column < table->column_count; column++) {
-        if (!is_behind(table, row, column))
-            continue;
-        const double own = place(table, row, column);
-        const double so_far = worst == COMPARISON_NONE ? 0.0 : place(table, row, worst);
-        if (own > so_far || (own >= so_far && comparison_factor(table, row, column) >
-                                                  comparison_factor(table, row, worst)))
-            worst = column;
-    }
-    return worst;
-}
-
-static void add_rank(GString *text, const struct comparison_table *table, size_t row, size_t column)
-{
-    char *times = comparison_times(table, row, column);
-    g_string_append_printf(text, "rank %zu of %zu%s%s", comparison_rank(table, row, column),
-                           comparison_count(table, column), *times == '\0' ? "" : ", ", times);
-    g_free(times);
+    return comparison_rank(table, row, column) > 1;
 }
 
 static void add_worst(GString *text, const struct comparison_table *table, size_t row,
                       size_t column)
 {
     const struct comparison_column *rule = &table->columns[column];
-    const size_t best = comparison_best(table, column);
-    char *own = comparison_number(comparison_cell(table, row, column)->value, rule->unit);
-    char *least = comparison_number(comparison_cell(table, best, column)->value, rule->unit);
-    g_string_append_printf(text, "Loses most in %s: %s against %s of %s (", rule->title, own, least,
-                           table->names[best]);
-    add_rank(text, table, row, column);
-    g_string_append(text, ").");
+    char *own = own_number(table, row, column);
+    char *least = own_number(table, comparison_best(table, column), column);
+    char *rank = standing(table, row, column);
+    g_string_append_printf(text, "Loses most in %s: %s against %s (%s).", rule->title, own, least,
+                           rank);
+    g_free(rank);
     g_free(own);
     g_free(least);
 }
@@ -103,10 +138,10 @@ static void add_others(GString *text, const struct comparison_table *table, size
     for (size_t column = 0; column < table->column_count; column++) {
         if (column == worst || !is_behind(table, row, column))
             continue;
-        g_string_append_printf(text, "%s%s (", first ? " Behind also in " : ", ",
-                               table->columns[column].title);
-        add_rank(text, table, row, column);
-        g_string_append_c(text, ')');
+        char *rank = standing(table, row, column);
+        g_string_append_printf(text, "%s%s (%s)", first ? " Behind also in " : ", ",
+                               table->columns[column].title, rank);
+        g_free(rank);
         first = false;
     }
     g_string_append(text, first ? "" : ".");
@@ -116,7 +151,7 @@ static void add_best(GString *text, const struct comparison_table *table, size_t
 {
     bool first = true;
     for (size_t column = 0; column < table->column_count; column++) {
-        if (!is_level(table, row, column))
+        if (!comparison_is_level(table, row, column))
             continue;
         g_string_append_printf(text, "%s%s", first ? " Best, or equal to the best, in " : ", ",
                                table->columns[column].title);
@@ -161,77 +196,95 @@ static void add_dominator(GString *text, const struct comparison_table *table, s
         return;
     }
     comparison_dominates(table, other, row, &better);
-    g_string_append_printf(text, " Dominated by %s: nowhere worse, better in %zu of %zu columns.",
+    g_string_append_printf(text,
+                           " Dominated by %s: nowhere worse where both are measured, better in %zu "
+                           "of %zu columns.",
                            table->names[other], better, table->column_count);
+}
+
+/* How a run beyond a limit went, and the numbers it has. */
+static void add_outside(GString *text, const struct comparison_table *table, size_t row)
+{
+    char *words = comparison_run_words(table, row);
+    g_string_append_printf(text, "Takes no part: %s.", words);
+    bool first = true;
+    for (size_t column = 0; column < table->column_count; column++) {
+        if (comparison_cell(table, row, column)->state != COMPARISON_NUMBER)
+            continue;
+        char *own = own_number(table, row, column);
+        g_string_append_printf(text, "%s%s %s", first ? " " : ", ", table->columns[column].title,
+                               own);
+        g_free(own);
+        first = false;
+    }
+    g_string_append(text, first ? "" : ".");
+    g_free(words);
 }
 
 char *comparison_sentence(const struct comparison_table *table, size_t row)
 {
     GString *text = g_string_new(NULL);
-    const size_t worst = worst_column(table, row);
-    bool level = false;
-    for (size_t column = 0; column < table->column_count; column++)
-        level = level || is_level(table, row, column);
-    if (worst != COMPARISON_NONE)
-        add_worst(text, table, row, worst);
-    else
-        g_string_append(text, level ? "Behind in no column that it has a number for."
-                                    : "It has no number.");
-    add_others(text, table, row, worst);
-    add_best(text, table, row);
+    const size_t worst = comparison_worst(table, row);
+    if (!comparison_takes_part(table, row)) {
+        add_outside(text, table, row);
+    } else {
+        if (worst != COMPARISON_NONE)
+            add_worst(text, table, row, worst);
+        else
+            g_string_append(text, "Behind in no column that it has a number for.");
+        add_others(text, table, row, worst);
+        add_best(text, table, row);
+    }
     add_missing(text, table, row);
     add_dominator(text, table, row);
     return g_string_free(text, FALSE);
 }
 
-/* ----------------------------------------------------------------- summary */
+/* -------------------------------------------------------------------- groups */
 
-enum { EQUALS_NAMED = 4 };
-
-char *comparison_advice(const struct comparison_table *table, size_t column)
+/* What is said of each row (NULL: nothing; taken over), the names of those alike before it. */
+static char *grouped(const struct comparison_table *table, char **clauses)
 {
-    const size_t best = comparison_best(table, column);
-    if (best == COMPARISON_NONE)
-        return g_strdup("");
-    GString *text = g_string_new(table->names[best]);
-    char *number =
-        comparison_number(comparison_cell(table, best, column)->value, table->columns[column].unit);
-    g_string_append_printf(text, " (%s)", number);
-    g_free(number);
-    size_t equal = 0;
-    for (size_t row = 0; row < table->row_count; row++)
-        if (row != best && is_level(table, row, column) && equal++ < EQUALS_NAMED)
-            g_string_append_printf(text, "%s%s", equal == 1 ? "; equal: " : ", ",
-                                   table->names[row]);
-    if (equal > EQUALS_NAMED)
-        g_string_append_printf(text, " and %zu more", equal - EQUALS_NAMED);
+    GString *text = g_string_new(NULL);
+    for (size_t row = 0; row < table->row_count; row++) {
+        if (clauses[row] == NULL)
+            continue;
+        g_string_append_printf(text, "%s%s", text->len == 0 ? "" : "; ", table->names[row]);
+        for (size_t other = row + 1; other < table->row_count; other++)
+            if (g_strcmp0(clauses[other], clauses[row]) == 0) {
+                g_string_append_printf(text, ", %s", table->names[other]);
+                g_clear_pointer(&clauses[other], g_free);
+            }
+        g_string_append_printf(text, "%s%s", *clauses[row] == '\0' ? "" : ": ", clauses[row]);
+        g_clear_pointer(&clauses[row], g_free);
+    }
+    g_free(clauses);
     return g_string_free(text, FALSE);
 }
 
-char *comparison_front_names(const struct comparison_table *table)
+char *comparison_losses(const struct comparison_table *table, size_t column)
 {
-    GString *text = g_string_new(NULL);
-    for (size_t row = 0; row < table->row_count; row++)
-        if (comparison_on_front(table, row))
-            g_string_append_printf(text, "%s%s", text->len == 0 ? "" : ", ", table->names[row]);
-    return g_string_free(text, FALSE);
-}
-
-char *comparison_all_round_words(const struct comparison_table *table)
-{
-    size_t largest;
-    const size_t row = comparison_all_round(table, &largest);
-    if (row == COMPARISON_NONE || table->row_count < 2)
-        return g_strdup("");
-    GString *text = g_string_new(NULL);
-    g_string_append_printf(text, "%s: its worst rank is %zu of %zu", table->names[row], largest,
-                           table->row_count);
-    bool first = true;
-    for (size_t column = 0; largest > 1 && column < table->column_count; column++)
-        if (comparison_rank(table, row, column) == largest) {
-            g_string_append_printf(text, "%s%s", first ? ", in " : " and ",
-                                   table->columns[column].title);
-            first = false;
+    char **clauses = g_new0(char *, table->row_count + 1);
+    for (size_t row = 0; row < table->row_count; row++) {
+        if (!comparison_takes_part(table, row) || comparison_worst(table, row) != column)
+            continue;
+        if (column == COMPARISON_NONE) {
+            clauses[row] = g_strdup("");
+            continue;
         }
-    return g_string_free(text, FALSE);
+        char *own = own_number(table, row, column), *rank = standing(table, row, column);
+        clauses[row] = g_strdup_printf("%s (%s)", own, rank);
+        g_free(rank);
+        g_free(own);
+    }
+    return grouped(table, clauses);
+}
+
+char *comparison_outside(const struct comparison_table *table)
+{
+    char **clauses = g_new0(char *, table->row_count + 1);
+    for (size_t row = 0; row < table->row_count; row++)
+        if (!comparison_takes_part(table, row))
+            clauses[row] = comparison_run_words(table, row);
+    return grouped(table, clauses);
 }

@@ -162,6 +162,27 @@ static bool has_column(const struct case_comparison *comparison, const char *qua
     return false;
 }
 
+/* The keys that name a column, and the figure. */
+static enum mpm_status check_names(const char *path, const struct case_file *file,
+                                   struct mpm_error *error)
+{
+    const struct case_comparison *comparison = file->comparison;
+    const struct {
+        const char *key, *quantity;
+    } keys[] = {{"main", comparison->main}, {"cost", comparison->cost}};
+    for (size_t i = 0; i < G_N_ELEMENTS(keys); i++)
+        if (keys[i].quantity != NULL && !has_column(comparison, keys[i].quantity))
+            return yaml_refuse(path, error, "comparison", "%s: \"%s\" is the quantity of no column",
+                               keys[i].key, keys[i].quantity);
+    bool there = comparison->figure == NULL;
+    for (unsigned i = 0; i < file->figures_count; i++)
+        there = there || strcmp(file->figures[i].name, comparison->figure) == 0;
+    if (!there)
+        return yaml_refuse(path, error, "comparison", "figure: \"%s\" is no figure of the case",
+                           comparison->figure);
+    return MPM_OK;
+}
+
 static enum mpm_status check_column(const char *path, const struct case_comparison *comparison,
                                     unsigned index, struct mpm_error *error)
 {
@@ -170,6 +191,8 @@ static enum mpm_status check_column(const char *path, const struct case_comparis
     g_snprintf(place, sizeof place, "comparison.columns.%u", index);
     if (!(column->tolerance >= 0) || !(column->floor >= 0))
         return yaml_refuse(path, error, place, "tolerance and floor: allowed are numbers >= 0");
+    if (column->beyond != NULL && column->limit_text == NULL)
+        return yaml_refuse(path, error, place, "beyond: \"%s\" belongs to a limit", column->beyond);
     if (column->where != NULL &&
         (!has_column(comparison, column->where) || strcmp(column->where, column->quantity) == 0))
         return yaml_refuse(path, error, place, "where: \"%s\" is the quantity of no other column",
@@ -191,6 +214,7 @@ static enum mpm_status check_comparison(const char *path, const struct case_file
                     error));
     for (unsigned i = 0; i < comparison->columns_count; i++)
         TRY(check_column(path, comparison, i, error));
+    TRY(check_names(path, file, error));
     const struct case_pareto *pareto = comparison->pareto;
     if (pareto == NULL)
         return MPM_OK;

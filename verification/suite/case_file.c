@@ -33,6 +33,7 @@ static const cyaml_strval_t outcome_values[] = {{"pass", OUTCOME_PASS}, {"fail",
 
 static const cyaml_schema_field_t variant_fields[] = {
     TEXT("name", case_variant, name),
+    OPTIONAL_TEXT("title", case_variant, title),
     CYAML_FIELD_ENUM("tier", CYAML_FLAG_STRICT, struct case_variant, tier, tier_values,
                      CYAML_ARRAY_LEN(tier_values)),
     TEXT("timeout", case_variant, timeout_text),
@@ -97,6 +98,10 @@ static const cyaml_schema_field_t column_fields[] = {
                      CYAML_ARRAY_LEN(better_values)),
     OPTIONAL_TEXT("tolerance", case_column, tolerance_text),
     OPTIONAL_TEXT("floor", case_column, floor_text),
+    OPTIONAL_TEXT("limit", case_column, limit_text),
+    OPTIONAL_TEXT("beyond", case_column, beyond),
+    OPTIONAL_TEXT("missing", case_column, missing),
+    OPTIONAL_TEXT("about", case_column, about),
     OPTIONAL_TEXT("case", case_column, case_name),
     OPTIONAL_TEXT("where", case_column, where),
     CYAML_FIELD_END};
@@ -113,6 +118,11 @@ static const cyaml_schema_field_t comparison_fields[] = {
     LIST("columns", case_comparison, columns, &column_schema, 1),
     CYAML_FIELD_MAPPING_PTR("pareto", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL,
                             struct case_comparison, pareto, pareto_fields),
+    OPTIONAL_TEXT("main", case_comparison, main),
+    OPTIONAL_TEXT("cost", case_comparison, cost),
+    OPTIONAL_TEXT("setup", case_comparison, setup),
+    OPTIONAL_TEXT("figure", case_comparison, figure),
+    LIST("notes", case_comparison, notes, &yaml_text_schema, 0),
     CYAML_FIELD_END};
 
 static const cyaml_schema_field_t file_fields[] = {
@@ -187,6 +197,8 @@ static enum mpm_status convert_column(const char *path, unsigned index, struct c
         TRY(convert(path, place, "tolerance", column->tolerance_text, &column->tolerance, error));
     if (column->floor_text != NULL)
         TRY(convert(path, place, "floor", column->floor_text, &column->floor, error));
+    if (column->limit_text != NULL)
+        TRY(convert(path, place, "limit", column->limit_text, &column->limit, error));
     return MPM_OK;
 }
 

@@ -102,6 +102,7 @@ static enum mpm_status case_fill(const char *path, const char *family, const cha
     if (entry->file->scene != NULL)
         entry->scene_path = g_build_filename(entry->folder, entry->file->scene, NULL);
     TRY(check_home(path, entry, family, name, error));
+    entry->methods = sources->methods;
     entry->program = programs_find(sources->programs, entry->file->program_name);
     if (entry->program == NULL)
         return refuse_program(path, entry->file->program_name, sources->programs, error);

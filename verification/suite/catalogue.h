@@ -22,6 +22,7 @@ struct method;
 
 struct case_variant {
     char *name;
+    char *title;                 /* of one that is no method; may be NULL */
     const struct method *method; /* that it was made from, or NULL; not of the file */
     enum tier tier;
     char *timeout_text;
@@ -75,8 +76,13 @@ struct case_column {
     enum comparison_better better;
     char *tolerance_text, *floor_text; /* NULL if not given */
     double tolerance, floor;
-    char *case_name; /* that reports it; NULL: this one */
-    char *where;     /* quantity of a column: counts only where that is equal to the best */
+    char *limit_text; /* NULL: no limit */
+    double limit;     /* a variant with a worse number takes no part */
+    char *beyond;     /* what such a number means ("broke at"); may be NULL */
+    char *missing;    /* what a number that failed means ("not reached"); may be NULL */
+    char *about;      /* what the column is, in a line; may be NULL */
+    char *case_name;  /* that reports it; NULL: this one */
+    char *where;      /* quantity of a column: counts only where that is equal to the best */
 };
 
 struct case_pareto {
@@ -91,6 +97,12 @@ struct case_comparison {
     struct case_column *columns;
     unsigned columns_count;
     struct case_pareto *pareto; /* may be NULL */
+    char *main;                 /* quantity of the column that decides; NULL: the first one */
+    char *cost;   /* quantity of the column of costs; NULL: pareto's x, if there is one */
+    char *setup;  /* the problem in a line; may be NULL */
+    char *figure; /* of the case, shown in place of a picture; may be NULL */
+    char **notes; /* to be known before one chooses */
+    unsigned notes_count;
 };
 
 /* case.yaml as read; texts of numbers are kept beside their values. */
@@ -119,6 +131,7 @@ struct catalogue_case {
     char *scene_path; /* of the variants that name none; NULL if it has none */
     char *readme;     /* Markdown */
     const struct measure_program *program;
+    const struct method_table *methods; /* of the catalogue; NULL if it has none */
 };
 
 struct catalogue {

@@ -3,15 +3,22 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/comparison_plot.h"
 
+#include "verification/measures/label_places.h"
 #include "verification/suite/output.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+
+/* The inside of the picture in pixels, as reports/comparison.gp has it, and its letters. */
+static const struct label_frame frame = {0.86 * 760, 0.71 * 520, 6.0};
+enum { NAME_LETTER = 7, NUMBER_LETTER = 6, LINE = 13, NUMBERS_SHOWN = 3 };
 
 struct point {
     double x, y;
     size_t row;
     bool front;
+    unsigned order, shape; /* of the stress update and the functions, 0 if there is none */
 };
 
 struct axis {
@@ -24,41 +31,50 @@ static double drawn(const struct comparison_column *column, double value)
     return column->better == COMPARISON_ZERO ? fabs(value) : value;
 }
 
-/* The two columns as a table of their own: the front in the plane, exactly. */
+/* 1 + place of the variant's part of that kind among the parts of it; 0 if it has none. */
+static unsigned part_place(const struct comparison_view *view, const char *variant,
+                           const char *kind)
+{
+    const json_t *parts = json_object_get(view->declared, "parts");
+    const json_t *own = comparison_view_part(view, variant, kind);
+    unsigned place = 0;
+    for (size_t i = 0; own != NULL && i < json_array_size(parts); i++) {
+        const json_t *part = json_array_get(parts, i);
+        place += strcmp(record_text(part, "kind"), kind) == 0;
+        if (part == own)
+            break;
+    }
+    return place;
+}
+
+/* The rows that take part and have both numbers; the front is that of the whole table. */
 static GArray *points_of(const struct comparison_view *view, size_t x, size_t y)
 {
     GArray *points = g_array_new(FALSE, TRUE, sizeof(struct point));
-    struct comparison_column columns[2] = {view->columns[x], view->columns[y]};
-    struct comparison_cell *cells = g_new0(struct comparison_cell, 2 * view->table.row_count + 2);
-    const struct comparison_table plane = {view->table.row_count, 2, view->names, columns, cells};
-    for (int c = 0; c < 2; c++)
-        columns[c].tolerance = columns[c].floor = 0.0;
-    for (size_t row = 0; row < plane.row_count; row++) {
-        const struct comparison_cell *in_x = comparison_cell(&view->table, row, x);
-        const struct comparison_cell *in_y = comparison_cell(&view->table, row, y);
-        if (in_x->state != COMPARISON_NUMBER || in_y->state != COMPARISON_NUMBER)
+    const struct comparison_table *table = &view->table;
+    for (size_t row = 0; row < table->row_count; row++) {
+        if (comparison_rank(table, row, x) == 0 || comparison_rank(table, row, y) == 0)
             continue;
-        cells[2 * row] = *in_x;
-        cells[2 * row + 1] = *in_y;
-    }
-    for (size_t row = 0; row < plane.row_count; row++) {
-        if (cells[2 * row].state != COMPARISON_NUMBER)
-            continue;
-        const struct point point = {drawn(&columns[0], cells[2 * row].value),
-                                    drawn(&columns[1], cells[2 * row + 1].value), row,
-                                    comparison_on_front(&plane, row)};
+        const char *name = view->names[row];
+        const struct point point = {
+            drawn(&table->columns[x], comparison_cell(table, row, x)->value),
+            drawn(&table->columns[y], comparison_cell(table, row, y)->value),
+            row,
+            comparison_on_front(table, row),
+            part_place(view, name, "order"),
+            part_place(view, name, "shape")};
         g_array_append_val(points, point);
     }
-    g_free(cells);
     return points;
 }
 
+/* Those on the front first, so that their labels find room. */
 static int compare_points(const void *a, const void *b)
 {
     const struct point *one = a, *other = b;
-    if (one->x < other->x || one->x > other->x)
-        return one->x < other->x ? -1 : 1;
-    return (one->y > other->y) - (one->y < other->y);
+    if (one->front != other->front)
+        return one->front ? -1 : 1;
+    return (one->row > other->row) - (one->row < other->row);
 }
 
 /* Logarithmic over more than a decade of positive numbers, and a margin on either side. */
@@ -90,78 +106,153 @@ static double place_on(const struct axis *axis, double value)
                              : (value - axis->low) / (axis->high - axis->low);
 }
 
-static double value_at(const struct axis *axis, double place)
+static void add_number(GString *text, const char *format, double value)
 {
-    return axis->logarithmic ? axis->low * pow(axis->high / axis->low, place)
-                             : axis->low + place * (axis->high - axis->low);
+    char digits[G_ASCII_DTOSTR_BUF_SIZE];
+    g_string_append(text, g_ascii_formatd(digits, sizeof digits, format, value));
 }
 
-static void add_point(GString *data, double x, double y, const char *between, const char *end)
+static void add_tic(GString *axes, double step, int power)
 {
-    char text[G_ASCII_DTOSTR_BUF_SIZE];
-    g_string_append(data, g_ascii_formatd(text, sizeof text, "%.9g", x));
-    g_string_append(data, between);
-    g_string_append(data, g_ascii_formatd(text, sizeof text, "%.9g", y));
-    g_string_append(data, end);
+    if (abs(power) <= 3)
+        add_number(axes, "%g", step * pow(10, power));
+    else
+        g_string_append_printf(axes, "%s10^{%d}", step > 3 ? "5·" : step > 1 ? "2·" : "", power);
 }
 
-/* Where a label stands, in parts of the axes. */
-struct label {
-    double left, right, low;
-};
-
-static bool overlaps(const struct label *one, const struct label *other)
+/* Decades; over fewer than three of them 1, 2, 5. */
+static void add_tics(GString *axes, char name, const struct axis *axis)
 {
-    static const double line = 0.055; /* height of a line of text */
-    return fabs(one->low - other->low) < line && one->left < other->right &&
-           other->left < one->right;
-}
-
-/* To the side where there is room, above those that it would cover. */
-static struct label label_at(const struct point *point, const char *name, const GArray *labels,
-                             const struct axis *x, const struct axis *y, bool *to_left)
-{
-    static const double letter = 0.0125, step = 0.02;
-    const double at = place_on(x, point->x), length = letter * (double)strlen(name) + step;
-    struct label label = {at, at + length, place_on(y, point->y) + 0.025};
-    *to_left = label.right > 1.0;
-    if (*to_left)
-        label = (struct label){at - length, at, label.low};
-    for (unsigned i = 0; i < labels->len;) {
-        const bool covers = overlaps(&label, &g_array_index(labels, struct label, i));
-        label.low += covers ? step : 0.0;
-        i = covers ? 0 : i + 1;
-    }
-    return label;
-}
-
-static void add_labels(GString *axes, const struct comparison_view *view, const GArray *points,
-                       const struct axis *x, const struct axis *y)
-{
-    GArray *labels = g_array_new(FALSE, FALSE, sizeof(struct label));
-    for (unsigned i = points->len; i-- > 0;) {
-        const struct point *point = &g_array_index(points, struct point, i);
-        if (!point->front)
-            continue;
-        bool to_left;
-        const char *name = view->names[point->row];
-        const struct label label = label_at(point, name, labels, x, y, &to_left);
-        char *quoted = figure_quoted(name);
-        g_string_append_printf(axes, "set label %s %s noenhanced offset %s,0 at ", quoted,
-                               to_left ? "right" : "left", to_left ? "-0.9" : "0.9");
-        add_point(axes, point->x, value_at(y, label.low), ",", "\n");
-        g_free(quoted);
-        g_array_append_val(labels, label);
-    }
-    g_array_unref(labels);
+    static const double steps[] = {1, 2, 5};
+    const double decades = log10(axis->high / axis->low);
+    const int every = (int)ceil(decades / 8);
+    bool first = true;
+    g_string_append_printf(axes, "set %ctics (", name);
+    for (int power = (int)floor(log10(axis->low)); power <= (int)log10(axis->high) + 1; power++)
+        for (unsigned i = 0; i < (decades < 3 ? G_N_ELEMENTS(steps) : 1); i++) {
+            const double value = steps[i] * pow(10, power);
+            if (value < axis->low || value > axis->high || power % every != 0)
+                continue;
+            g_string_append(axes, first ? "'" : ", '");
+            add_tic(axes, steps[i], power);
+            g_string_append(axes, "' ");
+            add_number(axes, "%.9g", value);
+            first = false;
+        }
+    g_string_append(axes, ")\n");
 }
 
 static void add_range(GString *axes, char name, const struct axis *range)
 {
     g_string_append_printf(axes, "set %crange [", name);
-    add_point(axes, range->low, range->high, ":", "]\n");
-    if (range->logarithmic)
-        g_string_append_printf(axes, "set logscale %c\nset format %c '%%.0e'\n", name, name);
+    add_number(axes, "%.9g", range->low);
+    g_string_append_c(axes, ':');
+    add_number(axes, "%.9g", range->high);
+    g_string_append(axes, "]\n");
+    if (!range->logarithmic)
+        return;
+    g_string_append_printf(axes, "set logscale %c\n", name);
+    add_tics(axes, name, range);
+}
+
+/* -------------------------------------------------------------------- labels */
+
+static bool same_place(const struct label_place *one, const struct label_place *other)
+{
+    return fabs(one->x - other->x) < 0.5 * frame.mark && fabs(one->y - other->y) < 0.5 * frame.mark;
+}
+
+/* The name on the front; else the numbers of all points of the place, at the first of them. */
+static char *label_text(const struct comparison_view *view, const GArray *points,
+                        const struct label_place *labels, unsigned own)
+{
+    const struct point *point = &g_array_index(points, struct point, own);
+    if (point->front)
+        return g_strdup(view->names[point->row]);
+    GString *text = g_string_new(NULL);
+    unsigned count = 0;
+    for (unsigned i = 0; i < points->len; i++) {
+        const struct point *other = &g_array_index(points, struct point, i);
+        if (other->front || !same_place(&labels[i], &labels[own]))
+            continue;
+        if (i < own) {
+            g_string_truncate(text, 0);
+            return g_string_free(text, FALSE);
+        }
+        if (count++ < NUMBERS_SHOWN)
+            g_string_append_printf(text, "%s%zu", count > 1 ? "," : "", other->row + 1);
+    }
+    if (count > NUMBERS_SHOWN)
+        g_string_append_printf(text, " +%u", count - NUMBERS_SHOWN);
+    return g_string_free(text, FALSE);
+}
+
+static void add_label(GString *axes, const char *text, const struct label_place *label, bool front)
+{
+    char *quoted = figure_quoted(text);
+    g_string_append_printf(axes, "set label %s left noenhanced font ',%d' at graph ", quoted,
+                           front ? 12 : 10);
+    add_number(axes, "%.5f", label->left / frame.width);
+    g_string_append(axes, ", graph ");
+    add_number(axes, "%.5f", (label->low + 0.5 * label->height) / frame.height);
+    g_string_append_c(axes, '\n');
+    g_free(quoted);
+}
+
+static void add_labels(GString *axes, const struct comparison_view *view, const GArray *points,
+                       const struct axis *x, const struct axis *y)
+{
+    struct label_place *labels = g_new0(struct label_place, points->len + 1);
+    GPtrArray *texts = g_ptr_array_new_with_free_func(g_free);
+    for (unsigned i = 0; i < points->len; i++) {
+        const struct point *point = &g_array_index(points, struct point, i);
+        labels[i].x = frame.width * place_on(x, point->x);
+        labels[i].y = frame.height * place_on(y, point->y);
+    }
+    for (unsigned i = 0; i < points->len; i++) {
+        char *text = label_text(view, points, labels, i);
+        g_ptr_array_add(texts, text);
+        const bool front = g_array_index(points, struct point, i).front;
+        labels[i].width = (double)strlen(text) * (front ? NAME_LETTER : NUMBER_LETTER);
+        labels[i].height = LINE;
+    }
+    label_places_find(labels, points->len, &frame);
+    for (unsigned i = 0; i < points->len; i++)
+        if (labels[i].placed)
+            add_label(axes, texts->pdata[i], &labels[i],
+                      g_array_index(points, struct point, i).front);
+    g_ptr_array_unref(texts);
+    g_free(labels);
+}
+
+static bool is_drawn(const GArray *points, bool order, unsigned place)
+{
+    for (unsigned i = 0; i < points->len; i++) {
+        const struct point *point = &g_array_index(points, struct point, i);
+        if ((order ? point->order : point->shape) == place)
+            return true;
+    }
+    return false;
+}
+
+/* Names of the parts of a kind that are drawn, and their places, which have a colour or mark. */
+static void add_names(GString *axes, const struct comparison_view *view, const GArray *points,
+                      const char *kind)
+{
+    const json_t *parts = json_object_get(view->declared, "parts");
+    const bool order = strcmp(kind, "order") == 0;
+    GString *places = g_string_new(NULL);
+    unsigned place = 0;
+    g_string_append_printf(axes, "%ss = '", kind);
+    for (size_t i = 0; i < json_array_size(parts); i++) {
+        const json_t *part = json_array_get(parts, i);
+        if (strcmp(record_text(part, "kind"), kind) != 0 || !is_drawn(points, order, ++place))
+            continue;
+        g_string_append_printf(axes, "%s ", record_text(part, "part"));
+        g_string_append_printf(places, "%u ", place);
+    }
+    g_string_append_printf(axes, "'\n%s_places = '%s'\n", kind, places->str);
+    g_string_free(places, TRUE);
 }
 
 char *comparison_plot_data(const struct comparison_view *view, size_t x, size_t y, GString *axes)
@@ -171,17 +262,17 @@ char *comparison_plot_data(const struct comparison_view *view, size_t x, size_t 
     g_array_sort(points, compare_points);
     if (points->len >= 2) {
         const struct axis across = axis_of(points, false), up = axis_of(points, true);
-        for (int front = 0; front < 2; front++) {
-            for (unsigned i = 0; i < points->len; i++) {
-                const struct point *point = &g_array_index(points, struct point, i);
-                if (front == 1 && !point->front)
-                    continue;
-                add_point(data, point->x, point->y, " ", "\n");
-            }
-            g_string_append(data, "\n\n");
+        for (unsigned i = 0; i < points->len; i++) {
+            const struct point *point = &g_array_index(points, struct point, i);
+            add_number(data, "%.9g", point->x);
+            g_string_append_c(data, ' ');
+            add_number(data, "%.9g", point->y);
+            g_string_append_printf(data, " %u %u %d\n", point->order, point->shape, point->front);
         }
         add_range(axes, 'x', &across);
         add_range(axes, 'y', &up);
+        add_names(axes, view, points, "order");
+        add_names(axes, view, points, "shape");
         add_labels(axes, view, points, &across, &up);
     }
     g_array_unref(points);
@@ -236,8 +327,9 @@ static struct figure_result draw(const struct comparison_view *view, const json_
                         quoted_style, quoted_stamp, across, up);
     const struct figure_result result = figure_plot(&(struct figure_plot){
         home, script, settings, "figure-comparison.svg", record_text(view->declared, "title"),
-        "Every variant as a point; the front, which no other variant beats in both, is joined and "
-        "labelled."});
+        "Every variant that counts as a point, numbered as in the table; those on the front are "
+        "filled "
+        "and named."});
     g_free(settings);
     g_free(up);
     g_free(across);

@@ -56,6 +56,10 @@ static struct comparison_column column_of(const json_t *declared)
         .better = better_find(record_text(declared, "better")),
         .tolerance = number_or_zero(declared, "tolerance"),
         .floor = number_or_zero(declared, "floor"),
+        .limited = isfinite(record_number(declared, "limit")),
+        .limit = record_number(declared, "limit"),
+        .beyond = record_text(declared, "beyond"),
+        .missing = record_text(declared, "missing"),
     };
 }
 
@@ -218,4 +222,40 @@ size_t comparison_view_column(const struct comparison_view *view, const char *qu
         if (strcmp(record_text(json_array_get(columns, column), "quantity"), quantity) == 0)
             return column;
     return COMPARISON_NONE;
+}
+
+size_t comparison_view_main(const struct comparison_view *view)
+{
+    const size_t column = comparison_view_column(view, record_text(view->declared, "main"));
+    return column == COMPARISON_NONE && view->table.column_count > 0 ? 0 : column;
+}
+
+size_t comparison_view_cost(const struct comparison_view *view)
+{
+    const char *declared = record_text(view->declared, "cost");
+    const size_t column = comparison_view_column(
+        view, *declared == '\0' ? record_text(view->declared, "pareto_x") : declared);
+    return column == comparison_view_main(view) ? COMPARISON_NONE : column;
+}
+
+bool comparison_view_has_part(const char *variant, const json_t *part)
+{
+    char **names = g_strsplit(variant, "_", -1);
+    bool found = false;
+    for (char **name = names; !found && *name != NULL; name++)
+        found = glob_matches(record_text(part, "part"), *name);
+    g_strfreev(names);
+    return found;
+}
+
+const json_t *comparison_view_part(const struct comparison_view *view, const char *variant,
+                                   const char *kind)
+{
+    const json_t *parts = json_object_get(view->declared, "parts");
+    for (size_t i = 0; i < json_array_size(parts); i++) {
+        const json_t *part = json_array_get(parts, i);
+        if (strcmp(record_text(part, "kind"), kind) == 0 && comparison_view_has_part(variant, part))
+            return part;
+    }
+    return NULL;
 }

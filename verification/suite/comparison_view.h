@@ -30,4 +30,20 @@ const json_t *comparison_declared(const json_t *entry);
 /* Place of the column of a quantity; COMPARISON_NONE if there is none. */
 size_t comparison_view_column(const struct comparison_view *view, const char *quantity);
 
+/* The column that decides which variant to use, and that of costs; COMPARISON_NONE if there is
+ * none. */
+size_t comparison_view_main(const struct comparison_view *view);
+size_t comparison_view_cost(const struct comparison_view *view);
+
+/* Whether a part of the variant's name is that one, an object of the comparison's parts. */
+bool comparison_view_has_part(const char *variant, const json_t *part);
+
+/* What a part of the variant's name of that kind means, as methods.yaml had it; NULL if its name
+ * has none. */
+const json_t *comparison_view_part(const struct comparison_view *view, const char *variant,
+                                   const char *kind);
+
+/* Appends the table, the CSV's link, what the columns and the parts of names mean. */
+void comparison_table_html(GString *html, const struct comparison_view *view);
+
 #endif

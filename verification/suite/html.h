@@ -25,6 +25,11 @@ void html_counts(GString *html, const struct record_counts *counts);
 /* The status of a case: the worst that occurs; known weaknesses beside it. */
 void html_case_status(GString *html, const struct record_counts *counts);
 
+/* What the pages of comparisons say together: a link and the advice of each, and a table of all
+ * their variants by the number that decides; nothing if no case declares one. */
+void html_comparisons(GString *html, const struct records *records,
+                      const struct report_style *style);
+
 /* The template of `style` with its places filled; takes all three strings over. */
 char *html_fill(const struct report_style *style, const char *title, GString *navigation,
                 GString *content, GString *footer);

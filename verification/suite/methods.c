@@ -20,8 +20,14 @@ static const cyaml_schema_field_t method_fields[] = {
     YAML_LIST("settings", method, settings, &yaml_text_schema, 1), CYAML_FIELD_END};
 static const cyaml_schema_value_t method_schema = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct method, method_fields)};
+static const cyaml_schema_field_t part_fields[] = {
+    YAML_TEXT("part", method_part, name), YAML_TEXT("kind", method_part, kind),
+    YAML_TEXT("title", method_part, title), CYAML_FIELD_END};
+static const cyaml_schema_value_t part_schema = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct method_part, part_fields)};
 static const cyaml_schema_field_t table_fields[] = {
     CYAML_FIELD_INT("format", CYAML_FLAG_DEFAULT, struct method_table, format),
+    YAML_LIST("parts", method_table, parts, &part_schema, 0),
     YAML_LIST("methods", method_table, methods, &method_schema, 1), CYAML_FIELD_END};
 static const cyaml_schema_value_t table_schema = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, struct method_table, table_fields)};
@@ -32,6 +38,25 @@ static bool same_settings(const struct method *one, const struct method *other)
     for (unsigned i = 0; same && i < one->settings_count; i++)
         same = strcmp(one->settings[i], other->settings[i]) == 0;
     return same;
+}
+
+/* The reader of a report looks every part of a name up. */
+static enum mpm_status check_parts(const char *path, const struct method_table *table,
+                                   const struct method *method, const char *place,
+                                   struct mpm_error *error)
+{
+    char **parts = g_strsplit(method->name, "_", -1);
+    enum mpm_status status = MPM_OK;
+    for (char **part = parts; status == MPM_OK && table->parts_count > 0 && *part != NULL; part++) {
+        bool known = false;
+        for (unsigned i = 0; !known && i < table->parts_count; i++)
+            known = glob_matches(table->parts[i].name, *part);
+        if (!known)
+            status = yaml_refuse(path, error, place, "name \"%s\": parts does not explain \"%s\"",
+                                 method->name, *part);
+    }
+    g_strfreev(parts);
+    return status;
 }
 
 static enum mpm_status check_method(const char *path, const struct method_table *table,
@@ -46,6 +71,7 @@ static enum mpm_status check_method(const char *path, const struct method_table 
         if (strchr(method->settings[i], '=') == NULL)
             return yaml_refuse(path, error, place, "setting \"%s\": allowed is PATH=VALUE",
                                method->settings[i]);
+    TRY(check_parts(path, table, method, place, error));
     for (unsigned i = 0; i < index; i++) {
         if (strcmp(method->name, table->methods[i].name) == 0)
             return yaml_refuse(path, error, place, "name \"%s\" is taken by another method",

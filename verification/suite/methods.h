@@ -13,8 +13,17 @@ struct method {
     unsigned settings_count;
 };
 
+/* A part of methods' names, between underscores. */
+struct method_part {
+    char *name; /* '?' stands for a digit */
+    char *kind; /* shape, order, ... */
+    char *title;
+};
+
 struct method_table {
     int format;
+    struct method_part *parts; /* none, or one for each part of each name */
+    unsigned parts_count;
     struct method *methods;
     unsigned methods_count;
 };

@@ -347,6 +347,8 @@ static void report_mode(struct measurement *m, const struct mode *mode, unsigned
     report(m, "decay_size", number, several, 100.0 * fabs(fit->decay) * period);
     report(m, "energy_change", number, several,
            100.0 * fabs(outcome->energy_last / outcome->energy_first - 1.0));
+    report(m, "energy_lost", number, several,
+           100.0 * (1.0 - outcome->energy_last / outcome->energy_first));
     measurement_note(m,
                      "mode %u: frequency %.8g, exact %.8g, %+.4f %% with %.2g %% of the fit; "
                      "amplitude %+.3g %% a period; the fit leaves %.2g",

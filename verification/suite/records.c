@@ -73,6 +73,12 @@ json_t *record_check(const struct planned_job *job, const struct case_check *che
     return object;
 }
 
+static void add_text(json_t *object, const char *key, const char *text)
+{
+    if (text != NULL)
+        json_object_set_new(object, key, record_text_of(text));
+}
+
 /* -------------------------------------------------------------------- variants */
 
 static const char *outcome_word(const struct job_result *result)
@@ -127,6 +133,22 @@ static void add_rows(json_t *object, const char *text)
     json_object_set_new(object, "particle_steps", json_integer((json_int_t)work));
 }
 
+/* Title and group; a variant that has none but the name of a method has the method's. */
+static void add_description(json_t *object, const struct planned_job *job)
+{
+    const struct case_variant *variant = job->variant;
+    const struct method_table *table = job->entry->methods;
+    const struct method *method = variant->method;
+    for (unsigned i = 0; method == NULL && table != NULL && i < table->methods_count; i++)
+        if (strcmp(table->methods[i].name, variant->name) == 0)
+            method = &table->methods[i];
+    add_text(object, "group", method == NULL ? NULL : method->group);
+    add_text(object, "title",
+             variant->title != NULL ? variant->title
+             : method != NULL       ? method->title
+                                    : NULL);
+}
+
 static json_t *variant_record(const struct planned_job *job, const struct job_result *result,
                               const char *output)
 {
@@ -135,10 +157,7 @@ static json_t *variant_record(const struct planned_job *job, const struct job_re
     char *tail = log_tail(output, job);
     json_object_set_new(object, "variant", record_text_of(variant->name));
     json_object_set_new(object, "tier", json_string(tier_name(variant->tier)));
-    if (variant->method != NULL) {
-        json_object_set_new(object, "group", record_text_of(variant->method->group));
-        json_object_set_new(object, "title", record_text_of(variant->method->title));
-    }
+    add_description(object, job);
     json_object_set_new(object, "settings", texts_of(variant->settings, variant->settings_count));
     json_object_set_new(object, "outcome", json_string(outcome_word(result)));
     json_object_set_new(object, "seconds", json_real(result->seconds));
@@ -171,10 +190,13 @@ static json_t *column_record(const struct case_column *column)
     json_object_set_new(object, "better", json_string(better_name(column->better)));
     json_object_set_new(object, "tolerance", json_real(column->tolerance));
     json_object_set_new(object, "floor", json_real(column->floor));
-    if (column->where != NULL)
-        json_object_set_new(object, "where", record_text_of(column->where));
-    if (column->case_name != NULL)
-        json_object_set_new(object, "case", record_text_of(column->case_name));
+    if (column->limit_text != NULL)
+        json_object_set_new(object, "limit", json_real(column->limit));
+    add_text(object, "beyond", column->beyond);
+    add_text(object, "missing", column->missing);
+    add_text(object, "about", column->about);
+    add_text(object, "where", column->where);
+    add_text(object, "case", column->case_name);
     return object;
 }
 
@@ -193,7 +215,26 @@ static json_t *comparison_record(const struct case_comparison *comparison)
         json_object_set_new(object, "pareto_x", record_text_of(comparison->pareto->x));
         json_object_set_new(object, "pareto_y", record_text_of(comparison->pareto->y));
     }
+    add_text(object, "main", comparison->main);
+    add_text(object, "cost", comparison->cost);
+    add_text(object, "setup", comparison->setup);
+    add_text(object, "figure", comparison->figure);
+    json_object_set_new(object, "notes", texts_of(comparison->notes, comparison->notes_count));
     return object;
+}
+
+/* What the parts of methods' names mean. */
+static json_t *parts_record(const struct method_table *table)
+{
+    json_t *parts = json_array();
+    for (unsigned i = 0; table != NULL && i < table->parts_count; i++) {
+        json_t *part = json_object();
+        json_object_set_new(part, "part", record_text_of(table->parts[i].name));
+        json_object_set_new(part, "kind", record_text_of(table->parts[i].kind));
+        json_object_set_new(part, "title", record_text_of(table->parts[i].title));
+        json_array_append_new(parts, part);
+    }
+    return parts;
 }
 
 static json_t *case_record(const struct catalogue_case *entry)
@@ -210,8 +251,11 @@ static json_t *case_record(const struct catalogue_case *entry)
     for (unsigned i = 0; i < file->figures_count; i++)
         json_array_append_new(figures, figure_record(&file->figures[i]));
     json_object_set_new(object, "figures", figures);
-    if (file->comparison != NULL)
-        json_object_set_new(object, "comparison", comparison_record(file->comparison));
+    if (file->comparison != NULL) {
+        json_t *comparison = comparison_record(file->comparison);
+        json_object_set_new(comparison, "parts", parts_record(entry->methods));
+        json_object_set_new(object, "comparison", comparison);
+    }
     json_object_set_new(object, "variants", json_array());
     return object;
 }

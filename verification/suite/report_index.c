@@ -128,27 +128,6 @@ static void add_cases(GString *html, const struct records *records)
     g_string_append(html, "</tbody>\n</table></div>\n");
 }
 
-static void add_comparisons(GString *html, const struct records *records)
-{
-    const json_t *cases = json_object_get(records->run, "cases");
-    bool any = false;
-    for (size_t i = 0; i < json_array_size(cases); i++) {
-        const json_t *entry = json_array_get(cases, i);
-        const json_t *declared = json_object_get(entry, "comparison");
-        if (!json_is_object(declared))
-            continue;
-        if (!any)
-            g_string_append(html, "<h2 id=\"comparisons\">Methods compared</h2>\n<p>One page for "
-                                  "each problem: every variant in a row, where it loses, and "
-                                  "which to use for what.</p>\n<ul>\n");
-        any = true;
-        text_markup(html, "<li><a href=\"cases/%s/comparison.html\">%s: %s</a></li>\n",
-                    record_text(entry, "case"), record_text(entry, "case"),
-                    record_text(declared, "title"));
-    }
-    g_string_append(html, any ? "</ul>\n" : "");
-}
-
 static int compare_margins(const void *a, const void *b)
 {
     const json_t *one = *(json_t *const *)a, *other = *(json_t *const *)b;
@@ -191,7 +170,7 @@ char *report_index(const struct records *records, const struct report_style *sty
     add_verdict(html, records, &counts);
     if (counts.failed > 0)
         add_failures(html, records);
-    add_comparisons(html, records);
+    html_comparisons(html, records, style);
     add_cases(html, records);
     add_closest(html, records);
     char *verdict = text_verdict(&counts);

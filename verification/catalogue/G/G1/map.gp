@@ -22,5 +22,5 @@ set cblabel 'largest stable Courant number'
 set style fill solid 1 noborder
 file(i) = data.'/data-'.word(variants, i).'-limits.dat'
 plot for [i=1:n] file(i) using 1:(i):(0.48):(0.46):3 with boxxyerror lc palette, \
-     for [i=1:n] file(i) using 1:(i):(sprintf('%.2f', $3)):($3 < 0.5 || $3 > 1.62 ? 0xffffff : 0) \
+     for [i=1:n] file(i) using 1:(i):(sprintf('%.2f', $3)):($3 < 0.5 || $3 > 1.62 ? 0xffffff : 0x101010) \
          with labels font ',12' tc rgb variable
