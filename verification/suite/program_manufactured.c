@@ -24,9 +24,9 @@
 #include "verification/suite/levels.h"
 #include "verification/suite/manufactured_level.h"
 
+#include <assert.h>
 #include <glib.h>
 #include <math.h>
-#include <stdio.h>
 
 enum { COLUMNS = 2 + 3 * MANUFACTURED_QUANTITIES };
 
@@ -186,9 +186,10 @@ static void relative_errors(const struct study *study, unsigned quantity, double
 static void report_quantity(struct measurement *m, const struct study *study, unsigned quantity)
 {
     const char *const suffix = manufactured_suffix[quantity];
+    assert(study->levels >= 1 && study->levels <= LEVELS_MAX); /* read_study */
     const unsigned last = study->levels - 1;
     const struct error_norms *const norms = &study->outcome[last].norms[quantity];
-    double errors[LEVELS_MAX], largest[LEVELS_MAX];
+    double errors[LEVELS_MAX] = {0}, largest[LEVELS_MAX] = {0};
     relative_errors(study, quantity, errors);
     for (unsigned k = 0; k < study->levels; k++)
         largest[k] = study->outcome[k].norms[quantity].linf;
@@ -239,7 +240,7 @@ static enum mpm_status write_levels(struct measurement *m, const struct study *s
 
 static void note_quantity(struct measurement *m, const struct study *study, unsigned quantity)
 {
-    double errors[LEVELS_MAX];
+    double errors[LEVELS_MAX] = {0};
     relative_errors(study, quantity, errors);
     GString *const text = g_string_new(NULL);
     for (unsigned k = 0; k < study->levels; k++)

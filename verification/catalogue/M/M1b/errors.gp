@@ -11,8 +11,8 @@ set xtics ('1/64' 1.0/64, '1/32' 1.0/32, '1/16' 1.0/16, '1/8' 1.0/8)
 set format y '10^{%T}'
 set key bottom right font ',12'
 file(v) = data.'/data-'.v.'-levels.dat'
-names = 'cpdi_usl_oneterm cpdi_usl cpdi_usavg ugimp_usl ugimp_usavg bspline2_usl bspline3_usl'
-titles = '"CPDI, USL, one term of dF" "CPDI, USL" "CPDI, USAVG" "uGIMP, USL" "uGIMP, USAVG" "quadratic splines, USL" "cubic splines, USL"'
+names = 'cpdi_usl_oneterm cpdi_usl cpdi_usavg ugimp_usl ugimp_usavg bspline3_usl'
+titles = '"CPDI, USL, one term of dF" "CPDI, USL" "CPDI, USAVG" "uGIMP, USL" "uGIMP, USAVG" "cubic splines, USL"'
 first = 0.125
 at = 0.08
 plot at*(x/first)**2 with lines ls 8 title 'slope 2', at*(x/first) with lines ls 8 dt 2 title 'slope 1', \
