@@ -9,7 +9,7 @@ set xrange [0.012:0.16]
 set yrange [5e-4:0.6]
 set xtics ('1/64' 1.0/64, '1/32' 1.0/32, '1/16' 1.0/16, '1/8' 1.0/8)
 set format y '10^{%T}'
-set key bottom right font ',12'
+set key outside right center font ',11' samplen 2.5
 file(v) = data.'/data-'.v.'-levels.dat'
 names = 'classic_usl ugimp_usl cpdi_usl bspline2_usl bspline3_usl'
 titles = 'classic uGIMP CPDI "quadratic splines" "cubic splines"'
