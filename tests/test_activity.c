@@ -17,7 +17,7 @@ enum { AXES = 2 };
 START_TEST(every_field_has_all_terms_at_its_own_end)
 {
     struct manufactured_problem problem;
-    struct mpm_error error;
+    struct mpm_error error = {.message = ""};
     if (!test_problem_at(_i, &problem))
         return;
     struct manufactured_activity activity;

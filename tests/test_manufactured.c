@@ -190,7 +190,7 @@ END_TEST
 START_TEST(small_amplitudes_are_hookes_law)
 {
     struct manufactured_problem problem;
-    struct mpm_error error;
+    struct mpm_error error = {.message = ""};
     if (!test_problem_at(_i, &problem))
         return;
     const double amplitude = 1e-7;
@@ -241,7 +241,7 @@ START_TEST(the_rings_faces_are_left_with_a_traction_that_falls_with_the_amplitud
 {
     struct manufactured_problem problem =
         test_problem("expanding_ring", "neo_hookean", MPM_PLANE_STRAIN);
-    struct mpm_error error;
+    struct mpm_error error = {.message = ""};
     double traction[3];
     for (int k = 0; k < 3; k++) {
         struct manufactured_edges_left left;

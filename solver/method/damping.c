@@ -243,7 +243,7 @@ static inline void spare_work(struct mpm_state *state, int64_t index, int worker
         double b[2] = {state->uniform_force[0], state->uniform_force[1]};
         if (varying && !mpm_particle_body_force(state, p, worker, strip, b))
             continue;
-        for (int axis = 0; given[axis] != NULL && axis < 2; axis++)
+        for (int axis = 0; axis < 2 && given[axis] != NULL; axis++)
             b[axis] += given[axis][p];
         strip->external_work -=
             half * particles->mass[p] *

@@ -22,7 +22,7 @@ bool test_problem_at(int index, struct manufactured_problem *problem)
 {
     const struct manufactured_field *const field = manufactured_at((size_t)(index % TEST_FIELDS));
     const int law = index / TEST_FIELDS % TEST_LAWS, geometry = index / TEST_FIELDS / TEST_LAWS;
-    struct mpm_error error;
+    struct mpm_error error = {.message = ""};
     const enum mpm_status status = open_problem(manufactured_name(field), test_laws[law],
                                                 geometries[geometry], problem, &error);
     ck_assert_msg(status == MPM_OK || strstr(error.message, "fills an annulus") != NULL, "%s",
@@ -34,7 +34,7 @@ struct manufactured_problem test_problem(const char *field, const char *law,
                                          enum mpm_geometry geometry)
 {
     struct manufactured_problem problem;
-    struct mpm_error error;
+    struct mpm_error error = {.message = ""};
     const enum mpm_status status = open_problem(field, law, geometry, &problem, &error);
     ck_assert_msg(status == MPM_OK, "%s", error.message);
     return problem;

@@ -97,7 +97,7 @@ static void evaluate_load(void *load, double time, size_t count, const uint32_t 
     given->problem->field->swing(given->problem, jet_time(time), swings);
     for (size_t first = 0; first < count; first += LANES) {
         const size_t lanes_used = count - first < LANES ? count - first : LANES;
-        struct group group;
+        struct group group = {.place = {lanes_splat(0.0), lanes_splat(0.0)}};
         lanes b[AXES];
         for (size_t k = 0; k < LANES; k++) { /* those left over are the first one again */
             const size_t particle = id[first + (k < lanes_used ? k : 0)];
