@@ -229,7 +229,7 @@ verify-full: all ## the catalogue at full size
 
 # --------------------------------------------------------------- benchmarks
 .PHONY: bench
-bench: all ## speed, memory, scaling, error against run time (about 8 min); build/reports/bench
+bench: all ## speed, memory, scaling, error against run time (about 9 min); build/reports/bench
 	$(BUILD)/bin/mpm-bench run --output build/reports/bench
 
 # ------------------------------------------------------------------- checks

@@ -33,7 +33,7 @@ static const char usage[] =
     "                                  --update stores the figures instead\n"
     "  help, --help, --version\n"
     "\n"
-    "--tier is standard unless given: all groups take about 6 minutes on two processors, and "
+    "--tier is standard unless given: all groups take about 9 minutes on two processors, and "
     "under\n"
     "10.\n"
     "--output is build/reports/bench in the repository and bench-report elsewhere.\n"
