@@ -209,37 +209,15 @@ static const char *const kernels_pair_settings[2][3] = {
     {"method.transfer={kind: flip, fraction: 0.9}", NULL, NULL},
 };
 
-static struct kernel_pair open_pair(const char *text, const struct kernel_side sides[2])
-{
-    char *folder = test_folder_create();
-    char *path = test_folder_write(folder, "scene.yaml", text);
-    struct kernel_pair pair;
-    struct mpm_error error = {.message = ""};
-    const enum mpm_status status = kernel_pair_open(path, sides, &pair, &error);
-    ck_assert_msg(status == MPM_OK, "%s", error.message);
-    test_folder_remove(folder);
-    g_free(path);
-    return pair;
-}
-
-static void assert_alike(struct kernel_pair *pair, int steps)
-{
-    for (int step = 0; step < steps; step++)
-        ck_assert_msg(kernel_pair_step(pair), "%s", pair->error[0].message);
-    char *text = kernel_pair_text(pair);
-    ck_assert_msg(kernel_pair_worst(pair) <= KERNEL_PAIR_BOUND, "%s", text);
-    g_free(text);
-    kernel_pair_close(pair);
-}
-
 START_TEST(pic_damping_is_a_flip_fraction)
 {
     const struct mpm_simulation_options options = {
         .threads = 1, .kernels = _i == 0 ? MPM_KERNELS_REFERENCE : MPM_KERNELS_FAST};
     const struct kernel_side sides[2] = {{kernels_pair_settings[0], options},
                                          {kernels_pair_settings[1], options}};
-    struct kernel_pair pair = open_pair(BLOCK, sides);
-    assert_alike(&pair, KERNEL_PAIR_STEPS);
+    struct kernel_pair pair = kernel_pair_open_text(BLOCK, sides);
+    kernel_pair_assert_alike(&pair, KERNEL_PAIR_STEPS);
+    kernel_pair_close(&pair);
 }
 END_TEST
 
@@ -295,9 +273,10 @@ START_TEST(fast_and_reference_kernels_damp_alike)
     const struct kernel_side sides[2] = {
         {settings, {.threads = 1, .kernels = MPM_KERNELS_REFERENCE}},
         {settings, {.threads = 1, .kernels = MPM_KERNELS_FAST}}};
-    struct kernel_pair pair = open_pair(BLOCK, sides);
+    struct kernel_pair pair = kernel_pair_open_text(BLOCK, sides);
     const bool amplifies = _i % SHAPES == 0 && _i / SHAPES % ORDERS == 0;
-    assert_alike(&pair, amplifies ? 10 : KERNEL_PAIR_STEPS);
+    kernel_pair_assert_alike(&pair, amplifies ? 10 : KERNEL_PAIR_STEPS);
+    kernel_pair_close(&pair);
     g_free(order);
     g_free(shape);
 }
@@ -307,39 +286,27 @@ END_TEST
 START_TEST(any_number_of_threads_gives_the_same_bits_with_damping)
 {
     const char *const settings[] = {
-        "grid.cells=[70, 70]",
-        "bodies.block.region.rectangle={from: [3, 3.2], to: [63, 51.2]}",
+        TEST_BLOCK_FOR_THREADS,
         "time={end: 1000, step: 0.1, rest: {residual: 1e-3, kinetic_energy: 1e-3}}",
         "damping={grid: '0.02*x', particle: '0.1+0.002*y', pic: 0.95, thermostat: {gain: 0.1}}",
         _i == 0 ? "method={position_update: midpoint}" : "method={shape: cpdi, stress_update: usf}",
         NULL,
     };
     struct test_run one = test_run_open(BLOCK, settings, 1);
-    struct mpm_ledger ledger;
     struct mpm_rest rest;
     test_run_steps(&one, 40);
-    mpm_simulation_ledger(one.simulation, &ledger);
     (void)mpm_simulation_at_rest(one.simulation, &rest);
-    ck_assert(ledger.damping_dissipation > 0.0 && rest.residual > 0.0);
-    size_t count;
-    double *const v = velocities(&one, &count);
+    ck_assert(test_run_ledger(&one).damping_dissipation > 0.0 && rest.residual > 0.0);
     for (int threads = 2; threads <= 3; threads++) {
         struct test_run more = test_run_open(BLOCK, settings, threads);
         test_run_steps(&more, 40);
-        struct mpm_ledger other;
         struct mpm_rest other_rest;
-        mpm_simulation_ledger(more.simulation, &other);
         (void)mpm_simulation_at_rest(more.simulation, &other_rest);
-        ck_assert(ledger.damping_dissipation == other.damping_dissipation);
-        ck_assert(ledger.external_work == other.external_work);
         ck_assert(rest.residual == other_rest.residual);
         ck_assert(rest.kinetic_energy == other_rest.kinetic_energy);
-        double *const w = velocities(&more, NULL);
-        ck_assert_int_eq(memcmp(v, w, 2 * count * sizeof *v), 0);
-        free(w);
+        ck_assert(test_run_same_bits(&one, &more));
         test_run_close(&more);
     }
-    free(v);
     test_run_close(&one);
 }
 END_TEST

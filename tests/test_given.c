@@ -2,7 +2,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
-#include "support/folder.h"
 #include "support/kernel_pair.h"
 #include "support/near.h"
 #include "support/scenes.h"
@@ -33,13 +32,6 @@ static const double WAVE_SPEED = 1.5;
 
 /* Sums of 80 particles' products, each rounded a few times: 1e3 eps/2 of the largest. */
 static const double ROUND_OFF = 1e-13;
-
-static double external_work(const struct mpm_simulation *simulation)
-{
-    struct mpm_ledger ledger;
-    mpm_simulation_ledger(simulation, &ledger);
-    return ledger.external_work;
-}
 
 /* --------------------------------------------------------------- body force */
 
@@ -88,16 +80,10 @@ static struct kernel_pair open_pair(const char *settings[], enum mpm_kernels ker
     for (size_t k = 0; settings[k] != NULL; k++)
         own[k + 1] = settings[k];
     const struct kernel_side sides[2] = {{own, options}, {settings, options}};
-    char *folder = test_folder_create();
-    char *path = test_folder_write(folder, "scene.yaml", BLOCK);
-    struct kernel_pair pair;
     struct mpm_error error = {.message = ""};
-    enum mpm_status status = kernel_pair_open(path, sides, &pair, &error);
-    ck_assert_msg(status == MPM_OK, "%s", error.message);
-    status = mpm_simulation_set_body_force(pair.simulation[1], &UNIFORM, &error);
-    ck_assert_msg(status == MPM_OK, "%s", error.message);
-    test_folder_remove(folder);
-    g_free(path);
+    const struct kernel_pair pair = kernel_pair_open_text(BLOCK, sides);
+    ck_assert_msg(mpm_simulation_set_body_force(pair.simulation[1], &UNIFORM, &error) == MPM_OK,
+                  "%s", error.message);
     return pair;
 }
 
@@ -105,18 +91,10 @@ static struct kernel_pair open_pair(const char *settings[], enum mpm_kernels ker
  * the wave speed, forces in parts of the stiffness, 2.25, times the length of 5 that is held. */
 static void check_pair(struct kernel_pair *pair, int steps)
 {
-    for (int step = steps; step > 0; step--)
-        ck_assert_msg(kernel_pair_step(pair), "%s", pair->error[0].message);
-    char *text = kernel_pair_text(pair);
-    ck_assert_msg(kernel_pair_worst(pair) <= KERNEL_PAIR_BOUND, "%s", text);
-    g_free(text);
+    kernel_pair_assert_alike(pair, steps);
     struct mpm_ledger ledger;
     mpm_simulation_ledger(pair->simulation[0], &ledger);
-    const double work[2] = {ledger.external_work, external_work(pair->simulation[1])};
-    const double force = 0.085 * ledger.mass + 2.25 * 5.0;
-    const double bound = KERNEL_PAIR_BOUND * force * WAVE_SPEED * ledger.time;
-    ck_assert(fabs(work[0]) > 1e3 * bound);
-    ck_assert_near(work[1], work[0], bound);
+    kernel_pair_assert_same_work(pair, 0.085 * ledger.mass + 2.25 * 5.0, WAVE_SPEED);
     kernel_pair_close(pair);
 }
 
@@ -178,8 +156,7 @@ START_TEST(a_free_block_gains_the_momentum_that_its_particles_are_given)
         expected[0] += mass[k] * (b[0] + own[_i]);
         expected[1] += mass[k] * b[1];
     }
-    struct mpm_ledger ledger;
-    mpm_simulation_ledger(run.simulation, &ledger);
+    const struct mpm_ledger ledger = test_run_ledger(&run);
     for (int axis = 0; axis < AXES; axis++)
         ck_assert_near(ledger.momentum[axis], expected[axis] * ledger.time, ROUND_OFF);
     /* from rest, in one step: force . v dt/2 = (force dt)^2 / 2 m of the nodes, not less than what
@@ -190,35 +167,20 @@ START_TEST(a_free_block_gains_the_momentum_that_its_particles_are_given)
 }
 END_TEST
 
+static void give_own_force(struct test_run *run)
+{
+    ck_assert_int_eq(mpm_simulation_set_body_force(run->simulation, &OWN, NULL), MPM_OK);
+}
+
 START_TEST(any_number_of_threads_gives_the_same_bits_under_a_callers_force)
 {
-    static const enum mpm_field fields[] = {MPM_FIELD_POSITION, MPM_FIELD_VELOCITY};
     const char *const settings[] = {
-        "grid.cells=[70, 70]",
-        "bodies.block.region.rectangle={from: [3, 3.2], to: [63, 51.2]}",
+        TEST_BLOCK_FOR_THREADS,
         _i == 0 ? "method.stress_update=usl" : "method.stress_update=usavg",
         _i == 0 ? "method.shape=ugimp" : "method.shape=cpdi",
         NULL,
     };
-    struct test_run one = test_run_open(BLOCK, settings, 1);
-    ck_assert_int_eq(mpm_simulation_set_body_force(one.simulation, &OWN, NULL), MPM_OK);
-    test_run_steps(&one, 20);
-    for (int threads = 2; threads <= 3; threads++) {
-        struct test_run more = test_run_open(BLOCK, settings, threads);
-        ck_assert_int_eq(mpm_simulation_set_body_force(more.simulation, &OWN, NULL), MPM_OK);
-        test_run_steps(&more, 20);
-        ck_assert(external_work(one.simulation) == external_work(more.simulation));
-        for (size_t f = 0; f < G_N_ELEMENTS(fields); f++) {
-            size_t count;
-            double *const a = test_run_field(&one, fields[f], &count);
-            double *const b = test_run_field(&more, fields[f], NULL);
-            ck_assert_int_eq(memcmp(a, b, AXES * count * sizeof *a), 0);
-            free(a);
-            free(b);
-        }
-        test_run_close(&more);
-    }
-    test_run_close(&one);
+    test_same_bits_over_threads(BLOCK, settings, 20, give_own_force);
 }
 END_TEST
 

@@ -105,8 +105,7 @@ START_TEST(a_free_body_falls_without_strain)
         ck_assert_near(f[5 * p + 3], 1.0, round_off);
         ck_assert_near(f[5 * p + 4], 1.0, round_off);
     }
-    struct mpm_ledger ledger;
-    mpm_simulation_ledger(run.simulation, &ledger);
+    const struct mpm_ledger ledger = test_run_ledger(&run);
     ck_assert_near(ledger.external_work, ledger.kinetic_energy,
                    round_off * (1.0 + ledger.kinetic_energy));
     free(start);
@@ -303,8 +302,7 @@ START_TEST(mass_is_that_of_the_body_for_the_thickness_or_per_radian)
         const char *const settings[] = {geometry, "materials.rubber.density=1.5",
                                         axisymmetric ? "title=A ring" : "thickness=2.5", NULL};
         struct test_run run = test_run_open(BLOCK, settings, 1);
-        struct mpm_ledger ledger;
-        mpm_simulation_ledger(run.simulation, &ledger);
+        const struct mpm_ledger ledger = test_run_ledger(&run);
         /* 5 by 4; r from 3 to 8: height (b^2 - a^2) / 2 per radian */
         const double volume = axisymmetric ? 4.0 * (64.0 - 9.0) / 2.0 : 5.0 * 4.0 * THICKNESS;
         ck_assert_near(ledger.mass, DENSITY * volume, ROUND_OFF * DENSITY * volume);
@@ -420,8 +418,6 @@ static const char CLOUD[] =
 
 START_TEST(any_number_of_threads_gives_the_same_bits)
 {
-    static const enum mpm_field fields[] = {MPM_FIELD_POSITION, MPM_FIELD_VELOCITY,
-                                            MPM_FIELD_DEFORMATION_GRADIENT, MPM_FIELD_STRESS};
     struct combination c = combination_of(_i % ORDERS * SHAPES * GEOMETRIES + _i % SHAPES);
     add(&c, "geometry=%s", geometries[_i % GEOMETRIES]);
     if (strcmp(geometries[_i % GEOMETRIES], "axisymmetric") == 0) {
@@ -429,24 +425,7 @@ START_TEST(any_number_of_threads_gives_the_same_bits)
         add(&c, "boundary=[]");
         add(&c, "loads.body_force=['0.1*r*cos(t)', '-0.2*z']");
     }
-    struct test_run runs[3];
-    for (int k = 0; k < 3; k++) {
-        runs[k] = test_run_open(CLOUD, (const char *const *)c.settings, k + 1);
-        test_run_steps(&runs[k], 40);
-    }
-    for (int k = 1; k < 3; k++)
-        for (size_t f = 0; f < sizeof fields / sizeof fields[0]; f++) {
-            size_t n;
-            double *const one = test_run_field(&runs[0], fields[f], &n);
-            double *const more = test_run_field(&runs[k], fields[f], NULL);
-            const size_t size = n * mpm_field_describe(fields[f])->components * sizeof *one;
-            ck_assert_msg(memcmp(one, more, size) == 0, "%s differs with %d threads",
-                          mpm_field_describe(fields[f])->name, k + 1);
-            free(one);
-            free(more);
-        }
-    for (int k = 0; k < 3; k++)
-        test_run_close(&runs[k]);
+    test_same_bits_over_threads(CLOUD, (const char *const *)c.settings, 40, NULL);
     for (int k = 0; k < c.count; k++)
         g_free(c.settings[k]);
 }

@@ -34,13 +34,6 @@ static const double WAVE_SPEED = 1.5, LENGTH = 10.0, PI = 3.14159265358979323846
 static const double WEIGHT = 1e-6;
 #define STANDS "loads={body_force: [0, -1e-6]}"
 
-static struct mpm_ledger ledger_of(const struct test_run *run)
-{
-    struct mpm_ledger ledger;
-    mpm_simulation_ledger(run->simulation, &ledger);
-    return ledger;
-}
-
 static void run_to(struct test_run *run, double time)
 {
     struct mpm_error error = {.message = ""};
@@ -65,9 +58,9 @@ START_TEST(an_oscillation_dies_away_at_the_exact_rate)
                                     "method.stress_update=usavg",
                                     "bodies.column.velocity=[0, '0.001*sin(pi*y/20)']", NULL};
     struct test_run run = test_run_open(COLUMN, settings, 1);
-    const struct mpm_ledger start = ledger_of(&run);
+    const struct mpm_ledger start = test_run_ledger(&run);
     run_to(&run, 6.0 * half_period);
-    const struct mpm_ledger end = ledger_of(&run);
+    const struct mpm_ledger end = test_run_ledger(&run);
     const double rate =
         log(start.kinetic_energy / (end.kinetic_energy + end.strain_energy)) / end.time;
     ck_assert_near(rate, alpha, tolerance * alpha);
@@ -82,7 +75,7 @@ static double energy_left_open(const char *damping, const char *method, const ch
     const char *const settings[] = {STANDS, damping, method, time, NULL};
     struct test_run run = test_run_open(COLUMN, settings, 1);
     run_to(&run, 10.0);
-    const struct mpm_ledger ledger = ledger_of(&run);
+    const struct mpm_ledger ledger = test_run_ledger(&run);
     ck_assert(ledger.total_energy ==
               ledger.kinetic_energy + ledger.strain_energy + ledger.damping_dissipation);
     ck_assert(ledger.damping_dissipation > 0.1 * ledger.external_work);
@@ -103,7 +96,7 @@ START_TEST(the_work_of_a_wall_that_accelerates_closes_the_balance_at_second_orde
                                         refinements[level], NULL};
         struct test_run run = test_run_open(COLUMN, settings, 1);
         run_to(&run, 10.0);
-        const struct mpm_ledger ledger = ledger_of(&run);
+        const struct mpm_ledger ledger = test_run_ledger(&run);
         open[level] = fabs(ledger.total_energy - ledger.external_work) / ledger.external_work;
         test_run_close(&run);
     }
@@ -161,7 +154,7 @@ START_TEST(a_column_comes_to_rest_under_its_own_weight)
     size_t count;
     double *const from = test_run_field(&run, MPM_FIELD_POSITION, &count);
     struct mpm_rest rest;
-    while (!mpm_simulation_at_rest(run.simulation, &rest) && ledger_of(&run).time < 500.0)
+    while (!mpm_simulation_at_rest(run.simulation, &rest) && test_run_ledger(&run).time < 500.0)
         test_run_steps(&run, 1);
     ck_assert(mpm_simulation_at_rest(run.simulation, NULL));
     ck_assert_double_lt(rest.residual, RESIDUAL);
@@ -184,7 +177,7 @@ START_TEST(the_thermostat_grows_with_what_it_takes_out)
     struct test_run run = test_run_open(COLUMN, settings, 1);
     run_to(&run, 60.0);
     const double rate = run.simulation->state.damping.books.rate;
-    const double dissipated = ledger_of(&run).damping_dissipation;
+    const double dissipated = test_run_ledger(&run).damping_dissipation;
     ck_assert_near(rate * rate, 0.222 * dissipated / 1.48e-10, 0.12 * rate * rate);
     test_run_close(&run);
 }
@@ -195,10 +188,10 @@ START_TEST(the_thermostat_leads_to_its_target_and_adds_no_energy)
     const char *const settings[] = {"damping={thermostat: {gain: 0.05, target: 2e-6, scale: 2e-6}}",
                                     "bodies.column.velocity=[0, '0.001*sin(pi*y/20)']", NULL};
     struct test_run run = test_run_open(COLUMN, settings, 1);
-    double before = ledger_of(&run).damping_dissipation;
+    double before = test_run_ledger(&run).damping_dissipation;
     for (int k = 0; k < 500; k++) {
         test_run_steps(&run, 1);
-        const double now = ledger_of(&run).damping_dissipation;
+        const double now = test_run_ledger(&run).damping_dissipation;
         ck_assert(now >= before && run.simulation->state.damping.books.rate >= 0.0);
         before = now;
     }

@@ -95,8 +95,7 @@ START_TEST(a_start_is_read_back_by_id_and_stress_and_energy_follow_from_it)
         energy += mass[k] * (0.5 * bulk * (0.5 * (j * j - 1.0) - log(j)) +
                              0.5 * (factor * trace - 3.0 * shear));
     }
-    struct mpm_ledger ledger;
-    mpm_simulation_ledger(run.simulation, &ledger);
+    const struct mpm_ledger ledger = test_run_ledger(&run);
     ck_assert_near(ledger.kinetic_energy, kinetic, ROUND_OFF);
     ck_assert_near(ledger.strain_energy, energy, ROUND_OFF * 10.0);
     ck_assert(energy > 0.01);
@@ -196,8 +195,7 @@ START_TEST(a_start_that_is_not_allowed_is_refused_and_changes_nothing)
         mpm_simulation_set_start(run.simulation, start.velocity, start.deformation, &error),
         MPM_BAD_INPUT);
     ck_assert_msg(strstr(error.message, bad->words) != NULL, "%s", error.message);
-    struct mpm_ledger ledger;
-    mpm_simulation_ledger(run.simulation, &ledger);
+    const struct mpm_ledger ledger = test_run_ledger(&run);
     ck_assert(ledger.kinetic_energy == 0.0 && ledger.strain_energy == 0.0);
     ck_assert(ledger.j_min == 1.0 && ledger.j_max == 1.0);
     test_run_steps(&run, 1);

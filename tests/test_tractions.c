@@ -299,32 +299,14 @@ static const char LOADS[] =
 START_TEST(any_number_of_threads_gives_the_same_bits_under_tractions)
 {
     const char *const settings[] = {
-        "grid.cells=[70, 70]",
-        "bodies.block.region.rectangle={from: [3, 3.2], to: [63, 51.2]}",
+        TEST_BLOCK_FOR_THREADS,
         "bodies.block.velocity=['0.1*sin(y/5)', '0.1*cos(x/4)']",
         LOADS,
         "method.stress_update=usavg",
         _i == 0 ? "method.shape=cpdi" : "method.shape=bspline2",
         NULL,
     };
-    struct test_run one = test_run_open(BLOCK, settings, 1);
-    test_run_steps(&one, 20);
-    for (int threads = 2; threads <= 3; threads++) {
-        struct test_run more = test_run_open(BLOCK, settings, threads);
-        struct mpm_ledger ledger[2];
-        size_t count;
-        test_run_steps(&more, 20);
-        mpm_simulation_ledger(one.simulation, &ledger[0]);
-        mpm_simulation_ledger(more.simulation, &ledger[1]);
-        ck_assert(ledger[0].external_work == ledger[1].external_work);
-        double *const a = test_run_field(&one, MPM_FIELD_VELOCITY, &count);
-        double *const b = test_run_field(&more, MPM_FIELD_VELOCITY, NULL);
-        ck_assert_int_eq(memcmp(a, b, 2 * count * sizeof *a), 0);
-        free(a);
-        free(b);
-        test_run_close(&more);
-    }
-    test_run_close(&one);
+    test_same_bits_over_threads(BLOCK, settings, 20, NULL);
 }
 END_TEST
 

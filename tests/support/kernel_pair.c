@@ -2,6 +2,8 @@
 #include "support/kernel_pair.h"
 
 #include "model/scene.h"
+#include "support/folder.h"
+#include "support/near.h"
 
 #include <float.h>
 #include <glib.h>
@@ -231,4 +233,38 @@ char *kernel_pair_text(const struct kernel_pair *pair)
                                pair->error[0].message, mpm_simulation_step(pair->simulation[0]),
                                pair->error[1].message, mpm_simulation_step(pair->simulation[1]));
     return g_string_free(text, FALSE);
+}
+
+/* ----------------------------------------------------------------- in tests */
+
+struct kernel_pair kernel_pair_open_text(const char *text, const struct kernel_side sides[2])
+{
+    char *folder = test_folder_create();
+    char *path = test_folder_write(folder, "scene.yaml", text);
+    struct kernel_pair pair;
+    struct mpm_error error = {.message = ""};
+    const enum mpm_status status = kernel_pair_open(path, sides, &pair, &error);
+    ck_assert_msg(status == MPM_OK, "%s", error.message);
+    test_folder_remove(folder);
+    g_free(path);
+    return pair;
+}
+
+void kernel_pair_assert_alike(struct kernel_pair *pair, int steps)
+{
+    for (int step = 0; step < steps; step++)
+        ck_assert_msg(kernel_pair_step(pair), "%s", pair->error[0].message);
+    char *text = kernel_pair_text(pair);
+    ck_assert_msg(kernel_pair_worst(pair) <= KERNEL_PAIR_BOUND, "%s", text);
+    g_free(text);
+}
+
+void kernel_pair_assert_same_work(const struct kernel_pair *pair, double force, double wave_speed)
+{
+    struct mpm_ledger ledger[2];
+    for (int k = 0; k < 2; k++)
+        mpm_simulation_ledger(pair->simulation[k], &ledger[k]);
+    const double bound = KERNEL_PAIR_BOUND * force * wave_speed * ledger[0].time;
+    ck_assert(fabs(ledger[0].external_work) > 1e3 * bound);
+    ck_assert_near(ledger[1].external_work, ledger[0].external_work, bound);
 }

@@ -64,6 +64,9 @@ struct kernel_pair {
 enum mpm_status kernel_pair_open(const char *path, const struct kernel_side sides[2],
                                  struct kernel_pair *pair, struct mpm_error *error);
 
+/* The same of a scene's text; the test fails, with the message, where there would be an error. */
+struct kernel_pair kernel_pair_open_text(const char *text, const struct kernel_side sides[2]);
+
 /* A pair of one set of kernels (KERNEL_PAIR_OTHER): the scene, and the same with a rounding
  * error of the wave speed in the initial velocity of each particle. How far the two get apart
  * is in no code's hands. */
@@ -81,6 +84,14 @@ bool kernel_pair_ended_alike(const struct kernel_pair *pair);
 
 /* The largest difference of all fields, and of the time. */
 double kernel_pair_worst(const struct kernel_pair *pair);
+
+/* Takes `steps` steps; the test fails where one does, or where both differ by more than
+ * KERNEL_PAIR_BOUND after them. */
+void kernel_pair_assert_alike(struct kernel_pair *pair, int steps);
+
+/* The test fails where external works differ by more than velocities within KERNEL_PAIR_BOUND of
+ * `wave_speed` make of forces up to `force`, or are too small to tell. */
+void kernel_pair_assert_same_work(const struct kernel_pair *pair, double force, double wave_speed);
 
 /* One line that says all of it; g_free. */
 char *kernel_pair_text(const struct kernel_pair *pair);

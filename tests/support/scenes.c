@@ -7,6 +7,7 @@
 #include <glib.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct test_run test_run_open(const char *text, const char *const *settings, int threads)
 {
@@ -52,4 +53,47 @@ double *test_run_field(const struct test_run *run, enum mpm_field field, size_t 
     if (count != NULL)
         *count = n;
     return values;
+}
+
+struct mpm_ledger test_run_ledger(const struct test_run *run)
+{
+    struct mpm_ledger ledger;
+    mpm_simulation_ledger(run->simulation, &ledger);
+    return ledger;
+}
+
+static bool same_field(const struct test_run *one, const struct test_run *other,
+                       enum mpm_field field)
+{
+    size_t n, m;
+    double *const a = test_run_field(one, field, &n), *const b = test_run_field(other, field, &m);
+    const size_t size = n * mpm_field_describe(field)->components * sizeof *a;
+    const bool same = n == m && memcmp(a, b, size) == 0;
+    free(a);
+    free(b);
+    return same;
+}
+
+bool test_run_same_bits(const struct test_run *one, const struct test_run *other)
+{
+    const struct mpm_ledger a = test_run_ledger(one), b = test_run_ledger(other);
+    return same_field(one, other, MPM_FIELD_POSITION) &&
+           same_field(one, other, MPM_FIELD_VELOCITY) &&
+           same_field(one, other, MPM_FIELD_DEFORMATION_GRADIENT) &&
+           same_field(one, other, MPM_FIELD_STRESS) && memcmp(&a, &b, sizeof a) == 0;
+}
+
+void test_same_bits_over_threads(const char *text, const char *const *settings, int steps,
+                                 void (*prepare)(struct test_run *run))
+{
+    struct test_run runs[3];
+    for (int k = 0; k < 3; k++) {
+        runs[k] = test_run_open(text, settings, k + 1);
+        if (prepare != NULL)
+            prepare(&runs[k]);
+        test_run_steps(&runs[k], steps);
+        ck_assert_msg(test_run_same_bits(&runs[0], &runs[k]), "bits differ with %d threads", k + 1);
+    }
+    for (int k = 0; k < 3; k++)
+        test_run_close(&runs[k]);
 }

@@ -22,4 +22,20 @@ void test_run_steps(struct test_run *run, int steps);
 /* A field of all particles by id, malloc'ed; *count is the number of particles. */
 double *test_run_field(const struct test_run *run, enum mpm_field field, size_t *count);
 
+struct mpm_ledger test_run_ledger(const struct test_run *run);
+
+/* Position, velocity, deformation gradient and stress of two runs, and their ledgers: byte by
+ * byte, so that not-a-numbers are told from one another as well. */
+bool test_run_same_bits(const struct test_run *one, const struct test_run *other);
+
+/* The scene after `steps` steps with 1, 2 and 3 threads: the test fails where bits differ.
+ * `prepare`, if not NULL, is called before the first step. */
+void test_same_bits_over_threads(const char *text, const char *const *settings, int steps,
+                                 void (*prepare)(struct test_run *run));
+
+/* Room for a body as large as three workers share, and that body, for blocks on cells of 1 by 0.8.
+ */
+#define TEST_BLOCK_FOR_THREADS                                                                     \
+    "grid.cells=[70, 70]", "bodies.block.region.rectangle={from: [3, 3.2], to: [63, 51.2]}"
+
 #endif

@@ -50,13 +50,6 @@ void block_set_wild_velocity(struct block_settings *settings, bool axisymmetric)
         block_add(settings, "bodies.block.velocity=['0.3*sin(2*x)*cos(y)', '0.4*cos(x+2*y)']");
 }
 
-struct mpm_ledger test_run_ledger(const struct test_run *run)
-{
-    struct mpm_ledger ledger;
-    mpm_simulation_ledger(run->simulation, &ledger);
-    return ledger;
-}
-
 /* The largest difference of two fields of two runs. */
 double test_run_difference(const struct test_run *one, const struct test_run *other,
                            enum mpm_field field)
@@ -69,11 +62,4 @@ double test_run_difference(const struct test_run *one, const struct test_run *ot
     free(a);
     free(b);
     return largest;
-}
-
-bool test_run_same_bits(const struct test_run *one, const struct test_run *other)
-{
-    return test_run_difference(one, other, MPM_FIELD_POSITION) == 0.0 &&
-           test_run_difference(one, other, MPM_FIELD_VELOCITY) == 0.0 &&
-           test_run_difference(one, other, MPM_FIELD_DEFORMATION_GRADIENT) == 0.0;
 }

@@ -24,11 +24,8 @@ void block_set_wild_velocity(struct block_settings *settings, bool axisymmetric)
 /* The block with the settings, which are freed. */
 struct test_run block_open(struct block_settings *settings, int threads);
 
-struct mpm_ledger test_run_ledger(const struct test_run *run);
 /* The largest difference of a field of two runs. */
 double test_run_difference(const struct test_run *one, const struct test_run *other,
                            enum mpm_field field);
-/* Of position, velocity and deformation gradient. */
-bool test_run_same_bits(const struct test_run *one, const struct test_run *other);
 
 #endif
