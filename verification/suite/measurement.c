@@ -80,6 +80,15 @@ enum mpm_status measurement_number(const struct measurement *measurement, const 
                        measurement_case(measurement), measurement_variant(measurement), name, text);
 }
 
+enum mpm_status measurement_numbers(const struct measurement *measurement,
+                                    const struct measurement_parameter *table, size_t count,
+                                    struct mpm_error *error)
+{
+    for (size_t k = 0; k < count; k++)
+        TRY(measurement_number(measurement, table[k].name, table[k].value, error));
+    return MPM_OK;
+}
+
 static enum mpm_status read_scene(const struct measurement *measurement, const char *path,
                                   const char *const *settings, size_t setting_count,
                                   struct mpm_scene **scene, struct mpm_error *error)

@@ -33,16 +33,11 @@ struct study {
 static enum mpm_status read_parameters(const struct measurement *m, struct parameters *p,
                                        struct mpm_error *error)
 {
-    const struct {
-        const char *name;
-        double *value;
-    } table[] = {
+    const struct measurement_parameter table[] = {
         {"speed", &p->speed}, {"stress", &p->stress},     {"energy", &p->energy},
         {"start", &p->start}, {"interval", &p->interval},
     };
-    for (size_t k = 0; k < sizeof table / sizeof table[0]; k++)
-        TRY(measurement_number(m, table[k].name, table[k].value, error));
-    return MPM_OK;
+    return measurement_numbers(m, table, sizeof table / sizeof *table, error);
 }
 
 /* Kinetic energy in the frame that moves with the block: sum m |v - V|^2 / 2. */

@@ -59,10 +59,7 @@ struct study {
 static enum mpm_status read_parameters(const struct measurement *m, struct parameters *p,
                                        struct mpm_error *error)
 {
-    const struct {
-        const char *name;
-        double *value;
-    } table[] = {
+    const struct measurement_parameter table[] = {
         {"radius", &p->radius},
         {"height", &p->height},
         {"speed", &p->speed},
@@ -75,9 +72,7 @@ static enum mpm_status read_parameters(const struct measurement *m, struct param
         {"bulk", &p->material.bulk},
         {"shear", &p->material.shear},
     };
-    for (size_t k = 0; k < sizeof table / sizeof table[0]; k++)
-        TRY(measurement_number(m, table[k].name, table[k].value, error));
-    return MPM_OK;
+    return measurement_numbers(m, table, sizeof table / sizeof *table, error);
 }
 
 static double relative_error(double value, double exact)

@@ -29,18 +29,13 @@ struct profile {
 static enum mpm_status read_parameters(const struct measurement *m, struct parameters *p,
                                        struct mpm_error *error)
 {
-    const struct {
-        const char *name;
-        double *value;
-    } table[] = {
+    const struct measurement_parameter table[] = {
         {"modulus", &p->wave.modulus},  {"density", &p->wave.density},
         {"speed", &p->wave.speed},      {"time", &p->time},
         {"level_from", &p->level_from}, {"level_to", &p->level_to},
         {"dispersion", &p->dispersion}, {"cell", &p->h},
     };
-    for (size_t k = 0; k < sizeof table / sizeof table[0]; k++)
-        TRY(measurement_number(m, table[k].name, table[k].value, error));
-    return MPM_OK;
+    return measurement_numbers(m, table, sizeof table / sizeof *table, error);
 }
 
 /* The first row of particles: ids go row by row. */

@@ -41,18 +41,13 @@ struct step {
 static enum mpm_status read_parameters(const struct measurement *m, struct parameters *p,
                                        struct mpm_error *error)
 {
-    const struct {
-        const char *name;
-        double *value;
-    } table[] = {
+    const struct measurement_parameter table[] = {
         {"time", &p->time},        {"half_x", &p->half[0]},
         {"half_y", &p->half[1]},   {"columns", &p->columns},
         {"rows", &p->rows},        {"value_x", &p->value[0]},
         {"value_y", &p->value[1]}, {"axisymmetric", &p->axisymmetric},
     };
-    for (size_t k = 0; k < sizeof table / sizeof *table; k++)
-        TRY(measurement_number(m, table[k].name, table[k].value, error));
-    return MPM_OK;
+    return measurement_numbers(m, table, sizeof table / sizeof *table, error);
 }
 
 static void free_step(struct step *step)

@@ -41,15 +41,6 @@ struct family {
 
 /* --------------------------------------------------------------- families */
 
-static enum mpm_status read_numbers(const struct measurement *m, size_t count,
-                                    const char *const names[], double *const values[],
-                                    struct mpm_error *error)
-{
-    for (size_t k = 0; k < count; k++)
-        TRY(measurement_number(m, names[k], values[k], error));
-    return MPM_OK;
-}
-
 static void bar_shape(const struct mode *mode, const double start[AXES], double shape[AXES])
 {
     shape[0] = sin(mode->wave_number * start[0]);
@@ -61,10 +52,10 @@ static enum mpm_status bar_prepare(const struct measurement *m, unsigned number,
 {
     struct vibrating_bar bar = {.end = measurement_has(m, "free_end") ? VIBRATING_BAR_FREE
                                                                       : VIBRATING_BAR_HELD};
-    static const char *const names[] = {"length", "modulus", "density"};
-    double *const values[] = {&bar.length, &bar.modulus, &bar.density};
+    const struct measurement_parameter table[] = {
+        {"length", &bar.length}, {"modulus", &bar.modulus}, {"density", &bar.density}};
     (void)number; /* the first mode alone; the scene has its velocity */
-    TRY(read_numbers(m, 3, names, values, error));
+    TRY(measurement_numbers(m, table, 3, error));
     mode->wave_number = vibrating_bar_wave_number(&bar);
     mode->frequency = TWO_PI / vibrating_bar_period(&bar);
     mode->shape = bar_shape;
@@ -109,9 +100,12 @@ static enum mpm_status radial_prepare(const struct measurement *m, enum radial_m
                                       struct mpm_error *error)
 {
     struct radial_mode_body body = {.kind = kind};
-    static const char *const names[] = {"radius", "young", "poisson", "density", "speed"};
-    double *const values[] = {&body.radius, &body.young, &body.poisson, &body.density, speed};
-    TRY(read_numbers(m, 5, names, values, error));
+    const struct measurement_parameter table[] = {{"radius", &body.radius},
+                                                  {"young", &body.young},
+                                                  {"poisson", &body.poisson},
+                                                  {"density", &body.density},
+                                                  {"speed", speed}};
+    TRY(measurement_numbers(m, table, 5, error));
     mode->wave_number = radial_mode_wave_number(&body, number);
     mode->frequency = radial_mode_frequency(&body, mode->wave_number);
     return MPM_OK;
@@ -320,10 +314,12 @@ static enum mpm_status report_dispersion(struct measurement *m, const struct mod
     struct bar_dispersion bar = {.step = outcome->follow.time_step};
     const char *order;
     double particles = 0.0;
-    static const char *const names[] = {"wave_speed", "cell", "particles", "flip"};
-    double *const values[] = {&bar.speed, &bar.cell, &particles, &bar.fraction};
+    const struct measurement_parameter table[] = {{"wave_speed", &bar.speed},
+                                                  {"cell", &bar.cell},
+                                                  {"particles", &particles},
+                                                  {"flip", &bar.fraction}};
     TRY(measurement_text(m, "order", &order, error));
-    TRY(read_numbers(m, 4, names, values, error));
+    TRY(measurement_numbers(m, table, 4, error));
     if (!bar_dispersion_find_order(order, &bar.order))
         return failure_set(error, MPM_BAD_INPUT, "parameter order is `%s`", order);
     bar.particles = (unsigned)particles;

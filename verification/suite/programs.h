@@ -72,6 +72,15 @@ enum mpm_status measurement_number(const struct measurement *measurement, const 
 enum mpm_status measurement_text(const struct measurement *measurement, const char *name,
                                  const char **value, struct mpm_error *error);
 
+/* Several numbers; the first failure ends it. */
+struct measurement_parameter {
+    const char *name;
+    double *value;
+};
+enum mpm_status measurement_numbers(const struct measurement *measurement,
+                                    const struct measurement_parameter *table, size_t count,
+                                    struct mpm_error *error);
+
 /* Whether the case or the variant gives that parameter (for optional ones). */
 bool measurement_has(const struct measurement *measurement, const char *name);
 
