@@ -17,9 +17,8 @@ static void sample_now(const struct follow *follow, const struct mpm_simulation 
         follow->sample(follow->context, simulation, &ledger);
 }
 
-/* A step; *alive becomes false if the guard ends the run. */
-static enum mpm_status take_step(struct measurement *measurement, struct mpm_simulation *simulation,
-                                 double limit, bool *alive, struct mpm_error *error)
+enum mpm_status follow_step(struct measurement *measurement, struct mpm_simulation *simulation,
+                            double limit, bool *alive, struct mpm_error *error)
 {
     const enum mpm_status status = mpm_simulation_advance(simulation, limit, error);
     if (status != MPM_RUN_FAILED)
@@ -36,7 +35,7 @@ enum mpm_status follow_run(const struct follow *follow, struct mpm_simulation *s
     sample_now(follow, simulation, &result->books);
     uint64_t samples = 1; /* multiples of the interval passed, t = 0 among them */
     for (double time = 0.0; time < follow->end;) {
-        TRY(take_step(follow->measurement, simulation, follow->end, &result->finished, error));
+        TRY(follow_step(follow->measurement, simulation, follow->end, &result->finished, error));
         if (!result->finished) {
             sample_now(follow, simulation, &result->books);
             break;
@@ -59,7 +58,7 @@ enum mpm_status follow_to(struct measurement *measurement, struct mpm_simulation
 {
     *alive = true;
     while (*alive && mpm_simulation_time(simulation) < time)
-        TRY(take_step(measurement, simulation, time, alive, error));
+        TRY(follow_step(measurement, simulation, time, alive, error));
     return MPM_OK;
 }
 

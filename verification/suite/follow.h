@@ -32,8 +32,12 @@ struct follow_result {
 enum mpm_status follow_run(const struct follow *follow, struct mpm_simulation *simulation,
                            struct follow_result *result, struct mpm_error *error);
 
-/* Advances to `time`, landing on it. A run that its guard ends is a result here too: *alive
- * becomes false, and the guard's message is a note of the variant. */
+/* One step, not beyond `limit`. A run that its guard ends is a result here too: *alive becomes
+ * false, else it stays as it is, and the guard's message is a note of the variant. */
+enum mpm_status follow_step(struct measurement *measurement, struct mpm_simulation *simulation,
+                            double limit, bool *alive, struct mpm_error *error);
+
+/* Advances to `time`, landing on it; *alive: it got there. */
 enum mpm_status follow_to(struct measurement *measurement, struct mpm_simulation *simulation,
                           double time, bool *alive, struct mpm_error *error);
 

@@ -125,16 +125,10 @@ static enum mpm_status start(struct run *run, struct mpm_error *error)
 static enum mpm_status advance(struct run *run, struct measurement *m, unsigned steps,
                                bool *finished, struct mpm_error *error)
 {
-    for (unsigned k = 0; k < steps; k++) {
-        const enum mpm_status status = mpm_simulation_advance(run->simulation, HUGE_VAL, error);
-        if (status == MPM_RUN_FAILED) {
-            *finished = false;
-            measurement_note(m, "the run with grid.refine=%u ended: %s", run->level->refine,
-                             error->message);
-            return MPM_OK;
-        }
-        TRY(status);
-    }
+    for (unsigned k = 0; *finished && k < steps; k++)
+        TRY(follow_step(m, run->simulation, HUGE_VAL, finished, error));
+    if (!*finished)
+        measurement_note(m, "that was the run with grid.refine=%u", run->level->refine);
     return MPM_OK;
 }
 

@@ -212,9 +212,9 @@ static void report_index(struct measurement *m, const struct study *study)
     const struct manufactured_outcome *const fine = &study->outcome[study->levels - 1];
     const struct grid_convergence g = grid_convergence(
         fine[-2].amplitude, fine[-1].amplitude, fine[0].amplitude, 2.0, GRID_CONVERGENCE_SAFETY);
-    measurement_report(m, "index", 100.0 * g.index);
-    measurement_report(m, "index_cover", g.index / fabs(fine->amplitude - 1.0));
-    measurement_report(m, "index_order", g.order);
+    levels_report_value(m, "index", "", 100.0 * g.index);
+    levels_report_value(m, "index_cover", "", g.index / fabs(fine->amplitude - 1.0));
+    levels_report_value(m, "index_order", "", g.order);
 }
 
 static enum mpm_status write_levels(struct measurement *m, const struct study *study,

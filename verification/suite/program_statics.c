@@ -216,20 +216,16 @@ static enum mpm_status settle(struct measurement *m, struct mpm_simulation *simu
                               bool *finished, struct mpm_error *error)
 {
     struct mpm_rest rest;
-    bool at_rest = mpm_simulation_at_rest(simulation, &rest);
-    enum mpm_status status = MPM_OK;
-    while (status == MPM_OK && !at_rest && mpm_simulation_time(simulation) < end) {
-        status = mpm_simulation_advance(simulation, end, error);
+    bool alive = true, at_rest = mpm_simulation_at_rest(simulation, &rest);
+    while (alive && !at_rest && mpm_simulation_time(simulation) < end) {
+        TRY(follow_step(m, simulation, end, &alive, error));
         at_rest = mpm_simulation_at_rest(simulation, &rest);
     }
     follow_count_work(m, simulation);
-    *finished = status == MPM_OK && (at_rest || !rest.asked);
-    if (status == MPM_OK && !*finished)
+    *finished = alive && (at_rest || !rest.asked);
+    if (alive && !*finished)
         measurement_note(m, "not at rest at the end: residual %g, kinetic energy %g", rest.residual,
                          rest.kinetic_energy);
-    if (status != MPM_RUN_FAILED)
-        return status;
-    measurement_note(m, "the run ended: %s", error->message);
     return MPM_OK;
 }
 

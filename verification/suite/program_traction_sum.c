@@ -35,7 +35,7 @@ struct step {
     size_t count;
     double *position, *f;
     double momentum[AXES], time_step;
-    bool alive;
+    bool alive; /* false: the run broke before it or in it */
 };
 
 static enum mpm_status read_parameters(const struct measurement *m, struct parameters *p,
@@ -68,7 +68,7 @@ static enum mpm_status take_step(struct measurement *m, const struct parameters 
     mpm_simulation_field(simulation, MPM_FIELD_POSITION, step->position);
     mpm_simulation_field(simulation, MPM_FIELD_DEFORMATION_GRADIENT, step->f);
     if (step->alive)
-        TRY(mpm_simulation_advance(simulation, HUGE_VAL, error));
+        TRY(follow_step(m, simulation, HUGE_VAL, &step->alive, error));
     mpm_simulation_ledger(simulation, &ledger);
     memcpy(step->momentum, ledger.momentum, sizeof step->momentum);
     step->time_step = mpm_simulation_time_step(simulation);
@@ -142,9 +142,10 @@ static void compare(const struct parameters *p, const struct step *without, cons
     }
 }
 
+/* *alive becomes false if the run with the load breaks. */
 static enum mpm_status force_error(struct measurement *m, const struct parameters *p,
                                    const struct step *without, int edge, int frame,
-                                   double worst[AREAS], struct mpm_error *error)
+                                   double worst[AREAS], bool *alive, struct mpm_error *error)
 {
     struct step with = {.alive = false};
     char *const load = g_strdup_printf(
@@ -152,8 +153,9 @@ static enum mpm_status force_error(struct measurement *m, const struct parameter
         "'%.17g*(t>=%.17g)']}]",
         edge_names[edge], frame_names[frame], p->value[0], p->time, p->value[1], p->time);
     const enum mpm_status status = run_with(m, p, load, &with, error);
-    if (status == MPM_OK)
+    if (status == MPM_OK && with.alive)
         compare(p, without, &with, edge, frame, worst);
+    *alive = with.alive;
     g_free(load);
     free_step(&with);
     return status;
@@ -166,13 +168,15 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
     double worst[AREAS] = {0.0};
     TRY(read_parameters(m, &p, error));
     enum mpm_status status = run_with(m, &p, "loads.tractions=[]", &without, error);
-    for (int k = 0; status == MPM_OK && k < EDGES * FRAMES; k++)
-        status = force_error(m, &p, &without, k / FRAMES, k % FRAMES, worst, error);
+    bool alive = without.alive;
+    for (int k = 0; status == MPM_OK && alive && k < EDGES * FRAMES; k++)
+        status = force_error(m, &p, &without, k / FRAMES, k % FRAMES, worst, &alive, error);
     for (int of = 0; status == MPM_OK && of < AREAS; of++)
-        if (without.alive)
+        if (alive)
             measurement_report(m, quantities[of], worst[of]);
         else
-            measurement_inconclusive(m, quantities[of], "the run ended before the load began");
+            measurement_inconclusive(m, quantities[of],
+                                     "a run ended before the step that tells the force");
     free_step(&without);
     return status;
 }
