@@ -68,19 +68,17 @@ void follow_count_work(struct measurement *measurement, const struct mpm_simulat
                      mpm_simulation_step(simulation) * mpm_simulation_particle_count(simulation));
 }
 
-enum mpm_status follow_scene(struct measurement *measurement,
-                             enum mpm_status (*measure)(struct measurement *measurement,
-                                                        struct mpm_simulation *simulation,
-                                                        double end, struct mpm_error *error),
+enum mpm_status follow_scene(struct measurement *measurement, const char *const *settings,
+                             size_t count, follow_measure *measure, void *context,
                              struct mpm_error *error)
 {
     struct mpm_scene *scene = NULL;
     struct mpm_simulation *simulation = NULL;
-    enum mpm_status status = measurement_scene(measurement, NULL, 0, &scene, error);
+    enum mpm_status status = measurement_scene(measurement, settings, count, &scene, error);
     if (status == MPM_OK)
         status = mpm_simulation_create(scene, measurement_options(measurement), &simulation, error);
     if (status == MPM_OK)
-        status = measure(measurement, simulation, mpm_scene_end_time(scene), error);
+        status = measure(context, measurement, scene, simulation, error);
     mpm_simulation_free(simulation);
     mpm_scene_free(scene);
     return status;

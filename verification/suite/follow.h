@@ -44,12 +44,15 @@ enum mpm_status follow_to(struct measurement *measurement, struct mpm_simulation
 /* Adds what was run so far to the particle-steps of the variant: once, at the end. */
 void follow_count_work(struct measurement *measurement, const struct mpm_simulation *simulation);
 
-/* Creates the simulation of the variant's scene, has it measured up to the scene's end, and
- * frees both. */
-enum mpm_status follow_scene(struct measurement *measurement,
-                             enum mpm_status (*measure)(struct measurement *measurement,
-                                                        struct mpm_simulation *simulation,
-                                                        double end, struct mpm_error *error),
+/* What a program does with a scene and its simulation. */
+typedef enum mpm_status follow_measure(void *context, struct measurement *measurement,
+                                       const struct mpm_scene *scene,
+                                       struct mpm_simulation *simulation, struct mpm_error *error);
+
+/* Reads the variant's scene with `count` more settings, creates its simulation, has it measured,
+ * and frees both. */
+enum mpm_status follow_scene(struct measurement *measurement, const char *const *settings,
+                             size_t count, follow_measure *measure, void *context,
                              struct mpm_error *error);
 
 /* Rows of numbers that a sample function collects for measurement_series; the first failure

@@ -29,6 +29,7 @@ static const struct quantity {
 struct run {
     const struct manufactured_problem *problem;
     const struct manufactured_level *level;
+    struct manufactured_outcome *outcome;
     struct mpm_simulation *simulation;
     struct mpm_lags lags;
     double step;
@@ -227,10 +228,10 @@ static enum mpm_status write_fields(struct measurement *m, const struct run *run
 
 /* From look to look, to the end or to where the run breaks. */
 static enum mpm_status follow_looks(struct run *run, struct measurement *m,
-                                    struct error_norms *const norms[],
-                                    struct manufactured_outcome *outcome, struct mpm_error *error)
+                                    struct error_norms *const norms[], struct mpm_error *error)
 {
     const struct manufactured_level *const level = run->level;
+    struct manufactured_outcome *const outcome = run->outcome;
     double *const rows = level->series == NULL ? NULL : g_new0(double, COLUMNS * run->count);
     enum mpm_status status = MPM_OK;
     outcome->finished = true;
@@ -245,15 +246,15 @@ static enum mpm_status follow_looks(struct run *run, struct measurement *m,
     return status;
 }
 
-static enum mpm_status follow(struct run *run, struct measurement *m,
-                              struct manufactured_outcome *outcome, struct mpm_error *error)
+static enum mpm_status follow(struct run *run, struct measurement *m, struct mpm_error *error)
 {
+    struct manufactured_outcome *const outcome = run->outcome;
     const unsigned looks = run->level->looks;
     struct error_norms *const all = g_new0(struct error_norms, MANUFACTURED_QUANTITIES * looks);
     struct error_norms *norms[MANUFACTURED_QUANTITIES];
     for (unsigned k = 0; k < MANUFACTURED_QUANTITIES; k++)
         norms[k] = &all[k * looks];
-    const enum mpm_status status = follow_looks(run, m, norms, outcome, error);
+    const enum mpm_status status = follow_looks(run, m, norms, error);
     for (unsigned k = 0; status == MPM_OK && outcome->finished && k < MANUFACTURED_QUANTITIES;
          k++) {
         outcome->norms[k] = error_norms_over_time(looks, norms[k]);
@@ -264,14 +265,18 @@ static enum mpm_status follow(struct run *run, struct measurement *m,
     return status;
 }
 
-static enum mpm_status drive(struct run *run, struct measurement *m,
-                             struct manufactured_outcome *outcome, struct mpm_error *error)
+static enum mpm_status drive(void *context, struct measurement *m, const struct mpm_scene *scene,
+                             struct mpm_simulation *simulation, struct mpm_error *error)
 {
+    struct run *const run = context;
+    run->simulation = simulation;
+    run->lags = mpm_scene_lags(scene);
+    open_run(run);
     struct manufactured_load load = {.problem = run->problem, .places = run->places};
     const struct mpm_body_force force = {.evaluate = manufactured_load_evaluate, .context = &load};
     TRY(mpm_simulation_set_body_force(run->simulation, &force, error));
     TRY(start(run, error));
-    TRY(follow(run, m, outcome, error));
+    TRY(follow(run, m, error));
     follow_count_work(m, run->simulation);
     return MPM_OK;
 }
@@ -290,27 +295,17 @@ enum mpm_status manufactured_level_run(struct measurement *measurement,
                                        struct manufactured_outcome *outcome,
                                        struct mpm_error *error)
 {
-    struct run run = {.problem = problem, .level = level, .step = level->end / level->steps};
-    struct mpm_scene *scene = NULL;
+    struct run run = {
+        .problem = problem, .level = level, .outcome = outcome, .step = level->end / level->steps};
     char *const settings[SETTINGS] = {
         g_strdup_printf("grid.refine=%u", level->refine),
         g_strdup_printf("time.step=%.17g", run.step),
         g_strdup_printf("bodies.0.particles_per_cell=[%u, %u]", level->particles, level->particles),
     };
     forget(outcome);
-    enum mpm_status status =
-        measurement_scene(measurement, (const char *const *)settings, SETTINGS, &scene, error);
-    if (status == MPM_OK)
-        status =
-            mpm_simulation_create(scene, measurement_options(measurement), &run.simulation, error);
-    if (status == MPM_OK) {
-        run.lags = mpm_scene_lags(scene);
-        open_run(&run);
-        status = drive(&run, measurement, outcome, error);
-    }
+    const enum mpm_status status =
+        follow_scene(measurement, (const char *const *)settings, SETTINGS, drive, &run, error);
     close_run(&run);
-    mpm_simulation_free(run.simulation);
-    mpm_scene_free(scene);
     for (size_t k = 0; k < SETTINGS; k++)
         g_free(settings[k]);
     return status;

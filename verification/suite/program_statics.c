@@ -229,44 +229,35 @@ static enum mpm_status settle(struct measurement *m, struct mpm_simulation *simu
     return MPM_OK;
 }
 
-static enum mpm_status run_opened(struct measurement *m, const struct static_solution *solution,
-                                  struct mpm_simulation *simulation, double end, bool last,
-                                  struct outcome *outcome, struct mpm_error *error)
+/* A run: its solution, and whether its profile is written. */
+struct study {
+    const struct static_solution *solution;
+    bool last;
+    struct outcome *outcome;
+};
+
+static enum mpm_status measure_scene(void *context, struct measurement *m,
+                                     const struct mpm_scene *scene,
+                                     struct mpm_simulation *simulation, struct mpm_error *error)
 {
+    const struct study *const study = context;
+    struct outcome *const outcome = study->outcome;
     struct view view = {0};
     struct mpm_ledger start, now;
     mpm_simulation_ledger(simulation, &start);
     enum mpm_status status = open_view(simulation, &view, error);
     if (status == MPM_OK)
-        status = settle(m, simulation, end, &outcome->finished, error);
+        status = settle(m, simulation, mpm_scene_end_time(scene), &outcome->finished, error);
     if (status == MPM_OK) {
         mpm_simulation_ledger(simulation, &now);
         outcome->time = now.time;
         outcome->imbalance = (now.total_energy - start.total_energy) / now.external_work - 1.0;
         read_view(&view, simulation);
-        outcome->errors = measure(solution, &view);
-        if (last)
-            status = write_profile(m, solution, &view, error);
+        outcome->errors = measure(study->solution, &view);
+        if (study->last)
+            status = write_profile(m, study->solution, &view, error);
     }
     close_view(&view);
-    return status;
-}
-
-/* Runs the grid of `level` (NULL: the scene's own). */
-static enum mpm_status run_level(struct measurement *m, const struct static_solution *solution,
-                                 const char *level, bool last, struct outcome *outcome,
-                                 struct mpm_error *error)
-{
-    struct mpm_scene *scene = NULL;
-    struct mpm_simulation *simulation = NULL;
-    enum mpm_status status = measurement_scene(m, &level, level == NULL ? 0 : 1, &scene, error);
-    if (status == MPM_OK)
-        status = mpm_simulation_create(scene, measurement_options(m), &simulation, error);
-    if (status == MPM_OK)
-        status =
-            run_opened(m, solution, simulation, mpm_scene_end_time(scene), last, outcome, error);
-    mpm_simulation_free(simulation);
-    mpm_scene_free(scene);
     return status;
 }
 
@@ -336,7 +327,9 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
     for (size_t k = 0; k < levels_runs(&levels); k++) {
         const bool last = k + 1 == levels_runs(&levels);
         outcome = (struct outcome){.finished = false};
-        TRY(run_level(m, &solution, levels.setting[k], last, &outcome, error));
+        struct study study = {&solution, last, &outcome};
+        TRY(follow_scene(m, &levels.setting[k], levels.count == 0 ? 0 : 1, measure_scene, &study,
+                         error));
         errors[OF_STRESS][k] = outcome.errors.stress_l2;
         errors[OF_PAIRS][k] = outcome.errors.pair_stress_l2;
         errors[OF_INNER][k] = outcome.errors.inner_displacement_l2;

@@ -30,8 +30,9 @@ struct parameters {
     double axisymmetric;  /* 1 or 0 */
 };
 
-/* A step of the scene and the state before it. */
+/* A step of the scene from `time` on, and the state before it. */
 struct step {
+    double time;
     size_t count;
     double *position, *f;
     double momentum[AXES], time_step;
@@ -56,12 +57,14 @@ static void free_step(struct step *step)
     g_free(step->f);
 }
 
-static enum mpm_status take_step(struct measurement *m, const struct parameters *p,
-                                 struct mpm_simulation *simulation, struct step *step,
+static enum mpm_status take_step(void *context, struct measurement *m,
+                                 const struct mpm_scene *scene, struct mpm_simulation *simulation,
                                  struct mpm_error *error)
 {
+    struct step *const step = context;
+    (void)scene;
     struct mpm_ledger ledger;
-    TRY(follow_to(m, simulation, p->time, &step->alive, error));
+    TRY(follow_to(m, simulation, step->time, &step->alive, error));
     step->count = mpm_simulation_particle_count(simulation);
     step->position = g_new(double, AXES * step->count);
     step->f = g_new(double, GRADIENT * step->count);
@@ -74,21 +77,6 @@ static enum mpm_status take_step(struct measurement *m, const struct parameters 
     step->time_step = mpm_simulation_time_step(simulation);
     follow_count_work(m, simulation);
     return MPM_OK;
-}
-
-static enum mpm_status run_with(struct measurement *m, const struct parameters *p, const char *load,
-                                struct step *step, struct mpm_error *error)
-{
-    struct mpm_scene *scene = NULL;
-    struct mpm_simulation *simulation = NULL;
-    enum mpm_status status = measurement_scene(m, &load, 1, &scene, error);
-    if (status == MPM_OK)
-        status = mpm_simulation_create(scene, measurement_options(m), &simulation, error);
-    if (status == MPM_OK)
-        status = take_step(m, p, simulation, step, error);
-    mpm_simulation_free(simulation);
-    mpm_scene_free(scene);
-    return status;
 }
 
 static bool is_on_face(const struct parameters *p, size_t id, int edge)
@@ -147,12 +135,13 @@ static enum mpm_status force_error(struct measurement *m, const struct parameter
                                    const struct step *without, int edge, int frame,
                                    double worst[AREAS], bool *alive, struct mpm_error *error)
 {
-    struct step with = {.alive = false};
+    struct step with = {.time = p->time, .alive = false};
     char *const load = g_strdup_printf(
         "loads.tractions=[{body: block, edge: %s, frame: %s, value: ['%.17g*(t>=%.17g)', "
         "'%.17g*(t>=%.17g)']}]",
         edge_names[edge], frame_names[frame], p->value[0], p->time, p->value[1], p->time);
-    const enum mpm_status status = run_with(m, p, load, &with, error);
+    const enum mpm_status status =
+        follow_scene(m, (const char *const[]){load}, 1, take_step, &with, error);
     if (status == MPM_OK && with.alive)
         compare(p, without, &with, edge, frame, worst);
     *alive = with.alive;
@@ -164,10 +153,11 @@ static enum mpm_status force_error(struct measurement *m, const struct parameter
 static enum mpm_status run(struct measurement *m, struct mpm_error *error)
 {
     struct parameters p;
-    struct step without = {.alive = false};
     double worst[AREAS] = {0.0};
+    const char *const load = "loads.tractions=[]";
     TRY(read_parameters(m, &p, error));
-    enum mpm_status status = run_with(m, &p, "loads.tractions=[]", &without, error);
+    struct step without = {.time = p.time, .alive = false};
+    enum mpm_status status = follow_scene(m, &load, 1, take_step, &without, error);
     bool alive = without.alive;
     for (int k = 0; status == MPM_OK && alive && k < EDGES * FRAMES; k++)
         status = force_error(m, &p, &without, k / FRAMES, k % FRAMES, worst, &alive, error);

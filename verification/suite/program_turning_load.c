@@ -61,9 +61,11 @@ static void look_at(void *context, const struct mpm_simulation *simulation,
     study->shear = field_larger(study->shear, fabs(shear));
 }
 
-static enum mpm_status measure(struct measurement *m, struct mpm_simulation *simulation, double end,
-                               struct mpm_error *error)
+static enum mpm_status measure(void *context, struct measurement *m, const struct mpm_scene *scene,
+                               struct mpm_simulation *simulation, struct mpm_error *error)
 {
+    const double end = mpm_scene_end_time(scene);
+    (void)context;
     const size_t n = mpm_simulation_particle_count(simulation);
     struct follow_result result;
     struct study study = {.count = n, .rows = {.columns = COLUMNS}};
@@ -99,7 +101,7 @@ static enum mpm_status measure(struct measurement *m, struct mpm_simulation *sim
 
 static enum mpm_status run(struct measurement *measurement, struct mpm_error *error)
 {
-    return follow_scene(measurement, measure, error);
+    return follow_scene(measurement, NULL, 0, measure, NULL, error);
 }
 
 const struct measure_program program_turning_load = {

@@ -237,15 +237,26 @@ static enum mpm_status write_amplitudes(struct measurement *m, const char *serie
     return status;
 }
 
-static enum mpm_status vibrate(struct measurement *m, const struct mode *mode, double periods,
-                               const char *series, struct mpm_simulation *simulation,
-                               struct outcome *outcome, struct mpm_error *error)
+/* A run of one mode. */
+struct study {
+    const struct mode *mode;
+    double periods;
+    const char *series; /* of the amplitude, or NULL */
+    struct outcome *outcome;
+};
+
+static enum mpm_status vibrate(void *context, struct measurement *m, const struct mpm_scene *scene,
+                               struct mpm_simulation *simulation, struct mpm_error *error)
 {
+    const struct study *const study = context;
+    const struct mode *const mode = study->mode;
+    struct outcome *const outcome = study->outcome;
     const double period = TWO_PI / mode->frequency;
+    (void)scene;
     struct projection projection;
-    open_projection(&projection, mode, simulation, (size_t)(SAMPLES_A_PERIOD * periods) + 4);
+    open_projection(&projection, mode, simulation, (size_t)(SAMPLES_A_PERIOD * study->periods) + 4);
     const struct follow follow = {.measurement = m,
-                                  .end = periods * period,
+                                  .end = study->periods * period,
                                   .interval = period / SAMPLES_A_PERIOD,
                                   .sample = project,
                                   .context = &projection};
@@ -258,8 +269,8 @@ static enum mpm_status vibrate(struct measurement *m, const struct mode *mode, d
                          SAMPLES_A_PERIOD);
     outcome->fitted = oscillation_fit(projection.samples, projection.times, projection.amplitudes,
                                       mode->frequency, &outcome->fit);
-    if (status == MPM_OK && series != NULL)
-        status = write_amplitudes(m, series, &projection, error);
+    if (status == MPM_OK && study->series != NULL)
+        status = write_amplitudes(m, study->series, &projection, error);
     close_projection(&projection);
     return status;
 }
@@ -271,23 +282,14 @@ static enum mpm_status run_mode(struct measurement *m, const struct mode *mode, 
 {
     const char *settings[AXES + 1];
     size_t count = 0;
-    double periods;
-    struct mpm_scene *scene = NULL;
-    struct mpm_simulation *simulation = NULL;
+    struct study study = {.mode = mode, .series = series, .outcome = outcome};
     if (level != NULL)
         settings[count++] = level;
     for (int axis = 0; axis < AXES; axis++)
         if (mode->velocity[axis] != NULL)
             settings[count++] = mode->velocity[axis];
-    TRY(measurement_number(m, "periods", &periods, error));
-    enum mpm_status status = measurement_scene(m, settings, count, &scene, error);
-    if (status == MPM_OK)
-        status = mpm_simulation_create(scene, measurement_options(m), &simulation, error);
-    if (status == MPM_OK)
-        status = vibrate(m, mode, periods, series, simulation, outcome, error);
-    mpm_simulation_free(simulation);
-    mpm_scene_free(scene);
-    return status;
+    TRY(measurement_number(m, "periods", &study.periods, error));
+    return follow_scene(m, settings, count, vibrate, &study, error);
 }
 
 /* ----------------------------------------------------------------- reports */
