@@ -63,6 +63,18 @@ START_TEST(norms_do_not_depend_on_the_unit_of_volume_and_are_ordered)
 }
 END_TEST
 
+START_TEST(a_particle_of_no_weight_is_left_out_whatever_it_holds)
+{
+    const double weight[] = {1, 0, 3}, computed[] = {1, (double)NAN, 3};
+    static const double zero[3] = {0}, kept_weight[] = {1, 3}, kept[] = {1, 3};
+    const struct error_norms with = error_norms(3, 1, NULL, weight, computed, zero);
+    const struct error_norms without = error_norms(2, 1, NULL, kept_weight, kept, zero);
+    ck_assert_mem_eq(&with, &without, sizeof with);
+    ck_assert_double_nan(error_norms(3, 1, NULL, zero, kept_weight, zero).linf);
+    ck_assert_double_eq_tol(error_norms(2, 1, NULL, NULL, kept, zero).l1, 2, ROUND);
+}
+END_TEST
+
 START_TEST(norms_over_time_are_means_roots_of_mean_squares_and_maxima)
 {
     static const struct error_norms at[] = {{1, 3, 5, 7, 9}, {2, 4, 1, 1, 2}};
@@ -197,6 +209,7 @@ Suite *suite_orders(void)
     TCase *norms = tcase_create("norms"), *orders = tcase_create("orders");
     tcase_add_test(norms, norms_weigh_particles_by_volume_and_components_by_their_multiple);
     tcase_add_test(norms, norms_do_not_depend_on_the_unit_of_volume_and_are_ordered);
+    tcase_add_test(norms, a_particle_of_no_weight_is_left_out_whatever_it_holds);
     tcase_add_test(norms, norms_over_time_are_means_roots_of_mean_squares_and_maxima);
     tcase_add_test(norms, a_nan_or_no_particle_is_a_nan_in_every_norm);
     tcase_add_test(orders, a_power_law_is_fitted_with_its_constant_and_no_width);

@@ -35,9 +35,8 @@ struct run {
     double step;
     size_t count;
     double *places;           /* 2 a particle */
-    double *mass, *weight;    /* of all; of those measured */
+    double *mass, *weight;    /* of all; 0 near the edges, which are not measured */
     double *computed, *exact; /* LARGEST a particle each */
-    bool *measured;           /* those away from the edges */
     double product, square;   /* of computed and exact displacement, over particles and looks */
 };
 
@@ -59,15 +58,14 @@ static void open_run(struct run *run)
     run->count = n;
     run->places = g_new(double, AXES *n);
     run->mass = g_new(double, n);
-    run->weight = g_new(double, n);
+    run->weight = g_new0(double, n);
     run->computed = g_new(double, LARGEST *n);
     run->exact = g_new(double, LARGEST *n);
     mpm_simulation_field(run->simulation, MPM_FIELD_POSITION, run->places);
     mpm_simulation_field(run->simulation, MPM_FIELD_MASS, run->mass);
-    run->measured = g_new(bool, n);
     for (size_t p = 0; p < n; p++)
-        run->measured[p] =
-            edge_distance(&run->problem->domain, &run->places[AXES * p]) >= run->level->margin;
+        if (edge_distance(&run->problem->domain, &run->places[AXES * p]) >= run->level->margin)
+            run->weight[p] = run->mass[p];
 }
 
 static void close_run(struct run *run)
@@ -77,7 +75,6 @@ static void close_run(struct run *run)
     g_free(run->weight);
     g_free(run->computed);
     g_free(run->exact);
-    g_free(run->measured);
 }
 
 /* ------------------------------------------------------------ exact values */
@@ -184,23 +181,6 @@ static void fill_rows(const struct run *run, enum manufactured_quantity quantity
     }
 }
 
-/* The norms over the particles that are measured, moved to the front. */
-static struct error_norms norms_of(struct run *run, const struct quantity *q)
-{
-    size_t kept = 0;
-    for (size_t p = 0; p < run->count; p++) {
-        if (!run->measured[p])
-            continue;
-        run->weight[kept] = run->mass[p];
-        for (size_t c = 0; c < q->components; c++) {
-            run->computed[q->components * kept + c] = run->computed[q->components * p + c];
-            run->exact[q->components * kept + c] = run->exact[q->components * p + c];
-        }
-        kept++;
-    }
-    return error_norms(kept, q->components, q->multiple, run->weight, run->computed, run->exact);
-}
-
 /* Fills norms[quantity][look]; `rows` of the series, or NULL. */
 static void look(struct run *run, unsigned number, struct error_norms *const norms[], double *rows)
 {
@@ -215,7 +195,8 @@ static void look(struct run *run, unsigned number, struct error_norms *const nor
             project(run);
         if (rows != NULL)
             fill_rows(run, quantity, rows);
-        norms[k][number] = norms_of(run, q);
+        norms[k][number] = error_norms(run->count, q->components, q->multiple, run->weight,
+                                       run->computed, run->exact);
     }
 }
 
