@@ -257,15 +257,6 @@ START_TEST(the_numbers_that_case_e3_states_are_those_of_the_theory)
 }
 END_TEST
 
-START_TEST(an_order_has_a_name)
-{
-    enum bar_dispersion_order order = BAR_DISPERSION_USL;
-    ck_assert(bar_dispersion_find_order("usavg", &order));
-    ck_assert_int_eq(order, BAR_DISPERSION_USAVG);
-    ck_assert(!bar_dispersion_find_order("USAVG", &order));
-}
-END_TEST
-
 /* ---------------------------------------------------------------- step wave */
 
 /* Ai by its power series, good to 1e-10 for |x| <= 4 */
@@ -353,7 +344,6 @@ Suite *suite_modes(void)
                         BAR_DISPERSION_ORDERS);
     tcase_add_test(bar, fine_grids_and_steps_give_the_exact_frequency_at_second_order);
     tcase_add_test(bar, the_numbers_that_case_e3_states_are_those_of_the_theory);
-    tcase_add_test(bar, an_order_has_a_name);
     suite_add_tcase(suite, radial);
     suite_add_tcase(suite, bar);
     tcase_add_test(step, a_dispersed_step_is_the_integral_of_airys_function);

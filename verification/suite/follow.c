@@ -32,6 +32,9 @@ enum mpm_status follow_run(const struct follow *follow, struct mpm_simulation *s
                            struct follow_result *result, struct mpm_error *error)
 {
     *result = (struct follow_result){.finished = true};
+    if (!(follow->interval > 0.0))
+        return failure_set(error, MPM_BAD_INPUT, "case %s: samples every %g; allowed: above 0",
+                           measurement_case(follow->measurement), follow->interval);
     sample_now(follow, simulation, &result->books);
     uint64_t samples = 1; /* multiples of the interval passed, t = 0 among them */
     for (double time = 0.0; time < follow->end;) {

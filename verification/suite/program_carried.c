@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { STRESS = 4, COLUMNS = 4 };
+enum { STRESS = 4, COLUMNS = 4, LOOKS_MAX = 1000000 };
 
 struct parameters {
     double speed;    /* of the block along x */
@@ -81,7 +81,13 @@ static enum mpm_status measure(void *context, struct measurement *m, const struc
 {
     struct study *const study = context;
     const struct parameters *const p = &study->parameters;
-    const size_t looks = (size_t)((mpm_scene_end_time(scene) - p->start) / p->interval) + 1;
+    const double intervals = (mpm_scene_end_time(scene) - p->start) / p->interval;
+    if (!(intervals >= 0.0 && intervals <= LOOKS_MAX))
+        return failure_set(error, MPM_BAD_INPUT,
+                           "case %s: parameters \"start\" and \"interval\" make %g intervals up to "
+                           "the end; allowed: 0 to %d",
+                           measurement_case(m), intervals, LOOKS_MAX);
+    const size_t looks = (size_t)intervals + 1;
     TRY(particle_set_create(simulation, 0, &study->set, error));
     study->rows = calloc(looks * COLUMNS, sizeof *study->rows);
     if (study->rows == NULL)

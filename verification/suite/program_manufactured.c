@@ -45,39 +45,6 @@ struct study {
 
 /* ------------------------------------------------------------- the declaration */
 
-static enum mpm_status read_count(const struct measurement *m, const char *name, unsigned low,
-                                  unsigned high, unsigned *value, struct mpm_error *error)
-{
-    double number;
-    TRY(measurement_number(m, name, &number, error));
-    *value = (unsigned)fmax(0.0, fmin(number, 1e9));
-    if ((double)*value == number && *value >= low && *value <= high)
-        return MPM_OK;
-    return failure_set(error, MPM_BAD_INPUT,
-                       "case %s, variant %s: parameter \"%s\" is %g; allowed: whole numbers from "
-                       "%u to %u",
-                       measurement_case(m), measurement_variant(m), name, number, low, high);
-}
-
-static enum mpm_status read_geometry(const struct measurement *m, enum mpm_geometry *geometry,
-                                     struct mpm_error *error)
-{
-    static const char *const names[] = {[MPM_PLANE_STRAIN] = "plane_strain",
-                                        [MPM_PLANE_STRESS] = "plane_stress",
-                                        [MPM_AXISYMMETRIC] = "axisymmetric"};
-    const char *name;
-    TRY(measurement_text(m, "geometry", &name, error));
-    for (size_t k = 0; k < G_N_ELEMENTS(names); k++)
-        if (g_str_equal(name, names[k])) {
-            *geometry = (enum mpm_geometry)k;
-            return MPM_OK;
-        }
-    return failure_set(error, MPM_BAD_INPUT,
-                       "parameter geometry is `%s`; allowed are plane_strain, plane_stress and "
-                       "axisymmetric",
-                       name);
-}
-
 /* The field with its own parameters wherever the case gives one of that name. */
 static enum mpm_status read_problem(const struct measurement *m, struct study *study,
                                     struct mpm_error *error)
@@ -89,7 +56,7 @@ static enum mpm_status read_problem(const struct measurement *m, struct study *s
     TRY(measurement_number(m, "density", &setup.density, error));
     TRY(measurement_number(m, "bulk", &setup.bulk, error));
     TRY(measurement_number(m, "shear", &setup.shear, error));
-    TRY(read_geometry(m, &setup.geometry, error));
+    TRY(measurement_geometry(m, &setup.geometry, error));
     TRY(manufactured_open(&setup, &study->problem, error));
     const struct manufactured_parameter *p;
     for (size_t k = 0; (p = manufactured_parameter_at(study->problem.field, k)) != NULL; k++)
@@ -109,14 +76,14 @@ static enum mpm_status read_study(const struct measurement *m, struct study *stu
     TRY(measurement_number(m, "cell_x", &study->cell[0], error));
     TRY(measurement_number(m, "cell_y", &study->cell[1], error));
     TRY(measurement_number(m, "length", &study->length, error));
-    TRY(read_count(m, "refine", 1, 1024, &study->first.refine, error));
-    TRY(read_count(m, "particles", 1, 16, &study->first.particles, error));
-    TRY(read_count(m, "steps", 1, 1000000, &study->first.steps, error));
-    TRY(read_count(m, "looks", 1, 1000, &study->first.looks, error));
-    TRY(read_count(m, "levels", 1, LEVELS_MAX, &study->levels, error));
-    TRY(read_count(m, "refine_space", 1, 2, &study->space, error));
-    TRY(read_count(m, "refine_time", 1, 2, &study->time, error));
-    TRY(read_count(m, "refine_particles", 1, 2, &study->particles, error));
+    TRY(measurement_count(m, "refine", 1, 1024, &study->first.refine, error));
+    TRY(measurement_count(m, "particles", 1, 16, &study->first.particles, error));
+    TRY(measurement_count(m, "steps", 1, 1000000, &study->first.steps, error));
+    TRY(measurement_count(m, "looks", 1, 1000, &study->first.looks, error));
+    TRY(measurement_count(m, "levels", 1, LEVELS_MAX, &study->levels, error));
+    TRY(measurement_count(m, "refine_space", 1, 2, &study->space, error));
+    TRY(measurement_count(m, "refine_time", 1, 2, &study->time, error));
+    TRY(measurement_count(m, "refine_particles", 1, 2, &study->particles, error));
     study->picture = measurement_has(m, "picture");
     study->first.at_once = measurement_has(m, "start_at_once");
     if (measurement_has(m, "margin"))

@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { AXES = 2, GRADIENT = 5, EDGES = 4, FRAMES = 2 };
+enum { AXES = 2, GRADIENT = 5, EDGES = 4, FRAMES = 2, SITES_MAX = 10000 };
 
 /* Whose area: of the edges that F carries, or of the undeformed ones (uGIMP). */
 enum area { CARRIED, UNDEFORMED, AREAS };
@@ -23,11 +23,11 @@ static const char *const edge_names[EDGES] = {"bottom", "right", "top", "left"};
 static const char *const frame_names[FRAMES] = {"global", "edge"};
 
 struct parameters {
-    double time;          /* when loads begin */
-    double half[AXES];    /* half edges of a particle at t = 0 */
-    double columns, rows; /* of sites */
-    double value[AXES];   /* of the load */
-    double axisymmetric;  /* 1 or 0 */
+    double time;            /* when loads begin */
+    double half[AXES];      /* half edges of a particle at t = 0 */
+    double value[AXES];     /* of the load */
+    unsigned columns, rows; /* of sites */
+    unsigned axisymmetric;  /* 1 or 0 */
 };
 
 /* A step of the scene from `time` on, and the state before it. */
@@ -43,12 +43,13 @@ static enum mpm_status read_parameters(const struct measurement *m, struct param
                                        struct mpm_error *error)
 {
     const struct measurement_parameter table[] = {
-        {"time", &p->time},        {"half_x", &p->half[0]},
-        {"half_y", &p->half[1]},   {"columns", &p->columns},
-        {"rows", &p->rows},        {"value_x", &p->value[0]},
-        {"value_y", &p->value[1]}, {"axisymmetric", &p->axisymmetric},
+        {"time", &p->time},        {"half_x", &p->half[0]},   {"half_y", &p->half[1]},
+        {"value_x", &p->value[0]}, {"value_y", &p->value[1]},
     };
-    return measurement_numbers(m, table, sizeof table / sizeof *table, error);
+    TRY(measurement_numbers(m, table, sizeof table / sizeof *table, error));
+    TRY(measurement_count(m, "columns", 1, SITES_MAX, &p->columns, error));
+    TRY(measurement_count(m, "rows", 1, SITES_MAX, &p->rows, error));
+    return measurement_count(m, "axisymmetric", 0, 1, &p->axisymmetric, error);
 }
 
 static void free_step(struct step *step)
@@ -81,10 +82,9 @@ static enum mpm_status take_step(void *context, struct measurement *m,
 
 static bool is_on_face(const struct parameters *p, size_t id, int edge)
 {
-    const size_t columns = (size_t)p->columns, rows = (size_t)p->rows;
-    const size_t column = id % columns, row = id / columns;
-    return (edge == 0 && row == 0) || (edge == 1 && column == columns - 1) ||
-           (edge == 2 && row == rows - 1) || (edge == 3 && column == 0);
+    const size_t column = id % p->columns, row = id / p->columns;
+    return (edge == 0 && row == 0) || (edge == 1 && column == p->columns - 1) ||
+           (edge == 2 && row == p->rows - 1) || (edge == 3 && column == 0);
 }
 
 /* F times an undeformed vector */
@@ -106,7 +106,7 @@ static double add_edge(const struct parameters *p, const struct step *step, size
     carry(f, -2.0 * n[1] * p->half[0], 2.0 * n[0] * p->half[1], along);
     carry(own_f, -2.0 * n[1] * p->half[0], 2.0 * n[0] * p->half[1], own);
     carry(own_f, n[0] * p->half[0], n[1] * p->half[1], away);
-    const double depth = p->axisymmetric > 0.0 ? step->position[AXES * id] + away[0] : 1.0;
+    const double depth = p->axisymmetric == 1 ? step->position[AXES * id] + away[0] : 1.0;
     const double area = hypot(own[0], own[1]) * depth, length = hypot(along[0], along[1]);
     const double *const v = p->value;
     force[0] += area * (in_edge ? (v[0] * along[1] + v[1] * along[0]) / length : v[0]);
@@ -158,6 +158,11 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
     TRY(read_parameters(m, &p, error));
     struct step without = {.time = p.time, .alive = false};
     enum mpm_status status = follow_scene(m, &load, 1, take_step, &without, error);
+    if (status == MPM_OK && without.count != (size_t)p.columns * p.rows)
+        status = failure_set(error, MPM_BAD_INPUT,
+                             "parameters \"columns\" and \"rows\" are %u and %u; allowed: those of "
+                             "the scene's %zu particles",
+                             p.columns, p.rows, without.count);
     bool alive = without.alive;
     for (int k = 0; status == MPM_OK && alive && k < EDGES * FRAMES; k++)
         status = force_error(m, &p, &without, k / FRAMES, k % FRAMES, worst, &alive, error);

@@ -21,6 +21,8 @@ enum {
     MODE_COLUMNS = 3, /* time, amplitude and energy over their starts */
     SERIES_TERMS = 24,
     SAMPLES_A_PERIOD = 20,
+    MODES_MAX = 20,
+    PARTICLES_MAX = 16,
 };
 
 static const double TWO_PI = 6.28318530717958647692;
@@ -32,12 +34,9 @@ struct mode {
     char *velocity[AXES]; /* settings; NULL where the scene has it */
 };
 
-/* A family of modes: reads its parameters and fills the mode of that number. */
-struct family {
-    const char *name;
-    enum mpm_status (*prepare)(const struct measurement *m, unsigned number, struct mode *mode,
-                               struct mpm_error *error);
-};
+/* Of a family of modes: reads its parameters and fills the mode of that number. */
+typedef enum mpm_status family_prepare(const struct measurement *m, unsigned number,
+                                       struct mode *mode, struct mpm_error *error);
 
 /* --------------------------------------------------------------- families */
 
@@ -133,25 +132,9 @@ static enum mpm_status disk_prepare(const struct measurement *m, unsigned number
     return MPM_OK;
 }
 
-static const struct family FAMILIES[] = {
-    {"bar", bar_prepare},
-    {"cylinder", cylinder_prepare},
-    {"disk", disk_prepare},
-};
-
-/* NULL, with the error set, if there is none. */
-static const struct family *find_family(const struct measurement *m, struct mpm_error *error)
-{
-    const char *name;
-    if (measurement_text(m, "family", &name, error) != MPM_OK)
-        return NULL;
-    for (size_t k = 0; k < sizeof FAMILIES / sizeof FAMILIES[0]; k++)
-        if (g_str_equal(name, FAMILIES[k].name))
-            return &FAMILIES[k];
-    (void)failure_set(error, MPM_BAD_INPUT,
-                      "parameter family is `%s`; allowed are bar, cylinder and disk", name);
-    return NULL;
-}
+enum { BAR, CYLINDER, DISK, FAMILIES };
+static const char *const family_names[FAMILIES] = {"bar", "cylinder", "disk"};
+static family_prepare *const families[FAMILIES] = {bar_prepare, cylinder_prepare, disk_prepare};
 
 /* ---------------------------------------------------------------- one run */
 
@@ -314,17 +297,19 @@ static enum mpm_status report_dispersion(struct measurement *m, const struct mod
                                          const struct outcome *outcome, struct mpm_error *error)
 {
     struct bar_dispersion bar = {.step = outcome->follow.time_step};
-    const char *order;
-    double particles = 0.0;
-    const struct measurement_parameter table[] = {{"wave_speed", &bar.speed},
-                                                  {"cell", &bar.cell},
-                                                  {"particles", &particles},
-                                                  {"flip", &bar.fraction}};
-    TRY(measurement_text(m, "order", &order, error));
-    TRY(measurement_numbers(m, table, 4, error));
-    if (!bar_dispersion_find_order(order, &bar.order))
-        return failure_set(error, MPM_BAD_INPUT, "parameter order is `%s`", order);
-    bar.particles = (unsigned)particles;
+    static const char *const orders[BAR_DISPERSION_ORDERS] = {
+        [BAR_DISPERSION_USL] = "usl",
+        [BAR_DISPERSION_MUSL] = "musl",
+        [BAR_DISPERSION_USF] = "usf",
+        [BAR_DISPERSION_USAVG] = "usavg",
+    };
+    size_t order;
+    const struct measurement_parameter table[] = {
+        {"wave_speed", &bar.speed}, {"cell", &bar.cell}, {"flip", &bar.fraction}};
+    TRY(measurement_choice(m, "order", orders, BAR_DISPERSION_ORDERS, &order, error));
+    TRY(measurement_numbers(m, table, 3, error));
+    TRY(measurement_count(m, "particles", 1, PARTICLES_MAX, &bar.particles, error));
+    bar.order = (enum bar_dispersion_order)order;
     const struct bar_dispersion_result theory = bar_dispersion(&bar, mode->wave_number);
     measurement_report(m, "dispersion_error",
                        fabs(percent(outcome->fit.frequency, theory.frequency)));
@@ -388,17 +373,16 @@ static enum mpm_status measure_mode(struct measurement *m, const struct mode *mo
 
 static enum mpm_status run(struct measurement *m, struct mpm_error *error)
 {
-    const struct family *const family = find_family(m, error);
-    double modes;
-    if (family == NULL)
-        return MPM_BAD_INPUT;
-    TRY(measurement_number(m, "modes", &modes, error));
+    size_t family;
+    unsigned modes;
+    TRY(measurement_choice(m, "family", family_names, FAMILIES, &family, error));
+    TRY(measurement_count(m, "modes", 1, MODES_MAX, &modes, error));
     enum mpm_status status = MPM_OK;
-    for (unsigned number = 1; status == MPM_OK && number <= (unsigned)modes; number++) {
+    for (unsigned number = 1; status == MPM_OK && number <= modes; number++) {
         struct mode mode = {0};
-        status = family->prepare(m, number, &mode, error);
+        status = families[family](m, number, &mode, error);
         if (status == MPM_OK)
-            status = measure_mode(m, &mode, number, modes > 1.5, error);
+            status = measure_mode(m, &mode, number, modes > 1, error);
         for (int axis = 0; axis < AXES; axis++)
             g_free(mode.velocity[axis]);
     }
