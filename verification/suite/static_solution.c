@@ -20,27 +20,17 @@ static enum mpm_status read_numbers(const struct measurement *m, const char *con
 
 /* ------------------------------------------------------------- homogeneous ones */
 
-enum { STRETCH_R, STRETCH_Z, SIGMA_RR, SIGMA_ZZ };
+enum { STRETCH_X, STRETCH_Y, SIGMA_XX, SIGMA_YY, SIGMA_ZZ };
 
 static struct static_state homogeneous_at(const struct static_solution *s, const double start[2])
 {
+    const double *const n = s->numbers;
+    const double strain[STATIC_AXES] = {n[STRETCH_X] - 1.0, n[STRETCH_Y] - 1.0};
     return (struct static_state){
-        .displacement = {(s->numbers[STRETCH_R] - 1.0) * start[0],
-                         (s->numbers[STRETCH_Z] - 1.0) * start[1]},
-        .stress =
-            {[RR] = s->numbers[SIGMA_RR], [ZZ] = s->numbers[SIGMA_ZZ], [TT] = s->numbers[SIGMA_RR]},
-        .strain = {s->numbers[STRETCH_R] - 1.0, s->numbers[STRETCH_Z] - 1.0},
-    };
-}
-
-/* The state of a disk under a load on its rim is that of a plane body under it all around. */
-static struct static_state plane_at(const struct static_solution *s, const double start[2])
-{
-    const double strain = s->numbers[STRETCH_R] - 1.0;
-    return (struct static_state){
-        .displacement = {strain * (start[0] - s->centre[0]), strain * (start[1] - s->centre[1])},
-        .stress = {s->numbers[SIGMA_RR], s->numbers[SIGMA_RR], s->numbers[SIGMA_ZZ]},
-        .strain = {strain, strain},
+        .displacement = {strain[0] * (start[0] - s->centre[0]),
+                         strain[1] * (start[1] - s->centre[1])},
+        .stress = {n[SIGMA_XX], n[SIGMA_YY], n[SIGMA_ZZ]},
+        .strain = {strain[0], strain[1]},
     };
 }
 
@@ -51,10 +41,11 @@ static enum mpm_status take_homogeneous(bool found, const struct homogeneous_sta
     if (!found)
         return failure_set(error, MPM_BAD_INPUT, "%s: no stretch between 0.2 and 5 bears the load",
                            solution->name);
-    solution->numbers[STRETCH_R] = state->radial;
-    solution->numbers[STRETCH_Z] = state->axial;
-    solution->numbers[SIGMA_RR] = state->stress.rr;
-    solution->numbers[SIGMA_ZZ] = state->stress.zz;
+    solution->numbers[STRETCH_X] = state->radial;
+    solution->numbers[STRETCH_Y] = state->axial;
+    solution->numbers[SIGMA_XX] = state->stress.rr;
+    solution->numbers[SIGMA_YY] = state->stress.zz;
+    solution->numbers[SIGMA_ZZ] = state->stress.tt;
     solution->stress_scale = fmax(fabs(state->stress.rr), fabs(state->stress.zz));
     solution->strain_scale = fmax(fabs(state->radial - 1.0), fabs(state->axial - 1.0));
     solution->displacement_scale = length * solution->strain_scale;
@@ -86,13 +77,18 @@ static enum mpm_status read_rim_load(const struct measurement *m, struct static_
     return take_homogeneous(found, &state, n[3], solution, error);
 }
 
+/* The state of a disk under a load on its rim is that of a plane body under it all around: what is
+ * along the axis there is out of the plane here. */
 static enum mpm_status read_plane(const struct measurement *m, struct static_solution *solution,
                                   struct mpm_error *error)
 {
     TRY(read_rim_load(m, solution, error));
     TRY(measurement_number(m, "centre_x", &solution->centre[0], error));
     TRY(measurement_number(m, "centre_y", &solution->centre[1], error));
-    solution->at = plane_at;
+    double *const n = solution->numbers;
+    n[SIGMA_ZZ] = n[SIGMA_YY];
+    n[STRETCH_Y] = n[STRETCH_X];
+    n[SIGMA_YY] = n[SIGMA_XX];
     return MPM_OK;
 }
 
