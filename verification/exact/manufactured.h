@@ -79,12 +79,12 @@ enum {
 };
 
 struct manufactured_field;
-struct manufactured_level;
+struct manufactured_kernels;
 
 /* A field with its parameters, material and geometry. */
 struct manufactured_problem {
     const struct manufactured_field *field;
-    const struct manufactured_level *level; /* the instructions that evaluate it */
+    const struct manufactured_kernels *kernels; /* the instructions that evaluate it */
     enum mpm_geometry geometry;
     enum manufactured_law { MANUFACTURED_NEO_HOOKEAN, MANUFACTURED_LINEAR_ELASTIC } law;
     double density, bulk, shear, lame; /* lame = K - 2 G / 3 */
