@@ -8,8 +8,6 @@
 
 enum { COLUMNS = 2 };
 
-static const double CONFIDENCE = 0.95;
-
 enum mpm_status levels_read(const struct measurement *measurement, struct levels *levels,
                             struct mpm_error *error)
 {
@@ -55,7 +53,7 @@ void levels_report_orders(struct measurement *measurement, size_t count, const c
     double h[LEVELS_MAX];
     for (size_t k = 0; k < count; k++)
         h[k] = ldexp(1.0, -(int)k);
-    const struct order_fit fit = order_fit(count, h, error, CONFIDENCE);
+    const struct order_fit fit = order_fit(count, h, error);
     levels_report_value(measurement, "order_last", suffix, order_last(count, h, error));
     levels_report_value(measurement, "order_fitted", suffix, fit.order);
     levels_report_value(measurement, "order_width", suffix, fit.half_width);

@@ -213,7 +213,7 @@ static void note_quantity(struct measurement *m, const struct study *study, unsi
     for (unsigned k = 0; k < study->levels; k++)
         g_string_append_printf(text, " %.3g", errors[k]);
     if (study->levels > 1) {
-        const struct order_fit fit = order_fit(study->levels, study->h, errors, 0.95);
+        const struct order_fit fit = order_fit(study->levels, study->h, errors);
         g_string_append(text, "; orders");
         for (size_t k = 1; k < study->levels; k++)
             g_string_append_printf(text, " %.3f", order_pair(k, study->h, errors));
