@@ -71,7 +71,8 @@ const struct manufactured_field *manufactured_at(size_t index)
     return index < FIELDS ? manufactured_kernels_at(0)->fields[index] : NULL;
 }
 
-const struct manufactured_field *manufactured_find(const char *name)
+/* The field of that name, or NULL. */
+static const struct manufactured_field *find(const char *name)
 {
     const struct manufactured_field *field;
     for (size_t k = 0; (field = manufactured_at(k)) != NULL; k++)
@@ -80,19 +81,9 @@ const struct manufactured_field *manufactured_find(const char *name)
     return NULL;
 }
 
-const char *manufactured_names(void)
-{
-    return field_names + 2;
-}
-
 const char *manufactured_name(const struct manufactured_field *field)
 {
     return field->name;
-}
-
-const char *manufactured_title(const struct manufactured_field *field)
-{
-    return field->title;
 }
 
 const struct manufactured_parameter *
@@ -142,7 +133,7 @@ enum mpm_status manufactured_open(const struct manufactured_setup *setup,
 {
     const double values[] = {setup->density, setup->bulk, setup->shear};
     static const char *const names[] = {"density", "bulk modulus", "shear modulus"};
-    *problem = (struct manufactured_problem){.field = manufactured_find(setup->field),
+    *problem = (struct manufactured_problem){.field = find(setup->field),
                                              .kernels = manufactured_kernels_at(0),
                                              .geometry = setup->geometry,
                                              .density = setup->density,
@@ -150,8 +141,7 @@ enum mpm_status manufactured_open(const struct manufactured_setup *setup,
                                              .shear = setup->shear,
                                              .lame = setup->bulk - 2.0 / 3.0 * setup->shear};
     if (problem->field == NULL)
-        return manufactured_refuse(error, "field `%s`; allowed: %s", setup->field,
-                                   manufactured_names());
+        return manufactured_refuse(error, "field `%s`; allowed: %s", setup->field, field_names + 2);
     for (size_t k = 0; k < sizeof values / sizeof *values; k++)
         if (check_modulus(names[k], values[k], error) != MPM_OK)
             return MPM_BAD_INPUT;

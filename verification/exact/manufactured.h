@@ -101,12 +101,7 @@ double manufactured_bar_speed(const struct manufactured_problem *problem);
 
 /* ------------------------------------------------------------------- fields */
 
-/* The field of that name, or NULL. */
-const struct manufactured_field *manufactured_find(const char *name);
-/* "axis_aligned, ..." */
-const char *manufactured_names(void);
 const char *manufactured_name(const struct manufactured_field *field);
-const char *manufactured_title(const struct manufactured_field *field);
 /* The fields one by one; NULL past the last. */
 const struct manufactured_field *manufactured_at(size_t index);
 /* The parameters of a field one by one; NULL past the last. */

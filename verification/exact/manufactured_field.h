@@ -14,7 +14,6 @@ enum { MANUFACTURED_SWINGS = 2 };
 
 struct manufactured_field {
     const char *name;
-    const char *title;
     struct manufactured_parameter parameter[MANUFACTURED_PARAMETERS]; /* to a name of NULL */
     /* Sets domain, edges, period, end, and the field's own constants from parameters and material;
      * all are zero before. */

@@ -43,7 +43,6 @@ enum order_class {
     ORDER_PLATEAU = 3,     /* has lost its order: a floor that refinement does not lower */
     ORDER_OSCILLATORY = 4, /* falls and rises, or rises and falls */
     ORDER_DIVERGING = 5,   /* grows */
-    ORDER_CLASS_COUNT,
 };
 const char *order_class_name(enum order_class kind);
 

@@ -239,7 +239,6 @@ static enum mpm_status follow(struct run *run, struct measurement *m, struct mpm
     for (unsigned k = 0; status == MPM_OK && outcome->finished && k < MANUFACTURED_QUANTITIES;
          k++) {
         outcome->norms[k] = error_norms_over_time(looks, norms[k]);
-        outcome->at_end[k] = norms[k][looks - 1];
         outcome->amplitude = run->product / run->square;
     }
     g_free(all);
@@ -267,7 +266,7 @@ static void forget(struct manufactured_outcome *outcome)
     const double nan = (double)NAN;
     *outcome = (struct manufactured_outcome){.amplitude = nan};
     for (unsigned k = 0; k < MANUFACTURED_QUANTITIES; k++)
-        outcome->norms[k] = outcome->at_end[k] = (struct error_norms){nan, nan, nan, nan, nan};
+        outcome->norms[k] = (struct error_norms){nan, nan, nan, nan, nan};
 }
 
 enum mpm_status manufactured_level_run(struct measurement *measurement,

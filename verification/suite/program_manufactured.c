@@ -3,15 +3,20 @@
  * the constants of the errors, the grid-convergence index.
  *
  * Parameters of a case:
+ *
  *   field, law, geometry, density, bulk, shear   the problem (exact/manufactured.h), as its scene
- * has it; any parameter of the field by its name, and `end` (time), if given cell_x, cell_y of the
- * scene with grid.refine=1 length                what h counts from: h is the larger side of a cell
- * over it refine, particles, steps      of the first level: grid.refine, particles on a cell's
- * side, steps looks                 instants at which errors are measured levels                how
- * many, and from each to the next the factor (1 or 2) of refine_space, refine_time,
- * refine_particles margin                if given, particles that start nearer to an edge are not
- * measured start_at_once         if given, all starts at t = 0, whatever the times that the scheme
- * wants picture               if given, the fields of the last level are written at the end
+ *                                                has it; any parameter of the field by its name
+ *   end             time, if given
+ *   cell_x, cell_y  of the scene with grid.refine=1
+ *   length          h is the larger side of a cell over this
+ *   refine, particles, steps
+ *                   of the first level: grid.refine, particles on a cell's side, steps
+ *   looks           instants at which errors are measured
+ *   levels          how many; from each to the next the factors (1 or 2) refine_space,
+ *                   refine_time and refine_particles
+ *   margin          if given, particles that start nearer to an edge are not measured
+ *   start_at_once   if given, all starts at t = 0, whatever the times that the scheme wants
+ *   picture         if given, the fields of the last level are written at the end
  *
  * Reported, with a suffix for each quantity (_u, _v, _F, _stress), of errors over the size of the
  * exact field: error, error_l1 and error_max on the finest level, in percent; order_last,
