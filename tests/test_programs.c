@@ -65,6 +65,10 @@ static char *run(const char *program, const char *folder, const char *parameters
 
 #define TRACTION                                                                                   \
     "time=0.5 half_x=0.25 half_y=0.2 value_x=0.3 value_y=-0.2 axisymmetric=0 rows=6 columns="
+#define MANUFACTURED                                                                               \
+    "field=axis_aligned law=neo_hookean geometry=plane_strain density=1 bulk=1 shear=1 cell_x=1 "  \
+    "cell_y=1 "                                                                                    \
+    "length=1 refine=1 particles=2 steps=8 looks=1 refine_time=1 refine_particles=1 "
 #define BAR "family=bar length=1 modulus=1 density=1 modes="
 
 static const struct {
@@ -77,6 +81,11 @@ static const struct {
     {"vibration", "W/W2", BAR "0", "\"modes\" is 0; allowed: whole numbers from 1"},
     {"vibration", "W/W2", "family=Bar modes=1", "is \"Bar\"; allowed: bar, cylinder, disk"},
     {"statics", "T/T1", "solution=none", "is \"none\"; allowed: end_load, rim_load, plane"},
+    {"manufactured", "M/M0", MANUFACTURED "levels=2 refine_space=1",
+     "\"levels\" is 2 and nothing is refined; allowed: 1, or 2 for one of refine_space"},
+    {"manufactured", "M/M0", MANUFACTURED "levels=2 refine_space=3",
+     "\"refine_space\" is 3; allowed: whole numbers from 1 to 2"},
+    {"manufactured", "M/M0", "geometry=round", "\"field\" is missing"},
     {"energy", "E/E1", "interval=0", "samples every 0; allowed: above 0"},
 };
 

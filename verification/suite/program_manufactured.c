@@ -93,6 +93,12 @@ static enum mpm_status read_study(const struct measurement *m, struct study *stu
     study->first.at_once = measurement_has(m, "start_at_once");
     if (measurement_has(m, "margin"))
         TRY(measurement_number(m, "margin", &study->first.margin, error));
+    if (study->levels > 1 && study->space == 1 && study->time == 1 && study->particles == 1)
+        return failure_set(
+            error, MPM_BAD_INPUT,
+            "case %s, variant %s: \"levels\" is %u and nothing is refined; allowed: 1, "
+            "or 2 for one of refine_space, refine_time and refine_particles",
+            measurement_case(m), measurement_variant(m), study->levels);
     if (study->first.steps % study->first.looks != 0)
         return failure_set(error, MPM_BAD_INPUT,
                            "case %s: parameter \"steps\" is %u; allowed: "
