@@ -141,6 +141,13 @@ struct manufactured_load {
 void manufactured_load_evaluate(void *load, double time, size_t count, const uint32_t id[],
                                 double *const force[2]);
 
+/* Gives the simulation, still at its start, the field's velocities and deformation gradients, each
+ * `lags` (mpm_scene_lags; zeros: all at t = 0) times `step` before t = 0. `places` as above.
+ * MPM_ENVIRONMENT_FAILED: memory; or what mpm_simulation_set_start says. */
+enum mpm_status manufactured_start(const struct manufactured_problem *problem, const double *places,
+                                   const struct mpm_lags *lags, double step,
+                                   struct mpm_simulation *simulation, struct mpm_error *error);
+
 /* -------------------------------------------------------------- its activity */
 
 /* What takes part at a time, over a regular sample of the domain: root mean squares over the

@@ -112,12 +112,9 @@ static void exact_at(const struct run *run, enum manufactured_quantity quantity,
 
 static enum mpm_status start(struct run *run, struct mpm_error *error)
 {
-    const bool once = run->level->at_once;
-    exact_at(run, MANUFACTURED_VELOCITY, once ? lag_of(run, MANUFACTURED_VELOCITY) : 0.0,
-             run->computed);
-    exact_at(run, MANUFACTURED_DEFORMATION, once ? lag_of(run, MANUFACTURED_DEFORMATION) : 0.0,
-             run->exact);
-    return mpm_simulation_set_start(run->simulation, run->computed, run->exact, error);
+    const struct mpm_lags none = {.position = 0.0};
+    return manufactured_start(run->problem, run->places, run->level->at_once ? &none : &run->lags,
+                              run->step, run->simulation, error);
 }
 
 static enum mpm_status advance(struct run *run, struct measurement *m, unsigned steps,
