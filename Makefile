@@ -8,9 +8,10 @@ PREFIX  ?= /usr/local
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
+JOBS := $(or $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN),1)
 # All processors, unless -j is given on the command line.
 ifeq ($(MAKELEVEL),0)
-MAKEFLAGS += -j$(or $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN),1)
+MAKEFLAGS += -j$(JOBS)
 endif
 MAKEFLAGS += --no-print-directory
 
@@ -178,19 +179,21 @@ $(WIDE_OBJECTS): $(BUILD)/objects/wide/%.o: verification/exact/%.c $(BUILD)/gene
 # Facts recorded in the binary: rewritten only when they change; never a date. The
 # revision is this tree's own, not that of a repository that it was unpacked into.
 REVISION = $(shell test -e .git && git describe --always --dirty --abbrev=12 2>/dev/null || echo unknown)
-replace_if_changed = cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+# Two makes at work in one folder (`make check` starts one in CI) do not share the new file:
+# $$$$ is the shell's number.
+replace_if_changed = > $@.$$$$; cmp -s $@.$$$$ $@ && rm $@.$$$$ || mv $@.$$$$ $@
 $(BUILD)/generated/flags.txt: FORCE
 	@mkdir -p $(@D) $(BUILD)/bin
-	@echo '$(CC) $(CODE_FLAGS) $(WARNINGS) $(PACKAGE_FLAGS)' > $@.new; $(replace_if_changed)
+	@echo '$(CC) $(CODE_FLAGS) $(WARNINGS) $(PACKAGE_FLAGS)' $(replace_if_changed)
 $(BUILD)/generated/build_facts.h: FORCE
 	@mkdir -p $(@D)
 	@printf '#define BUILD_%s "%s"\n' VERSION '$(VERSION)' REVISION '$(REVISION)' \
-	  FLAGS '$(CODE_FLAGS)' > $@.new; $(replace_if_changed)
+	  FLAGS '$(CODE_FLAGS)' $(replace_if_changed)
 # A source that goes away must leave the library and the programs too.
 $(LIBRARY) $(PROGRAMS) $(TESTER): $(BUILD)/generated/sources.txt
 $(BUILD)/generated/sources.txt: FORCE
 	@mkdir -p $(@D)
-	@echo '$(SOURCES)' > $@.new; $(replace_if_changed)
+	@echo '$(SOURCES)' $(replace_if_changed)
 .PHONY: FORCE
 FORCE:
 
@@ -204,7 +207,8 @@ TEST_ENVIRONMENT_cov  := CK_TIMEOUT_MULTIPLIER=5
 
 .PHONY: test
 test: $(FAST_OBJECTS) $(TESTER) $(PROGRAMS) ## unit tests; also VARIANT=debug|asan|ubsan|san|tsan|cov
-	@MPM_BIN=$(abspath $(BUILD)/bin) $(TEST_ENVIRONMENT_$(VARIANT)) $(TESTER)
+	@MPM_TEST_PROCESSES=$(JOBS) MPM_BIN=$(abspath $(BUILD)/bin) $(TEST_ENVIRONMENT_$(VARIANT)) \
+	  $(TESTER)
 
 # The short tier of these two is in `make test`.
 .PHONY: test-kernels
@@ -235,7 +239,6 @@ bench: all ## speed, memory, scaling, error against run time (about 9 min); buil
 # ------------------------------------------------------------------- checks
 CLANG_FORMAT ?= $(or $(shell command -v clang-format-14),clang-format)
 CLANG_TIDY   ?= $(or $(shell command -v clang-tidy-14),clang-tidy)
-JOBS         := $(or $(shell nproc 2>/dev/null),2)
 CHECKS := check-format check-source check-includes check-warnings check-cppcheck check-tidy \
           check-bits check-budget check-reference
 .PHONY: check check-all $(CHECKS) format

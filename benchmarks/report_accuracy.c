@@ -120,8 +120,9 @@ static void add_picture(struct report *report, const struct ladder *ladder, size
     char *caption = g_strdup_printf(
         "Vertical: %s. Colour and dashes tell the shape functions, markers the stress-update "
         "order (other transfers and the momentum form: uGIMP with MUSL); each line is one variant "
-        "from its coarsest grid to its finest, the thick line the "
-        "Pareto front over all of them. Errors above 200 %% are not drawn.",
+        "from its coarsest grid to its finest (other transfers and the momentum form to the one "
+        "before), the thick line the Pareto front over all of them. Errors above 200 %% are not "
+        "drawn.",
         words);
     g_string_append_printf(settings, "; label='%s (%%)'", words);
     if (*data != '\0')

@@ -4,8 +4,7 @@
 #include "benchmarks/variants.h"
 
 #include <assert.h>
-
-#define LENGTH(list) (sizeof(list) / sizeof(list)[0])
+#include <glib.h>
 
 /* The order of both is that of the names in reports/bench_accuracy.gp and bench_throughput.gp. */
 static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
@@ -25,12 +24,12 @@ enum { UGIMP = 1, MUSL = 1 };
 
 size_t bench_variants_plain(void)
 {
-    return LENGTH(shapes) * LENGTH(orders);
+    return G_N_ELEMENTS(shapes) * G_N_ELEMENTS(orders);
 }
 
 size_t bench_variants_count(void)
 {
-    return bench_variants_plain() + LENGTH(changes);
+    return bench_variants_plain() + G_N_ELEMENTS(changes);
 }
 
 struct bench_variant bench_variant(size_t index)
@@ -38,10 +37,11 @@ struct bench_variant bench_variant(size_t index)
     const size_t plain = bench_variants_plain();
     assert(index < bench_variants_count());
     if (index < plain) {
-        const size_t shape = index / LENGTH(orders), order = index % LENGTH(orders);
+        const size_t shape = index / G_N_ELEMENTS(orders), order = index % G_N_ELEMENTS(orders);
         return (struct bench_variant){shapes[shape], orders[order], "", NULL, shape, order};
     }
     const size_t change = index - plain;
-    return (struct bench_variant){shapes[UGIMP],           orders[MUSL], changes[change].change,
-                                  changes[change].setting, UGIMP,        LENGTH(orders) + change};
+    return (struct bench_variant){
+        shapes[UGIMP],           orders[MUSL], changes[change].change,
+        changes[change].setting, UGIMP,        G_N_ELEMENTS(orders) + change};
 }

@@ -163,7 +163,8 @@ enum mpm_status mpm_simulation_set_body_force(struct mpm_simulation *simulation,
  * that stagger velocity or stress against time, the caller gives each at its own time.
  * MPM_BAD_INPUT, and nothing is changed: after the first step; a value that is not finite; F with
  * F_xx F_yy - F_xy F_yx or F_zz not above 0; F_zz of plane strain other than 1. MPM_BAD_INPUT, and
- * the simulation can take no step: a fixed time step beyond the stability limit of this start. */
+ * the simulation can take no step: a fixed time step beyond the stability limit of this start; a
+ * domain (CPDI) that F carries beyond the grid's ghost rows. */
 enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, const double *velocity,
                                          const double *deformation_gradient,
                                          struct mpm_error *error);

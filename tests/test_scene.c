@@ -367,11 +367,13 @@ START_TEST(loads_on_edges_say_what_their_file_says)
     ck_assert_uint_eq(scene->edge_load_count, 2);
     const struct mpm_edge_load_spec *const first = &scene->edge_loads[0], *const second =
                                                                               &scene->edge_loads[1];
-    ck_assert(!first->on_particles && first->position == 0 && first->body == 1);
+    ck_assert_str_eq(first->key, "loads.tractions.0");
+    ck_assert(!first->on_particles && first->body == 1);
     ck_assert(first->edge == MPM_EDGE_ALL && first->frame == MPM_FRAME_GLOBAL);
     ck_assert_ptr_null(first->value.text[0]);
     ck_assert_str_eq(first->value.text[1], "1000*t");
-    ck_assert(second->on_particles && second->position == 0 && second->body == 0);
+    ck_assert_str_eq(second->key, "loads.particle_forces.0");
+    ck_assert(second->on_particles && second->body == 0);
     ck_assert(second->edge == MPM_EDGE_LEFT && second->frame == MPM_FRAME_EDGE);
     ck_assert_str_eq(second->value.text[0], "x");
     mpm_scene_free(scene);

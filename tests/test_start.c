@@ -225,6 +225,27 @@ START_TEST(a_fixed_step_beyond_the_limit_of_the_start_is_refused_for_good)
 }
 END_TEST
 
+/* F_xx = 50 makes half a domain of 12.5 cells out of a quarter of one. */
+START_TEST(a_start_whose_domains_leave_the_grid_is_refused_for_good)
+{
+    static const char *const settings[] = {"method.shape=cpdi", NULL};
+    struct test_run run = test_run_open(BLOCK, settings, _i == 0 ? 1 : 3);
+    struct start start = make_start(&run);
+    struct mpm_error error, again;
+    for (size_t k = 0; k < GRADIENT; k++)
+        start.deformation[GRADIENT * 11 + k] = k == 0 ? 50.0 : 0.0;
+    start.deformation[GRADIENT * 11 + 3] = start.deformation[GRADIENT * 11 + 4] = 1.0;
+    ck_assert_int_eq(mpm_simulation_set_start(run.simulation, NULL, start.deformation, &error),
+                     MPM_BAD_INPUT);
+    ck_assert_str_eq(error.message, "start: particle 11 (body 'block') has a domain that reaches "
+                                    "12.5 cells along x, beyond the ghost rows of the grid");
+    ck_assert_int_eq(mpm_simulation_advance(run.simulation, 10.0, &again), MPM_BAD_INPUT);
+    ck_assert_str_eq(again.message, error.message);
+    free_start(&start);
+    test_run_close(&run);
+}
+END_TEST
+
 START_TEST(a_start_after_a_step_is_refused)
 {
     struct test_run run = test_run_open(BLOCK, NULL, 1);
@@ -248,6 +269,7 @@ Suite *suite_start(void)
     tcase_add_loop_test(start, a_start_that_is_not_allowed_is_refused_and_changes_nothing, 0,
                         G_N_ELEMENTS(BAD_STARTS));
     tcase_add_test(start, a_fixed_step_beyond_the_limit_of_the_start_is_refused_for_good);
+    tcase_add_loop_test(start, a_start_whose_domains_leave_the_grid_is_refused_for_good, 0, 2);
     tcase_add_test(start, a_start_after_a_step_is_refused);
     suite_add_tcase(suite, start);
     return suite;

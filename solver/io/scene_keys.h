@@ -239,7 +239,7 @@
 #define KEYS_traction(X, S)                                                                        \
     X(S, ONE, body, NAME, ANYWHERE, REQUIRED, "", NULL, ANY, "name of a deformable body")          \
     X(S, CHOICE, edge, edge, ANYWHERE, REQUIRED, "", NULL, ANY,                                    \
-      "which edges of its particles: those on that side, at t = 0, of which the body has no site") \
+      "which edges of its particles: those on that side beyond which the body has no site at t = 0") \
     X(S, PAIR, value, EXPRESSION, ANYWHERE, REQUIRED, "mass/(length time^2)", NULL, ANY,           \
       "force per area, in coordinates and t: two components, or normal (outwards) and tangential (counter clockwise)") \
     X(S, CHOICE, frame, frame, ANYWHERE, OPTIONAL, "", "global", ANY,                              \
@@ -251,7 +251,7 @@
     X(S, LIST, tractions, traction, ANYWHERE, OPTIONAL, "", "[]", ANY,                             \
       "on edges of particles: value times the area of the deformed edge (ugimp: of the undeformed one)") \
     X(S, LIST, particle_forces, traction, ANYWHERE, OPTIONAL, "", "[]", ANY,                       \
-      "on the particles that have these edges: value times the area of the edge at t = 0")
+      "on the particles that have these edges: value times the area of the undeformed edge")
 
 #define KEYS_thermostat(X, S)                                                                      \
     X(S, ONE, gain, NUMBER, ANYWHERE, REQUIRED, "1/time^2", NULL, ABOVE(0),                        \

@@ -66,9 +66,9 @@ enum mpm_status mpm_build_edge_loads(const struct mpm_reading *reading)
             struct mpm_edge_load_spec *const load = &scene->edge_loads[scene->edge_load_count++];
             char path[MPM_PATH_SIZE];
             load->on_particles = list == 1;
-            load->position = i;
-            MPM_TRY(build_load(reading, mpm_path_entry(lists[list].path, i, path),
-                               &lists[list].entries[i], load));
+            (void)snprintf(load->key, sizeof load->key, "%s",
+                           mpm_path_entry(lists[list].path, i, path));
+            MPM_TRY(build_load(reading, path, &lists[list].entries[i], load));
         }
     return MPM_OK;
 }

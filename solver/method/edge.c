@@ -55,7 +55,7 @@ double mpm_edge_area(const struct mpm_shape_grid *grid, const struct mpm_edge_li
 
 /* ---------------------------------------------------------------- the nodes */
 
-void mpm_edge_weights_add(struct mpm_edge_weights *weights, int64_t node, double w)
+static void add(struct mpm_edge_weights *weights, int64_t node, double w)
 {
     int k = 0;
     if (w == 0.0)
@@ -70,11 +70,11 @@ void mpm_edge_weights_add(struct mpm_edge_weights *weights, int64_t node, double
     weights->entry[k].w += w;
 }
 
-static void add_stencil(struct mpm_edge_weights *weights, const struct mpm_stencil *stencil,
-                        double area)
+void mpm_edge_weights_add(struct mpm_edge_weights *weights, const struct mpm_stencil *stencil,
+                          double area)
 {
     for (int k = 0; k < stencil->count; k++)
-        mpm_edge_weights_add(weights, stencil->node[k].node, area * stencil->node[k].s);
+        add(weights, stencil->node[k].node, area * stencil->node[k].s);
 }
 
 /* N&G (41)-(44), (50)-(53): the weight of a corner is the integral of its linear function. */
@@ -90,7 +90,7 @@ static void integrate_interpolated(const struct mpm_shape_grid *grid,
             grid->axisymmetric ? line->middle[0] + end * line->half[0] / 3.0 : depth;
         struct mpm_stencil corner;
         mpm_shape_classic.continue_to(grid, place, place, &corner);
-        add_stencil(weights, &corner, length * mean);
+        mpm_edge_weights_add(weights, &corner, length * mean);
     }
 }
 
@@ -102,7 +102,7 @@ static void take_middle(const struct mpm_shape_family *family, const struct mpm_
 {
     struct mpm_stencil middle;
     family->continue_to(grid, home, line->middle, &middle);
-    add_stencil(weights, &middle, mpm_edge_area(grid, line, depth));
+    mpm_edge_weights_add(weights, &middle, mpm_edge_area(grid, line, depth));
 }
 
 void mpm_edge_integrate(const struct mpm_shape_family *family, const struct mpm_shape_grid *grid,

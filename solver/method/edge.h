@@ -50,8 +50,10 @@ struct mpm_edge_weights {
     } entry[MPM_STENCIL_MAX];
 };
 
-/* Adds to the weight of a node, which may be new. */
-void mpm_edge_weights_add(struct mpm_edge_weights *weights, int64_t node, double w);
+/* w_i += area S_i for the nodes of a stencil. They and those at hand must all be nodes that one
+ * particle reaches: there is room for no more. */
+void mpm_edge_weights_add(struct mpm_edge_weights *weights, const struct mpm_stencil *stencil,
+                          double area);
 
 /* w_i of every node that the edge reaches: a subset of the nodes that the particle's domain
  * reaches. Cost: some 0.1 us. */

@@ -49,37 +49,12 @@ void mpm_edge_loads_place(struct mpm_state *state)
 
 /* ---------------------------------------------------------------- preparing */
 
-/* The particle's domain now, with the edges that F carries, whatever the family. */
-static struct mpm_shape_domain carried_domain(const struct mpm_state *state, size_t p)
-{
-    const struct mpm_particles *const particles = &state->particles;
-    const double *const half = state->bodies[particles->body[p]].half_size;
-    struct mpm_shape_domain domain = {
-        .position = {particles->position[0][p], particles->position[1][p]},
-        .half_size = {half[0], half[1]},
-    };
-    double f[MPM_GRADIENT_SIZE];
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        f[k] = particles->deformation[k][p];
-    mpm_shape_push_forward(f, half, domain.edge);
-    return domain;
-}
-
 static double depth_of(const struct mpm_state *state, size_t p)
 {
     const double thickness = state->scene->thickness;
     if (state->scene->geometry != MPM_PLANE_STRESS || state->scene->shape == MPM_UGIMP)
         return thickness;
     return thickness * state->particles.deformation[MPM_ZZ][p];
-}
-
-void mpm_edge_load_value(const struct mpm_edge_loads *loads, size_t load, int worker,
-                         const double place[2], double time, double value[2])
-{
-    for (int axis = 0; axis < 2; axis++) {
-        const struct mpm_expression *const e = loads->value[load].component[axis];
-        value[axis] = e == NULL ? 0.0 : mpm_expression_value(e, worker, place, time);
-    }
 }
 
 static void place_of(const struct mpm_state *state, const struct mpm_edge_site *site,
@@ -95,7 +70,7 @@ static void place_of(const struct mpm_state *state, const struct mpm_edge_site *
 void mpm_edge_load_place(const struct mpm_state *state, const struct mpm_edge_site *site, size_t p,
                          double place[2])
 {
-    const struct mpm_shape_domain domain = carried_domain(state, p);
+    const struct mpm_shape_domain domain = mpm_particle_carried_domain(state, p);
     place_of(state, site, &domain, place);
 }
 
@@ -103,14 +78,14 @@ void mpm_edge_load_place(const struct mpm_state *state, const struct mpm_edge_si
 static void turn(const struct mpm_state *state, const struct mpm_edge_site *site,
                  const struct mpm_shape_domain *domain, double value[2])
 {
+    if (spec_of(state, site)->frame == MPM_FRAME_GLOBAL)
+        return;
     const bool along_first = site->edge == MPM_EDGE_BOTTOM || site->edge == MPM_EDGE_TOP;
     const bool forwards = site->edge == MPM_EDGE_BOTTOM || site->edge == MPM_EDGE_RIGHT;
     const double *const d = along_first ? domain->edge : domain->edge + 2;
     const double scale = (forwards ? 1.0 : -1.0) / sqrt(d[0] * d[0] + d[1] * d[1]);
     const double along[2] = {scale * d[0], scale * d[1]};
     const double normal = value[0], tangential = value[1];
-    if (spec_of(state, site)->frame == MPM_FRAME_GLOBAL)
-        return;
     value[0] = normal * along[1] + tangential * along[0];
     value[1] = tangential * along[1] - normal * along[0];
 }
@@ -118,11 +93,13 @@ static void turn(const struct mpm_state *state, const struct mpm_edge_site *site
 static void find_traction(const struct mpm_state *state, const struct mpm_shape_domain *domain,
                           int worker, struct mpm_strip *strip, struct mpm_loaded_edge *edge)
 {
+    const struct mpm_vector_field *const value = &state->edge_loads.value[edge->site->load];
     double place[2];
     place_of(state, edge->site, domain, place);
-    mpm_edge_load_value(&state->edge_loads, edge->site->load, worker, place, state->time,
-                        edge->traction);
-    for (int axis = 0; axis < 2; axis++)
+    for (int axis = 0; axis < 2; axis++) {
+        const struct mpm_expression *const e = value->component[axis];
+        edge->traction[axis] =
+            e == NULL ? 0.0 : mpm_expression_value(e, worker, place, state->time);
         if (!isfinite(edge->traction[axis])) {
             const struct mpm_failure failure = {.kind = MPM_TRACTION_NOT_FINITE,
                                                 .particle = edge->site->id,
@@ -133,6 +110,7 @@ static void find_traction(const struct mpm_state *state, const struct mpm_shape_
             edge->traction[0] = edge->traction[1] = 0.0;
             return;
         }
+    }
     turn(state, edge->site, domain, edge->traction);
 }
 
@@ -140,11 +118,8 @@ static void weigh_particle(const struct mpm_state *state, struct mpm_loaded_edge
 {
     struct mpm_stencil stencil;
     mpm_particle_stencil(state, edge->particle, &stencil);
-    edge->weights.count = stencil.count;
-    for (int k = 0; k < stencil.count; k++) {
-        edge->weights.entry[k].node = stencil.node[k].node;
-        edge->weights.entry[k].w = edge->site->area * stencil.node[k].s;
-    }
+    edge->weights.count = 0;
+    mpm_edge_weights_add(&edge->weights, &stencil, edge->site->area);
 }
 
 static void prepare_strip(void *context, int64_t index, int worker)
@@ -153,7 +128,7 @@ static void prepare_strip(void *context, int64_t index, int worker)
     struct mpm_edge_loads *const loads = &state->edge_loads;
     for (size_t k = loads->first[index]; k < loads->first[index + 1]; k++) {
         struct mpm_loaded_edge *const edge = &loads->edges[k];
-        const struct mpm_shape_domain domain = carried_domain(state, edge->particle);
+        const struct mpm_shape_domain domain = mpm_particle_carried_domain(state, edge->particle);
         find_traction(state, &domain, worker, &state->strips[index], edge);
         if (spec_of(state, edge->site)->on_particles)
             weigh_particle(state, edge);
@@ -179,15 +154,17 @@ static void add_force(const struct mpm_state *state, int64_t offset, const doubl
     sum[1].force += weight * traction[1];
 }
 
-/* Takes what nodes without mass would get; 0 as a rule. */
+/* Takes nodes without mass out, and returns what they would get; 0 as a rule. */
 static double take_massless(const struct mpm_state *state, struct mpm_edge_weights *weights)
 {
     double taken = 0.0;
+    int kept = 0;
     for (int k = 0; k < weights->count; k++)
-        if (state->grid.mass[state->node_zero + weights->entry[k].node] == 0.0) {
+        if (state->grid.mass[state->node_zero + weights->entry[k].node] == 0.0)
             taken += weights->entry[k].w;
-            weights->entry[k].w = 0.0;
-        }
+        else
+            weights->entry[kept++] = weights->entry[k];
+    weights->count = kept;
     return taken;
 }
 
@@ -195,8 +172,7 @@ static void give_by_shape(const struct mpm_state *state, struct mpm_loaded_edge 
 {
     struct mpm_stencil stencil;
     mpm_particle_stencil(state, edge->particle, &stencil);
-    for (int k = 0; k < stencil.count; k++)
-        mpm_edge_weights_add(&edge->weights, stencil.node[k].node, area * stencil.node[k].s);
+    mpm_edge_weights_add(&edge->weights, &stencil, area);
 }
 
 static void spread_strip(void *context, int64_t index, int worker)

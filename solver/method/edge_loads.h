@@ -2,7 +2,7 @@
  * are compared with there.
  *
  *     traction         f_i += T w_i, w_i the integral of N_i over the deformed edge (edge.h)
- *     particle force   f_i += T A_0 S_ip, A_0 the edge's area at t = 0
+ *     particle force   f_i += T A_0 S_ip, A_0 the area of the undeformed edge
  *
  * Where edges are and what T is, is taken at the start of the step: T of the middle of the edge
  * (particle force: of the particle), constant over edge and step. In the frame of the edge T has
@@ -33,10 +33,6 @@ void mpm_edge_loads_spread(struct mpm_state *state, int workers);
 
 /* After the momentum update and its conditions: work over the step, f_i (v^n + v^{n+1})/2 dt. */
 double mpm_edge_loads_work(struct mpm_state *state, int workers);
-
-/* T of a load at a place and time: components as the scene gives them. */
-void mpm_edge_load_value(const struct mpm_edge_loads *loads, size_t load, int worker,
-                         const double place[2], double time, double value[2]);
 
 /* Where T is taken. */
 void mpm_edge_load_place(const struct mpm_state *state, const struct mpm_edge_site *site, size_t p,

@@ -5,7 +5,6 @@
 #include "method/extent.h"
 #include "method/grid_update.h"
 
-#include <float.h>
 #include <math.h>
 
 void mpm_given_force_layout(struct mpm_state *state, struct mpm_arena *arena)
@@ -17,11 +16,6 @@ void mpm_given_force_layout(struct mpm_state *state, struct mpm_arena *arena)
     given->mass = MPM_TAKE(arena, double, nodes);
     given->sum = mpm_arena_take(arena, nodes, sizeof *given->sum);
     given->row_work = MPM_TAKE(arena, double, (size_t)state->grid.rows);
-}
-
-static bool is_finite(double x)
-{
-    return fabs(x) <= DBL_MAX;
 }
 
 static void evaluate_strip(const struct mpm_state *state, struct mpm_strip *strip)
@@ -36,7 +30,7 @@ static void evaluate_strip(const struct mpm_state *state, struct mpm_strip *stri
     }
     for (int axis = 0; axis < 2; axis++)
         for (size_t p = strip->begin; p < strip->end; p++)
-            if (!is_finite(given->value[axis][p])) {
+            if (!isfinite(given->value[axis][p])) {
                 mpm_strip_record(strip, MPM_GIVEN_FORCE_NOT_FINITE, id[p], axis,
                                  given->value[axis][p]);
                 given->value[axis][p] = 0.0; /* the step goes on to its end before it fails */

@@ -92,7 +92,7 @@ struct mpm_edge_site {
     uint32_t id; /* of the particle */
     uint32_t load;
     enum mpm_edge edge;
-    double area; /* at t = 0 */
+    double area; /* undeformed */
 };
 
 /* The same, in the order of the particles, with what it gives to the nodes in this step. */

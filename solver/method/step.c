@@ -125,7 +125,7 @@ bool mpm_step_wants_sort(const struct mpm_state *state)
 
 /* ----------------------------------------------------------------- the step */
 
-static enum mpm_status collect(struct mpm_state *state)
+enum mpm_status mpm_step_collect(struct mpm_state *state)
 {
     for (int64_t s = 0; s < state->strip_count; s++)
         mpm_failure_merge(&state->failure, &state->strips[s].failure);
@@ -261,5 +261,5 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
 
     MPM_TRY(mpm_rigid_advance(state, error));
     state->steps_since_sort++;
-    return collect(state);
+    return mpm_step_collect(state);
 }

@@ -30,6 +30,9 @@ enum { MPM_STEPS_BETWEEN_SORTS = 32 };
 void mpm_step_sort(struct mpm_state *state, double *const kept[MPM_KEPT_ARRAYS],
                    double seconds[MPM_PHASE_COUNT]);
 
+/* Failures that strips have recorded, in state->failure; MPM_RUN_FAILED if there is one. */
+enum mpm_status mpm_step_collect(struct mpm_state *state);
+
 /* Is it time to sort? Every 32 steps; and when strips of one colour touch each other's
  * nodes. The answer depends on the state only. */
 bool mpm_step_wants_sort(const struct mpm_state *state);

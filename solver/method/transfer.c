@@ -14,14 +14,27 @@ static void edges_of(const struct mpm_state *state, size_t p, double edge[4])
     mpm_shape_push_forward(f, state->bodies[particles->body[p]].half_size, edge);
 }
 
-static struct mpm_shape_domain domain_of(const struct mpm_state *state, size_t p)
+static struct mpm_shape_domain undeformed_domain(const struct mpm_state *state, size_t p)
 {
     const struct mpm_particles *const particles = &state->particles;
     const struct mpm_body *const body = &state->bodies[particles->body[p]];
-    struct mpm_shape_domain domain = {
+    return (struct mpm_shape_domain){
         .position = {particles->position[0][p], particles->position[1][p]},
         .half_size = {body->half_size[0], body->half_size[1]},
     };
+}
+
+struct mpm_shape_domain mpm_particle_carried_domain(const struct mpm_state *state, size_t p)
+{
+    struct mpm_shape_domain domain = undeformed_domain(state, p);
+    edges_of(state, p, domain.edge);
+    return domain;
+}
+
+static struct mpm_shape_domain domain_of(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    struct mpm_shape_domain domain = undeformed_domain(state, p);
     if (particles->domain[0] != NULL)
         for (int k = 0; k < 4; k++)
             domain.edge[k] = particles->domain[k][p];

@@ -18,6 +18,8 @@ void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_st
 const struct mpm_stencil *mpm_particle_read_weights(const struct mpm_state *state,
                                                     const struct mpm_stencil *stencil,
                                                     struct mpm_stencil *weights);
+/* The particle's domain with the edges that its F carries, whatever the family. */
+struct mpm_shape_domain mpm_particle_carried_domain(const struct mpm_state *state, size_t p);
 /* Puts the domain of a particle's F into its place, where domains are kept. */
 void mpm_particle_set_domain(const struct mpm_state *state, size_t p);
 

@@ -97,11 +97,10 @@ enum mpm_frame {
     MPM_FRAME_EDGE,   /* along the outward normal of the deformed edge and, counter clockwise, it */
 };
 
-/* A load on the edges of particles on one face of a body: entry `position` of loads.tractions or
- * of loads.particle_forces. */
+/* A load on the edges of particles on one face of a body. */
 struct mpm_edge_load_spec {
-    bool on_particles; /* particle_forces */
-    size_t position;
+    char key[48];      /* "loads.tractions.0", for messages */
+    bool on_particles; /* loads.particle_forces */
     size_t body;
     enum mpm_edge edge;
     enum mpm_frame frame;

@@ -205,10 +205,10 @@ static void set_fixed(struct mpm_state *state)
             state->fixed[row * grid->columns + column] |= 1u;
 }
 
-/* Velocities and forces that are prescribed must be finite at the start. */
-static enum mpm_status check_field(const struct mpm_simulation *simulation,
-                                   const struct mpm_vector_field *field, const double position[2],
-                                   int line, const char *key, struct mpm_error *error)
+enum mpm_status mpm_vector_field_check(const struct mpm_simulation *simulation,
+                                       const struct mpm_vector_field *field,
+                                       const double position[2], int line, const char *key,
+                                       struct mpm_error *error)
 {
     for (int axis = 0; axis < 2; axis++) {
         if (field->component[axis] == NULL)
@@ -223,6 +223,7 @@ static enum mpm_status check_field(const struct mpm_simulation *simulation,
     return MPM_OK;
 }
 
+/* Velocities and forces that are prescribed must be finite at the start. */
 static enum mpm_status check_start(const struct mpm_simulation *simulation, struct mpm_error *error)
 {
     const struct mpm_scene *const scene = simulation->scene;
@@ -235,32 +236,34 @@ static enum mpm_status check_start(const struct mpm_simulation *simulation, stru
         mpm_grid_position(&state->grid, condition->node, position);
         if (condition->boundary != MPM_AXIS_CONDITION &&
             !mpm_grid_is_ghost(&state->grid, condition->node))
-            MPM_TRY(check_field(simulation, &state->boundary_velocity[condition->boundary],
-                                position, scene->boundaries[condition->boundary].line,
-                                "boundary.velocity", error));
+            MPM_TRY(mpm_vector_field_check(
+                simulation, &state->boundary_velocity[condition->boundary], position,
+                scene->boundaries[condition->boundary].line, "boundary.velocity", error));
     }
     for (size_t p = 0; p < rigid->count; p++) {
         const double position[2] = {rigid->position[0][p], rigid->position[1][p]};
-        MPM_TRY(check_field(simulation, &state->body_velocity[rigid->body[p]], position,
-                            scene->bodies[rigid->body[p]].line, "bodies.rigid.velocity", error));
+        MPM_TRY(mpm_vector_field_check(simulation, &state->body_velocity[rigid->body[p]], position,
+                                       scene->bodies[rigid->body[p]].line, "bodies.rigid.velocity",
+                                       error));
     }
     for (size_t p = 0; p < particles->count; p++) {
         const double position[2] = {particles->position[0][p], particles->position[1][p]};
-        MPM_TRY(check_field(simulation, &state->body_force, position, scene->line_body_force,
-                            "loads.body_force", error));
+        MPM_TRY(mpm_vector_field_check(simulation, &state->body_force, position,
+                                       scene->line_body_force, "loads.body_force", error));
     }
     return mpm_edge_loads_check_start(simulation, error);
 }
 
-static double initial_wave_speed(const struct mpm_state *state)
+/* Every body is undeformed. */
+static double initial_wave_speed(const struct mpm_simulation *simulation)
 {
-    const struct mpm_particles *const particles = &state->particles;
+    static const double f[MPM_GRADIENT_SIZE] = {[MPM_XX] = 1.0, [MPM_YY] = 1.0, [MPM_ZZ] = 1.0};
     double fastest = 0.0;
-    for (size_t p = 0; p < particles->count; p++) {
-        const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
-        double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], square;
-        for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-            f[k] = particles->deformation[k][p];
+    for (size_t k = 0; k < simulation->scene->body_count; k++) {
+        const struct mpm_material *const material = &simulation->state.bodies[k].material;
+        double stress[MPM_SYMMETRIC_SIZE], square;
+        if (simulation->scene->bodies[k].rigid)
+            continue;
         material->law->stress(material, f, stress, &square);
         fastest = fmax(fastest, square);
     }
@@ -311,11 +314,12 @@ static void limit_workers(struct mpm_state *state, size_t particles)
         state->workers = (int)useful;
 }
 
-enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, struct mpm_error *error)
+enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wave_speed,
+                                    struct mpm_error *error)
 {
     struct mpm_state *const state = &simulation->state;
-    simulation->wave_speed = initial_wave_speed(state);
-    simulation->wave_speed_start = simulation->wave_speed;
+    simulation->wave_speed = wave_speed;
+    simulation->wave_speed_start = wave_speed;
     simulation->particle_speed = mpm_particle_speed(&state->particles, 0, state->particles.count);
     simulation->lightest = lightest_particle(&state->particles);
     MPM_TRY(mpm_time_step_check(simulation, error));
@@ -323,6 +327,8 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, struct mp
     open_books(simulation);
     double unused[MPM_PHASE_COUNT] = {0.0}; /* part of the set-up */
     mpm_step_sort(state, simulation->backup.arrays, unused);
+    if (mpm_step_collect(state) != MPM_OK)
+        return mpm_health_refuse_start(simulation, error);
     mpm_backup_save(simulation);
     return MPM_OK;
 }
@@ -359,7 +365,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     set_rigid_velocities(state);
     set_fixed(state);
     MPM_TRY(check_start(simulation, error));
-    return mpm_simulation_open(simulation, error);
+    return mpm_simulation_open(simulation, initial_wave_speed(simulation), error);
 }
 
 enum mpm_status mpm_simulation_create(const struct mpm_scene *scene,

@@ -10,7 +10,6 @@
 #include "model/fill.h"
 #include "simulation/simulation.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -24,8 +23,7 @@ enum { KEY_SIZE = 64 };
 static const char *key_of(const struct mpm_edge_load_spec *load, const char *last,
                           char key[KEY_SIZE])
 {
-    (void)snprintf(key, KEY_SIZE, "loads.%s.%zu.%s",
-                   load->on_particles ? "particle_forces" : "tractions", load->position, last);
+    (void)snprintf(key, KEY_SIZE, "%s.%s", load->key, last);
     return key;
 }
 
@@ -169,7 +167,7 @@ void mpm_edge_loads_fill(struct mpm_simulation *simulation)
     }
 }
 
-/* Particles still stand in creation order, as the sites do. */
+/* Values at t = 0 must be finite. Particles still stand in creation order, as the sites do. */
 enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulation,
                                            struct mpm_error *error)
 {
@@ -178,19 +176,13 @@ enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulati
     for (size_t k = 0; k < state->edge_loads.count; k++) {
         const struct mpm_edge_site *const site = &state->edge_loads.sites[k];
         const struct mpm_edge_load_spec *const spec = &simulation->scene->edge_loads[site->load];
-        double place[2], value[2];
+        double place[2];
         char key[KEY_SIZE];
         while (state->particles.id[p] < site->id)
             p++;
         mpm_edge_load_place(state, site, p, place);
-        mpm_edge_load_value(&state->edge_loads, site->load, 0, place, 0.0, value);
-        for (int axis = 0; axis < 2; axis++)
-            if (!isfinite(value[axis]))
-                return mpm_scene_error(
-                    error, simulation->scene, spec->line, key_of(spec, "value", key),
-                    "'%s' is %g at (%g, %g), time 0; allowed: finite",
-                    mpm_expression_text(state->edge_loads.value[site->load].component[axis]),
-                    value[axis], place[0], place[1]);
+        MPM_TRY(mpm_vector_field_check(simulation, &state->edge_loads.value[site->load], place,
+                                       spec->line, key_of(spec, "value", key), error));
     }
     return MPM_OK;
 }

@@ -82,6 +82,21 @@ static void set_deformation(const struct mpm_simulation *simulation, size_t p, c
         particles->deformation[k][p] = f[k];
 }
 
+static double fastest_wave(const struct mpm_state *state)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    double fastest = 0.0;
+    for (size_t p = 0; p < particles->count; p++) {
+        const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
+        double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], square;
+        for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+            f[k] = particles->deformation[k][p];
+        material->law->stress(material, f, stress, &square);
+        fastest = fmax(fastest, square);
+    }
+    return sqrt(fastest);
+}
+
 enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, const double *velocity,
                                          const double *deformation_gradient,
                                          struct mpm_error *error)
@@ -104,7 +119,8 @@ enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, cons
     }
     mpm_step_recompute(&simulation->state);
     struct mpm_error why = {0};
-    const enum mpm_status status = mpm_simulation_open(simulation, &why);
+    const enum mpm_status status =
+        mpm_simulation_open(simulation, fastest_wave(&simulation->state), &why);
     if (status == MPM_OK)
         return MPM_OK;
     simulation->failure = why;

@@ -75,10 +75,8 @@ static void describe(const struct mpm_simulation *simulation, const struct mpm_f
                        failure->axis, failure->value);
         return;
     case MPM_TRACTION_NOT_FINITE:
-        (void)snprintf(text, size, "bears a load that is not finite: loads.%s.%zu.value.%d = %g",
-                       simulation->scene->edge_loads[failure->load].on_particles ? "particle_forces"
-                                                                                 : "tractions",
-                       simulation->scene->edge_loads[failure->load].position, failure->axis,
+        (void)snprintf(text, size, "bears a load that is not finite: %s.value.%d = %g",
+                       simulation->scene->edge_loads[failure->load].key, failure->axis,
                        failure->value);
         return;
     case MPM_GIVEN_FORCE_NOT_FINITE:
@@ -96,6 +94,16 @@ static void describe(const struct mpm_simulation *simulation, const struct mpm_f
         break;
     }
     (void)snprintf(text, size, "is sound");
+}
+
+enum mpm_status mpm_health_refuse_start(const struct mpm_simulation *simulation,
+                                        struct mpm_error *error)
+{
+    const struct mpm_failure *const failure = &simulation->state.failure;
+    char text[256];
+    describe(simulation, failure, text, sizeof text);
+    return mpm_error_set(error, MPM_BAD_INPUT, "start: particle %u (body '%s') %s",
+                         failure->particle, body_of(simulation, failure->particle), text);
 }
 
 enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, double kinetic_energy,

@@ -60,6 +60,10 @@ double mpm_kinetic_energy(const struct mpm_state *state);
 enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, double kinetic_energy,
                                  struct mpm_error *error);
 
+/* A failure before the first step, such as a domain too long for the grid: MPM_BAD_INPUT. */
+enum mpm_status mpm_health_refuse_start(const struct mpm_simulation *simulation,
+                                        struct mpm_error *error);
+
 /* damping.c: what the scene damps, and its memory; rates that are not allowed at t = 0 are
  * refused with MPM_BAD_INPUT once the particles stand and the first time step is known. */
 enum mpm_status mpm_damping_create(struct mpm_simulation *simulation, const char *const names[2],
@@ -84,10 +88,18 @@ enum mpm_status mpm_vector_field_create(const struct mpm_scene *scene,
                                         int workers, struct mpm_vector_field *field,
                                         struct mpm_error *error);
 void mpm_vector_field_free(struct mpm_vector_field *field);
+/* create.c: MPM_BAD_INPUT at the scene's line and key if a component is not finite there at t = 0.
+ */
+enum mpm_status mpm_vector_field_check(const struct mpm_simulation *simulation,
+                                       const struct mpm_vector_field *field,
+                                       const double position[2], int line, const char *key,
+                                       struct mpm_error *error);
 
-/* create.c: what follows from the particles' start: speeds and the checks that need them, the
- * energy against which the run is judged, the first sort and backup. */
-enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, struct mpm_error *error);
+/* create.c: what follows from the particles' start, whose fastest wave the caller knows: speeds and
+ * the checks that need them, the energy against which the run is judged, the first sort and
+ * backup. */
+enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wave_speed,
+                                    struct mpm_error *error);
 
 /* rest.c: judges the step just taken. */
 void mpm_rest_judge(struct mpm_simulation *simulation);
