@@ -7,12 +7,11 @@
 #include "verification/exact/bar_dispersion.h"
 
 #include <check.h>
+#include <glib.h>
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 #include <stddef.h>
-
-static const double PI = 3.14159265358979323846;
 
 /* -------------------------------------------------------------------- velocity form */
 
@@ -91,7 +90,7 @@ START_TEST(the_dispersion_is_that_of_the_tasks_of_a_step)
     for (size_t c = 0; c < sizeof cases / sizeof cases[0]; c++) {
         const enum bar_dispersion_order order = (enum bar_dispersion_order)_i;
         struct row row = {.n = cases[c].particles};
-        const double k = 2 * PI / CELLS, dt = cases[c].dt;
+        const double k = 2 * G_PI / CELLS, dt = cases[c].dt;
         double amplitude[4], v[CELLS + 1];
         for (size_t p = 0; p < CELLS * row.n; p++) {
             const double x = place(&row, p);
@@ -144,8 +143,8 @@ START_TEST(the_numbers_that_case_e3_states_are_those_of_the_theory)
     };
     for (size_t k = 0; k < sizeof stated / sizeof stated[0]; k++) {
         const struct bar_dispersion bar = {stated[k].order, 2, stated[k].fraction, 1, 1, 0.4};
-        const struct bar_dispersion_result result = bar_dispersion(&bar, PI / 16);
-        ck_assert_double_eq_tol(100 * (result.frequency / (PI / 16) - 1), stated[k].frequency,
+        const struct bar_dispersion_result result = bar_dispersion(&bar, G_PI / 16);
+        ck_assert_double_eq_tol(100 * (result.frequency / (G_PI / 16) - 1), stated[k].frequency,
                                 1e-5);
         ck_assert_double_eq_tol(100 * 32 * result.decay, stated[k].decay, 1e-5);
     }
@@ -250,7 +249,7 @@ static double frequency_error(size_t cells, bool momentum)
 {
     const double root = sqrt(lowest_eigenvalue(cells, momentum));
     const double frequency = 2.0 / COURANT * asin(0.5 * root * COURANT);
-    return 100.0 * (frequency / (PI / (double)cells) - 1.0);
+    return 100.0 * (frequency / (G_PI / (double)cells) - 1.0);
 }
 
 /* An eigenvalue of (pi/64)^2 = 2e-3 with the round-off of the largest, 4 times n eps: 1e-11, 1e-9
@@ -259,7 +258,7 @@ START_TEST(the_velocity_form_of_a_held_bar_has_the_frequency_of_its_dispersion)
 {
     const size_t cells = (size_t)8 << _i;
     const struct bar_dispersion bar = {BAR_DISPERSION_USAVG, CELL_PARTICLES, 1, 1, 1, COURANT};
-    const double k = PI / (double)cells;
+    const double k = G_PI / (double)cells;
     const double stated = 100.0 * (bar_dispersion(&bar, k).frequency / k - 1.0);
     static const double ROUND_OFF_PERCENT = 1e-9;
     ck_assert_near(frequency_error(cells, false), stated, ROUND_OFF_PERCENT);

@@ -7,12 +7,11 @@
 #include "verification/exact/step_wave.h"
 
 #include <check.h>
+#include <glib.h>
 #include <math.h>
 #include <stddef.h>
 
 Suite *suite_modes(void);
-
-static const double PI = 3.14159265358979323846;
 
 /* ---------------------------------------------------------- breathing modes */
 
@@ -23,7 +22,7 @@ static double bessel(int n, double x)
     enum { POINTS = 64 };
     double sum = 0.0;
     for (int k = 0; k < POINTS; k++) {
-        const double t = PI * (k + 0.5) / POINTS;
+        const double t = G_PI * (k + 0.5) / POINTS;
         sum += cos(n * t - x * sin(t));
     }
     return sum / POINTS;
