@@ -7,6 +7,7 @@
 #include "support/kernel_pair.h"
 #include "support/near.h"
 #include "support/scenes.h"
+#include "support/soft_block.h"
 
 #include <glib.h>
 #include <stdlib.h>
@@ -191,17 +192,10 @@ END_TEST
 /* ------------------------------------------------------------- PIC damping */
 
 /* A free block that swings: particle and grid velocities differ. */
-static const char BLOCK[] =
-    "format: 1\n"
-    "geometry: plane_strain\n"
-    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}\n"
-    "time: {end: 1000, step: 0.1}\n"
-    "materials: [{name: soft, law: neo_hookean, density: 1, bulk: 1.25, shear: 0.75}]\n"
-    "bodies:\n"
+static const char BLOCK[] = TEST_SOFT_SCENE(
+    "{end: 1000, step: 0.1}",
     "  - {name: block, material: soft, region: {rectangle: {from: [3, 3.2], to: [8, 7.2]}},\n"
-    "     velocity: ['0.05*sin(2*x)', '0.04*cos(y)']}\n"
-    "boundary:\n"
-    "  - {region: {line: {from: [0, 3.2], to: [14, 3.2]}}, velocity: [free, '0.02*sin(2*t)']}\n";
+    "     velocity: ['0.05*sin(2*x)', '0.04*cos(y)']}\n" TEST_SWINGING_FLOOR);
 
 static const char *const kernels_pair_settings[2][3] = {
     {"damping={pic: 0.9}", NULL, NULL},

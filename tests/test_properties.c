@@ -5,7 +5,7 @@
 #include "suites.h"
 #include "support/combinations.h"
 #include "support/near.h"
-#include "support/scenes.h"
+#include "support/transfer_block.h"
 
 #include <float.h>
 #include <glib.h>
@@ -14,19 +14,7 @@
 
 static const char *const laws[] = {"neo_hookean", "linear_elastic"};
 
-/* Cells are not square, the body's edges are not the grid's, and it stands at a distance from
- * the axis in axisymmetry. Wave speed 12, so that a step is near 0.02. */
-static const char BLOCK[] =
-    "format: 1\n"
-    "title: A block\n"
-    "geometry: plane_strain\n"
-    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}\n"
-    "time: {end: 1000, courant: 0.3}\n"
-    "method: {shape: ugimp, stress_update: musl}\n"
-    "materials: [{name: rubber, law: neo_hookean, density: 1, bulk: 80, shear: 48}]\n"
-    "bodies:\n"
-    "  - {name: block, material: rubber, region: {rectangle: {from: [3, 3.2], to: [8, 7.2]}},\n"
-    "     particles_per_cell: [2, 2]}\n";
+static const char BLOCK[] = TEST_RUBBER_BLOCK("[8, 7.2]");
 
 /* The block with the settings, which are cleared. */
 static struct test_run open_block(struct settings *settings)

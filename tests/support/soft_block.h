@@ -1,20 +1,16 @@
-/* The scene of the tests of loads, boundaries and starts: a soft block on cells that are not
- * square. Wave speed 1.5; of TEST_SOFT_BLOCK, masses of order 20 and 80 particles.
+/* The scene of the tests of loads, damping and starts: a soft block. Wave speed 1.5; of
+ * TEST_SOFT_BLOCK, masses of order 20 and 80 particles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TESTS_SUPPORT_SOFT_BLOCK_H
 #define TESTS_SUPPORT_SOFT_BLOCK_H
 
 #include "support/kernel_pair.h"
+#include "support/scenes.h"
 
-/* `time` is the flow mapping of that section, `bodies` the rest of the scene from there on. */
 #define TEST_SOFT_SCENE(time, bodies)                                                              \
-    "format: 1\n"                                                                                  \
-    "geometry: plane_strain\n"                                                                     \
-    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}\n"                                    \
-    "time: " time "\n"                                                                             \
-    "materials: [{name: soft, law: neo_hookean, density: 1, bulk: 1.25, shear: 0.75}]\n"           \
-    "bodies:\n" bodies
+    TEST_BLOCK_SCENE(time, "{name: soft, law: neo_hookean, density: 1, bulk: 1.25, shear: 0.75}",  \
+                     bodies)
 
 /* `wall` is TEST_WALL or empty. */
 #define TEST_SOFT_BLOCK(wall)                                                                      \

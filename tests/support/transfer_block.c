@@ -4,18 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Cells are not square, the body's edges are on grid lines and within cells. Wave speed 12, so
- * that a step is near 0.02. */
-static const char BLOCK[] =
-    "format: 1\n"
-    "title: A block\n"
-    "geometry: plane_strain\n"
-    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}\n"
-    "time: {end: 1000, courant: 0.3}\n"
-    "materials: [{name: rubber, law: neo_hookean, density: 1, bulk: 80, shear: 48}]\n"
-    "bodies:\n"
-    "  - {name: block, material: rubber, region: {rectangle: {from: [3, 3.2], to: [8.5, 8]}},\n"
-    "     particles_per_cell: [2, 2]}\n";
+/* Its edges are on grid lines and within cells. */
+static const char BLOCK[] = TEST_RUBBER_BLOCK("[8.5, 8]");
 
 const char *const block_orders[BLOCK_ORDERS] = {"stress_update: usl", "stress_update: musl",
                                                 "stress_update: usf", "stress_update: usavg",
