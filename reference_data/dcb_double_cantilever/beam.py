@@ -1,5 +1,6 @@
 # The double cantilever beam of CRAMP 3.1 as a CalculiX deck, and the reading of its results.
 # Upper half only: the mid-plane ahead of the crack is held by symmetry. Units: mm, N, MPa.
+# Each node lies at (x, y) with y from 3 (mid-plane) to 6.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 import os
@@ -7,7 +8,14 @@ import subprocess
 
 LENGTH, ARM, CRACK, THICKNESS = 100.0, 3.0, 50.0, 1.0
 YOUNG, POISSON, FORCE = 0.1, 0.33, 4e-5
-STATES = {"plane_strain": "CPE", "plane_stress": "CPS"}
+THIN = 0.01  # thickness at which CalculiX's own plane-stress elements are plane (SOURCE.md)
+
+
+def constants(state):
+    """E and nu whose plane strain is `state`: same moduli in the plane, so the same matrices."""
+    if state == "plane_strain":
+        return YOUNG, POISSON
+    return YOUNG * (1 + 2 * POISSON) / (1 + POISSON) ** 2, POISSON / (1 + POISSON)
 
 
 class Mesh:
@@ -49,31 +57,38 @@ class Mesh:
                 shares[j + k] += part * self.step / self.rows
         return shares
 
-    def midplane(self):
-        """Corner nodes of the plane y = 3 with their x."""
-        return [(self.place(i, 0)[0], self.number(i, 0))
-                for i in range(0, self.columns + 1, self.step)]
+    def corners(self):
+        """Corner nodes: {(column, row) in elements: number}."""
+        s = self.step
+        return {(i // s, j // s): self.number(i, j)
+                for i in range(0, self.columns + 1, s) for j in range(0, self.rows + 1, s)}
 
 
-def deck(mesh, state, crack=CRACK, thickness=THICKNESS, large=False):
-    """The input of ccx. The force stays that of 1 mm of thickness for each mm."""
+def deck(mesh, state, solid=None, large=False):
+    """The input of ccx: plane-strain elements, with the constants of `state`; or, for `solid`,
+    CalculiX's plane-stress elements of that thickness, loaded in proportion to it. `large`:
+    finite displacements, loads that keep their direction."""
+    kind, young, poisson = ("CPE",) + constants(state)
+    if solid:
+        kind, young, poisson = "CPS", YOUNG, POISSON
+    thickness = solid or THICKNESS
     lines = ["** Double cantilever beam of CRAMP 3.1, upper half; mm, N, MPa",
              "** SPDX-License-Identifier: GPL-3.0-or-later", "*NODE, NSET=ALL"]
     for i, j in mesh.points():
         lines.append("%d, %.9g, %.9g" % ((mesh.number(i, j),) + mesh.place(i, j)))
-    lines.append("*ELEMENT, TYPE=%s%d, ELSET=ARM" % (STATES[state], mesh.nodes))
+    lines.append("*ELEMENT, TYPE=%s%d, ELSET=ARM" % (kind, mesh.nodes))
     for k, corners in enumerate(mesh.elements()):
         lines.append(", ".join(map(str, [k + 1] + corners)))
     lines.append("*NSET, NSET=LIGAMENT")
     held = [mesh.number(i, 0) for i in range(mesh.columns + 1)
-            if mesh.place(i, 0)[0] > crack - 1e-9]
+            if mesh.place(i, 0)[0] > CRACK - 1e-9]
     lines += [", ".join(map(str, held[k:k + 12])) + "," for k in range(0, len(held), 12)]
     lines += ["*BOUNDARY", "LIGAMENT, 2, 2", "%d, 1, 1" % mesh.number(mesh.columns, 0),
-              "*MATERIAL, NAME=SOFT", "*ELASTIC", "%g, %g" % (YOUNG, POISSON),
+              "*MATERIAL, NAME=SOFT", "*ELASTIC", "%.15g, %.15g" % (young, poisson),
               "*SOLID SECTION, ELSET=ARM, MATERIAL=SOFT", "%g" % thickness,
               "*STEP, NLGEOM" if large else "*STEP", "*STATIC"]
     if large:
-        lines.append("0.1, 1.")
+        lines.append("0.25, 1.")
     lines.append("*CLOAD")
     for j, share in enumerate(mesh.end_weights()):
         load = share * FORCE * thickness / THICKNESS
@@ -99,17 +114,30 @@ def fields(text):
 
 
 class Result:
-    """One run of ccx: stress along the mid-plane and how far the loaded end opens."""
+    """One run of ccx: stress (xx, yy, xy) at the corner nodes, opening of the loaded end."""
 
     def __init__(self, folder, mesh, state, **variant):
         name = os.path.join(folder, "arm")
         with open(name + ".inp", "w") as out:
             out.write(deck(mesh, state, **variant))
-        subprocess.run(["ccx", "arm"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(["ccx", "arm"], cwd=folder, check=True, stdout=subprocess.DEVNULL,
+                       env=dict(os.environ, OMP_NUM_THREADS="1"))
         with open(name + ".frd") as results:
             found = fields(results.read())
-        self.stress = {round(x, 6): found["STRESS"][n][0] for x, n in mesh.midplane()}
+        self.size = mesh.size
+        self.stress = {place: [found["STRESS"][n][k] for k in (0, 1, 3)]
+                       for place, n in mesh.corners().items()}
         end = [(share, found["DISP"][mesh.number(0, j)][1])
                for j, share in enumerate(mesh.end_weights())]
         self.opening = sum(share * rise for share, rise in end)  # does the work of the load
         self.corner = end[0][1]
+
+    def at(self, x, y):
+        """Stress at a point of the arm, bilinear between the averaged values of the corners."""
+        s, t = x / self.size, (y - ARM) / self.size
+        i, j = int(min(s, LENGTH / self.size - 1)), int(min(t, ARM / self.size - 1))
+        s, t = s - i, t - j
+        shares = {(0, 0): (1 - s) * (1 - t), (1, 0): s * (1 - t), (0, 1): (1 - s) * t,
+                  (1, 1): s * t}
+        return [sum(share * self.stress[i + a, j + b][k] for (a, b), share in shares.items()
+                    if share) for k in range(3)]
