@@ -58,6 +58,7 @@
     SUITE(orders)                                                                                  \
     SUITE(measures)                                                                                \
     SUITE(modes)                                                                                   \
+    SUITE(dispersion)                                                                              \
     SUITE(stability)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);

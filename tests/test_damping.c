@@ -2,18 +2,18 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
+#include "support/combinations.h"
 #include "support/folder.h"
 #include "support/kernel_pair.h"
 #include "support/near.h"
 #include "support/scenes.h"
+#include "support/soft_block.h"
 
 #include <glib.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const shapes[] = {"classic", "ugimp", "cpdi"};
-static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
-enum { SHAPES = G_N_ELEMENTS(shapes), ORDERS = G_N_ELEMENTS(orders) };
+enum { SHAPES = 3 }; /* the first of all: damping does not know them */
 
 static double *velocities(const struct test_run *run, size_t *count)
 {
@@ -56,10 +56,10 @@ enum { RATES = G_N_ELEMENTS(rates) };
  * is dt v*^{n+1}, which knows alpha_g only. */
 START_TEST(a_free_body_keeps_one_minus_alpha_dt_of_its_velocity_in_a_step)
 {
-    const int r = _i % RATES, o = _i / RATES % ORDERS, s = _i / RATES / ORDERS;
+    const int r = _i % RATES, o = _i / RATES % TEST_ORDERS, s = _i / RATES / TEST_ORDERS;
     for (int midpoint = 0; midpoint < 2; midpoint++) {
-        char *order = g_strdup_printf("method.stress_update=%s", orders[o]);
-        char *shape = g_strdup_printf("method.shape=%s", shapes[s]);
+        char *order = g_strdup_printf("method.stress_update=%s", test_orders[o]);
+        char *shape = g_strdup_printf("method.shape=%s", test_shapes[s]);
         const char *const settings[] = {rates[r].damping, order, shape,
                                         midpoint ? "method.position_update=midpoint"
                                                  : "method.position_update=grid_velocity",
@@ -192,17 +192,10 @@ END_TEST
 /* ------------------------------------------------------------- PIC damping */
 
 /* A free block that swings: particle and grid velocities differ. */
-static const char BLOCK[] =
-    "format: 1\n"
-    "geometry: plane_strain\n"
-    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}\n"
-    "time: {end: 1000, step: 0.1}\n"
-    "materials: [{name: soft, law: neo_hookean, density: 1, bulk: 1.25, shear: 0.75}]\n"
-    "bodies:\n"
+static const char BLOCK[] = TEST_SOFT_SCENE(
+    "{end: 1000, step: 0.1}",
     "  - {name: block, material: soft, region: {rectangle: {from: [3, 3.2], to: [8, 7.2]}},\n"
-    "     velocity: ['0.05*sin(2*x)', '0.04*cos(y)']}\n"
-    "boundary:\n"
-    "  - {region: {line: {from: [0, 3.2], to: [14, 3.2]}}, velocity: [free, '0.02*sin(2*t)']}\n";
+    "     velocity: ['0.05*sin(2*x)', '0.04*cos(y)']}\n" TEST_SWINGING_FLOOR);
 
 static const char *const kernels_pair_settings[2][3] = {
     {"damping={pic: 0.9}", NULL, NULL},
@@ -260,12 +253,13 @@ static const char ALL_OF_IT[] = "damping={grid: '0.2*x', particle: '0.1+0.02*y',
 
 START_TEST(fast_and_reference_kernels_damp_alike)
 {
-    char *order = g_strdup_printf("method.stress_update=%s", orders[_i / SHAPES % ORDERS]);
-    char *shape = g_strdup_printf("method.shape=%s", shapes[_i % SHAPES]);
+    char *order =
+        g_strdup_printf("method.stress_update=%s", test_orders[_i / SHAPES % TEST_ORDERS]);
+    char *shape = g_strdup_printf("method.shape=%s", test_shapes[_i % SHAPES]);
     const char *const settings[] = {ALL_OF_IT,
                                     order,
                                     shape,
-                                    _i / SHAPES / ORDERS == 0
+                                    _i / SHAPES / TEST_ORDERS == 0
                                         ? "method.position_update=grid_velocity"
                                         : "method.position_update=midpoint",
                                     "loads={body_force: [0, '-0.001*x']}",
@@ -274,7 +268,7 @@ START_TEST(fast_and_reference_kernels_damp_alike)
         {settings, {.threads = 1, .kernels = MPM_KERNELS_REFERENCE}},
         {settings, {.threads = 1, .kernels = MPM_KERNELS_FAST}}};
     struct kernel_pair pair = kernel_pair_open_text(BLOCK, sides);
-    const bool amplifies = _i % SHAPES == 0 && _i / SHAPES % ORDERS == 0;
+    const bool amplifies = _i % SHAPES == 0 && _i / SHAPES % TEST_ORDERS == 0;
     kernel_pair_assert_alike(&pair, amplifies ? 10 : KERNEL_PAIR_STEPS);
     kernel_pair_close(&pair);
     g_free(order);
@@ -416,7 +410,7 @@ Suite *suite_damping(void)
     Suite *suite = suite_create("damping");
     TCase *free_bodies = tcase_create("free bodies");
     tcase_add_loop_test(free_bodies, a_free_body_keeps_one_minus_alpha_dt_of_its_velocity_in_a_step,
-                        0, RATES * ORDERS * SHAPES);
+                        0, RATES * TEST_ORDERS * SHAPES);
     tcase_add_loop_test(free_bodies, every_transfer_is_damped_alike, 0, 6);
     tcase_add_loop_test(free_bodies, a_place_is_damped_and_another_is_not, 0, 2);
     tcase_add_test(free_bodies, strain_follows_the_damped_velocity_of_the_nodes);
@@ -426,7 +420,8 @@ Suite *suite_damping(void)
     TCase *kernels = tcase_create("kernels");
     tcase_add_loop_test(kernels, pic_damping_is_a_flip_fraction, 0, 2);
     tcase_add_test(kernels, pic_damping_moves_particles_with_the_midpoint_update);
-    tcase_add_loop_test(kernels, fast_and_reference_kernels_damp_alike, 0, 2 * SHAPES * ORDERS);
+    tcase_add_loop_test(kernels, fast_and_reference_kernels_damp_alike, 0,
+                        2 * SHAPES * TEST_ORDERS);
     tcase_add_loop_test(kernels, any_number_of_threads_gives_the_same_bits_with_damping, 0, 2);
     suite_add_tcase(suite, kernels);
     TCase *refusals = tcase_create("refusals");

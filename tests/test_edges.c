@@ -10,9 +10,7 @@
 #include <gsl/gsl_integration.h>
 #include <math.h>
 
-static const enum mpm_shape shapes[] = {MPM_CLASSIC, MPM_UGIMP, MPM_CPDI, MPM_BSPLINE2,
-                                        MPM_BSPLINE3};
-enum { SHAPES = G_N_ELEMENTS(shapes), SAMPLES = 100, POINTS = 16, CASES = 4 };
+enum { SHAPES = MPM_SHAPE_COUNT, SAMPLES = 100, POINTS = 16, CASES = 4 };
 
 /* Planar, and the three that axisymmetry has. */
 static const struct {
@@ -45,7 +43,7 @@ static struct sample draw(GRand *random, int index)
     static const int64_t cells[2] = {9, 9};
     const int place = index / SHAPES;
     struct sample sample = {
-        .family = mpm_shape_family(shapes[index % SHAPES]),
+        .family = mpm_shape_family((enum mpm_shape)(index % SHAPES)),
         .grid = mpm_shape_grid_describe(origin, cell, cells, places[place].geometry,
                                         places[place].axis),
         .domain = {.half_size = {g_rand_double_range(random, 0.1, 1.0),

@@ -11,12 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
-static const char *const orders[] = {"stress_update: usl", "stress_update: musl",
-                                     "stress_update: usf", "stress_update: usavg",
-                                     "stress_update: usavg, extrapolate: false"};
-enum { SHAPES = G_N_ELEMENTS(shapes), ORDERS = G_N_ELEMENTS(orders), CLASSIC = 0 };
-
 /* ----------------------------------------------------------------------- forms */
 
 /* Eight cells from the edges of the body below: a particle has the same mass at all its nodes, and
@@ -35,14 +29,15 @@ START_TEST(both_forms_are_one_where_the_nodes_have_one_mass)
     static const char *const kinds[] = {"{kind: flip}", "{kind: pic}", "{fraction: 0.9}"};
     struct test_run runs[2];
     for (int k = 0; k < 2; k++) {
-        struct block_settings settings = {.count = 0};
-        block_add(&settings, "method={shape: %s, %s, transfer: %s, position_update: %s, form: %s}",
-                  shapes[_i % SHAPES], orders[_i / SHAPES], kinds[_i % 3],
-                  _i % 2 == 0 ? "midpoint" : "grid_velocity", k == 0 ? "velocity" : "momentum");
-        block_set_wild_velocity(&settings, false);
-        block_add(&settings, "grid.cells=[24, 26]");
-        block_add(&settings, "bodies.block.region.rectangle={from: [3, 3.2], to: [21, 17.6]}");
-        block_add(&settings, "loads={body_force: [0.5, '0.3*x']}");
+        struct settings settings = {.count = 0};
+        settings_add_formatted(
+            &settings, "method={shape: %s, %s, transfer: %s, position_update: %s, form: %s}",
+            test_shapes[_i % TEST_SHAPES], block_orders[_i / TEST_SHAPES], kinds[_i % 3],
+            _i % 2 == 0 ? "midpoint" : "grid_velocity", k == 0 ? "velocity" : "momentum");
+        test_add_wild_velocity(&settings, false);
+        settings_add(&settings, "grid.cells=[24, 26]");
+        settings_add(&settings, "bodies.block.region.rectangle={from: [3, 3.2], to: [21, 17.6]}");
+        settings_add(&settings, "loads={body_force: [0.5, '0.3*x']}");
         runs[k] = block_open(&settings, 1);
     }
     size_t n;
@@ -78,9 +73,9 @@ START_TEST(usavg_extrapolates_unless_told_otherwise)
     static const char *const words[] = {"", ", extrapolate: true", ", extrapolate: false"};
     struct test_run runs[3];
     for (int k = 0; k < 3; k++) {
-        struct block_settings settings = {.count = 0};
-        block_add(&settings, "method={stress_update: usavg%s}", words[k]);
-        block_set_wild_velocity(&settings, false);
+        struct settings settings = {.count = 0};
+        settings_add_formatted(&settings, "method={stress_update: usavg%s}", words[k]);
+        test_add_wild_velocity(&settings, false);
         runs[k] = block_open(&settings, 1);
         test_run_steps(&runs[k], 10);
     }
@@ -104,13 +99,13 @@ START_TEST(any_number_of_threads_gives_the_same_bits)
     };
     struct test_run runs[3];
     for (int k = 0; k < 3; k++) {
-        struct block_settings settings = {.count = 0};
-        block_add(&settings, "method={%s}", methods[_i]);
-        block_add(&settings, "grid.cells=[60, 70]");
-        block_add(&settings, "bodies.block.region.rectangle={from: [3, 3.2], to: [53, 51.2]}");
-        block_add(&settings, "bodies.block.velocity=['sin(y/5)', 'cos(x/4)']");
-        block_add(&settings, "boundary=[{region: {line: {from: [0, 3.2], to: [60, 3.2]}}, "
-                             "velocity: [free, '0.1*cos(t)']}]");
+        struct settings settings = {.count = 0};
+        settings_add_formatted(&settings, "method={%s}", methods[_i]);
+        settings_add(&settings, "grid.cells=[60, 70]");
+        settings_add(&settings, "bodies.block.region.rectangle={from: [3, 3.2], to: [53, 51.2]}");
+        settings_add(&settings, "bodies.block.velocity=['sin(y/5)', 'cos(x/4)']");
+        settings_add(&settings, "boundary=[{region: {line: {from: [0, 3.2], to: [60, 3.2]}}, "
+                                "velocity: [free, '0.1*cos(t)']}]");
         runs[k] = block_open(&settings, k + 1);
         test_run_steps(&runs[k], 6);
     }
@@ -128,17 +123,17 @@ START_TEST(after_a_failure_the_affine_part_is_that_of_the_last_good_step)
     struct mpm_error error = {.message = ""};
     struct test_run runs[2];
     for (int k = 0; k < 2; k++) {
-        struct block_settings settings = {.count = 0};
-        block_add_method(&settings, shapes[_i], "stress_update: musl", "{kind: apic}");
-        block_set_wild_velocity(&settings, false);
-        block_add(&settings, "loads={body_force: ['0*x+sqrt(1-t)', 0]}");
+        struct settings settings = {.count = 0};
+        block_add_method(&settings, test_shapes[_i], "stress_update: musl", "{kind: apic}");
+        test_add_wild_velocity(&settings, false);
+        settings_add(&settings, "loads={body_force: ['0*x+sqrt(1-t)', 0]}");
         runs[k] = block_open(&settings, 1);
     }
     while (mpm_simulation_advance(runs[0].simulation, 100.0, &error) == MPM_OK)
         test_run_steps(&runs[1], 1);
     ck_assert_int_eq(error.status, MPM_RUN_FAILED);
     const struct mpm_ledger failed = test_run_ledger(&runs[0]), good = test_run_ledger(&runs[1]);
-    ck_assert(good.step > (_i == CLASSIC ? 2 : 40));
+    ck_assert(good.step > (_i == MPM_CLASSIC ? 2 : 40));
     ck_assert(test_run_same_bits(&runs[0], &runs[1]));
     ck_assert(failed.angular_momentum == good.angular_momentum);
     test_run_close(&runs[0]);
@@ -155,8 +150,8 @@ START_TEST(what_has_no_fast_kernels_is_refused_with_the_reason)
         {"method.form=momentum", "there are no fast kernels for method.form: momentum"}};
     const struct mpm_simulation_options fast = {.threads = 1, .kernels = MPM_KERNELS_FAST};
     for (size_t k = 0; k < G_N_ELEMENTS(rows); k++) {
-        struct block_settings settings = {.count = 0};
-        block_add(&settings, "%s", rows[k].setting);
+        struct settings settings = {.count = 0};
+        settings_add(&settings, rows[k].setting);
         struct test_run run = block_open(&settings, 1);
         struct mpm_error error = {.message = ""};
         struct mpm_simulation *refused = NULL;
@@ -179,13 +174,13 @@ Suite *suite_forms(void)
     Suite *const suite = suite_create("forms");
     TCase *const forms = tcase_create("forms");
     tcase_add_loop_test(forms, both_forms_are_one_where_the_nodes_have_one_mass, 0,
-                        SHAPES * ORDERS);
+                        TEST_SHAPES * BLOCK_ORDERS);
     tcase_add_test(forms, usavg_extrapolates_unless_told_otherwise);
     suite_add_tcase(suite, forms);
     TCase *const runs = tcase_create("runs");
     tcase_add_loop_test(runs, any_number_of_threads_gives_the_same_bits, 0, 4);
     tcase_add_loop_test(runs, after_a_failure_the_affine_part_is_that_of_the_last_good_step, 0,
-                        SHAPES);
+                        TEST_SHAPES);
     tcase_add_test(runs, what_has_no_fast_kernels_is_refused_with_the_reason);
     suite_add_tcase(suite, runs);
     return suite;

@@ -2,9 +2,11 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
+#include "support/combinations.h"
 #include "support/kernel_pair.h"
 #include "support/near.h"
 #include "support/scenes.h"
+#include "support/soft_block.h"
 
 #include <glib.h>
 #include <math.h>
@@ -13,25 +15,7 @@
 
 enum { AXES = 2 };
 
-/* Wave speed 1.5, masses of order 20. The boundary moves, so that the force has a part in the
- * reaction there. */
-static const char BLOCK[] =
-    "format: 1\n"
-    "geometry: plane_strain\n"
-    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}\n"
-    "time: {end: 1000, courant: 0.3}\n"
-    "materials: [{name: soft, law: neo_hookean, density: 1, bulk: 1.25, shear: 0.75}]\n"
-    "bodies:\n"
-    "  - {name: wall, rigid: {velocity: [0, 0]}, region: {rectangle: {from: [11, 0],\n"
-    "     to: [12, 0.8]}}}\n"
-    "  - {name: block, material: soft, region: {rectangle: {from: [3, 3.2], to: [8, 7.2]}},\n"
-    "     particles_per_cell: [2, 2]}\n"
-    "boundary:\n"
-    "  - {region: {line: {from: [0, 3.2], to: [14, 3.2]}}, velocity: [free, '0.02*sin(2*t)']}\n";
-static const double WAVE_SPEED = 1.5;
-
-/* Sums of 80 particles' products, each rounded a few times: 1e3 eps/2 of the largest. */
-static const double ROUND_OFF = 1e-13;
+static const char BLOCK[] = TEST_SOFT_BLOCK(TEST_WALL) TEST_SWINGING_FLOOR;
 
 /* --------------------------------------------------------------- body force */
 
@@ -49,10 +33,7 @@ static void uniform_force(void *context, double time, size_t count, const uint32
 static const struct mpm_body_force UNIFORM = {uniform_force, NULL};
 static const char UNIFORM_SETTING[] = "loads={body_force: ['0.03*cos(3*t)', -0.08]}";
 
-static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
-static const char *const geometries[] = {"plane_strain", "plane_stress", "axisymmetric"};
-static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
-/* Besides those: how particles and grid exchange, and what damps. */
+/* Besides families, geometries and orders: how particles and grid exchange, and what damps. */
 static const char *const exchanges[] = {
     "method.transfer={kind: flip, fraction: 0.95}",
     "method.transfer={kind: xpic, order: 3}",
@@ -63,12 +44,8 @@ static const char *const exchanges[] = {
     "damping={pic: 0.9}",
 };
 enum {
-    SHAPES = G_N_ELEMENTS(shapes),
-    GEOMETRIES = G_N_ELEMENTS(geometries),
-    ORDERS = G_N_ELEMENTS(orders),
     EXCHANGES = G_N_ELEMENTS(exchanges),
     KERNEL_SETS = 2,
-    COMBINATIONS = SHAPES * GEOMETRIES * ORDERS * KERNEL_SETS,
 };
 
 /* The scene with its own force, and without one, but the caller's. `settings` end with NULL and
@@ -87,31 +64,14 @@ static struct kernel_pair open_pair(const char *settings[], enum mpm_kernels ker
     return pair;
 }
 
-/* Work is a sum of force times velocity times time: velocities agree to the bound in parts of
- * the wave speed, forces in parts of the stiffness, 2.25, times the length of 5 that is held. */
-static void check_pair(struct kernel_pair *pair, int steps)
-{
-    kernel_pair_assert_alike(pair, steps);
-    struct mpm_ledger ledger;
-    mpm_simulation_ledger(pair->simulation[0], &ledger);
-    kernel_pair_assert_same_work(pair, 0.085 * ledger.mass + 2.25 * 5.0, WAVE_SPEED);
-    kernel_pair_close(pair);
-}
-
 START_TEST(a_uniform_force_is_the_same_from_the_scene_and_from_the_caller)
 {
-    char *shape = g_strdup_printf("method.shape=%s", shapes[_i % SHAPES]);
-    char *place = g_strdup_printf("geometry=%s", geometries[_i / SHAPES % GEOMETRIES]);
-    char *order =
-        g_strdup_printf("method.stress_update=%s", orders[_i / SHAPES / GEOMETRIES % ORDERS]);
-    const bool amplifies = _i % SHAPES == 0 && _i / SHAPES / GEOMETRIES % ORDERS == 0;
-    const char *settings[] = {shape, place, order, NULL};
+    struct settings settings = test_combination_settings(_i);
     struct kernel_pair pair = open_pair(
-        settings, _i < COMBINATIONS / KERNEL_SETS ? MPM_KERNELS_REFERENCE : MPM_KERNELS_FAST);
-    check_pair(&pair, amplifies ? 10 : KERNEL_PAIR_STEPS);
-    g_free(shape);
-    g_free(place);
-    g_free(order);
+        settings.texts, _i < TEST_COMBINATIONS ? MPM_KERNELS_REFERENCE : MPM_KERNELS_FAST);
+    test_soft_block_assert_alike(&pair,
+                                 test_combination(_i).amplifies_round_off ? 10 : KERNEL_PAIR_STEPS);
+    settings_clear(&settings);
 }
 END_TEST
 
@@ -119,7 +79,7 @@ START_TEST(a_callers_force_is_added_in_every_exchange_and_under_damping)
 {
     const char *settings[] = {exchanges[_i], "method.shape=bspline2", NULL};
     struct kernel_pair pair = open_pair(settings, MPM_KERNELS_AUTO);
-    check_pair(&pair, 20);
+    test_soft_block_assert_alike(&pair, 20);
 }
 END_TEST
 
@@ -158,10 +118,10 @@ START_TEST(a_free_block_gains_the_momentum_that_its_particles_are_given)
     }
     const struct mpm_ledger ledger = test_run_ledger(&run);
     for (int axis = 0; axis < AXES; axis++)
-        ck_assert_near(ledger.momentum[axis], expected[axis] * ledger.time, ROUND_OFF);
+        ck_assert_near(ledger.momentum[axis], expected[axis] * ledger.time, TEST_SOFT_ROUND_OFF);
     /* from rest, in one step: force . v dt/2 = (force dt)^2 / 2 m of the nodes, not less than what
      * particles get of it */
-    ck_assert(ledger.external_work >= ledger.kinetic_energy * (1.0 - ROUND_OFF));
+    ck_assert(ledger.external_work >= ledger.kinetic_energy * (1.0 - TEST_SOFT_ROUND_OFF));
     free(mass);
     test_run_close(&run);
 }
@@ -270,7 +230,7 @@ Suite *suite_given(void)
     Suite *suite = suite_create("given");
     TCase *force = tcase_create("force");
     tcase_add_loop_test(force, a_uniform_force_is_the_same_from_the_scene_and_from_the_caller, 0,
-                        COMBINATIONS);
+                        TEST_COMBINATIONS * KERNEL_SETS);
     tcase_add_loop_test(force, a_callers_force_is_added_in_every_exchange_and_under_damping, 0,
                         EXCHANGES);
     tcase_add_loop_test(force, a_free_block_gains_the_momentum_that_its_particles_are_given, 0, 3);

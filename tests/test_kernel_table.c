@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
+#include "support/combinations.h"
 #include "support/folder.h"
 #include "support/kernel_pair.h"
 #include "support/settings.h"
@@ -12,7 +13,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
 static const struct geometry {
     const char *name, *setting; /* setting: one more, or NULL */
     bool axisymmetric, hoop;    /* hoop: r may move with the hoop rate */
@@ -34,11 +34,10 @@ static const char *const laws[][2] = {{"neo_hookean", "neo_hookean"},
                                       {"linear_elastic", "linear_elastic"},
                                       {"linear_elastic", "neo_hookean"}};
 enum {
-    SHAPES = G_N_ELEMENTS(shapes),
     GEOMETRIES = G_N_ELEMENTS(geometries),
     ORDERS = G_N_ELEMENTS(orders),
     LAWS = G_N_ELEMENTS(laws),
-    COMBINATIONS = SHAPES * GEOMETRIES * ORDERS,
+    COMBINATIONS = TEST_SHAPES * GEOMETRIES * ORDERS,
     LONG_TIMEOUT = 3600,
 };
 
@@ -46,14 +45,14 @@ enum {
 
 static const struct order *order_of(int combination)
 {
-    return &orders[combination / SHAPES / GEOMETRIES];
+    return &orders[combination / TEST_SHAPES / GEOMETRIES];
 }
 
 /* Family, geometry and order number `index`. */
 static const struct geometry *add_combination(struct settings *settings, int index)
 {
-    const struct geometry *geometry = &geometries[index / SHAPES % GEOMETRIES];
-    settings_add_formatted(settings, "method.shape=%s", shapes[index % SHAPES]);
+    const struct geometry *geometry = &geometries[index / TEST_SHAPES % GEOMETRIES];
+    settings_add_formatted(settings, "method.shape=%s", test_shapes[index % TEST_SHAPES]);
     settings_add_formatted(settings, "geometry=%s", geometry->name);
     if (geometry->setting != NULL)
         settings_add(settings, geometry->setting);
@@ -136,10 +135,10 @@ static void check_pair(const struct kernel_pair *pair, const char *text,
  * steps only. */
 static bool amplifies_round_off(int combination)
 {
-    const struct geometry *geometry = &geometries[combination / SHAPES % GEOMETRIES];
+    const struct geometry *geometry = &geometries[combination / TEST_SHAPES % GEOMETRIES];
     return (strcmp(order_of(combination)->name, "usl") == 0 ||
             order_of(combination)->setting != NULL) &&
-           (strcmp(shapes[combination % SHAPES], "classic") == 0 ||
+           (strcmp(test_shapes[combination % TEST_SHAPES], "classic") == 0 ||
             (geometry->axisymmetric && !geometry->hoop));
 }
 
@@ -244,7 +243,8 @@ START_TEST(both_kernels_agree_on_every_combination)
                 add_translated(&settings, crowd_velocities[i], geometry);
             settings_add_formatted(&settings, "materials.soft.law=%s", laws[law][0]);
             settings_add_formatted(&settings, "materials.heavy.law=%s", laws[law][1]);
-            add_features(&settings, chosen, (unsigned)_i + law + (unsigned)_i / SHAPES, geometry);
+            add_features(&settings, chosen, (unsigned)_i + law + (unsigned)_i / TEST_SHAPES,
+                         geometry);
             ck_assert(run_pair(_i, CROWD, &settings) > 0.01);
             settings_clear(&settings);
         }
@@ -302,7 +302,7 @@ START_TEST(both_kernels_agree_on_particles_that_stand_on_the_lines_of_the_grid)
                                                    : "bodies.body.velocity=[0.5, 1]");
     /* classic: a node next to a particle on a line may have a gradient and no mass */
     const double strain = run_pair(_i, ALONE, &settings);
-    ck_assert_msg(strain < 1e-12 || _i % SHAPES == 0, "%g", strain);
+    ck_assert_msg(strain < 1e-12 || _i % TEST_SHAPES == 0, "%g", strain);
     settings_clear(&settings);
 }
 END_TEST
@@ -466,7 +466,7 @@ START_TEST(both_kernels_fail_alike)
     const bool comparable = !amplifies_round_off(_i) && order_of(_i)->setting == NULL;
     for (size_t k = 0; k < G_N_ELEMENTS(failing) && comparable; k++)
         fail_alike(_i, &failing[k]);
-    if (strcmp(shapes[_i % SHAPES], "cpdi") == 0)
+    if (strcmp(test_shapes[_i % TEST_SHAPES], "cpdi") == 0)
         fail_alike(_i, &growing);
 }
 END_TEST

@@ -3,77 +3,24 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mpm.h"
 #include "suites.h"
+#include "support/combinations.h"
 #include "support/near.h"
-#include "support/scenes.h"
+#include "support/transfer_block.h"
 
 #include <float.h>
 #include <glib.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
-static const char *const geometries[] = {"plane_strain", "plane_stress", "axisymmetric"};
-static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
 static const char *const laws[] = {"neo_hookean", "linear_elastic"};
-enum { SHAPES = 5, GEOMETRIES = 3, ORDERS = 4, COMBINATIONS = SHAPES * GEOMETRIES * ORDERS };
 
-/* Cells are not square, the body's edges are not the grid's, and it stands at a distance from
- * the axis in axisymmetry. Wave speed 12, so that a step is near 0.02. */
-static const char BLOCK[] =
-    "format: 1\n"
-    "title: A block\n"
-    "geometry: plane_strain\n"
-    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}\n"
-    "time: {end: 1000, courant: 0.3}\n"
-    "method: {shape: ugimp, stress_update: musl}\n"
-    "materials: [{name: rubber, law: neo_hookean, density: 1, bulk: 80, shear: 48}]\n"
-    "bodies:\n"
-    "  - {name: block, material: rubber, region: {rectangle: {from: [3, 3.2], to: [8, 7.2]}},\n"
-    "     particles_per_cell: [2, 2]}\n";
+static const char BLOCK[] = TEST_RUBBER_BLOCK("[8, 7.2]");
 
-struct combination {
-    const char *shape, *geometry, *order;
-    bool axisymmetric;
-    char *settings[16];
-    int count;
-};
-
-static void add(struct combination *c, const char *format, ...) G_GNUC_PRINTF(2, 3);
-static void add(struct combination *c, const char *format, ...)
+/* The block with the settings, which are cleared. */
+static struct test_run open_block(struct settings *settings)
 {
-    va_list arguments;
-    va_start(arguments, format);
-    c->settings[c->count++] = g_strdup_vprintf(format, arguments);
-    va_end(arguments);
-    c->settings[c->count] = NULL;
-}
-
-static struct combination combination_of(int index)
-{
-    struct combination c = {
-        .shape = shapes[index % SHAPES],
-        .geometry = geometries[index / SHAPES % GEOMETRIES],
-        .order = orders[index / SHAPES / GEOMETRIES],
-    };
-    c.axisymmetric = strcmp(c.geometry, "axisymmetric") == 0;
-    add(&c, "method.shape=%s", c.shape);
-    add(&c, "geometry=%s", c.geometry);
-    add(&c, "method.stress_update=%s", c.order);
-    return c;
-}
-
-/* Classic functions under USL make any round-off grow without bound (nodes of little mass
- * at the edge): theirs is shown by the catalogue, case E1. */
-static bool amplifies_round_off(const struct combination *c)
-{
-    return strcmp(c->shape, "classic") == 0 && strcmp(c->order, "usl") == 0;
-}
-
-static struct test_run open_block(struct combination *c)
-{
-    struct test_run run = test_run_open(BLOCK, (const char *const *)c->settings, 1);
-    for (int k = 0; k < c->count; k++)
-        g_free(c->settings[k]);
+    const struct test_run run = test_run_open(BLOCK, settings->texts, 1);
+    settings_clear(settings);
     return run;
 }
 
@@ -85,9 +32,9 @@ START_TEST(a_free_body_falls_without_strain)
 {
     enum { STEPS = 40 };
     const double g = 0.5, round_off = STEPS * 64 * DBL_EPSILON;
-    struct combination c = combination_of(_i);
-    add(&c, "loads={body_force: [0, -%g]}", g);
-    struct test_run run = open_block(&c);
+    struct settings settings = test_combination_settings(_i);
+    settings_add_formatted(&settings, "loads={body_force: [0, -%g]}", g);
+    struct test_run run = open_block(&settings);
     size_t n;
     double *const start = test_run_field(&run, MPM_FIELD_POSITION, &n);
     test_run_steps(&run, STEPS);
@@ -119,12 +66,13 @@ END_TEST
 /* Across several cells, along x and y, or z alone in axisymmetry. */
 START_TEST(a_rigid_translation_makes_no_stress)
 {
-    struct combination c = combination_of(_i);
-    const int steps = amplifies_round_off(&c) ? 10 : 120;
+    const struct test_combination c = test_combination(_i);
+    struct settings settings = test_combination_settings(_i);
+    const int steps = c.amplifies_round_off ? 10 : 120;
     const double vx = c.axisymmetric ? 0.0 : 1.1, vy = 0.9;
     const double stiffness = 144.0, round_off = steps * 64 * DBL_EPSILON;
-    add(&c, "bodies.block.velocity=[%g, %g]", vx, vy);
-    struct test_run run = open_block(&c);
+    settings_add_formatted(&settings, "bodies.block.velocity=[%g, %g]", vx, vy);
+    struct test_run run = open_block(&settings);
     size_t n;
     test_run_steps(&run, steps);
     double *const v = test_run_field(&run, MPM_FIELD_VELOCITY, &n);
@@ -147,17 +95,19 @@ START_TEST(a_homogeneous_deformation_stays_homogeneous)
 {
     enum { STEPS = 30 };
     const double round_off = STEPS * 256 * DBL_EPSILON;
-    struct combination c = combination_of(_i);
+    const struct test_combination c = test_combination(_i);
+    struct settings settings = test_combination_settings(_i);
     if (c.axisymmetric)
-        add(&c, "boundary=[{region: all, velocity: ['0.3*r', '-0.2*z']}]");
+        settings_add(&settings, "boundary=[{region: all, velocity: ['0.3*r', '-0.2*z']}]");
     else
-        add(&c, "boundary=[{region: all, velocity: ['0.3*x+0.1*y', '-0.2*x+0.05*y']}]");
+        settings_add(&settings,
+                     "boundary=[{region: all, velocity: ['0.3*x+0.1*y', '-0.2*x+0.05*y']}]");
     if (c.axisymmetric) /* no node may be told two velocities */
-        add(&c, "bodies.block.velocity=['0.3*r', '-0.2*z']");
+        settings_add(&settings, "bodies.block.velocity=['0.3*r', '-0.2*z']");
     else
-        add(&c, "bodies.block.velocity=['0.3*x+0.1*y', '-0.2*x+0.05*y']");
-    add(&c, "method.deformation_terms=1");
-    struct test_run run = open_block(&c);
+        settings_add(&settings, "bodies.block.velocity=['0.3*x+0.1*y', '-0.2*x+0.05*y']");
+    settings_add(&settings, "method.deformation_terms=1");
+    struct test_run run = open_block(&settings);
     size_t n;
     test_run_steps(&run, STEPS);
     double *const f = test_run_field(&run, MPM_FIELD_DEFORMATION_GRADIENT, &n);
@@ -174,21 +124,14 @@ END_TEST
 
 /* ------------------------------------------------------------- conservation */
 
-static void set_wild_velocity(struct combination *c)
-{
-    if (c->axisymmetric)
-        add(c, "bodies.block.velocity=['0.3*sin(2*r)*cos(z)', '0.4*cos(r+2*z)']");
-    else
-        add(c, "bodies.block.velocity=['0.3*sin(2*x)*cos(y)', '0.4*cos(x+2*y)']");
-}
-
 START_TEST(mass_and_linear_momentum_are_conserved_to_round_off)
 {
     enum { STEPS = 60 };
-    struct combination c = combination_of(_i);
+    const struct test_combination c = test_combination(_i);
+    struct settings settings = test_combination_settings(_i);
     struct mpm_ledger start, end;
-    set_wild_velocity(&c);
-    struct test_run run = open_block(&c);
+    test_add_wild_velocity(&settings, c.axisymmetric);
+    struct test_run run = open_block(&settings);
     mpm_simulation_ledger(run.simulation, &start);
     test_run_steps(&run, STEPS);
     mpm_simulation_ledger(run.simulation, &end);
@@ -209,11 +152,12 @@ START_TEST(energy_is_nearly_conserved_by_usavg_and_the_books_balance)
     enum { STEPS = 200 };
     /* velocities vary within a cell here: part of their energy is none of the grid's */
     static const double DRIFT = 2e-2;
-    struct combination c = combination_of(_i);
+    const struct test_combination c = test_combination(_i);
+    struct settings settings = test_combination_settings(_i);
     struct mpm_ledger start, end;
-    add(&c, "method.stress_update=usavg");
-    set_wild_velocity(&c);
-    struct test_run run = open_block(&c);
+    settings_add(&settings, "method.stress_update=usavg");
+    test_add_wild_velocity(&settings, c.axisymmetric);
+    struct test_run run = open_block(&settings);
     mpm_simulation_ledger(run.simulation, &start);
     test_run_steps(&run, STEPS);
     mpm_simulation_ledger(run.simulation, &end);
@@ -232,24 +176,23 @@ START_TEST(a_rigid_rotation_keeps_angular_momentum_and_volume)
 {
     enum { STEPS = 150 };
     static const double SPIN = 0.02, DRIFT = 0.08, STRAIN = 2e-3;
-    struct combination c = combination_of(_i);
-    if (!c.axisymmetric) {
-        struct mpm_ledger start, end;
-        add(&c, "bodies.block.velocity=['-%g*(y-5.2)', '%g*(x-5.5)']", SPIN, SPIN);
-        add(&c, "grid.refine=%d", g_str_has_prefix(c.shape, "bspline") ? 2 : 1);
-        struct test_run run = open_block(&c);
-        mpm_simulation_ledger(run.simulation, &start);
-        test_run_steps(&run, STEPS);
-        mpm_simulation_ledger(run.simulation, &end);
-        ck_assert_near(end.angular_momentum, start.angular_momentum,
-                       DRIFT * start.angular_momentum);
-        ck_assert_near(end.j_min, 1.0, STRAIN);
-        ck_assert_near(end.j_max, 1.0, STRAIN);
-        test_run_close(&run);
-    } else {
-        for (int k = 0; k < c.count; k++)
-            g_free(c.settings[k]);
-    }
+    const struct test_combination c = test_combination(_i);
+    if (c.axisymmetric) /* nothing turns in its plane */
+        return;
+    struct settings settings = test_combination_settings(_i);
+    struct mpm_ledger start, end;
+    settings_add_formatted(&settings, "bodies.block.velocity=['-%g*(y-5.2)', '%g*(x-5.5)']", SPIN,
+                           SPIN);
+    settings_add_formatted(&settings, "grid.refine=%d",
+                           g_str_has_prefix(c.shape, "bspline") ? 2 : 1);
+    struct test_run run = open_block(&settings);
+    mpm_simulation_ledger(run.simulation, &start);
+    test_run_steps(&run, STEPS);
+    mpm_simulation_ledger(run.simulation, &end);
+    ck_assert_near(end.angular_momentum, start.angular_momentum, DRIFT * start.angular_momentum);
+    ck_assert_near(end.j_min, 1.0, STRAIN);
+    ck_assert_near(end.j_max, 1.0, STRAIN);
+    test_run_close(&run);
 }
 END_TEST
 
@@ -261,14 +204,15 @@ START_TEST(a_symmetric_problem_stays_symmetric)
 {
     enum { STEPS = 25 };
     static const double ROUND_OFF = STEPS * 1e3 * DBL_EPSILON;
-    struct combination c = combination_of(_i);
-    add(&c, "bodies.block.region.rectangle.from=[3, 3.2]");
-    add(&c, "bodies.block.region.rectangle.to=[8, 8.8]");
+    const struct test_combination c = test_combination(_i);
+    struct settings settings = test_combination_settings(_i);
+    settings_add(&settings, "bodies.block.region.rectangle.from=[3, 3.2]");
+    settings_add(&settings, "bodies.block.region.rectangle.to=[8, 8.8]");
     if (c.axisymmetric)
-        add(&c, "bodies.block.velocity=['0.1*r', '0.3*(z-6)']");
+        settings_add(&settings, "bodies.block.velocity=['0.1*r', '0.3*(z-6)']");
     else
-        add(&c, "bodies.block.velocity=['0.1*x', '0.3*(y-6)']");
-    struct test_run run = open_block(&c);
+        settings_add(&settings, "bodies.block.velocity=['0.1*x', '0.3*(y-6)']");
+    struct test_run run = open_block(&settings);
     size_t n;
     double *const start = test_run_field(&run, MPM_FIELD_POSITION, &n);
     test_run_steps(&run, STEPS);
@@ -296,9 +240,9 @@ END_TEST
 START_TEST(mass_is_that_of_the_body_for_the_thickness_or_per_radian)
 {
     static const double DENSITY = 1.5, THICKNESS = 2.5, ROUND_OFF = 1e-12;
-    for (int g = 0; g < GEOMETRIES; g++) {
-        const bool axisymmetric = strcmp(geometries[g], "axisymmetric") == 0;
-        char *const geometry = g_strdup_printf("geometry=%s", geometries[g]);
+    for (int g = 0; g < TEST_GEOMETRIES; g++) {
+        const bool axisymmetric = strcmp(test_geometry_names[g], "axisymmetric") == 0;
+        char *const geometry = g_strdup_printf("geometry=%s", test_geometry_names[g]);
         const char *const settings[] = {geometry, "materials.rubber.density=1.5",
                                         axisymmetric ? "title=A ring" : "thickness=2.5", NULL};
         struct test_run run = test_run_open(BLOCK, settings, 1);
@@ -315,10 +259,11 @@ END_TEST
 START_TEST(volume_follows_the_deformation_and_momentum_the_mass)
 {
     static const double DENSITY = 1.0, ROUND_OFF = 1e-13;
-    struct combination c = combination_of(_i);
+    const struct test_combination c = test_combination(_i);
+    struct settings settings = test_combination_settings(_i);
     struct mpm_ledger ledger;
-    set_wild_velocity(&c);
-    struct test_run run = open_block(&c);
+    test_add_wild_velocity(&settings, c.axisymmetric);
+    struct test_run run = open_block(&settings);
     size_t n;
     double momentum = 0.0, smallest = 2.0;
     test_run_steps(&run, 20);
@@ -379,11 +324,11 @@ START_TEST(plane_stress_holds_through_a_run)
 {
     const double stiffness = 144.0;
     for (int law = 0; law < 2; law++) {
-        struct combination c = combination_of(_i);
-        add(&c, "geometry=plane_stress");
-        add(&c, "materials.rubber.law=%s", laws[law]);
-        add(&c, "bodies.block.velocity=['0.3*sin(2*x)*cos(y)', '0.4*cos(x+2*y)']");
-        struct test_run run = open_block(&c);
+        struct settings settings = test_combination_settings(_i);
+        settings_add(&settings, "geometry=plane_stress");
+        settings_add_formatted(&settings, "materials.rubber.law=%s", laws[law]);
+        settings_add(&settings, "bodies.block.velocity=['0.3*sin(2*x)*cos(y)', '0.4*cos(x+2*y)']");
+        struct test_run run = open_block(&settings);
         size_t n;
         test_run_steps(&run, 50);
         double *const s = test_run_field(&run, MPM_FIELD_STRESS, &n);
@@ -418,16 +363,16 @@ static const char CLOUD[] =
 
 START_TEST(any_number_of_threads_gives_the_same_bits)
 {
-    struct combination c = combination_of(_i % ORDERS * SHAPES * GEOMETRIES + _i % SHAPES);
-    add(&c, "geometry=%s", geometries[_i % GEOMETRIES]);
-    if (strcmp(geometries[_i % GEOMETRIES], "axisymmetric") == 0) {
-        add(&c, "bodies.body.velocity=['3*sin(z/5)', '4*cos(r/4)']");
-        add(&c, "boundary=[]");
-        add(&c, "loads.body_force=['0.1*r*cos(t)', '-0.2*z']");
+    const int index = _i % TEST_SHAPES +
+                      TEST_SHAPES * (_i % TEST_GEOMETRIES + TEST_GEOMETRIES * (_i % TEST_ORDERS));
+    struct settings settings = test_combination_settings(index);
+    if (test_combination(index).axisymmetric) {
+        settings_add(&settings, "bodies.body.velocity=['3*sin(z/5)', '4*cos(r/4)']");
+        settings_add(&settings, "boundary=[]");
+        settings_add(&settings, "loads.body_force=['0.1*r*cos(t)', '-0.2*z']");
     }
-    test_same_bits_over_threads(CLOUD, (const char *const *)c.settings, 40, NULL);
-    for (int k = 0; k < c.count; k++)
-        g_free(c.settings[k]);
+    test_same_bits_over_threads(CLOUD, settings.texts, 40, NULL);
+    settings_clear(&settings);
 }
 END_TEST
 
@@ -435,30 +380,30 @@ Suite *suite_properties(void)
 {
     Suite *const suite = suite_create("properties");
     TCase *const motions = tcase_create("motions");
-    tcase_add_loop_test(motions, a_free_body_falls_without_strain, 0, COMBINATIONS);
-    tcase_add_loop_test(motions, a_rigid_translation_makes_no_stress, 0, COMBINATIONS);
-    tcase_add_loop_test(motions, a_homogeneous_deformation_stays_homogeneous, 0, COMBINATIONS);
+    tcase_add_loop_test(motions, a_free_body_falls_without_strain, 0, TEST_COMBINATIONS);
+    tcase_add_loop_test(motions, a_rigid_translation_makes_no_stress, 0, TEST_COMBINATIONS);
+    tcase_add_loop_test(motions, a_homogeneous_deformation_stays_homogeneous, 0, TEST_COMBINATIONS);
     tcase_add_loop_test(motions, a_rigid_rotation_keeps_angular_momentum_and_volume, 0,
-                        COMBINATIONS);
+                        TEST_COMBINATIONS);
     suite_add_tcase(suite, motions);
     TCase *const books = tcase_create("books");
     tcase_add_loop_test(books, mass_and_linear_momentum_are_conserved_to_round_off, 0,
-                        COMBINATIONS);
+                        TEST_COMBINATIONS);
     tcase_add_loop_test(books, energy_is_nearly_conserved_by_usavg_and_the_books_balance, 0,
-                        SHAPES * GEOMETRIES);
+                        TEST_SHAPES * TEST_GEOMETRIES);
     suite_add_tcase(suite, books);
     TCase *const symmetry = tcase_create("symmetry");
-    tcase_add_loop_test(symmetry, a_symmetric_problem_stays_symmetric, 0, COMBINATIONS);
-    tcase_add_loop_test(symmetry, plane_stress_holds_through_a_run, 0, SHAPES);
+    tcase_add_loop_test(symmetry, a_symmetric_problem_stays_symmetric, 0, TEST_COMBINATIONS);
+    tcase_add_loop_test(symmetry, plane_stress_holds_through_a_run, 0, TEST_SHAPES);
     suite_add_tcase(suite, symmetry);
     TCase *const bodies = tcase_create("bodies");
     tcase_add_test(bodies, mass_is_that_of_the_body_for_the_thickness_or_per_radian);
     tcase_add_loop_test(bodies, volume_follows_the_deformation_and_momentum_the_mass, 0,
-                        SHAPES * GEOMETRIES);
+                        TEST_SHAPES * TEST_GEOMETRIES);
     tcase_add_test(bodies, a_symmetric_body_has_symmetric_particles);
     suite_add_tcase(suite, bodies);
     TCase *const bits = tcase_create("bits");
-    tcase_add_loop_test(bits, any_number_of_threads_gives_the_same_bits, 0, SHAPES);
+    tcase_add_loop_test(bits, any_number_of_threads_gives_the_same_bits, 0, TEST_SHAPES);
     suite_add_tcase(suite, bits);
     return suite;
 }

@@ -28,7 +28,7 @@
     "  - {region: {line: {from: [0, 0], to: [4, 0]}}, velocity: [free, 0]}\n"                      \
     "  - {region: {rectangle: {from: [0, 0], to: [4, 12]}}, velocity: [0, free]}\n"                \
     "output: {history: 20}\n"
-static const double WAVE_SPEED = 1.5, LENGTH = 10.0, PI = 3.14159265358979323846;
+static const double WAVE_SPEED = 1.5, LENGTH = 10.0;
 
 /* Body force: strains of up to 4.4e-6. */
 static const double WEIGHT = 1e-6;
@@ -52,8 +52,8 @@ START_TEST(an_oscillation_dies_away_at_the_exact_rate)
 {
     static const char *const dampings[] = {"damping={grid: 0.05}", "damping={particle: 0.05}",
                                            "damping={grid: '0.02+0*x', particle: 0.03}"};
-    const double alpha = 0.05, omega = 0.5 * PI * WAVE_SPEED / LENGTH, tolerance = 0.01;
-    const double half_period = PI / sqrt(omega * omega - 0.25 * alpha * alpha);
+    const double alpha = 0.05, omega = 0.5 * G_PI * WAVE_SPEED / LENGTH, tolerance = 0.01;
+    const double half_period = G_PI / sqrt(omega * omega - 0.25 * alpha * alpha);
     const char *const settings[] = {dampings[_i], "time={end: 500, step: 0.1}",
                                     "method.stress_update=usavg",
                                     "bodies.column.velocity=[0, '0.001*sin(pi*y/20)']", NULL};

@@ -4,6 +4,7 @@
 #include "suites.h"
 #include "support/near.h"
 #include "support/scenes.h"
+#include "support/soft_block.h"
 
 #include <glib.h>
 #include <math.h>
@@ -12,20 +13,7 @@
 
 enum { AXES = 2, GRADIENT = 5 };
 
-static const char BLOCK[] =
-    "format: 1\n"
-    "geometry: plane_strain\n"
-    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}\n"
-    "time: {end: 1000, courant: 0.3}\n"
-    "materials: [{name: soft, law: neo_hookean, density: 1, bulk: 1.25, shear: 0.75}]\n"
-    "bodies:\n"
-    "  - {name: wall, rigid: {velocity: [0, 0]}, region: {rectangle: {from: [11, 0],\n"
-    "     to: [12, 0.8]}}}\n"
-    "  - {name: block, material: soft, region: {rectangle: {from: [3, 3.2], to: [8, 7.2]}},\n"
-    "     particles_per_cell: [2, 2]}\n";
-
-/* Sums of 80 particles' products, each rounded a few times: 1e3 eps/2 of the largest. */
-static const double ROUND_OFF = 1e-13;
+static const char BLOCK[] = TEST_SOFT_BLOCK(TEST_WALL);
 
 /* Velocities and gradients that differ from particle to particle; J near 1.1. */
 struct start {
@@ -89,15 +77,16 @@ START_TEST(a_start_is_read_back_by_id_and_stress_and_energy_follow_from_it)
         const double trace = f[0] * f[0] + f[1] * f[1] + f[2] * f[2] + f[3] * f[3] + f[4] * f[4];
         const double zz = (0.5 * bulk * (j * j - 1.0) + factor * (f[4] * f[4] - trace / 3.0)) / j;
         ck_assert(stress_free ? f[4] < 1.0 : f[4] == 1.0);
-        ck_assert_near(stress[4 * k + 2], stress_free ? 0.0 : zz, ROUND_OFF);
-        ck_assert_near(stress[4 * k + 3], factor * (f[0] * f[2] + f[1] * f[3]) / j, ROUND_OFF);
+        ck_assert_near(stress[4 * k + 2], stress_free ? 0.0 : zz, TEST_SOFT_ROUND_OFF);
+        ck_assert_near(stress[4 * k + 3], factor * (f[0] * f[2] + f[1] * f[3]) / j,
+                       TEST_SOFT_ROUND_OFF);
         kinetic += 0.5 * mass[k] * (v[0] * v[0] + v[1] * v[1]);
         energy += mass[k] * (0.5 * bulk * (0.5 * (j * j - 1.0) - log(j)) +
                              0.5 * (factor * trace - 3.0 * shear));
     }
     const struct mpm_ledger ledger = test_run_ledger(&run);
-    ck_assert_near(ledger.kinetic_energy, kinetic, ROUND_OFF);
-    ck_assert_near(ledger.strain_energy, energy, ROUND_OFF * 10.0);
+    ck_assert_near(ledger.kinetic_energy, kinetic, TEST_SOFT_ROUND_OFF);
+    ck_assert_near(ledger.strain_energy, energy, TEST_SOFT_ROUND_OFF * 10.0);
     ck_assert(energy > 0.01);
     double *const values[] = {velocity, deformation, stress, mass};
     for (size_t k = 0; k < G_N_ELEMENTS(values); k++)

@@ -1,10 +1,14 @@
-/* The test helpers: nearness, folders, commands.
+/* The test helpers: nearness, folders, commands, combinations.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "model/scene.h"
 #include "suites.h"
+#include "support/combinations.h"
 #include "support/command.h"
 #include "support/folder.h"
 #include "support/near.h"
+#include "support/scenes.h"
+#include "support/soft_block.h"
 
 #include <glib.h>
 
@@ -62,6 +66,22 @@ START_TEST(a_command_ended_by_a_signal_says_so)
 }
 END_TEST
 
+START_TEST(a_combination_is_what_its_scene_has)
+{
+    struct settings settings = test_combination_settings(_i);
+    struct test_run run = test_run_open(TEST_SOFT_BLOCK(""), settings.texts, 1);
+    ck_assert_int_eq(run.scene->shape, _i % TEST_SHAPES);
+    ck_assert_int_eq(run.scene->geometry, _i / TEST_SHAPES % TEST_GEOMETRIES);
+    ck_assert_int_eq(run.scene->stress_update, _i / TEST_SHAPES / TEST_GEOMETRIES % TEST_ORDERS);
+    const struct test_combination c = test_combination(_i);
+    ck_assert(c.axisymmetric == (run.scene->geometry == MPM_AXISYMMETRIC));
+    ck_assert(c.amplifies_round_off ==
+              (run.scene->shape == MPM_CLASSIC && run.scene->stress_update == MPM_USL));
+    settings_clear(&settings);
+    test_run_close(&run);
+}
+END_TEST
+
 Suite *suite_support(void)
 {
     Suite *suite = suite_create("support");
@@ -70,6 +90,7 @@ Suite *suite_support(void)
     tcase_add_test(tests, a_folder_goes_with_all_that_it_holds);
     tcase_add_test(tests, a_command_gives_its_output_errors_and_exit_status);
     tcase_add_test(tests, a_command_ended_by_a_signal_says_so);
+    tcase_add_loop_test(tests, a_combination_is_what_its_scene_has, 0, 2 * TEST_COMBINATIONS);
     suite_add_tcase(suite, tests);
     return suite;
 }

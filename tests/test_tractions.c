@@ -3,41 +3,29 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
+#include "support/combinations.h"
 #include "support/near.h"
 #include "support/scene_files.h"
 #include "support/scenes.h"
 #include "support/settings.h"
+#include "support/soft_block.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
-static const char *const geometries[] = {"plane_strain", "plane_stress", "axisymmetric"};
-static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
 static const char *const edges[] = {"bottom", "right", "top", "left"};
 enum {
-    SHAPES = G_N_ELEMENTS(shapes),
-    GEOMETRIES = G_N_ELEMENTS(geometries),
-    ORDERS = G_N_ELEMENTS(orders),
     EDGES = 4,
-    COMBINATIONS = SHAPES * GEOMETRIES * ORDERS,
     GRADIENT = 5,
 };
-enum { UGIMP = 1, PLANE_STRESS = 1, AXISYMMETRIC = 2 };
 
 /* Six by four sites that strain and turn; free, so that only loads change the momentum. */
 static const char BLOCK[] =
-    "format: 1\n"
-    "title: A block under load\n"
-    "geometry: plane_strain\n"
-    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}\n"
-    "time: {end: 1000, step: 0.05}\n"
-    "materials: [{name: soft, law: neo_hookean, density: 1, bulk: 1.25, shear: 0.75}]\n"
-    "bodies:\n"
-    "  - {name: block, material: soft, region: {rectangle: {from: [4, 3.2], to: [7, 4.8]}},\n"
-    "     velocity: [0, 0]}\n";
+    TEST_SOFT_SCENE("{end: 1000, step: 0.05}",
+                    "  - {name: block, material: soft, region: {rectangle: {from: [4, 3.2],\n"
+                    "     to: [7, 4.8]}}, velocity: [0, 0]}\n");
 enum { COLUMNS = 6, ROWS = 4, COUNT = COLUMNS * ROWS };
 static const double HALF[2] = {0.25, 0.2};
 
@@ -45,12 +33,8 @@ static struct test_run open_block(int index, const char *load)
 {
     static const char *const planar = "bodies.block.velocity=['0.3*sin(y)+0.1*x', '0.2*cos(x)']";
     static const char *const radial = "bodies.block.velocity=['0.3*sin(z)+0.1*r', '0.2*cos(r)']";
-    struct settings settings = {0};
-    settings_add_formatted(&settings, "method.shape=%s", shapes[index % SHAPES]);
-    settings_add_formatted(&settings, "geometry=%s", geometries[index / SHAPES % GEOMETRIES]);
-    settings_add_formatted(&settings, "method.stress_update=%s",
-                           orders[index / SHAPES / GEOMETRIES]);
-    settings_add(&settings, index / SHAPES % GEOMETRIES == AXISYMMETRIC ? radial : planar);
+    struct settings settings = test_combination_settings(index);
+    settings_add(&settings, test_combination(index).axisymmetric ? radial : planar);
     settings_add(&settings, load);
     const struct test_run run = test_run_open(BLOCK, settings.texts, 1);
     settings_clear(&settings);
@@ -97,8 +81,9 @@ static void edge_of(const struct moment *moment, int id, int edge, bool carried,
 static void expected_force(const struct moment *moment, int index, int edge, bool in_edge,
                            double force[2])
 {
-    const bool ugimp = index % SHAPES == UGIMP;
-    const int geometry = index / SHAPES % GEOMETRIES;
+    const struct test_combination c = test_combination(index);
+    const bool ugimp = strcmp(c.shape, "ugimp") == 0;
+    const bool thins = strcmp(c.geometry, "plane_stress") == 0 && !ugimp;
     force[0] = force[1] = 0.0;
     for (int id = 0; id < COUNT; id++) {
         double vector[2], along[2], middle[2], unused[2];
@@ -107,9 +92,9 @@ static void expected_force(const struct moment *moment, int index, int edge, boo
         edge_of(moment, id, edge, !ugimp, vector, middle);
         edge_of(moment, id, edge, true, along, unused);
         const double length = hypot(along[0], along[1]);
-        const double depth = geometry == AXISYMMETRIC             ? middle[0]
-                             : geometry == PLANE_STRESS && !ugimp ? moment->f[GRADIENT * id + 4]
-                                                                  : 1.0;
+        const double depth = c.axisymmetric ? middle[0]
+                             : thins        ? moment->f[GRADIENT * id + 4]
+                                            : 1.0;
         const double area = hypot(vector[0], vector[1]) * depth;
         const double value[2] = {0.01 * middle[0], 0.02 + 0.003 * middle[1]};
         force[0] +=
@@ -144,7 +129,7 @@ static void step_under(int index, const char *load, struct moment *before, doubl
 
 static char *load_text(int index, const char *list, const char *edge, const char *frame)
 {
-    const bool radial = index / SHAPES % GEOMETRIES == AXISYMMETRIC;
+    const bool radial = test_combination(index).axisymmetric;
     return g_strdup_printf("loads={%s: [{body: block, edge: %s, frame: %s, value: "
                            "['0.01*%s*" LOADED "', '(0.02+0.003*%s)*" LOADED "']}]}",
                            list, edge, frame, radial ? "r" : "x", radial ? "z" : "y");
@@ -153,7 +138,7 @@ static char *load_text(int index, const char *list, const char *edge, const char
 /* Every family in every geometry at every edge, and in every order. */
 START_TEST(a_traction_gives_its_value_times_the_deformed_area)
 {
-    const int edge = (_i + _i / SHAPES + _i / (SHAPES * GEOMETRIES)) % EDGES;
+    const int edge = (_i + _i / TEST_SHAPES + _i / (TEST_SHAPES * TEST_GEOMETRIES)) % EDGES;
     struct moment before;
     double without[2];
     step_under(_i, "loads={}", &before, without);
@@ -176,7 +161,7 @@ START_TEST(a_particle_force_gives_its_value_times_the_area_at_the_start)
 {
     struct moment before;
     double without[2], with[2], force[2] = {0.0, 0.0};
-    const bool radial = _i / SHAPES % GEOMETRIES == AXISYMMETRIC;
+    const bool radial = test_combination(_i).axisymmetric;
     step_under(_i, "loads={}", &before, without);
     char *const load = load_text(_i, "particle_forces", "right", "global");
     step_under(_i, load, &before, with);
@@ -212,10 +197,8 @@ END_TEST
 /* Energy gained over work at t = 1 with so many steps. */
 static double balance(int index, const char *list, int steps)
 {
-    struct settings settings = {0};
+    struct settings settings = test_combination_settings(index);
     struct mpm_ledger ledger;
-    settings_add_formatted(&settings, "method.shape=%s", shapes[index % SHAPES]);
-    settings_add_formatted(&settings, "geometry=%s", geometries[index / SHAPES]);
     settings_add(&settings, "method.stress_update=usavg");
     settings_add(&settings, "method.extrapolate=false");
     settings_add_formatted(&settings, "time.step=%.17g", 1.0 / steps);
@@ -331,12 +314,12 @@ Suite *suite_tractions(void)
     Suite *suite = suite_create("tractions");
     TCase *forces = tcase_create("forces");
     tcase_add_loop_test(forces, a_traction_gives_its_value_times_the_deformed_area, 0,
-                        COMBINATIONS);
+                        TEST_COMBINATIONS);
     tcase_add_loop_test(forces, a_particle_force_gives_its_value_times_the_area_at_the_start, 0,
-                        SHAPES * GEOMETRIES);
+                        TEST_SHAPES * TEST_GEOMETRIES);
     tcase_add_test(forces, no_force_is_lost_on_a_node_without_mass);
     tcase_add_loop_test(forces, tractions_and_particle_forces_work_what_the_energy_gains, 0,
-                        SHAPES * GEOMETRIES);
+                        TEST_SHAPES * TEST_GEOMETRIES);
     suite_add_tcase(suite, forces);
     TCase *faces = tcase_create("faces");
     tcase_add_test(faces, a_face_is_made_of_edges_without_a_neighbour_whatever_the_region);

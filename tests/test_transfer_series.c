@@ -11,9 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
-enum { SHAPES = G_N_ELEMENTS(shapes) };
-
 /* The weights of all particles. */
 struct weights {
     size_t particles, entries[512];
@@ -91,20 +88,19 @@ static void series(const struct weights *weights, const double *v, int order, do
  * last, with dF = 1 + dt grad v. */
 START_TEST(xpic_and_fmpm_are_the_series_of_their_papers)
 {
-    static const enum mpm_shape kinds[] = {MPM_CLASSIC, MPM_UGIMP, MPM_CPDI, MPM_BSPLINE2,
-                                           MPM_BSPLINE3};
     static const double ROUND_OFF = 1e-13;
     enum { ORDER = 4 };
-    const bool fmpm = _i / SHAPES == 1;
-    struct block_settings settings = {.count = 0};
-    block_add(&settings,
-              "method={shape: %s, stress_update: usl, deformation_terms: 1, position_update: %s, "
-              "transfer: {kind: %s, order: %d}}",
-              shapes[_i % SHAPES], _i % 2 == 0 ? "grid_velocity" : "midpoint",
-              fmpm ? "fmpm" : "xpic", ORDER);
-    block_set_wild_velocity(&settings, false);
+    const bool fmpm = _i / TEST_SHAPES == 1;
+    struct settings settings = {.count = 0};
+    settings_add_formatted(
+        &settings,
+        "method={shape: %s, stress_update: usl, deformation_terms: 1, position_update: %s, "
+        "transfer: {kind: %s, order: %d}}",
+        test_shapes[_i % TEST_SHAPES], _i % 2 == 0 ? "grid_velocity" : "midpoint",
+        fmpm ? "fmpm" : "xpic", ORDER);
+    test_add_wild_velocity(&settings, false);
     struct test_run run = block_open(&settings, 1);
-    struct weights *const weights = weights_of(&run, kinds[_i % SHAPES]);
+    struct weights *const weights = weights_of(&run, (enum mpm_shape)(_i % TEST_SHAPES));
     double *const x0 = test_run_field(&run, MPM_FIELD_POSITION, NULL);
     double *const v0 = test_run_field(&run, MPM_FIELD_VELOCITY, NULL);
     test_run_steps(&run, 1);
@@ -146,12 +142,12 @@ START_TEST(nodes_beyond_the_axis_mirror_every_order)
 {
     static const char *const transfers[] = {"{kind: xpic, order: 2}", "{kind: xpic, order: 5}",
                                             "{kind: fmpm, order: 2}", "{kind: fmpm, order: 4}"};
-    struct block_settings settings = {.count = 0};
-    block_add(&settings, "geometry=axisymmetric");
-    block_add(&settings, "bodies.block.region.rectangle.from=[0, 3.2]");
+    struct settings settings = {.count = 0};
+    settings_add(&settings, "geometry=axisymmetric");
+    settings_add(&settings, "bodies.block.region.rectangle.from=[0, 3.2]");
     block_add_method(&settings, "ugimp", "stress_update: usl, axis: planar, axis_nodes: mirrored",
                      transfers[_i]);
-    block_add(&settings, "bodies.block.velocity=['-0.3*(1+cos(z)^2)*r', '0.4*cos(r+2*z)']");
+    settings_add(&settings, "bodies.block.velocity=['-0.3*(1+cos(z)^2)*r', '0.4*cos(r+2*z)']");
     struct test_run run = block_open(&settings, 1);
     test_run_steps(&run, 2);
     const struct mpm_state *const state = &run.simulation->state;
@@ -178,7 +174,8 @@ Suite *suite_transfer_series(void)
 {
     Suite *const suite = suite_create("transfer_series");
     TCase *const series_case = tcase_create("series");
-    tcase_add_loop_test(series_case, xpic_and_fmpm_are_the_series_of_their_papers, 0, 2 * SHAPES);
+    tcase_add_loop_test(series_case, xpic_and_fmpm_are_the_series_of_their_papers, 0,
+                        2 * TEST_SHAPES);
     tcase_add_loop_test(series_case, nodes_beyond_the_axis_mirror_every_order, 0, 4);
     suite_add_tcase(suite, series_case);
     return suite;

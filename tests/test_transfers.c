@@ -11,11 +11,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
 static const char *const geometries[] = {"plane_strain", "axisymmetric"};
-static const char *const orders[] = {"stress_update: usl", "stress_update: musl",
-                                     "stress_update: usf", "stress_update: usavg",
-                                     "stress_update: usavg, extrapolate: false"};
 static const char *const transfers[] = {
     "{kind: flip}",
     "{kind: flip, fraction: 0.95}",
@@ -27,12 +23,9 @@ static const char *const transfers[] = {
     "{kind: apic}",
 };
 enum {
-    SHAPES = G_N_ELEMENTS(shapes),
     GEOMETRIES = G_N_ELEMENTS(geometries),
-    ORDERS = G_N_ELEMENTS(orders),
     TRANSFERS = G_N_ELEMENTS(transfers),
-    COMBINATIONS = SHAPES * GEOMETRIES * TRANSFERS,
-    CLASSIC = 0,
+    COMBINATIONS = TEST_SHAPES * GEOMETRIES * TRANSFERS,
     PIC = 2,
     APIC = TRANSFERS - 1,
 };
@@ -40,21 +33,23 @@ enum {
 struct combination {
     int shape, transfer;
     bool axisymmetric;
-    struct block_settings settings;
+    struct settings settings;
 };
 
 static struct combination combination_of(int index)
 {
     struct combination c = {
-        .shape = index % SHAPES,
-        .axisymmetric = index / SHAPES % GEOMETRIES == 1,
-        .transfer = index / SHAPES / GEOMETRIES,
+        .shape = index % TEST_SHAPES,
+        .axisymmetric = index / TEST_SHAPES % GEOMETRIES == 1,
+        .transfer = index / TEST_SHAPES / GEOMETRIES,
     };
-    block_add(&c.settings, "geometry=%s", geometries[index / SHAPES % GEOMETRIES]);
+    settings_add_formatted(&c.settings, "geometry=%s",
+                           geometries[index / TEST_SHAPES % GEOMETRIES]);
     /* MUSL and USAVG, without it too; classic functions under USL amplify round-off */
-    block_add_method(&c.settings, shapes[c.shape],
-                     c.shape == CLASSIC ? orders[1 + 2 * (index / SHAPES % 2)]
-                                        : orders[(index / SHAPES + index) % ORDERS],
+    block_add_method(&c.settings, test_shapes[c.shape],
+                     c.shape == MPM_CLASSIC
+                         ? block_orders[1 + 2 * (index / TEST_SHAPES % 2)]
+                         : block_orders[(index / TEST_SHAPES + index) % BLOCK_ORDERS],
                      transfers[c.transfer]);
     return c;
 }
@@ -63,7 +58,7 @@ static struct combination combination_of(int index)
  * have many, and hands it to nodes of more: edges run away at once. */
 static bool runs_away(const struct combination *c)
 {
-    return c->shape == CLASSIC && c->transfer == APIC;
+    return c->shape == MPM_CLASSIC && c->transfer == APIC;
 }
 
 /* All but FLIP and its fractions. */
@@ -80,7 +75,7 @@ START_TEST(a_rigid_translation_is_exact)
     static const double ROUND_OFF = STEPS * 256 * DBL_EPSILON;
     struct combination c = combination_of(_i);
     const double v[2] = {c.axisymmetric ? 0.0 : 0.7, -0.4};
-    block_add(&c.settings, "bodies.block.velocity=[%g, %g]", v[0], v[1]);
+    settings_add_formatted(&c.settings, "bodies.block.velocity=[%g, %g]", v[0], v[1]);
     struct test_run run = block_open(&c.settings, 1);
     size_t n;
     double *const start = test_run_field(&run, MPM_FIELD_POSITION, &n);
@@ -107,7 +102,7 @@ START_TEST(linear_momentum_is_conserved_to_round_off)
 {
     enum { STEPS = 40 };
     struct combination c = combination_of(_i);
-    block_set_wild_velocity(&c.settings, c.axisymmetric);
+    test_add_wild_velocity(&c.settings, c.axisymmetric);
     struct test_run run = block_open(&c.settings, 1);
     const struct mpm_ledger start = test_run_ledger(&run);
     test_run_steps(&run, runs_away(&c) ? 4 : STEPS);
@@ -127,19 +122,19 @@ START_TEST(held_nodes_keep_their_velocity_in_every_order)
 {
     enum { STEPS = 12 };
     static const double ROUND_OFF = STEPS * 64 * DBL_EPSILON;
-    struct combination c = combination_of(_i), pic = combination_of(_i % (SHAPES * GEOMETRIES));
+    struct combination c = combination_of(_i),
+                       pic = combination_of(_i % (TEST_SHAPES * GEOMETRIES));
     struct combination *const both[2] = {&c, &pic};
     struct test_run runs[2];
     for (int k = 0; k < 2; k++) {
-        struct block_settings *const settings = &both[k]->settings;
-        g_free(settings->texts[--settings->count]);
-        block_add_method(settings, shapes[c.shape], orders[_i % ORDERS],
+        struct settings *const settings = &both[k]->settings;
+        block_add_method(settings, test_shapes[c.shape], block_orders[_i % BLOCK_ORDERS],
                          k == 0 ? transfers[c.transfer] : "{kind: pic}");
-        block_add(settings,
-                  "bodies.block.velocity=[0.3, 0.2]"); /* so that there is energy at hand */
-        block_add(settings,
-                  "boundary=[{region: all, velocity: ['0.3*sin(2*%s)*(1+t)', '-0.2*(1+t)']}]",
-                  c.axisymmetric ? "r" : "x");
+        settings_add(settings,
+                     "bodies.block.velocity=[0.3, 0.2]"); /* so that there is energy at hand */
+        settings_add_formatted(
+            settings, "boundary=[{region: all, velocity: ['0.3*sin(2*%s)*(1+t)', '-0.2*(1+t)']}]",
+            c.axisymmetric ? "r" : "x");
         runs[k] = block_open(settings, 1);
         test_run_steps(&runs[k], STEPS);
     }
@@ -161,18 +156,20 @@ START_TEST(order_one_of_xpic_and_fmpm_is_pic)
                                        "{kind: fmpm, order: 1}"};
     static const double ALMOST = 1e-9;
     struct test_run runs[3];
-    struct block_settings settings = {.count = 0};
+    struct settings settings = {.count = 0};
     for (int k = 0; k < 3; k++) {
-        block_add_method(&settings, shapes[_i % SHAPES], orders[_i / SHAPES], same[k]);
-        block_set_wild_velocity(&settings, false);
+        block_add_method(&settings, test_shapes[_i % TEST_SHAPES], block_orders[_i / TEST_SHAPES],
+                         same[k]);
+        test_add_wild_velocity(&settings, false);
         runs[k] = block_open(&settings, 1);
         test_run_steps(&runs[k], 20);
     }
     ck_assert(test_run_same_bits(&runs[0], &runs[1]));
     ck_assert(test_run_same_bits(&runs[0], &runs[2]));
     /* and the end of the scale of FLIP fractions: 20 steps of a share of 1e-9 */
-    block_add_method(&settings, shapes[_i % SHAPES], orders[_i / SHAPES], "{fraction: 1e-9}");
-    block_set_wild_velocity(&settings, false);
+    block_add_method(&settings, test_shapes[_i % TEST_SHAPES], block_orders[_i / TEST_SHAPES],
+                     "{fraction: 1e-9}");
+    test_add_wild_velocity(&settings, false);
     struct test_run flip = block_open(&settings, 1);
     test_run_steps(&flip, 20);
     ck_assert(test_run_difference(&runs[0], &flip, MPM_FIELD_VELOCITY) < 20 * ALMOST);
@@ -187,17 +184,19 @@ END_TEST
 START_TEST(xpic_of_higher_order_loses_less_and_tends_to_flip)
 {
     static const int higher[] = {1, 2, 3, 5, 10, 30, 100};
-    struct block_settings settings = {.count = 0};
-    block_add_method(&settings, shapes[_i % SHAPES], orders[_i / SHAPES], "{kind: flip}");
-    block_set_wild_velocity(&settings, false);
+    struct settings settings = {.count = 0};
+    block_add_method(&settings, test_shapes[_i % TEST_SHAPES], block_orders[_i / TEST_SHAPES],
+                     "{kind: flip}");
+    test_add_wild_velocity(&settings, false);
     struct test_run flip = block_open(&settings, 1);
     const double start = test_run_ledger(&flip).kinetic_energy;
     test_run_steps(&flip, 1);
     double energy = 0.0, away = HUGE_VAL;
     for (size_t k = 0; k < G_N_ELEMENTS(higher); k++) {
         char *const transfer = g_strdup_printf("{kind: xpic, order: %d}", higher[k]);
-        block_add_method(&settings, shapes[_i % SHAPES], orders[_i / SHAPES], transfer);
-        block_set_wild_velocity(&settings, false);
+        block_add_method(&settings, test_shapes[_i % TEST_SHAPES], block_orders[_i / TEST_SHAPES],
+                         transfer);
+        test_add_wild_velocity(&settings, false);
         struct test_run run = block_open(&settings, 1);
         test_run_steps(&run, 1);
         const double kinetic = test_run_ledger(&run).kinetic_energy;
@@ -217,9 +216,9 @@ END_TEST
 START_TEST(pic_loses_energy_in_every_step)
 {
     enum { STEPS = 30 };
-    struct block_settings settings = {.count = 0};
-    block_add_method(&settings, shapes[_i], "stress_update: usavg", "{kind: pic}");
-    block_set_wild_velocity(&settings, false);
+    struct settings settings = {.count = 0};
+    block_add_method(&settings, test_shapes[_i], "stress_update: usavg", "{kind: pic}");
+    test_add_wild_velocity(&settings, false);
     struct test_run run = block_open(&settings, 1);
     double before = test_run_ledger(&run).total_energy;
     for (int k = 0; k < STEPS; k++) {
@@ -238,10 +237,10 @@ END_TEST
 START_TEST(apic_keeps_angular_momentum_to_round_off)
 {
     enum { STEPS = 80 };
-    struct block_settings settings = {.count = 0};
-    block_add_method(&settings, shapes[1 + _i % (SHAPES - 1)], orders[_i / (SHAPES - 1)],
-                     "{kind: apic}");
-    block_add(&settings, "bodies.block.velocity=['1-0.2*(y-5)+sin(y)', '0.2*x+cos(1.2*y)']");
+    struct settings settings = {.count = 0};
+    block_add_method(&settings, test_shapes[1 + _i % (TEST_SHAPES - 1)],
+                     block_orders[_i / (TEST_SHAPES - 1)], "{kind: apic}");
+    settings_add(&settings, "bodies.block.velocity=['1-0.2*(y-5)+sin(y)', '0.2*x+cos(1.2*y)']");
     struct test_run run = block_open(&settings, 1);
     const struct mpm_ledger start = test_run_ledger(&run);
     test_run_steps(&run, STEPS);
@@ -260,9 +259,10 @@ END_TEST
 START_TEST(apic_takes_back_the_spin_that_it_gave)
 {
     static const double SPIN = 1e-9, PATH = 1e-9; /* cells travelled: what D_p changes by */
-    struct block_settings settings = {.count = 0};
-    block_add_method(&settings, shapes[_i], "stress_update: usl", "{kind: apic}");
-    block_add(&settings, "bodies.block.velocity=['-%g*(y-5.6)', '%g*(x-5.75)']", SPIN, SPIN);
+    struct settings settings = {.count = 0};
+    block_add_method(&settings, test_shapes[_i], "stress_update: usl", "{kind: apic}");
+    settings_add_formatted(&settings, "bodies.block.velocity=['-%g*(y-5.6)', '%g*(x-5.75)']", SPIN,
+                           SPIN);
     struct test_run run = block_open(&settings, 1);
     const double start = test_run_ledger(&run).angular_momentum;
     test_run_steps(&run, 3);
@@ -280,14 +280,15 @@ Suite *suite_transfers(void)
     tcase_add_loop_test(all, held_nodes_keep_their_velocity_in_every_order, 0, COMBINATIONS);
     suite_add_tcase(suite, all);
     TCase *const filters = tcase_create("filters");
-    tcase_add_loop_test(filters, order_one_of_xpic_and_fmpm_is_pic, 0, SHAPES * ORDERS);
+    tcase_add_loop_test(filters, order_one_of_xpic_and_fmpm_is_pic, 0, TEST_SHAPES * BLOCK_ORDERS);
     tcase_add_loop_test(filters, xpic_of_higher_order_loses_less_and_tends_to_flip, 0,
-                        SHAPES * 2); /* orders without a stress update at the start */
-    tcase_add_loop_test(filters, pic_loses_energy_in_every_step, 0, SHAPES);
+                        TEST_SHAPES * 2); /* orders without a stress update at the start */
+    tcase_add_loop_test(filters, pic_loses_energy_in_every_step, 0, TEST_SHAPES);
     suite_add_tcase(suite, filters);
     TCase *const affine = tcase_create("affine");
-    tcase_add_loop_test(affine, apic_keeps_angular_momentum_to_round_off, 0, (SHAPES - 1) * ORDERS);
-    tcase_add_loop_test(affine, apic_takes_back_the_spin_that_it_gave, 0, SHAPES);
+    tcase_add_loop_test(affine, apic_keeps_angular_momentum_to_round_off, 0,
+                        (TEST_SHAPES - 1) * BLOCK_ORDERS);
+    tcase_add_loop_test(affine, apic_takes_back_the_spin_that_it_gave, 0, TEST_SHAPES);
     suite_add_tcase(suite, affine);
     return suite;
 }

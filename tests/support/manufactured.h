@@ -4,16 +4,15 @@
 #ifndef TESTS_SUPPORT_MANUFACTURED_H
 #define TESTS_SUPPORT_MANUFACTURED_H
 
+#include "support/combinations.h"
 #include "verification/exact/manufactured.h"
 
 enum {
     TEST_FIELDS = 5,
     TEST_LAWS = 2,
-    TEST_GEOMETRIES = 3,
     TEST_PROBLEMS = TEST_FIELDS * TEST_LAWS * TEST_GEOMETRIES,
 };
 extern const char *const test_laws[TEST_LAWS];
-extern const char *const test_geometry_names[TEST_GEOMETRIES];
 
 /* E = 1e7, nu = 0.3, rho = 1000: sqrt(E / rho) = 100 */
 #define TEST_DENSITY 1000.0

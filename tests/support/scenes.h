@@ -33,8 +33,17 @@ bool test_run_same_bits(const struct test_run *one, const struct test_run *other
 void test_same_bits_over_threads(const char *text, const char *const *settings, int steps,
                                  void (*prepare)(struct test_run *run));
 
-/* Room for a body as large as three workers share, and that body, for blocks on cells of 1 by 0.8.
- */
+/* The scenes of most tests of the step: bodies on cells that are not square. `time` and `material`
+ * are flow mappings, `bodies` the rest of the scene from there on. */
+#define TEST_BLOCK_SCENE(time, material, bodies)                                                   \
+    "format: 1\n"                                                                                  \
+    "geometry: plane_strain\n"                                                                     \
+    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}\n"                                    \
+    "time: " time "\n"                                                                             \
+    "materials: [" material "]\n"                                                                  \
+    "bodies:\n" bodies
+
+/* Room for a body as large as three workers share, and that body, in a TEST_BLOCK_SCENE. */
 #define TEST_BLOCK_FOR_THREADS                                                                     \
     "grid.cells=[70, 70]", "bodies.block.region.rectangle={from: [3, 3.2], to: [63, 51.2]}"
 

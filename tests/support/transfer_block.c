@@ -1,53 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "support/transfer_block.h"
 
-#include <glib.h>
 #include <math.h>
 #include <stdlib.h>
 
-/* Cells are not square, the body's edges are on grid lines and within cells. Wave speed 12, so
- * that a step is near 0.02. */
-static const char BLOCK[] =
-    "format: 1\n"
-    "title: A block\n"
-    "geometry: plane_strain\n"
-    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}\n"
-    "time: {end: 1000, courant: 0.3}\n"
-    "materials: [{name: rubber, law: neo_hookean, density: 1, bulk: 80, shear: 48}]\n"
-    "bodies:\n"
-    "  - {name: block, material: rubber, region: {rectangle: {from: [3, 3.2], to: [8.5, 8]}},\n"
-    "     particles_per_cell: [2, 2]}\n";
+/* Its edges are on grid lines and within cells. */
+static const char BLOCK[] = TEST_RUBBER_BLOCK("[8.5, 8]");
 
-void block_add(struct block_settings *settings, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    settings->texts[settings->count++] = g_strdup_vprintf(format, arguments);
-    va_end(arguments);
-    settings->texts[settings->count] = NULL;
-}
+const char *const block_orders[BLOCK_ORDERS] = {"stress_update: usl", "stress_update: musl",
+                                                "stress_update: usf", "stress_update: usavg",
+                                                "stress_update: usavg, extrapolate: false"};
 
-struct test_run block_open(struct block_settings *settings, int threads)
+struct test_run block_open(struct settings *settings, int threads)
 {
-    struct test_run run = test_run_open(BLOCK, (const char *const *)settings->texts, threads);
-    for (int k = 0; k < settings->count; k++)
-        g_free(settings->texts[k]);
-    *settings = (struct block_settings){.count = 0};
+    const struct test_run run = test_run_open(BLOCK, settings->texts, threads);
+    settings_clear(settings);
     return run;
 }
 
-void block_add_method(struct block_settings *settings, const char *shape, const char *order,
+void block_add_method(struct settings *settings, const char *shape, const char *order,
                       const char *transfer)
 {
-    block_add(settings, "method={shape: %s, %s, transfer: %s}", shape, order, transfer);
-}
-
-void block_set_wild_velocity(struct block_settings *settings, bool axisymmetric)
-{
-    if (axisymmetric)
-        block_add(settings, "bodies.block.velocity=['0.3*sin(2*r)*cos(z)', '0.4*cos(r+2*z)']");
-    else
-        block_add(settings, "bodies.block.velocity=['0.3*sin(2*x)*cos(y)', '0.4*cos(x+2*y)']");
+    settings_add_formatted(settings, "method={shape: %s, %s, transfer: %s}", shape, order,
+                           transfer);
 }
 
 /* The largest difference of two fields of two runs. */

@@ -1,28 +1,31 @@
-/* The scene of the tests of transfers and forms: one block with settings, and what runs of it
- * have in common or not.
+/* The scene of the tests of properties, transfers and forms: one block with settings, and what
+ * runs of it have in common or not.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TESTS_SUPPORT_TRANSFER_BLOCK_H
 #define TESTS_SUPPORT_TRANSFER_BLOCK_H
 
+#include "support/combinations.h"
 #include "support/scenes.h"
 
-#include <glib.h>
+/* A block from (3, 3.2) to the corner `to`, at a distance from the axis in axisymmetry. Wave speed
+ * 12, so that a step is near 0.02. */
+#define TEST_RUBBER_BLOCK(to)                                                                      \
+    TEST_BLOCK_SCENE("{end: 1000, courant: 0.3}",                                                  \
+                     "{name: rubber, law: neo_hookean, density: 1, bulk: 80, shear: 48}",          \
+                     "  - {name: block, material: rubber, region: {rectangle: {from: [3, 3.2],\n"  \
+                     "     to: " to "}}, particles_per_cell: [2, 2]}\n")
 
-struct block_settings {
-    char *texts[8];
-    int count;
-};
+/* Every order of the stress update, and USAVG without re-extrapolation, as keys of the method. */
+enum { BLOCK_ORDERS = 5 };
+extern const char *const block_orders[BLOCK_ORDERS];
 
-void block_add(struct block_settings *settings, const char *format, ...) G_GNUC_PRINTF(2, 3);
-/* `order`: "stress_update: musl", with more keys of the method or without */
-void block_add_method(struct block_settings *settings, const char *shape, const char *order,
+/* `order`: one of these, with more keys of the method or without */
+void block_add_method(struct settings *settings, const char *shape, const char *order,
                       const char *transfer);
-/* Up to 0.4, from particle to particle. */
-void block_set_wild_velocity(struct block_settings *settings, bool axisymmetric);
 
-/* The block with the settings, which are freed. */
-struct test_run block_open(struct block_settings *settings, int threads);
+/* The block with the settings, which are cleared. */
+struct test_run block_open(struct settings *settings, int threads);
 
 /* The largest difference of a field of two runs. */
 double test_run_difference(const struct test_run *one, const struct test_run *other,

@@ -21,7 +21,8 @@
  * Reported, with a suffix for each quantity (_u, _v, _F, _stress), of errors over the size of the
  * exact field: error, error_l1 and error_max on the finest level, in percent; order_last,
  * order_fitted, order_width, order_class and order_max (of L-infinity) over the levels; constant.
- * Of the amplitude of u: index (percent), index_order, index_cover. finished.
+ * Of the amplitude of u: index (percent), index_order, index_cover. finished; levels_finished, how
+ * many.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/grid_convergence.h"
@@ -241,10 +242,11 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
     TRY(read_study(m, &study, error));
     TRY(check_activity(m, &study, error));
     TRY(run_levels(m, &study, error));
-    bool finished = true;
+    unsigned finished = 0;
     for (unsigned k = 0; k < study.levels; k++)
-        finished = finished && study.outcome[k].finished;
-    measurement_report(m, "finished", finished ? 1.0 : 0.0);
+        finished += study.outcome[k].finished;
+    measurement_report(m, "finished", finished == study.levels ? 1.0 : 0.0);
+    measurement_report(m, "levels_finished", finished);
     for (unsigned q = 0; q < MANUFACTURED_QUANTITIES; q++) {
         report_quantity(m, &study, q);
         note_quantity(m, &study, q);
