@@ -120,7 +120,7 @@ static enum mpm_status add_all(struct bench_context *context, GArray *runs, stru
     for (size_t p = 0; p < G_N_ELEMENTS(problems); p++)
         for (size_t v = 0; v < bench_variants_count(); v++) {
             const struct bench_variant variant = bench_variant(v);
-            if (*variant.change == '\0' || !problems[p]->plain)
+            if (*variant.change == '\0' || problems[p]->begin == NULL)
                 TRY(add_ladder(context, runs, problems[p], &variant, error));
         }
     return MPM_OK;

@@ -40,11 +40,11 @@ struct accuracy_problem {
     /* PATH=VALUE texts of a grid with so many cells. */
     void (*set)(GPtrArray *settings, unsigned cells);
     /* What a scene cannot state, or NULL: gives it to a simulation at its start, and returns what
-     * belongs to it; NULL, with the error, if that fails. */
+     * belongs to it; NULL, with the error, if that fails. Problems that have it run with shapes and
+     * orders alone, no other transfers and forms. */
     void *(*begin)(struct mpm_simulation *simulation, const struct mpm_scene *scene,
                    struct mpm_error *error);
     void (*finish)(void *begun);
-    bool plain; /* shapes and orders alone, no other transfers and forms */
     /* Adds the particles of the moment to the sums, one for each of `errors`. */
     void (*look)(const struct particle_set *particles, double time, struct accuracy_sum *sums);
 };

@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-enum { AXES = 2, GRADIENT = 5 };
+enum { AXES = 2 };
 
 /* As in scenes/manufactured.yaml. */
 #define BAR_SPEED 100.0
@@ -113,37 +113,15 @@ static void finish(void *item)
     g_free(begun);
 }
 
-static double time_step_of(const struct mpm_scene *scene, struct mpm_error *error)
-{
-    const struct mpm_simulation_options options = {.threads = 1};
-    struct mpm_plan plan;
-    return mpm_scene_plan(scene, &options, &plan, error) == MPM_OK ? plan.time_step : (double)NAN;
-}
-
 static enum mpm_status start(const struct begun *begun, struct mpm_simulation *simulation,
                              const struct mpm_scene *scene, struct mpm_error *error)
 {
-    const size_t count = mpm_simulation_particle_count(simulation);
+    const struct mpm_simulation_options options = {.threads = 1};
     const struct mpm_lags lags = mpm_scene_lags(scene);
-    const double step = time_step_of(scene, error);
-    double *const velocity = g_new(double, AXES *count);
-    double *const deformation = g_new(double, GRADIENT *count);
-    struct manufactured_state state;
-    for (size_t k = 0; k < count; k++) {
-        const double *const place = &begun->places[AXES * k];
-        manufactured_evaluate(&begun->problem, place, -lags.velocity * step, &state);
-        for (size_t c = 0; c < AXES; c++)
-            velocity[AXES * k + c] = state.velocity[c];
-        manufactured_evaluate(&begun->problem, place, -lags.deformation * step, &state);
-        for (size_t c = 0; c < GRADIENT; c++)
-            deformation[GRADIENT * k + c] = state.deformation[c];
-    }
-    const enum mpm_status status =
-        isnan(step) ? error->status
-                    : mpm_simulation_set_start(simulation, velocity, deformation, error);
-    g_free(velocity);
-    g_free(deformation);
-    return status;
+    struct mpm_plan plan;
+    TRY(mpm_scene_plan(scene, &options, &plan, error));
+    return manufactured_start(&begun->problem, begun->places, &lags, plan.time_step, simulation,
+                              error);
 }
 
 static void *begin(const struct motion *motion, struct mpm_simulation *simulation,
@@ -206,7 +184,7 @@ MOTION(ring, VORTEX)
 
 #define OF(motion)                                                                                 \
     .set = set_##motion, .begin = begin_##motion, .look = look_##motion, .finish = finish,         \
-    .scene = scene, .plain = true, .headline = "error_displacement",                               \
+    .scene = scene, .headline = "error_displacement",                                              \
     .headline_words = "error of displacement, relative", .errors = {"error_displacement"},         \
     .interval = (double)INFINITY
 #define ERROR_WORDS                                                                                \

@@ -54,6 +54,7 @@
     SUITE(pareto)                                                                                  \
     SUITE(accuracy)                                                                                \
     SUITE(bench_report)                                                                            \
+    SUITE(programs)                                                                                \
     SUITE(orders)                                                                                  \
     SUITE(measures)                                                                                \
     SUITE(modes)                                                                                   \

@@ -151,15 +151,6 @@ START_TEST(the_numbers_that_case_e3_states_are_those_of_the_theory)
 }
 END_TEST
 
-START_TEST(an_order_has_a_name)
-{
-    enum bar_dispersion_order order = BAR_DISPERSION_USL;
-    ck_assert(bar_dispersion_find_order("usavg", &order));
-    ck_assert_int_eq(order, BAR_DISPERSION_USAVG);
-    ck_assert(!bar_dispersion_find_order("USAVG", &order));
-}
-END_TEST
-
 /* -------------------------------------------------------------------- momentum form */
 
 /* A bar of `cells` cells of width 1 held at both ends, two particles a cell, M = rho = 1: weights
@@ -295,7 +286,6 @@ Suite *suite_dispersion(void)
                         BAR_DISPERSION_ORDERS);
     tcase_add_test(velocity, fine_grids_and_steps_give_the_exact_frequency_at_second_order);
     tcase_add_test(velocity, the_numbers_that_case_e3_states_are_those_of_the_theory);
-    tcase_add_test(velocity, an_order_has_a_name);
     suite_add_tcase(suite, velocity);
     tcase_add_loop_test(held, the_velocity_form_of_a_held_bar_has_the_frequency_of_its_dispersion,
                         0, HELD_GRIDS);

@@ -324,8 +324,8 @@ START_TEST(every_level_of_instructions_gives_the_same_bits)
     double places[COUNT][AXES], b[2][AXES][COUNT] = {{{0.0}}};
     uint32_t ids[COUNT];
     struct manufactured_problem other = problem;
-    other.level = &manufactured_level_baseline;
-    other.field = other.level->fields[_i % TEST_FIELDS];
+    other.kernels = &manufactured_kernels_baseline;
+    other.field = other.kernels->fields[_i % TEST_FIELDS];
     for (int k = 0; k < COUNT; k++) {
         place_of(&problem, k % PLACES, places[k]);
         places[k][0] *= 1.0 + 1e-3 * k;

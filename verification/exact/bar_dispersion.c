@@ -5,23 +5,6 @@
 #include <stddef.h>
 #include <string.h>
 
-static const char *const ORDER_NAMES[BAR_DISPERSION_ORDERS] = {
-    [BAR_DISPERSION_USL] = "usl",
-    [BAR_DISPERSION_MUSL] = "musl",
-    [BAR_DISPERSION_USF] = "usf",
-    [BAR_DISPERSION_USAVG] = "usavg",
-};
-
-bool bar_dispersion_find_order(const char *name, enum bar_dispersion_order *order)
-{
-    for (size_t k = 0; k < BAR_DISPERSION_ORDERS; k++)
-        if (strcmp(name, ORDER_NAMES[k]) == 0) {
-            *order = (enum bar_dispersion_order)k;
-            return true;
-        }
-    return false;
-}
-
 /* mean of x (1 - x), x in cells */
 static double spread(unsigned particles)
 {

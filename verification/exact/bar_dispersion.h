@@ -57,9 +57,6 @@ struct bar_dispersion_result {
     double decay;     /* gamma */
 };
 
-/* "usl", "musl", "usf", "usavg"; false if the name is another. */
-bool bar_dispersion_find_order(const char *name, enum bar_dispersion_order *order);
-
 /* Frequency and decay of the mode with wave number k > 0, k h <= pi. NaN where the mode does not
  * oscillate: overdamped or unstable. */
 struct bar_dispersion_result bar_dispersion(const struct bar_dispersion *bar, double wave_number);

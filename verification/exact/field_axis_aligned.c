@@ -40,7 +40,6 @@ static void displacement(const struct manufactured_problem *problem, const struc
 
 const struct manufactured_field MANUFACTURED_OF_LEVEL(axis_aligned) = {
     .name = "axis_aligned",
-    .title = "waves along the axes of a square (Wallstedt and Guilkey 2008)",
     .parameter = {[AMPLITUDE] = {"amplitude", 0.05, 1e-9, 0.15, "A, length; the side is 1"},
                   [WAVES] = {"waves", 1, 1, 64, "n, on the side"}},
     .prepare = prepare,

@@ -36,7 +36,6 @@ static void displacement(const struct manufactured_problem *problem, const struc
 
 const struct manufactured_field MANUFACTURED_OF_LEVEL(bar) = {
     .name = "bar",
-    .title = "the first axial mode of a bar held at both ends",
     .parameter = {[AMPLITUDE] = {"amplitude", 0.05, 1e-9, 0.3, "A, length"},
                   [LENGTH] = {"length", 1, 0.01, 100, "L, length"}},
     .prepare = prepare,

@@ -49,7 +49,6 @@ static void displacement(const struct manufactured_problem *problem, const struc
 
 const struct manufactured_field MANUFACTURED_OF_LEVEL(cylinder) = {
     .name = "cylinder",
-    .title = "waves along and across a cylinder, both components, finite strain on the axis",
     .parameter = {[AMPLITUDE] = {"amplitude", 0.05, 1e-9, 0.2, "A, length"},
                   [WAVES] = {"waves", 1, 1, 64, "n, half waves on radius and height"},
                   [RADIUS] = {"radius", 1, 0.01, 100, "length"},

@@ -61,7 +61,6 @@ static void displacement(const struct manufactured_problem *problem, const struc
 
 const struct manufactured_field MANUFACTURED_OF_LEVEL(expanding_ring) = {
     .name = "expanding_ring",
-    .title = "a ring with free faces that breathes (Wallstedt and Guilkey 2008)",
     .parameter = {[AMPLITUDE] = {"amplitude", 0.1, 1e-9, 0.15, "A, length: of the outer face"},
                   [INNER] = {"inner", 0.4, 0.01, 10, "radius of the inner face, length"},
                   [OUTER] = {"outer", 0.6, 0.02, 20, "r_b, length"},

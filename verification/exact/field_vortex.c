@@ -45,7 +45,6 @@ static void displacement(const struct manufactured_problem *problem, const struc
 
 const struct manufactured_field MANUFACTURED_OF_LEVEL(vortex) = {
     .name = "vortex",
-    .title = "the generalized vortex (Kamojjala and others 2015)",
     .parameter = {[AMPLITUDE] = {"amplitude", 0.2, 1e-9, 1, "A, largest angle"}},
     .prepare = prepare,
     .swing = swing,

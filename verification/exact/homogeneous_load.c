@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/exact/homogeneous_load.h"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_roots.h>
+#include "verification/exact/root.h"
+
 #include <math.h>
 
 /* What a root is looked for in. */
@@ -19,25 +19,11 @@ static double stress_along(const struct compression_material *m, double radial, 
     return m->bulk / 2.0 * (j - 1.0 / j) + m->shear * deviator / (j * cbrt(j * j));
 }
 
-/* NaN if the function has the same sign at both ends, or a root takes too long. */
-static double find_root(double (*function)(double, void *), void *context)
+/* A stretch; NaN if there is none. */
+static double find_stretch(double (*function)(double, void *), struct problem *problem)
 {
-    enum { ROUNDS = 200 };
     static const double LOWEST = 0.2, HIGHEST = 5.0, TOLERANCE = 1e-13;
-    gsl_function f = {.function = function, .params = context};
-    gsl_root_fsolver *const solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-    int status = solver == NULL ? GSL_ENOMEM : gsl_root_fsolver_set(solver, &f, LOWEST, HIGHEST);
-    int test = GSL_CONTINUE;
-    for (int round = 0; status == GSL_SUCCESS && test == GSL_CONTINUE && round < ROUNDS; round++) {
-        status = gsl_root_fsolver_iterate(solver);
-        test = gsl_root_test_interval(gsl_root_fsolver_x_lower(solver),
-                                      gsl_root_fsolver_x_upper(solver), 0.0, TOLERANCE);
-    }
-    const double root =
-        status == GSL_SUCCESS && test == GSL_SUCCESS ? gsl_root_fsolver_root(solver) : (double)NAN;
-    if (solver != NULL)
-        gsl_root_fsolver_free(solver);
-    return root;
+    return root_between(function, problem, LOWEST, HIGHEST, TOLERANCE);
 }
 
 static double side_stress(double radial, void *context)
@@ -50,7 +36,7 @@ static double side_stress(double radial, void *context)
 static double free_radius(const struct compression_material *material, double axial)
 {
     struct problem side = {.material = material, .axial = axial};
-    return find_root(side_stress, &side);
+    return find_stretch(side_stress, &side);
 }
 
 static double end_stress(double axial, void *context)
@@ -72,10 +58,8 @@ bool homogeneous_end_load(const struct compression_material *material, double tr
                           double power, struct homogeneous_state *state)
 {
     struct problem end = {.material = material, .traction = traction, .power = power};
-    gsl_error_handler_t *const handler = gsl_set_error_handler_off();
-    state->axial = find_root(end_stress, &end);
+    state->axial = find_stretch(end_stress, &end);
     state->radial = free_radius(material, state->axial);
-    gsl_set_error_handler(handler);
     return fill(material, state);
 }
 
@@ -83,9 +67,7 @@ bool homogeneous_rim_load(const struct compression_material *material, double tr
                           struct homogeneous_state *state)
 {
     struct problem side = {.material = material, .axial = 1.0, .traction = traction};
-    gsl_error_handler_t *const handler = gsl_set_error_handler_off();
     state->axial = 1.0;
-    state->radial = find_root(side_stress, &side);
-    gsl_set_error_handler(handler);
+    state->radial = find_stretch(side_stress, &side);
     return fill(material, state);
 }

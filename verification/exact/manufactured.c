@@ -38,14 +38,14 @@ static bool runs_v3(void)
 }
 #endif
 
-const struct manufactured_level *manufactured_level_at(size_t index)
+const struct manufactured_kernels *manufactured_kernels_at(size_t index)
 {
     enum { LEVELS = 2 };
-    const struct manufactured_level *levels[LEVELS] = {&manufactured_level_baseline};
+    const struct manufactured_kernels *levels[LEVELS] = {&manufactured_kernels_baseline};
 #ifdef MPM_FAST_V3 /* of the makefile: this build has that level */
     if (runs_v3()) {
         levels[1] = levels[0];
-        levels[0] = &manufactured_level_v3;
+        levels[0] = &manufactured_kernels_v3;
     }
 #endif
     return index < LEVELS ? levels[index] : NULL;
@@ -54,24 +54,25 @@ const struct manufactured_level *manufactured_level_at(size_t index)
 void manufactured_evaluate(const struct manufactured_problem *problem, const double place[2],
                            double time, struct manufactured_state *state)
 {
-    problem->level->evaluate(problem, place, time, state);
+    problem->kernels->evaluate(problem, place, time, state);
 }
 
 void manufactured_load_evaluate(void *load, double time, size_t count, const uint32_t id[],
                                 double *const force[2])
 {
     const struct manufactured_load *const given = load;
-    given->problem->level->load(load, time, count, id, force);
+    given->problem->kernels->load(load, time, count, id, force);
 }
 
 /* ------------------------------------------------------------------- tables */
 
 const struct manufactured_field *manufactured_at(size_t index)
 {
-    return index < FIELDS ? manufactured_level_at(0)->fields[index] : NULL;
+    return index < FIELDS ? manufactured_kernels_at(0)->fields[index] : NULL;
 }
 
-const struct manufactured_field *manufactured_find(const char *name)
+/* The field of that name, or NULL. */
+static const struct manufactured_field *find(const char *name)
 {
     const struct manufactured_field *field;
     for (size_t k = 0; (field = manufactured_at(k)) != NULL; k++)
@@ -80,19 +81,9 @@ const struct manufactured_field *manufactured_find(const char *name)
     return NULL;
 }
 
-const char *manufactured_names(void)
-{
-    return field_names + 2;
-}
-
 const char *manufactured_name(const struct manufactured_field *field)
 {
     return field->name;
-}
-
-const char *manufactured_title(const struct manufactured_field *field)
-{
-    return field->title;
 }
 
 const struct manufactured_parameter *
@@ -142,16 +133,15 @@ enum mpm_status manufactured_open(const struct manufactured_setup *setup,
 {
     const double values[] = {setup->density, setup->bulk, setup->shear};
     static const char *const names[] = {"density", "bulk modulus", "shear modulus"};
-    *problem = (struct manufactured_problem){.field = manufactured_find(setup->field),
-                                             .level = manufactured_level_at(0),
+    *problem = (struct manufactured_problem){.field = find(setup->field),
+                                             .kernels = manufactured_kernels_at(0),
                                              .geometry = setup->geometry,
                                              .density = setup->density,
                                              .bulk = setup->bulk,
                                              .shear = setup->shear,
                                              .lame = setup->bulk - 2.0 / 3.0 * setup->shear};
     if (problem->field == NULL)
-        return manufactured_refuse(error, "field `%s`; allowed: %s", setup->field,
-                                   manufactured_names());
+        return manufactured_refuse(error, "field `%s`; allowed: %s", setup->field, field_names + 2);
     for (size_t k = 0; k < sizeof values / sizeof *values; k++)
         if (check_modulus(names[k], values[k], error) != MPM_OK)
             return MPM_BAD_INPUT;

@@ -79,12 +79,12 @@ enum {
 };
 
 struct manufactured_field;
-struct manufactured_level;
+struct manufactured_kernels;
 
 /* A field with its parameters, material and geometry. */
 struct manufactured_problem {
     const struct manufactured_field *field;
-    const struct manufactured_level *level; /* the instructions that evaluate it */
+    const struct manufactured_kernels *kernels; /* the instructions that evaluate it */
     enum mpm_geometry geometry;
     enum manufactured_law { MANUFACTURED_NEO_HOOKEAN, MANUFACTURED_LINEAR_ELASTIC } law;
     double density, bulk, shear, lame; /* lame = K - 2 G / 3 */
@@ -101,12 +101,7 @@ double manufactured_bar_speed(const struct manufactured_problem *problem);
 
 /* ------------------------------------------------------------------- fields */
 
-/* The field of that name, or NULL. */
-const struct manufactured_field *manufactured_find(const char *name);
-/* "axis_aligned, ..." */
-const char *manufactured_names(void);
 const char *manufactured_name(const struct manufactured_field *field);
-const char *manufactured_title(const struct manufactured_field *field);
 /* The fields one by one; NULL past the last. */
 const struct manufactured_field *manufactured_at(size_t index);
 /* The parameters of a field one by one; NULL past the last. */
@@ -145,6 +140,13 @@ struct manufactured_load {
 };
 void manufactured_load_evaluate(void *load, double time, size_t count, const uint32_t id[],
                                 double *const force[2]);
+
+/* Gives the simulation, still at its start, the field's velocities and deformation gradients, each
+ * `lags` (mpm_scene_lags; zeros: all at t = 0) times `step` before t = 0. `places` as above.
+ * MPM_ENVIRONMENT_FAILED: memory; or what mpm_simulation_set_start says. */
+enum mpm_status manufactured_start(const struct manufactured_problem *problem, const double *places,
+                                   const struct mpm_lags *lags, double step,
+                                   struct mpm_simulation *simulation, struct mpm_error *error);
 
 /* -------------------------------------------------------------- its activity */
 

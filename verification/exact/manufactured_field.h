@@ -14,7 +14,6 @@ enum { MANUFACTURED_SWINGS = 2 };
 
 struct manufactured_field {
     const char *name;
-    const char *title;
     struct manufactured_parameter parameter[MANUFACTURED_PARAMETERS]; /* to a name of NULL */
     /* Sets domain, edges, period, end, and the field's own constants from parameters and material;
      * all are zero before. */
@@ -48,16 +47,16 @@ enum mpm_status manufactured_refuse(struct mpm_error *error, const char *format,
 #define MANUFACTURED_NAME(name, level) MANUFACTURED_JOIN(name, level)
 #define MANUFACTURED_OF_LEVEL(name)    MANUFACTURED_NAME(name, MANUFACTURED_LEVEL)
 
-struct manufactured_level {
+struct manufactured_kernels {
     const struct manufactured_field *const *fields; /* in the order of the list */
     void (*evaluate)(const struct manufactured_problem *problem, const double place[2], double time,
                      struct manufactured_state *state);
     void (*load)(void *load, double time, size_t count, const uint32_t id[],
                  double *const force[2]);
 };
-extern const struct manufactured_level manufactured_level_baseline, manufactured_level_v3;
+extern const struct manufactured_kernels manufactured_kernels_baseline, manufactured_kernels_v3;
 
 /* The levels that this build and this machine have, the widest first; NULL past the last. */
-const struct manufactured_level *manufactured_level_at(size_t index);
+const struct manufactured_kernels *manufactured_kernels_at(size_t index);
 
 #endif

@@ -156,4 +156,5 @@ static void evaluate(const struct manufactured_problem *problem, const double pl
 MANUFACTURED_FIELDS(DECLARE)
 static const struct manufactured_field *const fields[] = {MANUFACTURED_FIELDS(FIELD_OF)};
 
-const struct manufactured_level MANUFACTURED_OF_LEVEL(level) = {fields, evaluate, evaluate_load};
+const struct manufactured_kernels MANUFACTURED_OF_LEVEL(kernels) = {fields, evaluate,
+                                                                    evaluate_load};

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/exact/radial_mode.h"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_roots.h>
+#include "verification/exact/root.h"
+
 #include <gsl/gsl_sf_bessel.h>
 #include <math.h>
 
@@ -28,30 +28,13 @@ static double rim_stress(double x, void *kappa)
 
 double radial_mode_wave_number(const struct radial_mode_body *body, unsigned mode)
 {
-    enum { ROUNDS = 100 };
     static const double ABOVE_ZERO = 1e-3, TOLERANCE = 1e-14;
-    double kappa = ratio(body), root = (double)NAN;
-    gsl_function stress_at = {.function = rim_stress, .params = &kappa};
+    double kappa = ratio(body);
     if (mode == 0)
-        return root;
-    gsl_error_handler_t *const handler = gsl_set_error_handler_off();
-    gsl_root_fsolver *const solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+        return (double)NAN;
     const double low = mode == 1 ? ABOVE_ZERO : gsl_sf_bessel_zero_J1(mode - 1);
-    int status = solver == NULL
-                     ? GSL_ENOMEM
-                     : gsl_root_fsolver_set(solver, &stress_at, low, gsl_sf_bessel_zero_J1(mode));
-    int test = GSL_CONTINUE;
-    for (int round = 0; status == GSL_SUCCESS && test == GSL_CONTINUE && round < ROUNDS; round++) {
-        status = gsl_root_fsolver_iterate(solver);
-        test = gsl_root_test_interval(gsl_root_fsolver_x_lower(solver),
-                                      gsl_root_fsolver_x_upper(solver), 0.0, TOLERANCE);
-    }
-    if (status == GSL_SUCCESS && test == GSL_SUCCESS)
-        root = gsl_root_fsolver_root(solver) / body->radius;
-    if (solver != NULL)
-        gsl_root_fsolver_free(solver);
-    gsl_set_error_handler(handler);
-    return root;
+    return root_between(rim_stress, &kappa, low, gsl_sf_bessel_zero_J1(mode), TOLERANCE) /
+           body->radius;
 }
 
 double radial_mode_frequency(const struct radial_mode_body *body, double wave_number)

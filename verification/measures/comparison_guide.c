@@ -41,26 +41,20 @@ static double most_behind(const struct comparison_table *table, size_t row)
     return isnan(factor) ? HUGE_VAL : factor;
 }
 
-/* Of the rows that equal the best of `first`, and of these the best in `second`, the one that is
- * least behind in any column, so that noise within the tolerances decides nothing. */
-static size_t best_of_equals(const struct comparison_table *table, size_t first, size_t second)
+/* Noise within the tolerances decides nothing. */
+size_t comparison_choice(const struct comparison_table *table, size_t leading, size_t cost)
 {
-    const struct comparison_cell *best = best_in(table, first, second);
+    const struct comparison_cell *best = best_in(table, leading, cost);
     size_t found = COMPARISON_NONE;
     for (size_t row = 0; row < table->row_count; row++) {
-        const struct comparison_cell *own = number_in(table, row, second);
-        const bool equal = best == NULL || (own != NULL && comparison_order(&table->columns[second],
-                                                                            best, own) == 0);
-        if (equal && comparison_is_level(table, row, first) &&
+        const struct comparison_cell *own = number_in(table, row, cost);
+        const bool equal = best == NULL ||
+                           (own != NULL && comparison_order(&table->columns[cost], best, own) == 0);
+        if (equal && comparison_is_level(table, row, leading) &&
             (found == COMPARISON_NONE || most_behind(table, row) < most_behind(table, found)))
             found = row;
     }
     return found;
-}
-
-size_t comparison_choice(const struct comparison_table *table, size_t leading, size_t cost)
-{
-    return best_of_equals(table, leading, cost);
 }
 
 static char *number_of(const struct comparison_table *table, size_t row, size_t column)
@@ -123,7 +117,7 @@ static void add_cost(GString *text, const struct comparison_table *table, size_t
         g_free(times);
         g_free(number);
     }
-    const size_t cheap = best_of_equals(table, cost, leading);
+    const size_t cheap = comparison_choice(table, cost, leading);
     if (cheap == COMPARISON_NONE || comparison_is_level(table, choice, cost))
         return;
     char *price = number_of(table, cheap, cost);

@@ -6,12 +6,15 @@
 #include <math.h>
 
 struct error_norms error_norms(size_t count, size_t components, const double *multiple,
-                               const double *volume, const double *computed, const double *exact)
+                               const double *weight, const double *computed, const double *exact)
 {
     struct error_norms norms = {0};
     double total = 0;
     for (size_t p = 0; p < count; p++) {
+        const double mass = weight == NULL ? 1 : weight[p];
         double error = 0, size = 0;
+        if (mass == 0)
+            continue;
         for (size_t c = 0; c < components; c++) {
             const double times = multiple == NULL ? 1 : multiple[c];
             const double value = exact[components * p + c];
@@ -19,17 +22,17 @@ struct error_norms error_norms(size_t count, size_t components, const double *mu
             error += times * difference * difference;
             size += times * value * value;
         }
-        total += volume[p];
-        norms.l1 += volume[p] * sqrt(error);
-        norms.l2 += volume[p] * error;
-        norms.exact_l2 += volume[p] * size;
+        total += mass;
+        norms.l1 += mass * sqrt(error);
+        norms.l2 += mass * error;
+        norms.exact_l2 += mass * size;
         norms.linf = field_larger(norms.linf, sqrt(error));
         norms.exact_linf = field_larger(norms.exact_linf, sqrt(size));
     }
     norms.l1 /= total;
     norms.l2 = sqrt(norms.l2 / total);
     norms.exact_l2 = sqrt(norms.exact_l2 / total);
-    if (count == 0)
+    if (!(total > 0))
         norms.linf = norms.exact_linf = (double)NAN;
     return norms;
 }

@@ -15,12 +15,13 @@ struct error_norms {
     double exact_l2, exact_linf;
 };
 
-/* `count` particles of `components` values each, particle-major. `volume`: positive weights, of
- * any common factor (initial volumes, so that they hold no error; masses, where the density is
- * one). `multiple`: how often a component counts in the square, NULL for once (the off-diagonal
- * one of a symmetric tensor counts twice). NaN if count is 0 or a value is NaN. */
+/* `count` particles of `components` values each, particle-major. `weight`: of any common factor
+ * (initial volumes, so that they hold no error; masses, where the density is one); a particle of
+ * weight 0 is left out; NULL: all alike. `multiple`: how often a component counts in the square,
+ * NULL for once (the off-diagonal one of a symmetric tensor counts twice). NaN if no particle is
+ * left or a value of one is NaN. */
 struct error_norms error_norms(size_t count, size_t components, const double *multiple,
-                               const double *volume, const double *computed, const double *exact);
+                               const double *weight, const double *computed, const double *exact);
 
 /* The norms over several instants as well: means of l1, root mean squares of l2, maxima of linf,
  * and so for the exact field. NaN if count is 0. An error that waves carry to and fro passes

@@ -4,6 +4,7 @@
 #include "verification/measures/orders.h"
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_fit.h>
 #include <math.h>
 #include <stdbool.h>
 
@@ -15,49 +16,27 @@ static bool levels_are_positive(size_t count, const double *h, const double *err
     return count >= 2;
 }
 
-/* Sums about the means of x = ln h and y = ln error. */
-struct sums {
-    double mean_x, mean_y, xx, xy, yy;
-};
-
-static struct sums sum_logarithms(size_t count, const double *h, const double *error)
+struct order_fit order_fit(size_t count, const double *h, const double *error)
 {
-    struct sums s = {0};
-    for (size_t i = 0; i < count; i++) {
-        s.mean_x += log(h[i]) / (double)count;
-        s.mean_y += log(error[i]) / (double)count;
-    }
-    for (size_t i = 0; i < count; i++) {
-        const double x = log(h[i]) - s.mean_x, y = log(error[i]) - s.mean_y;
-        s.xx += x * x;
-        s.xy += x * y;
-        s.yy += y * y;
-    }
-    return s;
-}
-
-struct order_fit order_fit(size_t count, const double *h, const double *error, double confidence)
-{
-    struct order_fit fit = {(double)NAN, (double)NAN, (double)NAN};
-    if (!levels_are_positive(count, h, error))
+    static const double BELOW = 0.975; /* both ends of 95 % */
+    double x[ORDER_LEVELS_MAX], y[ORDER_LEVELS_MAX], constant, variance[3], left;
+    struct order_fit fit = {(double)NAN, (double)NAN};
+    if (count > ORDER_LEVELS_MAX || !levels_are_positive(count, h, error))
         return fit;
-    const struct sums s = sum_logarithms(count, h, error);
-    if (!(s.xx > 0))
-        return fit;
-    fit.order = s.xy / s.xx;
-    fit.constant = exp(s.mean_y - fit.order * s.mean_x);
-    if (count > 2 && confidence > 0 && confidence < 1) {
-        const double freedom = (double)(count - 2);
-        const double left = fmax(0, s.yy - fit.order * s.xy);
-        fit.half_width =
-            gsl_cdf_tdist_Pinv(0.5 * (1 + confidence), freedom) * sqrt(left / (freedom * s.xx));
+    for (size_t i = 0; i < count; i++) {
+        x[i] = log(h[i]);
+        y[i] = log(error[i]);
     }
+    gsl_fit_linear(x, 1, y, 1, count, &constant, &fit.order, &variance[0], &variance[1],
+                   &variance[2], &left);
+    if (count > 2)
+        fit.half_width = gsl_cdf_tdist_Pinv(BELOW, (double)(count - 2)) * sqrt(variance[2]);
     return fit;
 }
 
 double order_fitted(size_t count, const double *h, const double *error)
 {
-    return order_fit(count, h, error, 0.95).order;
+    return order_fit(count, h, error).order;
 }
 
 double order_pair(size_t k, const double *h, const double *error)

@@ -7,18 +7,20 @@
 
 #include <stddef.h>
 
-/* error = constant * h^order, by least squares in logarithms. */
+enum { ORDER_LEVELS_MAX = 64 };
+
+/* error = constant h^order, by least squares in logarithms. */
 struct order_fit {
-    double order, constant;
+    double order;
     double half_width; /* the order's interval of confidence is order -/+ half_width */
 };
 
-/* Over `count` >= 2 levels, h and error positive and finite, not all h the same; NaN otherwise.
- * The interval holds the slope with the probability `confidence` (0.95, say) if logarithms
- * scatter normally: Student's t with count - 2 degrees of freedom. Two levels have no scatter:
- * half_width is NaN. Errors of a smooth series do not scatter but bend; then the interval tells
- * how far from a straight line they are, and is wide with few levels (t = 4.3 with four). */
-struct order_fit order_fit(size_t count, const double *h, const double *error, double confidence);
+/* Over `count` levels, 2 to ORDER_LEVELS_MAX, h and error positive and finite, not all h the same;
+ * NaN otherwise. The interval holds the slope with a probability of 95 % if logarithms scatter
+ * normally: Student's t with count - 2 degrees of freedom. Two levels have no scatter: half_width
+ * is NaN. Errors of a smooth series do not scatter but bend; then the interval tells how far from a
+ * straight line they are, and is wide with few levels (t = 4.3 with four). */
+struct order_fit order_fit(size_t count, const double *h, const double *error);
 
 /* The order of order_fit. */
 double order_fitted(size_t count, const double *h, const double *error);
@@ -41,7 +43,6 @@ enum order_class {
     ORDER_PLATEAU = 3,     /* has lost its order: a floor that refinement does not lower */
     ORDER_OSCILLATORY = 4, /* falls and rises, or rises and falls */
     ORDER_DIVERGING = 5,   /* grows */
-    ORDER_CLASS_COUNT,
 };
 const char *order_class_name(enum order_class kind);
 

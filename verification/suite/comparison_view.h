@@ -43,6 +43,11 @@ bool comparison_view_has_part(const char *variant, const json_t *part);
 const json_t *comparison_view_part(const struct comparison_view *view, const char *variant,
                                    const char *kind);
 
+/* Appends the cell of a number, with what it sorts by and `words` below it (freed), marked as bad
+ * or not. */
+void comparison_cell_html(GString *html, const struct comparison_table *table, size_t row,
+                          size_t column, bool bad, char *words);
+
 /* Appends the table, the CSV's link, what the columns and the parts of names mean. */
 void comparison_table_html(GString *html, const struct comparison_view *view);
 

@@ -17,9 +17,8 @@ static void sample_now(const struct follow *follow, const struct mpm_simulation 
         follow->sample(follow->context, simulation, &ledger);
 }
 
-/* A step; *alive becomes false if the guard ends the run. */
-static enum mpm_status take_step(struct measurement *measurement, struct mpm_simulation *simulation,
-                                 double limit, bool *alive, struct mpm_error *error)
+enum mpm_status follow_step(struct measurement *measurement, struct mpm_simulation *simulation,
+                            double limit, bool *alive, struct mpm_error *error)
 {
     const enum mpm_status status = mpm_simulation_advance(simulation, limit, error);
     if (status != MPM_RUN_FAILED)
@@ -33,10 +32,13 @@ enum mpm_status follow_run(const struct follow *follow, struct mpm_simulation *s
                            struct follow_result *result, struct mpm_error *error)
 {
     *result = (struct follow_result){.finished = true};
+    if (!(follow->interval > 0.0))
+        return failure_set(error, MPM_BAD_INPUT, "case %s: samples every %g; allowed: above 0",
+                           measurement_case(follow->measurement), follow->interval);
     sample_now(follow, simulation, &result->books);
     uint64_t samples = 1; /* multiples of the interval passed, t = 0 among them */
     for (double time = 0.0; time < follow->end;) {
-        TRY(take_step(follow->measurement, simulation, follow->end, &result->finished, error));
+        TRY(follow_step(follow->measurement, simulation, follow->end, &result->finished, error));
         if (!result->finished) {
             sample_now(follow, simulation, &result->books);
             break;
@@ -59,7 +61,7 @@ enum mpm_status follow_to(struct measurement *measurement, struct mpm_simulation
 {
     *alive = true;
     while (*alive && mpm_simulation_time(simulation) < time)
-        TRY(take_step(measurement, simulation, time, alive, error));
+        TRY(follow_step(measurement, simulation, time, alive, error));
     return MPM_OK;
 }
 
@@ -69,19 +71,17 @@ void follow_count_work(struct measurement *measurement, const struct mpm_simulat
                      mpm_simulation_step(simulation) * mpm_simulation_particle_count(simulation));
 }
 
-enum mpm_status follow_scene(struct measurement *measurement,
-                             enum mpm_status (*measure)(struct measurement *measurement,
-                                                        struct mpm_simulation *simulation,
-                                                        double end, struct mpm_error *error),
+enum mpm_status follow_scene(struct measurement *measurement, const char *const *settings,
+                             size_t count, follow_measure *measure, void *context,
                              struct mpm_error *error)
 {
     struct mpm_scene *scene = NULL;
     struct mpm_simulation *simulation = NULL;
-    enum mpm_status status = measurement_scene(measurement, NULL, 0, &scene, error);
+    enum mpm_status status = measurement_scene(measurement, settings, count, &scene, error);
     if (status == MPM_OK)
         status = mpm_simulation_create(scene, measurement_options(measurement), &simulation, error);
     if (status == MPM_OK)
-        status = measure(measurement, simulation, mpm_scene_end_time(scene), error);
+        status = measure(context, measurement, scene, simulation, error);
     mpm_simulation_free(simulation);
     mpm_scene_free(scene);
     return status;

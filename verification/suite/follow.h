@@ -32,20 +32,27 @@ struct follow_result {
 enum mpm_status follow_run(const struct follow *follow, struct mpm_simulation *simulation,
                            struct follow_result *result, struct mpm_error *error);
 
-/* Advances to `time`, landing on it. A run that its guard ends is a result here too: *alive
- * becomes false, and the guard's message is a note of the variant. */
+/* One step, not beyond `limit`. A run that its guard ends is a result here too: *alive becomes
+ * false, else it stays as it is, and the guard's message is a note of the variant. */
+enum mpm_status follow_step(struct measurement *measurement, struct mpm_simulation *simulation,
+                            double limit, bool *alive, struct mpm_error *error);
+
+/* Advances to `time`, landing on it; *alive: it got there. */
 enum mpm_status follow_to(struct measurement *measurement, struct mpm_simulation *simulation,
                           double time, bool *alive, struct mpm_error *error);
 
 /* Adds what was run so far to the particle-steps of the variant: once, at the end. */
 void follow_count_work(struct measurement *measurement, const struct mpm_simulation *simulation);
 
-/* Creates the simulation of the variant's scene, has it measured up to the scene's end, and
- * frees both. */
-enum mpm_status follow_scene(struct measurement *measurement,
-                             enum mpm_status (*measure)(struct measurement *measurement,
-                                                        struct mpm_simulation *simulation,
-                                                        double end, struct mpm_error *error),
+/* What a program does with a scene and its simulation. */
+typedef enum mpm_status follow_measure(void *context, struct measurement *measurement,
+                                       const struct mpm_scene *scene,
+                                       struct mpm_simulation *simulation, struct mpm_error *error);
+
+/* Reads the variant's scene with `count` more settings, creates its simulation, has it measured,
+ * and frees both. */
+enum mpm_status follow_scene(struct measurement *measurement, const char *const *settings,
+                             size_t count, follow_measure *measure, void *context,
                              struct mpm_error *error);
 
 /* Rows of numbers that a sample function collects for measurement_series; the first failure

@@ -8,8 +8,6 @@
 
 enum { COLUMNS = 2 };
 
-static const double CONFIDENCE = 0.95;
-
 enum mpm_status levels_read(const struct measurement *measurement, struct levels *levels,
                             struct mpm_error *error)
 {
@@ -32,8 +30,21 @@ void levels_report_value(struct measurement *measurement, const char *name, cons
                          double value)
 {
     char *const quantity = g_strconcat(name, suffix, NULL);
-    measurement_report(measurement, quantity, value);
+    if (isnan(value))
+        measurement_inconclusive(measurement, quantity,
+                                 "a run did not come to its end, or these errors do not define it");
+    else
+        measurement_report(measurement, quantity, value);
     g_free(quantity);
+}
+
+/* NaN if an error is missing: no class tells that. */
+static double class_of(size_t count, const double *h, const double *error)
+{
+    for (size_t k = 0; k < count; k++)
+        if (isnan(error[k]))
+            return (double)NAN;
+    return (double)order_classify(count, h, error);
 }
 
 void levels_report_orders(struct measurement *measurement, size_t count, const char *suffix,
@@ -42,12 +53,11 @@ void levels_report_orders(struct measurement *measurement, size_t count, const c
     double h[LEVELS_MAX];
     for (size_t k = 0; k < count; k++)
         h[k] = ldexp(1.0, -(int)k);
-    const struct order_fit fit = order_fit(count, h, error, CONFIDENCE);
+    const struct order_fit fit = order_fit(count, h, error);
     levels_report_value(measurement, "order_last", suffix, order_last(count, h, error));
     levels_report_value(measurement, "order_fitted", suffix, fit.order);
     levels_report_value(measurement, "order_width", suffix, fit.half_width);
-    levels_report_value(measurement, "order_class", suffix,
-                        (double)order_classify(count, h, error));
+    levels_report_value(measurement, "order_class", suffix, class_of(count, h, error));
 }
 
 enum mpm_status levels_report(struct measurement *measurement, const struct levels *levels,

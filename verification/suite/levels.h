@@ -22,8 +22,9 @@ enum mpm_status levels_read(const struct measurement *measurement, struct levels
 size_t levels_runs(const struct levels *levels);
 
 /* Reports, with `suffix` ("_1") behind each name, of error[0 .. count - 1] on levels whose h
- * halves: order_last; order_fitted; order_width, half of the fitted order's interval of 95 %
- * confidence (orders.h); order_class, the number of enum order_class. */
+ * halves (NaN: its run did not come to its end): order_last; order_fitted; order_width, half of the
+ * fitted order's interval of 95 % confidence (orders.h); order_class, the number of enum
+ * order_class. */
 void levels_report_orders(struct measurement *measurement, size_t count, const char *suffix,
                           const double *error);
 
@@ -33,7 +34,8 @@ enum mpm_status levels_report(struct measurement *measurement, const struct leve
                               const char *suffix, const double error[LEVELS_MAX],
                               struct mpm_error *failure);
 
-/* Reports `value` as the quantity <name><suffix>. */
+/* Reports `value` as the quantity <name><suffix>; inconclusive if it is NaN, which stands for a
+ * run that did not come to its end. */
 void levels_report_value(struct measurement *measurement, const char *name, const char *suffix,
                          double value);
 

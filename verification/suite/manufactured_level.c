@@ -29,14 +29,14 @@ static const struct quantity {
 struct run {
     const struct manufactured_problem *problem;
     const struct manufactured_level *level;
+    struct manufactured_outcome *outcome;
     struct mpm_simulation *simulation;
     struct mpm_lags lags;
     double step;
     size_t count;
     double *places;           /* 2 a particle */
-    double *mass, *weight;    /* of all; of those measured */
+    double *mass, *weight;    /* of all; 0 near the edges, which are not measured */
     double *computed, *exact; /* LARGEST a particle each */
-    bool *measured;           /* those away from the edges */
     double product, square;   /* of computed and exact displacement, over particles and looks */
 };
 
@@ -58,15 +58,14 @@ static void open_run(struct run *run)
     run->count = n;
     run->places = g_new(double, AXES *n);
     run->mass = g_new(double, n);
-    run->weight = g_new(double, n);
+    run->weight = g_new0(double, n);
     run->computed = g_new(double, LARGEST *n);
     run->exact = g_new(double, LARGEST *n);
     mpm_simulation_field(run->simulation, MPM_FIELD_POSITION, run->places);
     mpm_simulation_field(run->simulation, MPM_FIELD_MASS, run->mass);
-    run->measured = g_new(bool, n);
     for (size_t p = 0; p < n; p++)
-        run->measured[p] =
-            edge_distance(&run->problem->domain, &run->places[AXES * p]) >= run->level->margin;
+        if (edge_distance(&run->problem->domain, &run->places[AXES * p]) >= run->level->margin)
+            run->weight[p] = run->mass[p];
 }
 
 static void close_run(struct run *run)
@@ -76,7 +75,6 @@ static void close_run(struct run *run)
     g_free(run->weight);
     g_free(run->computed);
     g_free(run->exact);
-    g_free(run->measured);
 }
 
 /* ------------------------------------------------------------ exact values */
@@ -114,27 +112,18 @@ static void exact_at(const struct run *run, enum manufactured_quantity quantity,
 
 static enum mpm_status start(struct run *run, struct mpm_error *error)
 {
-    const bool once = run->level->at_once;
-    exact_at(run, MANUFACTURED_VELOCITY, once ? lag_of(run, MANUFACTURED_VELOCITY) : 0.0,
-             run->computed);
-    exact_at(run, MANUFACTURED_DEFORMATION, once ? lag_of(run, MANUFACTURED_DEFORMATION) : 0.0,
-             run->exact);
-    return mpm_simulation_set_start(run->simulation, run->computed, run->exact, error);
+    const struct mpm_lags none = {.position = 0.0};
+    return manufactured_start(run->problem, run->places, run->level->at_once ? &none : &run->lags,
+                              run->step, run->simulation, error);
 }
 
 static enum mpm_status advance(struct run *run, struct measurement *m, unsigned steps,
                                bool *finished, struct mpm_error *error)
 {
-    for (unsigned k = 0; k < steps; k++) {
-        const enum mpm_status status = mpm_simulation_advance(run->simulation, HUGE_VAL, error);
-        if (status == MPM_RUN_FAILED) {
-            *finished = false;
-            measurement_note(m, "the run with grid.refine=%u ended: %s", run->level->refine,
-                             error->message);
-            return MPM_OK;
-        }
-        TRY(status);
-    }
+    for (unsigned k = 0; *finished && k < steps; k++)
+        TRY(follow_step(m, run->simulation, HUGE_VAL, finished, error));
+    if (!*finished)
+        measurement_note(m, "that was the run with grid.refine=%u", run->level->refine);
     return MPM_OK;
 }
 
@@ -189,23 +178,6 @@ static void fill_rows(const struct run *run, enum manufactured_quantity quantity
     }
 }
 
-/* The norms over the particles that are measured, moved to the front. */
-static struct error_norms norms_of(struct run *run, const struct quantity *q)
-{
-    size_t kept = 0;
-    for (size_t p = 0; p < run->count; p++) {
-        if (!run->measured[p])
-            continue;
-        run->weight[kept] = run->mass[p];
-        for (size_t c = 0; c < q->components; c++) {
-            run->computed[q->components * kept + c] = run->computed[q->components * p + c];
-            run->exact[q->components * kept + c] = run->exact[q->components * p + c];
-        }
-        kept++;
-    }
-    return error_norms(kept, q->components, q->multiple, run->weight, run->computed, run->exact);
-}
-
 /* Fills norms[quantity][look]; `rows` of the series, or NULL. */
 static void look(struct run *run, unsigned number, struct error_norms *const norms[], double *rows)
 {
@@ -220,7 +192,8 @@ static void look(struct run *run, unsigned number, struct error_norms *const nor
             project(run);
         if (rows != NULL)
             fill_rows(run, quantity, rows);
-        norms[k][number] = norms_of(run, q);
+        norms[k][number] = error_norms(run->count, q->components, q->multiple, run->weight,
+                                       run->computed, run->exact);
     }
 }
 
@@ -233,10 +206,10 @@ static enum mpm_status write_fields(struct measurement *m, const struct run *run
 
 /* From look to look, to the end or to where the run breaks. */
 static enum mpm_status follow_looks(struct run *run, struct measurement *m,
-                                    struct error_norms *const norms[],
-                                    struct manufactured_outcome *outcome, struct mpm_error *error)
+                                    struct error_norms *const norms[], struct mpm_error *error)
 {
     const struct manufactured_level *const level = run->level;
+    struct manufactured_outcome *const outcome = run->outcome;
     double *const rows = level->series == NULL ? NULL : g_new0(double, COLUMNS * run->count);
     enum mpm_status status = MPM_OK;
     outcome->finished = true;
@@ -251,33 +224,36 @@ static enum mpm_status follow_looks(struct run *run, struct measurement *m,
     return status;
 }
 
-static enum mpm_status follow(struct run *run, struct measurement *m,
-                              struct manufactured_outcome *outcome, struct mpm_error *error)
+static enum mpm_status follow(struct run *run, struct measurement *m, struct mpm_error *error)
 {
+    struct manufactured_outcome *const outcome = run->outcome;
     const unsigned looks = run->level->looks;
     struct error_norms *const all = g_new0(struct error_norms, MANUFACTURED_QUANTITIES * looks);
     struct error_norms *norms[MANUFACTURED_QUANTITIES];
     for (unsigned k = 0; k < MANUFACTURED_QUANTITIES; k++)
         norms[k] = &all[k * looks];
-    const enum mpm_status status = follow_looks(run, m, norms, outcome, error);
+    const enum mpm_status status = follow_looks(run, m, norms, error);
     for (unsigned k = 0; status == MPM_OK && outcome->finished && k < MANUFACTURED_QUANTITIES;
          k++) {
         outcome->norms[k] = error_norms_over_time(looks, norms[k]);
-        outcome->at_end[k] = norms[k][looks - 1];
         outcome->amplitude = run->product / run->square;
     }
     g_free(all);
     return status;
 }
 
-static enum mpm_status drive(struct run *run, struct measurement *m,
-                             struct manufactured_outcome *outcome, struct mpm_error *error)
+static enum mpm_status drive(void *context, struct measurement *m, const struct mpm_scene *scene,
+                             struct mpm_simulation *simulation, struct mpm_error *error)
 {
+    struct run *const run = context;
+    run->simulation = simulation;
+    run->lags = mpm_scene_lags(scene);
+    open_run(run);
     struct manufactured_load load = {.problem = run->problem, .places = run->places};
     const struct mpm_body_force force = {.evaluate = manufactured_load_evaluate, .context = &load};
     TRY(mpm_simulation_set_body_force(run->simulation, &force, error));
     TRY(start(run, error));
-    TRY(follow(run, m, outcome, error));
+    TRY(follow(run, m, error));
     follow_count_work(m, run->simulation);
     return MPM_OK;
 }
@@ -287,7 +263,7 @@ static void forget(struct manufactured_outcome *outcome)
     const double nan = (double)NAN;
     *outcome = (struct manufactured_outcome){.amplitude = nan};
     for (unsigned k = 0; k < MANUFACTURED_QUANTITIES; k++)
-        outcome->norms[k] = outcome->at_end[k] = (struct error_norms){nan, nan, nan, nan, nan};
+        outcome->norms[k] = (struct error_norms){nan, nan, nan, nan, nan};
 }
 
 enum mpm_status manufactured_level_run(struct measurement *measurement,
@@ -296,27 +272,17 @@ enum mpm_status manufactured_level_run(struct measurement *measurement,
                                        struct manufactured_outcome *outcome,
                                        struct mpm_error *error)
 {
-    struct run run = {.problem = problem, .level = level, .step = level->end / level->steps};
-    struct mpm_scene *scene = NULL;
+    struct run run = {
+        .problem = problem, .level = level, .outcome = outcome, .step = level->end / level->steps};
     char *const settings[SETTINGS] = {
         g_strdup_printf("grid.refine=%u", level->refine),
         g_strdup_printf("time.step=%.17g", run.step),
         g_strdup_printf("bodies.0.particles_per_cell=[%u, %u]", level->particles, level->particles),
     };
     forget(outcome);
-    enum mpm_status status =
-        measurement_scene(measurement, (const char *const *)settings, SETTINGS, &scene, error);
-    if (status == MPM_OK)
-        status =
-            mpm_simulation_create(scene, measurement_options(measurement), &run.simulation, error);
-    if (status == MPM_OK) {
-        run.lags = mpm_scene_lags(scene);
-        open_run(&run);
-        status = drive(&run, measurement, outcome, error);
-    }
+    const enum mpm_status status =
+        follow_scene(measurement, (const char *const *)settings, SETTINGS, drive, &run, error);
     close_run(&run);
-    mpm_simulation_free(run.simulation);
-    mpm_scene_free(scene);
     for (size_t k = 0; k < SETTINGS; k++)
         g_free(settings[k]);
     return status;

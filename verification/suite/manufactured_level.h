@@ -36,9 +36,8 @@ struct manufactured_outcome {
     /* of the computed displacement u in the exact one e: sum m u.e / sum m e.e over particles and
      * looks */
     double amplitude;
-    /* of the particles measured, weighted by mass, over all looks and at the end; NaN if not
-     * finished */
-    struct error_norms norms[MANUFACTURED_QUANTITIES], at_end[MANUFACTURED_QUANTITIES];
+    /* of the particles measured, weighted by mass, over all looks; NaN if not finished */
+    struct error_norms norms[MANUFACTURED_QUANTITIES];
 };
 
 /* Starts the variant's scene with the field's velocities and deformation gradients, each at the

@@ -89,6 +89,61 @@ enum mpm_status measurement_numbers(const struct measurement *measurement,
     return MPM_OK;
 }
 
+enum mpm_status measurement_count(const struct measurement *measurement, const char *name,
+                                  unsigned low, unsigned high, unsigned *value,
+                                  struct mpm_error *error)
+{
+    double number;
+    TRY(measurement_number(measurement, name, &number, error));
+    if (number >= low && number <= high && number <= floor(number)) {
+        *value = (unsigned)number;
+        return MPM_OK;
+    }
+    return failure_set(error, MPM_BAD_INPUT,
+                       "case %s, variant %s: parameter \"%s\" is %g; allowed: whole numbers from "
+                       "%u to %u",
+                       measurement_case(measurement), measurement_variant(measurement), name,
+                       number, low, high);
+}
+
+static enum mpm_status refuse_choice(const struct measurement *measurement, const char *name,
+                                     const char *text, const char *const *names, size_t count,
+                                     struct mpm_error *error)
+{
+    GString *const allowed = g_string_new(NULL);
+    for (size_t k = 0; k < count; k++)
+        g_string_append_printf(allowed, "%s%s", k == 0 ? "" : ", ", names[k]);
+    const enum mpm_status status = failure_set(
+        error, MPM_BAD_INPUT, "case %s, variant %s: parameter \"%s\" is \"%s\"; allowed: %s",
+        measurement_case(measurement), measurement_variant(measurement), name, text, allowed->str);
+    g_string_free(allowed, TRUE);
+    return status;
+}
+
+enum mpm_status measurement_choice(const struct measurement *measurement, const char *name,
+                                   const char *const *names, size_t count, size_t *place,
+                                   struct mpm_error *error)
+{
+    const char *text;
+    TRY(measurement_text(measurement, name, &text, error));
+    for (*place = 0; *place < count; (*place)++)
+        if (strcmp(names[*place], text) == 0)
+            return MPM_OK;
+    return refuse_choice(measurement, name, text, names, count, error);
+}
+
+enum mpm_status measurement_geometry(const struct measurement *measurement,
+                                     enum mpm_geometry *geometry, struct mpm_error *error)
+{
+    static const char *const names[] = {[MPM_PLANE_STRAIN] = "plane_strain",
+                                        [MPM_PLANE_STRESS] = "plane_stress",
+                                        [MPM_AXISYMMETRIC] = "axisymmetric"};
+    size_t place;
+    TRY(measurement_choice(measurement, "geometry", names, G_N_ELEMENTS(names), &place, error));
+    *geometry = (enum mpm_geometry)place;
+    return MPM_OK;
+}
+
 static enum mpm_status read_scene(const struct measurement *measurement, const char *path,
                                   const char *const *settings, size_t setting_count,
                                   struct mpm_scene **scene, struct mpm_error *error)

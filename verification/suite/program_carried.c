@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { STRESS = 4, COLUMNS = 4 };
+enum { STRESS = 4, COLUMNS = 4, LOOKS_MAX = 1000000 };
 
 struct parameters {
     double speed;    /* of the block along x */
@@ -76,12 +76,19 @@ static void look(struct study *study, const struct mpm_simulation *simulation)
     study->row_count++;
 }
 
-static enum mpm_status follow(struct study *study, struct measurement *m,
-                              struct mpm_simulation *simulation, double end,
-                              struct mpm_error *error)
+static enum mpm_status measure(void *context, struct measurement *m, const struct mpm_scene *scene,
+                               struct mpm_simulation *simulation, struct mpm_error *error)
 {
+    struct study *const study = context;
     const struct parameters *const p = &study->parameters;
-    const size_t looks = (size_t)((end - p->start) / p->interval) + 1;
+    const double intervals = (mpm_scene_end_time(scene) - p->start) / p->interval;
+    if (!(intervals >= 0.0 && intervals <= LOOKS_MAX))
+        return failure_set(error, MPM_BAD_INPUT,
+                           "case %s: parameters \"start\" and \"interval\" make %g intervals up to "
+                           "the end; allowed: 0 to %d",
+                           measurement_case(m), intervals, LOOKS_MAX);
+    const size_t looks = (size_t)intervals + 1;
+    TRY(particle_set_create(simulation, 0, &study->set, error));
     study->rows = calloc(looks * COLUMNS, sizeof *study->rows);
     if (study->rows == NULL)
         return failure_set(error, MPM_ENVIRONMENT_FAILED, "out of memory for the curve");
@@ -105,20 +112,10 @@ static enum mpm_status follow(struct study *study, struct measurement *m,
 static enum mpm_status run(struct measurement *measurement, struct mpm_error *error)
 {
     struct study study = {0};
-    struct mpm_scene *scene = NULL;
-    struct mpm_simulation *simulation = NULL;
     TRY(read_parameters(measurement, &study.parameters, error));
-    enum mpm_status status = measurement_scene(measurement, NULL, 0, &scene, error);
-    if (status == MPM_OK)
-        status = mpm_simulation_create(scene, measurement_options(measurement), &simulation, error);
-    if (status == MPM_OK)
-        status = particle_set_create(simulation, 0, &study.set, error);
-    if (status == MPM_OK)
-        status = follow(&study, measurement, simulation, mpm_scene_end_time(scene), error);
+    const enum mpm_status status = follow_scene(measurement, NULL, 0, measure, &study, error);
     free(study.rows);
     particle_set_free(&study.set);
-    mpm_simulation_free(simulation);
-    mpm_scene_free(scene);
     return status;
 }
 

@@ -116,9 +116,11 @@ static enum mpm_status report(struct measurement *m, const struct study *study,
                               COLUMNS, study->rows.count, study->rows.values, error);
 }
 
-static enum mpm_status measure(struct measurement *m, struct mpm_simulation *simulation, double end,
-                               struct mpm_error *error)
+static enum mpm_status measure(void *context, struct measurement *m, const struct mpm_scene *scene,
+                               struct mpm_simulation *simulation, struct mpm_error *error)
 {
+    const double end = mpm_scene_end_time(scene);
+    (void)context;
     double diameter, cell, interval;
     TRY(measurement_number(m, "diameter", &diameter, error));
     TRY(measurement_number(m, "cell", &cell, error));
@@ -139,7 +141,7 @@ static enum mpm_status measure(struct measurement *m, struct mpm_simulation *sim
 
 static enum mpm_status run(struct measurement *measurement, struct mpm_error *error)
 {
-    return follow_scene(measurement, measure, error);
+    return follow_scene(measurement, NULL, 0, measure, NULL, error);
 }
 
 const struct measure_program program_collision = {

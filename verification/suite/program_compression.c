@@ -72,7 +72,12 @@ static enum mpm_status read_parameters(const struct measurement *m, struct param
         {"bulk", &p->material.bulk},
         {"shear", &p->material.shear},
     };
-    return measurement_numbers(m, table, sizeof table / sizeof *table, error);
+    TRY(measurement_numbers(m, table, sizeof table / sizeof *table, error));
+    if (p->sampling > 0.0)
+        return MPM_OK;
+    return failure_set(error, MPM_BAD_INPUT,
+                       "case %s: parameter \"sampling\" is %g; allowed: above 0",
+                       measurement_case(m), p->sampling);
 }
 
 static double relative_error(double value, double exact)

@@ -43,9 +43,11 @@ static enum mpm_status report(struct measurement *m, const struct follow_result 
                               curve->rows.count, curve->rows.values, error);
 }
 
-static enum mpm_status measure(struct measurement *m, struct mpm_simulation *simulation, double end,
-                               struct mpm_error *error)
+static enum mpm_status measure(void *context, struct measurement *m, const struct mpm_scene *scene,
+                               struct mpm_simulation *simulation, struct mpm_error *error)
 {
+    const double end = mpm_scene_end_time(scene);
+    (void)context;
     double interval;
     TRY(measurement_number(m, "interval", &interval, error));
     struct curve curve = {.rows = {.columns = COLUMNS}};
@@ -61,7 +63,7 @@ static enum mpm_status measure(struct measurement *m, struct mpm_simulation *sim
 
 static enum mpm_status run(struct measurement *measurement, struct mpm_error *error)
 {
-    return follow_scene(measurement, measure, error);
+    return follow_scene(measurement, NULL, 0, measure, NULL, error);
 }
 
 const struct measure_program program_energy = {

@@ -114,23 +114,19 @@ static enum mpm_status report(struct measurement *m, const struct mpm_simulation
                               record->row_count, record->rows, error);
 }
 
+static enum mpm_status measure(void *context, struct measurement *m, const struct mpm_scene *scene,
+                               struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    struct record record;
+    int ending;
+    (void)context;
+    TRY(follow(m, simulation, mpm_scene_end_time(scene), &record, &ending, error));
+    return report(m, simulation, &record, ending, error);
+}
+
 static enum mpm_status run(struct measurement *measurement, struct mpm_error *error)
 {
-    struct mpm_scene *scene = NULL;
-    struct mpm_simulation *simulation = NULL;
-    struct record record;
-    int ending = 0;
-    enum mpm_status status = measurement_scene(measurement, NULL, 0, &scene, error);
-    if (status == MPM_OK)
-        status = mpm_simulation_create(scene, measurement_options(measurement), &simulation, error);
-    const double end = status == MPM_OK ? mpm_scene_end_time(scene) : 0.0;
-    if (status == MPM_OK)
-        status = follow(measurement, simulation, end, &record, &ending, error);
-    if (status == MPM_OK)
-        status = report(measurement, simulation, &record, ending, error);
-    mpm_simulation_free(simulation);
-    mpm_scene_free(scene);
-    return status;
+    return follow_scene(measurement, NULL, 0, measure, NULL, error);
 }
 
 const struct measure_program program_extremes = {

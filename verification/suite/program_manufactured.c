@@ -3,15 +3,20 @@
  * the constants of the errors, the grid-convergence index.
  *
  * Parameters of a case:
+ *
  *   field, law, geometry, density, bulk, shear   the problem (exact/manufactured.h), as its scene
- * has it; any parameter of the field by its name, and `end` (time), if given cell_x, cell_y of the
- * scene with grid.refine=1 length                what h counts from: h is the larger side of a cell
- * over it refine, particles, steps      of the first level: grid.refine, particles on a cell's
- * side, steps looks                 instants at which errors are measured levels                how
- * many, and from each to the next the factor (1 or 2) of refine_space, refine_time,
- * refine_particles margin                if given, particles that start nearer to an edge are not
- * measured start_at_once         if given, all starts at t = 0, whatever the times that the scheme
- * wants picture               if given, the fields of the last level are written at the end
+ *                                                has it; any parameter of the field by its name
+ *   end             time, if given
+ *   cell_x, cell_y  of the scene with grid.refine=1
+ *   length          h is the larger side of a cell over this
+ *   refine, particles, steps
+ *                   of the first level: grid.refine, particles on a cell's side, steps
+ *   looks           instants at which errors are measured
+ *   levels          how many; from each to the next the factors (1 or 2) refine_space,
+ *                   refine_time and refine_particles
+ *   margin          if given, particles that start nearer to an edge are not measured
+ *   start_at_once   if given, all starts at t = 0, whatever the times that the scheme wants
+ *   picture         if given, the fields of the last level are written at the end
  *
  * Reported, with a suffix for each quantity (_u, _v, _F, _stress), of errors over the size of the
  * exact field: error, error_l1 and error_max on the finest level, in percent; order_last,
@@ -46,39 +51,6 @@ struct study {
 
 /* ------------------------------------------------------------- the declaration */
 
-static enum mpm_status read_count(const struct measurement *m, const char *name, unsigned low,
-                                  unsigned high, unsigned *value, struct mpm_error *error)
-{
-    double number;
-    TRY(measurement_number(m, name, &number, error));
-    *value = (unsigned)fmax(0.0, fmin(number, 1e9));
-    if ((double)*value == number && *value >= low && *value <= high)
-        return MPM_OK;
-    return failure_set(error, MPM_BAD_INPUT,
-                       "case %s, variant %s: parameter \"%s\" is %g; allowed: whole numbers from "
-                       "%u to %u",
-                       measurement_case(m), measurement_variant(m), name, number, low, high);
-}
-
-static enum mpm_status read_geometry(const struct measurement *m, enum mpm_geometry *geometry,
-                                     struct mpm_error *error)
-{
-    static const char *const names[] = {[MPM_PLANE_STRAIN] = "plane_strain",
-                                        [MPM_PLANE_STRESS] = "plane_stress",
-                                        [MPM_AXISYMMETRIC] = "axisymmetric"};
-    const char *name;
-    TRY(measurement_text(m, "geometry", &name, error));
-    for (size_t k = 0; k < G_N_ELEMENTS(names); k++)
-        if (g_str_equal(name, names[k])) {
-            *geometry = (enum mpm_geometry)k;
-            return MPM_OK;
-        }
-    return failure_set(error, MPM_BAD_INPUT,
-                       "parameter geometry is `%s`; allowed are plane_strain, plane_stress and "
-                       "axisymmetric",
-                       name);
-}
-
 /* The field with its own parameters wherever the case gives one of that name. */
 static enum mpm_status read_problem(const struct measurement *m, struct study *study,
                                     struct mpm_error *error)
@@ -90,7 +62,7 @@ static enum mpm_status read_problem(const struct measurement *m, struct study *s
     TRY(measurement_number(m, "density", &setup.density, error));
     TRY(measurement_number(m, "bulk", &setup.bulk, error));
     TRY(measurement_number(m, "shear", &setup.shear, error));
-    TRY(read_geometry(m, &setup.geometry, error));
+    TRY(measurement_geometry(m, &setup.geometry, error));
     TRY(manufactured_open(&setup, &study->problem, error));
     const struct manufactured_parameter *p;
     for (size_t k = 0; (p = manufactured_parameter_at(study->problem.field, k)) != NULL; k++)
@@ -110,18 +82,24 @@ static enum mpm_status read_study(const struct measurement *m, struct study *stu
     TRY(measurement_number(m, "cell_x", &study->cell[0], error));
     TRY(measurement_number(m, "cell_y", &study->cell[1], error));
     TRY(measurement_number(m, "length", &study->length, error));
-    TRY(read_count(m, "refine", 1, 1024, &study->first.refine, error));
-    TRY(read_count(m, "particles", 1, 16, &study->first.particles, error));
-    TRY(read_count(m, "steps", 1, 1000000, &study->first.steps, error));
-    TRY(read_count(m, "looks", 1, 1000, &study->first.looks, error));
-    TRY(read_count(m, "levels", 1, LEVELS_MAX, &study->levels, error));
-    TRY(read_count(m, "refine_space", 1, 2, &study->space, error));
-    TRY(read_count(m, "refine_time", 1, 2, &study->time, error));
-    TRY(read_count(m, "refine_particles", 1, 2, &study->particles, error));
+    TRY(measurement_count(m, "refine", 1, 1024, &study->first.refine, error));
+    TRY(measurement_count(m, "particles", 1, 16, &study->first.particles, error));
+    TRY(measurement_count(m, "steps", 1, 1000000, &study->first.steps, error));
+    TRY(measurement_count(m, "looks", 1, 1000, &study->first.looks, error));
+    TRY(measurement_count(m, "levels", 1, LEVELS_MAX, &study->levels, error));
+    TRY(measurement_count(m, "refine_space", 1, 2, &study->space, error));
+    TRY(measurement_count(m, "refine_time", 1, 2, &study->time, error));
+    TRY(measurement_count(m, "refine_particles", 1, 2, &study->particles, error));
     study->picture = measurement_has(m, "picture");
     study->first.at_once = measurement_has(m, "start_at_once");
     if (measurement_has(m, "margin"))
         TRY(measurement_number(m, "margin", &study->first.margin, error));
+    if (study->levels > 1 && study->space == 1 && study->time == 1 && study->particles == 1)
+        return failure_set(
+            error, MPM_BAD_INPUT,
+            "case %s, variant %s: \"levels\" is %u and nothing is refined; allowed: 1, "
+            "or 2 for one of refine_space, refine_time and refine_particles",
+            measurement_case(m), measurement_variant(m), study->levels);
     if (study->first.steps % study->first.looks != 0)
         return failure_set(error, MPM_BAD_INPUT,
                            "case %s: parameter \"steps\" is %u; allowed: "
@@ -213,9 +191,9 @@ static void report_index(struct measurement *m, const struct study *study)
     const struct manufactured_outcome *const fine = &study->outcome[study->levels - 1];
     const struct grid_convergence g = grid_convergence(
         fine[-2].amplitude, fine[-1].amplitude, fine[0].amplitude, 2.0, GRID_CONVERGENCE_SAFETY);
-    measurement_report(m, "index", 100.0 * g.index);
-    measurement_report(m, "index_cover", g.index / fabs(fine->amplitude - 1.0));
-    measurement_report(m, "index_order", g.order);
+    levels_report_value(m, "index", "", 100.0 * g.index);
+    levels_report_value(m, "index_cover", "", g.index / fabs(fine->amplitude - 1.0));
+    levels_report_value(m, "index_order", "", g.order);
 }
 
 static enum mpm_status write_levels(struct measurement *m, const struct study *study,
@@ -247,7 +225,7 @@ static void note_quantity(struct measurement *m, const struct study *study, unsi
     for (unsigned k = 0; k < study->levels; k++)
         g_string_append_printf(text, " %.3g", errors[k]);
     if (study->levels > 1) {
-        const struct order_fit fit = order_fit(study->levels, study->h, errors, 0.95);
+        const struct order_fit fit = order_fit(study->levels, study->h, errors);
         g_string_append(text, "; orders");
         for (size_t k = 1; k < study->levels; k++)
             g_string_append_printf(text, " %.3f", order_pair(k, study->h, errors));

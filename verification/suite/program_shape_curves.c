@@ -133,13 +133,13 @@ static enum mpm_status write_curves(struct measurement *measurement, enum mpm_sh
 static enum mpm_status run(struct measurement *measurement, struct mpm_error *error)
 {
     enum mpm_shape shape;
-    size_t points;
+    unsigned points;
     TRY(shape_family_read(measurement, &shape, error));
-    TRY(shape_count_read(measurement, "points", &points, error));
+    TRY(measurement_count(measurement, "points", 1, SHAPE_COUNT_MAX, &points, error));
     report_points(measurement, shape);
     double *rows = calloc(points, COLUMNS * sizeof *rows);
     if (rows == NULL) {
-        return failure_set(error, MPM_ENVIRONMENT_FAILED, "out of memory: %zu points of a curve",
+        return failure_set(error, MPM_ENVIRONMENT_FAILED, "out of memory: %u points of a curve",
                            points);
     }
     const enum mpm_status status = write_curves(measurement, shape, points, rows, error);

@@ -92,10 +92,10 @@ static enum mpm_status report_limit(struct measurement *measurement,
 static enum mpm_status run(struct measurement *measurement, struct mpm_error *error)
 {
     struct mpm_shape_query kind;
-    size_t samples, seed;
+    unsigned samples, seed;
     TRY(shape_kind_read(measurement, &kind, error));
-    TRY(shape_count_read(measurement, "samples_per_region", &samples, error));
-    TRY(shape_count_read(measurement, "seed", &seed, error));
+    TRY(measurement_count(measurement, "samples_per_region", 1, SHAPE_COUNT_MAX, &samples, error));
+    TRY(measurement_count(measurement, "seed", 1, SHAPE_COUNT_MAX, &seed, error));
     struct shape_sampler *sampler = shape_sampler_create(seed);
     if (sampler == NULL) {
         return failure_set(error, MPM_ENVIRONMENT_FAILED, "out of memory: random numbers");

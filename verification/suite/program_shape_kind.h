@@ -17,8 +17,6 @@ enum mpm_status shape_kind_read(const struct measurement *measurement,
 enum mpm_status shape_family_read(const struct measurement *measurement, enum mpm_shape *shape,
                                   struct mpm_error *error);
 
-/* A parameter that is a whole number from 1 to 1e9, as a count. */
-enum mpm_status shape_count_read(const struct measurement *measurement, const char *name,
-                                 size_t *count, struct mpm_error *error);
+enum { SHAPE_COUNT_MAX = 1000000000 }; /* of samples, say */
 
 #endif

@@ -61,9 +61,9 @@ static enum mpm_status measure_with(struct measurement *measurement, struct shap
                                     struct shape_quadrature *quadrature, struct mpm_error *error)
 {
     struct mpm_shape_query kind;
-    size_t samples;
+    unsigned samples;
     TRY(shape_kind_read(measurement, &kind, error));
-    TRY(shape_count_read(measurement, "samples_per_region", &samples, error));
+    TRY(measurement_count(measurement, "samples_per_region", 1, SHAPE_COUNT_MAX, &samples, error));
     struct shape_comparison comparisons[SHAPE_REGION_COUNT] = {{.samples = 0}};
     double rows[SHAPE_REGION_COUNT * COLUMNS];
     for (size_t region = 0; region < SHAPE_REGION_COUNT; region++) {
@@ -83,8 +83,8 @@ static enum mpm_status measure_with(struct measurement *measurement, struct shap
 
 static enum mpm_status run(struct measurement *measurement, struct mpm_error *error)
 {
-    size_t seed;
-    TRY(shape_count_read(measurement, "seed", &seed, error));
+    unsigned seed;
+    TRY(measurement_count(measurement, "seed", 1, SHAPE_COUNT_MAX, &seed, error));
     struct shape_sampler *sampler = shape_sampler_create(seed);
     struct shape_quadrature *quadrature = shape_quadrature_create();
     enum mpm_status status;

@@ -139,9 +139,11 @@ static void report(struct measurement *m, const struct follow_rows *rows,
     follow_report(m, result, radius / sqrt(2.0)); /* L(0) of a disk */
 }
 
-static enum mpm_status measure(struct measurement *m, struct mpm_simulation *simulation, double end,
-                               struct mpm_error *error)
+static enum mpm_status measure(void *context, struct measurement *m, const struct mpm_scene *scene,
+                               struct mpm_simulation *simulation, struct mpm_error *error)
 {
+    const double end = mpm_scene_end_time(scene);
+    (void)context;
     double spin, radius, from;
     TRY(measurement_number(m, "spin", &spin, error));
     TRY(measurement_number(m, "radius", &radius, error));
@@ -168,7 +170,7 @@ static enum mpm_status measure(struct measurement *m, struct mpm_simulation *sim
 
 static enum mpm_status run(struct measurement *measurement, struct mpm_error *error)
 {
-    return follow_scene(measurement, measure, error);
+    return follow_scene(measurement, NULL, 0, measure, NULL, error);
 }
 
 const struct measure_program program_spin = {

@@ -13,7 +13,14 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { PROBLEMS_MAX = 16, RUNGS_MAX = 32, COLUMNS = 4, SETTINGS = 4, SETTING_SIZE = 64 };
+enum {
+    PROBLEMS_MAX = 16,
+    RUNGS_MAX = 32,
+    CELLS_MAX = 1000,
+    COLUMNS = 4,
+    SETTINGS = 4,
+    SETTING_SIZE = 64
+};
 
 struct problem {
     char name[SETTING_SIZE];
@@ -183,20 +190,18 @@ static enum mpm_status report_theory(const struct study *study, double limit,
     static const char *const orders[] = {"usl", "musl", "usf", "usavg"};
     enum { SHAPES = sizeof shapes / sizeof *shapes, ORDERS = sizeof orders / sizeof *orders };
     const char *text;
-    double cells, particles;
+    unsigned cells, particles;
     char shape[16] = "", order[16] = "";
     TRY(measurement_text(study->measurement, "theory", &text, error));
-    TRY(measurement_number(study->measurement, "cells", &cells, error));
-    TRY(measurement_number(study->measurement, "particles", &particles, error));
+    TRY(measurement_count(study->measurement, "cells", 1, CELLS_MAX, &cells, error));
+    TRY(measurement_count(study->measurement, "particles", 1, LINEAR_PARTICLES_MAX, &particles,
+                          error));
     (void)sscanf(text, "%15s %15s", shape, order);
     const size_t s = place_of(shape, shapes, SHAPES), o = place_of(order, orders, ORDERS);
-    if (!(particles >= 1.0 && particles <= LINEAR_PARTICLES_MAX) || s == SHAPES || o == ORDERS)
-        return failure_set(error, MPM_BAD_INPUT,
-                           "theory: \"%s\", particles: %g: allowed are a shape, an order and 1 to "
-                           "%d particles",
-                           text, particles, LINEAR_PARTICLES_MAX);
-    const struct linear_row row = {(enum linear_shape)s, (enum linear_order)o, (size_t)particles,
-                                   0.0};
+    if (s == SHAPES || o == ORDERS)
+        return failure_set(error, MPM_BAD_INPUT, "theory: \"%s\": allowed are a shape and an order",
+                           text);
+    const struct linear_row row = {(enum linear_shape)s, (enum linear_order)o, particles, 0.0};
     const double predicted = linear_step_limit(&row, (int)cells);
     measurement_report(study->measurement, "predicted", predicted);
     measurement_report(study->measurement, "over_predicted", limit / predicted);

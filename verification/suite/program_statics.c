@@ -5,7 +5,7 @@
  * exact stress, displacement and strain.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/measures/fields.h"
+#include "verification/measures/error_norms.h"
 #include "verification/measures/particle_set.h"
 #include "verification/suite/follow.h"
 #include "verification/suite/levels.h"
@@ -21,8 +21,8 @@ struct errors {
     double pair_stress_l2;        /* of the means of two particles each, see pair_error */
     double inner_displacement_l2; /* without four particles at either end of a row */
     double stress_worst, stress_l2, displacement_worst, displacement_l2, strain_worst;
-    double axial_worst;            /* of the stress along y or z */
-    double edge_axial, rest_axial; /* its mean in the uppermost row, and below the middle */
+    /* mean stress along y or z in the uppermost row, and below the middle */
+    double edge_axial, rest_axial;
 };
 
 struct outcome {
@@ -32,22 +32,31 @@ struct outcome {
     bool finished;
 };
 
-/* What is seen of the particles. */
+/* What is seen of the particles, and what should be. */
 struct view {
     struct particle_set set;
-    double *strain, *mass; /* AXES a particle; 1 */
+    double *mass;
+    double *strain, *exact_strain; /* AXES a particle */
+    double *moved, *exact_moved;
+    double *exact_stress; /* STRESS a particle */
 };
 
 static enum mpm_status open_view(const struct mpm_simulation *simulation, struct view *view,
                                  struct mpm_error *error)
 {
     TRY(particle_set_create(simulation, 0, &view->set, error));
-    view->strain = g_new(double, AXES * view->set.count);
-    view->mass = g_new(double, view->set.count);
+    const size_t n = view->set.count;
+    view->mass = g_new(double, n);
+    view->strain = g_new(double, AXES *n);
+    view->exact_strain = g_new(double, AXES *n);
+    view->moved = g_new(double, AXES *n);
+    view->exact_moved = g_new(double, AXES *n);
+    view->exact_stress = g_new(double, STRESS *n);
     return MPM_OK;
 }
 
-static void read_view(struct view *view, const struct mpm_simulation *simulation)
+static void read_view(struct view *view, const struct static_solution *solution,
+                      const struct mpm_simulation *simulation)
 {
     struct particle_set *const set = &view->set;
     particle_set_read(set, simulation);
@@ -57,63 +66,61 @@ static void read_view(struct view *view, const struct mpm_simulation *simulation
     mpm_simulation_field(simulation, MPM_FIELD_DEFORMATION_GRADIENT, set->all);
     for (size_t k = 0; k < set->count; k++) {
         const double *const f = &set->all[GRADIENT * set->index[k]];
+        const struct static_state exact = solution->at(solution, &set->start[AXES * k]);
         view->strain[AXES * k] = f[0] - 1.0;
         view->strain[AXES * k + 1] = f[3] - 1.0;
+        for (size_t c = 0; c < AXES; c++) {
+            view->moved[AXES * k + c] = set->position[AXES * k + c] - set->start[AXES * k + c];
+            view->exact_moved[AXES * k + c] = exact.displacement[c];
+            view->exact_strain[AXES * k + c] = exact.strain[c];
+        }
+        for (size_t c = 0; c < STRESS; c++)
+            view->exact_stress[STRESS * k + c] = exact.stress[c];
     }
 }
 
 static void close_view(struct view *view)
 {
     particle_set_free(&view->set);
-    g_free(view->strain);
     g_free(view->mass);
+    g_free(view->strain);
+    g_free(view->exact_strain);
+    g_free(view->moved);
+    g_free(view->exact_moved);
+    g_free(view->exact_stress);
 }
 
 /* --------------------------------------------------------------- measuring */
 
-/* Root of the mean square over the mass, and the largest value. */
-struct norm {
-    double squares, mass, largest;
-};
-
-static void norm_add(struct norm *norm, const double *value, const double *exact, size_t count,
-                     double mass)
+/* Of all particles' components, the worst one. */
+static double worst(size_t count, const double *computed, const double *exact)
 {
-    double square = 0.0;
-    for (size_t c = 0; c < count; c++) {
-        const double difference = value[c] - exact[c];
-        square += difference * difference;
-        norm->largest = field_larger(norm->largest, fabs(difference));
-    }
-    norm->squares += mass * square;
-    norm->mass += mass;
-}
-
-static double norm_l2(const struct norm *norm)
-{
-    return sqrt(norm->squares / norm->mass);
+    return error_norms(count, 1, NULL, NULL, computed, exact).linf;
 }
 
 /* The error of the mean stress of particles 2 k and 2 k + 1, the two of a cell in a row of them:
  * the gradients of hat functions are those of the cell, and exact to second order at its centre
  * only. */
-static double pair_error(const struct static_solution *solution, const struct view *view)
+static double pair_error(const struct view *view)
 {
-    const double *const sigma = view->set.stress;
-    struct norm norm = {0};
-    for (size_t k = 0; k + 1 < view->set.count; k += 2) {
-        const struct static_state exact[2] = {
-            solution->at(solution, &view->set.start[AXES * k]),
-            solution->at(solution, &view->set.start[AXES * (k + 1)]),
-        };
-        double mean[STRESS], exact_mean[STRESS];
+    const double *const sigma = view->set.stress, *const exact = view->exact_stress;
+    const size_t pairs = view->set.count / 2;
+    double *const mean = g_new(double, STRESS *pairs);
+    double *const exact_mean = g_new(double, STRESS *pairs);
+    double *const mass = g_new(double, pairs);
+    for (size_t k = 0; k < pairs; k++) {
+        mass[k] = view->mass[2 * k] + view->mass[2 * k + 1];
         for (size_t c = 0; c < STRESS; c++) {
-            mean[c] = 0.5 * (sigma[STRESS * k + c] + sigma[STRESS * (k + 1) + c]);
-            exact_mean[c] = 0.5 * (exact[0].stress[c] + exact[1].stress[c]);
+            const size_t one = 2 * STRESS * k + c, other = one + STRESS;
+            mean[STRESS * k + c] = 0.5 * (sigma[one] + sigma[other]);
+            exact_mean[STRESS * k + c] = 0.5 * (exact[one] + exact[other]);
         }
-        norm_add(&norm, mean, exact_mean, STRESS, view->mass[k] + view->mass[k + 1]);
     }
-    return norm_l2(&norm);
+    const double error = error_norms(pairs, STRESS, NULL, mass, mean, exact_mean).l2;
+    g_free(mean);
+    g_free(exact_mean);
+    g_free(mass);
+    return error;
 }
 
 static double highest_start(const struct particle_set *set)
@@ -138,69 +145,58 @@ static double mean_axial(const struct view *view, double from, double to)
     return sum / mass;
 }
 
-/* In a row of particles, without two cells at either end: what faces do not spoil. */
-static double inner_error(const struct static_solution *solution, const struct view *view)
+/* Of displacement in a row of particles, without two cells at either end: what faces do not
+ * spoil. */
+static double inner_error(const struct view *view)
 {
     enum { AWAY = 4 };
-    const struct particle_set *const set = &view->set;
-    struct norm norm = {0};
-    for (size_t k = AWAY; k + AWAY < set->count; k++) {
-        const double *const start = &set->start[AXES * k];
-        const struct static_state exact = solution->at(solution, start);
-        const double moved[AXES] = {set->position[AXES * k] - start[0],
-                                    set->position[AXES * k + 1] - start[1]};
-        norm_add(&norm, moved, exact.displacement, AXES, view->mass[k]);
-    }
-    return norm_l2(&norm);
+    const size_t n = view->set.count;
+    double *const mass = g_new0(double, n);
+    for (size_t k = AWAY; k + AWAY < n; k++)
+        mass[k] = view->mass[k];
+    const double error = error_norms(n, AXES, NULL, mass, view->moved, view->exact_moved).l2;
+    g_free(mass);
+    return error;
 }
 
 static struct errors measure(const struct static_solution *solution, const struct view *view)
 {
     const struct particle_set *const set = &view->set;
-    const double highest = highest_start(set);
-    struct norm stress = {0}, displacement = {0}, strain = {0}, axial = {0};
-    for (size_t k = 0; k < set->count; k++) {
-        const double *const start = &set->start[AXES * k];
-        const double *const sigma = &set->stress[STRESS * k];
-        const struct static_state exact = solution->at(solution, start);
-        const double moved[AXES] = {set->position[AXES * k] - start[0],
-                                    set->position[AXES * k + 1] - start[1]};
-        norm_add(&stress, sigma, exact.stress, STRESS, view->mass[k]);
-        norm_add(&axial, &sigma[ALONG], &exact.stress[ALONG], 1, view->mass[k]);
-        norm_add(&displacement, moved, exact.displacement, AXES, view->mass[k]);
-        norm_add(&strain, &view->strain[AXES * k], exact.strain, AXES, view->mass[k]);
-    }
+    const size_t n = set->count;
+    const double highest = highest_start(set), *const mass = view->mass;
     const double of_stress = 100.0 / solution->stress_scale;
     const double of_displacement = 100.0 / solution->displacement_scale;
+    const double of_strain = 100.0 / solution->strain_scale;
+    const struct error_norms stress =
+        error_norms(n, STRESS, NULL, mass, set->stress, view->exact_stress);
+    const struct error_norms displacement =
+        error_norms(n, AXES, NULL, mass, view->moved, view->exact_moved);
     return (struct errors){
-        .pair_stress_l2 = of_stress * pair_error(solution, view),
-        .inner_displacement_l2 = of_displacement * inner_error(solution, view),
-        .stress_worst = of_stress * stress.largest,
-        .stress_l2 = of_stress * norm_l2(&stress),
-        .displacement_worst = of_displacement * displacement.largest,
-        .displacement_l2 = of_displacement * norm_l2(&displacement),
-        .strain_worst = 100.0 / solution->strain_scale * strain.largest,
-        .axial_worst = of_stress * axial.largest,
+        .pair_stress_l2 = of_stress * pair_error(view),
+        .inner_displacement_l2 = of_displacement * inner_error(view),
+        .stress_worst = of_stress * worst(STRESS * n, set->stress, view->exact_stress),
+        .stress_l2 = of_stress * stress.l2,
+        .displacement_worst = of_displacement * worst(AXES * n, view->moved, view->exact_moved),
+        .displacement_l2 = of_displacement * displacement.l2,
+        .strain_worst = of_strain * worst(AXES * n, view->strain, view->exact_strain),
         .edge_axial = mean_axial(view, highest * (1.0 - 1e-9), HUGE_VAL),
         .rest_axial = mean_axial(view, -HUGE_VAL, 0.5 * highest),
     };
 }
 
-static enum mpm_status write_profile(struct measurement *m, const struct static_solution *solution,
-                                     const struct view *view, struct mpm_error *error)
+static enum mpm_status write_profile(struct measurement *m, const struct view *view,
+                                     struct mpm_error *error)
 {
     const struct particle_set *const set = &view->set;
     double *const rows = g_new(double, COLUMNS * set->count);
     for (size_t k = 0; k < set->count; k++) {
-        const double *const start = &set->start[AXES * k];
-        const struct static_state exact = solution->at(solution, start);
         double *const row = &rows[COLUMNS * k];
-        row[0] = start[0];
-        row[1] = start[1];
+        row[0] = set->start[AXES * k];
+        row[1] = set->start[AXES * k + 1];
         for (size_t c = 0; c < STRESS; c++)
             row[2 + c] = set->stress[STRESS * k + c];
         for (size_t c = 0; c < STRESS; c++)
-            row[2 + STRESS + c] = exact.stress[c];
+            row[2 + STRESS + c] = view->exact_stress[STRESS * k + c];
     }
     const enum mpm_status status =
         measurement_series(m, "profile", "x0 y0 xx yy zz xy exact_xx exact_yy exact_zz exact_xy",
@@ -216,61 +212,48 @@ static enum mpm_status settle(struct measurement *m, struct mpm_simulation *simu
                               bool *finished, struct mpm_error *error)
 {
     struct mpm_rest rest;
-    bool at_rest = mpm_simulation_at_rest(simulation, &rest);
-    enum mpm_status status = MPM_OK;
-    while (status == MPM_OK && !at_rest && mpm_simulation_time(simulation) < end) {
-        status = mpm_simulation_advance(simulation, end, error);
+    bool alive = true, at_rest = mpm_simulation_at_rest(simulation, &rest);
+    while (alive && !at_rest && mpm_simulation_time(simulation) < end) {
+        TRY(follow_step(m, simulation, end, &alive, error));
         at_rest = mpm_simulation_at_rest(simulation, &rest);
     }
     follow_count_work(m, simulation);
-    *finished = status == MPM_OK && (at_rest || !rest.asked);
-    if (status == MPM_OK && !*finished)
+    *finished = alive && (at_rest || !rest.asked);
+    if (alive && !*finished)
         measurement_note(m, "not at rest at the end: residual %g, kinetic energy %g", rest.residual,
                          rest.kinetic_energy);
-    if (status != MPM_RUN_FAILED)
-        return status;
-    measurement_note(m, "the run ended: %s", error->message);
     return MPM_OK;
 }
 
-static enum mpm_status run_opened(struct measurement *m, const struct static_solution *solution,
-                                  struct mpm_simulation *simulation, double end, bool last,
-                                  struct outcome *outcome, struct mpm_error *error)
+/* A run: its solution, and whether its profile is written. */
+struct study {
+    const struct static_solution *solution;
+    bool last;
+    struct outcome *outcome;
+};
+
+static enum mpm_status measure_scene(void *context, struct measurement *m,
+                                     const struct mpm_scene *scene,
+                                     struct mpm_simulation *simulation, struct mpm_error *error)
 {
+    const struct study *const study = context;
+    struct outcome *const outcome = study->outcome;
     struct view view = {0};
     struct mpm_ledger start, now;
     mpm_simulation_ledger(simulation, &start);
     enum mpm_status status = open_view(simulation, &view, error);
     if (status == MPM_OK)
-        status = settle(m, simulation, end, &outcome->finished, error);
+        status = settle(m, simulation, mpm_scene_end_time(scene), &outcome->finished, error);
     if (status == MPM_OK) {
         mpm_simulation_ledger(simulation, &now);
         outcome->time = now.time;
         outcome->imbalance = (now.total_energy - start.total_energy) / now.external_work - 1.0;
-        read_view(&view, simulation);
-        outcome->errors = measure(solution, &view);
-        if (last)
-            status = write_profile(m, solution, &view, error);
+        read_view(&view, study->solution, simulation);
+        outcome->errors = measure(study->solution, &view);
+        if (study->last)
+            status = write_profile(m, &view, error);
     }
     close_view(&view);
-    return status;
-}
-
-/* Runs the grid of `level` (NULL: the scene's own). */
-static enum mpm_status run_level(struct measurement *m, const struct static_solution *solution,
-                                 const char *level, bool last, struct outcome *outcome,
-                                 struct mpm_error *error)
-{
-    struct mpm_scene *scene = NULL;
-    struct mpm_simulation *simulation = NULL;
-    enum mpm_status status = measurement_scene(m, &level, level == NULL ? 0 : 1, &scene, error);
-    if (status == MPM_OK)
-        status = mpm_simulation_create(scene, measurement_options(m), &simulation, error);
-    if (status == MPM_OK)
-        status =
-            run_opened(m, solution, simulation, mpm_scene_end_time(scene), last, outcome, error);
-    mpm_simulation_free(simulation);
-    mpm_scene_free(scene);
     return status;
 }
 
@@ -288,7 +271,6 @@ static void report(struct measurement *m, const struct static_solution *solution
         {"inner_displacement_l2", e->inner_displacement_l2},
         {"stress_worst", e->stress_worst},
         {"stress_l2", e->stress_l2},
-        {"axial_worst", e->axial_worst},
         {"displacement_worst", e->displacement_worst},
         {"displacement_l2", e->displacement_l2},
         {"strain_worst", e->strain_worst},
@@ -302,31 +284,12 @@ static void report(struct measurement *m, const struct static_solution *solution
             measurement_inconclusive(m, table[k].name, "the run did not come to its end");
     measurement_report(m, "finished", outcome->finished ? 1.0 : 0.0);
     measurement_report(m, "reached", outcome->time);
-    measurement_report(m, "energy_drift", 100.0 * fabs(outcome->imbalance));
+    measurement_report(m, "energy_imbalance", 100.0 * fabs(outcome->imbalance));
 }
 
 /* Errors over the levels, by kind. */
 enum kind { OF_STRESS, OF_PAIRS, OF_DISPLACEMENT, OF_INNER, KINDS };
 static const char *const suffixes[KINDS] = {"_stress", "_pairs", "_displacement", "_inner"};
-
-static enum mpm_status report_orders(struct measurement *m, const struct levels *levels,
-                                     double errors[KINDS][LEVELS_MAX], bool finished,
-                                     struct mpm_error *error)
-{
-    for (size_t k = 0; k < KINDS; k++) {
-        if (finished) {
-            TRY(levels_report(m, levels, suffixes[k], errors[k], error));
-            continue;
-        }
-        for (size_t order = 0; order < 2; order++) {
-            char *const name =
-                g_strconcat(order == 0 ? "order_last" : "order_fitted", suffixes[k], NULL);
-            measurement_inconclusive(m, name, "a grid's run did not come to its end");
-            g_free(name);
-        }
-    }
-    return MPM_OK;
-}
 
 static enum mpm_status run(struct measurement *m, struct mpm_error *error)
 {
@@ -334,22 +297,23 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
     struct levels levels;
     double errors[KINDS][LEVELS_MAX] = {{0.0}};
     struct outcome outcome = {.finished = false};
-    bool finished = true;
     TRY(static_solution_read(m, &solution, error));
     TRY(levels_read(m, &levels, error));
     for (size_t k = 0; k < levels_runs(&levels); k++) {
         const bool last = k + 1 == levels_runs(&levels);
         outcome = (struct outcome){.finished = false};
-        TRY(run_level(m, &solution, levels.setting[k], last, &outcome, error));
-        errors[OF_STRESS][k] = outcome.errors.stress_l2;
-        errors[OF_PAIRS][k] = outcome.errors.pair_stress_l2;
-        errors[OF_INNER][k] = outcome.errors.inner_displacement_l2;
-        errors[OF_DISPLACEMENT][k] = outcome.errors.displacement_l2;
-        finished = finished && outcome.finished;
+        struct study study = {&solution, last, &outcome};
+        TRY(follow_scene(m, &levels.setting[k], levels.count == 0 ? 0 : 1, measure_scene, &study,
+                         error));
+        const double missing = outcome.finished ? 0.0 : (double)NAN;
+        errors[OF_STRESS][k] = missing + outcome.errors.stress_l2;
+        errors[OF_PAIRS][k] = missing + outcome.errors.pair_stress_l2;
+        errors[OF_INNER][k] = missing + outcome.errors.inner_displacement_l2;
+        errors[OF_DISPLACEMENT][k] = missing + outcome.errors.displacement_l2;
     }
     report(m, &solution, &outcome);
-    if (levels.count > 0)
-        return report_orders(m, &levels, errors, finished, error);
+    for (size_t k = 0; levels.count > 0 && k < KINDS; k++)
+        TRY(levels_report(m, &levels, suffixes[k], errors[k], error));
     return MPM_OK;
 }
 

@@ -63,6 +63,7 @@ static void free_profile(struct profile *profile)
 {
     g_free(profile->x);
     g_free(profile->pressure);
+    *profile = (struct profile){0};
 }
 
 /* Where the pressure last falls below one half. */
@@ -138,50 +139,49 @@ static void report_profile(struct measurement *m, const struct parameters *p,
     measurement_report(m, "error_l1", 100.0 * error_l1(profile, front));
 }
 
-/* Runs the grid of `level` (NULL: the scene's own) up to the time of the look. */
-static enum mpm_status run_level(struct measurement *m, const struct parameters *p,
-                                 const char *level, struct follow_result *result,
-                                 struct profile *profile, struct mpm_error *error)
+/* A run and what came of it. */
+struct study {
+    const struct parameters *parameters;
+    struct follow_result result;
+    struct profile profile;
+};
+
+/* Up to the time of the look. */
+static enum mpm_status measure(void *context, struct measurement *m, const struct mpm_scene *scene,
+                               struct mpm_simulation *simulation, struct mpm_error *error)
 {
-    struct mpm_scene *scene = NULL;
-    struct mpm_simulation *simulation = NULL;
-    const struct follow follow = {.measurement = m, .end = p->time, .interval = p->time / 50.0};
-    enum mpm_status status = measurement_scene(m, &level, level == NULL ? 0 : 1, &scene, error);
-    if (status == MPM_OK)
-        status = mpm_simulation_create(scene, measurement_options(m), &simulation, error);
-    if (status == MPM_OK)
-        status = follow_run(&follow, simulation, result, error);
-    if (status == MPM_OK)
-        status = read_profile(p, simulation, profile, error);
-    mpm_simulation_free(simulation);
-    mpm_scene_free(scene);
-    return status;
+    struct study *const study = context;
+    const double time = study->parameters->time;
+    const struct follow follow = {.measurement = m, .end = time, .interval = time / 50.0};
+    (void)scene;
+    TRY(follow_run(&follow, simulation, &study->result, error));
+    return read_profile(study->parameters, simulation, &study->profile, error);
 }
 
 static enum mpm_status run(struct measurement *m, struct mpm_error *error)
 {
     struct parameters p;
     struct levels levels;
-    struct follow_result result;
+    struct study study = {.parameters = &p};
     double errors[LEVELS_MAX] = {0};
     TRY(read_parameters(m, &p, error));
     TRY(levels_read(m, &levels, error));
     const double front = step_wave_celerity(&p.wave) * p.time;
     for (size_t k = 0; k < levels_runs(&levels); k++) {
-        struct profile profile = {0};
-        enum mpm_status status = run_level(m, &p, levels.setting[k], &result, &profile, error);
+        enum mpm_status status =
+            follow_scene(m, &levels.setting[k], levels.count == 0 ? 0 : 1, measure, &study, error);
         const bool last = k + 1 == levels_runs(&levels);
         if (status == MPM_OK) {
-            errors[k] = 100.0 * error_l1(&profile, front);
+            errors[k] = 100.0 * error_l1(&study.profile, front);
             if (last)
-                report_profile(m, &p, &profile);
+                report_profile(m, &p, &study.profile);
             if (last)
-                status = write_profile(m, &p, &profile, error);
+                status = write_profile(m, &p, &study.profile, error);
         }
-        free_profile(&profile);
+        free_profile(&study.profile);
         TRY(status);
     }
-    follow_report(m, &result, 0.0);
+    follow_report(m, &study.result, 0.0);
     return levels.count > 0 ? levels_report(m, &levels, "", errors, error) : MPM_OK;
 }
 

@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { AXES = 2, GRADIENT = 5, EDGES = 4, FRAMES = 2 };
+enum { AXES = 2, GRADIENT = 5, EDGES = 4, FRAMES = 2, SITES_MAX = 10000 };
 
 /* Whose area: of the edges that F carries, or of the undeformed ones (uGIMP). */
 enum area { CARRIED, UNDEFORMED, AREAS };
@@ -23,31 +23,33 @@ static const char *const edge_names[EDGES] = {"bottom", "right", "top", "left"};
 static const char *const frame_names[FRAMES] = {"global", "edge"};
 
 struct parameters {
-    double time;          /* when loads begin */
-    double half[AXES];    /* half edges of a particle at t = 0 */
-    double columns, rows; /* of sites */
-    double value[AXES];   /* of the load */
-    double axisymmetric;  /* 1 or 0 */
+    double time;            /* when loads begin */
+    double half[AXES];      /* half edges of a particle at t = 0 */
+    double value[AXES];     /* of the load */
+    unsigned columns, rows; /* of sites */
+    unsigned axisymmetric;  /* 1 or 0 */
 };
 
-/* A step of the scene and the state before it. */
+/* A step of the scene from `time` on, and the state before it. */
 struct step {
+    double time;
     size_t count;
     double *position, *f;
     double momentum[AXES], time_step;
-    bool alive;
+    bool alive; /* false: the run broke before it or in it */
 };
 
 static enum mpm_status read_parameters(const struct measurement *m, struct parameters *p,
                                        struct mpm_error *error)
 {
     const struct measurement_parameter table[] = {
-        {"time", &p->time},        {"half_x", &p->half[0]},
-        {"half_y", &p->half[1]},   {"columns", &p->columns},
-        {"rows", &p->rows},        {"value_x", &p->value[0]},
-        {"value_y", &p->value[1]}, {"axisymmetric", &p->axisymmetric},
+        {"time", &p->time},        {"half_x", &p->half[0]},   {"half_y", &p->half[1]},
+        {"value_x", &p->value[0]}, {"value_y", &p->value[1]},
     };
-    return measurement_numbers(m, table, sizeof table / sizeof *table, error);
+    TRY(measurement_numbers(m, table, sizeof table / sizeof *table, error));
+    TRY(measurement_count(m, "columns", 1, SITES_MAX, &p->columns, error));
+    TRY(measurement_count(m, "rows", 1, SITES_MAX, &p->rows, error));
+    return measurement_count(m, "axisymmetric", 0, 1, &p->axisymmetric, error);
 }
 
 static void free_step(struct step *step)
@@ -56,19 +58,21 @@ static void free_step(struct step *step)
     g_free(step->f);
 }
 
-static enum mpm_status take_step(struct measurement *m, const struct parameters *p,
-                                 struct mpm_simulation *simulation, struct step *step,
+static enum mpm_status take_step(void *context, struct measurement *m,
+                                 const struct mpm_scene *scene, struct mpm_simulation *simulation,
                                  struct mpm_error *error)
 {
+    struct step *const step = context;
+    (void)scene;
     struct mpm_ledger ledger;
-    TRY(follow_to(m, simulation, p->time, &step->alive, error));
+    TRY(follow_to(m, simulation, step->time, &step->alive, error));
     step->count = mpm_simulation_particle_count(simulation);
     step->position = g_new(double, AXES * step->count);
     step->f = g_new(double, GRADIENT * step->count);
     mpm_simulation_field(simulation, MPM_FIELD_POSITION, step->position);
     mpm_simulation_field(simulation, MPM_FIELD_DEFORMATION_GRADIENT, step->f);
     if (step->alive)
-        TRY(mpm_simulation_advance(simulation, HUGE_VAL, error));
+        TRY(follow_step(m, simulation, HUGE_VAL, &step->alive, error));
     mpm_simulation_ledger(simulation, &ledger);
     memcpy(step->momentum, ledger.momentum, sizeof step->momentum);
     step->time_step = mpm_simulation_time_step(simulation);
@@ -76,27 +80,11 @@ static enum mpm_status take_step(struct measurement *m, const struct parameters 
     return MPM_OK;
 }
 
-static enum mpm_status run_with(struct measurement *m, const struct parameters *p, const char *load,
-                                struct step *step, struct mpm_error *error)
-{
-    struct mpm_scene *scene = NULL;
-    struct mpm_simulation *simulation = NULL;
-    enum mpm_status status = measurement_scene(m, &load, 1, &scene, error);
-    if (status == MPM_OK)
-        status = mpm_simulation_create(scene, measurement_options(m), &simulation, error);
-    if (status == MPM_OK)
-        status = take_step(m, p, simulation, step, error);
-    mpm_simulation_free(simulation);
-    mpm_scene_free(scene);
-    return status;
-}
-
 static bool is_on_face(const struct parameters *p, size_t id, int edge)
 {
-    const size_t columns = (size_t)p->columns, rows = (size_t)p->rows;
-    const size_t column = id % columns, row = id / columns;
-    return (edge == 0 && row == 0) || (edge == 1 && column == columns - 1) ||
-           (edge == 2 && row == rows - 1) || (edge == 3 && column == 0);
+    const size_t column = id % p->columns, row = id / p->columns;
+    return (edge == 0 && row == 0) || (edge == 1 && column == p->columns - 1) ||
+           (edge == 2 && row == p->rows - 1) || (edge == 3 && column == 0);
 }
 
 /* F times an undeformed vector */
@@ -118,7 +106,7 @@ static double add_edge(const struct parameters *p, const struct step *step, size
     carry(f, -2.0 * n[1] * p->half[0], 2.0 * n[0] * p->half[1], along);
     carry(own_f, -2.0 * n[1] * p->half[0], 2.0 * n[0] * p->half[1], own);
     carry(own_f, n[0] * p->half[0], n[1] * p->half[1], away);
-    const double depth = p->axisymmetric > 0.0 ? step->position[AXES * id] + away[0] : 1.0;
+    const double depth = p->axisymmetric == 1 ? step->position[AXES * id] + away[0] : 1.0;
     const double area = hypot(own[0], own[1]) * depth, length = hypot(along[0], along[1]);
     const double *const v = p->value;
     force[0] += area * (in_edge ? (v[0] * along[1] + v[1] * along[0]) / length : v[0]);
@@ -142,18 +130,21 @@ static void compare(const struct parameters *p, const struct step *without, cons
     }
 }
 
+/* *alive becomes false if the run with the load breaks. */
 static enum mpm_status force_error(struct measurement *m, const struct parameters *p,
                                    const struct step *without, int edge, int frame,
-                                   double worst[AREAS], struct mpm_error *error)
+                                   double worst[AREAS], bool *alive, struct mpm_error *error)
 {
-    struct step with = {.alive = false};
+    struct step with = {.time = p->time, .alive = false};
     char *const load = g_strdup_printf(
         "loads.tractions=[{body: block, edge: %s, frame: %s, value: ['%.17g*(t>=%.17g)', "
         "'%.17g*(t>=%.17g)']}]",
         edge_names[edge], frame_names[frame], p->value[0], p->time, p->value[1], p->time);
-    const enum mpm_status status = run_with(m, p, load, &with, error);
-    if (status == MPM_OK)
+    const enum mpm_status status =
+        follow_scene(m, (const char *const[]){load}, 1, take_step, &with, error);
+    if (status == MPM_OK && with.alive)
         compare(p, without, &with, edge, frame, worst);
+    *alive = with.alive;
     g_free(load);
     free_step(&with);
     return status;
@@ -162,17 +153,25 @@ static enum mpm_status force_error(struct measurement *m, const struct parameter
 static enum mpm_status run(struct measurement *m, struct mpm_error *error)
 {
     struct parameters p;
-    struct step without = {.alive = false};
     double worst[AREAS] = {0.0};
+    const char *const load = "loads.tractions=[]";
     TRY(read_parameters(m, &p, error));
-    enum mpm_status status = run_with(m, &p, "loads.tractions=[]", &without, error);
-    for (int k = 0; status == MPM_OK && k < EDGES * FRAMES; k++)
-        status = force_error(m, &p, &without, k / FRAMES, k % FRAMES, worst, error);
+    struct step without = {.time = p.time, .alive = false};
+    enum mpm_status status = follow_scene(m, &load, 1, take_step, &without, error);
+    if (status == MPM_OK && without.count != (size_t)p.columns * p.rows)
+        status = failure_set(error, MPM_BAD_INPUT,
+                             "parameters \"columns\" and \"rows\" are %u and %u; allowed: those of "
+                             "the scene's %zu particles",
+                             p.columns, p.rows, without.count);
+    bool alive = without.alive;
+    for (int k = 0; status == MPM_OK && alive && k < EDGES * FRAMES; k++)
+        status = force_error(m, &p, &without, k / FRAMES, k % FRAMES, worst, &alive, error);
     for (int of = 0; status == MPM_OK && of < AREAS; of++)
-        if (without.alive)
+        if (alive)
             measurement_report(m, quantities[of], worst[of]);
         else
-            measurement_inconclusive(m, quantities[of], "the run ended before the load began");
+            measurement_inconclusive(m, quantities[of],
+                                     "a run ended before the step that tells the force");
     free_step(&without);
     return status;
 }

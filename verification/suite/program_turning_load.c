@@ -13,14 +13,14 @@
 #include <math.h>
 
 enum { GRADIENT = 5, STRESS = 4, COLUMNS = 5 };
-static const double DEGREES = 57.295779513082320877;
+static const double DEGREES = 57.295779513082320877, TURN = 360.0;
 
 struct study {
     size_t count;
     double *f, *stress, *volume;
     double traction, after;          /* stress that the ends bear; errors count from this time on */
     double axial, transverse, shear; /* largest errors since, in parts of the traction */
-    double angle, angular_start, angular_change;
+    double angle;                    /* turned so far, degrees */
     struct follow_rows rows;
 };
 
@@ -46,11 +46,8 @@ static void look_at(void *context, const struct mpm_simulation *simulation,
     const double axial = over * (c * c * s[0] + n * n * s[1] + 2.0 * c * n * s[3]);
     const double transverse = over * (n * n * s[0] + c * c * s[1] - 2.0 * c * n * s[3]);
     const double shear = over * (c * n * (s[1] - s[0]) + (c * c - n * n) * s[3]);
-    study->angle = DEGREES * atan2(f[1], f[0]);
-    if (ledger->time == 0.0)
-        study->angular_start = ledger->angular_momentum;
-    study->angular_change = field_larger(
-        study->angular_change, fabs(ledger->angular_momentum / study->angular_start - 1.0));
+    const double angle = DEGREES * atan2(f[1], f[0]);
+    study->angle = angle + TURN * round((study->angle - angle) / TURN); /* on from the last one */
     const double row[COLUMNS] = {ledger->time, study->angle, 100.0 * axial, 100.0 * transverse,
                                  100.0 * shear};
     follow_rows_add(&study->rows, row);
@@ -61,9 +58,37 @@ static void look_at(void *context, const struct mpm_simulation *simulation,
     study->shear = field_larger(study->shear, fabs(shear));
 }
 
-static enum mpm_status measure(struct measurement *m, struct mpm_simulation *simulation, double end,
-                               struct mpm_error *error)
+static enum mpm_status report(struct measurement *m, const struct study *study,
+                              const struct follow_result *result, struct mpm_error *error)
 {
+    const struct books *const books = &result->books;
+    const struct {
+        const char *name;
+        double value;
+    } table[] = {
+        {"axial_error", 100.0 * study->axial},
+        {"transverse", 100.0 * study->transverse},
+        {"shear", 100.0 * study->shear},
+        {"angle", study->angle},
+        {"angular_momentum_change",
+         100.0 * books->angular_momentum / fabs(books->start.angular_momentum)},
+    };
+    for (size_t k = 0; k < sizeof table / sizeof *table; k++)
+        if (result->finished)
+            measurement_report(m, table[k].name, table[k].value);
+        else
+            measurement_inconclusive(m, table[k].name, "the run did not come to its end");
+    follow_report(m, result, 0.0);
+    TRY(follow_rows_check(&study->rows, error));
+    return measurement_series(m, "stress", "time angle axial transverse shear", COLUMNS,
+                              study->rows.count, study->rows.values, error);
+}
+
+static enum mpm_status measure(void *context, struct measurement *m, const struct mpm_scene *scene,
+                               struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    const double end = mpm_scene_end_time(scene);
+    (void)context;
     const size_t n = mpm_simulation_particle_count(simulation);
     struct follow_result result;
     struct study study = {.count = n, .rows = {.columns = COLUMNS}};
@@ -79,17 +104,7 @@ static enum mpm_status measure(struct measurement *m, struct mpm_simulation *sim
                                   .context = &study};
     enum mpm_status status = follow_run(&follow, simulation, &result, error);
     if (status == MPM_OK)
-        status = follow_rows_check(&study.rows, error);
-    if (status == MPM_OK) {
-        measurement_report(m, "axial_error", 100.0 * study.axial);
-        measurement_report(m, "transverse", 100.0 * study.transverse);
-        measurement_report(m, "shear", 100.0 * study.shear);
-        measurement_report(m, "angle", study.angle);
-        measurement_report(m, "angular_momentum_change", 100.0 * study.angular_change);
-        measurement_report(m, "finished", result.finished ? 1.0 : 0.0);
-        status = measurement_series(m, "stress", "time angle axial transverse shear", COLUMNS,
-                                    study.rows.count, study.rows.values, error);
-    }
+        status = report(m, &study, &result, error);
     follow_rows_free(&study.rows);
     g_free(study.f);
     g_free(study.stress);
@@ -99,7 +114,7 @@ static enum mpm_status measure(struct measurement *m, struct mpm_simulation *sim
 
 static enum mpm_status run(struct measurement *measurement, struct mpm_error *error)
 {
-    return follow_scene(measurement, measure, error);
+    return follow_scene(measurement, NULL, 0, measure, NULL, error);
 }
 
 const struct measure_program program_turning_load = {

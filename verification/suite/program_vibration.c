@@ -21,6 +21,8 @@ enum {
     MODE_COLUMNS = 3, /* time, amplitude and energy over their starts */
     SERIES_TERMS = 24,
     SAMPLES_A_PERIOD = 20,
+    MODES_MAX = 20,
+    PARTICLES_MAX = 16,
 };
 
 static const double TWO_PI = 6.28318530717958647692;
@@ -32,12 +34,9 @@ struct mode {
     char *velocity[AXES]; /* settings; NULL where the scene has it */
 };
 
-/* A family of modes: reads its parameters and fills the mode of that number. */
-struct family {
-    const char *name;
-    enum mpm_status (*prepare)(const struct measurement *m, unsigned number, struct mode *mode,
-                               struct mpm_error *error);
-};
+/* Of a family of modes: reads its parameters and fills the mode of that number. */
+typedef enum mpm_status family_prepare(const struct measurement *m, unsigned number,
+                                       struct mode *mode, struct mpm_error *error);
 
 /* --------------------------------------------------------------- families */
 
@@ -133,25 +132,9 @@ static enum mpm_status disk_prepare(const struct measurement *m, unsigned number
     return MPM_OK;
 }
 
-static const struct family FAMILIES[] = {
-    {"bar", bar_prepare},
-    {"cylinder", cylinder_prepare},
-    {"disk", disk_prepare},
-};
-
-/* NULL, with the error set, if there is none. */
-static const struct family *find_family(const struct measurement *m, struct mpm_error *error)
-{
-    const char *name;
-    if (measurement_text(m, "family", &name, error) != MPM_OK)
-        return NULL;
-    for (size_t k = 0; k < sizeof FAMILIES / sizeof FAMILIES[0]; k++)
-        if (g_str_equal(name, FAMILIES[k].name))
-            return &FAMILIES[k];
-    (void)failure_set(error, MPM_BAD_INPUT,
-                      "parameter family is `%s`; allowed are bar, cylinder and disk", name);
-    return NULL;
-}
+enum { BAR, CYLINDER, DISK, FAMILIES };
+static const char *const family_names[FAMILIES] = {"bar", "cylinder", "disk"};
+static family_prepare *const families[FAMILIES] = {bar_prepare, cylinder_prepare, disk_prepare};
 
 /* ---------------------------------------------------------------- one run */
 
@@ -237,15 +220,26 @@ static enum mpm_status write_amplitudes(struct measurement *m, const char *serie
     return status;
 }
 
-static enum mpm_status vibrate(struct measurement *m, const struct mode *mode, double periods,
-                               const char *series, struct mpm_simulation *simulation,
-                               struct outcome *outcome, struct mpm_error *error)
+/* A run of one mode. */
+struct study {
+    const struct mode *mode;
+    double periods;
+    const char *series; /* of the amplitude, or NULL */
+    struct outcome *outcome;
+};
+
+static enum mpm_status vibrate(void *context, struct measurement *m, const struct mpm_scene *scene,
+                               struct mpm_simulation *simulation, struct mpm_error *error)
 {
+    const struct study *const study = context;
+    const struct mode *const mode = study->mode;
+    struct outcome *const outcome = study->outcome;
     const double period = TWO_PI / mode->frequency;
+    (void)scene;
     struct projection projection;
-    open_projection(&projection, mode, simulation, (size_t)(SAMPLES_A_PERIOD * periods) + 4);
+    open_projection(&projection, mode, simulation, (size_t)(SAMPLES_A_PERIOD * study->periods) + 4);
     const struct follow follow = {.measurement = m,
-                                  .end = periods * period,
+                                  .end = study->periods * period,
                                   .interval = period / SAMPLES_A_PERIOD,
                                   .sample = project,
                                   .context = &projection};
@@ -258,8 +252,8 @@ static enum mpm_status vibrate(struct measurement *m, const struct mode *mode, d
                          SAMPLES_A_PERIOD);
     outcome->fitted = oscillation_fit(projection.samples, projection.times, projection.amplitudes,
                                       mode->frequency, &outcome->fit);
-    if (status == MPM_OK && series != NULL)
-        status = write_amplitudes(m, series, &projection, error);
+    if (status == MPM_OK && study->series != NULL)
+        status = write_amplitudes(m, study->series, &projection, error);
     close_projection(&projection);
     return status;
 }
@@ -271,23 +265,14 @@ static enum mpm_status run_mode(struct measurement *m, const struct mode *mode, 
 {
     const char *settings[AXES + 1];
     size_t count = 0;
-    double periods;
-    struct mpm_scene *scene = NULL;
-    struct mpm_simulation *simulation = NULL;
+    struct study study = {.mode = mode, .series = series, .outcome = outcome};
     if (level != NULL)
         settings[count++] = level;
     for (int axis = 0; axis < AXES; axis++)
         if (mode->velocity[axis] != NULL)
             settings[count++] = mode->velocity[axis];
-    TRY(measurement_number(m, "periods", &periods, error));
-    enum mpm_status status = measurement_scene(m, settings, count, &scene, error);
-    if (status == MPM_OK)
-        status = mpm_simulation_create(scene, measurement_options(m), &simulation, error);
-    if (status == MPM_OK)
-        status = vibrate(m, mode, periods, series, simulation, outcome, error);
-    mpm_simulation_free(simulation);
-    mpm_scene_free(scene);
-    return status;
+    TRY(measurement_number(m, "periods", &study.periods, error));
+    return follow_scene(m, settings, count, vibrate, &study, error);
 }
 
 /* ----------------------------------------------------------------- reports */
@@ -312,17 +297,19 @@ static enum mpm_status report_dispersion(struct measurement *m, const struct mod
                                          const struct outcome *outcome, struct mpm_error *error)
 {
     struct bar_dispersion bar = {.step = outcome->follow.time_step};
-    const char *order;
-    double particles = 0.0;
-    const struct measurement_parameter table[] = {{"wave_speed", &bar.speed},
-                                                  {"cell", &bar.cell},
-                                                  {"particles", &particles},
-                                                  {"flip", &bar.fraction}};
-    TRY(measurement_text(m, "order", &order, error));
-    TRY(measurement_numbers(m, table, 4, error));
-    if (!bar_dispersion_find_order(order, &bar.order))
-        return failure_set(error, MPM_BAD_INPUT, "parameter order is `%s`", order);
-    bar.particles = (unsigned)particles;
+    static const char *const orders[BAR_DISPERSION_ORDERS] = {
+        [BAR_DISPERSION_USL] = "usl",
+        [BAR_DISPERSION_MUSL] = "musl",
+        [BAR_DISPERSION_USF] = "usf",
+        [BAR_DISPERSION_USAVG] = "usavg",
+    };
+    size_t order;
+    const struct measurement_parameter table[] = {
+        {"wave_speed", &bar.speed}, {"cell", &bar.cell}, {"flip", &bar.fraction}};
+    TRY(measurement_choice(m, "order", orders, BAR_DISPERSION_ORDERS, &order, error));
+    TRY(measurement_numbers(m, table, 3, error));
+    TRY(measurement_count(m, "particles", 1, PARTICLES_MAX, &bar.particles, error));
+    bar.order = (enum bar_dispersion_order)order;
     const struct bar_dispersion_result theory = bar_dispersion(&bar, mode->wave_number);
     measurement_report(m, "dispersion_error",
                        fabs(percent(outcome->fit.frequency, theory.frequency)));
@@ -386,17 +373,16 @@ static enum mpm_status measure_mode(struct measurement *m, const struct mode *mo
 
 static enum mpm_status run(struct measurement *m, struct mpm_error *error)
 {
-    const struct family *const family = find_family(m, error);
-    double modes;
-    if (family == NULL)
-        return MPM_BAD_INPUT;
-    TRY(measurement_number(m, "modes", &modes, error));
+    size_t family;
+    unsigned modes;
+    TRY(measurement_choice(m, "family", family_names, FAMILIES, &family, error));
+    TRY(measurement_count(m, "modes", 1, MODES_MAX, &modes, error));
     enum mpm_status status = MPM_OK;
-    for (unsigned number = 1; status == MPM_OK && number <= (unsigned)modes; number++) {
+    for (unsigned number = 1; status == MPM_OK && number <= modes; number++) {
         struct mode mode = {0};
-        status = family->prepare(m, number, &mode, error);
+        status = families[family](m, number, &mode, error);
         if (status == MPM_OK)
-            status = measure_mode(m, &mode, number, modes > 1.5, error);
+            status = measure_mode(m, &mode, number, modes > 1, error);
         for (int axis = 0; axis < AXES; axis++)
             g_free(mode.velocity[axis]);
     }

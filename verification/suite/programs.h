@@ -81,6 +81,20 @@ enum mpm_status measurement_numbers(const struct measurement *measurement,
                                     const struct measurement_parameter *table, size_t count,
                                     struct mpm_error *error);
 
+/* A parameter that is a whole number from `low` to `high`. Any other number is MPM_BAD_INPUT. */
+enum mpm_status measurement_count(const struct measurement *measurement, const char *name,
+                                  unsigned low, unsigned high, unsigned *value,
+                                  struct mpm_error *error);
+
+/* A parameter that is one of `count` names: its place among them. Any other is MPM_BAD_INPUT. */
+enum mpm_status measurement_choice(const struct measurement *measurement, const char *name,
+                                   const char *const *names, size_t count, size_t *place,
+                                   struct mpm_error *error);
+
+/* The parameter `geometry`: plane_strain, plane_stress or axisymmetric. */
+enum mpm_status measurement_geometry(const struct measurement *measurement,
+                                     enum mpm_geometry *geometry, struct mpm_error *error);
+
 /* Whether the case or the variant gives that parameter (for optional ones). */
 bool measurement_has(const struct measurement *measurement, const char *name);
 

@@ -88,25 +88,29 @@ static void add_missing(GString *html, const struct comparison_table *table, siz
                 cell->reason, failed ? "bad" : "idle", failed ? "✗" : "–", words);
 }
 
-static void add_cell(GString *html, const struct comparison_table *table, size_t row, size_t column)
+void comparison_cell_html(GString *html, const struct comparison_table *table, size_t row,
+                          size_t column, bool bad, char *words)
 {
-    const struct comparison_cell *cell = comparison_cell(table, row, column);
-    const struct comparison_column *rule = &table->columns[column];
-    if (cell->state != COMPARISON_NUMBER) {
-        add_missing(html, table, row, column);
-        return;
-    }
+    const double value = comparison_cell(table, row, column)->value;
     /* who takes no part stays last in any order */
     char key[G_ASCII_DTOSTR_BUF_SIZE] = "";
-    const bool zero = rule->better == COMPARISON_ZERO;
+    const bool zero = table->columns[column].better == COMPARISON_ZERO;
     if (comparison_takes_part(table, row))
-        g_ascii_formatd(key, sizeof key, "%.17g", zero ? fabs(cell->value) : cell->value);
+        g_ascii_formatd(key, sizeof key, "%.17g", zero ? fabs(value) : value);
     text_markup(html, "<td class=\"n\" data-key=\"%s\">", key);
-    html_numbers(html, comparison_number(cell->value, "1"));
-    g_string_append(html, comparison_is_beyond(table, row, column) ? "<span class=\"about bad\">✗ "
-                                                                   : "<span class=\"about\">");
-    html_numbers(html, standing_of(table, row, column));
+    html_numbers(html, comparison_number(value, "1"));
+    g_string_append(html, bad ? "<span class=\"about bad\">✗ " : "<span class=\"about\">");
+    html_numbers(html, words);
     g_string_append(html, "</span></td>");
+}
+
+static void add_cell(GString *html, const struct comparison_table *table, size_t row, size_t column)
+{
+    if (comparison_cell(table, row, column)->state == COMPARISON_NUMBER)
+        comparison_cell_html(html, table, row, column, comparison_is_beyond(table, row, column),
+                             standing_of(table, row, column));
+    else
+        add_missing(html, table, row, column);
 }
 
 static void add_outcome(GString *html, const struct comparison_view *view, size_t row)

@@ -6,7 +6,6 @@
 #include "verification/suite/comparison_view.h"
 #include "verification/suite/html.h"
 
-#include <math.h>
 #include <string.h>
 
 struct problem {
@@ -111,20 +110,12 @@ static void add_cell(GString *html, const struct problem *problem, const char *v
         add_missing(html, problem, row);
         return;
     }
-    const double value = comparison_cell(table, row, column)->value;
-    const bool zero = table->columns[column].better == COMPARISON_ZERO;
     const bool part = comparison_takes_part(table, row);
-    char key[G_ASCII_DTOSTR_BUF_SIZE] = "";
-    if (part)
-        g_ascii_formatd(key, sizeof key, "%.17g", zero ? fabs(value) : value);
-    text_markup(html, "<td class=\"n\" data-key=\"%s\">", key);
-    html_numbers(html, comparison_number(value, "1"));
-    g_string_append(html, part ? "<span class=\"about\">" : "<span class=\"about bad\">✗ ");
-    html_numbers(html, !part ? comparison_run_words(table, row)
-                       : comparison_is_level(table, row, column)
-                           ? g_strdup("★ best")
-                           : comparison_rank_words(table, row, column));
-    g_string_append(html, "</span></td>");
+    comparison_cell_html(html, table, row, column, !part,
+                         !part ? comparison_run_words(table, row)
+                         : comparison_is_level(table, row, column)
+                             ? g_strdup("★ best")
+                             : comparison_rank_words(table, row, column));
 }
 
 static void add_table(GString *html, const GArray *problems)

@@ -20,27 +20,17 @@ static enum mpm_status read_numbers(const struct measurement *m, const char *con
 
 /* ------------------------------------------------------------- homogeneous ones */
 
-enum { STRETCH_R, STRETCH_Z, SIGMA_RR, SIGMA_ZZ };
+enum { STRETCH_X, STRETCH_Y, SIGMA_XX, SIGMA_YY, SIGMA_ZZ };
 
 static struct static_state homogeneous_at(const struct static_solution *s, const double start[2])
 {
+    const double *const n = s->numbers;
+    const double strain[STATIC_AXES] = {n[STRETCH_X] - 1.0, n[STRETCH_Y] - 1.0};
     return (struct static_state){
-        .displacement = {(s->numbers[STRETCH_R] - 1.0) * start[0],
-                         (s->numbers[STRETCH_Z] - 1.0) * start[1]},
-        .stress =
-            {[RR] = s->numbers[SIGMA_RR], [ZZ] = s->numbers[SIGMA_ZZ], [TT] = s->numbers[SIGMA_RR]},
-        .strain = {s->numbers[STRETCH_R] - 1.0, s->numbers[STRETCH_Z] - 1.0},
-    };
-}
-
-/* The state of a disk under a load on its rim is that of a plane body under it all around. */
-static struct static_state plane_at(const struct static_solution *s, const double start[2])
-{
-    const double strain = s->numbers[STRETCH_R] - 1.0;
-    return (struct static_state){
-        .displacement = {strain * (start[0] - s->centre[0]), strain * (start[1] - s->centre[1])},
-        .stress = {s->numbers[SIGMA_RR], s->numbers[SIGMA_RR], s->numbers[SIGMA_ZZ]},
-        .strain = {strain, strain},
+        .displacement = {strain[0] * (start[0] - s->centre[0]),
+                         strain[1] * (start[1] - s->centre[1])},
+        .stress = {n[SIGMA_XX], n[SIGMA_YY], n[SIGMA_ZZ]},
+        .strain = {strain[0], strain[1]},
     };
 }
 
@@ -51,10 +41,11 @@ static enum mpm_status take_homogeneous(bool found, const struct homogeneous_sta
     if (!found)
         return failure_set(error, MPM_BAD_INPUT, "%s: no stretch between 0.2 and 5 bears the load",
                            solution->name);
-    solution->numbers[STRETCH_R] = state->radial;
-    solution->numbers[STRETCH_Z] = state->axial;
-    solution->numbers[SIGMA_RR] = state->stress.rr;
-    solution->numbers[SIGMA_ZZ] = state->stress.zz;
+    solution->numbers[STRETCH_X] = state->radial;
+    solution->numbers[STRETCH_Y] = state->axial;
+    solution->numbers[SIGMA_XX] = state->stress.rr;
+    solution->numbers[SIGMA_YY] = state->stress.zz;
+    solution->numbers[SIGMA_ZZ] = state->stress.tt;
     solution->stress_scale = fmax(fabs(state->stress.rr), fabs(state->stress.zz));
     solution->strain_scale = fmax(fabs(state->radial - 1.0), fabs(state->axial - 1.0));
     solution->displacement_scale = length * solution->strain_scale;
@@ -65,10 +56,10 @@ static enum mpm_status take_homogeneous(bool found, const struct homogeneous_sta
 static enum mpm_status read_end_load(const struct measurement *m, struct static_solution *solution,
                                      struct mpm_error *error)
 {
-    static const char *const names[] = {"bulk", "shear", "traction", "power", "length"};
+    static const char *const needs[] = {"bulk", "shear", "traction", "power", "length"};
     double n[5];
     struct homogeneous_state state;
-    TRY(read_numbers(m, names, 5, n, error));
+    TRY(read_numbers(m, needs, 5, n, error));
     const struct compression_material material = {n[0], n[1]};
     const bool found = homogeneous_end_load(&material, n[2], n[3], &state);
     return take_homogeneous(found, &state, n[4], solution, error);
@@ -77,22 +68,27 @@ static enum mpm_status read_end_load(const struct measurement *m, struct static_
 static enum mpm_status read_rim_load(const struct measurement *m, struct static_solution *solution,
                                      struct mpm_error *error)
 {
-    static const char *const names[] = {"bulk", "shear", "traction", "length"};
+    static const char *const needs[] = {"bulk", "shear", "traction", "length"};
     double n[4];
     struct homogeneous_state state;
-    TRY(read_numbers(m, names, 4, n, error));
+    TRY(read_numbers(m, needs, 4, n, error));
     const struct compression_material material = {n[0], n[1]};
     const bool found = homogeneous_rim_load(&material, n[2], &state);
     return take_homogeneous(found, &state, n[3], solution, error);
 }
 
+/* The state of a disk under a load on its rim is that of a plane body under it all around: what is
+ * along the axis there is out of the plane here. */
 static enum mpm_status read_plane(const struct measurement *m, struct static_solution *solution,
                                   struct mpm_error *error)
 {
     TRY(read_rim_load(m, solution, error));
     TRY(measurement_number(m, "centre_x", &solution->centre[0], error));
     TRY(measurement_number(m, "centre_y", &solution->centre[1], error));
-    solution->at = plane_at;
+    double *const n = solution->numbers;
+    n[SIGMA_ZZ] = n[SIGMA_YY];
+    n[STRETCH_Y] = n[STRETCH_X];
+    n[SIGMA_YY] = n[SIGMA_XX];
     return MPM_OK;
 }
 
@@ -118,9 +114,9 @@ static struct static_state lame_at(const struct static_solution *s, const double
 static enum mpm_status read_lame(const struct measurement *m, struct static_solution *solution,
                                  struct mpm_error *error)
 {
-    static const char *const names[] = {"inner",          "outer", "inner_pressure",
+    static const char *const needs[] = {"inner",          "outer", "inner_pressure",
                                         "outer_pressure", "young", "poisson"};
-    TRY(read_numbers(m, names, 6, solution->numbers, error));
+    TRY(read_numbers(m, needs, 6, solution->numbers, error));
     const struct lame_cylinder cylinder = lame_of(solution);
     solution->at = lame_at;
     solution->stress_scale = fmax(fabs(cylinder.inner_pressure), fabs(cylinder.outer_pressure));
@@ -149,8 +145,8 @@ static struct static_state column_at(const struct static_solution *s, const doub
 static enum mpm_status read_column(const struct measurement *m, struct static_solution *solution,
                                    struct mpm_error *error)
 {
-    static const char *const names[] = {"height", "weight", "modulus"};
-    TRY(read_numbers(m, names, 3, solution->numbers, error));
+    static const char *const needs[] = {"height", "weight", "modulus"};
+    TRY(read_numbers(m, needs, 3, solution->numbers, error));
     const struct self_weight column = column_of(solution);
     solution->at = column_at;
     solution->stress_scale = fabs(self_weight_stress(&column, 0.0));
@@ -161,27 +157,21 @@ static enum mpm_status read_column(const struct measurement *m, struct static_so
 
 /* ------------------------------------------------------------------------ table */
 
-static const struct {
-    const char *name;
-    enum mpm_status (*read)(const struct measurement *m, struct static_solution *solution,
-                            struct mpm_error *error);
-} solutions[] = {
-    {"end_load", read_end_load}, {"rim_load", read_rim_load},  {"plane", read_plane},
-    {"lame", read_lame},         {"self_weight", read_column},
-};
+enum { END_LOAD, RIM_LOAD, PLANE, LAME, SELF_WEIGHT, SOLUTIONS };
+
+static const char *const names[SOLUTIONS] = {"end_load", "rim_load", "plane", "lame",
+                                             "self_weight"};
+
+static enum mpm_status (*const readers[SOLUTIONS])(const struct measurement *m,
+                                                   struct static_solution *solution,
+                                                   struct mpm_error *error) = {
+    read_end_load, read_rim_load, read_plane, read_lame, read_column};
 
 enum mpm_status static_solution_read(const struct measurement *measurement,
                                      struct static_solution *solution, struct mpm_error *error)
 {
-    const char *name;
-    TRY(measurement_text(measurement, "solution", &name, error));
-    for (size_t k = 0; k < sizeof solutions / sizeof *solutions; k++)
-        if (strcmp(solutions[k].name, name) == 0) {
-            *solution = (struct static_solution){.name = solutions[k].name};
-            return solutions[k].read(measurement, solution, error);
-        }
-    return failure_set(error, MPM_BAD_INPUT,
-                       "parameter \"solution\": \"%s\": allowed are end_load, rim_load, plane, "
-                       "lame and self_weight",
-                       name);
+    size_t place;
+    TRY(measurement_choice(measurement, "solution", names, SOLUTIONS, &place, error));
+    *solution = (struct static_solution){.name = names[place]};
+    return readers[place](measurement, solution, error);
 }

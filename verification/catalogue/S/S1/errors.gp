@@ -18,13 +18,15 @@ shape(i) = 1 + (i - 1) / 3
 plane(i) = 1 + (i - 1) % 3
 errors(i) = data.'/data-'.word(shapes, shape(i)).'_'.word(planes, plane(i)).'-errors.dat'
 larger(a, b) = a > b ? a : b
-# An error of exactly zero (positions exact in cells) is drawn on the lower edge.
-error(a, b, c, d) = larger(1e-17, larger(larger(a, b), larger(c, d)))
+# An error of exactly zero (positions exact in cells) is drawn on the lower edge, one that is not a
+# number on the upper one.
+drawn(value) = value == value ? larger(1e-17, value) : 1e-10
+error(a, b, c, d) = drawn(a + b + c + d == a + b + c + d ? larger(larger(a, b), larger(c, d)) : NaN)
 place(region, i) = region + 0.05 * (i - 8)
 plot 1e-12 with lines ls 1 dt (6, 4) title 'criterion', \
      2e-11 with lines ls 20 lw 2 dt (6, 4) title 'criterion (far, any)', \
      for [i = 1:15] errors(i) using (place($1, i)):(error($2, $3, $4, $5)) with points \
          ls shape(i) pt int(word(markers, i)) ps 0.9 \
          title word(shapes, shape(i)).', '.word(planes, plane(i)), \
-     for [i = 4:15] errors(i) using (place($1, i)):6 with points ls 20 pt '–' \
+     for [i = 4:15] errors(i) using (place($1, i)):(drawn($6)) with points ls 20 pt '–' \
          title (i == 4 ? 'bound by GSL' : '')
