@@ -301,7 +301,7 @@ install: all ## programs, mpm.h, libmpm.a and catalogue into PREFIX (/usr/local)
 	install $(PROGRAMS) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 solver/mpm.h $(DESTDIR)$(PREFIX)/include
 	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib
-	$(foreach folder,$(wildcard verification/catalogue reports),cp -R $(folder) $(SHARE)/ &&) true
+	$(foreach folder,$(wildcard verification/catalogue reports reference_data),cp -R $(folder) $(SHARE)/ &&) true
 	cp -R benchmarks/scenes benchmarks/budget.json $(SHARE)/benchmarks/
 
 help: ## this list

@@ -44,6 +44,10 @@
     SUITE(scene_run)                                                                               \
     SUITE(budget)                                                                                  \
     SUITE(scene_limits)                                                                            \
+    SUITE(scene_cracks)                                                                            \
+    SUITE(crack_line)                                                                              \
+    SUITE(cracks)                                                                                  \
+    SUITE(symmetry)                                                                                \
     SUITE(scene_settings)                                                                          \
     SUITE(suite)                                                                                   \
     SUITE(bench)                                                                                   \

@@ -286,10 +286,13 @@ END_TEST
 /* All that a default can reach, as one text. */
 static char *describe(const struct mpm_scene *scene)
 {
+    static const struct mpm_crack_spec no_crack;
     const struct mpm_body_spec *body = &scene->bodies[0];
+    const struct mpm_crack_spec *crack = scene->crack_count > 0 ? &scene->cracks[0] : &no_crack;
     return g_strdup_printf(
         "%s|%s|%s|%s|%s|%.17g|%.17g %.17g|%.17g|%" G_GINT64_FORMAT "|%.17g %.17g %d|%d %d %d %d %d "
-        "%.17g %d|%d %d %s %s|%zu|%s %s|%" G_GINT64_FORMAT " %.17g %.17g|%zu %d",
+        "%.17g %d|%d %d %s %s|%zu|%s %s|%" G_GINT64_FORMAT " %.17g %.17g|%zu %d|%d %zu %d %g %g "
+        "%g",
         scene->title, scene->units_length, scene->units_mass, scene->units_time,
         scene->units_temperature, scene->thickness, scene->origin[0], scene->origin[1],
         scene->cell[0], (gint64)scene->cells[0], scene->courant, scene->step, scene->allow_unstable,
@@ -300,7 +303,8 @@ static char *describe(const struct mpm_scene *scene)
         scene->body_force.text[0] != NULL ? scene->body_force.text[0] : "none",
         scene->body_force.text[1] != NULL ? scene->body_force.text[1] : "none",
         (gint64)scene->rest.steps, scene->rest.after, scene->damping.target, scene->edge_load_count,
-        scene->edge_load_count > 0 ? (int)scene->edge_loads[0].frame : 0);
+        scene->edge_load_count > 0 ? (int)scene->edge_loads[0].frame : 0, (int)scene->crack_method,
+        scene->crack_count, (int)crack->contact, crack->separated, crack->touching, crack->spacing);
 }
 
 /* A scene in which one more key can be set: some need their group, with what that requires. */
@@ -311,6 +315,8 @@ static const char *scene_around(const char *key, bool axisymmetric)
         return "tests/scenes/good/loaded_block.yaml";
     if (g_str_has_prefix(key, "time.rest.") || g_str_has_prefix(key, "damping.thermostat."))
         return "tests/scenes/good/damped_to_rest.yaml";
+    if (g_str_has_prefix(key, "cracks[].") || strcmp(key, "method.cracks") == 0)
+        return "tests/scenes/good/cracked_block.yaml";
     return axisymmetric ? "tests/scenes/good/compressed_disk.yaml" : TEST_MINIMAL_SCENE;
 }
 
@@ -416,9 +422,13 @@ START_TEST(the_schema_lists_keys_with_type_unit_default_and_range)
         {"materials[].density", "number", "mass/length^3", "required", "above 0"},
         {"bodies[].region.polygon.points", "list of 2 numbers", "length", "required",
          "3 to 10000 points"},
+        {"cracks[].points", "list of 2 numbers", "length", "required", "2 to 10000 points"},
+        {"cracks[].separated", "number", "", "0.9", "between 0 and 1, both excluded"},
+        {"method.cracks", "choice", "", "fields", "fields | visibility"},
+        {"boundary[].symmetry", "boolean", "", "-", "true | false"},
         {"loads.tractions[].edge", "choice", "", "required", "top | bottom | left | right | all"},
         {"loads.particle_forces[].frame", "choice", "", "global", "global | edge"},
-        {"boundary[].velocity", "2 expressions or free", "length/time", "required", ""},
+        {"boundary[].velocity", "2 expressions or free", "length/time", "-", ""},
         {"output.snapshots", "number", "time", "-", "above 0"},
     };
     static const char *const columns[] = {"KEY", "TYPE", "UNIT", "DEFAULT", "RANGE", "MEANING"};

@@ -9,7 +9,7 @@ import tempfile
 sys.dont_write_bytecode = True  # this folder holds what MANIFEST.sha256 lists, nothing else
 
 from beam import ARM, CRACK, FORCE, LENGTH, POISSON, THICKNESS, THIN, YOUNG, Mesh, Result, deck
-from bilinear import opening as bilinear_opening
+from bilinear import GAUSS, PARTICLES, opening as bilinear_opening, stresses as four_node
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 STATES = ["plane_strain", "plane_stress"]
@@ -95,6 +95,14 @@ def tables(state, found):
            "Small strains, then finite displacements (large_)."],
           ["x", "y", "xx", "yy", "xy", "large_xx", "large_yy", "large_xy"],
           [[x, y] + [v for n in fine for v in found[n].at(x, y)] for x, y in particles()])
+    write("four_node_%s.csv" % state,
+          ["Double cantilever beam, %s: sigma_xx in MPa at the same points, small strains, of " %
+           words + "four-node elements of 1 mm", "(bilinear.py) integrated at 2 x 2 Gauss points " +
+           "and at the 2 x 2 particles of a cell; rise of their loaded end: %.7g and %.7g mm."
+           % tuple(bilinear_opening(CELL, state, p) for p in (GAUSS, PARTICLES))],
+          ["x", "y", "gauss", "particles"],
+          [[*p, *both] for p, *both in
+           zip(particles(), *(four_node(CELL, state, particles(), q) for q in (GAUSS, PARTICLES)))])
     points = {n: {p: r.at(*p)[0] for p in particles()} for n, r in found.items()}
     return {"midplane": lines, "grid": grid, "particles": points}
 

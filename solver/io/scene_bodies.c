@@ -12,7 +12,7 @@
 
 /* ------------------------------------------------------------- expressions */
 
-static const char *const *coordinate_names(const struct mpm_scene *scene)
+const char *const *mpm_coordinate_names(const struct mpm_scene *scene)
 {
     static const char *const planar[2] = {"x", "y"};
     static const char *const axisymmetric[2] = {"r", "z"};
@@ -23,7 +23,7 @@ static enum mpm_status check_expression(const struct mpm_reading *reading, const
                                         const char *text, bool has_time, const double place[2],
                                         double *value)
 {
-    const char *const *names = coordinate_names(reading->scene);
+    const char *const *names = mpm_coordinate_names(reading->scene);
     char excerpt[MPM_EXCERPT_SIZE];
     struct mpm_expression *expression = NULL;
     struct mpm_error mistake;
@@ -186,6 +186,26 @@ enum mpm_status mpm_build_bodies(const struct mpm_reading *reading)
 
 /* ----------------------------------------------------- boundaries and loads */
 
+static enum mpm_status build_boundary(const struct mpm_reading *reading, const char *path,
+                                      const struct mpm_raw_boundary *raw,
+                                      struct mpm_boundary_spec *boundary)
+{
+    char key[MPM_PATH_SIZE];
+    const bool symmetry = mpm_reading_given(reading, mpm_path_join(path, "symmetry", key));
+    const bool velocity = mpm_reading_given(reading, mpm_path_join(path, "velocity", key));
+    boundary->line = mpm_reading_line(reading, path);
+    if (symmetry == velocity)
+        return mpm_reading_fault(reading, path,
+                                 "%s of velocity and symmetry given; allowed: exactly one",
+                                 velocity ? "both" : "none");
+    MPM_TRY(mpm_build_boundary_region(reading, mpm_path_join(path, "region", key), raw->region,
+                                      &boundary->region));
+    if (symmetry)
+        return mpm_build_symmetry(reading, path, raw, boundary);
+    return build_drive(reading, mpm_path_join(path, "velocity", key), raw->velocity,
+                       &boundary->region, &boundary->velocity);
+}
+
 enum mpm_status mpm_build_boundaries(const struct mpm_reading *reading)
 {
     struct mpm_scene *scene = reading->scene;
@@ -196,16 +216,9 @@ enum mpm_status mpm_build_boundaries(const struct mpm_reading *reading)
         return MPM_ENVIRONMENT_FAILED;
     scene->boundary_count = count;
     for (size_t i = 0; i < count; i++) {
-        const struct mpm_raw_boundary *raw = &reading->raw->boundary[i];
-        struct mpm_boundary_spec *boundary = &scene->boundaries[i];
-        char path[MPM_PATH_SIZE], region[MPM_PATH_SIZE], velocity[MPM_PATH_SIZE];
-        (void)mpm_path_entry("boundary", i, path);
-        (void)mpm_path_join(path, "region", region);
-        (void)mpm_path_join(path, "velocity", velocity);
-        boundary->line = mpm_reading_line(reading, path);
-        MPM_TRY(mpm_build_boundary_region(reading, region, raw->region, &boundary->region));
-        MPM_TRY(
-            build_drive(reading, velocity, raw->velocity, &boundary->region, &boundary->velocity));
+        char path[MPM_PATH_SIZE];
+        MPM_TRY(build_boundary(reading, mpm_path_entry("boundary", i, path),
+                               &reading->raw->boundary[i], &scene->boundaries[i]));
     }
     return MPM_OK;
 }

@@ -26,9 +26,15 @@ enum mpm_status mpm_build_transfer(const struct mpm_reading *reading);
 enum mpm_status mpm_build_materials(const struct mpm_reading *reading);
 enum mpm_status mpm_build_bodies(const struct mpm_reading *reading);
 enum mpm_status mpm_build_boundaries(const struct mpm_reading *reading);
+/* A part of it: a plane of symmetry instead of a velocity; `path` is that of the boundary. */
+enum mpm_status mpm_build_symmetry(const struct mpm_reading *reading, const char *path,
+                                   const struct mpm_raw_boundary *raw,
+                                   struct mpm_boundary_spec *boundary);
 enum mpm_status mpm_build_loads(const struct mpm_reading *reading);
 /* A part of it: tractions and particle forces. */
 enum mpm_status mpm_build_edge_loads(const struct mpm_reading *reading);
+/* Cracks, and whether the method takes them. */
+enum mpm_status mpm_build_cracks(const struct mpm_reading *reading);
 /* Damping, and when a run is at rest. */
 enum mpm_status mpm_build_damping(const struct mpm_reading *reading);
 
@@ -39,6 +45,9 @@ enum mpm_status mpm_build_body_region(const struct mpm_reading *reading, const c
 enum mpm_status mpm_build_boundary_region(const struct mpm_reading *reading, const char *path,
                                           const struct mpm_raw_boundary_region *raw,
                                           struct mpm_region *region);
+
+/* The names of the coordinates: x and y, or r and z. */
+const char *const *mpm_coordinate_names(const struct mpm_scene *scene);
 
 /* A place in a region, off its centre, where formulas such as x/sqrt(x^2+y^2) have values. */
 void mpm_region_sample(const struct mpm_scene *scene, const struct mpm_region *region,

@@ -193,10 +193,11 @@ static enum mpm_status check_points(struct checking *checking, const struct mpm_
 {
     if (node->kind != MPM_TREE_LIST)
         return refuse(checking, key, node, false, "not a list of points");
-    if (node->count < MPM_POLYGON_POINTS_MIN || node->count > MPM_POLYGON_POINTS_MAX)
+    if (!in_range(&key->range, (double)node->count))
         return refuse(checking, key, node, false, "wrong number of points");
     struct mpm_key point = *key;
     point.shape = MPM_KEY_PAIR;
+    point.range = (struct mpm_range){.low = -HUGE_VAL, .high = HUGE_VAL};
     for (size_t i = 0; i < node->count; i++) {
         const size_t length = enter_position(checking, i);
         MPM_TRY(check_pair(checking, &point, node->entries[i].value));

@@ -8,6 +8,7 @@
  *   value    kind of the value; for a CHOICE its list below; for GROUP and LIST the list
  *            of their keys
  *   where    geometry that the key belongs to: ANYWHERE, PLANAR, AXISYMMETRIC
+ *   range    of values; for POINTS how many
  *   default  YAML that stands in for a missing OPTIONAL key, or NULL: then the key stays
  *            missing and `help` tells what that means
  *
@@ -77,6 +78,21 @@
     C("global", MPM_FRAME_GLOBAL)                                                                  \
     C("edge", MPM_FRAME_EDGE)
 
+#define CHOICES_crack_method(C)                                                                    \
+    C("fields", MPM_CRACKS_FIELDS)                                                                 \
+    C("visibility", MPM_CRACKS_VISIBILITY)
+
+#define CHOICES_contact(C)                                                                         \
+    C("frictionless", MPM_CONTACT_FRICTIONLESS)                                                    \
+    C("friction", MPM_CONTACT_FRICTION)                                                            \
+    C("stick", MPM_CONTACT_STICK)                                                                  \
+    C("none", MPM_CONTACT_NONE)
+
+#define CHOICES_detection(C)                                                                       \
+    C("volume", MPM_DETECT_VOLUME)                                                                 \
+    C("displacement", MPM_DETECT_DISPLACEMENT)                                                     \
+    C("cell", MPM_DETECT_CELL)
+
 /* NOLINTEND(readability-identifier-naming) */
 
 #define MPM_CHOICE_LISTS(L)                                                                        \
@@ -90,7 +106,10 @@
     L(form)                                                                                        \
     L(transfer_kind)                                                                               \
     L(edge)                                                                                        \
-    L(frame)
+    L(frame)                                                                                       \
+    L(crack_method)                                                                                \
+    L(contact)                                                                                     \
+    L(detection)
 
 /* -------------------------------------------------------------------- keys */
 
@@ -163,7 +182,9 @@
       "the nodes have at the particle; momentum with flip and pic")                                \
     X(S, GROUP, transfer, transfer, ANYWHERE, OPTIONAL, "", "{}", ANY, "grid to particle velocities") \
     X(S, ONE, deformation_terms, INTEGER, ANYWHERE, OPTIONAL, "", "2", FROM_TO(1, 20),             \
-      "terms of the series for the deformation increment exp(dt grad v)")
+      "terms of the series for the deformation increment exp(dt grad v)")                          \
+    X(S, CHOICE, cracks, crack_method, ANYWHERE, OPTIONAL, "", "fields", ANY,                      \
+      "what a particle gives to nodes behind a crack: velocity fields of their own (CRAMP), or nothing; only with cracks")
 
 #define KEYS_material(X, S)                                                                        \
     X(S, ONE, name, NAME, ANYWHERE, REQUIRED, "", NULL, ANY, "name, one only in the scene")        \
@@ -193,7 +214,7 @@
     X(S, ONE, outer, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0), "outer radius")
 
 #define KEYS_polygon(X, S)                                                                         \
-    X(S, POINTS, points, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ANY,                          \
+    X(S, POINTS, points, NUMBER, ANYWHERE, REQUIRED, "length", NULL, FROM_TO(3, MPM_POINTS_MAX),   \
       "corners in order; edges must not cross")
 
 #define KEYS_line(X, S)                                                                            \
@@ -233,8 +254,10 @@
 #define KEYS_boundary(X, S)                                                                        \
     X(S, GROUP, region, boundary_region, ANYWHERE, REQUIRED, "", NULL, ANY,                        \
       "which nodes: exactly one shape")                                                            \
-    X(S, PAIR, velocity, DRIVE, ANYWHERE, REQUIRED, "length/time", NULL, ANY,                      \
-      "their velocity, in coordinates and t")
+    X(S, PAIR, velocity, DRIVE, ANYWHERE, OPTIONAL, "length/time", NULL, ANY,                      \
+      "their velocity, in coordinates and t")                                                      \
+    X(S, ONE, symmetry, BOOLEAN, ANYWHERE, OPTIONAL, "", NULL, ANY,                                \
+      "true instead of velocity, for a line of nodes: a plane of symmetry, which reflects what reaches beyond it; false is refused")
 
 #define KEYS_traction(X, S)                                                                        \
     X(S, ONE, body, NAME, ANYWHERE, REQUIRED, "", NULL, ANY, "name of a deformable body")          \
@@ -252,6 +275,22 @@
       "on edges of particles: value times the area of the deformed edge (ugimp: of the undeformed one)") \
     X(S, LIST, particle_forces, traction, ANYWHERE, OPTIONAL, "", "[]", ANY,                       \
       "on the particles that have these edges: value times the area of the undeformed edge")
+
+#define KEYS_crack(X, S)                                                                           \
+    X(S, POINTS, points, NUMBER, ANYWHERE, REQUIRED, "length", NULL, FROM_TO(2, MPM_POINTS_MAX),   \
+      "the crack at t = 0, as a chain that does not meet itself or another crack")                 \
+    X(S, CHOICE, contact, contact, ANYWHERE, OPTIONAL, "", "frictionless", ANY,                    \
+      "what its surfaces do where they meet; with method.cracks: fields")                          \
+    X(S, CHOICE, detection, detection, ANYWHERE, OPTIONAL, "", "volume", ANY,                      \
+      "relative volume at a node: areas over those with the crack closed (volume), 1 - distance of the surfaces over the cell's size (displacement), areas over a cell (cell: CRAMP)") \
+    X(S, ONE, friction, NUMBER, ANYWHERE, OPTIONAL, "", NULL, AT_LEAST(0),                         \
+      "coefficient of friction; with contact: friction, and only there")                           \
+    X(S, ONE, separated, NUMBER, ANYWHERE, OPTIONAL, "", "0.9", BETWEEN(0, 1),                     \
+      "surfaces are apart below this relative volume at a node (V_sep)")                           \
+    X(S, ONE, touching, NUMBER, ANYWHERE, OPTIONAL, "", "1.1", ABOVE(1),                           \
+      "surfaces touch above this relative volume at a node; between both, if they approach (V_contact)") \
+    X(S, ONE, spacing, NUMBER, ANYWHERE, OPTIONAL, "", "0.5", FROM_TO(0.05, 1),                    \
+      "longest distance of the massless points that carry it, in parts of the shorter cell side")
 
 #define KEYS_thermostat(X, S)                                                                      \
     X(S, ONE, gain, NUMBER, ANYWHERE, REQUIRED, "1/time^2", NULL, ABOVE(0),                        \
@@ -296,6 +335,7 @@
       "one or more bodies, one of them deformable")                                                \
     X(S, LIST, boundary, boundary, ANYWHERE, OPTIONAL, "", "[]", ANY, "conditions on grid nodes")  \
     X(S, GROUP, loads, loads, ANYWHERE, OPTIONAL, "", "{}", ANY, "forces on bodies")               \
+    X(S, LIST, cracks, crack, ANYWHERE, OPTIONAL, "", "[]", ANY, "explicit cracks in bodies")      \
     X(S, GROUP, damping, damping, ANYWHERE, OPTIONAL, "", "{}", ANY, "artificial damping")         \
     X(S, GROUP, output, output, ANYWHERE, OPTIONAL, "", "{}", ANY, "what is written, how often")
 
@@ -303,7 +343,7 @@
 #define MPM_KEY_LISTS(L)                                                                           \
     L(units) L(grid) L(rest) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
     L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary)            \
-    L(traction) L(loads) L(thermostat) L(damping) L(output) L(scene)
+    L(traction) L(loads) L(crack) L(thermostat) L(damping) L(output) L(scene)
 /* clang-format on */
 
 #endif

@@ -122,6 +122,7 @@ static enum mpm_status build(const struct mpm_reading *reading)
     MPM_TRY(mpm_build_bodies(reading));
     MPM_TRY(mpm_build_boundaries(reading));
     MPM_TRY(mpm_build_loads(reading));
+    MPM_TRY(mpm_build_cracks(reading));
     return mpm_build_damping(reading);
 }
 
@@ -216,6 +217,8 @@ void mpm_scene_free(struct mpm_scene *scene)
         free_vector(&scene->boundaries[i].velocity);
     for (size_t i = 0; i < scene->edge_load_count; i++)
         free_vector(&scene->edge_loads[i].value);
+    for (size_t i = 0; i < scene->crack_count; i++)
+        free(scene->cracks[i].points);
     for (size_t i = 0; i < scene->setting_count; i++)
         free(scene->settings[i]);
     free_vector(&scene->body_force);
@@ -225,6 +228,7 @@ void mpm_scene_free(struct mpm_scene *scene)
     free(scene->bodies);
     free(scene->boundaries);
     free(scene->edge_loads);
+    free(scene->cracks);
     free(scene->materials);
     free(scene->settings);
     free(scene->title);

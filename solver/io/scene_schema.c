@@ -49,8 +49,8 @@ static const cyaml_schema_value_t cyaml_point = {
 #define CYAML_SHAPE_PAIR(raw, key, value, need)                                                    \
     CYAML_FIELD_SEQUENCE_FIXED(#key, need, raw, key, &CYAML_COMPONENT_##value, 2),
 #define CYAML_SHAPE_POINTS(raw, key, value, need)                                                  \
-    CYAML_FIELD_SEQUENCE(#key, CYAML_FLAG_POINTER | (need), raw, key, &cyaml_point,                \
-                         MPM_POLYGON_POINTS_MIN, MPM_POLYGON_POINTS_MAX),
+    CYAML_FIELD_SEQUENCE(#key, CYAML_FLAG_POINTER | (need), raw, key, &cyaml_point, 1,             \
+                         MPM_POINTS_MAX),
 #define CYAML_SHAPE_CHOICE(raw, key, value, need)                                                  \
     CYAML_FIELD_ENUM(#key, CYAML_FLAG_STRICT | (need), raw, key, cyaml_choices_##value,            \
                      CYAML_ARRAY_LEN(cyaml_choices_##value)),
@@ -193,8 +193,8 @@ const char *mpm_key_range(const struct mpm_key *key, char buffer[MPM_ALLOWED_SIZ
     if (key->shape == MPM_KEY_CHOICE)
         choices_text(key, buffer, MPM_ALLOWED_SIZE);
     else if (key->shape == MPM_KEY_POINTS)
-        (void)snprintf(buffer, MPM_ALLOWED_SIZE, "%d to %d points", MPM_POLYGON_POINTS_MIN,
-                       MPM_POLYGON_POINTS_MAX);
+        (void)snprintf(buffer, MPM_ALLOWED_SIZE, "%.16g to %.16g points", key->range.low,
+                       key->range.high);
     else if (key->value == MPM_VALUE_LAW)
         (void)snprintf(buffer, MPM_ALLOWED_SIZE, "%s", mpm_material_law_names());
     else if (key->value == MPM_VALUE_BOOLEAN)

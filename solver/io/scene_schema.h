@@ -10,8 +10,7 @@
 enum {
     MPM_TITLE_LENGTH_MAX = 4096,
     MPM_NAME_LENGTH_MAX = 64, /* characters */
-    MPM_POLYGON_POINTS_MIN = 3,
-    MPM_POLYGON_POINTS_MAX = 10000, /* crossing edges are looked for pair by pair */
+    MPM_POINTS_MAX = 10000,   /* crossing edges are looked for pair by pair */
     MPM_ALLOWED_SIZE = 512,
 };
 
@@ -94,8 +93,8 @@ struct mpm_key {
     enum mpm_key_where where;
     bool required;
     const char *unit;
-    const char *fallback; /* YAML, or NULL */
-    struct mpm_range range;
+    const char *fallback;   /* YAML, or NULL */
+    struct mpm_range range; /* of values; for POINTS how many */
     const char *help;
     const struct mpm_key *children; /* of a GROUP or of a LIST's entries; ends at name NULL */
     const struct mpm_choice *choices;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/conditions.h"
 
+#include "method/crack_fields.h"
+
 #include <math.h>
 
 static enum mpm_status not_finite(const char *what, const double position[2], double time,
@@ -11,21 +13,47 @@ static enum mpm_status not_finite(const char *what, const double position[2], do
                          what, position[0], position[1], time, value);
 }
 
+static bool has_mass(const struct mpm_state *state, int64_t node)
+{
+    const struct mpm_crack_node *const crack = mpm_crack_node_at(state, node);
+    bool any = state->grid.mass[node] != 0.0;
+    for (int k = 1; crack != NULL && k < 3; k++)
+        any = any || (crack->field[k] >= 0 && state->grid.mass[crack->field[k]] != 0.0);
+    return any;
+}
+
+/* For all velocity fields of the node that have mass. */
 static void append(struct mpm_state *state, struct mpm_active_condition condition)
 {
-    state->active[state->active_count++] = condition;
+    const struct mpm_crack_node *const crack = mpm_crack_node_at(state, condition.node);
+    if (state->grid.mass[condition.node] != 0.0)
+        state->active[state->active_count++] = condition;
+    for (int k = 1; crack != NULL && k < 3; k++) {
+        condition.node = crack->field[k];
+        if (condition.node >= 0 && state->grid.mass[condition.node] != 0.0)
+            state->active[state->active_count++] = condition;
+    }
 }
 
 /* -------------------------------------------------------------- boundaries */
+
+/* Planes of symmetry hold their nodes themselves, but fields on free surfaces: symmetry.h. */
+static bool is_reflected(const struct mpm_state *state, const struct mpm_condition *condition)
+{
+    return condition->boundary != MPM_AXIS_CONDITION &&
+           state->scene->boundaries[condition->boundary].symmetry;
+}
 
 static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_error *error)
 {
     for (size_t k = 0; k < state->condition_count; k++) {
         const struct mpm_condition *const condition = &state->conditions[k];
+        if (is_reflected(state, condition))
+            continue;
         const int64_t row = condition->node / state->grid.columns;
         const int64_t column = condition->node % state->grid.columns;
         if (column < state->row_low[row] || column > state->row_high[row] ||
-            state->grid.mass[condition->node] == 0.0)
+            !has_mass(state, condition->node))
             continue;
         struct mpm_active_condition active = {condition->node, condition->component,
                                               MPM_FROM_BOUNDARY, 0.0, 0.0};
@@ -73,7 +101,8 @@ static const struct mpm_active_condition *find_rigid(const struct mpm_state *sta
                                                      size_t first_rigid, int64_t node, int axis)
 {
     for (size_t k = first_rigid; k < state->active_count; k++)
-        if (state->active[k].node == node && state->active[k].component == axis)
+        if (mpm_crack_home(state, state->active[k].node) == node &&
+            state->active[k].component == axis)
             return &state->active[k];
     return NULL;
 }
@@ -131,13 +160,13 @@ static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *e
             const int64_t node = state->node_zero + stencil.node[k].node;
             const int64_t row = node / state->grid.columns, column = node % state->grid.columns;
             if (column < state->row_low[row] || column > state->row_high[row] ||
-                state->grid.mass[node] == 0.0 || state->rigid_owner[node] == body + 1)
+                !has_mass(state, node) || state->rigid_owner[node] == body + 1)
                 continue;
             MPM_TRY(drive_node(state, first_rigid, body, node, error));
         }
     }
     for (size_t k = first_rigid; k < state->active_count; k++)
-        state->rigid_owner[state->active[k].node] = 0;
+        state->rigid_owner[mpm_crack_home(state, state->active[k].node)] = 0;
     return MPM_OK;
 }
 
@@ -149,15 +178,23 @@ static void gather_mirrors(struct mpm_state *state)
     for (int64_t row = state->first_row; row <= state->last_row; row++)
         for (int64_t column = state->row_low[row]; column <= state->row_high[row]; column++) {
             const int64_t node = row * state->grid.columns + column;
-            if (column < state->mirror_column && state->grid.mass[node] != 0.0)
+            if (column < state->mirror_column && has_mass(state, node))
                 append(state, (struct mpm_active_condition){node, 0, MPM_FROM_MIRROR, 0.0, 0.0});
         }
 }
 
-/* The node at -r. Every domain that reaches r < 0 has its centre at r > 0 and reaches it. */
+/* The node at -r. Every domain that reaches r < 0 has its centre at r > 0 and reaches it. Of a
+ * further velocity field, the same one there, if there is one. */
 static int64_t mirror_image(const struct mpm_state *state, int64_t node)
 {
-    return node + 2 * (state->mirror_column - node % state->grid.columns);
+    const int64_t home = mpm_crack_home(state, node);
+    const int64_t image = home + 2 * (state->mirror_column - home % state->grid.columns);
+    const struct mpm_crack_node *const from = mpm_crack_node_at(state, home);
+    const struct mpm_crack_node *const to = mpm_crack_node_at(state, image);
+    for (int side = 1; from != NULL && to != NULL && side < 3; side++)
+        if (from->field[side] == node && to->field[side] >= 0)
+            return to->field[side];
+    return image;
 }
 
 enum mpm_status mpm_conditions_gather(struct mpm_state *state, struct mpm_error *error)

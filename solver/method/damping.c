@@ -2,6 +2,7 @@
 #include "method/damping.h"
 
 #include "base/strips.h"
+#include "method/crack_fields.h"
 #include "method/grid_update.h"
 #include "method/transfer.h"
 
@@ -76,7 +77,7 @@ enum mpm_status mpm_damping_begin(struct mpm_state *state, struct mpm_error *err
 static double varying_rate(const struct mpm_state *state, int64_t node, int worker)
 {
     double place[2];
-    mpm_grid_edge_position(&state->grid, node, place);
+    mpm_grid_edge_position(&state->grid, mpm_crack_home(state, node), place);
     return value_of(state->damping.grid, state, place, worker);
 }
 
@@ -92,6 +93,7 @@ static inline void damp_row(const struct mpm_state *state, int64_t row, int work
     const struct mpm_grid *const grid = &state->grid;
     const struct mpm_row_span span = mpm_row_span(state, row);
     const bool extrapolate = state->order->extrapolate;
+    const struct mpm_row_span inside = mpm_row_span_inside(state, row);
     struct mpm_row_sums *const sums = &state->row_sums[row];
     double dissipated = 0.0;
     sums->refused = -1;
@@ -109,7 +111,8 @@ static inline void damp_row(const struct mpm_state *state, int64_t row, int work
             const double change = rate * grid->start[node][axis]; /* Notes (30), (105) */
             motion->acceleration[axis] -= change;
             motion->end[axis] -= state->time_step * change;
-            dissipated += taken(state, node, axis, rate);
+            if (node >= inside.first && node < inside.end)
+                dissipated += taken(state, node, axis, rate);
         }
         if (!extrapolate)
             mpm_node_set_gradient(grid, node, motion->end);
@@ -129,12 +132,12 @@ static void row_damp_by_place(void *context, int64_t row, int worker)
 
 static enum mpm_status collect_rows(struct mpm_state *state, struct mpm_error *error)
 {
-    for (int64_t row = state->first_row; row <= state->last_row; row++) {
+    for (int64_t row = state->first_row; row >= 0; row = mpm_grid_next_row(state, row)) {
         const struct mpm_row_sums *const sums = &state->row_sums[row];
         if (sums->refused >= 0) {
             double place[2];
             char what[96];
-            mpm_grid_edge_position(&state->grid, sums->refused, place);
+            mpm_grid_edge_position(&state->grid, mpm_crack_home(state, sums->refused), place);
             (void)snprintf(what, sizeof what, "damping.grid at the node (%g, %g)", place[0],
                            place[1]);
             return refuse_rate(state, what, sums->rate, error);
@@ -149,8 +152,7 @@ enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_erro
     const bool varying = is_varying(state->damping.grid);
     if (!state->damping.nodes)
         return MPM_OK;
-    mpm_rows_run(state->first_row, state->last_row, state->workers,
-                 varying ? row_damp_by_place : row_damp, state);
+    mpm_grid_rows_run(state, varying ? row_damp_by_place : row_damp);
     MPM_TRY(collect_rows(state, error));
     for (size_t k = 0; k < state->active_count; k++) { /* held: not damped */
         const struct mpm_active_condition *const active = &state->active[k];

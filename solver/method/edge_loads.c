@@ -2,6 +2,7 @@
 #include "method/edge_loads.h"
 
 #include "base/strips.h"
+#include "method/crack_fields.h"
 #include "method/transfer.h"
 
 #include <math.h>
@@ -135,6 +136,8 @@ static void prepare_strip(void *context, int64_t index, int worker)
         else
             mpm_edge_integrate(state->family, &state->shape_grid, &domain, edge->site->edge,
                                depth_of(state, edge->particle), &edge->weights);
+        if (state->cracks.code != NULL && !spec_of(state, edge->site)->on_particles)
+            mpm_crack_divert_edge(state, edge->particle, &edge->weights);
     }
 }
 

@@ -62,7 +62,8 @@ size_t mpm_fast_run_end(const struct mpm_state *state, size_t begin, size_t end)
 
 /* -------------------------------------------------------------------- tails */
 
-static void view_values(struct fast_tail *tail, bool has_domains)
+/* In the order of arrays_of. */
+static void view_values(struct fast_tail *tail, const struct mpm_particles *particles)
 {
     struct mpm_particles *const view = &tail->particles;
     size_t n = 0;
@@ -76,7 +77,9 @@ static void view_values(struct fast_tail *tail, bool has_domains)
         view->stress[k] = tail->values[n++];
     view->mass = tail->values[n++];
     for (int k = 0; k < 4; k++)
-        view->domain[k] = has_domains ? tail->values[n++] : NULL;
+        view->domain[k] = particles->domain[0] != NULL ? tail->values[n++] : NULL;
+    for (int axis = 0; axis < 2; axis++)
+        view->surface[axis] = particles->surface[0] != NULL ? tail->values[n++] : NULL;
     for (int axis = 0; axis < 2; axis++)
         view->carried[axis] = tail->values[n++];
     view->id = tail->id;
@@ -98,7 +101,7 @@ void mpm_fast_tail_fill(struct fast_tail *tail, const struct mpm_particles *part
     double *arrays[MPM_PARTICLE_ARRAYS + 2];
     const size_t array_count = arrays_of(particles, arrays);
     tail->particles = (struct mpm_particles){.count = MPM_VECTOR_SIZE};
-    view_values(tail, particles->domain[0] != NULL);
+    view_values(tail, particles);
     for (size_t lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
         const size_t from = lane < count ? first + lane : first;
         for (size_t a = 0; a < array_count; a++)

@@ -10,12 +10,12 @@
 void mpm_given_force_layout(struct mpm_state *state, struct mpm_arena *arena)
 {
     struct mpm_given_force *const given = &state->given_force;
-    const size_t nodes = (size_t)(state->grid.columns * state->grid.rows) + MPM_ROW_PADDING;
+    const size_t nodes = (size_t)mpm_grid_nodes(&state->grid) + MPM_ROW_PADDING;
     for (int axis = 0; axis < 2; axis++)
         given->value[axis] = MPM_TAKE(arena, double, state->particles.count);
     given->mass = MPM_TAKE(arena, double, nodes);
     given->sum = mpm_arena_take(arena, nodes, sizeof *given->sum);
-    given->row_work = MPM_TAKE(arena, double, (size_t)state->grid.rows);
+    given->row_work = MPM_TAKE(arena, double, (size_t)(state->grid.rows + state->grid.field_rows));
 }
 
 static void evaluate_strip(const struct mpm_state *state, struct mpm_strip *strip)
@@ -55,7 +55,7 @@ void mpm_given_force_spread(struct mpm_state *state, int workers)
     view.grid.sum = given->sum;
     for (int axis = 0; axis < 2; axis++)
         view.particles.velocity[axis] = given->value[axis];
-    mpm_rows_run(state->first_row, state->last_row, state->workers, mpm_row_clear, &view);
+    mpm_grid_rows_run(&view, mpm_row_clear);
     mpm_strips_run(state->strip_count, workers, pass_spread, &view);
 }
 
@@ -72,7 +72,7 @@ static void row_add(void *context, int64_t row, int worker)
 void mpm_given_force_add(struct mpm_state *state)
 {
     if (state->given_force.caller.evaluate != NULL)
-        mpm_rows_run(state->first_row, state->last_row, state->workers, row_add, state);
+        mpm_grid_rows_run(state, row_add);
 }
 
 static void row_work(void *context, int64_t row, int worker)
@@ -93,8 +93,8 @@ double mpm_given_force_work(struct mpm_state *state)
     double work = 0.0;
     if (state->given_force.caller.evaluate == NULL)
         return work;
-    mpm_rows_run(state->first_row, state->last_row, state->workers, row_work, state);
-    for (int64_t row = state->first_row; row <= state->last_row; row++)
+    mpm_grid_rows_run(state, row_work);
+    for (int64_t row = state->first_row; row >= 0; row = mpm_grid_next_row(state, row))
         work += state->given_force.row_work[row];
     return work;
 }

@@ -1,7 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/grid_update.h"
 
+#include "base/strips.h"
+
 #include <string.h>
+
+void mpm_grid_rows_run(struct mpm_state *state, mpm_pass *pass)
+{
+    const int64_t further = state->grid.rows;
+    mpm_rows_run(state->first_row, state->last_row, state->workers, pass, state);
+    if (state->cracks.rows > 0)
+        mpm_rows_run(further, further + state->cracks.rows - 1, state->workers, pass, state);
+}
 
 void mpm_grid_find_active(struct mpm_state *state)
 {
@@ -36,6 +46,17 @@ void mpm_row_clear(void *context, int64_t row, int worker)
     (void)worker;
     memset(state->grid.mass + span.first, 0, count * sizeof *state->grid.mass);
     memset(state->grid.sum + span.first, 0, count * sizeof *state->grid.sum);
+}
+
+void mpm_row_gather_mass(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++) {
+        state->grid.mass[node] += state->grid.sum[node][0].force;
+        state->grid.sum[node][0].force = 0.0;
+    }
 }
 
 static inline void start_row(const struct mpm_state *state, int64_t row, bool mass_in_sums)
@@ -123,7 +144,7 @@ void mpm_row_momentum(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
     const struct mpm_grid *const grid = &state->grid;
-    const struct mpm_row_span span = mpm_row_span(state, row);
+    const struct mpm_row_span span = mpm_row_span_inside(state, row);
     double sum[2] = {0.0, 0.0};
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++)

@@ -19,6 +19,24 @@ static inline struct mpm_row_span mpm_row_span(const struct mpm_state *state, in
     return (struct mpm_row_span){start + state->row_low[row], start + state->row_high[row] + 1};
 }
 
+/* The same without the nodes beyond planes of symmetry, which are images of others: what sums over
+ * nodes ask for. */
+static inline struct mpm_row_span mpm_row_span_inside(const struct mpm_state *state, int64_t row)
+{
+    struct mpm_row_span span = mpm_row_span(state, row);
+    for (size_t k = 0; k < state->symmetry_count && row < state->grid.rows; k++) {
+        const struct mpm_symmetry *const plane = &state->symmetries[k];
+        const int64_t on_plane = row * state->grid.columns + plane->line;
+        if (plane->axis == 1 && (row - plane->line) * plane->inside < 0)
+            span.end = span.first;
+        else if (plane->axis == 0 && plane->inside > 0)
+            span.first = span.first > on_plane ? span.first : on_plane;
+        else if (plane->axis == 0)
+            span.end = span.end < on_plane + 1 ? span.end : on_plane + 1;
+    }
+    return span;
+}
+
 /* 1 / m_i; 0 for a node without mass, so that it has no motion. */
 static inline double mpm_inverse_mass(double mass)
 {
@@ -32,10 +50,24 @@ static inline void mpm_node_set_gradient(const struct mpm_grid *grid, int64_t no
         grid->gradient[node][axis][0] = grid->gradient[node][axis][1] = v[axis];
 }
 
+/* Runs a pass over all active rows, those of further velocity fields last. */
+void mpm_grid_rows_run(struct mpm_state *state, mpm_pass *pass);
+
+/* The active row that comes after `row` there, or -1: `for (row = state->first_row; row >= 0; row =
+ * mpm_grid_next_row(state, row))`. */
+static inline int64_t mpm_grid_next_row(const struct mpm_state *state, int64_t row)
+{
+    const int64_t next = row == state->last_row ? state->grid.rows : row + 1;
+    return next < state->grid.rows + state->cracks.rows ? next : -1;
+}
+
 /* From the strips' boxes: which columns of which node rows are active. */
 void mpm_grid_find_active(struct mpm_state *state);
 
 void mpm_row_clear(void *state, int64_t row, int worker);
+/* m_i: adds the masses that fast kernels leave in the place of forces, which are zero from here on
+ */
+void mpm_row_gather_mass(void *state, int64_t row, int worker);
 /* v_i = p_i / m_i: N&G (11), Notes (28) */
 void mpm_row_start_velocity(void *state, int64_t row, int worker);
 /* the same, where the masses came with the momenta: in the place of the forces f_x, which are

@@ -5,6 +5,7 @@
 #include "method/fast.h"
 #include "method/grid_update.h"
 #include "method/smoothing.h"
+#include "method/split.h"
 #include "method/transfer.h"
 
 /* The steps of one way to exchange: to the grid, with the stress at hand or without; what
@@ -101,6 +102,15 @@ static void choose_reference(const struct mpm_scene *scene, const char *reason,
     choose_transfer(scene, false, choice);
 }
 
+/* Cracks and planes of symmetry look at masses of nodes before velocities are made of them. */
+static bool reads_masses(const struct mpm_scene *scene)
+{
+    bool any = scene->crack_count > 0;
+    for (size_t k = 0; k < scene->boundary_count; k++)
+        any = any || scene->boundaries[k].symmetry;
+    return any;
+}
+
 static enum mpm_status choose_fast(const struct mpm_scene *scene, enum mpm_simd simd,
                                    struct mpm_kernel_choice *choice, struct mpm_error *error)
 {
@@ -117,6 +127,16 @@ static enum mpm_status choose_fast(const struct mpm_scene *scene, enum mpm_simd 
                              "simd: %s is not what this build and this machine have; allowed: "
                              "auto, baseline",
                              simd_names[simd]);
+    if (scene->crack_count > 0) {
+        choice->plain = choice->passes;
+        choice->general = reference_passes(scene);
+        choice->passes = &mpm_split_passes;
+        choice->reason = "all that the scene asks for has them; reference kernels near cracks";
+    }
+    if (without_forces && reads_masses(scene)) {
+        choice->gather_rows = mpm_row_gather_mass;
+        choice->start_rows = mpm_row_start_velocity;
+    }
     choice->spread_velocity = choice->passes->to_grid;
     choose_transfer(scene, true, choice);
     return MPM_OK;

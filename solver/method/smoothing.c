@@ -56,11 +56,10 @@ static void next_order(void *context, int64_t row, int worker)
 void mpm_smoothing_run(struct mpm_state *state, int workers)
 {
     const bool after_update = state->scene->transfer == MPM_TRANSFER_FMPM;
-    mpm_rows_run(state->first_row, state->last_row, state->workers,
-                 after_update ? begin_with_end : begin_with_start, state);
+    mpm_grid_rows_run(state, after_update ? begin_with_end : begin_with_start);
     for (int order = 1; order < state->scene->transfer_order; order++) {
         mpm_strips_run(state->strip_count, workers, state->kernels.passes->smooth, state);
-        mpm_rows_run(state->first_row, state->last_row, state->workers, next_order, state);
+        mpm_grid_rows_run(state, next_order);
         mpm_conditions_apply_smoothed(state);
     }
 }

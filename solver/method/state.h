@@ -10,6 +10,7 @@
 #include "method/kernels.h"
 #include "method/shape.h"
 #include "model/boundary.h"
+#include "model/crack.h"
 #include "model/grid.h"
 #include "model/material.h"
 #include "model/particles.h"
@@ -39,6 +40,7 @@ enum mpm_failure_kind {
     MPM_UNIFORM_LOAD_NOT_FINITE, /* the same; of no particle */
     MPM_RATE_REFUSED,            /* value: the particle's damping rate */
     MPM_TRACTION_NOT_FINITE,     /* value: a component of the load `load`'s value */
+    MPM_TWO_CRACKS,              /* value: nothing */
     MPM_GIVEN_FORCE_NOT_FINITE,  /* value: the caller's body force along the axis */
 };
 
@@ -52,6 +54,7 @@ struct mpm_failure {
 
 struct mpm_strip {
     size_t begin, end;               /* its particles */
+    size_t span_count;               /* of those near cracks */
     int64_t column_low, column_high; /* box of the nodes that they reach; empty if low > high */
     int64_t row_low, row_high;
     double kinetic_energy;
@@ -139,6 +142,55 @@ struct mpm_damping {
     struct mpm_damping_books books;
 };
 
+/* Sums over the particles of one field, for telling whether two are in contact. */
+struct mpm_crack_sums {
+    double area;        /* A_p S_ip: CRAMP (27) */
+    double gradient[2]; /* A_p G_ip: what the area gains if they all move */
+    double surface[2]; /* A_p S_ip times the place of the surface, from the node, that each tells */
+};
+
+/* A node with several velocity fields; see crack_fields.h. */
+struct mpm_crack_node {
+    int64_t
+        field[3]; /* index of that of each mpm_crack_side; the first is the node's own; -1: none */
+    double normal[2];              /* sum of the normals of the segments that lines to it cross */
+    struct mpm_crack_sums sums[3]; /* of the particles on each mpm_crack_side */
+    size_t crack;                  /* the first one that is crossed */
+};
+
+/* A plane of symmetry: a line of nodes; see symmetry.h. */
+struct mpm_symmetry {
+    int axis;       /* of its normal */
+    int64_t line;   /* column or row of its nodes, ghosts counted */
+    int64_t inside; /* towards the bodies: 1 or -1 */
+};
+
+/* Particles begin..end - 1, near a crack. */
+struct mpm_crack_span {
+    size_t begin, end;
+};
+
+/* Cracks; all empty where a scene has none. */
+struct mpm_cracks {
+    struct mpm_crack_chain *chains; /* per crack of the scene */
+    size_t point_count;
+    double *position[2]; /* of all chains' points, one after the other */
+    uint8_t *held;       /* per point: bits of the axes along which a symmetry plane holds it */
+    double least_mass;   /* of a node that moves cracks; see mpm_cracks_advance */
+    /* Of the step */
+    uint32_t *code; /* per particle: two bits for each node of its stencil, an mpm_crack_side */
+    struct mpm_crack_span *spans; /* see mpm_crack_spans */
+    uint8_t *near;                /* per particle: may lines to its nodes cross a crack? */
+    double (*reach)[2];           /* per body: of a particle's nodes from it; not for CPDI */
+    uint8_t *wanted;              /* per node: bits of the sides that some particle asks for */
+    uint32_t *node_of;            /* per node: one more than its place in `nodes`, or 0 */
+    struct mpm_crack_node *nodes; /* in the order of the grid */
+    size_t node_count, node_capacity;
+    int64_t *homes; /* per further field: the node that it belongs to */
+    int64_t field_count;
+    int64_t rows; /* that further fields fill, after those of the grid */
+};
+
 /* The forces of a step, |f_x| + |f_y| over nodes, for scenes that ask for rest. */
 struct mpm_balance {
     double internal;   /* of all nodes */
@@ -192,6 +244,9 @@ struct mpm_state {
     double (*row_momentum)[2]; /* per node row: sum m_i (v_i^n + v_i^{n+1}); for a uniform one */
 
     struct mpm_edge_loads edge_loads;
+    struct mpm_cracks cracks;
+    struct mpm_symmetry *symmetries;
+    size_t symmetry_count;
 
     struct mpm_given_force given_force;
     struct mpm_damping damping;

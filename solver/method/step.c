@@ -3,11 +3,15 @@
 
 #include "base/strips.h"
 #include "method/conditions.h"
+#include "method/crack_contact.h"
+#include "method/crack_detection.h"
+#include "method/crack_fields.h"
 #include "method/damping.h"
 #include "method/edge_loads.h"
 #include "method/given_force.h"
 #include "method/grid_update.h"
 #include "method/rest.h"
+#include "method/symmetry.h"
 #include "method/transfer.h"
 
 #include <math.h>
@@ -81,11 +85,6 @@ static void run_particles(struct mpm_state *state, int workers, mpm_pass *pass)
         mpm_strips_run(state->strip_count, workers, pass, state);
 }
 
-static void run_rows(struct mpm_state *state, void (*pass)(void *, int64_t, int))
-{
-    mpm_rows_run(state->first_row, state->last_row, state->workers, pass, state);
-}
-
 /* ------------------------------------------------------------------ sorting */
 
 void mpm_step_sort(struct mpm_state *state, double *const kept[MPM_KEPT_ARRAYS],
@@ -154,8 +153,8 @@ static enum mpm_status evaluate_uniform_force(struct mpm_state *state)
 static double uniform_work(struct mpm_state *state)
 {
     double momentum[2] = {0.0, 0.0};
-    run_rows(state, mpm_row_momentum);
-    for (int64_t row = state->first_row; row <= state->last_row; row++)
+    mpm_grid_rows_run(state, mpm_row_momentum);
+    for (int64_t row = state->first_row; row >= 0; row = mpm_grid_next_row(state, row))
         for (int axis = 0; axis < 2; axis++)
             momentum[axis] += state->row_momentum[row][axis];
     return 0.5 * state->time_step *
@@ -175,10 +174,11 @@ static double varying_work(struct mpm_state *state, int workers)
 static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_force,
                                        struct mpm_error *error)
 {
-    run_rows(state, uniform_force ? mpm_row_update_with_body_force : mpm_row_update);
+    mpm_grid_rows_run(state, uniform_force ? mpm_row_update_with_body_force : mpm_row_update);
     mpm_rest_measure_unbalanced(state);
     MPM_TRY(mpm_damping_apply_nodes(state, error));
     mpm_conditions_apply_end(state);
+    mpm_crack_contact_end(state);
     if (uniform_force)
         state->external_work += uniform_work(state);
     state->external_work += mpm_given_force_work(state);
@@ -194,7 +194,7 @@ static void update_velocities(struct mpm_state *state, int workers)
     if (kernels->smooth != NULL)
         kernels->smooth(state, workers);
     if (kernels->flip_rows != NULL)
-        run_rows(state, kernels->flip_rows);
+        mpm_grid_rows_run(state, kernels->flip_rows);
     run_particles(state, workers, kernels->flip_particles);
     mpm_damping_take_drag(state);
     run_particles(state, workers, kernels->passes->to_particles);
@@ -213,20 +213,26 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     if (uniform_force)
         MPM_TRY(evaluate_uniform_force(state));
     MPM_TRY(mpm_damping_begin(state, error));
-    mpm_edge_loads_prepare(state); /* tractions of the state at the start */
     mpm_grid_find_active(state);
-    run_rows(state, mpm_row_clear);
+    MPM_TRY(mpm_cracks_find_fields(state, workers, error));
+    mpm_edge_loads_prepare(state); /* tractions of the state at the start */
+    mpm_grid_rows_run(state, mpm_row_clear);
     charge(seconds, MPM_PHASE_GRID, &mark);
 
     /* Task 1: mass and momentum of the nodes (26); with the stress at hand also Task 3 */
     run_particles(state, workers, passes->to_grid);
     mpm_given_force_spread(state, workers);
+    if (state->kernels.gather_rows != NULL)
+        mpm_grid_rows_run(state, state->kernels.gather_rows);
+    mpm_crack_detection_measure(state, workers);
+    mpm_symmetries_reflect_momentum(state);
     charge(seconds, MPM_PHASE_TO_GRID, &mark);
 
     /* Task 2: velocities at the start, conditions */
-    run_rows(state, state->kernels.start_rows);
+    mpm_grid_rows_run(state, state->kernels.start_rows);
     MPM_TRY(mpm_conditions_gather(state, error));
     mpm_conditions_apply_start(state);
+    mpm_crack_contact_start(state);
     charge(seconds, MPM_PHASE_GRID, &mark);
 
     /* Task 2 for USF and USAVG: stress update (35), (36); Task 3: forces (28) */
@@ -236,6 +242,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
         run_particles(state, workers, mpm_pass_body_force);
     mpm_edge_loads_spread(state, workers);
     mpm_given_force_add(state);
+    mpm_symmetries_reflect_force(state);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
     MPM_TRY(update_momentum(state, uniform_force, error));
@@ -247,8 +254,10 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     update_velocities(state, workers);
     charge(seconds, MPM_PHASE_TO_PARTICLES, &mark);
     if (order->extrapolate) {
-        run_rows(state, mpm_row_extrapolated_velocity);
+        mpm_symmetries_reflect_extrapolated(state);
+        mpm_grid_rows_run(state, mpm_row_extrapolated_velocity);
         mpm_conditions_apply_extrapolated(state);
+        mpm_crack_contact_extrapolated(state);
     }
     charge(seconds, MPM_PHASE_GRID, &mark);
 
@@ -259,6 +268,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     mpm_thermostat_advance(state);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
+    MPM_TRY(mpm_cracks_advance(state, error));
     MPM_TRY(mpm_rigid_advance(state, error));
     state->steps_since_sort++;
     return mpm_step_collect(state);

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/crack_fields.h"
 #include "method/particle_updates.h"
 
 #include <float.h>
@@ -57,6 +58,8 @@ void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_st
 {
     const struct mpm_shape_domain domain = domain_of(state, p);
     state->family->evaluate(&state->shape_grid, &domain, stencil);
+    if (state->cracks.code != NULL && state->cracks.code[p] != 0)
+        mpm_crack_divert(state, state->cracks.code[p], stencil);
 }
 
 MPM_INLINE const struct mpm_stencil *read_back_weights(const struct mpm_state *state,

@@ -45,6 +45,14 @@ static void ghost_range(int64_t index, int64_t last, int64_t range[2])
     range[1] = index == last ? last + MPM_GHOST_ROWS : index;
 }
 
+/* Nodes beyond a plane of symmetry have no condition: what reaches them is reflected. */
+static bool ends_at_plane(const struct list *list, int32_t boundary, int axis)
+{
+    const struct mpm_boundary_spec *const boundaries = list->scene->boundaries;
+    return boundary != MPM_AXIS_CONDITION && boundaries[boundary].symmetry &&
+           boundaries[boundary].normal == axis;
+}
+
 /* v_r at r < 0 is what axis_nodes says, whatever stands on r = 0. */
 static bool is_axis_nodes_matter(const struct list *list, int64_t column, int32_t component)
 {
@@ -56,9 +64,11 @@ static bool is_axis_nodes_matter(const struct list *list, int64_t column, int32_
 static enum mpm_status append_node(struct list *list, int64_t column, int64_t row,
                                    int32_t component, int32_t boundary)
 {
-    int64_t columns[2], rows[2];
-    ghost_range(column, list->grid->cells[0], columns);
-    ghost_range(row, list->grid->cells[1], rows);
+    int64_t columns[2] = {column, column}, rows[2] = {row, row};
+    if (!ends_at_plane(list, boundary, 0))
+        ghost_range(column, list->grid->cells[0], columns);
+    if (!ends_at_plane(list, boundary, 1))
+        ghost_range(row, list->grid->cells[1], rows);
     for (int64_t r = rows[0]; r <= rows[1]; r++)
         for (int64_t c = columns[0]; c <= columns[1]; c++)
             if (!is_axis_nodes_matter(list, c, component))
@@ -159,8 +169,11 @@ static enum mpm_status check_pair(const struct list *list, const struct mpm_cond
         if (a == b)
             continue;
         char key[64], other[64] = "the axis r = 0";
-        (void)snprintf(key, sizeof key, "boundary.%d.velocity.%d", (int)second->boundary,
-                       (int)second->component);
+        if (list->scene->boundaries[second->boundary].symmetry)
+            (void)snprintf(key, sizeof key, "boundary.%d.symmetry", (int)second->boundary);
+        else
+            (void)snprintf(key, sizeof key, "boundary.%d.velocity.%d", (int)second->boundary,
+                           (int)second->component);
         if (first->boundary != MPM_AXIS_CONDITION)
             (void)snprintf(other, sizeof other, "boundary.%d", (int)first->boundary);
         return mpm_scene_error(list->error, list->scene,

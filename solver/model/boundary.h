@@ -15,11 +15,11 @@ struct mpm_condition {
 };
 
 /* Lists the conditions of a scene, ghost rows included: a condition on the grid's edge
- * row holds for the ghost rows beyond. In axisymmetry the nodes on the axis get
- * v_r = 0 (N&G check list, 2), and so do those beyond, unless axis_nodes says otherwise.
- * *conditions is malloc'ed and sorted by node. MPM_BAD_INPUT: a region that touches no node; two
- * different values for one component of one node. `value` gives the velocity that a boundary
- * prescribes at a place and time. */
+ * row holds for the ghost rows beyond, but that of a plane of symmetry not for those behind it. In
+ * axisymmetry the nodes on the axis get v_r = 0 (N&G check list, 2), and so do those beyond, unless
+ * axis_nodes says otherwise. *conditions is malloc'ed and sorted by node. MPM_BAD_INPUT: a region
+ * that touches no node; two different values for one component of one node. `value` gives the
+ * velocity that a boundary prescribes at a place and time. */
 enum mpm_status mpm_conditions_list(const struct mpm_scene *scene, const struct mpm_grid *grid,
                                     double (*value)(const void *context, int32_t boundary,
                                                     int32_t component, const double position[2],

@@ -18,7 +18,7 @@ struct mpm_grid mpm_grid_describe(const struct mpm_scene *scene)
 void mpm_grid_layout(struct mpm_grid *grid, bool smooths, struct mpm_arena *arena)
 {
     /* vectors over the nodes of a row read, and add nothing to, a few places past the last */
-    const size_t nodes = (size_t)(grid->columns * grid->rows) + MPM_ROW_PADDING;
+    const size_t nodes = (size_t)mpm_grid_nodes(grid) + MPM_ROW_PADDING;
     grid->mass = MPM_TAKE(arena, double, nodes);
     grid->sum = mpm_arena_take(arena, nodes, sizeof *grid->sum);
     grid->start = mpm_arena_take(arena, nodes, sizeof *grid->start);

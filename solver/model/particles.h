@@ -17,10 +17,11 @@ struct mpm_particles {
     double *stress[MPM_SYMMETRIC_SIZE]; /* Kirchhoff over initial density */
     double *mass;                       /* for the thickness, or per radian */
     double *affine[4];                  /* APIC, else NULL: xx xy yx yy; see method/affine.h */
-    double *domain[4]; /* half edges d1x d1y d2x d2y, where F does not tell them; else NULL */
-    uint32_t *id;      /* creation order over all bodies */
-    uint32_t *body;    /* index in the scene */
-    size_t kept;       /* so many of mpm_particles_arrays, the first, cannot be recomputed */
+    double *domain[4];  /* half edges d1x d1y d2x d2y, where F does not tell them; else NULL */
+    double *surface[2]; /* at t = 0, from it to the nearest crack; else NULL: crack_detection.h */
+    uint32_t *id;       /* creation order over all bodies */
+    uint32_t *body;     /* index in the scene */
+    size_t kept;        /* so many of mpm_particles_arrays, the first, cannot be recomputed */
     /* scratch of the sort */
     uint32_t *order, *order_scratch;
     double *scratch;
@@ -40,7 +41,7 @@ struct mpm_rigid_particles {
 
 /* Arrays that only some methods need. */
 struct mpm_particle_extras {
-    bool domains, affine;
+    bool domains, affine, surfaces;
 };
 
 void mpm_particles_layout(struct mpm_particles *particles, size_t count,
@@ -50,7 +51,7 @@ void mpm_rigid_particles_layout(struct mpm_rigid_particles *particles, size_t co
 
 /* Every array of doubles that a particle carries, for passes that treat all alike.
  * Returns the number of arrays (at most MPM_PARTICLE_ARRAYS). */
-enum { MPM_PARTICLE_ARRAYS = 22 };
+enum { MPM_PARTICLE_ARRAYS = 24 };
 /* The first ones of them, position, velocity, deformation and the affine part, if any: all
  * else of a particle that changes can be recomputed. particles->kept of them, at most so many. */
 enum { MPM_KEPT_ARRAYS = 8 + MPM_GRADIENT_SIZE };

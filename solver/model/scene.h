@@ -84,6 +84,8 @@ struct mpm_body_spec {
 struct mpm_boundary_spec {
     struct mpm_region region; /* line or rectangle or all */
     struct mpm_vector_expression velocity;
+    bool symmetry; /* instead of a velocity: a plane that reflects; its normal is axis `normal` */
+    int normal;
     int line;
 };
 
@@ -105,6 +107,41 @@ struct mpm_edge_load_spec {
     enum mpm_edge edge;
     enum mpm_frame frame;
     struct mpm_vector_expression value; /* force per area; a NULL component is 0 */
+    int line;
+};
+
+/* How the surfaces of a crack that meet behave. */
+enum mpm_crack_contact {
+    MPM_CONTACT_FRICTIONLESS,
+    MPM_CONTACT_FRICTION,
+    MPM_CONTACT_STICK,
+    MPM_CONTACT_NONE,
+};
+
+/* By what it is told whether the surfaces of a crack meet at a node; see method/crack_detection.h.
+ */
+enum mpm_crack_detection {
+    MPM_DETECT_VOLUME,       /* areas there, over those with the crack closed */
+    MPM_DETECT_DISPLACEMENT, /* the surfaces' distance, in cells */
+    MPM_DETECT_CELL,         /* areas there, over a cell's: CRAMP */
+};
+
+/* What a particle gives to nodes that a crack hides from it. */
+enum mpm_crack_method {
+    MPM_CRACKS_FIELDS,     /* a velocity field of its own: CRAMP */
+    MPM_CRACKS_VISIBILITY, /* nothing */
+};
+
+struct mpm_crack_spec {
+    double (*points)[2]; /* the chain, as given */
+    size_t point_count;
+    enum mpm_crack_contact contact;
+    enum mpm_crack_detection detection;
+    double friction; /* coefficient, 0 unless MPM_CONTACT_FRICTION */
+    double separated,
+        touching;   /* relative volumes: apart below, in contact above; CRAMP's V_sep, V_contact */
+    double spacing; /* points are set so that no segment is longer than this many of the shorter
+                     * cell side */
     int line;
 };
 
@@ -167,6 +204,9 @@ struct mpm_scene {
     struct mpm_edge_load_spec *edge_loads;   /* tractions, then particle forces */
     size_t edge_load_count;
     struct mpm_damping_spec damping;
+    enum mpm_crack_method crack_method;
+    struct mpm_crack_spec *cracks;
+    size_t crack_count;
 
     double history_interval, snapshot_interval;              /* 0: only first and last */
     double checkpoint_interval;                              /* 0: none asked for */

@@ -12,6 +12,8 @@ void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *aren
     for (int axis = 0; axis < 2; axis++) {
         backup->rigid_position[axis] = MPM_TAKE(arena, double, simulation->state.rigid.count);
         backup->rigid_velocity[axis] = MPM_TAKE(arena, double, simulation->state.rigid.count);
+        backup->crack_position[axis] =
+            MPM_TAKE(arena, double, simulation->state.cracks.point_count);
     }
 }
 
@@ -23,6 +25,9 @@ void mpm_backup_save(struct mpm_simulation *simulation)
         const size_t bytes = state->rigid.count * sizeof(double);
         memcpy(backup->rigid_position[axis], state->rigid.position[axis], bytes);
         memcpy(backup->rigid_velocity[axis], state->rigid.velocity[axis], bytes);
+        if (state->cracks.point_count > 0)
+            memcpy(backup->crack_position[axis], state->cracks.position[axis],
+                   state->cracks.point_count * sizeof(double));
     }
     backup->time = state->time;
     backup->external_work = state->external_work;
@@ -44,6 +49,9 @@ static void copy_back(struct mpm_simulation *simulation)
         const size_t bytes = state->rigid.count * sizeof(double);
         memcpy(state->rigid.position[axis], backup->rigid_position[axis], bytes);
         memcpy(state->rigid.velocity[axis], backup->rigid_velocity[axis], bytes);
+        if (state->cracks.point_count > 0)
+            memcpy(state->cracks.position[axis], backup->crack_position[axis],
+                   state->cracks.point_count * sizeof(double));
     }
     state->time = backup->time;
     state->external_work = backup->external_work;

@@ -93,11 +93,12 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     struct mpm_state *const state = &simulation->state;
     struct mpm_grid *const grid = &state->grid;
     const size_t nodes = (size_t)(grid->columns * grid->rows);
-    const size_t rows = (size_t)grid->rows;
+    const size_t rows = (size_t)(grid->rows + grid->field_rows);
     const size_t longest = (size_t)(grid->rows > grid->columns ? grid->rows : grid->columns);
     const struct mpm_particle_extras extras = {
         .domains = keeps_domains(state),
         .affine = simulation->scene->transfer == MPM_TRANSFER_APIC,
+        .surfaces = mpm_cracks_need_surfaces(simulation->scene),
     };
     mpm_particles_layout(&state->particles, counts->deformable, extras, arena);
     mpm_rigid_particles_layout(&state->rigid, counts->rigid, arena);
@@ -110,11 +111,13 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
         state->row_momentum = mpm_arena_take(arena, rows, sizeof *state->row_momentum);
     mpm_damping_layout(state, arena);
     mpm_edge_loads_layout(state, arena);
+    mpm_cracks_layout(state, arena);
     state->sort_counts = MPM_TAKE(arena, uint32_t, longest + 1);
     const size_t driven =
         counts->rigid * MPM_STENCIL_MAX < nodes ? counts->rigid * MPM_STENCIL_MAX : nodes;
     state->active_capacity =
-        state->condition_count + 2 * driven + rows * (size_t)state->mirror_column;
+        (state->condition_count + 2 * driven) * (grid->field_rows > 0 ? 3 : 1) +
+        rows * (size_t)state->mirror_column;
     state->active = MPM_TAKE(arena, struct mpm_active_condition, state->active_capacity);
     if (counts->rigid > 0) {
         state->rigid_owner = MPM_TAKE(arena, uint32_t, nodes);
@@ -344,6 +347,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     MPM_TRY(create_expressions(simulation, error));
     MPM_TRY(mpm_bodies_count(scene, &state->grid, &counts, error));
     MPM_TRY(mpm_edge_loads_create(simulation, error));
+    MPM_TRY(mpm_cracks_create(simulation, error));
     limit_workers(state, counts.deformable);
     MPM_TRY(mpm_conditions_list(scene, &state->grid, boundary_value, state, &state->conditions,
                                 &state->condition_count, error));
@@ -352,13 +356,14 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     layout(simulation, &counts, &simulation->arena);
     state->node_zero = mpm_grid_index(&state->grid, 0, 0);
     state->last_row = -1;
-    for (int64_t row = 0; row < state->grid.rows; row++) {
+    for (int64_t row = 0; row < state->grid.rows + state->grid.field_rows; row++) {
         state->row_low[row] = state->grid.columns;
         state->row_high[row] = -1;
     }
     describe_bodies(simulation);
     mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid);
     mpm_edge_loads_fill(simulation);
+    MPM_TRY(mpm_cracks_fill(simulation, error));
     MPM_TRY(set_velocities(simulation, error));
     for (size_t p = 0; p < state->particles.count; p++)
         mpm_particle_set_domain(state, p);
@@ -401,6 +406,7 @@ void mpm_simulation_free(struct mpm_simulation *simulation)
         mpm_vector_field_free(&state->body_velocity[k]);
     mpm_vector_field_free(&state->body_force);
     mpm_edge_loads_free(state);
+    free(state->symmetries);
     mpm_damping_free(&state->damping);
     free(state->boundary_velocity);
     free(state->body_velocity);

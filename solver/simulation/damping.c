@@ -44,7 +44,8 @@ void mpm_damping_layout(struct mpm_state *state, struct mpm_arena *arena)
         for (int axis = 0; axis < 2; axis++)
             state->damping.drag[axis] = MPM_TAKE(arena, double, state->particles.count);
     if (state->damping.nodes || state->scene->rest.asked)
-        state->row_sums = MPM_TAKE(arena, struct mpm_row_sums, (size_t)state->grid.rows);
+        state->row_sums = MPM_TAKE(arena, struct mpm_row_sums,
+                                   (size_t)(state->grid.rows + state->grid.field_rows));
 }
 
 /* Rates at t = 0, where the particles are: also those of the nodes, which are near. */

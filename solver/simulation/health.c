@@ -79,6 +79,9 @@ static void describe(const struct mpm_simulation *simulation, const struct mpm_f
                        simulation->scene->edge_loads[failure->load].key, failure->axis,
                        failure->value);
         return;
+    case MPM_TWO_CRACKS:
+        (void)snprintf(text, size, "reaches a node past two cracks; allowed: past one");
+        return;
     case MPM_GIVEN_FORCE_NOT_FINITE:
         (void)snprintf(text, size, "is given a body force that is not finite: %g along %s",
                        failure->value, name);

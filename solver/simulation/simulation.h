@@ -14,6 +14,7 @@
 struct mpm_backup {
     double *arrays[MPM_KEPT_ARRAYS]; /* filled by the sort */
     double *rigid_position[2], *rigid_velocity[2];
+    double *crack_position[2];
     double time, external_work, work_scale, wave_speed;
     struct mpm_damping_books damping;
     uint64_t step;
@@ -81,6 +82,14 @@ void mpm_edge_loads_fill(struct mpm_simulation *simulation);
 enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulation,
                                            struct mpm_error *error);
 void mpm_edge_loads_free(struct mpm_state *state);
+
+/* cracks.c: how many points cracks get, planes of symmetry; their memory; where they are.
+ * MPM_BAD_INPUT: bodies on both sides of a plane, a body force across it. */
+enum mpm_status mpm_cracks_create(struct mpm_simulation *simulation, struct mpm_error *error);
+void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena);
+/* Whether contact of their surfaces is told by where these are: particles carry it then. */
+bool mpm_cracks_need_surfaces(const struct mpm_scene *scene);
+enum mpm_status mpm_cracks_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 
 /* create.c: parses a pair of expressions of a scene; a NULL text stays a NULL component. */
 enum mpm_status mpm_vector_field_create(const struct mpm_scene *scene,

@@ -71,6 +71,23 @@ void follow_count_work(struct measurement *measurement, const struct mpm_simulat
                      mpm_simulation_step(simulation) * mpm_simulation_particle_count(simulation));
 }
 
+enum mpm_status follow_to_rest(struct measurement *m, struct mpm_simulation *simulation, double end,
+                               bool *finished, struct mpm_error *error)
+{
+    struct mpm_rest rest;
+    bool alive = true, at_rest = mpm_simulation_at_rest(simulation, &rest);
+    while (alive && !at_rest && mpm_simulation_time(simulation) < end) {
+        TRY(follow_step(m, simulation, end, &alive, error));
+        at_rest = mpm_simulation_at_rest(simulation, &rest);
+    }
+    follow_count_work(m, simulation);
+    *finished = alive && (at_rest || !rest.asked);
+    if (alive && !*finished)
+        measurement_note(m, "not at rest at the end: residual %g, kinetic energy %g", rest.residual,
+                         rest.kinetic_energy);
+    return MPM_OK;
+}
+
 enum mpm_status follow_scene(struct measurement *measurement, const char *const *settings,
                              size_t count, follow_measure *measure, void *context,
                              struct mpm_error *error)

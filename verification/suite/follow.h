@@ -41,6 +41,12 @@ enum mpm_status follow_step(struct measurement *measurement, struct mpm_simulati
 enum mpm_status follow_to(struct measurement *measurement, struct mpm_simulation *simulation,
                           double time, bool *alive, struct mpm_error *error);
 
+/* Advances until the run is at rest, or to `end` where its scene does not ask for rest; *finished:
+ * it came to that. A run that its guard ends, or that is not at rest by `end`, is a result: a note
+ * of the variant tells. Counts the work. */
+enum mpm_status follow_to_rest(struct measurement *measurement, struct mpm_simulation *simulation,
+                               double end, bool *finished, struct mpm_error *error);
+
 /* Adds what was run so far to the particle-steps of the variant: once, at the end. */
 void follow_count_work(struct measurement *measurement, const struct mpm_simulation *simulation);
 

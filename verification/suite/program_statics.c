@@ -207,24 +207,6 @@ static enum mpm_status write_profile(struct measurement *m, const struct view *v
 
 /* ----------------------------------------------------------------- running */
 
-/* To rest or to the end; *finished: that was reached. */
-static enum mpm_status settle(struct measurement *m, struct mpm_simulation *simulation, double end,
-                              bool *finished, struct mpm_error *error)
-{
-    struct mpm_rest rest;
-    bool alive = true, at_rest = mpm_simulation_at_rest(simulation, &rest);
-    while (alive && !at_rest && mpm_simulation_time(simulation) < end) {
-        TRY(follow_step(m, simulation, end, &alive, error));
-        at_rest = mpm_simulation_at_rest(simulation, &rest);
-    }
-    follow_count_work(m, simulation);
-    *finished = alive && (at_rest || !rest.asked);
-    if (alive && !*finished)
-        measurement_note(m, "not at rest at the end: residual %g, kinetic energy %g", rest.residual,
-                         rest.kinetic_energy);
-    return MPM_OK;
-}
-
 /* A run: its solution, and whether its profile is written. */
 struct study {
     const struct static_solution *solution;
@@ -243,7 +225,8 @@ static enum mpm_status measure_scene(void *context, struct measurement *m,
     mpm_simulation_ledger(simulation, &start);
     enum mpm_status status = open_view(simulation, &view, error);
     if (status == MPM_OK)
-        status = settle(m, simulation, mpm_scene_end_time(scene), &outcome->finished, error);
+        status =
+            follow_to_rest(m, simulation, mpm_scene_end_time(scene), &outcome->finished, error);
     if (status == MPM_OK) {
         mpm_simulation_ledger(simulation, &now);
         outcome->time = now.time;

@@ -16,6 +16,9 @@
     PROGRAM(step_wave)                                                                             \
     PROGRAM(spin)                                                                                  \
     PROGRAM(collision)                                                                             \
+    PROGRAM(crack_patch)                                                                           \
+    PROGRAM(sliding)                                                                               \
+    PROGRAM(cantilever)                                                                            \
     PROGRAM(carried)                                                                               \
     PROGRAM(manufactured)                                                                          \
     PROGRAM(stability)                                                                             \

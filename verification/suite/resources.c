@@ -52,6 +52,11 @@ char *resources_benchmarks(const char *executable)
     return find(executable, "benchmarks", "benchmarks", "scenes");
 }
 
+char *resources_reference_data(const char *executable)
+{
+    return find(executable, "reference_data", "reference_data", "MANIFEST.sha256");
+}
+
 char *resources_program(const char *executable, const char *name)
 {
     char *home = home_of(executable);

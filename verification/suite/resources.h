@@ -15,6 +15,9 @@ char *resources_reports(const char *executable);
 /* The folder of the benchmarks' scenes/, looked for in the same places. */
 char *resources_benchmarks(const char *executable);
 
+/* The folder of what others computed, reference_data, looked for in the same places. */
+char *resources_reference_data(const char *executable);
+
 /* The program `name` beside the running one; g_free. */
 char *resources_program(const char *executable, const char *name);
 

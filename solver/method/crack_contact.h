@@ -1,0 +1,29 @@
+/* Contact of crack surfaces, and the motion of cracks: CRAMP, section 2.2 and Task 7.
+ *
+ * Whenever nodal velocities change, two fields of a node that are found in contact exchange
+ * momentum, CRAMP (12)-(19): no more than stops their approach along the crack's normal
+ * (frictionless), with it no more than Coulomb's law allows along the crack (friction), or all of
+ * what they differ by (stick). Momentum is kept: one normal serves both sides.
+ *
+ * In contact are fields whose relative volume V_rel, see crack_detection.h, is above `touching`;
+ * none whose is below `separated`; between the two, those that approach each other.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_CRACK_CONTACT_H
+#define MPM_METHOD_CRACK_CONTACT_H
+
+#include "method/state.h"
+
+/* Tasks 2, 4 and 6c: of the velocities at the start, at the end (with accelerations) and of the
+ * re-extrapolated ones. */
+void mpm_crack_contact_start(struct mpm_state *state);
+void mpm_crack_contact_end(struct mpm_state *state);
+void mpm_crack_contact_extrapolated(struct mpm_state *state);
+
+/* Task 7: cracks move with the centre-of-mass velocity at the end of the step, (32), by the linear
+ * functions of the nodes that have mass: at least a thousandth of the lightest particle's. Nodes
+ * that a body hardly reaches have velocities without bounds, which particles take no part of, and
+ * points outside of the body would. MPM_RUN_FAILED: a point leaves the grid. */
+enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *error);
+
+#endif

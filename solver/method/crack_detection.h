@@ -1,0 +1,41 @@
+/* Are the surfaces of a crack in contact at a node? By its relative volume, CRAMP (8)-(10): areas
+ * in axisymmetry too, N&G 3.3.
+ *
+ * CRAMP divides the areas sum A_p S_ip that a node sees by the area of a cell, and names what is
+ * wrong with it: a node at an edge of the body sees less than a cell though the surfaces touch.
+ * That is `detection: cell`.
+ *
+ * Here the distance of the surfaces is found first. Each particle knows the way w_p to the nearest
+ * point of the cracks at t = 0, where its surface began; today that point is at x_p + F_p w_p,
+ * exactly so if its body was moved, turned and strained evenly. The mean of these points, weighted
+ * with A_p S_ip, is where a field has its surface, whatever part of the node's reach it fills; and
+ * the gap is how far that of the field below lies beyond that of the field above, along the
+ * crack's normal n, which points from above to below:
+ *     gap = n . (<x_p + F_p w_p>_below - <x_p + F_p w_p>_above)
+ * `detection: displacement` compares 1 - gap/h with the limits, h the cell's size along n.
+ * `detection: volume` compares sum A_p S_ip with what it would be if both sides moved by gap/2 to
+ * meet: sum A_p S_ip + gap n/2 . (sum_above A_p G_ip - sum_below A_p G_ip), where that is more for
+ * an open crack and less for surfaces that have passed each other; else the sum as it is.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_CRACK_DETECTION_H
+#define MPM_METHOD_CRACK_DETECTION_H
+
+#include "method/state.h"
+
+/* Task 1, second part: normals and sums of the nodes with several fields. Cost: the stencils of
+ * the particles that reach such nodes. */
+void mpm_crack_detection_measure(struct mpm_state *state, int workers);
+
+/* V_rel = found / closed of the fields of two sides, the one above first. `closed` may be 0 or less
+ * where surfaces have passed through each other by more than the node sees: V_rel is then beyond
+ * every limit, as found < limit * closed says. */
+struct mpm_crack_volume {
+    double found, closed;
+};
+struct mpm_crack_volume mpm_crack_volume_at(const struct mpm_state *state,
+                                            const struct mpm_crack_node *node,
+                                            const enum mpm_crack_side pair[2],
+                                            const double normal[2]);
+
+#endif

@@ -1,0 +1,62 @@
+/* Velocity fields of the nodes near cracks: CRAMP, section 2.1 and Task 1.
+ *
+ * A node that a crack hides from some of its particles has up to three velocity fields: one for
+ * particles on its own side, one for those above, one for those below the crack. Particles keep to
+ * their field in all that they exchange with the node.
+ *
+ * The first field is the node itself. The others are further nodes, in rows behind those of the
+ * grid: the stencil of a particle near a crack names them in the node's place, and whatever
+ * works on stencils or on rows of nodes, works on them. Which nodes need which fields is found in
+ * each step, before anything is spread; scenes without cracks run none of this.
+ *
+ * With method.cracks: visibility a node that is hidden from a particle is no node of it: CRAMP,
+ * section 3.1, in place of fields. It fails the crack patch test (case D1), and is there to show
+ * it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_CRACK_FIELDS_H
+#define MPM_METHOD_CRACK_FIELDS_H
+
+#include "method/state.h"
+
+/* Task 1, first part: v(p, i) of all particles near cracks; the nodes' further fields, and their
+ * rows. MPM_RUN_FAILED: a line crosses two cracks (recorded with the particle), or cracks have
+ * grown so that there is no room for their nodes. */
+enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
+                                       struct mpm_error *error);
+
+/* Where the step's spans of a strip stand: those with particles that have further fields, and with
+ * the particles between them where those are fewer than MPM_CRACK_GAP. */
+enum { MPM_CRACK_GAP = 16 };
+static inline struct mpm_crack_span *mpm_crack_spans(const struct mpm_state *state, int64_t strip)
+{
+    return state->cracks.spans + strip + state->strips[strip].begin / MPM_CRACK_GAP;
+}
+
+/* The segments of a crack that lines from a particle to its nodes may cross. */
+struct mpm_crack_range mpm_crack_range_of(const struct mpm_state *state, size_t p, size_t crack);
+
+/* Puts the particle's fields into its stencil. */
+void mpm_crack_divert(const struct mpm_state *state, uint32_t code, struct mpm_stencil *stencil);
+
+/* The same for the nodes of one of its edges. */
+void mpm_crack_divert_edge(const struct mpm_state *state, size_t p,
+                           struct mpm_edge_weights *weights);
+
+/* The node of the grid that a node is, or is a field of. */
+static inline int64_t mpm_crack_home(const struct mpm_state *state, int64_t node)
+{
+    const int64_t further = node - state->grid.columns * state->grid.rows;
+    return further < 0 ? node : state->cracks.homes[further];
+}
+
+/* The entry of a node of the grid that has further fields, or NULL. */
+static inline const struct mpm_crack_node *mpm_crack_node_at(const struct mpm_state *state,
+                                                             int64_t node)
+{
+    if (state->cracks.node_of == NULL || state->cracks.node_of[node] == 0)
+        return NULL;
+    return &state->cracks.nodes[state->cracks.node_of[node] - 1];
+}
+
+#endif

@@ -1,0 +1,15 @@
+/* Passes of scenes with cracks: fast kernels for all particles but those near a crack.
+ *
+ * Particles with nodes of several velocity fields take the reference kernels, spans of a strip at a
+ * time; the rest of the strip takes the fast ones. What the strip sums up is put together of both.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_SPLIT_H
+#define MPM_METHOD_SPLIT_H
+
+#include "method/kernels.h"
+
+/* They run state->kernels.plain and .general. */
+extern const struct mpm_passes mpm_split_passes;
+
+#endif

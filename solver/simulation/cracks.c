@@ -1,0 +1,275 @@
+/* Cracks and planes of symmetry: settled when the simulation is created.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/crack_fields.h"
+#include "simulation/simulation.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* ------------------------------------------------------------------- cracks */
+
+/* Parts that a segment of a scene is cut into. */
+static size_t parts_of(const struct mpm_scene *scene, const struct mpm_crack_spec *spec, size_t k)
+{
+    const double longest = spec->spacing * fmin(scene->cell[0], scene->cell[1]);
+    const double length = hypot(spec->points[k + 1][0] - spec->points[k][0],
+                                spec->points[k + 1][1] - spec->points[k][1]);
+    return (size_t)fmax(ceil(length / longest * (1.0 - 1e-9)), 1.0);
+}
+
+static size_t count_points(const struct mpm_scene *scene, const struct mpm_crack_spec *spec)
+{
+    size_t count = 1;
+    for (size_t k = 0; k + 1 < spec->point_count; k++)
+        count += parts_of(scene, spec, k);
+    return count;
+}
+
+/* Nodes around each segment, twice of it for what cracks grow, and no more than there are. */
+static size_t nodes_needed(const struct mpm_state *state)
+{
+    const size_t all = (size_t)(state->grid.columns * state->grid.rows);
+    const size_t around = 2 * (2 + (size_t)state->family->nodes_past_end);
+    const size_t estimate =
+        2 * (state->cracks.point_count + state->scene->crack_count * around) * around;
+    return estimate < all ? estimate : all;
+}
+
+static void place_chain(const struct mpm_scene *scene, const struct mpm_crack_spec *spec, double *x,
+                        double *y)
+{
+    size_t n = 0;
+    for (size_t k = 0; k + 1 < spec->point_count; k++) {
+        const size_t parts = parts_of(scene, spec, k);
+        for (size_t i = 0; i < parts; i++, n++) {
+            const double part = (double)i / (double)parts;
+            x[n] = spec->points[k][0] + part * (spec->points[k + 1][0] - spec->points[k][0]);
+            y[n] = spec->points[k][1] + part * (spec->points[k + 1][1] - spec->points[k][1]);
+        }
+    }
+    x[n] = spec->points[spec->point_count - 1][0];
+    y[n] = spec->points[spec->point_count - 1][1];
+}
+
+static void place_cracks(struct mpm_state *state)
+{
+    struct mpm_cracks *const cracks = &state->cracks;
+    size_t first = 0;
+    for (size_t k = 0; k < state->scene->body_count; k++) {
+        mpm_shape_reach(state->family, &state->shape_grid, state->bodies[k].half_size,
+                        cracks->reach[k]);
+        for (int axis = 0; axis < 2; axis++)
+            cracks->reach[k][axis] += state->family->nodes_past_end * state->grid.cell[axis];
+    }
+    for (size_t k = 0; k < state->scene->crack_count; k++) {
+        const struct mpm_crack_spec *const spec = &state->scene->cracks[k];
+        double *const x = cracks->position[0] + first, *const y = cracks->position[1] + first;
+        place_chain(state->scene, spec, x, y);
+        cracks->chains[k].x = x;
+        cracks->chains[k].y = y;
+        cracks->chains[k].count = count_points(state->scene, spec);
+        mpm_crack_chain_bound(&cracks->chains[k]);
+        first += cracks->chains[k].count;
+    }
+}
+
+/* ---------------------------------------------------------------- surfaces */
+
+bool mpm_cracks_need_surfaces(const struct mpm_scene *scene)
+{
+    for (size_t k = 0; k < scene->crack_count; k++)
+        if (scene->cracks[k].contact != MPM_CONTACT_NONE &&
+            scene->cracks[k].detection != MPM_DETECT_CELL)
+            return scene->crack_method == MPM_CRACKS_FIELDS;
+    return false;
+}
+
+/* Takes the way to the segment from a to b if that is shorter. */
+static void shorten(const double place[2], const double a[2], const double b[2], double way[2])
+{
+    const double along[2] = {b[0] - a[0], b[1] - a[1]}, to[2] = {a[0] - place[0], a[1] - place[1]};
+    const double part =
+        -(to[0] * along[0] + to[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
+    const double bounded = fmin(fmax(part, 0.0), 1.0);
+    const double other[2] = {to[0] + bounded * along[0], to[1] + bounded * along[1]};
+    if (other[0] * other[0] + other[1] * other[1] >= way[0] * way[0] + way[1] * way[1])
+        return;
+    way[0] = other[0];
+    way[1] = other[1];
+}
+
+static void place_surfaces(struct mpm_state *state)
+{
+    struct mpm_particles *const particles = &state->particles;
+    for (size_t p = 0; particles->surface[0] != NULL && p < particles->count; p++) {
+        const double place[2] = {particles->position[0][p], particles->position[1][p]};
+        double way[2] = {HUGE_VAL, 0.0};
+        for (size_t k = 0; k < state->scene->crack_count; k++) {
+            const struct mpm_crack_spec *const spec = &state->scene->cracks[k];
+            for (size_t i = 0; i + 1 < spec->point_count; i++)
+                shorten(place, spec->points[i], spec->points[i + 1], way);
+        }
+        particles->surface[0][p] = way[0];
+        particles->surface[1][p] = way[1];
+    }
+}
+
+/* ----------------------------------------------------------------- symmetry */
+
+static void describe_plane(struct mpm_state *state, const struct mpm_boundary_spec *spec)
+{
+    const int axis = spec->normal;
+    state->symmetries[state->symmetry_count++] = (struct mpm_symmetry){
+        .axis = axis,
+        .line = llround((spec->region.a[axis] - state->grid.origin[axis]) *
+                        state->grid.inverse_cell[axis]) +
+                MPM_GHOST_ROWS,
+    };
+}
+
+static enum mpm_status create_planes(struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    struct mpm_state *const state = &simulation->state;
+    state->symmetries = calloc(scene->boundary_count + 1, sizeof *state->symmetries);
+    if (state->symmetries == NULL)
+        return mpm_error_memory(error, sizeof *state->symmetries, "the planes of symmetry");
+    for (size_t k = 0; k < scene->boundary_count; k++) {
+        const struct mpm_boundary_spec *const spec = &scene->boundaries[k];
+        if (!spec->symmetry)
+            continue;
+        if (scene->body_force.text[spec->normal] != NULL)
+            return mpm_scene_error(error, scene, scene->line_body_force, "loads.body_force",
+                                   "acts across a plane of symmetry, got '%s'; allowed: 0 there",
+                                   scene->body_force.text[spec->normal]);
+        describe_plane(state, spec);
+    }
+    return MPM_OK;
+}
+
+static double place_of_plane(const struct mpm_state *state, const struct mpm_symmetry *plane)
+{
+    return state->grid.origin[plane->axis] +
+           state->grid.cell[plane->axis] * (double)(plane->line - MPM_GHOST_ROWS);
+}
+
+/* All bodies must be on one side, which is then the inside. */
+static enum mpm_status find_inside(const struct mpm_simulation *simulation,
+                                   struct mpm_symmetry *plane, struct mpm_error *error)
+{
+    const struct mpm_state *const state = &simulation->state;
+    const double place = place_of_plane(state, plane);
+    const double *const position = state->particles.position[plane->axis];
+    for (size_t p = 0; p < state->particles.count; p++) {
+        const int64_t side = position[p] > place ? 1 : -1;
+        if (plane->inside == 0)
+            plane->inside = side;
+        if (side != plane->inside)
+            return mpm_error_set(error, MPM_BAD_INPUT,
+                                 "%s: boundary: symmetry: bodies on both sides of the plane at %g; "
+                                 "allowed: on one",
+                                 simulation->scene->path, place);
+    }
+    return MPM_OK;
+}
+
+/* Points on a plane stay there. A crack lies on it as a whole or not at all: fields of nodes
+ * beyond, of one that meets it at an angle, would have to be images of each other. */
+static enum mpm_status hold_points(const struct mpm_simulation *simulation,
+                                   const struct mpm_symmetry *plane, struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    const struct mpm_state *const state = &simulation->state;
+    const double place = place_of_plane(state, plane);
+    const double slack = 1e-6 * state->grid.cell[plane->axis];
+    size_t k = 0;
+    for (size_t crack = 0; crack < scene->crack_count; crack++) {
+        const size_t count = state->cracks.chains[crack].count;
+        size_t held = 0, inside = 0;
+        for (size_t i = 0; i < count; i++, k++) {
+            const double depth =
+                (state->cracks.position[plane->axis][k] - place) * (double)plane->inside;
+            inside += depth > slack;
+            if (fabs(depth) > slack)
+                continue;
+            held++;
+            state->cracks.held[k] |= (uint8_t)(1u << plane->axis);
+        }
+        if (held != count && inside != count)
+            return mpm_scene_error(error, scene, scene->cracks[crack].line, "cracks.points",
+                                   "a crack that meets the plane of symmetry at %g, or passes it; "
+                                   "allowed: on it as a whole, or inside",
+                                   place);
+    }
+    return MPM_OK;
+}
+
+/* ----------------------------------------------------------------- creating */
+
+enum mpm_status mpm_cracks_create(struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    struct mpm_state *const state = &simulation->state;
+    struct mpm_cracks *const cracks = &state->cracks;
+    for (size_t k = 0; k < simulation->scene->crack_count; k++)
+        cracks->point_count += count_points(simulation->scene, &simulation->scene->cracks[k]);
+    if (cracks->point_count > 0) {
+        cracks->node_capacity = nodes_needed(state);
+        state->grid.field_rows =
+            (2 * (int64_t)cracks->node_capacity + state->grid.columns - 1) / state->grid.columns;
+    }
+    return create_planes(simulation, error);
+}
+
+void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
+{
+    struct mpm_cracks *const cracks = &state->cracks;
+    const size_t nodes = (size_t)(state->grid.columns * state->grid.rows);
+    if (cracks->point_count == 0)
+        return;
+    cracks->chains = MPM_TAKE(arena, struct mpm_crack_chain, state->scene->crack_count);
+    for (size_t k = 0; k < state->scene->crack_count; k++) {
+        const size_t points = count_points(state->scene, &state->scene->cracks[k]);
+        struct mpm_crack_box *const pieces =
+            MPM_TAKE(arena, struct mpm_crack_box, mpm_crack_chain_pieces(points));
+        if (cracks->chains != NULL)
+            cracks->chains[k].pieces = pieces;
+    }
+    for (int axis = 0; axis < 2; axis++)
+        cracks->position[axis] = MPM_TAKE(arena, double, cracks->point_count);
+    cracks->held = MPM_TAKE(arena, uint8_t, cracks->point_count);
+    cracks->near = MPM_TAKE(arena, uint8_t, state->particles.count);
+    cracks->reach = mpm_arena_take(arena, state->scene->body_count, sizeof *cracks->reach);
+    cracks->code = MPM_TAKE(arena, uint32_t, state->particles.count);
+    cracks->spans =
+        MPM_TAKE(arena, struct mpm_crack_span,
+                 state->particles.count / MPM_CRACK_GAP + (size_t)state->strip_count + 1);
+    cracks->wanted = MPM_TAKE(arena, uint8_t, nodes);
+    cracks->node_of = MPM_TAKE(arena, uint32_t, nodes);
+    cracks->nodes = MPM_TAKE(arena, struct mpm_crack_node, cracks->node_capacity);
+    cracks->homes = MPM_TAKE(arena, int64_t, 2 * cracks->node_capacity);
+}
+
+static double lightest(const struct mpm_particles *particles)
+{
+    double least = HUGE_VAL;
+    for (size_t p = 0; p < particles->count; p++)
+        least = fmin(least, particles->mass[p]);
+    return least;
+}
+
+enum mpm_status mpm_cracks_fill(struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    struct mpm_state *const state = &simulation->state;
+    if (state->cracks.point_count > 0) {
+        place_cracks(state);
+        state->cracks.least_mass = 1e-3 * lightest(&state->particles);
+    }
+    place_surfaces(state);
+    for (size_t k = 0; k < state->symmetry_count; k++) {
+        MPM_TRY(find_inside(simulation, &state->symmetries[k], error));
+        MPM_TRY(hold_points(simulation, &state->symmetries[k], error));
+    }
+    return MPM_OK;
+}

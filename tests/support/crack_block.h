@@ -1,0 +1,38 @@
+/* The scene of the tests of cracks and planes of symmetry: a block of rubber.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TESTS_SUPPORT_CRACK_BLOCK_H
+#define TESTS_SUPPORT_CRACK_BLOCK_H
+
+#include "simulation/simulation.h"
+#include "support/combinations.h"
+#include "support/scenes.h"
+
+/* 6 by 6 rows of cells; grid lines are at multiples of 0.8, one of them in its middle, 5.6. Wave
+ * speed 12. */
+extern const char CRACK_BLOCK[];
+
+/* Four families of shape functions, and with each all orders of the stress update. */
+enum { CRACK_BLOCK_FAMILIES = 4, CRACK_BLOCK_METHODS = CRACK_BLOCK_FAMILIES * TEST_ORDERS };
+
+/* Families first, then orders, then all over again. */
+struct settings crack_block_method(int index);
+
+/* Nodes of little mass at the edges make round-off grow without bound. */
+bool crack_block_amplifies(int index);
+
+/* The block with the settings, which are cleared. */
+struct test_run crack_block_open(struct settings *settings);
+
+const struct mpm_state *crack_block_state(const struct test_run *run);
+
+/* What a run starts from: places tell particles from each other for good. */
+struct crack_block_start {
+    size_t count;
+    double *place, *mass, *velocity;
+};
+
+struct crack_block_start crack_block_start(const struct test_run *run);
+void crack_block_start_free(struct crack_block_start *start);
+
+#endif

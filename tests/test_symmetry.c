@@ -1,0 +1,158 @@
+/* Planes of symmetry: half a body against the whole of it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "suites.h"
+#include "support/crack_block.h"
+#include "support/near.h"
+#include "support/scene_files.h"
+
+#include <glib.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { AXES = 2 };
+
+static const struct {
+    const char *name, *whole, *half, *plane, *rest, *grid;
+    int axis;
+    double place;
+} HALVES[] = {
+    {"a plane across y", "['0.3*sin(2*x)*cos(y-5.6)', '0.4*cos(x)*sin(2*(y-5.6))']",
+     "{from: [3, 5.6], to: [9, 8]}", "{from: [0, 5.6], to: [14, 5.6]}", "[0.5, 0]",
+     "{origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}", 1, 5.6},
+    {"a plane on the edge of the grid", "['0.3*sin(2*x)*cos(y-5.6)', '0.4*cos(x)*sin(2*(y-5.6))']",
+     "{from: [3, 5.6], to: [9, 8]}", "{from: [0, 5.6], to: [14, 5.6]}", "[0.5, 0]",
+     "{origin: [0, 5.6], cell: [1, 0.8], cells: [14, 8]}", 1, 5.6},
+    {"a plane across x", "['0.3*sin(2*(x-6))*cos(y)', '0.4*cos(x-6)*cos(2*y)']",
+     "{from: [6, 3.2], to: [9, 8]}", "{from: [6, 0], to: [6, 12]}", "[0, 0.5]",
+     "{origin: [0, 0], cell: [1, 0.8], cells: [14, 15]}", 0, 6.0},
+    {"a plane across x on the edge of the grid",
+     "['0.3*sin(2*(x-6))*cos(y)', '0.4*cos(x-6)*cos(2*y)']", "{from: [6, 3.2], to: [9, 8]}",
+     "{from: [6, 0], to: [6, 12]}", "[0, 0.5]", "{origin: [6, 0], cell: [1, 0.8], cells: [8, 15]}",
+     0, 6.0},
+};
+enum { HALVES_COUNT = G_N_ELEMENTS(HALVES) };
+
+/* Largest difference of the half's particles and the same ones of the whole. */
+static double half_difference(const struct test_run *whole, const struct test_run *half,
+                              const struct crack_block_start *start, int axis, double place,
+                              enum mpm_field field)
+{
+    const size_t components = mpm_field_describe(field)->components;
+    double *const a = test_run_field(whole, field, NULL), *const b =
+                                                              test_run_field(half, field, NULL);
+    double largest = 0.0;
+    size_t n = 0;
+    for (size_t k = 0; k < start->count; k++)
+        if (start->place[AXES * k + (size_t)axis] > place) {
+            for (size_t c = 0; c < components; c++)
+                largest = fmax(largest, fabs(a[components * k + c] - b[components * n + c]));
+            n++;
+        }
+    ck_assert_uint_eq(n, mpm_simulation_particle_count(half->simulation));
+    free(a);
+    free(b);
+    return largest;
+}
+
+/* Velocities are of order 1, stresses of the velocity times 12; edges whose nodes have little mass
+ * make more of round-off. */
+static const double HALF_ROUND_OFF = 1e-11;
+
+/* B-splines are others at the edge of the grid. */
+static bool differs_at_edge(int index)
+{
+    return index % CRACK_BLOCK_FAMILIES == CRACK_BLOCK_FAMILIES - 1 &&
+           index / CRACK_BLOCK_METHODS % 2 == 1;
+}
+
+static void assert_half_of(const struct test_run *whole, const struct test_run *half,
+                           const struct crack_block_start *start, int axis, double place)
+{
+    static const enum mpm_field fields[] = {MPM_FIELD_POSITION, MPM_FIELD_VELOCITY,
+                                            MPM_FIELD_DEFORMATION_GRADIENT, MPM_FIELD_STRESS};
+    for (size_t f = 0; f < G_N_ELEMENTS(fields); f++)
+        ck_assert_near(half_difference(whole, half, start, axis, place, fields[f]), 0.0,
+                       HALF_ROUND_OFF);
+    const struct mpm_ledger all = test_run_ledger(whole), part = test_run_ledger(half);
+    ck_assert_near(2.0 * part.kinetic_energy, all.kinetic_energy, HALF_ROUND_OFF);
+    ck_assert_near(2.0 * part.strain_energy, all.strain_energy, HALF_ROUND_OFF);
+    ck_assert_near(2.0 * part.external_work, all.external_work, HALF_ROUND_OFF);
+    ck_assert_near(2.0 * part.damping_dissipation, all.damping_dissipation, HALF_ROUND_OFF);
+}
+
+START_TEST(half_a_block_with_its_plane_of_symmetry_is_half_of_the_whole)
+{
+    const int pair = _i / CRACK_BLOCK_METHODS;
+    struct test_run runs[2];
+    for (int k = 0; k < 2; k++) {
+        struct settings settings = crack_block_method(_i);
+        settings_add_formatted(&settings, "bodies.block.velocity=%s", HALVES[pair].whole);
+        settings_add_formatted(&settings, "loads={body_force: %s}", HALVES[pair].rest);
+        settings_add(&settings, "damping={grid: 0.3}");
+        settings_add(&settings, "time={end: 1000, step: 0.02}");
+        if (k == 1) {
+            settings_add_formatted(&settings, "grid=%s", HALVES[pair].grid);
+            settings_add_formatted(&settings, "bodies.block.region.rectangle=%s",
+                                   HALVES[pair].half);
+            settings_add_formatted(&settings, "boundary=[{region: {line: %s}, symmetry: true}]",
+                                   HALVES[pair].plane);
+        }
+        runs[k] = crack_block_open(&settings);
+    }
+    struct crack_block_start start = crack_block_start(&runs[0]);
+    for (int k = 0; k < 2; k++)
+        test_run_steps(&runs[k], 30);
+    if (!crack_block_amplifies(_i) && !differs_at_edge(_i))
+        assert_half_of(&runs[0], &runs[1], &start, HALVES[pair].axis, HALVES[pair].place);
+    crack_block_start_free(&start);
+    for (int k = 0; k < 2; k++)
+        test_run_close(&runs[k]);
+}
+END_TEST
+
+static const struct {
+    const char *rest, *words;
+} REFUSED[] = {
+    {"loads: {body_force: [0, 2]}\n"
+     "boundary: [{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, symmetry: true}]\n",
+     "loads.body_force: acts across a plane of symmetry, got '2'; allowed: 0 there"},
+    {"loads: {body_force: ['0*t', 0]}\n"
+     "boundary: [{region: {line: {from: [3, 0], to: [3, 12]}}, symmetry: true}]\n",
+     "loads.body_force: acts across a plane of symmetry, got '0*t'"},
+    {"boundary: [{region: {line: {from: [0, 5.6], to: [14, 5.6]}}, symmetry: true}]\n",
+     "bodies on both sides of the plane at 5.6; allowed: on one"},
+    {"boundary: [{region: {line: {from: [6, 0], to: [6, 12]}}, symmetry: true}]\n",
+     "bodies on both sides of the plane at 6; allowed: on one"},
+};
+
+START_TEST(a_plane_with_a_load_across_it_or_bodies_on_both_sides_is_refused)
+{
+    char *const text = g_strconcat(CRACK_BLOCK, REFUSED[_i].rest, NULL);
+    struct mpm_scene *const scene = test_scene_read_text(text);
+    struct mpm_simulation *simulation = NULL;
+    struct mpm_error error = {.message = ""};
+    ck_assert_int_eq(mpm_simulation_create(scene, &(struct mpm_simulation_options){.threads = 1},
+                                           &simulation, &error),
+                     MPM_BAD_INPUT);
+    ck_assert_msg(strstr(error.message, REFUSED[_i].words) != NULL, "%s", error.message);
+    ck_assert_ptr_null(simulation);
+    mpm_scene_free(scene);
+    g_free(text);
+}
+END_TEST
+
+Suite *suite_symmetry(void)
+{
+    Suite *suite = suite_create("symmetry");
+    TCase *halves = tcase_create("halves");
+    tcase_add_loop_test(halves, half_a_block_with_its_plane_of_symmetry_is_half_of_the_whole, 0,
+                        HALVES_COUNT * CRACK_BLOCK_METHODS);
+    suite_add_tcase(suite, halves);
+    TCase *refusals = tcase_create("refusals");
+    tcase_add_loop_test(refusals, a_plane_with_a_load_across_it_or_bodies_on_both_sides_is_refused,
+                        0, G_N_ELEMENTS(REFUSED));
+    suite_add_tcase(suite, refusals);
+    return suite;
+}
