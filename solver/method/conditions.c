@@ -13,17 +13,23 @@ static enum mpm_status not_finite(const char *what, const double position[2], do
                          what, position[0], position[1], time, value);
 }
 
-static bool has_mass(const struct mpm_state *state, int64_t node)
+static bool any_field_has_mass(const struct mpm_state *state, int64_t node)
 {
     const struct mpm_crack_node *const crack = mpm_crack_node_at(state, node);
-    bool any = state->grid.mass[node] != 0.0;
     for (int k = 1; crack != NULL && k < 3; k++)
-        any = any || (crack->field[k] >= 0 && state->grid.mass[crack->field[k]] != 0.0);
-    return any;
+        if (crack->field[k] >= 0 && state->grid.mass[crack->field[k]] != 0.0)
+            return true;
+    return false;
+}
+
+static inline bool has_mass(const struct mpm_state *state, int64_t node)
+{
+    return state->grid.mass[node] != 0.0 ||
+           (state->cracks.node_of != NULL && any_field_has_mass(state, node));
 }
 
 /* For all velocity fields of the node that have mass. */
-static void append(struct mpm_state *state, struct mpm_active_condition condition)
+static void append_fields(struct mpm_state *state, struct mpm_active_condition condition)
 {
     const struct mpm_crack_node *const crack = mpm_crack_node_at(state, condition.node);
     if (state->grid.mass[condition.node] != 0.0)
@@ -35,10 +41,20 @@ static void append(struct mpm_state *state, struct mpm_active_condition conditio
     }
 }
 
+/* Of a node that has mass */
+static inline void append(struct mpm_state *state, struct mpm_active_condition condition)
+{
+    if (state->cracks.node_of == NULL)
+        state->active[state->active_count++] = condition;
+    else
+        append_fields(state, condition);
+}
+
 /* -------------------------------------------------------------- boundaries */
 
 /* Planes of symmetry hold their nodes themselves, but fields on free surfaces: symmetry.h. */
-static bool is_reflected(const struct mpm_state *state, const struct mpm_condition *condition)
+static inline bool is_reflected(const struct mpm_state *state,
+                                const struct mpm_condition *condition)
 {
     return condition->boundary != MPM_AXIS_CONDITION &&
            state->scene->boundaries[condition->boundary].symmetry;
@@ -48,12 +64,10 @@ static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_err
 {
     for (size_t k = 0; k < state->condition_count; k++) {
         const struct mpm_condition *const condition = &state->conditions[k];
-        if (is_reflected(state, condition))
-            continue;
         const int64_t row = condition->node / state->grid.columns;
         const int64_t column = condition->node % state->grid.columns;
         if (column < state->row_low[row] || column > state->row_high[row] ||
-            !has_mass(state, condition->node))
+            !has_mass(state, condition->node) || is_reflected(state, condition))
             continue;
         struct mpm_active_condition active = {condition->node, condition->component,
                                               MPM_FROM_BOUNDARY, 0.0, 0.0};

@@ -170,6 +170,40 @@ static double varying_work(struct mpm_state *state, int workers)
     return work;
 }
 
+/* Loads that depend on time alone, fields of the nodes, tractions of the state at the start */
+static enum mpm_status begin(struct mpm_state *state, int workers, bool uniform_force,
+                             struct mpm_error *error)
+{
+    if (uniform_force)
+        MPM_TRY(evaluate_uniform_force(state));
+    MPM_TRY(mpm_damping_begin(state, error));
+    mpm_grid_find_active(state);
+    MPM_TRY(mpm_cracks_find_fields(state, workers, error));
+    mpm_edge_loads_prepare(state);
+    mpm_grid_rows_run(state, mpm_row_clear);
+    return MPM_OK;
+}
+
+/* Task 1: mass and momentum of the nodes (26); with the stress at hand also Task 3 */
+static void spread(struct mpm_state *state, int workers)
+{
+    run_particles(state, workers, state->kernels.passes->to_grid);
+    mpm_given_force_spread(state, workers);
+    if (state->kernels.gather_rows != NULL)
+        mpm_grid_rows_run(state, state->kernels.gather_rows);
+    mpm_crack_detection_measure(state, workers);
+    mpm_symmetries_reflect_momentum(state);
+}
+
+/* Task 6 for MUSL and USAVG: velocities of the momentum extrapolated again (31), conditions */
+static void finish_extrapolation(struct mpm_state *state)
+{
+    mpm_symmetries_reflect_extrapolated(state);
+    mpm_grid_rows_run(state, mpm_row_extrapolated_velocity);
+    mpm_conditions_apply_extrapolated(state);
+    mpm_crack_contact_extrapolated(state);
+}
+
 /* Task 4: momentum update (29), damping of the nodes, conditions */
 static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_force,
                                        struct mpm_error *error)
@@ -203,29 +237,16 @@ static void update_velocities(struct mpm_state *state, int workers)
 enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHASE_COUNT],
                                  struct mpm_error *error)
 {
-    const struct mpm_stress_order *const order = state->order;
     const bool uniform_force = state->body_force_kind == MPM_UNIFORM_BODY_FORCE;
     const bool varying_force = state->body_force_kind == MPM_VARYING_BODY_FORCE;
     const struct mpm_passes *const passes = state->kernels.passes;
     const int workers = strips_touch(state) ? 1 : state->workers;
     double mark = seconds_now();
 
-    if (uniform_force)
-        MPM_TRY(evaluate_uniform_force(state));
-    MPM_TRY(mpm_damping_begin(state, error));
-    mpm_grid_find_active(state);
-    MPM_TRY(mpm_cracks_find_fields(state, workers, error));
-    mpm_edge_loads_prepare(state); /* tractions of the state at the start */
-    mpm_grid_rows_run(state, mpm_row_clear);
+    MPM_TRY(begin(state, workers, uniform_force, error));
     charge(seconds, MPM_PHASE_GRID, &mark);
 
-    /* Task 1: mass and momentum of the nodes (26); with the stress at hand also Task 3 */
-    run_particles(state, workers, passes->to_grid);
-    mpm_given_force_spread(state, workers);
-    if (state->kernels.gather_rows != NULL)
-        mpm_grid_rows_run(state, state->kernels.gather_rows);
-    mpm_crack_detection_measure(state, workers);
-    mpm_symmetries_reflect_momentum(state);
+    spread(state, workers);
     charge(seconds, MPM_PHASE_TO_GRID, &mark);
 
     /* Task 2: velocities at the start, conditions */
@@ -253,12 +274,8 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     state->external_work += mpm_edge_loads_work(state, state->workers);
     update_velocities(state, workers);
     charge(seconds, MPM_PHASE_TO_PARTICLES, &mark);
-    if (order->extrapolate) {
-        mpm_symmetries_reflect_extrapolated(state);
-        mpm_grid_rows_run(state, mpm_row_extrapolated_velocity);
-        mpm_conditions_apply_extrapolated(state);
-        mpm_crack_contact_extrapolated(state);
-    }
+    if (state->order->extrapolate)
+        finish_extrapolation(state);
     charge(seconds, MPM_PHASE_GRID, &mark);
 
     /* Task 6: stress update of USL, MUSL, USAVG; Task 5: positions, last, since every

@@ -69,7 +69,7 @@ static enum mpm_status read_points(struct study *study, const char *column, stru
             .x = row[x],
             .y = row[y],
             .reference = study->factor * row[stress],
-            .stress = NAN,
+            .stress = (double)NAN,
             .elements = study->factor * beside[gauss],
             .integrated = study->factor * beside[particles],
             .small = study->factor * row[small],

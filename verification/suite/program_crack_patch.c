@@ -98,7 +98,7 @@ static enum mpm_status match(struct study *study, struct mpm_error *error)
     const struct values *const whole = &study->whole.fields[0], *const half =
                                                                     &study->half.fields[0];
     const size_t size = half->particles * half->components;
-    if (half->particles > whole->particles)
+    if (half->start == NULL || whole->start == NULL || half->particles > whole->particles)
         return failure_set(error, MPM_BAD_INPUT, "the half has more particles than the whole");
     study->first = whole->particles - half->particles;
     for (size_t i = 0; i < size; i++)
