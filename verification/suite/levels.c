@@ -50,7 +50,7 @@ static double class_of(size_t count, const double *h, const double *error)
 void levels_report_orders(struct measurement *measurement, size_t count, const char *suffix,
                           const double *error)
 {
-    double h[LEVELS_MAX];
+    double h[LEVELS_MAX] = {0.0};
     for (size_t k = 0; k < count; k++)
         h[k] = ldexp(1.0, -(int)k);
     const struct order_fit fit = order_fit(count, h, error);
