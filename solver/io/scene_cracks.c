@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene_build.h"
 
+#include "base/orientation.h"
 #include "model/region.h"
 
 #include <math.h>
@@ -35,12 +36,6 @@ static double distance(const double a[2], const double b[2])
     return hypot(b[0] - a[0], b[1] - a[1]);
 }
 
-/* Twice the signed area of a triangle: positive if c is on the left of ab. */
-static double side(const double a[2], const double b[2], const double c[2])
-{
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
 /* Is the place within `near` of the segment, which has a length? */
 static bool is_near(const struct segment *segment, const double place[2], double near)
 {
@@ -65,7 +60,8 @@ static bool are_apart(const struct segment *one, const struct segment *other, do
 
 static bool splits(const struct segment *one, const struct segment *other)
 {
-    return (side(one->a, one->b, other->a) > 0.0) != (side(one->a, one->b, other->b) > 0.0);
+    return (mpm_orientation(one->a, one->b, other->a) > 0.0) !=
+           (mpm_orientation(one->a, one->b, other->b) > 0.0);
 }
 
 /* Do two segments cross, or come within `near`? */

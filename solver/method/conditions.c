@@ -2,6 +2,7 @@
 #include "method/conditions.h"
 
 #include "method/crack_fields.h"
+#include "method/grid_update.h"
 
 #include <math.h>
 
@@ -64,10 +65,8 @@ static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_err
 {
     for (size_t k = 0; k < state->condition_count; k++) {
         const struct mpm_condition *const condition = &state->conditions[k];
-        const int64_t row = condition->node / state->grid.columns;
-        const int64_t column = condition->node % state->grid.columns;
-        if (column < state->row_low[row] || column > state->row_high[row] ||
-            !has_mass(state, condition->node) || is_reflected(state, condition))
+        if (!mpm_node_is_active(state, condition->node) || !has_mass(state, condition->node) ||
+            is_reflected(state, condition))
             continue;
         struct mpm_active_condition active = {condition->node, condition->component,
                                               MPM_FROM_BOUNDARY, 0.0, 0.0};
@@ -172,9 +171,8 @@ static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *e
             if (stencil.node[k].s == 0.0)
                 continue;
             const int64_t node = state->node_zero + stencil.node[k].node;
-            const int64_t row = node / state->grid.columns, column = node % state->grid.columns;
-            if (column < state->row_low[row] || column > state->row_high[row] ||
-                !has_mass(state, node) || state->rigid_owner[node] == body + 1)
+            if (!mpm_node_is_active(state, node) || !has_mass(state, node) ||
+                state->rigid_owner[node] == body + 1)
                 continue;
             MPM_TRY(drive_node(state, first_rigid, body, node, error));
         }

@@ -10,8 +10,8 @@
 
 /* ------------------------------------------------------------------ contact */
 
-/* The two fields that have mass, the one above first; false if there are fewer. A third one, of a
- * node that a bent crack hides from both sides, is left alone. */
+/* The two fields that have mass, the one above first; false if there are fewer, or three, as a bent
+ * crack may ask for: such a node has no contact. */
 static bool find_pair(const struct mpm_state *state, const struct mpm_crack_node *node,
                       enum mpm_crack_side pair[2])
 {
@@ -184,13 +184,6 @@ static double node_momentum(const struct mpm_state *state, int64_t home, double 
     return mass;
 }
 
-static inline bool is_active(const struct mpm_state *state, int64_t node)
-{
-    const int64_t row = node / state->grid.columns, column = node % state->grid.columns;
-    return row >= state->first_row && row <= state->last_row && column >= state->row_low[row] &&
-           column <= state->row_high[row];
-}
-
 /* Zero where no node in reach has mass to speak of: outside of all bodies a crack stays where it
  * is. */
 static void point_velocity(const struct mpm_state *state, const double place[2], double v[2])
@@ -203,7 +196,8 @@ static void point_velocity(const struct mpm_state *state, const double place[2],
     for (int k = 0; k < stencil.count; k++) {
         const int64_t node = state->node_zero + stencil.node[k].node;
         double momentum[2] = {0.0, 0.0};
-        const double mass = is_active(state, node) ? node_momentum(state, node, momentum) : 0.0;
+        const double mass =
+            mpm_node_is_active(state, node) ? node_momentum(state, node, momentum) : 0.0;
         if (!(mass >= state->cracks.least_mass))
             continue;
         weight += stencil.node[k].s;

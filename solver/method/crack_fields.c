@@ -48,12 +48,14 @@ static bool is_strip_near(const struct mpm_state *state, const struct mpm_strip 
 }
 
 /* May one of its nodes have further fields? Such a node is one of a particle whose box meets a
- * crack: twice the box of this one does, if they are of one size. */
+ * crack: this one's does, with half the widest box around it. Of domains that F has stretched
+ * (CPDI) the widest is taken to be this one. */
 static bool is_near(const struct mpm_state *state, size_t p)
 {
     struct mpm_crack_box box = box_of(state, p);
     for (int axis = 0; axis < 2; axis++) {
-        const double half = 0.5 * (box.high[axis] - box.low[axis]);
+        const double own = 0.5 * (box.high[axis] - box.low[axis]);
+        const double half = fmax(own, state->cracks.widest[axis]);
         box.low[axis] -= half;
         box.high[axis] += half;
     }

@@ -20,8 +20,8 @@
 #include "method/state.h"
 
 /* Task 1, first part: v(p, i) of all particles near cracks; the nodes' further fields, and their
- * rows. MPM_RUN_FAILED: a line crosses two cracks (recorded with the particle), or cracks have
- * grown so that there is no room for their nodes. */
+ * rows. A line that crosses two cracks is recorded with its particle, and fails the step at its
+ * end. MPM_RUN_FAILED: cracks have grown so that there is no room for their nodes. */
 enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
                                        struct mpm_error *error);
 

@@ -19,7 +19,14 @@ static inline struct mpm_row_span mpm_row_span(const struct mpm_state *state, in
     return (struct mpm_row_span){start + state->row_low[row], start + state->row_high[row] + 1};
 }
 
-/* The same without the nodes beyond planes of symmetry, which are images of others: what sums over
+/* Is a node of the grid in a span? Rows that are not active have none. */
+static inline bool mpm_node_is_active(const struct mpm_state *state, int64_t node)
+{
+    const int64_t row = node / state->grid.columns, column = node % state->grid.columns;
+    return column >= state->row_low[row] && column <= state->row_high[row];
+}
+
+/* A span without the nodes beyond planes of symmetry, which are images of others: what sums over
  * nodes ask for. */
 static inline struct mpm_row_span mpm_row_span_inside(const struct mpm_state *state, int64_t row)
 {

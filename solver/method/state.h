@@ -151,8 +151,8 @@ struct mpm_crack_sums {
 
 /* A node with several velocity fields; see crack_fields.h. */
 struct mpm_crack_node {
-    int64_t
-        field[3]; /* index of that of each mpm_crack_side; the first is the node's own; -1: none */
+    /* index of the field of each mpm_crack_side, the first the node itself; -1: none */
+    int64_t field[3];
     double normal[2];              /* sum of the normals of the segments that lines to it cross */
     struct mpm_crack_sums sums[3]; /* of the particles on each mpm_crack_side */
     size_t crack;                  /* the first one that is crossed */
@@ -182,6 +182,7 @@ struct mpm_cracks {
     struct mpm_crack_span *spans; /* see mpm_crack_spans */
     uint8_t *near;                /* per particle: may lines to its nodes cross a crack? */
     double (*reach)[2];           /* per body: of a particle's nodes from it; not for CPDI */
+    double widest[2];             /* of these */
     uint8_t *wanted;              /* per node: bits of the sides that some particle asks for */
     uint32_t *node_of;            /* per node: one more than its place in `nodes`, or 0 */
     struct mpm_crack_node *nodes; /* in the order of the grid */

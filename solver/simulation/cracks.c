@@ -60,8 +60,10 @@ static void place_cracks(struct mpm_state *state)
     for (size_t k = 0; k < state->scene->body_count; k++) {
         mpm_shape_reach(state->family, &state->shape_grid, state->bodies[k].half_size,
                         cracks->reach[k]);
-        for (int axis = 0; axis < 2; axis++)
+        for (int axis = 0; axis < 2; axis++) {
             cracks->reach[k][axis] += state->family->nodes_past_end * state->grid.cell[axis];
+            cracks->widest[axis] = fmax(cracks->widest[axis], cracks->reach[k][axis]);
+        }
     }
     for (size_t k = 0; k < state->scene->crack_count; k++) {
         const struct mpm_crack_spec *const spec = &state->scene->cracks[k];
