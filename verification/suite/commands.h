@@ -23,7 +23,8 @@ int suite_command(int argc, char **argv, const struct suite_world *world);
 /* ------------------------------------------- shared by the files of commands */
 
 struct command_options {
-    char *tier, *case_glob, *variant_glob, *kernels, *output, *catalogue, *tag, *change;
+    char *tier, *case_glob, *variant_glob, *kernels, *output, *catalogue, *tag, *change,
+        *name;
     int jobs;
     char **rest; /* what stands beside the options */
 };
@@ -38,6 +39,8 @@ struct command {
 
 enum mpm_status command_list(struct command *command, struct mpm_error *error);
 enum mpm_status command_explain(struct command *command, struct mpm_error *error);
+enum mpm_status command_export(struct command *command, struct mpm_error *error);
+enum mpm_status command_score(struct command *command, struct mpm_error *error);
 
 struct catalogue;
 
