@@ -205,6 +205,7 @@ static json_t *bundle_json(const struct writing *writing)
     json_object_set(object, "geometry", json_object_get(writing->scene, "geometry"));
     json_object_set(object, "units", json_object_get(writing->scene, "units"));
     json_object_set_new(object, "problem", problem_json(writing->scene));
+    json_object_set_new(object, "body", json_integer(bundle->body));
     json_object_set_new(object, "at_rest", json_boolean(bundle->rest));
     json_object_set_new(object, "end", json_real(bundle->end));
     json_object_set_new(object, "instants", json_integer(bundle->rest ? 1 : bundle->instants));
@@ -345,7 +346,8 @@ static enum mpm_status prepare(struct writing *writing, struct mpm_error *error)
     const json_t *units = json_object_get(writing->scene, "units");
     writing->format = (struct score_format){
         geometry_of(record_text(writing->scene, "geometry")),
-        {record_text(units, "length"), record_text(units, "mass"), record_text(units, "time")}};
+        {record_text(units, "length"), record_text(units, "mass"), record_text(units, "time")},
+        bundle->body};
     writing->lattice =
         (struct lattice){.count = {(size_t)bundle->points[0], (size_t)bundle->points[1]},
                          .polar = bundle->polar,

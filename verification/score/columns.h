@@ -12,7 +12,7 @@
 
 enum score_column {
     SCORE_TIME,
-    SCORE_BODY, /* 0: the body that is judged */
+    SCORE_BODY, /* from 0, in the order of the problem */
     SCORE_ID,   /* the same material point at all instants */
     SCORE_INITIAL_X,
     SCORE_INITIAL_Y,

@@ -5,6 +5,7 @@
 
 #include "verification/exact/compression.h"
 #include "verification/exact/lame_cylinder.h"
+#include "verification/exact/radial_mode.h"
 #include "verification/exact/self_weight.h"
 #include "verification/exact/step_wave.h"
 #include "verification/exact/vibrating_bar.h"
@@ -21,7 +22,7 @@ static void vibrating_bar(const struct reference_problem *problem, const double 
     const struct vibrating_bar bar = {n[0], n[1], n[2], n[3], VIBRATING_BAR_HELD};
     values[SCORE_DISPLACEMENT_X] = vibrating_bar_displacement(&bar, place[0], time);
     values[SCORE_VELOCITY_X] = vibrating_bar_velocity(&bar, place[0], time);
-    /* in uniaxial strain Cauchy's stress along the bar is the nominal one */
+    /* in references strain Cauchy's stress along the bar is the nominal one */
     values[SCORE_STRESS_XX] = bar.modulus * vibrating_bar_strain(&bar, place[0], time);
 }
 
@@ -73,7 +74,33 @@ static void self_weight(const struct reference_problem *problem, const double pl
     values[SCORE_STRESS_YY] = self_weight_stress(&column, place[1]);
 }
 
-static const struct reference uniaxial[] = {
+/* The first breathing mode; `speed` is the velocity of the rim at t = 0. */
+static void radial_mode(const struct reference_problem *problem, const double place[2], double time,
+                        double values[SCORE_COLUMNS])
+{
+    const double *n = problem->number;
+    const struct radial_mode_body body = {RADIAL_MODE_CYLINDER, n[0], n[1], n[2], n[3]};
+    const double wave = radial_mode_wave_number(&body, 1);
+    const double omega = radial_mode_frequency(&body, wave);
+    const double velocity = n[4] * radial_mode_displacement(wave, place[0]) /
+                            radial_mode_displacement(wave, body.radius);
+    values[SCORE_DISPLACEMENT_X] = velocity / omega * sin(omega * time);
+    values[SCORE_VELOCITY_X] = velocity * cos(omega * time);
+}
+
+/* A block on an incline: gravity comes on as (1 - cos(pi t/T))/2 until T, friction with it. */
+static void sliding(const struct reference_problem *problem, const double place[2], double time,
+                    double values[SCORE_COLUMNS])
+{
+    static const double PI = 3.141592653589793238463;
+    const double acceleration = problem->number[0], rise = problem->number[1];
+    (void)place;
+    values[SCORE_VELOCITY_X] =
+        acceleration *
+        (time < rise ? 0.5 * (time - rise / PI * sin(PI * time / rise)) : time - 0.5 * rise);
+}
+
+static const struct reference references[] = {
     {"vibrating_bar",
      {"length", "modulus", "density", "amplitude"},
      {SCORE_DISPLACEMENT_X, SCORE_VELOCITY_X, SCORE_STRESS_XX},
@@ -100,13 +127,19 @@ static const struct reference uniaxial[] = {
      {SCORE_DISPLACEMENT_Y, SCORE_STRESS_YY},
      NULL,
      self_weight},
+    {"radial_mode",
+     {"radius", "young", "poisson", "density", "speed"},
+     {SCORE_DISPLACEMENT_X, SCORE_VELOCITY_X},
+     NULL,
+     radial_mode},
+    {"sliding", {"acceleration", "rise"}, {SCORE_VELOCITY_X}, NULL, sliding},
 };
 
 static const struct reference *find(const char *name)
 {
-    for (size_t i = 0; i < G_N_ELEMENTS(uniaxial); i++)
-        if (strcmp(uniaxial[i].name, name) == 0)
-            return &uniaxial[i];
+    for (size_t i = 0; i < G_N_ELEMENTS(references); i++)
+        if (strcmp(references[i].name, name) == 0)
+            return &references[i];
     return strcmp(reference_manufactured.name, name) == 0 ? &reference_manufactured : NULL;
 }
 

@@ -173,13 +173,13 @@ static enum mpm_status add_files(const char *path, const struct score_format *fo
 
 /* ------------------------------------------------------- what follows from others */
 
-static void keep_body(struct score_table *table)
+static void keep_body(struct score_table *table, int body)
 {
     if (!score_table_has(table, SCORE_BODY))
         return;
     size_t kept = 0;
     for (size_t p = 0; p < table->rows; p++) {
-        if (fabs(score_table_value(table, SCORE_BODY, p)) >= 0.5)
+        if (fabs(score_table_value(table, SCORE_BODY, p) - body) >= 0.5)
             continue;
         for (int c = 0; c < SCORE_COLUMNS; c++)
             if (table->column[c] != NULL)
@@ -260,7 +260,7 @@ enum mpm_status results_read(const char *path, const struct score_format *format
         score_table_close(table);
         return status;
     }
-    keep_body(table);
+    keep_body(table, format->body);
     complete(table);
     return MPM_OK;
 }

@@ -12,7 +12,8 @@
  *
  * What follows from other columns is filled in: the initial position from position and
  * displacement, or from the position at time 0 of the point with the same id; the displacement from
- * both positions. Rows with a `body` other than 0 are left out.
+ * both positions. Where there is a column `body`, rows of others than the problem's
+ * are left out.
  *
  * MPM_BAD_INPUT: a file that cannot be read, no results at all, files whose columns differ. */
 enum mpm_status results_read(const char *path, const struct score_format *format,

@@ -268,6 +268,8 @@ static enum mpm_status check_bundle(const char *path, const struct case_file *fi
         if (!(bundle->from[a] < bundle->to[a]))
             return yaml_refuse(path, error, "bundle", "from must be less than to");
     }
+    if (bundle->body < 0)
+        return yaml_refuse(path, error, "bundle", "body: allowed are whole numbers from 0");
     if (!(bundle->end > 0) || bundle->instants < 1 || bundle->instants > 1000)
         return yaml_refuse(path, error, "bundle", "allowed are an end > 0 and 1 to 1000 instants");
     for (unsigned i = 0; i < bundle->criteria_count; i++)

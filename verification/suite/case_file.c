@@ -152,6 +152,7 @@ static const cyaml_schema_field_t bundle_fields[] = {
     CYAML_FIELD_BOOL("rest", CYAML_FLAG_OPTIONAL, struct case_bundle, rest),
     TEXT("end", case_bundle, end_text),
     CYAML_FIELD_INT("instants", CYAML_FLAG_DEFAULT, struct case_bundle, instants),
+    CYAML_FIELD_INT("body", CYAML_FLAG_OPTIONAL, struct case_bundle, body),
     LIST("criteria", case_bundle, criteria, &criterion_schema, 1),
     CYAML_FIELD_END};
 

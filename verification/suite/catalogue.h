@@ -130,6 +130,7 @@ struct case_bundle {
     char *end_text;
     double end;
     int instants; /* at end / instants, ..., end */
+    int body;     /* of the scene, that is judged */
     struct case_criterion *criteria;
     unsigned criteria_count;
 };
