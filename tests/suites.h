@@ -41,6 +41,8 @@
     SUITE(comparison_page)                                                                         \
     SUITE(judge)                                                                                   \
     SUITE(report)                                                                                  \
+    SUITE(score_readers)                                                                           \
+    SUITE(score)                                                                                   \
     SUITE(scene_run)                                                                               \
     SUITE(budget)                                                                                  \
     SUITE(scene_limits)                                                                            \
