@@ -43,6 +43,7 @@
     SUITE(report)                                                                                  \
     SUITE(score_readers)                                                                           \
     SUITE(score)                                                                                   \
+    SUITE(docs)                                                                                    \
     SUITE(scene_run)                                                                               \
     SUITE(budget)                                                                                  \
     SUITE(scene_limits)                                                                            \
