@@ -350,6 +350,28 @@ START_TEST(too_few_points_are_refused)
 }
 END_TEST
 
+/* Snapshots of `mpm run` carry their units. */
+START_TEST(snapshots_in_other_units_are_refused)
+{
+    char *results = test_folder_path(bundles, "mpm"), *home = test_folder_path(bundles, "E3");
+    char *output = test_folder_path(bundles, "units");
+    struct test_command command =
+        test_command_run("mpm", "run", "verification/catalogue/E/E3/scene.yaml", "--quiet", "--set",
+                         "time.end=4", "--set", "units.mass=kg", "--output", results, NULL);
+    ck_assert_msg(command.exit_status == 0, "%s", command.errors);
+    test_command_free(&command);
+    command = test_command_run("mpm-verify", "score", home, results, "--output", output, NULL);
+    ck_assert_int_eq(command.exit_status, 2);
+    ck_assert_msg(
+        strstr(command.errors, "stress: stress_xx is in \"kg mm^-1 ms^-2\": allowed is") != NULL,
+        "%s", command.errors);
+    test_command_free(&command);
+    g_free(output);
+    g_free(home);
+    g_free(results);
+}
+END_TEST
+
 Suite *suite_score(void)
 {
     Suite *suite = suite_create("score");
@@ -366,6 +388,7 @@ Suite *suite_score(void)
     tcase_add_test(scores, the_command_says_and_reports_what_the_score_is);
     tcase_add_test(scores, bad_results_end_with_status_2_and_touch_nothing);
     tcase_add_test(scores, too_few_points_are_refused);
+    tcase_add_test(scores, snapshots_in_other_units_are_refused);
     suite_add_tcase(suite, scores);
     return suite;
 }
