@@ -208,8 +208,8 @@ START_TEST(a_list_of_pairs_selects_those_and_is_recorded)
     char *catalogue = test_folder_create(), *output = test_folder_create();
     test_case_write_quadrature(catalogue);
     char *list = test_folder_write(catalogue, "list", "Q/ninth\n\n  Q/fine \nR1/cubic\n");
-    char *line = g_strdup_printf("mpm-verify run --tier full --catalogue @ --output @ --only %s",
-                                 list);
+    char *line =
+        g_strdup_printf("mpm-verify run --tier full --catalogue @ --output @ --only %s", list);
     struct test_said said = test_verify_with(line, catalogue, output);
     struct records records;
     struct mpm_error error;

@@ -30,8 +30,8 @@ enum mpm_status plan_read_only(const char *path, GHashTable **only, struct mpm_e
     g_free(text);
     if (g_hash_table_size(pairs) == 0) {
         g_hash_table_unref(pairs);
-        return failure_set(error, MPM_BAD_INPUT,
-                           "--only: %s is empty; allowed: lines CASE/VARIANT", path);
+        return failure_set(error, MPM_BAD_INPUT, "--only: %s is empty; allowed: lines CASE/VARIANT",
+                           path);
     }
     *only = pairs;
     return MPM_OK;
