@@ -138,7 +138,7 @@ static const struct {
     "norm: l2, within: " within ", why: w}]}\n"
     {"why: it is <one> & only\n", BUNDLE("1, 1", "5"),
      "case.yaml:25: bundle: states the case's scene"},
-    {"why: it is <one> & only\n", BUNDLE("1", "5"), "case.yaml:25: bundle: to: allowed are two"},
+    {"why: it is <one> & only\n", BUNDLE("1", "5"), "case.yaml:25: Insufficient entries"},
     {"why: it is <one> & only\n", BUNDLE("1, q", "5"), "bundle: to: \"q\" is not a finite number"},
     {"why: it is <one> & only\n", BUNDLE("1, 1", "5 %"),
      "bundle.criteria.0: within: \"5 %\" is not a finite number"},
