@@ -256,8 +256,8 @@ static char *words_text(const struct writing *writing, const json_t *json)
 {
     const struct case_file *file = writing->entry->file;
     GString *text = g_string_new(NULL);
-    g_string_append_printf(text, "# Case %s for other solvers: %s\n\n%s\n\n%s\n\n", file->name,
-                           file->title, file->summary, writing->bundle->about);
+    g_string_append_printf(text, "# Case %s for other solvers: %s\n\n%s\n\n", file->name,
+                           file->title, writing->bundle->about);
     g_string_append(
         text, "`problem.json` states geometry, units, material, bodies, conditions and loads, as "
               "the scene of the case has them; texts such as \"sin(pi*x/16)\" are formulas in the "

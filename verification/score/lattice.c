@@ -47,7 +47,7 @@ static bool locate_along(const struct lattice *lattice, int axis, double coordin
         return false;
     const size_t reach = lattice->linear || count < LATTICE_REACH ? 2 : LATTICE_REACH;
     const double place = fmin(fmax(at, 0.0), 1.0) * (double)(count - 1);
-    const double below = floor(place) - (double)(reach / 2 - 1);
+    const double below = floor(place) - (reach == LATTICE_REACH ? 1.0 : 0.0);
     const double first = fmin(fmax(below, 0.0), (double)(count - reach));
     weights->first[axis] = (size_t)first;
     weights->number[axis] = reach;

@@ -59,7 +59,7 @@ static enum mpm_status refuse(const struct words *words, struct mpm_error *error
 
 static enum mpm_status next_count(struct words *words, size_t *count, struct mpm_error *error)
 {
-    double value;
+    double value = -1;
     if (!next_word(words) || !row_number(words->word, &value) || !(value >= 0) || value > 1e9 ||
         floor(value) < value)
         return refuse(words, error, "allowed is a number of things");
@@ -116,7 +116,7 @@ static enum mpm_status read_points(struct words *words, struct score_table *tabl
 static enum mpm_status read_cells(struct words *words, struct score_table *table,
                                   struct mpm_error *error)
 {
-    size_t count, size = 0;
+    size_t count = 0, size = 0;
     (void)table;
     const bool types = strcmp(words->word, "CELL_TYPES") == 0;
     TRY(next_count(words, &count, error));
@@ -131,7 +131,7 @@ static enum mpm_status read_cells(struct words *words, struct score_table *table
 static enum mpm_status read_point_data(struct words *words, struct score_table *table,
                                        struct mpm_error *error)
 {
-    size_t count;
+    size_t count = 0;
     TRY(next_count(words, &count, error));
     words->point_data = true;
     return count == table->rows
@@ -190,7 +190,7 @@ static enum mpm_status read_tensors(struct words *words, struct score_table *tab
 static enum mpm_status read_field(struct words *words, struct score_table *table,
                                   struct mpm_error *error)
 {
-    size_t arrays;
+    size_t arrays = 0;
     next_word(words); /* its name */
     TRY(next_count(words, &arrays, error));
     for (size_t i = 0; i < arrays; i++) {

@@ -90,7 +90,7 @@ static void start_array(struct parsing *parsing, GMarkupParseContext *context, c
     const char *format = attribute(names, values, "format");
     const char *count = attribute(names, values, "NumberOfComponents");
     const char *name = attribute(names, values, "Name");
-    if (g_strcmp0(format, "ascii") != 0 && g_strcmp0(format, "binary") != 0) {
+    if (format == NULL || (strcmp(format, "ascii") != 0 && strcmp(format, "binary") != 0)) {
         fail(parsing, context, failure, "format \"%s\": allowed are ascii and binary",
              format == NULL ? "" : format);
         return;

@@ -52,7 +52,7 @@ enum mpm_status command_score(struct command *command, struct mpm_error *error)
 {
     const struct command_options *given = &command->options;
     struct console console = {.out = command->world->out, .terminal = command->world->terminal};
-    struct record_counts counts;
+    struct record_counts counts = {.total = 0};
     char *reports = resources_reports(command->argv[0]);
     char *typed = command_line_typed("mpm-verify", command->argc, command->argv);
     char *output = given->output != NULL ? g_strdup(given->output) : resources_score_output();
