@@ -237,6 +237,65 @@ START_TEST(results_of_the_wrong_time_are_an_error_of_their_own)
 }
 END_TEST
 
+/* A copy of E3's bundle with one file changed; the message of its refusal. g_free. */
+static char *refusal_of(const char *name, const char *from, const char *to)
+{
+    char *folder = test_folder_create(), *text = NULL;
+    static const char *const files[] = {"problem.json", "problem.md", "reference.csv"};
+    for (size_t i = 0; i < G_N_ELEMENTS(files); i++) {
+        char *path = g_build_filename(bundles, "E3", files[i], NULL);
+        text = test_file_read(path);
+        if (strcmp(files[i], name) == 0) {
+            char **parts = g_strsplit(text, from, 2);
+            ck_assert_msg(g_strv_length(parts) == 2, "%s is not in %s", from, name);
+            g_free(text);
+            text = g_strconcat(parts[0], to, parts[1], NULL);
+            g_strfreev(parts);
+        }
+        g_free(test_folder_write(folder, files[i], text));
+        g_free(text);
+        g_free(path);
+    }
+    struct bundle bundle;
+    struct mpm_error error = {.message = "accepted"};
+    if (bundle_read(folder, &bundle, &error) == MPM_OK)
+        bundle_close(&bundle);
+    test_folder_remove(folder);
+    return g_strdup(error.message);
+}
+
+START_TEST(a_bundle_that_was_changed_is_refused_with_the_reason)
+{
+    static const struct {
+        const char *name, *from, *to, *message;
+    } table[] = {
+        {"problem.json", "{", "[", "problem.json:2: "},
+        {"problem.json", "\"format\": 1", "\"format\": 2", "format: allowed is 1"},
+        {"problem.json", "\"case\": \"E3\"", "\"case\": \"../E3\"", "family, case: allowed is"},
+        {"problem.json", "plane_strain", "plane", "geometry: allowed is plane_strain"},
+        {"problem.json", "\"end\": 64.0", "\"end\": -1", "an end > 0"},
+        {"problem.json", "\"instants\": 16", "\"instants\": 17", "has 1105 rows: allowed are 1170"},
+        {"problem.json", "\"instants\": 16", "\"instants\": \"16\"", "1 to 1000 instants"},
+        {"problem.json", "65,", "0,", "a count from 1 to 10000"},
+        {"problem.json", "\"count\"", "\"counts\"", "from, to and count, two numbers each"},
+        {"problem.json", "\"norm\": \"l2\"", "\"norm\": \"l3\"", "l1, l2, linf or mean"},
+        {"problem.json", "\"low\": 92.0", "\"low\": -92.0", "the band holds zero"},
+        {"problem.json", "\"low\": 92.0", "\"low\": null", "criterion displacement: "},
+        {"problem.json", "        \"displacement_x\"", "        \"displacement_y\"",
+         "a column of reference.csv"},
+        {"problem.json", "\"criterion\": \"stress\"", "\"criterion\": \"a/b\"",
+         "criterion, title and why"},
+        {"reference.csv", "[mm]", "[m]", "reference.csv:1: initial_x is in \"m\""},
+        {"reference.csv", "\n0,0.25,0.5,0", "\n0,0.25,0.5,nan", "is not a finite number"},
+    };
+    for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
+        char *message = refusal_of(table[i].name, table[i].from, table[i].to);
+        ck_assert_msg(strstr(message, table[i].message) != NULL, "row %zu: %s", i, message);
+        g_free(message);
+    }
+}
+END_TEST
+
 /* ---------------------------------------------------------------------- the command */
 
 /* Scores the bundle's own reference with the first `from` replaced by `to`. */
@@ -385,6 +444,7 @@ Suite *suite_score(void)
     tcase_add_loop_test(scores, a_perfect_answer_scores_100_percent, 0, EXPORTED);
     tcase_add_loop_test(scores, each_quantity_that_is_spoiled_turns_red, 0, EXPORTED);
     tcase_add_test(scores, results_of_the_wrong_time_are_an_error_of_their_own);
+    tcase_add_test(scores, a_bundle_that_was_changed_is_refused_with_the_reason);
     tcase_add_test(scores, the_command_says_and_reports_what_the_score_is);
     tcase_add_test(scores, bad_results_end_with_status_2_and_touch_nothing);
     tcase_add_test(scores, too_few_points_are_refused);
