@@ -20,6 +20,10 @@ static const double tensor[3][9] = {{1, 4, 0, 4, 2, 0, 0, 0, 3},
                                     {10, 40, 0, 40, 20, 0, 0, 0, 30},
                                     {-1, -4, 0, -4, -2, 0, 0, 0, -3}};
 
+/* The same as xx yy zz xy yz xz. */
+static const double symmetric[3][6] = {
+    {1, 2, 3, 4, 0, 0}, {10, 20, 30, 40, 0, 0}, {-1, -2, -3, -4, 0, 0}};
+
 static char *csv_text(void)
 {
     GString *text = g_string_new("# comment\n\ntime [ms], x [mm], y, displacement_x [mm], "
@@ -91,7 +95,10 @@ static char *vtu_text(bool binary, bool timed)
     }
     g_string_append(text, "<Piece NumberOfPoints=\"3\" NumberOfCells=\"0\">\n<PointData>\n");
     add_array(text, binary, "displacement", 3, displacement, 9);
-    add_array(text, binary, "stress", 9, &tensor[0][0], 27);
+    if (binary)
+        add_array(text, binary, "stress", 6, &symmetric[0][0], 18);
+    else
+        add_array(text, binary, "stress", 9, &tensor[0][0], 27);
     add_array(text, binary, "deformation_gradient", 9, volume, 27);
     g_string_append(text, "</PointData>\n<Points>\n");
     add_array(text, binary, "Points", 3, points, 9);
