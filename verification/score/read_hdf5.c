@@ -94,11 +94,11 @@ static enum mpm_status take_dataset(const char *path, const struct score_format 
 
 static double read_time(hid_t group)
 {
-    double time = NAN;
+    double time = (double)NAN;
     if (H5Aexists(group, "time") > 0) {
         const hid_t attribute = H5Aopen(group, "time", H5P_DEFAULT);
         if (H5Aread(attribute, H5T_NATIVE_DOUBLE, &time) < 0)
-            time = NAN;
+            time = (double)NAN;
         (void)H5Aclose(attribute);
     }
     return time;
