@@ -41,6 +41,9 @@
     SUITE(comparison_page)                                                                         \
     SUITE(judge)                                                                                   \
     SUITE(report)                                                                                  \
+    SUITE(score_readers)                                                                           \
+    SUITE(score)                                                                                   \
+    SUITE(docs)                                                                                    \
     SUITE(scene_run)                                                                               \
     SUITE(budget)                                                                                  \
     SUITE(scene_limits)                                                                            \

@@ -132,6 +132,18 @@ static const struct {
      "why: w\nfigures:\n  - {name: f, script: ../x.gp, title: t, caption: c, reference: r}\n",
      "allowed is a file *.gp beside case.yaml"},
     {"title: the value", "title: [the", "case.yaml:"},
+#define BUNDLE(to, within)                                                                         \
+    "why: w\nbundle:\n  {reference: r, about: a, from: [0, 0], to: [" to                           \
+    "], points: [2, 1], end: 1, instants: 1, criteria: [{criterion: c, title: t, columns: [x], "   \
+    "norm: l2, within: " within ", why: w}]}\n"
+    {"why: it is <one> & only\n", BUNDLE("1, 1", "5"),
+     "case.yaml:25: bundle: states the case's scene"},
+    {"why: it is <one> & only\n", BUNDLE("1", "5"), "case.yaml:25: Insufficient entries"},
+    {"why: it is <one> & only\n", BUNDLE("1, q", "5"), "bundle: to: \"q\" is not a finite number"},
+    {"why: it is <one> & only\n", BUNDLE("1, 1", "5 %"),
+     "bundle.criteria.0: within: \"5 %\" is not a finite number"},
+    {"why: it is <one> & only\n", BUNDLE("1, 1", "5") "no_bundle: n\n",
+     "case.yaml:26: no_bundle: there is a bundle"},
 };
 
 START_TEST(a_bad_case_is_refused_with_file_line_and_reason)

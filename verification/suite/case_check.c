@@ -229,6 +229,54 @@ static enum mpm_status check_comparison(const char *path, const struct case_file
     return MPM_OK;
 }
 
+static enum mpm_status check_criterion(const char *path, const struct case_bundle *bundle,
+                                       unsigned index, struct mpm_error *error)
+{
+    const struct case_criterion *criterion = &bundle->criteria[index];
+    char place[48];
+    g_snprintf(place, sizeof place, "bundle.criteria.%u", index);
+    if (!name_is_sound(criterion->name))
+        return yaml_refuse(path, error, place, "criterion \"%s\": %s", criterion->name, name_rule);
+    for (unsigned i = 0; i < index; i++)
+        if (strcmp(criterion->name, bundle->criteria[i].name) == 0)
+            return yaml_refuse(path, error, place, "criterion \"%s\" is there twice",
+                               criterion->name);
+    if (!(criterion->within > 0 && criterion->within < 100))
+        return yaml_refuse(path, error, place,
+                           "within %s: allowed are more than 0 and less than "
+                           "100 %%",
+                           criterion->within_text);
+    return MPM_OK;
+}
+
+static enum mpm_status check_bundle(const char *path, const struct case_file *file,
+                                    struct mpm_error *error)
+{
+    const struct case_bundle *bundle = file->bundle;
+    if (bundle == NULL)
+        return MPM_OK;
+    if (file->no_bundle != NULL)
+        return yaml_refuse(path, error, "no_bundle", "there is a bundle");
+    if (file->scene == NULL)
+        return yaml_refuse(path, error, "bundle", "states the case's scene, and it has none");
+    for (unsigned a = 0; a < 2; a++) {
+        const double points = bundle->points[a];
+        if (!(points >= 1 && points <= 10000) || (double)(unsigned)points < points)
+            return yaml_refuse(path, error, "bundle",
+                               "points: allowed are whole numbers from 1 to "
+                               "10000");
+        if (!(bundle->from[a] < bundle->to[a]))
+            return yaml_refuse(path, error, "bundle", "from must be less than to");
+    }
+    if (bundle->body < 0)
+        return yaml_refuse(path, error, "bundle", "body: allowed are whole numbers from 0");
+    if (!(bundle->end > 0) || bundle->instants < 1 || bundle->instants > 1000)
+        return yaml_refuse(path, error, "bundle", "allowed are an end > 0 and 1 to 1000 instants");
+    for (unsigned i = 0; i < bundle->criteria_count; i++)
+        TRY(check_criterion(path, bundle, i, error));
+    return MPM_OK;
+}
+
 enum mpm_status case_file_check(const char *path, const struct case_file *file,
                                 struct mpm_error *error)
 {
@@ -247,5 +295,6 @@ enum mpm_status case_file_check(const char *path, const struct case_file *file,
         TRY(check_check(path, file, i, error));
     for (unsigned i = 0; i < file->figures_count; i++)
         TRY(check_figure(path, file, i, error));
-    return check_comparison(path, file, error);
+    TRY(check_comparison(path, file, error));
+    return check_bundle(path, file, error);
 }

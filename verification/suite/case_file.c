@@ -125,6 +125,37 @@ static const cyaml_schema_field_t comparison_fields[] = {
     LIST("notes", case_comparison, notes, &yaml_text_schema, 0),
     CYAML_FIELD_END};
 
+static const cyaml_strval_t norm_values[] = {
+    {"l1", AGREEMENT_L1}, {"l2", AGREEMENT_L2}, {"linf", AGREEMENT_LINF}, {"mean", AGREEMENT_MEAN}};
+
+static const cyaml_schema_field_t criterion_fields[] = {
+    TEXT("criterion", case_criterion, name),
+    TEXT("title", case_criterion, title),
+    LIST("columns", case_criterion, columns, &yaml_text_schema, 1),
+    CYAML_FIELD_ENUM("norm", CYAML_FLAG_STRICT, struct case_criterion, norm, norm_values,
+                     CYAML_ARRAY_LEN(norm_values)),
+    TEXT("within", case_criterion, within_text),
+    TEXT("why", case_criterion, why),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t criterion_schema = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct case_criterion, criterion_fields)};
+
+static const cyaml_schema_field_t bundle_fields[] = {
+    TEXT("reference", case_bundle, reference),
+    TEXT("about", case_bundle, about),
+    LIST("parameters", case_bundle, parameters, &parameter_schema, 0),
+    LIST("from", case_bundle, from_text, &yaml_text_schema, 2),
+    LIST("to", case_bundle, to_text, &yaml_text_schema, 2),
+    LIST("points", case_bundle, points_text, &yaml_text_schema, 2),
+    CYAML_FIELD_BOOL("polar", CYAML_FLAG_OPTIONAL, struct case_bundle, polar),
+    CYAML_FIELD_BOOL("linear", CYAML_FLAG_OPTIONAL, struct case_bundle, linear),
+    CYAML_FIELD_BOOL("rest", CYAML_FLAG_OPTIONAL, struct case_bundle, rest),
+    TEXT("end", case_bundle, end_text),
+    CYAML_FIELD_INT("instants", CYAML_FLAG_DEFAULT, struct case_bundle, instants),
+    CYAML_FIELD_INT("body", CYAML_FLAG_OPTIONAL, struct case_bundle, body),
+    LIST("criteria", case_bundle, criteria, &criterion_schema, 1),
+    CYAML_FIELD_END};
+
 static const cyaml_schema_field_t file_fields[] = {
     CYAML_FIELD_INT("format", CYAML_FLAG_DEFAULT, struct case_file, format),
     TEXT("family", case_file, family),
@@ -142,6 +173,9 @@ static const cyaml_schema_field_t file_fields[] = {
     LIST("figures", case_file, figures, &figure_schema, 0),
     CYAML_FIELD_MAPPING_PTR("comparison", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL,
                             struct case_file, comparison, comparison_fields),
+    CYAML_FIELD_MAPPING_PTR("bundle", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL, struct case_file,
+                            bundle, bundle_fields),
+    OPTIONAL_TEXT("no_bundle", case_file, no_bundle),
     CYAML_FIELD_END};
 static const cyaml_schema_value_t file_schema = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, struct case_file, file_fields)};
@@ -202,6 +236,34 @@ static enum mpm_status convert_column(const char *path, unsigned index, struct c
     return MPM_OK;
 }
 
+static enum mpm_status convert_pair(const char *path, const char *key, char *const *texts,
+                                    unsigned count, double values[2], struct mpm_error *error)
+{
+    if (count != 2)
+        return yaml_refuse(path, error, "bundle", "%s: allowed are two numbers", key);
+    for (unsigned i = 0; i < 2; i++)
+        TRY(convert(path, "bundle", key, texts[i], &values[i], error));
+    return MPM_OK;
+}
+
+static enum mpm_status convert_bundle(const char *path, struct case_bundle *bundle,
+                                      struct mpm_error *error)
+{
+    TRY(convert_pair(path, "from", bundle->from_text, bundle->from_text_count, bundle->from,
+                     error));
+    TRY(convert_pair(path, "to", bundle->to_text, bundle->to_text_count, bundle->to, error));
+    TRY(convert_pair(path, "points", bundle->points_text, bundle->points_text_count, bundle->points,
+                     error));
+    TRY(convert(path, "bundle", "end", bundle->end_text, &bundle->end, error));
+    for (unsigned i = 0; i < bundle->criteria_count; i++) {
+        char place[48];
+        g_snprintf(place, sizeof place, "bundle.criteria.%u", i);
+        TRY(convert(path, place, "within", bundle->criteria[i].within_text,
+                    &bundle->criteria[i].within, error));
+    }
+    return MPM_OK;
+}
+
 static enum mpm_status convert_numbers(const char *path, struct case_file *file,
                                        struct mpm_error *error)
 {
@@ -218,7 +280,7 @@ static enum mpm_status convert_numbers(const char *path, struct case_file *file,
         TRY(convert_check(path, i, &file->checks[i], error));
     for (unsigned i = 0; file->comparison != NULL && i < file->comparison->columns_count; i++)
         TRY(convert_column(path, i, &file->comparison->columns[i], error));
-    return MPM_OK;
+    return file->bundle == NULL ? MPM_OK : convert_bundle(path, file->bundle, error);
 }
 
 enum mpm_status case_file_load(const char *path, struct case_file **file, struct mpm_error *error)

@@ -6,6 +6,7 @@
 #ifndef VERIFICATION_SUITE_CATALOGUE_H
 #define VERIFICATION_SUITE_CATALOGUE_H
 
+#include "verification/measures/agreement.h"
 #include "verification/measures/comparison.h"
 #include "verification/measures/verdict.h"
 #include "verification/suite/programs.h"
@@ -105,6 +106,35 @@ struct case_comparison {
     unsigned notes_count;
 };
 
+/* What another solver's results are held to: agreement with the reference of 100 % to within so
+ * much. */
+struct case_criterion {
+    char *name, *title;
+    char **columns; /* names as in verification/score/columns.h */
+    unsigned columns_count;
+    enum agreement_norm norm;
+    char *within_text, *why;
+    double within; /* % */
+};
+
+/* What `mpm-verify export` writes of a case for other solvers. */
+struct case_bundle {
+    char *reference; /* a name of verification/score/references.c */
+    char *about;     /* what a solver has to do that README.md and the scene do not say */
+    struct case_parameter *parameters; /* of the reference; win over those of the case */
+    unsigned parameters_count;
+    char **from_text, **to_text, **points_text; /* the lattice of initial positions, 2 each */
+    unsigned from_text_count, to_text_count, points_text_count;
+    double from[2], to[2], points[2];
+    bool polar, linear, rest; /* from and to are radius and angle; interpolation; a state of rest */
+    char *end_text;
+    double end;
+    int instants; /* at end / instants, ..., end */
+    int body;     /* of the scene, that is judged */
+    struct case_criterion *criteria;
+    unsigned criteria_count;
+};
+
 /* case.yaml as read; texts of numbers are kept beside their values. */
 struct case_file {
     int format;
@@ -123,6 +153,8 @@ struct case_file {
     struct case_figure *figures;
     unsigned figures_count;
     struct case_comparison *comparison; /* NULL if it has none */
+    struct case_bundle *bundle;         /* NULL if it has none: */
+    char *no_bundle;                    /* why; may be NULL */
 };
 
 struct catalogue_case {

@@ -42,12 +42,21 @@ static const char usage[] =
     "                                         checks, values by more than X (relative, 0.001 "
     "unless\n"
     "                                         given), margins, times beyond noise\n"
+    "  export --output DIR [--case GLOB]      bundles for other solvers: problem, reference, "
+    "criteria\n"
+    "  score BUNDLE RESULTS [--name SOLVER] [--output DIR]\n"
+    "                                         judges another solver's results (CSV, HDF5, VTK) "
+    "against\n"
+    "                                         a bundle, and writes the same report\n"
     "  help, --help, --version\n"
     "\n"
-    "list, run and explain take --catalogue DIR. --tier is ci unless given; --kernels auto, which "
+    "list, run, explain and export take --catalogue DIR. --tier is ci unless given; --kernels "
+    "auto, which "
     "is\n"
     "fast wherever a scene allows; --jobs the number of processors; --output\n"
-    "build/reports/verify in the repository and verify-report elsewhere.\n"
+    "build/reports/verify in the repository and verify-report elsewhere (score: "
+    "build/reports/score\n"
+    "and score-report).\n"
     "Exit status: 0 every check holds (or shows its known weakness); 1 one does not; 2 bad usage\n"
     "or a bad catalogue; 4 the environment failed. compare: 0 nothing got worse; 1 a status did,\n"
     "a check failed that is new or vanished from the same selection, or a margin shrank by more\n"
@@ -66,6 +75,7 @@ static void options_clear(struct command_options *options)
     g_free(options->catalogue);
     g_free(options->tag);
     g_free(options->change);
+    g_free(options->name);
     g_strfreev(options->rest);
 }
 
@@ -75,7 +85,9 @@ enum {
     TAKES_OUTPUT = 2,
     TAKES_CATALOGUE = 4,
     TAKES_TAG = 8,
-    TAKES_CHANGE = 16
+    TAKES_CHANGE = 16,
+    TAKES_CASE = 32,
+    TAKES_NAME = 64
 };
 
 enum mpm_status command_catalogue(const struct command *command, struct catalogue **catalogue,
@@ -196,6 +208,8 @@ static const struct command_entry commands[] = {
     {"explain", TAKES_OUTPUT | TAKES_CATALOGUE, 1, "explain: CHECK", command_explain},
     {"report", 0, 1, "report: the folder DIR", command_report},
     {"compare", TAKES_CHANGE, 2, "compare: a folder DIR", command_compare},
+    {"export", TAKES_CASE | TAKES_OUTPUT | TAKES_CATALOGUE, 0, "", command_export},
+    {"score", TAKES_NAME | TAKES_OUTPUT, 2, "score: BUNDLE or RESULTS", command_score},
 };
 
 int suite_command(int argc, char **argv, const struct suite_world *world)
@@ -205,7 +219,8 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
     struct command_options *const given = &command.options;
     const struct command_option options[] = {
         {TAKES_SELECTION, {"tier", 0, 0, G_OPTION_ARG_STRING, &given->tier, NULL, NULL}},
-        {TAKES_SELECTION, {"case", 0, 0, G_OPTION_ARG_STRING, &given->case_glob, NULL, NULL}},
+        {TAKES_SELECTION | TAKES_CASE,
+         {"case", 0, 0, G_OPTION_ARG_STRING, &given->case_glob, NULL, NULL}},
         {TAKES_SELECTION, {"variant", 0, 0, G_OPTION_ARG_STRING, &given->variant_glob, NULL, NULL}},
         {TAKES_SELECTION, {"only", 0, 0, G_OPTION_ARG_FILENAME, &given->only, NULL, NULL}},
         {TAKES_SELECTION, {"kernels", 0, 0, G_OPTION_ARG_STRING, &given->kernels, NULL, NULL}},
@@ -215,6 +230,7 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
          {"catalogue", 0, 0, G_OPTION_ARG_FILENAME, &given->catalogue, NULL, NULL}},
         {TAKES_TAG, {"tag", 0, 0, G_OPTION_ARG_STRING, &given->tag, NULL, NULL}},
         {TAKES_CHANGE, {"change", 0, 0, G_OPTION_ARG_STRING, &given->change, NULL, NULL}},
+        {TAKES_NAME, {"name", 0, 0, G_OPTION_ARG_STRING, &given->name, NULL, NULL}},
     };
     const struct command_line line = {
         .program = PROGRAM,

@@ -24,6 +24,7 @@ int suite_command(int argc, char **argv, const struct suite_world *world);
 
 struct command_options {
     char *tier, *case_glob, *variant_glob, *only, *kernels, *output, *catalogue, *tag, *change;
+    char *name; /* of a solver */
     int jobs;
     char **rest; /* what stands beside the options */
 };
@@ -38,6 +39,8 @@ struct command {
 
 enum mpm_status command_list(struct command *command, struct mpm_error *error);
 enum mpm_status command_explain(struct command *command, struct mpm_error *error);
+enum mpm_status command_export(struct command *command, struct mpm_error *error);
+enum mpm_status command_score(struct command *command, struct mpm_error *error);
 
 struct catalogue;
 

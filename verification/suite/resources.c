@@ -65,9 +65,18 @@ char *resources_program(const char *executable, const char *name)
     return path;
 }
 
+static bool in_repository(void)
+{
+    return g_file_test("Makefile", G_FILE_TEST_IS_REGULAR) &&
+           g_file_test("verification/catalogue", G_FILE_TEST_IS_DIR);
+}
+
 char *resources_output(void)
 {
-    const bool repository = g_file_test("Makefile", G_FILE_TEST_IS_REGULAR) &&
-                            g_file_test("verification/catalogue", G_FILE_TEST_IS_DIR);
-    return g_strdup(repository ? "build/reports/verify" : "verify-report");
+    return g_strdup(in_repository() ? "build/reports/verify" : "verify-report");
+}
+
+char *resources_score_output(void)
+{
+    return g_strdup(in_repository() ? "build/reports/score" : "score-report");
 }

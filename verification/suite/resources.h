@@ -21,7 +21,9 @@ char *resources_reference_data(const char *executable);
 /* The program `name` beside the running one; g_free. */
 char *resources_program(const char *executable, const char *name);
 
-/* build/reports/verify in the repository, ./verify-report elsewhere; g_free. */
+/* build/reports/verify in the repository, ./verify-report elsewhere; g_free. And the same for
+ * scores. */
 char *resources_output(void);
+char *resources_score_output(void);
 
 #endif

@@ -125,6 +125,8 @@ char *text_check_name(const json_t *check)
 
 char *text_command(const char *name, const char *variant, bool full, const json_t *run)
 {
+    if (json_is_true(json_object_get(run, "score"))) /* of another solver's results */
+        return g_strdup(record_text(run, "command"));
     const char *kernels = record_text(run, "kernels");
     const bool by_default =
         *kernels == '\0' || strcmp(kernels, mpm_kernels_name(MPM_KERNELS_AUTO)) == 0;

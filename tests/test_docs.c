@@ -1,0 +1,245 @@
+/* The documentation: what it says to type is typed, what it links to is there, man pages and help
+ * name the same options, and no check is left without an explanation.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "suites.h"
+#include "support/command.h"
+#include "support/folder.h"
+#include "support/skip.h"
+
+#include <glib.h>
+#include <string.h>
+
+/* ------------------------------------------------------------------------ tutorial */
+
+/* The same with every `from` replaced; frees the text. */
+static char *replaced(char *text, const char *from, const char *to)
+{
+    char **parts = g_strsplit(text, from, -1), *joined = g_strjoinv(to, parts);
+    g_strfreev(parts);
+    g_free(text);
+    return joined;
+}
+
+/* Blanks between words do not count. */
+static char *squeezed(const char *text)
+{
+    char **words = g_strsplit_set(text, " \t", -1);
+    GString *joined = g_string_new(NULL);
+    for (char **word = words; *word != NULL; word++)
+        if (**word != '\0')
+            g_string_append_printf(joined, "%s%s", joined->len > 0 ? " " : "", *word);
+    g_strfreev(words);
+    return g_string_free(joined, FALSE);
+}
+
+static bool is_command(const char *line)
+{
+    return g_str_has_prefix(line, "    build/release/bin/") ||
+           g_str_has_prefix(line, "    python3 ");
+}
+
+/* The command that a line of the tutorial says, with the build under test, in `folder`. */
+static struct test_command run_line(const char *line, const char *folder)
+{
+    static const char BIN[] = "@bin@/";
+    char *bin = g_strconcat(g_getenv("MPM_BIN"), "/", NULL), *work = g_strconcat(folder, "/", NULL);
+    char *text = replaced(g_strdup(line), "build/release/bin/", BIN);
+    text = replaced(text, "build/", work);
+    text = replaced(text, BIN, bin);
+    if (strstr(text, " score ") != NULL) { /* where the report goes by itself is not ours */
+        char *with = g_strconcat(text, " --output ", work, "report", NULL);
+        g_free(text);
+        text = with;
+    }
+    struct test_command command = test_command_run("/bin/sh", "-c", text, NULL);
+    g_free(text);
+    g_free(work);
+    g_free(bin);
+    return command;
+}
+
+START_TEST(the_tutorial_on_scores_does_what_it_says)
+{
+    if (g_getenv("MPM_BIN") == NULL || g_find_program_in_path("python3") == NULL)
+        TEST_SKIP("needs MPM_BIN and python3");
+    char *folder = test_folder_create(), *text = test_file_read("docs/tutorial-score.md");
+    char **lines = g_strsplit(text, "\n", -1), *said = g_strdup("");
+    size_t commands = 0, results = 0;
+    for (char **line = lines; *line != NULL; line++) {
+        if (is_command(*line)) {
+            struct test_command command = run_line(*line, folder);
+            const bool fails =
+                strstr(*line, "bar-T4.csv") != NULL && strstr(*line, "score ") != NULL;
+            ck_assert_msg(command.exit_status == (fails && strstr(*line, "mpm-verify") != NULL),
+                          "%s: %s%s", *line, command.output, command.errors);
+            g_free(said);
+            said = squeezed(command.output);
+            test_command_free(&command);
+            commands++;
+        } else if (g_str_has_prefix(*line, "    pass ") || g_str_has_prefix(*line, "    fail ")) {
+            char *result = squeezed(*line);
+            ck_assert_msg(strstr(said, result) != NULL, "\"%s\" is not in: %s", result, said);
+            g_free(result);
+            results++;
+        }
+    }
+    ck_assert_uint_eq(commands, 7);
+    ck_assert_uint_eq(results, 5);
+    g_free(said);
+    g_strfreev(lines);
+    g_free(text);
+    test_folder_remove(folder);
+}
+END_TEST
+
+/* --------------------------------------------------------------------------- links */
+
+static const char *const documents[] = {
+    "README.md",
+    "CONTRIBUTING.md",
+    "docs/scenes.md",
+    "docs/tutorial-case.md",
+    "docs/tutorial-material.md",
+    "docs/tutorial-score.md",
+    "docs/tutorial-variant.md",
+};
+
+START_TEST(links_of_the_documents_lead_to_files)
+{
+    char *text = test_file_read(documents[_i]), *folder = g_path_get_dirname(documents[_i]);
+    for (const char *at = text; (at = strstr(at, "](")) != NULL; at++) {
+        char *target = g_strndup(at + 2, strcspn(at + 2, ")#"));
+        char *path = g_build_filename(folder, target, NULL);
+        if (*target != '\0' && strstr(target, "://") == NULL)
+            ck_assert_msg(test_file_exists(path), "%s: %s", documents[_i], target);
+        g_free(path);
+        g_free(target);
+    }
+    g_free(folder);
+    g_free(text);
+}
+END_TEST
+
+/* ----------------------------------------------------------------------- man pages */
+
+/* Adds every option "--word" of a text. */
+static void add_options(GHashTable *options, const char *text)
+{
+    for (const char *at = text; (at = strstr(at, "--")) != NULL; at += 2) {
+        const size_t length = strspn(at + 2, "abcdefghijklmnopqrstuvwxyz-");
+        if (length > 0 && (at == text || strchr(" [(\n,'\"", at[-1]) != NULL))
+            g_hash_table_add(options, g_strndup(at, length + 2));
+        at += length;
+    }
+}
+
+static void assert_all_in(GHashTable *some, GHashTable *others, const char *program,
+                          const char *where)
+{
+    GHashTableIter options;
+    void *option;
+    g_hash_table_iter_init(&options, some);
+    while (g_hash_table_iter_next(&options, &option, NULL))
+        ck_assert_msg(g_hash_table_contains(others, option), "%s: %s is not in the %s", program,
+                      (char *)option, where);
+}
+
+static void add_help(GHashTable *options, const char *program, const char *command)
+{
+    struct test_command help = command == NULL ? test_command_run(program, "--help", NULL)
+                                               : test_command_run(program, command, "--help", NULL);
+    ck_assert_int_eq(help.exit_status, 0);
+    add_options(options, help.output);
+    test_command_free(&help);
+}
+
+START_TEST(man_pages_have_the_options_and_commands_of_the_help)
+{
+    static const struct {
+        const char *program, *page, *commands[8];
+        bool each; /* commands have a help of their own */
+    } programs[] = {
+        {"mpm", "docs/man/mpm.1", {"run", "check", "info", "schema"}, true},
+        {"mpm-verify",
+         "docs/man/mpm-verify.1",
+         {"list", "run", "explain", "report", "compare", "export", "score"},
+         false},
+        {"mpm-bench",
+         "docs/man/mpm-bench.1",
+         {"list", "run", "report", "compare", "budget"},
+         false},
+    };
+    for (size_t i = 0; i < G_N_ELEMENTS(programs); i++) {
+        const char *program = programs[i].program;
+        GHashTable *help = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+        GHashTable *page = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+        add_help(help, program, NULL);
+        char *text = replaced(test_file_read(programs[i].page), "\\-", "-");
+        for (size_t c = 0; programs[i].commands[c] != NULL; c++) {
+            char *entry = g_strdup_printf("\n.TP\n.B %s\n", programs[i].commands[c]);
+            ck_assert_msg(strstr(text, entry) != NULL, "%s: %s", program, programs[i].commands[c]);
+            g_free(entry);
+            if (programs[i].each)
+                add_help(help, program, programs[i].commands[c]);
+        }
+        add_options(page, text);
+        assert_all_in(help, page, program, "man page");
+        assert_all_in(page, help, program, "help");
+        g_free(text);
+        g_hash_table_unref(page);
+        g_hash_table_unref(help);
+    }
+}
+END_TEST
+
+/* ------------------------------------------------------------------------- explain */
+
+START_TEST(every_check_of_the_catalogue_is_explained_whole)
+{
+    static const char *const labels[] = {"  quantity   ", "  expected   ", "  band       ",
+                                         "  why        ", "  reproduce  "};
+    struct test_command explain = test_command_run("mpm-verify", "explain", "*", NULL);
+    ck_assert_msg(explain.exit_status == 0, "%s", explain.errors);
+    char **lines = g_strsplit(explain.output, "\n", -1);
+    size_t checks = 0, cases = 0, problems = 0, references = 0, criteria = 0, full[5] = {0};
+    for (char **line = lines; *line != NULL; line++) {
+        cases += g_str_has_prefix(*line, "# ") ? 1 : 0;
+        problems += g_str_has_prefix(*line, "## Problem") ? 1 : 0;
+        references += g_regex_match_simple("^## .*([Rr]eference|[Ss]ource)", *line, 0, 0) ? 1 : 0;
+        criteria += g_regex_match_simple("^## .*[Cc]riteri", *line, 0, 0) ? 1 : 0;
+        /* "CASE/CHECK/VARIANT: title" before its quantity */
+        for (size_t i = 0; i < G_N_ELEMENTS(labels); i++)
+            if (g_str_has_prefix(*line, labels[i])) {
+                ck_assert_msg(strlen(*line) > strlen(labels[i]), "%s", *line);
+                full[i]++;
+            }
+        if (g_regex_match_simple("^[A-Za-z0-9_-]+/[A-Za-z0-9_-]+/[A-Za-z0-9_-]+: .", *line, 0, 0))
+            checks++;
+    }
+    ck_assert_uint_gt(checks, 1000);
+    for (size_t i = 0; i < G_N_ELEMENTS(labels); i++)
+        ck_assert_msg(full[i] == checks, "\"%s\" %zu times for %zu checks", labels[i], full[i],
+                      checks);
+    ck_assert_uint_gt(cases, 30);
+    ck_assert_uint_ge(problems, cases);
+    ck_assert_uint_ge(references, cases);
+    ck_assert_uint_ge(criteria, cases);
+    g_strfreev(lines);
+    test_command_free(&explain);
+}
+END_TEST
+
+Suite *suite_docs(void)
+{
+    Suite *suite = suite_create("docs");
+    TCase *docs = tcase_create("docs");
+    tcase_add_test(docs, the_tutorial_on_scores_does_what_it_says);
+    tcase_add_loop_test(docs, links_of_the_documents_lead_to_files, 0,
+                        (int)G_N_ELEMENTS(documents));
+    tcase_add_test(docs, man_pages_have_the_options_and_commands_of_the_help);
+    tcase_add_test(docs, every_check_of_the_catalogue_is_explained_whole);
+    tcase_set_timeout(docs, 60);
+    suite_add_tcase(suite, docs);
+    return suite;
+}

@@ -1,0 +1,65 @@
+/* The columns of bundles and results.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/score/columns.h"
+
+#include <glib.h>
+#include <string.h>
+
+static const struct {
+    const char *planar, *axisymmetric;
+    int mass, length, time; /* exponents of the unit */
+} columns[SCORE_COLUMNS] = {
+    [SCORE_TIME] = {"time", "time", 0, 0, 1},
+    [SCORE_BODY] = {"body", "body", 0, 0, 0},
+    [SCORE_ID] = {"id", "id", 0, 0, 0},
+    [SCORE_INITIAL_X] = {"initial_x", "initial_r", 0, 1, 0},
+    [SCORE_INITIAL_Y] = {"initial_y", "initial_z", 0, 1, 0},
+    [SCORE_X] = {"x", "r", 0, 1, 0},
+    [SCORE_Y] = {"y", "z", 0, 1, 0},
+    [SCORE_DISPLACEMENT_X] = {"displacement_x", "displacement_r", 0, 1, 0},
+    [SCORE_DISPLACEMENT_Y] = {"displacement_y", "displacement_z", 0, 1, 0},
+    [SCORE_VELOCITY_X] = {"velocity_x", "velocity_r", 0, 1, -1},
+    [SCORE_VELOCITY_Y] = {"velocity_y", "velocity_z", 0, 1, -1},
+    [SCORE_STRESS_XX] = {"stress_xx", "stress_rr", 1, -1, -2},
+    [SCORE_STRESS_YY] = {"stress_yy", "stress_zz", 1, -1, -2},
+    [SCORE_STRESS_ZZ] = {"stress_zz", "stress_tt", 1, -1, -2},
+    [SCORE_STRESS_XY] = {"stress_xy", "stress_rz", 1, -1, -2},
+    [SCORE_RELATIVE_VOLUME] = {"relative_volume", "relative_volume", 0, 0, 0},
+    [SCORE_FORCE_X] = {"body_force_x", "body_force_r", 0, 1, -2},
+    [SCORE_FORCE_Y] = {"body_force_y", "body_force_z", 0, 1, -2},
+};
+
+const char *score_column_name(enum score_column column, enum mpm_geometry geometry)
+{
+    return geometry == MPM_AXISYMMETRIC ? columns[column].axisymmetric : columns[column].planar;
+}
+
+enum score_column score_column_find(const char *name, enum mpm_geometry geometry)
+{
+    int column = 0;
+    while (column < SCORE_COLUMNS &&
+           strcmp(score_column_name((enum score_column)column, geometry), name) != 0)
+        column++;
+    return (enum score_column)column;
+}
+
+static void add_factor(GString *text, const char *unit, int exponent)
+{
+    if (exponent == 0)
+        return;
+    g_string_append_printf(text, "%s%s", text->len > 0 ? " " : "", unit);
+    if (exponent != 1)
+        g_string_append_printf(text, "^%d", exponent);
+}
+
+char *score_column_unit(enum score_column column, const struct score_units *units)
+{
+    GString *text = g_string_new(NULL);
+    add_factor(text, units->mass, columns[column].mass);
+    add_factor(text, units->length, columns[column].length);
+    add_factor(text, units->time, columns[column].time);
+    if (text->len == 0)
+        g_string_append_c(text, '1');
+    return g_string_free(text, FALSE);
+}

@@ -1,0 +1,188 @@
+/* Exact solutions as the references of bundles.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/score/references.h"
+
+#include "verification/exact/compression.h"
+#include "verification/exact/lame_cylinder.h"
+#include "verification/exact/radial_mode.h"
+#include "verification/exact/self_weight.h"
+#include "verification/exact/step_wave.h"
+#include "verification/exact/vibrating_bar.h"
+#include "verification/suite/rows.h"
+
+#include <glib.h>
+#include <math.h>
+#include <string.h>
+
+static void vibrating_bar(const struct reference_problem *problem, const double place[2],
+                          double time, double values[SCORE_COLUMNS])
+{
+    const double *n = problem->number;
+    const struct vibrating_bar bar = {n[0], n[1], n[2], n[3], VIBRATING_BAR_HELD};
+    values[SCORE_DISPLACEMENT_X] = vibrating_bar_displacement(&bar, place[0], time);
+    values[SCORE_VELOCITY_X] = vibrating_bar_velocity(&bar, place[0], time);
+    /* in references strain Cauchy's stress along the bar is the nominal one */
+    values[SCORE_STRESS_XX] = bar.modulus * vibrating_bar_strain(&bar, place[0], time);
+}
+
+static void step_wave(const struct reference_problem *problem, const double place[2], double time,
+                      double values[SCORE_COLUMNS])
+{
+    const double *n = problem->number;
+    const struct step_wave wave = {n[0], n[1], n[2]};
+    const bool behind = place[0] < step_wave_celerity(&wave) * time;
+    values[SCORE_VELOCITY_X] = behind ? 0 : -wave.speed;
+    values[SCORE_STRESS_XX] = behind ? -step_wave_pressure(&wave) : 0;
+}
+
+static void compression(const struct reference_problem *problem, const double place[2], double time,
+                        double values[SCORE_COLUMNS])
+{
+    const double *n = problem->number, radius = n[0], speed = n[1];
+    const struct compression_material material = {n[2], n[3]};
+    const double strain = -speed * time / radius, volume = compression_relative_volume(strain);
+    const struct compression_stress stress = compression_stress(&material, volume);
+    values[SCORE_DISPLACEMENT_X] = strain * place[0];
+    values[SCORE_VELOCITY_X] = -speed * place[0] / radius;
+    values[SCORE_RELATIVE_VOLUME] = volume;
+    values[SCORE_STRESS_XX] = stress.rr;
+    values[SCORE_STRESS_YY] = stress.zz;
+    values[SCORE_STRESS_ZZ] = stress.tt;
+}
+
+static void lame(const struct reference_problem *problem, const double place[2], double time,
+                 double values[SCORE_COLUMNS])
+{
+    (void)time;
+    const double *n = problem->number;
+    const struct lame_cylinder cylinder = {n[0], n[1], n[2], n[3], n[4], n[5]};
+    const struct lame_state state = lame_cylinder_state(&cylinder, place[0]);
+    values[SCORE_DISPLACEMENT_X] = state.u;
+    values[SCORE_STRESS_XX] = state.rr;
+    values[SCORE_STRESS_YY] = state.zz;
+    values[SCORE_STRESS_ZZ] = state.tt;
+}
+
+static void self_weight(const struct reference_problem *problem, const double place[2], double time,
+                        double values[SCORE_COLUMNS])
+{
+    (void)time;
+    const double *n = problem->number;
+    const struct self_weight column = {n[0], n[1], n[2]};
+    values[SCORE_DISPLACEMENT_Y] = self_weight_displacement(&column, place[1]);
+    values[SCORE_STRESS_YY] = self_weight_stress(&column, place[1]);
+}
+
+/* The first breathing mode; `speed` is the velocity of the rim at t = 0. */
+static void radial_mode(const struct reference_problem *problem, const double place[2], double time,
+                        double values[SCORE_COLUMNS])
+{
+    const double *n = problem->number;
+    const struct radial_mode_body body = {RADIAL_MODE_CYLINDER, n[0], n[1], n[2], n[3]};
+    const double wave = radial_mode_wave_number(&body, 1);
+    const double omega = radial_mode_frequency(&body, wave);
+    const double velocity = n[4] * radial_mode_displacement(wave, place[0]) /
+                            radial_mode_displacement(wave, body.radius);
+    values[SCORE_DISPLACEMENT_X] = velocity / omega * sin(omega * time);
+    values[SCORE_VELOCITY_X] = velocity * cos(omega * time);
+}
+
+/* A block on an incline: gravity comes on as (1 - cos(pi t/T))/2 until T, friction with it. */
+static void sliding(const struct reference_problem *problem, const double place[2], double time,
+                    double values[SCORE_COLUMNS])
+{
+    static const double PI = 3.141592653589793238463;
+    const double acceleration = problem->number[0], rise = problem->number[1];
+    (void)place;
+    values[SCORE_VELOCITY_X] =
+        acceleration *
+        (time < rise ? 0.5 * (time - rise / PI * sin(PI * time / rise)) : time - 0.5 * rise);
+}
+
+static const struct reference references[] = {
+    {"vibrating_bar",
+     {"length", "modulus", "density", "amplitude"},
+     {SCORE_DISPLACEMENT_X, SCORE_VELOCITY_X, SCORE_STRESS_XX},
+     NULL,
+     vibrating_bar},
+    {"step_wave",
+     {"modulus", "density", "speed"},
+     {SCORE_VELOCITY_X, SCORE_STRESS_XX},
+     NULL,
+     step_wave},
+    {"compression",
+     {"radius", "speed", "bulk", "shear"},
+     {SCORE_DISPLACEMENT_X, SCORE_VELOCITY_X, SCORE_RELATIVE_VOLUME, SCORE_STRESS_XX,
+      SCORE_STRESS_YY, SCORE_STRESS_ZZ},
+     NULL,
+     compression},
+    {"lame",
+     {"inner", "outer", "inner_pressure", "outer_pressure", "young", "poisson"},
+     {SCORE_DISPLACEMENT_X, SCORE_STRESS_XX, SCORE_STRESS_YY, SCORE_STRESS_ZZ},
+     NULL,
+     lame},
+    {"self_weight",
+     {"height", "weight", "modulus"},
+     {SCORE_DISPLACEMENT_Y, SCORE_STRESS_YY},
+     NULL,
+     self_weight},
+    {"radial_mode",
+     {"radius", "young", "poisson", "density", "speed"},
+     {SCORE_DISPLACEMENT_X, SCORE_VELOCITY_X},
+     NULL,
+     radial_mode},
+    {"sliding", {"acceleration", "rise"}, {SCORE_VELOCITY_X}, NULL, sliding},
+};
+
+static const struct reference *find(const char *name)
+{
+    for (size_t i = 0; i < G_N_ELEMENTS(references); i++)
+        if (strcmp(references[i].name, name) == 0)
+            return &references[i];
+    return strcmp(reference_manufactured.name, name) == 0 ? &reference_manufactured : NULL;
+}
+
+bool reference_has(const struct reference *reference, enum score_column column)
+{
+    for (size_t i = 0; reference->columns[i] != SCORE_TIME; i++)
+        if (reference->columns[i] == column)
+            return true;
+    return false;
+}
+
+static const char *value_of(const struct case_parameter *parameters, unsigned count,
+                            const char *name)
+{
+    for (unsigned i = 0; i < count; i++)
+        if (strcmp(parameters[i].name, name) == 0)
+            return parameters[i].value;
+    return NULL;
+}
+
+const char *reference_parameter(const struct catalogue_case *entry, const char *name)
+{
+    const struct case_file *file = entry->file;
+    const char *value = value_of(file->bundle->parameters, file->bundle->parameters_count, name);
+    return value != NULL ? value : value_of(file->parameters, file->parameters_count, name);
+}
+
+enum mpm_status reference_open(const struct catalogue_case *entry,
+                               struct reference_problem *problem, struct mpm_error *error)
+{
+    const char *name = entry->file->bundle->reference;
+    *problem = (struct reference_problem){.reference = find(name)};
+    if (problem->reference == NULL)
+        return failure_set(error, MPM_BAD_INPUT, "case %s: bundle: reference: there is no \"%s\"",
+                           entry->file->name, name);
+    for (size_t i = 0; i < REFERENCE_NUMBERS && problem->reference->parameters[i] != NULL; i++) {
+        const char *wanted = problem->reference->parameters[i];
+        const char *text = reference_parameter(entry, wanted);
+        if (text == NULL || !row_number(text, &problem->number[i]) || !isfinite(problem->number[i]))
+            return failure_set(error, MPM_BAD_INPUT,
+                               "case %s: bundle: %s needs the parameter %s, a finite number",
+                               entry->file->name, name, wanted);
+    }
+    return problem->reference->open == NULL ? MPM_OK
+                                            : problem->reference->open(problem, entry, error);
+}
