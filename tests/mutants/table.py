@@ -26,12 +26,22 @@ def score(results):
     return 100.0 * killed / len(judged) if judged else 0.0
 
 
+def entry(result):
+    """As the report's page of mutants reads it."""
+    counts = columns_of(result)
+    return {
+        "id": result["name"], "room": result["room"], "kind": result["kind"],
+        "description": result["what"], "patch": result["patch"], "outcome": result["outcome"],
+        "reason": result["equivalent"] or result.get("fault", ""),
+        "killed_by": sorted(result["tests"] + result["checks"]),
+        "only_killer": next(iter(counts)) if len(counts) == 1 else "",
+        "whole": result["whole"], "seconds": result["seconds"],
+    }
+
+
 def write_json(path, about, results):
-    for result in results:
-        counts = columns_of(result)
-        result["killed_by"] = sorted(result["tests"] + result["checks"])
-        result["only_killer"] = next(iter(counts)) if len(counts) == 1 else ""
-    document = {"format": 1, **about, "score": score(results), "mutants": results}
+    document = {"format": 1, **about, "score": score(results),
+                "mutants": [entry(r) for r in results]}
     path.write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
 
 

@@ -59,7 +59,7 @@ def run_suite(folder, suite, limit):
     binaries = folder / "build/release/bin"
     said, status = command(folder, [binaries / "mpm-tests"], limit,
                            {"CK_RUN_SUITE": suite, "MPM_BIN": str(binaries),
-                            "CK_DEFAULT_TIMEOUT": "30"})
+                            "CK_DEFAULT_TIMEOUT": str(int(limit))})
     if status is None:
         return ["(did not end)"]
     failed = sorted({m[1] for m in map(FAILED_TEST.match, said.splitlines()) if m})
