@@ -47,6 +47,7 @@
     SUITE(scene_cracks)                                                                            \
     SUITE(crack_line)                                                                              \
     SUITE(cracks)                                                                                  \
+    SUITE(cohesive)                                                                                \
     SUITE(symmetry)                                                                                \
     SUITE(scene_settings)                                                                          \
     SUITE(suite)                                                                                   \
