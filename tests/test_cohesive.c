@@ -114,6 +114,8 @@ END_TEST
 
 /* From edge to edge of the block, on a grid line. */
 #define THROUGH "[[3, 5.6], [9, 5.6]]"
+/* The same and on, past what the nodes of the edges see. */
+#define PAST "[[0, 5.6], [3, 5.6], [9, 5.6], [12, 5.6]]"
 #define LINEAR  "{law: linear, strength: 2, toughness: 0.3, stiffness: 200}"
 
 static const char *const LAWS[] = {
@@ -190,6 +192,8 @@ static const struct {
 } AREAS[] = {
     {"plane_strain", "[[3, 5.6], [9, 5.6]]", 15.0},
     {"plane_strain", "[[3, 4], [6, 4], [9, 8]]", 20.0},
+    {"plane_strain", PAST, 15.0},
+    {"axisymmetric", PAST, 36.0},
     {"axisymmetric", "[[3, 5.6], [9, 5.6]]", 36.0},           /* (9^2 - 3^2)/2 */
     {"axisymmetric", "[[3, 4], [6, 8]]", 22.5},               /* 5 (3 + 6)/2 */
     {"axisymmetric", "[[4, 3.2], [4, 8]]", 19.2},             /* 4.8 * 4 */
@@ -208,7 +212,6 @@ START_TEST(areas_of_points_make_up_the_area_of_the_crack)
     for (size_t k = 0; k < count; k++)
         sum += openings_of(&run)->area[k];
     ck_assert_near(sum, AREAS[_i].area, 1e-14 * AREAS[_i].area);
-    /* all torn: so much energy is gone */
     double stored, dissipated;
     for (size_t k = 0; k < count; k++)
         openings_of(&run)->largest[k] = 1.0;
@@ -243,31 +246,35 @@ START_TEST(the_first_step_gives_each_half_the_impulse_of_the_tractions)
     const bool axisymmetric = _i / CRACK_BLOCK_METHODS == 1;
     struct settings settings = crack_block_method(_i % CRACK_BLOCK_METHODS);
     settings_add(&settings, axisymmetric ? "geometry=axisymmetric" : "thickness=2.5");
-    struct test_run run = open_cohesive(&settings, THROUGH, LINEAR);
+    settings_add(&settings, "bodies.block.velocity=[0, -0.2]"); /* more energy than tractions give */
+    struct test_run run = open_cohesive(&settings, PAST, LINEAR);
     struct crack_block_start start = crack_block_start(&run);
-    const size_t count = crack_block_state(&run)->cracks.point_count;
-    double expected[AXES] = {0.0, 0.0}, above[AXES], below[AXES];
-    ck_assert_uint_eq(count, 16);
+    double expected[AXES] = {0.0, 0.0}, above[2][AXES], below[2][AXES];
+    /* from 3 to 9 segments of 6/15, ends with half of one; r of the hat function's middle */
+    const size_t first = 8, count = 16;
+    ck_assert_uint_eq(crack_block_state(&run)->cracks.point_count, 2 * first + count);
     for (size_t k = 0; k < count; k++) {
-        /* segments of 6/15, ends with half of one; r of the hat function's middle */
         const double r = 3.0 + 0.4 * (double)k, end = k == 0 || k + 1 == count ? 0.5 : 1.0;
         const double shift = k == 0 ? 0.4 / 3.0 : k + 1 == count ? -0.4 / 3.0 : 0.0;
         const double area = 0.4 * end * (axisymmetric ? r + shift : 2.5);
         const double x = 0.001 * (double)k, y = 0.0005 * (double)(k + 2);
         const double lambda = sqrt(x * x + y * y);
         const double t = lambda < 0.01 ? 200.0 * lambda : 2.0 * (0.3 - lambda) / 0.29;
-        set_opening(&run, k, x, y);
+        set_opening(&run, first + k, x, y);
         expected[0] -= t * area * x / lambda;
         expected[1] -= t * area * y / lambda;
     }
-    test_run_steps(&run, 1);
+    for (int k = 0; k < 2; k++) {
+        momentum_of(&run, &start, true, above[k]);
+        momentum_of(&run, &start, false, below[k]);
+        test_run_steps(&run, k == 0 ? 1 : 0);
+    }
     const double step = mpm_simulation_time_step(run.simulation);
-    momentum_of(&run, &start, true, above);
-    momentum_of(&run, &start, false, below);
+    const double mass = test_run_ledger(&run).mass;
     for (int axis = 0; axis < AXES; axis++) {
-        const double scale = fabs(expected[axis] * step);
-        ck_assert_near(above[axis], expected[axis] * step, 1e-12 * scale);
-        ck_assert_near(below[axis], -expected[axis] * step, 1e-12 * scale);
+        const double scale = mass * MOMENTUM_ROUND_OFF + fabs(expected[axis] * step) * 1e-12;
+        ck_assert_near(above[1][axis] - above[0][axis], expected[axis] * step, scale);
+        ck_assert_near(below[1][axis] - below[0][axis], -expected[axis] * step, scale);
     }
     crack_block_start_free(&start);
     test_run_close(&run);
@@ -286,7 +293,7 @@ START_TEST(tractions_keep_momentum)
                  axisymmetric
                      ? "bodies.block.velocity=['0.2*sin(z)', '(z > 5.6 ? 0.6 : -0.4)*cos(0.3*r)']"
                      : "bodies.block.velocity=['0.2*sin(y)', '(y > 5.6 ? 0.6 : -0.4)*cos(0.3*x)']");
-    struct test_run run = open_cohesive(&settings, "[[3, 5.4], [6, 5.8], [9, 5.6]]", LINEAR);
+    struct test_run run = open_cohesive(&settings, "[[1, 5.4], [3, 5.4], [6, 5.8], [9, 5.6], [11, 5.6]]", LINEAR);
     const struct mpm_ledger before = test_run_ledger(&run);
     test_run_steps(&run, 12);
     const struct mpm_ledger after = test_run_ledger(&run);
@@ -298,11 +305,11 @@ START_TEST(tractions_keep_momentum)
 }
 END_TEST
 
-/* Halves that fly apart: their openings are the time that they had times the velocity between them;
- * from one point of the chain to the next, and for one that bends. */
+/* Halves that fly apart: their openings are the time that they had times the velocity between them,
+ * away from the block's edges, where the halves slide past each other's. */
 START_TEST(surfaces_open_at_the_velocity_between_both_sides)
 {
-    static const char *const chains[] = {THROUGH, "[[3, 5.6], [6, 5.7], [9, 5.6]]"};
+    static const char *const chains[] = {PAST, "[[0, 5.6], [6, 5.7], [12, 5.6]]"};
     struct settings settings = crack_block_method(_i % CRACK_BLOCK_METHODS);
     settings_add(&settings,
                  "bodies.block.velocity=['y > 5.6 ? 0.3 : -0.7', 'y > 5.6 ? 0.9 : -0.4']");
@@ -310,17 +317,22 @@ START_TEST(surfaces_open_at_the_velocity_between_both_sides)
                            chains[_i / CRACK_BLOCK_METHODS]);
     struct test_run run = crack_block_open(&settings);
     test_run_steps(&run, 30);
+    const struct mpm_cracks *const cracks = &crack_block_state(&run)->cracks;
     const double time = mpm_simulation_time(run.simulation);
     const double bound = crack_block_amplifies(_i) ? 1e-9 : 1e-12;
-    for (size_t k = 0; k < crack_block_state(&run)->cracks.point_count; k++) {
-        ck_assert_near(openings_of(&run)->vector[0][k], 1.0 * time, bound);
-        ck_assert_near(openings_of(&run)->vector[1][k], 1.3 * time, bound);
+    for (size_t k = 0; k < cracks->point_count; k++) {
+        if (!(cracks->position[0][k] > 4.0 && cracks->position[0][k] < 8.0))
+            continue;
+        ck_assert_near(cracks->openings.vector[0][k], 1.0 * time, bound);
+        ck_assert_near(cracks->openings.vector[1][k], 1.3 * time, bound);
     }
     test_run_close(&run);
 }
 END_TEST
 
-/* A tip inside, a body that turns: nothing opens, but for the step's second-order errors. */
+/* A tip inside, a body that turns: nothing opens, but for second-order errors. The velocities of
+ * nodes beside the crack are those of the mass centres that they see: surfaces seem to slide by the
+ * angle times the distance of those, which is less than a cell, 0.8. */
 START_TEST(a_body_that_moves_as_a_whole_opens_no_crack)
 {
     struct settings settings = crack_block_method(_i);
@@ -328,9 +340,12 @@ START_TEST(a_body_that_moves_as_a_whole_opens_no_crack)
     settings_add(&settings, "cracks=[{points: [[3, 5.5], [7, 5.6]], opening: true}]");
     struct test_run run = crack_block_open(&settings);
     test_run_steps(&run, 30);
-    for (size_t k = 0; k < crack_block_state(&run)->cracks.point_count; k++)
-        for (int axis = 0; axis < AXES; axis++)
-            ck_assert_near(openings_of(&run)->vector[axis][k], 0.0, 1e-3);
+    const double angle = 0.02 * mpm_simulation_time(run.simulation);
+    for (size_t k = 0; k < crack_block_state(&run)->cracks.point_count; k++) {
+        const struct mpm_crack_gap gap = mpm_crack_gap_at(crack_block_state(&run), 0, 0, k);
+        ck_assert_near(gap.opening, 0.0, 0.1 * angle);
+        ck_assert_near(gap.sliding, 0.0, 0.8 * angle);
+    }
     test_run_close(&run);
 }
 END_TEST
@@ -373,9 +388,10 @@ START_TEST(a_torn_crack_has_taken_its_toughness_times_its_area)
         settings_add(&settings, "geometry=axisymmetric");
     settings_add_formatted(&settings, "bodies.block.velocity=[0, '%s > 5.6 ? 1.2 : -1.2']",
                            axisymmetric ? "z" : "y");
-    struct test_run run = open_cohesive(&settings, THROUGH, LAWS[method % 2]);
+    settings_add(&settings, "time.courant=0.05"); /* 30 steps for the linear law */
+    struct test_run run = open_cohesive(&settings, PAST, LAWS[_i % 2]);
     const struct mpm_ledger before = test_run_ledger(&run);
-    test_run_steps(&run, 40);
+    test_run_steps(&run, 280);
     const struct mpm_ledger after = test_run_ledger(&run);
     ck_assert_near(after.cohesive_dissipated, 0.3 * area, 1e-13 * area);
     ck_assert_near(after.cohesive_stored, 0.0, 1e-13 * area);

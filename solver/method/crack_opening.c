@@ -53,32 +53,47 @@ struct mpm_crack_gap mpm_crack_gap_at(const struct mpm_state *state, size_t crac
 
 /* ------------------------------------------------------------------ finding */
 
-/* The segments that lines from there to the nodes around `place` may cross. */
-static struct mpm_crack_range range_around(const struct mpm_state *state,
-                                           const struct mpm_crack_chain *chain,
-                                           const double from[2], const double place[2])
+/* A box around there and the nodes around `place`. */
+static struct mpm_crack_box box_around(const struct mpm_state *state, const double from[2],
+                                       const double place[2])
 {
     struct mpm_crack_box box;
     for (int axis = 0; axis < 2; axis++) {
         box.low[axis] = fmin(from[axis], place[axis] - state->grid.cell[axis]);
         box.high[axis] = fmax(from[axis], place[axis] + state->grid.cell[axis]);
     }
-    return mpm_crack_chain_near(chain, &box);
+    return box;
 }
 
-/* The field of a node that a particle at `from` has, or -1 if none has mass. */
-static int64_t field_of(const struct mpm_state *state, const struct mpm_crack_chain *chain,
-                        struct mpm_crack_range range, const double from[2], int64_t home)
+/* What a particle at `from` has at the nodes of a stencil: past any crack. */
+static void find_sides(const struct mpm_state *state, const double from[2],
+                       const struct mpm_crack_box *box, const struct mpm_stencil *stencil,
+                       enum mpm_crack_side side[MPM_STENCIL_MAX])
 {
-    double place[2];
+    for (int k = 0; k < stencil->count; k++)
+        side[k] = MPM_CRACK_SAME_SIDE;
+    for (size_t crack = 0; crack < state->scene->crack_count; crack++) {
+        const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
+        const struct mpm_crack_range range = mpm_crack_chain_near(chain, box);
+        for (int k = 0; k < stencil->count && range.first != range.end; k++) {
+            double place[2];
+            mpm_grid_position(&state->grid, state->node_zero + stencil->node[k].node, place);
+            if (side[k] == MPM_CRACK_SAME_SIDE)
+                side[k] = mpm_crack_chain_side(chain, range, from, place, NULL);
+        }
+    }
+}
+
+/* The field of a node for particles of that side, or -1 if it has no mass. */
+static int64_t field_of(const struct mpm_state *state, int64_t home, enum mpm_crack_side side)
+{
+    int64_t field = home;
     if (!mpm_node_is_active(state, home))
         return -1;
-    mpm_grid_position(&state->grid, home, place);
-    const enum mpm_crack_side side = mpm_crack_chain_side(chain, range, from, place, NULL);
-    if (side == MPM_CRACK_SAME_SIDE)
-        return state->grid.mass[home] > 0.0 ? home : -1;
-    const struct mpm_crack_node *const node = mpm_crack_node_at(state, home);
-    const int64_t field = node == NULL ? -1 : node->field[side];
+    if (side != MPM_CRACK_SAME_SIDE) {
+        const struct mpm_crack_node *const node = mpm_crack_node_at(state, home);
+        field = node == NULL ? -1 : node->field[side];
+    }
     return field >= 0 && state->grid.mass[field] > 0.0 ? field : -1;
 }
 
@@ -103,18 +118,18 @@ static void weigh(const struct mpm_state *state, struct mpm_crack_surface *surfa
 }
 
 /* `from` lies beside the crack on the surface's side, `place` is where the surface is. */
-static void find_surface(const struct mpm_state *state, const struct mpm_crack_chain *chain,
-                         const double from[2], const double place[2],
-                         struct mpm_crack_surface *surface)
+static void find_surface(const struct mpm_state *state, const double from[2],
+                         const double place[2], struct mpm_crack_surface *surface)
 {
     struct mpm_stencil stencil;
+    enum mpm_crack_side side[MPM_STENCIL_MAX];
     const struct mpm_shape_domain domain = {.position = {place[0], place[1]}};
-    const struct mpm_crack_range range = range_around(state, chain, from, place);
+    const struct mpm_crack_box box = box_around(state, from, place);
     mpm_shape_classic.evaluate(&state->shape_grid, &domain, &stencil);
+    find_sides(state, from, &box, &stencil, side);
     surface->count = 0;
     for (int k = 0; k < stencil.count; k++) {
-        const int64_t field =
-            field_of(state, chain, range, from, state->node_zero + stencil.node[k].node);
+        const int64_t field = field_of(state, state->node_zero + stencil.node[k].node, side[k]);
         if (field >= 0 && stencil.node[k].s > 0.0)
             add_node(surface, field, stencil.node[k].s);
     }
@@ -151,7 +166,7 @@ static void find_point(const struct mpm_state *state, size_t crack, size_t first
             place[axis] =
                 state->cracks.position[axis][k] + sign * 0.5 * openings->vector[axis][k];
         }
-        find_surface(state, chain, from, place, &openings->surfaces[k][side]);
+        find_surface(state, from, place, &openings->surfaces[k][side]);
     }
 }
 

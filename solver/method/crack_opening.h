@@ -16,7 +16,10 @@
  * m_max the largest mass of the side's fields there: a node with no mass to speak of has any
  * velocity, and a traction that works on these same weights would throw it away.
  *
- * Of another crack nearby a surface knows nothing. Scenes that do not ask for it run none of this.
+ * Where surfaces lie is known as well as a field with an edge knows it: a node's velocity is that of the
+ * mass centre of what it sees, up to half a cell inside. So an opening has the strain of that layer in
+ * it, and surfaces that turn by an angle seem to slide by as much as the angle times half a cell.
+ * Scenes that do not ask for it run none of this.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_CRACK_OPENING_H

@@ -33,22 +33,6 @@ void mpm_openings_layout(struct mpm_state *state, struct mpm_arena *arena)
 
 /* -------------------------------------------------------------------- areas */
 
-/* Each segment gives its length to its two ends; in axisymmetry the integral of r with the linear
- * function of each end. */
-static void add_areas(const struct mpm_state *state, const struct mpm_crack_chain *chain,
-                      double *area)
-{
-    const bool axisymmetric = state->scene->geometry == MPM_AXISYMMETRIC;
-    for (size_t k = 0; k + 1 < chain->count; k++) {
-        const double x[2] = {chain->x[k], chain->x[k + 1]};
-        const double length = hypot(x[1] - x[0], chain->y[k + 1] - chain->y[k]);
-        for (int end = 0; end < 2; end++)
-            area[k + (size_t)end] +=
-                axisymmetric ? length * (2.0 * x[end] + x[1 - end]) / 6.0
-                             : 0.5 * length * state->scene->thickness;
-    }
-}
-
 /* One of the places around it is: edges count, whichever side of a body they are on. */
 static bool is_in_a_body(const struct mpm_scene *scene, const double place[2])
 {
@@ -64,18 +48,54 @@ static bool is_in_a_body(const struct mpm_scene *scene, const double place[2])
     return false;
 }
 
-static enum mpm_status check_in_bodies(const struct mpm_scene *scene, size_t crack,
-                                       const struct mpm_crack_chain *chain, struct mpm_error *error)
+/* A segment gives its length to its two ends; in axisymmetry the integral of r with the linear function
+ * of each end. */
+static void add_area(const struct mpm_state *state, const struct mpm_crack_chain *chain, size_t k,
+                     double *area)
 {
-    for (size_t k = 0; k < chain->count; k++) {
-        const double place[2] = {chain->x[k], chain->y[k]};
-        if (!is_in_a_body(scene, place))
-            return mpm_scene_error(error, scene, scene->cracks[crack].line, "cracks.points",
-                                   "a cohesive crack that is outside of bodies at (%g, %g); "
-                                   "allowed: inside or on their edges, looked at every "
-                                   "cracks.spacing: what is outside has nothing to hold together",
-                                   place[0], place[1]);
+    const bool axisymmetric = state->scene->geometry == MPM_AXISYMMETRIC;
+    const double x[2] = {chain->x[k], chain->x[k + 1]};
+    const double length = hypot(x[1] - x[0], chain->y[k + 1] - chain->y[k]);
+    for (int end = 0; end < 2; end++)
+        area[k + (size_t)end] += axisymmetric ? length * (2.0 * x[end] + x[1 - end]) / 6.0
+                                              : 0.5 * length * state->scene->thickness;
+}
+
+/* What is outside of bodies has nothing to hold together. Looked at along the segment, whose ends may
+ * lie on an edge. */
+enum { LOOKS = 5 };
+static enum mpm_status add_segment(const struct mpm_state *state, size_t crack, size_t k,
+                                   double *area, struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = state->scene;
+    const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
+    const double from[2] = {chain->x[k], chain->y[k]}, to[2] = {chain->x[k + 1], chain->y[k + 1]};
+    int inside = 0, between = 0;
+    for (int i = 0; i < LOOKS; i++) {
+        const double part = (double)i / (LOOKS - 1);
+        const double place[2] = {from[0] + part * (to[0] - from[0]),
+                                 from[1] + part * (to[1] - from[1])};
+        const bool is_inside = is_in_a_body(scene, place);
+        inside += is_inside;
+        between += is_inside && i > 0 && i < LOOKS - 1;
     }
+    if (between == 0)
+        return MPM_OK;
+    if (inside < LOOKS)
+        return mpm_scene_error(error, scene, scene->cracks[crack].line, "cracks.points",
+                               "a cohesive crack passes the edge of a body between (%g, %g) and "
+                               "(%g, %g); allowed: one that has a point on that edge",
+                               from[0], from[1], to[0], to[1]);
+    add_area(state, chain, k, area);
+    return MPM_OK;
+}
+
+static enum mpm_status add_areas(const struct mpm_state *state, size_t crack, double *area,
+                                 struct mpm_error *error)
+{
+    const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
+    for (size_t k = 0; k + 1 < chain->count; k++)
+        MPM_TRY(add_segment(state, crack, k, area, error));
     return MPM_OK;
 }
 
@@ -121,10 +141,8 @@ enum mpm_status mpm_openings_fill(struct mpm_simulation *simulation, struct mpm_
             MPM_TRY(check_planes(state, crack, first, error));
             find_cuts(state, chain, state->cracks.openings.cuts[crack]);
         }
-        if (scene->cracks[crack].cohesive.law != NULL) {
-            MPM_TRY(check_in_bodies(scene, crack, chain, error));
-            add_areas(state, chain, state->cracks.openings.area + first);
-        }
+        if (scene->cracks[crack].cohesive.law != NULL)
+            MPM_TRY(add_areas(state, crack, state->cracks.openings.area + first, error));
         first += chain->count;
     }
     return MPM_OK;

@@ -93,7 +93,7 @@ bool mpm_cracks_need_surfaces(const struct mpm_scene *scene);
 enum mpm_status mpm_cracks_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 
 /* openings.c: the same for the surfaces of cracks that are followed. MPM_BAD_INPUT: a plane of
- * symmetry holds the crack; a cohesive crack that is partly outside of bodies. */
+ * symmetry holds the crack; a cohesive crack that passes the edge of a body between two points. */
 /* Points of which surfaces are kept: all of the scene's cracks, or none. */
 size_t mpm_openings_points(const struct mpm_state *state);
 void mpm_openings_layout(struct mpm_state *state, struct mpm_arena *arena);
