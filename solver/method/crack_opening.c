@@ -84,7 +84,7 @@ static void find_sides(const struct mpm_state *state, const double from[2],
     }
 }
 
-/* The field of a node for particles of that side, or -1 if it has no mass. */
+/* The field of a node for particles of that side, or -1 if it has no mass to speak of. */
 static int64_t field_of(const struct mpm_state *state, int64_t home, enum mpm_crack_side side)
 {
     int64_t field = home;
@@ -94,7 +94,7 @@ static int64_t field_of(const struct mpm_state *state, int64_t home, enum mpm_cr
         const struct mpm_crack_node *const node = mpm_crack_node_at(state, home);
         field = node == NULL ? -1 : node->field[side];
     }
-    return field >= 0 && state->grid.mass[field] > 0.0 ? field : -1;
+    return field >= 0 && state->grid.mass[field] >= state->cracks.least_mass ? field : -1;
 }
 
 static void add_node(struct mpm_crack_surface *surface, int64_t node, double weight)
@@ -195,18 +195,21 @@ static void surface_velocity(const struct mpm_state *state, const struct mpm_cra
             v[axis] += surface->weight[k] * state->grid.gradient[surface->node[k]][axis][0];
 }
 
+/* Nodes of a surface are among the grid's and its ghosts up to a cell past the edge; points, which
+ * their own motion checks, lie inside. */
 static enum mpm_status check_place(const struct mpm_state *state, size_t crack, size_t k,
                                    struct mpm_error *error)
 {
     for (int axis = 0; axis < 2; axis++) {
-        const double low = state->grid.origin[axis];
-        const double high = low + (double)state->grid.cells[axis] * state->grid.cell[axis];
+        const double cell = state->grid.cell[axis];
+        const double low = state->grid.origin[axis] - cell;
+        const double high = low + (double)(state->grid.cells[axis] + 2) * cell;
         const double middle = state->cracks.position[axis][k];
         const double away = 0.5 * fabs(state->cracks.openings.vector[axis][k]);
         if (!(middle - away >= low && middle + away <= high))
             return mpm_error_set(error, MPM_RUN_FAILED,
-                                 "a surface of cracks.%zu left the grid: %s coordinate %g +- %g; "
-                                 "allowed: %g to %g",
+                                 "a surface of cracks.%zu left the grid by more than a cell: %s "
+                                 "coordinate %g +- %g; allowed: %g to %g",
                                  crack, axis == 0 ? "first" : "second", middle, away, low, high);
     }
     return MPM_OK;

@@ -14,7 +14,8 @@
  * The weights w_i are the linear functions N_i there, taken down at nodes that the side hardly reaches:
  *     w_i ~ N_i min(1, m_i / (m_max/10)),  sum w_i = 1,
  * m_max the largest mass of the side's fields there: a node with no mass to speak of has any
- * velocity, and a traction that works on these same weights would throw it away.
+ * velocity, and a traction that works on these same weights would throw it away. Nodes that may not
+ * move cracks (mpm_cracks_advance) do not count, so that outside of bodies surfaces stay together.
  *
  * Where surfaces lie is known as well as a field with an edge knows it: a node's velocity is that of the
  * mass centre of what it sees, up to half a cell inside. So an opening has the strain of that layer in

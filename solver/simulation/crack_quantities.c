@@ -65,6 +65,27 @@ static double sliding_largest(const struct mpm_simulation *simulation, size_t cr
     return largest;
 }
 
+/* ----------------------------------------------------------------- cohesive */
+
+static bool is_cohesive(const struct mpm_scene *scene, size_t crack)
+{
+    return scene->cracks[crack].cohesive.law != NULL;
+}
+
+/* Over the area. */
+static double opening_mean(const struct mpm_simulation *simulation, size_t crack)
+{
+    const struct mpm_state *const state = &simulation->state;
+    const size_t first = mpm_crack_first_point(state, crack);
+    double sum = 0.0, area = 0.0;
+    for (size_t k = 0; k <= last_of(simulation, crack); k++) {
+        sum += state->cracks.openings.area[first + k] *
+               mpm_crack_gap_at(state, crack, first, k).opening;
+        area += state->cracks.openings.area[first + k];
+    }
+    return area > 0.0 ? sum / area : 0.0;
+}
+
 /* -------------------------------------------------------------------- table */
 
 static const struct quantity {
@@ -81,6 +102,8 @@ static const struct quantity {
     {"opening_largest", 1, 0, 0, "largest normal opening", is_followed, opening_largest},
     {"sliding_largest", 1, 0, 0, "tangential opening, where it is largest in magnitude",
      is_followed, sliding_largest},
+    {"opening_mean", 1, 0, 0, "mean of the normal opening over its cohesive area", is_cohesive,
+     opening_mean},
 };
 enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
 

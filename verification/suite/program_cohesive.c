@@ -35,7 +35,7 @@ struct study {
     struct law law;
     double area, speed, ramp, interval, uniform;
     double arm, modulus, from;
-    size_t opening; /* the quantity: largest opening of the crack */
+    size_t opening; /* the quantity: mean opening of the crack */
     struct mpm_ledger before, now;
     double opening_before, opening_now, displacement_before;
     double force_work, largest_opening;
@@ -154,9 +154,9 @@ static enum mpm_status find_opening(const struct mpm_scene *scene, struct study 
     const size_t count = mpm_scene_crack_quantity_count(scene);
     for (study->opening = 0; study->opening < count; study->opening++)
         if (strcmp(mpm_scene_crack_quantity(scene, study->opening).name,
-                   "crack_0_opening_largest") == 0)
+                   "crack_0_opening_mean") == 0)
             return MPM_OK;
-    return failure_set(error, MPM_BAD_INPUT, "the scene's first crack is not followed");
+    return failure_set(error, MPM_BAD_INPUT, "the scene's first crack is not cohesive");
 }
 
 static enum mpm_status follow(void *context, struct measurement *m, const struct mpm_scene *scene,
