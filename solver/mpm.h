@@ -230,7 +230,7 @@ struct mpm_ledger {
      * to zero, and what they do not. */
     double cohesive_stored, cohesive_dissipated;
     double total_energy; /* kinetic + strain + dissipation + cohesive energies */
-    double j_min, j_max;        /* extremes of det F */
+    double j_min, j_max; /* extremes of det F */
 };
 
 /* Cost: one pass over the particles; strain energy needs a logarithm each. */

@@ -77,8 +77,7 @@ START_TEST(traction_rises_to_the_strength_and_falls_from_there_on)
     ck_assert_near(mpm_cohesive_envelope(&cohesive, 0.5 * cohesive.onset), 0.5 * cohesive.strength,
                    1e-15 * cohesive.strength);
     for (int k = 0; k <= 1000; k++) {
-        const double opening =
-            cohesive.onset + (end_of(&cohesive) - cohesive.onset) * k / 1000.0;
+        const double opening = cohesive.onset + (end_of(&cohesive) - cohesive.onset) * k / 1000.0;
         const double traction = mpm_cohesive_envelope(&cohesive, opening);
         if (k == 0)
             ck_assert_near(traction, cohesive.strength, 1e-15 * cohesive.strength);
@@ -115,8 +114,8 @@ END_TEST
 /* From edge to edge of the block, on a grid line. */
 #define THROUGH "[[3, 5.6], [9, 5.6]]"
 /* The same and on, past what the nodes of the edges see. */
-#define PAST "[[0, 5.6], [3, 5.6], [9, 5.6], [12, 5.6]]"
-#define LINEAR  "{law: linear, strength: 2, toughness: 0.3, stiffness: 200}"
+#define PAST   "[[0, 5.6], [3, 5.6], [9, 5.6], [12, 5.6]]"
+#define LINEAR "{law: linear, strength: 2, toughness: 0.3, stiffness: 200}"
 
 static const char *const LAWS[] = {
     LINEAR,
@@ -194,10 +193,10 @@ static const struct {
     {"plane_strain", "[[3, 4], [6, 4], [9, 8]]", 20.0},
     {"plane_strain", PAST, 15.0},
     {"axisymmetric", PAST, 36.0},
-    {"axisymmetric", "[[3, 5.6], [9, 5.6]]", 36.0},           /* (9^2 - 3^2)/2 */
-    {"axisymmetric", "[[3, 4], [6, 8]]", 22.5},               /* 5 (3 + 6)/2 */
-    {"axisymmetric", "[[4, 3.2], [4, 8]]", 19.2},             /* 4.8 * 4 */
-    {"axisymmetric", "[[8, 4], [5, 4], [5, 6]]", 29.5},       /* (8^2 - 5^2)/2 + 2 * 5 */
+    {"axisymmetric", "[[3, 5.6], [9, 5.6]]", 36.0},     /* (9^2 - 3^2)/2 */
+    {"axisymmetric", "[[3, 4], [6, 8]]", 22.5},         /* 5 (3 + 6)/2 */
+    {"axisymmetric", "[[4, 3.2], [4, 8]]", 19.2},       /* 4.8 * 4 */
+    {"axisymmetric", "[[8, 4], [5, 4], [5, 6]]", 29.5}, /* (8^2 - 5^2)/2 + 2 * 5 */
 };
 
 START_TEST(areas_of_points_make_up_the_area_of_the_crack)
@@ -246,7 +245,8 @@ START_TEST(the_first_step_gives_each_half_the_impulse_of_the_tractions)
     const bool axisymmetric = _i / CRACK_BLOCK_METHODS == 1;
     struct settings settings = crack_block_method(_i % CRACK_BLOCK_METHODS);
     settings_add(&settings, axisymmetric ? "geometry=axisymmetric" : "thickness=2.5");
-    settings_add(&settings, "bodies.block.velocity=[0, -0.2]"); /* more energy than tractions give */
+    settings_add(&settings,
+                 "bodies.block.velocity=[0, -0.2]"); /* more energy than tractions give */
     struct test_run run = open_cohesive(&settings, PAST, LINEAR);
     struct crack_block_start start = crack_block_start(&run);
     double expected[AXES] = {0.0, 0.0}, above[2][AXES], below[2][AXES];
@@ -293,7 +293,8 @@ START_TEST(tractions_keep_momentum)
                  axisymmetric
                      ? "bodies.block.velocity=['0.2*sin(z)', '(z > 5.6 ? 0.6 : -0.4)*cos(0.3*r)']"
                      : "bodies.block.velocity=['0.2*sin(y)', '(y > 5.6 ? 0.6 : -0.4)*cos(0.3*x)']");
-    struct test_run run = open_cohesive(&settings, "[[1, 5.4], [3, 5.4], [6, 5.8], [9, 5.6], [11, 5.6]]", LINEAR);
+    struct test_run run =
+        open_cohesive(&settings, "[[1, 5.4], [3, 5.4], [6, 5.8], [9, 5.6], [11, 5.6]]", LINEAR);
     const struct mpm_ledger before = test_run_ledger(&run);
     test_run_steps(&run, 12);
     const struct mpm_ledger after = test_run_ledger(&run);
@@ -336,7 +337,8 @@ END_TEST
 START_TEST(a_body_that_moves_as_a_whole_opens_no_crack)
 {
     struct settings settings = crack_block_method(_i);
-    settings_add(&settings, "bodies.block.velocity=['0.3 - 0.02*(y - 5.6)', '-0.2 + 0.02*(x - 6)']");
+    settings_add(&settings,
+                 "bodies.block.velocity=['0.3 - 0.02*(y - 5.6)', '-0.2 + 0.02*(x - 6)']");
     settings_add(&settings, "cracks=[{points: [[3, 5.5], [7, 5.6]], opening: true}]");
     struct test_run run = crack_block_open(&settings);
     test_run_steps(&run, 30);
@@ -500,8 +502,8 @@ START_TEST(a_cohesive_crack_says_what_its_file_says)
     struct mpm_scene *scene = test_scene_read_text(CRACK_BLOCK);
     ck_assert(!mpm_scene_is_cohesive(scene));
     mpm_scene_free(scene);
-    char *text = g_strdup_printf("%scracks: [{points: %s, cohesive: %s}]\n", CRACK_BLOCK, THROUGH,
-                                 LAWS[1]);
+    char *text =
+        g_strdup_printf("%scracks: [{points: %s, cohesive: %s}]\n", CRACK_BLOCK, THROUGH, LAWS[1]);
     scene = test_scene_read_text(text);
     const struct mpm_cohesive *const cohesive = &scene->cracks[0].cohesive;
     ck_assert(mpm_scene_is_cohesive(scene) && !scene->cracks[0].opening);
@@ -546,8 +548,7 @@ Suite *suite_cohesive(void)
     tcase_add_loop_test(steps, tractions_keep_momentum, 0, 2 * CRACK_BLOCK_METHODS);
     tcase_add_loop_test(steps, surfaces_open_at_the_velocity_between_both_sides, 0,
                         2 * CRACK_BLOCK_METHODS);
-    tcase_add_loop_test(steps, a_body_that_moves_as_a_whole_opens_no_crack, 0,
-                        CRACK_BLOCK_METHODS);
+    tcase_add_loop_test(steps, a_body_that_moves_as_a_whole_opens_no_crack, 0, CRACK_BLOCK_METHODS);
     tcase_add_loop_test(steps, a_crack_that_stays_closed_does_nothing, 0, CRACK_BLOCK_METHODS);
     tcase_add_loop_test(steps, a_torn_crack_has_taken_its_toughness_times_its_area, 0,
                         2 * CRACK_BLOCK_METHODS);

@@ -14,9 +14,9 @@
 
 static const struct column {
     const char *name;
-    size_t offset;                            /* in struct mpm_ledger */
-    bool counts;                              /* uint64_t instead of double */
-    int length, mass, time;                   /* exponents of the unit */
+    size_t offset;                             /* in struct mpm_ledger */
+    bool counts;                               /* uint64_t instead of double */
+    int length, mass, time;                    /* exponents of the unit */
     bool (*belongs)(const struct mpm_scene *); /* NULL: to all scenes */
 } columns[] = {
     {"time", offsetof(struct mpm_ledger, time), false, 0, 0, 1, NULL},
@@ -42,7 +42,7 @@ static const struct column {
 struct mpm_history {
     char *path;
     int file;
-    off_t size; /* of the complete rows */
+    off_t size;                                          /* of the complete rows */
     const struct column *columns[G_N_ELEMENTS(columns)]; /* of this scene */
     size_t column_count, quantity_count;                 /* of columns, then of cracks */
     bool has_row;

@@ -43,8 +43,8 @@ void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *aren
     const size_t followed = mpm_openings_points(&simulation->state);
     for (int axis = 0; axis < 2; axis++)
         backup->crack_opening[axis] = MPM_TAKE(arena, double, followed);
-    backup->largest_opening = MPM_TAKE(
-        arena, double, mpm_scene_is_cohesive(simulation->scene) ? followed : 0);
+    backup->largest_opening =
+        MPM_TAKE(arena, double, mpm_scene_is_cohesive(simulation->scene) ? followed : 0);
 }
 
 void mpm_backup_save(struct mpm_simulation *simulation)

@@ -48,8 +48,8 @@ static bool is_in_a_body(const struct mpm_scene *scene, const double place[2])
     return false;
 }
 
-/* A segment gives its length to its two ends; in axisymmetry the integral of r with the linear function
- * of each end. */
+/* A segment gives its length to its two ends; in axisymmetry the integral of r with the linear
+ * function of each end. */
 static void add_area(const struct mpm_state *state, const struct mpm_crack_chain *chain, size_t k,
                      double *area)
 {
@@ -61,8 +61,8 @@ static void add_area(const struct mpm_state *state, const struct mpm_crack_chain
                                               : 0.5 * length * state->scene->thickness;
 }
 
-/* What is outside of bodies has nothing to hold together. Looked at along the segment, whose ends may
- * lie on an edge. */
+/* What is outside of bodies has nothing to hold together. Looked at along the segment, whose ends
+ * may lie on an edge. */
 enum { LOOKS = 5 };
 static enum mpm_status add_segment(const struct mpm_state *state, size_t crack, size_t k,
                                    double *area, struct mpm_error *error)
@@ -111,8 +111,7 @@ static void find_cuts(const struct mpm_state *state, const struct mpm_crack_chai
     for (int k = 0; k < 2; k++) {
         const double x = chain->x[end[k]] - chain->x[next[k]];
         const double y = chain->y[end[k]] - chain->y[next[k]];
-        const double scale =
-            BEYOND * fmin(state->grid.cell[0], state->grid.cell[1]) / hypot(x, y);
+        const double scale = BEYOND * fmin(state->grid.cell[0], state->grid.cell[1]) / hypot(x, y);
         const double place[2] = {chain->x[end[k]] + scale * x, chain->y[end[k]] + scale * y};
         cuts[k] = !is_in_a_body(state->scene, place);
     }
@@ -151,9 +150,9 @@ enum mpm_status mpm_openings_fill(struct mpm_simulation *simulation, struct mpm_
 /* ---------------------------------------------------------------- time step */
 
 /* Two masses m per area on a spring k per area are stable up to k dt^2 (2/m) = 4, and half a cell's
- * mass each side is what a crack finds: k dt^2 up to a cell's mass per area. So it was seen, stable at
- * once that and not at twice, wherever the crack lies in its cell, with four families of shape functions
- * and Courant numbers of 0.4 and 0.8. This part of it is allowed. */
+ * mass each side is what a crack finds: k dt^2 up to a cell's mass per area. So it was seen, stable
+ * at once that and not at twice, wherever the crack lies in its cell, with four families of shape
+ * functions and Courant numbers of 0.4 and 0.8. This part of it is allowed. */
 static const double STIFFEST = 0.5;
 
 static double lightest_density(const struct mpm_state *state)

@@ -1,16 +1,16 @@
 /* D7: a cohesive crack is torn, and what that took is held against toughness times area.
  *
  * One grip of the scene moves at the velocity that the parameter `speed` gives (of what carries the
- * load; with two grips that move apart, of both together), in time as `ramp` says: speed t/ramp, from
- * `ramp` on the speed. All that the program knows comes out of the history: the force on the grip is
- * the change of external work over its way. Three figures for the work of the tractions:
+ * load; with two grips that move apart, of both together), in time as `ramp` says: speed t/ramp,
+ * from `ramp` on the speed. All that the program knows comes out of the history: the force on the
+ * grip is the change of external work over its way. Three figures for the work of the tractions:
  *
  *     law       cohesive energies of the ledger, stored and dissipated
  *     balance   external work - kinetic - strain energy - what damping took
  *     force     the integral of the force over the opening (uniform openings only)
  *
- * over toughness times `area`, the area that is torn. Where the opening is uniform (`uniform: 1`), force over
- * area is compared with the law, which is written out here once more.
+ * over toughness times `area`, the area that is torn. Where the opening is uniform (`uniform: 1`),
+ * force over area is compared with the law, which is written out here once more.
  *
  * With `arm` (a double cantilever beam), the area is not given but what the ledger says has been
  * torn, and the load is compared with linear fracture mechanics of two beams of height `arm` from
@@ -39,7 +39,7 @@ struct study {
     struct mpm_ledger before, now;
     double opening_before, opening_now, displacement_before;
     double force_work, largest_opening;
-    double curve;      /* largest difference of force over area and law */
+    double curve;       /* largest difference of force over area and law */
     double load, loads; /* mean ratio to fracture mechanics, and how many */
     struct follow_rows rows;
 };
@@ -55,8 +55,7 @@ static double softening(const struct law *law, double opening)
         return fmax(law->strength * (end - opening) / (end - onset), 0.0);
     }
     if (law->kind == 2)
-        return law->strength *
-               exp(-(opening - onset) * law->strength / (law->toughness - rise));
+        return law->strength * exp(-(opening - onset) * law->strength / (law->toughness - rise));
     const double first = 0.5 * (law->strength + law->knee_traction) * (law->knee_opening - onset);
     const double end =
         law->knee_opening + 2.0 * (law->toughness - rise - first) / law->knee_traction;
@@ -113,8 +112,7 @@ static void look(struct study *study, struct mpm_simulation *simulation)
             study->loads += 1.0;
         }
         const double work = study->now.cohesive_dissipated + study->now.cohesive_stored;
-        const double row[COLUMNS] = {displacement, force, opening,
-                                     study->arm > 0.0 ? load : law,
+        const double row[COLUMNS] = {displacement, force, opening, study->arm > 0.0 ? load : law,
                                      work / study->law.toughness};
         follow_rows_add(&study->rows, row);
     }
@@ -153,8 +151,8 @@ static enum mpm_status find_opening(const struct mpm_scene *scene, struct study 
 {
     const size_t count = mpm_scene_crack_quantity_count(scene);
     for (study->opening = 0; study->opening < count; study->opening++)
-        if (strcmp(mpm_scene_crack_quantity(scene, study->opening).name,
-                   "crack_0_opening_mean") == 0)
+        if (strcmp(mpm_scene_crack_quantity(scene, study->opening).name, "crack_0_opening_mean") ==
+            0)
             return MPM_OK;
     return failure_set(error, MPM_BAD_INPUT, "the scene's first crack is not cohesive");
 }
