@@ -50,6 +50,7 @@
     SUITE(scene_cracks)                                                                            \
     SUITE(crack_line)                                                                              \
     SUITE(cracks)                                                                                  \
+    SUITE(cohesive)                                                                                \
     SUITE(symmetry)                                                                                \
     SUITE(scene_settings)                                                                          \
     SUITE(suite)                                                                                   \

@@ -93,6 +93,11 @@
     C("displacement", MPM_DETECT_DISPLACEMENT)                                                     \
     C("cell", MPM_DETECT_CELL)
 
+#define CHOICES_cohesive_law(C)                                                                    \
+    C("linear", MPM_COHESIVE_LINEAR)                                                               \
+    C("trilinear", MPM_COHESIVE_TRILINEAR)                                                         \
+    C("exponential", MPM_COHESIVE_EXPONENTIAL)
+
 /* NOLINTEND(readability-identifier-naming) */
 
 #define MPM_CHOICE_LISTS(L)                                                                        \
@@ -109,7 +114,8 @@
     L(frame)                                                                                       \
     L(crack_method)                                                                                \
     L(contact)                                                                                     \
-    L(detection)
+    L(detection)                                                                                   \
+    L(cohesive_law)
 
 /* -------------------------------------------------------------------- keys */
 
@@ -276,6 +282,20 @@
     X(S, LIST, particle_forces, traction, ANYWHERE, OPTIONAL, "", "[]", ANY,                       \
       "on the particles that have these edges: value times the area of the undeformed edge")
 
+#define KEYS_cohesive(X, S)                                                                        \
+    X(S, CHOICE, law, cohesive_law, ANYWHERE, REQUIRED, "", NULL, ANY,                             \
+      "how the traction falls with the opening, once it has reached the strength")                 \
+    X(S, ONE, strength, NUMBER, ANYWHERE, REQUIRED, "mass/(length time^2)", NULL, ABOVE(0),        \
+      "largest traction")                                                                          \
+    X(S, ONE, toughness, NUMBER, ANYWHERE, REQUIRED, "mass/time^2", NULL, ABOVE(0),                \
+      "work per area until nothing is left, G_c: opening, sliding or both")                        \
+    X(S, ONE, stiffness, NUMBER, ANYWHERE, REQUIRED, "mass/(length^2 time^2)", NULL, ABOVE(0),     \
+      "traction per opening before the strength is reached; the time step limits it")              \
+    X(S, ONE, knee_opening, NUMBER, ANYWHERE, OPTIONAL, "length", NULL, ABOVE(0),                  \
+      "trilinear, and only there: opening between both slopes")                                    \
+    X(S, ONE, knee_traction, NUMBER, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),   \
+      "trilinear, and only there: traction at knee_opening, up to the strength")
+
 #define KEYS_crack(X, S)                                                                           \
     X(S, POINTS, points, NUMBER, ANYWHERE, REQUIRED, "length", NULL, FROM_TO(2, MPM_POINTS_MAX),   \
       "the crack at t = 0, as a chain that does not meet itself or another crack")                 \
@@ -290,7 +310,11 @@
     X(S, ONE, touching, NUMBER, ANYWHERE, OPTIONAL, "", "1.1", ABOVE(1),                           \
       "surfaces touch above this relative volume at a node; between both, if they approach (V_contact)") \
     X(S, ONE, spacing, NUMBER, ANYWHERE, OPTIONAL, "", "0.5", FROM_TO(0.05, 1),                    \
-      "longest distance of the massless points that carry it, in parts of the shorter cell side")
+      "longest distance of the massless points that carry it, in parts of the shorter cell side") \
+    X(S, ONE, opening, BOOLEAN, ANYWHERE, OPTIONAL, "", "false", ANY,                              \
+      "follow both surfaces, and write how far they have opened and slid to history.csv; with cohesive they always are") \
+    X(S, GROUP, cohesive, cohesive, ANYWHERE, OPTIONAL, "", NULL, ANY,                             \
+      "traction between its surfaces; without it there is none")
 
 #define KEYS_thermostat(X, S)                                                                      \
     X(S, ONE, gain, NUMBER, ANYWHERE, REQUIRED, "1/time^2", NULL, ABOVE(0),                        \
@@ -343,7 +367,7 @@
 #define MPM_KEY_LISTS(L)                                                                           \
     L(units) L(grid) L(rest) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
     L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary)            \
-    L(traction) L(loads) L(crack) L(thermostat) L(damping) L(output) L(scene)
+    L(traction) L(loads) L(cohesive) L(crack) L(thermostat) L(damping) L(output) L(scene)
 /* clang-format on */
 
 #endif
