@@ -46,6 +46,7 @@
     SUITE(scene_limits)                                                                            \
     SUITE(scene_cracks)                                                                            \
     SUITE(crack_line)                                                                              \
+    SUITE(j_integral)                                                                              \
     SUITE(cracks)                                                                                  \
     SUITE(symmetry)                                                                                \
     SUITE(scene_settings)                                                                          \

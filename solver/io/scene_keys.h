@@ -93,6 +93,15 @@
     C("displacement", MPM_DETECT_DISPLACEMENT)                                                     \
     C("cell", MPM_DETECT_CELL)
 
+#define CHOICES_tip(C)                                                                             \
+    C("end", false)                                                                                \
+    C("start", true)
+
+#define CHOICES_j_form(C)                                                                          \
+    C("bergkvist_huong", MPM_J_BERGKVIST_HUONG)                                                    \
+    C("broberg", MPM_J_BROBERG)                                                                    \
+    C("contour", MPM_J_CONTOUR)
+
 /* NOLINTEND(readability-identifier-naming) */
 
 #define MPM_CHOICE_LISTS(L)                                                                        \
@@ -109,7 +118,9 @@
     L(frame)                                                                                       \
     L(crack_method)                                                                                \
     L(contact)                                                                                     \
-    L(detection)
+    L(detection)                                                                                   \
+    L(tip)                                                                                         \
+    L(j_form)
 
 /* -------------------------------------------------------------------- keys */
 
@@ -276,6 +287,15 @@
     X(S, LIST, particle_forces, traction, ANYWHERE, OPTIONAL, "", "[]", ANY,                       \
       "on the particles that have these edges: value times the area of the undeformed edge")
 
+#define KEYS_j_integral(X, S)                                                                      \
+    X(S, CHOICE, tip, tip, ANYWHERE, OPTIONAL, "", "end", ANY, "of the chain of points")           \
+    X(S, ONE, contour, INTEGER, ANYWHERE, REQUIRED, "", NULL, FROM_TO(2, 10000),                   \
+      "cells from the node nearest to the tip to each side of the rectangle that J is integrated along") \
+    X(S, ONE, dynamic, BOOLEAN, ANYWHERE, OPTIONAL, "", "true", ANY,                               \
+      "with kinetic energy, accelerations and body forces; without, J is that of a state at rest") \
+    X(S, CHOICE, form, j_form, AXISYMMETRIC, OPTIONAL, "", "bergkvist_huong", ANY,                 \
+      "area term: with the radius as weight, without, or no area term at all, which depends on the contour")
+
 #define KEYS_crack(X, S)                                                                           \
     X(S, POINTS, points, NUMBER, ANYWHERE, REQUIRED, "length", NULL, FROM_TO(2, MPM_POINTS_MAX),   \
       "the crack at t = 0, as a chain that does not meet itself or another crack")                 \
@@ -290,7 +310,9 @@
     X(S, ONE, touching, NUMBER, ANYWHERE, OPTIONAL, "", "1.1", ABOVE(1),                           \
       "surfaces touch above this relative volume at a node; between both, if they approach (V_contact)") \
     X(S, ONE, spacing, NUMBER, ANYWHERE, OPTIONAL, "", "0.5", FROM_TO(0.05, 1),                    \
-      "longest distance of the massless points that carry it, in parts of the shorter cell side")
+      "longest distance of the massless points that carry it, in parts of the shorter cell side")  \
+    X(S, LIST, j_integral, j_integral, ANYWHERE, OPTIONAL, "", "[]", ANY,                          \
+      "J integrals around its tips, and K_I and K_II: columns of history.csv")
 
 #define KEYS_thermostat(X, S)                                                                      \
     X(S, ONE, gain, NUMBER, ANYWHERE, REQUIRED, "1/time^2", NULL, ABOVE(0),                        \
@@ -343,7 +365,7 @@
 #define MPM_KEY_LISTS(L)                                                                           \
     L(units) L(grid) L(rest) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
     L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary)            \
-    L(traction) L(loads) L(crack) L(thermostat) L(damping) L(output) L(scene)
+    L(traction) L(loads) L(j_integral) L(crack) L(thermostat) L(damping) L(output) L(scene)
 /* clang-format on */
 
 #endif

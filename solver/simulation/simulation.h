@@ -6,8 +6,15 @@
 #define MPM_SIMULATION_SIMULATION_H
 
 #include "base/arena.h"
+#include "method/j_integral.h"
 #include "method/state.h"
 #include "method/step.h"
+
+/* The tip of a crack that a J integral goes around. */
+struct mpm_crack_tip {
+    struct mpm_j_tip undeformed;
+    double grown, dissipated; /* length, energy */
+};
 
 /* The state after the last sort. A step is undone by going back to it and repeating
  * the steps since: they give the same bits, so nothing has to be copied each step. */
@@ -28,6 +35,8 @@ struct mpm_simulation {
     struct mpm_arena given; /* of a caller's body force; empty without */
     struct mpm_state state;
     struct mpm_backup backup;
+    struct mpm_crack_tip *tips; /* per J integral of the scene; NULL without */
+    struct mpm_j_scratch j_scratch;
     uint64_t step;
     double wave_speed; /* fastest in the material now */
     double wave_speed_start;
@@ -90,6 +99,11 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena);
 /* Whether contact of their surfaces is told by where these are: particles carry it then. */
 bool mpm_cracks_need_surfaces(const struct mpm_scene *scene);
 enum mpm_status mpm_cracks_fill(struct mpm_simulation *simulation, struct mpm_error *error);
+
+/* j_integrals.c: their memory; their tips, once the particles stand: MPM_BAD_INPUT where a contour
+ * is not one. */
+void mpm_j_integrals_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);
+enum mpm_status mpm_j_integrals_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 
 /* create.c: parses a pair of expressions of a scene; a NULL text stays a NULL component. */
 enum mpm_status mpm_vector_field_create(const struct mpm_scene *scene,
