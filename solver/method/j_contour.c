@@ -62,19 +62,19 @@ static double weight_of(const struct mpm_j_contour *contour, const struct sample
     return at->x / (1.0 + at->gradient[MPM_ZZ]) / contour->tip->place[0];
 }
 
-/* Adds length * weight [ e F_mk n_m - s_im n_m u_i,k ]; the normal is `sign` along an axis. */
+/* Adds length * weight [ e F_mk n_m - s_im n_m (F - C)_ik ]; the normal is `sign` along an axis. */
 static void add_point(const struct mpm_j_contour *contour, const struct sample *at, int axis,
                       double sign, double length, double j[2])
 {
-    const double *const g = at->gradient;
+    const double *const g = at->gradient, *const common = contour->common;
     const double traction[2] = {axis == 0 ? at->stress[0] : at->stress[2],
                                 axis == 0 ? at->stress[2] : at->stress[1]};
     const double across[2] = {g[2 * axis] + (axis == 0 ? 1.0 : 0.0),
                               g[2 * axis + 1] + (axis == 1 ? 1.0 : 0.0)}; /* F_mk n_m */
     const double factor = sign * length * weight_of(contour, at);
     for (int k = 0; k < 2; k++)
-        j[k] += factor * (at->energy * across[k] -
-                          (traction[0] * g[k] + traction[1] * g[2 + k]));
+        j[k] += factor * (at->energy * across[k] - (traction[0] * (g[k] - common[k]) +
+                                                    traction[1] * (g[2 + k] - common[2 + k])));
 }
 
 /* ------------------------------------------------------------------ segments */
@@ -245,6 +245,31 @@ static enum mpm_status check_inside(const struct mpm_j_contour *contour, const i
                          "at an edge of the bodies, or outside; allowed: inside",
                          contour->spec->key, place[0], place[1],
                          node->side[MPM_CRACK_SAME_SIDE].area / cell);
+}
+
+/* Mean over the nodes on the contour, of their own fields. */
+void mpm_j_contour_find_common(struct mpm_j_contour *contour)
+{
+    const bool curved = contour->state->scene->geometry == MPM_AXISYMMETRIC;
+    double count = 0.0, sum[4] = {0.0, 0.0, 0.0, 0.0};
+    for (int k = 0; k < 4; k++)
+        contour->common[k] = 0.0;
+    if (curved && contour->spec->form == MPM_J_CONTOUR)
+        return;
+    int64_t at[2];
+    for (at[1] = contour->low[1]; at[1] <= contour->high[1]; at[1]++)
+        for (at[0] = contour->low[0]; at[0] <= contour->high[0]; at[0]++) {
+            const struct mpm_j_sums *const own = &mpm_j_node_at(contour, at)->side[0];
+            const bool inside = at[0] > contour->low[0] && at[0] < contour->high[0] &&
+                                at[1] > contour->low[1] && at[1] < contour->high[1];
+            if (inside || !(own->area > 0.0))
+                continue;
+            count += 1.0;
+            for (int k = 0; k < 4; k++)
+                sum[k] += own->gradient[k] / own->area;
+        }
+    for (int k = 0; k < 4 && count > 0.0; k++)
+        contour->common[k] = sum[k] / count;
 }
 
 /* Counter clockwise: right side upwards, top leftwards, and so on. */

@@ -17,6 +17,7 @@ struct mpm_j_contour {
     struct mpm_crack_range *ranges;
     int64_t low[2], high[2]; /* columns and rows of the rectangle, ghosts counted */
     int64_t width;           /* nodes of a row, margin included */
+    double common[4];        /* C of j_integral.h, less the unit tensor: xx xy yx yy */
 };
 
 /* Is this column or row within so many of the rectangle? */
@@ -38,6 +39,9 @@ static inline struct mpm_j_node *mpm_j_node_at(const struct mpm_j_contour *conto
  * unless NULL, gets that crack. */
 enum mpm_crack_side mpm_j_side(const struct mpm_j_contour *contour, const double from[2],
                                const double to[2], size_t *crack);
+
+/* Sets `common` once the nodes are filled. */
+void mpm_j_contour_find_common(struct mpm_j_contour *contour);
 
 /* Integral of [...] dS in both directions of the axes, and K_I and K_II over the root of E' J_1, up
  * to a common factor: the jumps of the opening's slope. */

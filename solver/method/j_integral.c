@@ -39,8 +39,7 @@ static enum mpm_status place_contour(struct mpm_j_contour *contour, struct mpm_e
         const double from = (tip[axis] - grid->origin[axis]) * grid->inverse_cell[axis];
         const int64_t nearest = mpm_floor(from + 0.5);
         const bool radius = axis == 0 && state->scene->geometry == MPM_AXISYMMETRIC;
-        const double lowest =
-            grid->origin[axis] + (double)(nearest - cells) * grid->cell[axis];
+        const double lowest = grid->origin[axis] + (double)(nearest - cells) * grid->cell[axis];
         if (nearest - cells < 0 || nearest + cells > grid->cells[axis] ||
             (radius && lowest < -1e-9 * grid->cell[axis]))
             return mpm_error_set(error, MPM_RUN_FAILED,
@@ -61,11 +60,9 @@ static struct mpm_crack_box box_around(const struct mpm_j_contour *contour, int6
     struct mpm_crack_box box;
     for (int axis = 0; axis < 2; axis++) {
         box.low[axis] = grid->origin[axis] +
-                        grid->cell[axis] *
-                            (double)(contour->low[axis] - cells - MPM_GHOST_ROWS);
+                        grid->cell[axis] * (double)(contour->low[axis] - cells - MPM_GHOST_ROWS);
         box.high[axis] = grid->origin[axis] +
-                         grid->cell[axis] *
-                             (double)(contour->high[axis] + cells - MPM_GHOST_ROWS);
+                         grid->cell[axis] * (double)(contour->high[axis] + cells - MPM_GHOST_ROWS);
     }
     return box;
 }
@@ -119,16 +116,15 @@ static void add_to_sums(const struct mpm_state *state, const struct carried *own
     sums->stress[2] += inverse * own->tau[MPM_SYM_XY];
     sums->energy += inverse * own->energy;
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        sums->gradient[k] +=
-            weight * (own->f[k] - (k == MPM_XY || k == MPM_YX ? 0.0 : 1.0));
+        sums->gradient[k] += weight * (own->f[k] - (k == MPM_XY || k == MPM_YX ? 0.0 : 1.0));
     sums->mass += mass * entry->s;
     sums->momentum[0] += mass * entry->s * own->v[0];
     sums->momentum[1] += mass * entry->s * own->v[1];
-    sums->force[0] -= loaded * (own->tau[MPM_SYM_XX] * entry->g[0] +
-                                own->tau[MPM_SYM_XY] * entry->g[1] +
-                                own->tau[MPM_SYM_ZZ] * entry->t);
-    sums->force[1] -= loaded * (own->tau[MPM_SYM_XY] * entry->g[0] +
-                                own->tau[MPM_SYM_YY] * entry->g[1]);
+    sums->force[0] -=
+        loaded * (own->tau[MPM_SYM_XX] * entry->g[0] + own->tau[MPM_SYM_XY] * entry->g[1] +
+                  own->tau[MPM_SYM_ZZ] * entry->t);
+    sums->force[1] -=
+        loaded * (own->tau[MPM_SYM_XY] * entry->g[0] + own->tau[MPM_SYM_YY] * entry->g[1]);
 }
 
 /* Of a stencil's node: its column and row. False: not one of those that are kept. */
@@ -212,9 +208,9 @@ static double share_of(const struct mpm_j_contour *contour, const int64_t at[2])
 
 /* What the nodes tell a particle. */
 struct told {
-    double share;        /* of it inside the contour */
-    double force[2];     /* per mass: a - b */
-    double gradient[4];  /* of the velocity, at the particle: xx xy yx yy */
+    double share;       /* of it inside the contour */
+    double force[2];    /* per mass: a - b */
+    double gradient[4]; /* of the velocity, at the particle: xx xy yx yy */
 };
 
 static struct told told_to(const struct mpm_j_contour *contour, const struct carried *own)
@@ -238,14 +234,21 @@ static struct told told_to(const struct mpm_j_contour *contour, const struct car
     return told;
 }
 
-/* rho_0 [ (a - b)_i u_i,k - v_i v_i,k ] */
-static void dynamic_term(const struct carried *own, const struct told *told, double term[2])
+/* (F - C)_ik */
+static double slope_of(const struct mpm_j_contour *contour, const struct carried *own, int i, int k)
+{
+    return own->f[2 * i + k] - (i == k ? 1.0 : 0.0) - contour->common[2 * i + k];
+}
+
+/* rho_0 [ (a - b)_i (F - C)_ik - v_i v_i,k ] */
+static void dynamic_term(const struct mpm_j_contour *contour, const struct carried *own,
+                         const struct told *told, double term[2])
 {
     for (int k = 0; k < 2; k++) {
         const double *const l = told->gradient;
         double sum = 0.0;
         for (int i = 0; i < 2; i++) {
-            const double u = own->f[2 * i + k] - (i == k ? 1.0 : 0.0);
+            const double u = slope_of(contour, own, i, k);
             const double v = l[2 * i] * own->f[k] + l[2 * i + 1] * own->f[2 + k];
             sum += told->force[i] * u - own->v[i] * v;
         }
@@ -253,45 +256,61 @@ static void dynamic_term(const struct carried *own, const struct told *told, dou
     }
 }
 
-/* W + K - P_tt u/R along r */
-static void bergkvist_huong_term(const struct carried *own, double term[2])
+/* P_tt (delta_kR u/R - (C - I)_Rk) */
+static void hoop_term(const struct mpm_j_contour *contour, const struct carried *own,
+                      double term[2])
 {
     const double stretch = own->f[MPM_ZZ];
-    term[0] = own->energy - own->tau[MPM_SYM_ZZ] * (stretch - 1.0) / stretch;
-    term[1] = 0.0;
+    for (int k = 0; k < 2; k++)
+        term[k] =
+            own->tau[MPM_SYM_ZZ] / stretch * ((k == 0 ? stretch - 1.0 : 0.0) - contour->common[k]);
 }
 
-/* 1/R (P_iR u_i,k - delta_kR P_tt u/R) */
-static void broberg_term(const struct carried *own, double term[2])
+/* 1/R P_iR (F - C)_ik */
+static void broberg_term(const struct mpm_j_contour *contour, const struct carried *own,
+                         double radius, double term[2])
 {
     const double *const f = own->f, *const tau = own->tau;
-    const double stretch = f[MPM_ZZ], radius = own->place[0] / stretch;
-    const double first[2] = {
+    const double stress[2] = {
         (tau[MPM_SYM_XX] * f[MPM_YY] - tau[MPM_SYM_XY] * f[MPM_XY]) / own->plane,
         (tau[MPM_SYM_XY] * f[MPM_YY] - tau[MPM_SYM_YY] * f[MPM_XY]) / own->plane,
     };
-    term[0] = (first[0] * (f[MPM_XX] - 1.0) + first[1] * f[MPM_YX] -
-               tau[MPM_SYM_ZZ] * (stretch - 1.0) / stretch) /
-              radius;
-    term[1] = (first[0] * f[MPM_XY] + first[1] * (f[MPM_YY] - 1.0)) / radius;
+    for (int k = 0; k < 2; k++)
+        term[k] =
+            (stress[0] * slope_of(contour, own, 0, k) + stress[1] * slope_of(contour, own, 1, k)) /
+            radius;
+}
+
+/* What the divergence in polar coordinates leaves behind, and the weight of all else: R/a or 1. */
+static double curved_term(const struct mpm_j_contour *contour, const struct carried *own,
+                          double term[2])
+{
+    const double radius = own->place[0] / own->f[MPM_ZZ], front = contour->tip->place[0];
+    const bool weighted = contour->spec->form == MPM_J_BERGKVIST_HUONG;
+    double hoop[2];
+    term[0] = term[1] = 0.0;
+    if (contour->spec->form == MPM_J_CONTOUR)
+        return 1.0;
+    if (weighted)
+        term[0] = own->energy / front;
+    else
+        broberg_term(contour, own, radius, term);
+    hoop_term(contour, own, hoop);
+    for (int k = 0; k < 2; k++)
+        term[k] -= hoop[k] / (weighted ? front : radius);
+    return weighted ? radius / front : 1.0;
 }
 
 static void add_area(const struct mpm_j_contour *contour, size_t p, double j[2])
 {
-    const enum mpm_j_form form = contour->spec->form;
     const struct carried own = carried_by(contour, p);
     const struct told told = told_to(contour, &own);
-    double curved[2] = {0.0, 0.0}, dynamic[2] = {0.0, 0.0}, weight = 1.0;
+    double curved[2], dynamic[2] = {0.0, 0.0};
     if (told.share == 0.0)
         return;
-    if (form == MPM_J_BERGKVIST_HUONG) {
-        bergkvist_huong_term(&own, curved);
-        curved[0] /= contour->tip->place[0];
-        weight = own.place[0] / own.f[MPM_ZZ] / contour->tip->place[0];
-    } else if (form == MPM_J_BROBERG)
-        broberg_term(&own, curved);
+    const double weight = curved_term(contour, &own, curved);
     if (contour->spec->dynamic)
-        dynamic_term(&own, &told, dynamic);
+        dynamic_term(contour, &own, &told, dynamic);
     for (int k = 0; k < 2; k++)
         j[k] += told.share * own.area * (weight * dynamic[k] - curved[k]);
 }
@@ -355,6 +374,7 @@ enum mpm_status mpm_j_evaluate(const struct mpm_state *state,
         contour.ranges[k] = mpm_crack_chain_near(&state->cracks.chains[k], &box);
     memset(contour.nodes, 0, mpm_j_nodes(spec) * sizeof *contour.nodes);
     MPM_TRY(gather(&contour, &search, error));
+    mpm_j_contour_find_common(&contour);
     MPM_TRY(mpm_j_contour_integrate(&contour, &flux, error));
     integrate_area(&contour, flux.j);
     const double *const d = tip->direction;

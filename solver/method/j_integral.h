@@ -26,6 +26,12 @@
  *       J_k = int [...] dS - int 1/R (P_iR u_i,k - delta_kR P_tt u/R) dA + int rho_0 [...] dA
  * Both are exact; sums over particles and nodes make the difference.
  *
+ * u_i,k in products with stress may be (F - C)_ik with any constant C, since forces on the contour,
+ * inertia and body forces balance; in axisymmetry P_tt u/R delta_kR becomes P_tt (u/R delta_kR -
+ * (C - I)_Rk) then. C is the mean of F on the contour, so that a body that turns as a whole is not
+ * asked for a balance of forces far better than its stresses are. Axisymmetry without area terms
+ * (form: contour) keeps C = I.
+ *
  * The contour is a rectangle of grid lines, so many cells from the node nearest to the tip. Stress,
  * F - I and energy come to its nodes as means over particles with the weights A_p S_ip, by velocity
  * fields as the step has them: for each particle and node, from which side the crack is crossed.

@@ -44,10 +44,8 @@ void williams_field_displacement(const struct williams_field *field, const doubl
     const struct polar at = polar_of(field, place);
     const struct angular angular = angular_at(field, at.theta);
     const double t = field->parallel / (8.0 * field->shear);
-    const double one =
-        sqrt(at.r) * angular.shape[0] + t * (field->kappa + 1.0) * at.along[0];
-    const double two =
-        sqrt(at.r) * angular.shape[1] - t * (3.0 - field->kappa) * at.along[1];
+    const double one = sqrt(at.r) * angular.shape[0] + t * (field->kappa + 1.0) * at.along[0];
+    const double two = sqrt(at.r) * angular.shape[1] - t * (3.0 - field->kappa) * at.along[1];
     u[0] = d[0] * one - d[1] * two;
     u[1] = d[1] * one + d[0] * two;
 }

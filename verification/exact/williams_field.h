@@ -1,9 +1,9 @@
 /* The field around the tip of a crack whose faces are free, in an isotropic elastic body at small
  * strain: the terms of M. L. Williams (J. Appl. Mech. 24 (1957) 109-114) that K_I, K_II stand
- * for, and the stress T along the crack. Local axes at the tip: 1 away from the crack, 2 on the left of it;
- * theta from -pi to pi, the faces. With kappa = 3 - 4 nu (plane strain) or (3 - nu)/(1 + nu)
- * (plane stress), G the shear modulus:
- *     u_1 = sqrt(r/(2 pi))/(2 G) { K_I [(kappa - 1/2) cos(theta/2) - cos(3 theta/2)/2]
+ * for, and the stress T along the crack. Local axes at the tip: 1 away from the crack, 2 on the
+ * left of it; theta from -pi to pi, the faces. With kappa = 3 - 4 nu (plane strain) or (3 - nu)/(1
+ * + nu) (plane stress), G the shear modulus: u_1 = sqrt(r/(2 pi))/(2 G) { K_I [(kappa - 1/2)
+ * cos(theta/2) - cos(3 theta/2)/2]
  *                               + K_II [(kappa + 3/2) sin(theta/2) + sin(3 theta/2)/2] },
  *     u_2 = sqrt(r/(2 pi))/(2 G) { K_I [(kappa + 1/2) sin(theta/2) - sin(3 theta/2)/2]
  *                               - K_II [(kappa - 3/2) cos(theta/2) + cos(3 theta/2)/2] },
@@ -22,7 +22,8 @@ struct williams_field {
     double direction[2]; /* unit vector away from the crack */
 };
 
-/* Displacement, and its gradient u_i,k at [2 i + k], along the axes of the plane; not at the tip. */
+/* Displacement, and its gradient u_i,k at [2 i + k], along the axes of the plane; not at the tip.
+ */
 void williams_field_displacement(const struct williams_field *field, const double place[2],
                                  double u[2]);
 void williams_field_gradient(const struct williams_field *field, const double place[2],
