@@ -226,7 +226,10 @@ struct mpm_ledger {
     double strain_energy;
     double external_work;       /* by loads, boundaries and rigid bodies since t = 0 */
     double damping_dissipation; /* taken out by damping since t = 0; 0 without */
-    double total_energy;        /* kinetic + strain + dissipation */
+    /* Of cohesive cracks since t = 0; 0 without: what their tractions give back as the openings go
+     * to zero, and what they do not. */
+    double cohesive_stored, cohesive_dissipated;
+    double total_energy; /* kinetic + strain + dissipation + cohesive energies */
     double j_min, j_max;        /* extremes of det F */
 };
 
@@ -235,6 +238,22 @@ void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_l
 
 /* Does the scene damp: does its history have the column damping_dissipation? */
 bool mpm_scene_is_damped(const struct mpm_scene *scene);
+
+/* Has one of its cracks a cohesive law: has its history the columns of cohesive energies? */
+bool mpm_scene_is_cohesive(const struct mpm_scene *scene);
+
+/* What the history tells of cracks, crack by crack: columns that follow those of the ledger. */
+enum { MPM_QUANTITY_NAME_SIZE = 64 };
+struct mpm_quantity_info {
+    char name[MPM_QUANTITY_NAME_SIZE]; /* "crack_0_opening_first": crack 0 of the scene */
+    int length, mass, time;            /* exponents of the unit */
+    const char *description;
+};
+/* How many there are, 0 for scenes that ask for none; what `index`, below that, is; and its value
+ * now. Cost of a value: one pass over the points of its crack. */
+size_t mpm_scene_crack_quantity_count(const struct mpm_scene *scene);
+struct mpm_quantity_info mpm_scene_crack_quantity(const struct mpm_scene *scene, size_t index);
+double mpm_simulation_crack_quantity(const struct mpm_simulation *simulation, size_t index);
 
 /* How near to rest a scene that asks for it (time.rest) is after the last step; both 1 before
  * the first. */

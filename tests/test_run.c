@@ -322,12 +322,12 @@ START_TEST(a_full_disk_leaves_whole_rows_in_the_history)
     struct mpm_error error = {.status = MPM_OK};
     ck_assert_int_eq(mpm_history_create(test_results.folder, test_results.scene, &history, NULL),
                      MPM_OK);
-    ck_assert_int_eq(mpm_history_write(history, &ledgers[0], NULL), MPM_OK);
-    ck_assert_int_eq(mpm_history_write(history, &ledgers[1], NULL), MPM_OK);
+    ck_assert_int_eq(mpm_history_write(history, &ledgers[0], NULL, NULL), MPM_OK);
+    ck_assert_int_eq(mpm_history_write(history, &ledgers[1], NULL, NULL), MPM_OK);
     char *path = test_folder_path(test_results.folder, MPM_HISTORY_NAME);
     char *text = test_file_read(path);
     const struct rlimit before = set_limit(strlen(text) + 10);
-    const enum mpm_status status = mpm_history_write(history, &ledgers[2], &error);
+    const enum mpm_status status = mpm_history_write(history, &ledgers[2], NULL, &error);
     lift_limit(&before);
     ck_assert_int_eq(status, MPM_ENVIRONMENT_FAILED);
     ck_assert(strstr(error.message, path) != NULL);

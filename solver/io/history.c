@@ -12,47 +12,56 @@
 #include <stddef.h>
 #include <unistd.h>
 
+static const struct column {
+    const char *name;
+    size_t offset;                            /* in struct mpm_ledger */
+    bool counts;                              /* uint64_t instead of double */
+    int length, mass, time;                   /* exponents of the unit */
+    bool (*belongs)(const struct mpm_scene *); /* NULL: to all scenes */
+} columns[] = {
+    {"time", offsetof(struct mpm_ledger, time), false, 0, 0, 1, NULL},
+    {"step", offsetof(struct mpm_ledger, step), true, 0, 0, 0, NULL},
+    {"mass", offsetof(struct mpm_ledger, mass), false, 0, 1, 0, NULL},
+    {"momentum_x", offsetof(struct mpm_ledger, momentum[0]), false, 1, 1, -1, NULL},
+    {"momentum_y", offsetof(struct mpm_ledger, momentum[1]), false, 1, 1, -1, NULL},
+    {"angular_momentum", offsetof(struct mpm_ledger, angular_momentum), false, 2, 1, -1, NULL},
+    {"kinetic_energy", offsetof(struct mpm_ledger, kinetic_energy), false, 2, 1, -2, NULL},
+    {"strain_energy", offsetof(struct mpm_ledger, strain_energy), false, 2, 1, -2, NULL},
+    {"external_work", offsetof(struct mpm_ledger, external_work), false, 2, 1, -2, NULL},
+    {"total_energy", offsetof(struct mpm_ledger, total_energy), false, 2, 1, -2, NULL},
+    {"j_min", offsetof(struct mpm_ledger, j_min), false, 0, 0, 0, NULL},
+    {"j_max", offsetof(struct mpm_ledger, j_max), false, 0, 0, 0, NULL},
+    {"damping_dissipation", offsetof(struct mpm_ledger, damping_dissipation), false, 2, 1, -2,
+     mpm_scene_is_damped},
+    {"cohesive_stored", offsetof(struct mpm_ledger, cohesive_stored), false, 2, 1, -2,
+     mpm_scene_is_cohesive},
+    {"cohesive_dissipated", offsetof(struct mpm_ledger, cohesive_dissipated), false, 2, 1, -2,
+     mpm_scene_is_cohesive},
+};
+
 struct mpm_history {
     char *path;
     int file;
     off_t size; /* of the complete rows */
-    size_t column_count;
+    const struct column *columns[G_N_ELEMENTS(columns)]; /* of this scene */
+    size_t column_count, quantity_count;                 /* of columns, then of cracks */
     bool has_row;
     uint64_t last_step;
 };
 
-static const struct column {
-    const char *name;
-    size_t offset;          /* in struct mpm_ledger */
-    bool counts;            /* uint64_t instead of double */
-    int length, mass, time; /* exponents of the unit */
-} columns[] = {
-    {"time", offsetof(struct mpm_ledger, time), false, 0, 0, 1},
-    {"step", offsetof(struct mpm_ledger, step), true, 0, 0, 0},
-    {"mass", offsetof(struct mpm_ledger, mass), false, 0, 1, 0},
-    {"momentum_x", offsetof(struct mpm_ledger, momentum[0]), false, 1, 1, -1},
-    {"momentum_y", offsetof(struct mpm_ledger, momentum[1]), false, 1, 1, -1},
-    {"angular_momentum", offsetof(struct mpm_ledger, angular_momentum), false, 2, 1, -1},
-    {"kinetic_energy", offsetof(struct mpm_ledger, kinetic_energy), false, 2, 1, -2},
-    {"strain_energy", offsetof(struct mpm_ledger, strain_energy), false, 2, 1, -2},
-    {"external_work", offsetof(struct mpm_ledger, external_work), false, 2, 1, -2},
-    {"total_energy", offsetof(struct mpm_ledger, total_energy), false, 2, 1, -2},
-    {"j_min", offsetof(struct mpm_ledger, j_min), false, 0, 0, 0},
-    {"j_max", offsetof(struct mpm_ledger, j_max), false, 0, 0, 0},
-    /* of damped scenes only */
-    {"damping_dissipation", offsetof(struct mpm_ledger, damping_dissipation), false, 2, 1, -2},
-};
+static void append_number(GString *row, double value)
+{
+    char text[G_ASCII_DTOSTR_BUF_SIZE]; /* a decimal point in every locale */
+    g_string_append(row, g_ascii_formatd(text, sizeof text, "%.17g", value));
+}
 
 static void append_value(GString *row, const struct column *column, const struct mpm_ledger *ledger)
 {
     const char *value = (const char *)ledger + column->offset;
-    if (column->counts) {
+    if (column->counts)
         g_string_append_printf(row, "%" G_GUINT64_FORMAT, *(const uint64_t *)(const void *)value);
-        return;
-    }
-    char text[G_ASCII_DTOSTR_BUF_SIZE]; /* a decimal point in every locale */
-    g_string_append(
-        row, g_ascii_formatd(text, sizeof text, "%.17g", *(const double *)(const void *)value));
+    else
+        append_number(row, *(const double *)(const void *)value);
 }
 
 static enum mpm_status append_line(struct mpm_history *history, const GString *line,
@@ -69,21 +78,40 @@ static enum mpm_status append_line(struct mpm_history *history, const GString *l
                          g_strerror(failure));
 }
 
+static void append_head(GString *names, GString *units, const struct mpm_scene *scene,
+                        const char *name, const int exponents[3])
+{
+    char unit[MPM_UNIT_SIZE];
+    mpm_unit_text(scene, exponents[0], exponents[1], exponents[2], unit);
+    g_string_append_printf(names, "%s%s", names->len == 0 ? "" : ",", name);
+    g_string_append_printf(units, "%s%s", units->len == 0 ? "# " : ",", unit);
+}
+
 static enum mpm_status write_head(struct mpm_history *history, const struct mpm_scene *scene,
                                   struct mpm_error *error)
 {
-    GString *head = g_string_new(NULL);
-    for (size_t i = 0; i < history->column_count; i++)
-        g_string_append_printf(head, "%s%s", i == 0 ? "" : ",", columns[i].name);
+    GString *head = g_string_new(NULL), *units = g_string_new(NULL);
     for (size_t i = 0; i < history->column_count; i++) {
-        char unit[MPM_UNIT_SIZE];
-        mpm_unit_text(scene, columns[i].length, columns[i].mass, columns[i].time, unit);
-        g_string_append_printf(head, "%s%s", i == 0 ? "\n# " : ",", unit);
+        const struct column *const c = history->columns[i];
+        append_head(head, units, scene, c->name, (const int[3]){c->length, c->mass, c->time});
     }
-    g_string_append_c(head, '\n');
+    for (size_t i = 0; i < history->quantity_count; i++) {
+        const struct mpm_quantity_info q = mpm_scene_crack_quantity(scene, i);
+        append_head(head, units, scene, q.name, (const int[3]){q.length, q.mass, q.time});
+    }
+    g_string_append_printf(head, "\n%s\n", units->str);
     const enum mpm_status status = append_line(history, head, error);
+    g_string_free(units, TRUE);
     g_string_free(head, TRUE);
     return status;
+}
+
+static void choose_columns(struct mpm_history *history, const struct mpm_scene *scene)
+{
+    for (size_t i = 0; i < G_N_ELEMENTS(columns); i++)
+        if (columns[i].belongs == NULL || columns[i].belongs(scene))
+            history->columns[history->column_count++] = &columns[i];
+    history->quantity_count = mpm_scene_crack_quantity_count(scene);
 }
 
 enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *scene,
@@ -92,7 +120,7 @@ enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *s
     struct mpm_history *created = g_new0(struct mpm_history, 1);
     *history = NULL;
     created->path = g_build_filename(folder, MPM_HISTORY_NAME, NULL);
-    created->column_count = G_N_ELEMENTS(columns) - (mpm_scene_is_damped(scene) ? 0 : 1);
+    choose_columns(created, scene);
     created->file = open(created->path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     const enum mpm_status status =
         created->file < 0
@@ -117,7 +145,7 @@ void mpm_history_free(struct mpm_history *history)
 }
 
 enum mpm_status mpm_history_write(struct mpm_history *history, const struct mpm_ledger *ledger,
-                                  struct mpm_error *error)
+                                  const struct mpm_simulation *simulation, struct mpm_error *error)
 {
     if (history->has_row && history->last_step == ledger->step)
         return MPM_OK;
@@ -125,7 +153,11 @@ enum mpm_status mpm_history_write(struct mpm_history *history, const struct mpm_
     for (size_t i = 0; i < history->column_count; i++) {
         if (i > 0)
             g_string_append_c(row, ',');
-        append_value(row, &columns[i], ledger);
+        append_value(row, history->columns[i], ledger);
+    }
+    for (size_t i = 0; i < history->quantity_count; i++) {
+        g_string_append_c(row, ',');
+        append_number(row, mpm_simulation_crack_quantity(simulation, i));
     }
     g_string_append_c(row, '\n');
     const enum mpm_status status = append_line(history, row, error);

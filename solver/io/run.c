@@ -72,7 +72,7 @@ static enum mpm_status write_history(struct run *run, struct mpm_error *error)
 {
     struct mpm_ledger ledger;
     mpm_simulation_ledger(run->simulation, &ledger);
-    return mpm_history_write(run->history, &ledger, error);
+    return mpm_history_write(run->history, &ledger, run->simulation, error);
 }
 
 /* A failure to write says at which state of the run that was and what there is. */

@@ -35,6 +35,9 @@ enum mpm_status mpm_build_loads(const struct mpm_reading *reading);
 enum mpm_status mpm_build_edge_loads(const struct mpm_reading *reading);
 /* Cracks, and whether the method takes them. */
 enum mpm_status mpm_build_cracks(const struct mpm_reading *reading);
+/* A part of it: what holds its surfaces together, once its points are known. */
+enum mpm_status mpm_build_cohesive(const struct mpm_reading *reading, const char *path,
+                                   const struct mpm_raw_crack *raw, struct mpm_crack_spec *crack);
 /* Damping, and when a run is at rest. */
 enum mpm_status mpm_build_damping(const struct mpm_reading *reading);
 

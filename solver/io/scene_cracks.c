@@ -249,6 +249,7 @@ static enum mpm_status build_crack(const struct mpm_reading *reading, size_t ind
     crack->spacing = mpm_raw_double(raw->spacing);
     MPM_TRY(check_friction(reading, path, raw));
     MPM_TRY(build_points(reading, points, raw, crack));
+    MPM_TRY(mpm_build_cohesive(reading, path, raw, crack));
     return check_others(reading, points, index);
 }
 

@@ -102,6 +102,11 @@
     C("broberg", MPM_J_BROBERG)                                                                    \
     C("contour", MPM_J_CONTOUR)
 
+#define CHOICES_cohesive_law(C)                                                                    \
+    C("linear", MPM_COHESIVE_LINEAR)                                                               \
+    C("trilinear", MPM_COHESIVE_TRILINEAR)                                                         \
+    C("exponential", MPM_COHESIVE_EXPONENTIAL)
+
 /* NOLINTEND(readability-identifier-naming) */
 
 #define MPM_CHOICE_LISTS(L)                                                                        \
@@ -120,7 +125,8 @@
     L(contact)                                                                                     \
     L(detection)                                                                                   \
     L(tip)                                                                                         \
-    L(j_form)
+    L(j_form)                                                                                      \
+    L(cohesive_law)
 
 /* -------------------------------------------------------------------- keys */
 
@@ -296,6 +302,20 @@
     X(S, CHOICE, form, j_form, AXISYMMETRIC, OPTIONAL, "", "bergkvist_huong", ANY,                 \
       "area term: with the radius as weight, without, or no area term at all, which depends on the contour")
 
+#define KEYS_cohesive(X, S)                                                                        \
+    X(S, CHOICE, law, cohesive_law, ANYWHERE, REQUIRED, "", NULL, ANY,                             \
+      "how the traction falls with the opening, once it has reached the strength")                 \
+    X(S, ONE, strength, NUMBER, ANYWHERE, REQUIRED, "mass/(length time^2)", NULL, ABOVE(0),        \
+      "largest traction")                                                                          \
+    X(S, ONE, toughness, NUMBER, ANYWHERE, REQUIRED, "mass/time^2", NULL, ABOVE(0),                \
+      "work per area until nothing is left, G_c: opening, sliding or both")                        \
+    X(S, ONE, stiffness, NUMBER, ANYWHERE, REQUIRED, "mass/(length^2 time^2)", NULL, ABOVE(0),     \
+      "traction per opening before the strength is reached; the time step limits it")              \
+    X(S, ONE, knee_opening, NUMBER, ANYWHERE, OPTIONAL, "length", NULL, ABOVE(0),                  \
+      "trilinear, and only there: opening between both slopes")                                    \
+    X(S, ONE, knee_traction, NUMBER, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),   \
+      "trilinear, and only there: traction at knee_opening, up to the strength")
+
 #define KEYS_crack(X, S)                                                                           \
     X(S, POINTS, points, NUMBER, ANYWHERE, REQUIRED, "length", NULL, FROM_TO(2, MPM_POINTS_MAX),   \
       "the crack at t = 0, as a chain that does not meet itself or another crack")                 \
@@ -310,7 +330,11 @@
     X(S, ONE, touching, NUMBER, ANYWHERE, OPTIONAL, "", "1.1", ABOVE(1),                           \
       "surfaces touch above this relative volume at a node; between both, if they approach (V_contact)") \
     X(S, ONE, spacing, NUMBER, ANYWHERE, OPTIONAL, "", "0.5", FROM_TO(0.05, 1),                    \
-      "longest distance of the massless points that carry it, in parts of the shorter cell side")  \
+      "longest distance of the massless points that carry it, in parts of the shorter cell side") \
+    X(S, ONE, opening, BOOLEAN, ANYWHERE, OPTIONAL, "", "false", ANY,                              \
+      "follow both surfaces, and write how far they have opened and slid to history.csv; with cohesive they always are") \
+    X(S, GROUP, cohesive, cohesive, ANYWHERE, OPTIONAL, "", NULL, ANY,                             \
+      "traction between its surfaces; without it there is none") \
     X(S, LIST, j_integral, j_integral, ANYWHERE, OPTIONAL, "", "[]", ANY,                          \
       "J integrals around its tips, and K_I and K_II: columns of history.csv")
 
@@ -365,7 +389,7 @@
 #define MPM_KEY_LISTS(L)                                                                           \
     L(units) L(grid) L(rest) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
     L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary)            \
-    L(traction) L(loads) L(j_integral) L(crack) L(thermostat) L(damping) L(output) L(scene)
+    L(traction) L(loads) L(j_integral) L(cohesive) L(crack) L(thermostat) L(damping) L(output) L(scene)
 /* clang-format on */
 
 #endif

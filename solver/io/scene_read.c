@@ -265,6 +265,14 @@ bool mpm_scene_is_damped(const struct mpm_scene *scene)
            damping->thermostat;
 }
 
+bool mpm_scene_is_cohesive(const struct mpm_scene *scene)
+{
+    for (size_t k = 0; k < scene->crack_count; k++)
+        if (scene->cracks[k].cohesive.law != NULL)
+            return true;
+    return false;
+}
+
 bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene)
 {
     return scene->checkpoint_interval > 0.0;

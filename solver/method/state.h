@@ -170,6 +170,24 @@ struct mpm_crack_span {
     size_t begin, end;
 };
 
+/* The fields that one surface of a crack moves with at one of its points: nodes of the corners of a
+ * cell, weights of sum 1. None where no such field has mass. */
+struct mpm_crack_surface {
+    int count;
+    int64_t node[4];
+    double weight[4];
+};
+
+/* The surfaces of cracks that ask for it; all NULL where none does. See crack_opening.h. */
+struct mpm_crack_openings {
+    double *vector[2]; /* per point: place of the surface above minus that of the one below */
+    double *largest;   /* per point, cohesive: the largest effective opening so far */
+    double *area;      /* per point, cohesive: undeformed area, for the thickness or per radian */
+    bool (*cuts)[2];   /* per crack: does it cut its body's edge at its first point, at its last? */
+    /* Of the step, per point: the surface above, and that below */
+    struct mpm_crack_surface (*surfaces)[2];
+};
+
 /* Cracks; all empty where a scene has none. */
 struct mpm_cracks {
     struct mpm_crack_chain *chains; /* per crack of the scene */
@@ -177,6 +195,7 @@ struct mpm_cracks {
     double *position[2]; /* of all chains' points, one after the other */
     uint8_t *held;       /* per point: bits of the axes along which a symmetry plane holds it */
     double least_mass;   /* of a node that moves cracks; see mpm_cracks_advance */
+    struct mpm_crack_openings openings;
     /* Of the step */
     uint32_t *code; /* per particle: two bits for each node of its stencil, an mpm_crack_side */
     struct mpm_crack_span *spans; /* see mpm_crack_spans */

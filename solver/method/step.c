@@ -2,10 +2,12 @@
 #include "method/step.h"
 
 #include "base/strips.h"
+#include "method/cohesive_traction.h"
 #include "method/conditions.h"
 #include "method/crack_contact.h"
 #include "method/crack_detection.h"
 #include "method/crack_fields.h"
+#include "method/crack_opening.h"
 #include "method/damping.h"
 #include "method/edge_loads.h"
 #include "method/given_force.h"
@@ -254,6 +256,8 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     MPM_TRY(mpm_conditions_gather(state, error));
     mpm_conditions_apply_start(state);
     mpm_crack_contact_start(state);
+    mpm_crack_openings_find(state);
+    MPM_TRY(mpm_crack_openings_advance(state, state->order->before, error));
     charge(seconds, MPM_PHASE_GRID, &mark);
 
     /* Task 2 for USF and USAVG: stress update (35), (36); Task 3: forces (28) */
@@ -263,6 +267,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
         run_particles(state, workers, mpm_pass_body_force);
     mpm_edge_loads_spread(state, workers);
     mpm_given_force_add(state);
+    mpm_cohesive_spread(state);
     mpm_symmetries_reflect_force(state);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
@@ -276,6 +281,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     charge(seconds, MPM_PHASE_TO_PARTICLES, &mark);
     if (state->order->extrapolate)
         finish_extrapolation(state);
+    MPM_TRY(mpm_crack_openings_advance(state, state->order->after, error));
     charge(seconds, MPM_PHASE_GRID, &mark);
 
     /* Task 6: stress update of USL, MUSL, USAVG; Task 5: positions, last, since every

@@ -8,6 +8,7 @@
 #define MPM_MODEL_SCENE_H
 
 #include "base/status.h"
+#include "model/cohesive.h"
 
 enum { MPM_NAME_SIZE = 257 }; /* names up to 64 characters of UTF-8 */
 
@@ -142,6 +143,8 @@ struct mpm_crack_spec {
         touching;   /* relative volumes: apart below, in contact above; CRAMP's V_sep, V_contact */
     double spacing; /* points are set so that no segment is longer than this many of the shorter
                      * cell side */
+    bool opening;                /* are its surfaces followed? With a law they always are */
+    struct mpm_cohesive cohesive; /* traction between its surfaces; law NULL: none */
     int line;
 };
 

@@ -4,6 +4,31 @@
 #include <assert.h>
 #include <string.h>
 
+/* What steps change of the surfaces of cracks, array by array. */
+enum { OPENING_ARRAYS = 3 };
+static void opening_arrays(const struct mpm_crack_openings *openings,
+                           const struct mpm_backup *backup, double *now[OPENING_ARRAYS],
+                           double *kept[OPENING_ARRAYS])
+{
+    for (int axis = 0; axis < 2; axis++) {
+        now[axis] = openings->vector[axis];
+        kept[axis] = backup->crack_opening[axis];
+    }
+    now[2] = openings->largest;
+    kept[2] = backup->largest_opening;
+}
+
+static void copy_openings(struct mpm_simulation *simulation, bool back)
+{
+    const struct mpm_cracks *const cracks = &simulation->state.cracks;
+    double *now[OPENING_ARRAYS], *kept[OPENING_ARRAYS];
+    opening_arrays(&cracks->openings, &simulation->backup, now, kept);
+    for (int k = 0; k < OPENING_ARRAYS; k++)
+        if (now[k] != NULL)
+            memcpy(back ? now[k] : kept[k], back ? kept[k] : now[k],
+                   cracks->point_count * sizeof(double));
+}
+
 void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena)
 {
     struct mpm_backup *const backup = &simulation->backup;
@@ -15,6 +40,11 @@ void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *aren
         backup->crack_position[axis] =
             MPM_TAKE(arena, double, simulation->state.cracks.point_count);
     }
+    const size_t followed = mpm_openings_points(&simulation->state);
+    for (int axis = 0; axis < 2; axis++)
+        backup->crack_opening[axis] = MPM_TAKE(arena, double, followed);
+    backup->largest_opening = MPM_TAKE(
+        arena, double, mpm_scene_is_cohesive(simulation->scene) ? followed : 0);
 }
 
 void mpm_backup_save(struct mpm_simulation *simulation)
@@ -29,6 +59,7 @@ void mpm_backup_save(struct mpm_simulation *simulation)
             memcpy(backup->crack_position[axis], state->cracks.position[axis],
                    state->cracks.point_count * sizeof(double));
     }
+    copy_openings(simulation, false);
     backup->time = state->time;
     backup->external_work = state->external_work;
     backup->work_scale = simulation->work_scale;
@@ -53,6 +84,7 @@ static void copy_back(struct mpm_simulation *simulation)
             memcpy(state->cracks.position[axis], backup->crack_position[axis],
                    state->cracks.point_count * sizeof(double));
     }
+    copy_openings(simulation, true);
     state->time = backup->time;
     state->external_work = backup->external_work;
     simulation->work_scale = backup->work_scale;

@@ -113,6 +113,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     mpm_edge_loads_layout(state, arena);
     mpm_cracks_layout(state, arena);
     mpm_j_integrals_layout(simulation, arena);
+    mpm_openings_layout(state, arena);
     state->sort_counts = MPM_TAKE(arena, uint32_t, longest + 1);
     const size_t driven =
         counts->rigid * MPM_STENCIL_MAX < nodes ? counts->rigid * MPM_STENCIL_MAX : nodes;
@@ -328,6 +329,7 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
     simulation->lightest = lightest_particle(&state->particles);
     MPM_TRY(mpm_time_step_check(simulation, error));
     MPM_TRY(mpm_damping_check_start(simulation, error));
+    MPM_TRY(mpm_openings_check_start(simulation, error));
     open_books(simulation);
     double unused[MPM_PHASE_COUNT] = {0.0}; /* part of the set-up */
     mpm_step_sort(state, simulation->backup.arrays, unused);
@@ -365,6 +367,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid);
     mpm_edge_loads_fill(simulation);
     MPM_TRY(mpm_cracks_fill(simulation, error));
+    MPM_TRY(mpm_openings_fill(simulation, error));
     MPM_TRY(set_velocities(simulation, error));
     for (size_t p = 0; p < state->particles.count; p++)
         mpm_particle_set_domain(state, p);

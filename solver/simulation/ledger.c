@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/affine.h"
+#include "method/cohesive_traction.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -42,6 +43,9 @@ void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_l
     };
     for (size_t p = 0; p < simulation->state.particles.count; p++)
         add_particle(simulation, p, ledger);
-    ledger->total_energy =
-        ledger->kinetic_energy + ledger->strain_energy + ledger->damping_dissipation;
+    mpm_cohesive_energies(&simulation->state, &ledger->cohesive_stored,
+                          &ledger->cohesive_dissipated);
+    ledger->total_energy = ledger->kinetic_energy + ledger->strain_energy +
+                           ledger->damping_dissipation + ledger->cohesive_stored +
+                           ledger->cohesive_dissipated;
 }

@@ -22,6 +22,7 @@ struct mpm_backup {
     double *arrays[MPM_KEPT_ARRAYS]; /* filled by the sort */
     double *rigid_position[2], *rigid_velocity[2];
     double *crack_position[2];
+    double *crack_opening[2], *largest_opening;
     double time, external_work, work_scale, wave_speed;
     struct mpm_damping_books damping;
     uint64_t step;
@@ -104,6 +105,16 @@ enum mpm_status mpm_cracks_fill(struct mpm_simulation *simulation, struct mpm_er
  * is not one. */
 void mpm_j_integrals_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);
 enum mpm_status mpm_j_integrals_fill(struct mpm_simulation *simulation, struct mpm_error *error);
+
+/* openings.c: the same for the surfaces of cracks that are followed. MPM_BAD_INPUT: a plane of
+ * symmetry holds the crack; a cohesive crack that is partly outside of bodies. */
+/* Points of which surfaces are kept: all of the scene's cracks, or none. */
+size_t mpm_openings_points(const struct mpm_state *state);
+void mpm_openings_layout(struct mpm_state *state, struct mpm_arena *arena);
+enum mpm_status mpm_openings_fill(struct mpm_simulation *simulation, struct mpm_error *error);
+/* MPM_BAD_INPUT: a cohesive law stiffer than the first time step can follow. */
+enum mpm_status mpm_openings_check_start(const struct mpm_simulation *simulation,
+                                         struct mpm_error *error);
 
 /* create.c: parses a pair of expressions of a scene; a NULL text stays a NULL component. */
 enum mpm_status mpm_vector_field_create(const struct mpm_scene *scene,

@@ -1,0 +1,126 @@
+/* What cracks add to the history: one row of the table below is a column for each crack that asks
+ * for it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/crack_opening.h"
+#include "simulation/simulation.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* ------------------------------------------------------------------ opening */
+
+static bool is_followed(const struct mpm_scene *scene, size_t crack)
+{
+    return mpm_crack_is_followed(&scene->cracks[crack]);
+}
+
+static struct mpm_crack_gap gap_at(const struct mpm_simulation *simulation, size_t crack,
+                                   size_t point)
+{
+    const struct mpm_state *const state = &simulation->state;
+    return mpm_crack_gap_at(state, crack, mpm_crack_first_point(state, crack), point);
+}
+
+static size_t last_of(const struct mpm_simulation *simulation, size_t crack)
+{
+    return simulation->state.cracks.chains[crack].count - 1;
+}
+
+static double opening_first(const struct mpm_simulation *simulation, size_t crack)
+{
+    return gap_at(simulation, crack, 0).opening;
+}
+
+static double sliding_first(const struct mpm_simulation *simulation, size_t crack)
+{
+    return gap_at(simulation, crack, 0).sliding;
+}
+
+static double opening_last(const struct mpm_simulation *simulation, size_t crack)
+{
+    return gap_at(simulation, crack, last_of(simulation, crack)).opening;
+}
+
+static double sliding_last(const struct mpm_simulation *simulation, size_t crack)
+{
+    return gap_at(simulation, crack, last_of(simulation, crack)).sliding;
+}
+
+static double opening_largest(const struct mpm_simulation *simulation, size_t crack)
+{
+    double largest = -HUGE_VAL;
+    for (size_t k = 0; k <= last_of(simulation, crack); k++)
+        largest = fmax(largest, gap_at(simulation, crack, k).opening);
+    return largest;
+}
+
+static double sliding_largest(const struct mpm_simulation *simulation, size_t crack)
+{
+    double largest = 0.0;
+    for (size_t k = 0; k <= last_of(simulation, crack); k++) {
+        const double sliding = gap_at(simulation, crack, k).sliding;
+        largest = fabs(sliding) > fabs(largest) ? sliding : largest;
+    }
+    return largest;
+}
+
+/* -------------------------------------------------------------------- table */
+
+static const struct quantity {
+    const char *name;
+    int length, mass, time;
+    const char *description;
+    bool (*asked)(const struct mpm_scene *scene, size_t crack);
+    double (*value)(const struct mpm_simulation *simulation, size_t crack);
+} quantities[] = {
+    {"opening_first", 1, 0, 0, "normal opening at its first point", is_followed, opening_first},
+    {"sliding_first", 1, 0, 0, "tangential opening at its first point", is_followed, sliding_first},
+    {"opening_last", 1, 0, 0, "normal opening at its last point", is_followed, opening_last},
+    {"sliding_last", 1, 0, 0, "tangential opening at its last point", is_followed, sliding_last},
+    {"opening_largest", 1, 0, 0, "largest normal opening", is_followed, opening_largest},
+    {"sliding_largest", 1, 0, 0, "tangential opening, where it is largest in magnitude",
+     is_followed, sliding_largest},
+};
+enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
+
+/* The quantity that `index` counts to, crack by crack, and its crack; NULL past the last one. With
+ * SIZE_MAX, *crack and *counted tell of all. */
+static const struct quantity *find(const struct mpm_scene *scene, size_t index, size_t *crack,
+                                   size_t *counted)
+{
+    *counted = 0;
+    for (*crack = 0; *crack < scene->crack_count; ++*crack)
+        for (size_t k = 0; k < QUANTITIES; k++)
+            if (quantities[k].asked(scene, *crack) && (*counted)++ == index)
+                return &quantities[k];
+    return NULL;
+}
+
+size_t mpm_scene_crack_quantity_count(const struct mpm_scene *scene)
+{
+    size_t crack, counted;
+    (void)find(scene, SIZE_MAX, &crack, &counted);
+    return counted;
+}
+
+struct mpm_quantity_info mpm_scene_crack_quantity(const struct mpm_scene *scene, size_t index)
+{
+    size_t crack, counted;
+    const struct quantity *const quantity = find(scene, index, &crack, &counted);
+    struct mpm_quantity_info info = {
+        .length = quantity->length,
+        .mass = quantity->mass,
+        .time = quantity->time,
+        .description = quantity->description,
+    };
+    (void)snprintf(info.name, sizeof info.name, "crack_%zu_%s", crack, quantity->name);
+    return info;
+}
+
+double mpm_simulation_crack_quantity(const struct mpm_simulation *simulation, size_t index)
+{
+    size_t crack, counted;
+    const struct quantity *const quantity = find(simulation->scene, index, &crack, &counted);
+    return quantity->value(simulation, crack);
+}

@@ -1,0 +1,169 @@
+/* Surfaces of cracks and their cohesive laws: settled when the simulation is created.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/crack_opening.h"
+#include "model/region.h"
+#include "simulation/simulation.h"
+
+#include <math.h>
+
+size_t mpm_openings_points(const struct mpm_state *state)
+{
+    for (size_t k = 0; k < state->scene->crack_count; k++)
+        if (mpm_crack_is_followed(&state->scene->cracks[k]))
+            return state->cracks.point_count;
+    return 0;
+}
+
+void mpm_openings_layout(struct mpm_state *state, struct mpm_arena *arena)
+{
+    struct mpm_crack_openings *const openings = &state->cracks.openings;
+    const size_t points = mpm_openings_points(state);
+    if (points == 0)
+        return;
+    for (int axis = 0; axis < 2; axis++)
+        openings->vector[axis] = MPM_TAKE(arena, double, points);
+    openings->cuts = mpm_arena_take(arena, state->scene->crack_count, sizeof *openings->cuts);
+    openings->surfaces = mpm_arena_take(arena, points, sizeof *openings->surfaces);
+    if (!mpm_scene_is_cohesive(state->scene))
+        return;
+    openings->largest = MPM_TAKE(arena, double, points);
+    openings->area = MPM_TAKE(arena, double, points);
+}
+
+/* -------------------------------------------------------------------- areas */
+
+/* Each segment gives its length to its two ends; in axisymmetry the integral of r with the linear
+ * function of each end. */
+static void add_areas(const struct mpm_state *state, const struct mpm_crack_chain *chain,
+                      double *area)
+{
+    const bool axisymmetric = state->scene->geometry == MPM_AXISYMMETRIC;
+    for (size_t k = 0; k + 1 < chain->count; k++) {
+        const double x[2] = {chain->x[k], chain->x[k + 1]};
+        const double length = hypot(x[1] - x[0], chain->y[k + 1] - chain->y[k]);
+        for (int end = 0; end < 2; end++)
+            area[k + (size_t)end] +=
+                axisymmetric ? length * (2.0 * x[end] + x[1 - end]) / 6.0
+                             : 0.5 * length * state->scene->thickness;
+    }
+}
+
+/* One of the places around it is: edges count, whichever side of a body they are on. */
+static bool is_in_a_body(const struct mpm_scene *scene, const double place[2])
+{
+    static const double around[4][2] = {{-1.0, -1.0}, {1.0, -1.0}, {-1.0, 1.0}, {1.0, 1.0}};
+    const double aside = 1e-6 * fmin(scene->cell[0], scene->cell[1]);
+    for (size_t k = 0; k < scene->body_count; k++)
+        for (int i = 0; i < 4 && !scene->bodies[k].rigid; i++) {
+            const double near[2] = {place[0] + aside * around[i][0],
+                                    place[1] + aside * around[i][1]};
+            if (mpm_region_contains(&scene->bodies[k].region, near, 0.1 * aside))
+                return true;
+        }
+    return false;
+}
+
+static enum mpm_status check_in_bodies(const struct mpm_scene *scene, size_t crack,
+                                       const struct mpm_crack_chain *chain, struct mpm_error *error)
+{
+    for (size_t k = 0; k < chain->count; k++) {
+        const double place[2] = {chain->x[k], chain->y[k]};
+        if (!is_in_a_body(scene, place))
+            return mpm_scene_error(error, scene, scene->cracks[crack].line, "cracks.points",
+                                   "a cohesive crack that is outside of bodies at (%g, %g); "
+                                   "allowed: inside or on their edges, looked at every "
+                                   "cracks.spacing: what is outside has nothing to hold together",
+                                   place[0], place[1]);
+    }
+    return MPM_OK;
+}
+
+/* ------------------------------------------------------------------ filling */
+
+/* Is there no body a little beyond the ends? */
+static void find_cuts(const struct mpm_state *state, const struct mpm_crack_chain *chain,
+                      bool cuts[2])
+{
+    static const double BEYOND = 0.01;
+    const size_t last = chain->count - 1;
+    const size_t end[2] = {0, last}, next[2] = {1, last - 1};
+    for (int k = 0; k < 2; k++) {
+        const double x = chain->x[end[k]] - chain->x[next[k]];
+        const double y = chain->y[end[k]] - chain->y[next[k]];
+        const double scale =
+            BEYOND * fmin(state->grid.cell[0], state->grid.cell[1]) / hypot(x, y);
+        const double place[2] = {chain->x[end[k]] + scale * x, chain->y[end[k]] + scale * y};
+        cuts[k] = !is_in_a_body(state->scene, place);
+    }
+}
+
+static enum mpm_status check_planes(const struct mpm_state *state, size_t crack, size_t first,
+                                    struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = state->scene;
+    for (size_t k = 0; k < state->cracks.chains[crack].count; k++)
+        if (state->cracks.held[first + k] != 0)
+            return mpm_scene_error(error, scene, scene->cracks[crack].line, "cracks.points",
+                                   "opening or cohesive of a crack on a plane of symmetry, beyond "
+                                   "which its other surface has no particles; allowed: inside");
+    return MPM_OK;
+}
+
+enum mpm_status mpm_openings_fill(struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    struct mpm_state *const state = &simulation->state;
+    size_t first = 0;
+    for (size_t crack = 0; crack < scene->crack_count; crack++) {
+        const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
+        if (mpm_crack_is_followed(&scene->cracks[crack])) {
+            MPM_TRY(check_planes(state, crack, first, error));
+            find_cuts(state, chain, state->cracks.openings.cuts[crack]);
+        }
+        if (scene->cracks[crack].cohesive.law != NULL) {
+            MPM_TRY(check_in_bodies(scene, crack, chain, error));
+            add_areas(state, chain, state->cracks.openings.area + first);
+        }
+        first += chain->count;
+    }
+    return MPM_OK;
+}
+
+/* ---------------------------------------------------------------- time step */
+
+/* Two surfaces with the mass m per area of the fields that they hold on to each, on a spring k per
+ * area: stable up to k dt^2 (2/m) = 4. For m, see mpm_openings_check_start in simulation.h: of a
+ * cell's mass per area, the part that the fields of a surface have at least in the mean. */
+static const double LEAST_MASS = 0.25;
+
+static double lightest_density(const struct mpm_state *state)
+{
+    double least = HUGE_VAL;
+    for (size_t k = 0; k < state->scene->body_count; k++)
+        if (!state->scene->bodies[k].rigid)
+            least = fmin(least, state->bodies[k].material.density);
+    return least;
+}
+
+enum mpm_status mpm_openings_check_start(const struct mpm_simulation *simulation,
+                                         struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    bool lands;
+    if (!mpm_scene_is_cohesive(scene) || scene->allow_unstable)
+        return MPM_OK;
+    const double step = mpm_time_step_next(simulation, scene->end, &lands);
+    const double mass = LEAST_MASS * lightest_density(&simulation->state) *
+                        fmin(scene->cell[0], scene->cell[1]);
+    const double limit = mass / (step * step);
+    for (size_t k = 0; k < scene->crack_count; k++)
+        if (scene->cracks[k].cohesive.law != NULL &&
+            !(scene->cracks[k].cohesive.stiffness <= limit))
+            return mpm_scene_error(error, scene, scene->cracks[k].line, "cracks.cohesive.stiffness",
+                                   "%g is more than the time step of %g can follow; allowed: up to "
+                                   "%g (%g of a cell's mass per area over the step squared), or "
+                                   "more with time.allow_unstable: true",
+                                   scene->cracks[k].cohesive.stiffness, step, limit, LEAST_MASS);
+    return MPM_OK;
+}
