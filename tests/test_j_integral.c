@@ -367,7 +367,7 @@ END_TEST
 /* ------------------------------------------------------------------ scenes */
 
 static const struct refusal {
-    const char *settings[3];
+    const char *settings[4]; /* ends with NULL */
     const char *message;
 } REFUSALS[] = {
     {{"cracks=[{points: [[0.2, 18.1], [18.3, 18.1]], j_integral: [{contour: 17}]}]"}, "edge"},

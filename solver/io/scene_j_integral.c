@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene_build.h"
+#include "method/crack_opening.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -24,6 +25,57 @@ static enum mpm_status check_others(const struct mpm_reading *reading, const cha
     return MPM_OK;
 }
 
+/* What points that are added have not: surfaces that are followed, and a place at t = 0 that
+ * particles know. */
+static enum mpm_status check_growing(const struct mpm_reading *reading, const char *path,
+                                     size_t index)
+{
+    const struct mpm_scene *const scene = reading->scene;
+    const struct mpm_j_integral_spec *const own = &scene->j_integrals[index];
+    const struct mpm_crack_spec *const crack = &scene->cracks[own->crack];
+    if (mpm_crack_is_followed(crack))
+        return mpm_reading_fault(reading, path,
+                                 "a crack whose opening is followed, or that is cohesive, does not "
+                                 "grow in this version; allowed: one of both");
+    if (crack->contact != MPM_CONTACT_NONE && crack->detection != MPM_DETECT_CELL)
+        return mpm_reading_fault(reading, path,
+                                 "a crack whose contact is told by where its surfaces were at t = "
+                                 "0, and new ones were nowhere; allowed: contact: none, or "
+                                 "detection: cell");
+    for (size_t i = 0; i < index; i++)
+        if (scene->j_integrals[i].crack == own->crack &&
+            scene->j_integrals[i].at_start == own->at_start &&
+            scene->j_integrals[i].growth.toughness > 0.0)
+            return mpm_reading_fault(reading, path,
+                                     "the tip grows by %s already; allowed: one propagation a tip",
+                                     scene->j_integrals[i].key);
+    return MPM_OK;
+}
+
+static enum mpm_status build_growth(const struct mpm_reading *reading,
+                                    const struct mpm_raw_propagation *raw, size_t index)
+{
+    struct mpm_j_integral_spec *const own = &reading->scene->j_integrals[index];
+    char path[MPM_PATH_SIZE];
+    if (raw == NULL)
+        return MPM_OK;
+    (void)mpm_path_join(own->key, "propagation", path);
+    MPM_TRY(check_growing(reading, path, index));
+    own->growth = (struct mpm_growth_spec){
+        .toughness = mpm_raw_double(raw->toughness),
+        .increment = mpm_raw_double(raw->increment),
+        .longest = mpm_raw_double(raw->longest),
+        .direction = (enum mpm_growth_direction)raw->direction,
+        .every = raw->every,
+    };
+    const double increment =
+        own->growth.increment * fmin(reading->scene->cell[0], reading->scene->cell[1]);
+    if (!(own->growth.longest / increment <= MPM_POINTS_MAX))
+        return mpm_reading_fault(reading, path, "longest is %g increments; allowed: up to %d",
+                                 own->growth.longest / increment, MPM_POINTS_MAX);
+    return MPM_OK;
+}
+
 static enum mpm_status build_one(const struct mpm_reading *reading, size_t crack, size_t i)
 {
     struct mpm_scene *const scene = reading->scene;
@@ -37,7 +89,8 @@ static enum mpm_status build_one(const struct mpm_reading *reading, size_t crack
     made->dynamic = raw->dynamic;
     made->form = scene->geometry == MPM_AXISYMMETRIC ? (enum mpm_j_form)raw->form : MPM_J_CONTOUR;
     made->line = mpm_reading_line(reading, made->key);
-    return check_others(reading, made->key, index);
+    MPM_TRY(check_others(reading, made->key, index));
+    return build_growth(reading, raw->propagation, index);
 }
 
 enum mpm_status mpm_build_j_integrals(const struct mpm_reading *reading)

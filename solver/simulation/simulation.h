@@ -16,6 +16,11 @@ struct mpm_crack_tip {
     double grown, dissipated; /* length, energy */
 };
 
+/* Points of a chain: the first one's place among all, and how many. */
+struct mpm_chain_extent {
+    size_t first, count;
+};
+
 /* The state after the last sort. A step is undone by going back to it and repeating
  * the steps since: they give the same bits, so nothing has to be copied each step. */
 struct mpm_backup {
@@ -23,6 +28,8 @@ struct mpm_backup {
     double *rigid_position[2], *rigid_velocity[2];
     double *crack_position[2];
     double *crack_opening[2], *largest_opening;
+    struct mpm_crack_tip *tips; /* these and the extents of chains: with J integrals */
+    struct mpm_chain_extent *extents;
     double time, external_work, work_scale, wave_speed;
     struct mpm_damping_books damping;
     uint64_t step;
@@ -115,6 +122,15 @@ enum mpm_status mpm_openings_fill(struct mpm_simulation *simulation, struct mpm_
 /* MPM_BAD_INPUT: a cohesive law stiffer than the first time step can follow. */
 enum mpm_status mpm_openings_check_start(const struct mpm_simulation *simulation,
                                          struct mpm_error *error);
+
+/* crack_growth.c: points that a chain may get at one of its ends; growth after a step,
+ * MPM_RUN_FAILED where J has no value or there is no room; what of it a step changes, kept and put
+ * back. */
+size_t mpm_crack_room(const struct mpm_scene *scene, size_t crack, bool at_start);
+enum mpm_status mpm_cracks_grow(struct mpm_simulation *simulation, struct mpm_error *error);
+void mpm_growth_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);
+void mpm_growth_save(struct mpm_simulation *simulation);
+void mpm_growth_restore(struct mpm_simulation *simulation);
 
 /* create.c: parses a pair of expressions of a scene; a NULL text stays a NULL component. */
 enum mpm_status mpm_vector_field_create(const struct mpm_scene *scene,

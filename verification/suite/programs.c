@@ -18,6 +18,7 @@
     PROGRAM(collision)                                                                             \
     PROGRAM(crack_patch)                                                                           \
     PROGRAM(sliding)                                                                               \
+    PROGRAM(fracture)                                                                              \
     PROGRAM(cantilever)                                                                            \
     PROGRAM(carried)                                                                               \
     PROGRAM(manufactured)                                                                          \
