@@ -47,6 +47,7 @@
     SUITE(scene_cracks)                                                                            \
     SUITE(crack_line)                                                                              \
     SUITE(j_integral)                                                                              \
+    SUITE(crack_growth)                                                                            \
     SUITE(cracks)                                                                                  \
     SUITE(symmetry)                                                                                \
     SUITE(scene_settings)                                                                          \

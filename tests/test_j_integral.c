@@ -97,6 +97,7 @@ static const struct tip {
     double direction[AXES];
 } TIPS[] = {
     {"[[0.2, 18.1], [18.3, 18.1]]", "end", {1, 0}},
+    {"[[0.2, 17.7], [18.3, 17.7]]", "end", {1, 0}}, /* close by a line of nodes */
     {"[[18.3, 18.1], [0.2, 18.1]]", "start", {1, 0}},
     {"[[35.8, 17.6], [18.3, 17.6]]", "end", {-1, 0}}, /* on a line of nodes, from the right */
     {"[[18, 17.6], [18, 0.3]]", "start", {0, 1}},     /* and at a node */

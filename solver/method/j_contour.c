@@ -143,22 +143,35 @@ static void find_opening(const struct mpm_j_contour *contour, const struct sampl
     opening[1] = along[0] * jump[0] + along[1] * jump[1];
 }
 
+/* Beside the crack, at that part of the way from a node to the next one, which is behind it. Where
+ * the crack runs close by the near node, no particle of its side may reach the far one: then as at
+ * the near node. */
+static struct sample sample_beside(const struct mpm_j_contour *contour, const struct sample *near,
+                                   const int64_t far[2], enum mpm_crack_side side, double part)
+{
+    const struct mpm_j_sums *const sums = &mpm_j_node_at(contour, far)->side[side];
+    double place[2];
+    if (!(sums->area > 0.0))
+        return *near;
+    place_of(contour, far, place);
+    const struct sample behind = mean_of(sums, place[0]);
+    return sample_between(near, &behind, part);
+}
+
 /* The crack passes between both nodes: each side is integrated up to it. */
 static enum mpm_status add_cut(const struct mpm_j_contour *contour, const struct segment *segment,
                                enum mpm_crack_side of_to, enum mpm_crack_side of_from,
                                struct mpm_j_flux *flux, struct mpm_error *error)
 {
-    struct sample from, to, behind_from, behind_to;
+    struct sample from, to;
     double a[2], b[2];
     place_of(contour, segment->from, a);
     place_of(contour, segment->to, b);
     MPM_TRY(find_sample(contour, segment->from, MPM_CRACK_SAME_SIDE, &from, error));
     MPM_TRY(find_sample(contour, segment->to, MPM_CRACK_SAME_SIDE, &to, error));
-    MPM_TRY(find_sample(contour, segment->to, of_to, &behind_to, error));
-    MPM_TRY(find_sample(contour, segment->from, of_from, &behind_from, error));
     const double part = crossing_part(contour, a, b);
-    const struct sample before = sample_between(&from, &behind_to, part);
-    const struct sample after = sample_between(&behind_from, &to, part);
+    const struct sample before = sample_beside(contour, &from, segment->to, of_to, part);
+    const struct sample after = sample_beside(contour, &to, segment->from, of_from, 1.0 - part);
     const double first = 0.5 * segment->length * part, second = 0.5 * segment->length - first;
     add_point(contour, &from, segment->axis, segment->sign, first, flux->j);
     add_point(contour, &before, segment->axis, segment->sign, first, flux->j);
