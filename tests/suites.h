@@ -29,6 +29,7 @@
     SUITE(tractions)                                                                               \
     SUITE(shapes)                                                                                  \
     SUITE(exact)                                                                                   \
+    SUITE(fracture)                                                                                \
     SUITE(static_states)                                                                           \
     SUITE(jets)                                                                                    \
     SUITE(manufactured)                                                                            \

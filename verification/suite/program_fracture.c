@@ -152,8 +152,7 @@ static void report_form(struct measurement *m, const struct study *study, size_t
     }
     const double count = (double)study->contour_count;
     report_one(m, "spread", name, 100.0 * (largest - least) / (sum / count));
-    report_one(m, "j_error", name, 100.0 * (sum / count / release - 1.0));
-    report_one(m, "k_error", name, 100.0 * (intensity / count / study->intensity - 1.0));
+    report_one(m, "j_mean", name, sum / count / release);
     report_one(m, "k_ratio", name, intensity / count / study->intensity);
     report_one(m, "mode_two", name, 100.0 * sliding / study->intensity);
 }
