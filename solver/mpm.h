@@ -271,6 +271,30 @@ struct mpm_rest {
  * taken after that as well; mpm_scene_run ends there. */
 bool mpm_simulation_at_rest(const struct mpm_simulation *simulation, struct mpm_rest *rest);
 
+/* The J integral at a tip of a crack, as `j_integral` of the scene asks for it, and what follows
+ * from it. Components along 1, the way in which the crack would grow straight on, and along 2, on
+ * the left of it; both as they lie in the undeformed body. */
+struct mpm_j_integral {
+    size_t crack;
+    bool at_start;            /* of the chain, else at its end */
+    double tip[2];            /* where it is */
+    double direction[2];      /* 1 */
+    double j[2];              /* J_1, the energy released per area of growth, and J_2 */
+    double stress_intensity[2]; /* K_I, above 0 where it opens, and K_II; both 0 unless J_1 > 0 */
+    double grown;             /* length that the tip has grown by */
+    double dissipated;        /* toughness times area of that growth: thickness, or per radian */
+};
+
+/* How many the scene asks for, crack by crack in its order. */
+size_t mpm_scene_j_integral_count(const struct mpm_scene *scene);
+
+/* The one of that index, in the state after the last step. MPM_RUN_FAILED, with the reason: its
+ * contour leaves the bodies or the grid, meets another material or another crack, or does not meet
+ * its own once. Works in scratch memory of the simulation: not for several threads at a time. Cost:
+ * one look at each particle, two stencils of those near the contour. */
+enum mpm_status mpm_simulation_j_integral(const struct mpm_simulation *simulation, size_t index,
+                                          struct mpm_j_integral *value, struct mpm_error *error);
+
 /* Seconds spent in each phase of the step so far. */
 enum { MPM_PHASE_MAX = 16 };
 struct mpm_phases {

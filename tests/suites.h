@@ -29,6 +29,7 @@
     SUITE(tractions)                                                                               \
     SUITE(shapes)                                                                                  \
     SUITE(exact)                                                                                   \
+    SUITE(fracture)                                                                                \
     SUITE(static_states)                                                                           \
     SUITE(jets)                                                                                    \
     SUITE(manufactured)                                                                            \
@@ -49,6 +50,8 @@
     SUITE(scene_limits)                                                                            \
     SUITE(scene_cracks)                                                                            \
     SUITE(crack_line)                                                                              \
+    SUITE(j_integral)                                                                              \
+    SUITE(crack_growth)                                                                            \
     SUITE(cracks)                                                                                  \
     SUITE(cohesive)                                                                                \
     SUITE(symmetry)                                                                                \

@@ -44,7 +44,9 @@ struct mpm_history {
     int file;
     off_t size;                                          /* of the complete rows */
     const struct column *columns[G_N_ELEMENTS(columns)]; /* of this scene */
-    size_t column_count, quantity_count;                 /* of columns, then of cracks */
+    size_t column_count, quantity_count;                 /* of columns, then of cracks, */
+    size_t integral_count;                               /* then of J integrals */
+    bool *growing;                                       /* per integral */
     bool has_row;
     uint64_t last_step;
 };
@@ -87,6 +89,57 @@ static void append_head(GString *names, GString *units, const struct mpm_scene *
     g_string_append_printf(units, "%s%s", units->len == 0 ? "# " : ",", unit);
 }
 
+/* K: stress times the root of length. */
+static void append_intensity_unit(GString *units, const struct mpm_scene *scene)
+{
+    char stress[MPM_UNIT_SIZE];
+    const char *const length = scene->units_length[0] != '\0' ? scene->units_length : "length";
+    mpm_unit_text(scene, 0, 1, -2, stress);
+    g_string_append_printf(units, ",%s %s^-0.5", stress, length);
+}
+
+static bool grows(const struct mpm_scene *scene, size_t integral)
+{
+    return scene->j_integrals[integral].growth.toughness > 0.0;
+}
+
+static void append_growth_head(GString *names, GString *units, const struct mpm_scene *scene,
+                               size_t place, size_t integral)
+{
+    const size_t crack = scene->j_integrals[integral].crack;
+    if (!grows(scene, integral))
+        return;
+    char *const grown = g_strdup_printf("crack_%zu_contour_%zu_grown", crack, place);
+    char *const dissipated = g_strdup_printf("crack_%zu_contour_%zu_dissipated", crack, place);
+    append_head(names, units, scene, grown, (const int[3]){1, 0, 0});
+    append_head(names, units, scene, dissipated, (const int[3]){2, 1, -2});
+    g_free(grown);
+    g_free(dissipated);
+}
+
+/* "crack_0_contour_1_j1": of cracks.0.j_integral.1 */
+static void append_integrals_head(GString *names, GString *units, const struct mpm_scene *scene)
+{
+    static const char *const columns_of_one[] = {"j1", "j2", "k1", "k2"};
+    size_t place = 0;
+    for (size_t i = 0; i < scene->j_integral_count; i++) {
+        const size_t crack = scene->j_integrals[i].crack;
+        place = i > 0 && scene->j_integrals[i - 1].crack == crack ? place + 1 : 0;
+        for (size_t k = 0; k < G_N_ELEMENTS(columns_of_one); k++) {
+            char *const name =
+                g_strdup_printf("crack_%zu_contour_%zu_%s", crack, place, columns_of_one[k]);
+            if (k < 2) {
+                append_head(names, units, scene, name, (const int[3]){0, 1, -2});
+            } else {
+                g_string_append_printf(names, ",%s", name);
+                append_intensity_unit(units, scene);
+            }
+            g_free(name);
+        }
+        append_growth_head(names, units, scene, place, i);
+    }
+}
+
 static enum mpm_status write_head(struct mpm_history *history, const struct mpm_scene *scene,
                                   struct mpm_error *error)
 {
@@ -99,6 +152,7 @@ static enum mpm_status write_head(struct mpm_history *history, const struct mpm_
         const struct mpm_quantity_info q = mpm_scene_crack_quantity(scene, i);
         append_head(head, units, scene, q.name, (const int[3]){q.length, q.mass, q.time});
     }
+    append_integrals_head(head, units, scene);
     g_string_append_printf(head, "\n%s\n", units->str);
     const enum mpm_status status = append_line(history, head, error);
     g_string_free(units, TRUE);
@@ -112,6 +166,10 @@ static void choose_columns(struct mpm_history *history, const struct mpm_scene *
         if (columns[i].belongs == NULL || columns[i].belongs(scene))
             history->columns[history->column_count++] = &columns[i];
     history->quantity_count = mpm_scene_crack_quantity_count(scene);
+    history->integral_count = mpm_scene_j_integral_count(scene);
+    history->growing = g_new0(bool, history->integral_count + 1);
+    for (size_t i = 0; i < history->integral_count; i++)
+        history->growing[i] = grows(scene, i);
 }
 
 enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *scene,
@@ -141,7 +199,27 @@ void mpm_history_free(struct mpm_history *history)
     if (history->file >= 0)
         (void)close(history->file);
     g_free(history->path);
+    g_free(history->growing);
     g_free(history);
+}
+
+static enum mpm_status append_integrals(const struct mpm_history *history, GString *row,
+                                        const struct mpm_simulation *simulation,
+                                        struct mpm_error *error)
+{
+    for (size_t i = 0; i < history->integral_count; i++) {
+        struct mpm_j_integral found;
+        MPM_TRY(mpm_simulation_j_integral(simulation, i, &found, error));
+        const double values[] = {
+            found.j[0],  found.j[1],      found.stress_intensity[0], found.stress_intensity[1],
+            found.grown, found.dissipated};
+        const size_t count = G_N_ELEMENTS(values) - (history->growing[i] ? 0 : 2);
+        for (size_t k = 0; k < count; k++) {
+            g_string_append_c(row, ',');
+            append_number(row, values[k]);
+        }
+    }
+    return MPM_OK;
 }
 
 enum mpm_status mpm_history_write(struct mpm_history *history, const struct mpm_ledger *ledger,
@@ -159,8 +237,10 @@ enum mpm_status mpm_history_write(struct mpm_history *history, const struct mpm_
         g_string_append_c(row, ',');
         append_number(row, mpm_simulation_crack_quantity(simulation, i));
     }
+    enum mpm_status status = append_integrals(history, row, simulation, error);
     g_string_append_c(row, '\n');
-    const enum mpm_status status = append_line(history, row, error);
+    if (status == MPM_OK)
+        status = append_line(history, row, error);
     g_string_free(row, TRUE);
     if (status == MPM_OK) {
         history->has_row = true;

@@ -41,6 +41,9 @@ enum mpm_status mpm_build_cohesive(const struct mpm_reading *reading, const char
 /* Damping, and when a run is at rest. */
 enum mpm_status mpm_build_damping(const struct mpm_reading *reading);
 
+/* Their J integrals. */
+enum mpm_status mpm_build_j_integrals(const struct mpm_reading *reading);
+
 /* Regions; `path` is that of the key `region`. */
 enum mpm_status mpm_build_body_region(const struct mpm_reading *reading, const char *path,
                                       const struct mpm_raw_body_region *raw,

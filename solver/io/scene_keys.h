@@ -93,6 +93,19 @@
     C("displacement", MPM_DETECT_DISPLACEMENT)                                                     \
     C("cell", MPM_DETECT_CELL)
 
+#define CHOICES_tip(C)                                                                             \
+    C("end", false)                                                                                \
+    C("start", true)
+
+#define CHOICES_j_form(C)                                                                          \
+    C("bergkvist_huong", MPM_J_BERGKVIST_HUONG)                                                    \
+    C("broberg", MPM_J_BROBERG)                                                                    \
+    C("contour", MPM_J_CONTOUR)
+
+#define CHOICES_growth_direction(C)                                                                \
+    C("straight", MPM_GROWS_STRAIGHT)                                                              \
+    C("hoop_stress", MPM_GROWS_HOOP)
+
 #define CHOICES_cohesive_law(C)                                                                    \
     C("linear", MPM_COHESIVE_LINEAR)                                                               \
     C("trilinear", MPM_COHESIVE_TRILINEAR)                                                         \
@@ -115,6 +128,9 @@
     L(crack_method)                                                                                \
     L(contact)                                                                                     \
     L(detection)                                                                                   \
+    L(tip)                                                                                         \
+    L(j_form)                                                                                      \
+    L(growth_direction)                                                                            \
     L(cohesive_law)
 
 /* -------------------------------------------------------------------- keys */
@@ -282,6 +298,29 @@
     X(S, LIST, particle_forces, traction, ANYWHERE, OPTIONAL, "", "[]", ANY,                       \
       "on the particles that have these edges: value times the area of the undeformed edge")
 
+#define KEYS_propagation(X, S)                                                                     \
+    X(S, ONE, toughness, NUMBER, ANYWHERE, REQUIRED, "mass/time^2", NULL, ABOVE(0),                \
+      "G_c: the tip grows when J_1 reaches it")                                                    \
+    X(S, ONE, longest, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0),                       \
+      "length that there is room for; the run fails when the tip would grow further")              \
+    X(S, ONE, increment, NUMBER, ANYWHERE, OPTIONAL, "", "0.5", FROM_TO(0.05, 1),                  \
+      "length of one growth, in parts of the shorter cell side")                                   \
+    X(S, CHOICE, direction, growth_direction, ANYWHERE, OPTIONAL, "", "straight", ANY,             \
+      "straight on, or across the largest hoop stress of the field of K_I and K_II")               \
+    X(S, ONE, every, INTEGER, ANYWHERE, OPTIONAL, "", "1", FROM_TO(1, 1e9),                        \
+      "steps from one look at J to the next; one growth at each")
+
+#define KEYS_j_integral(X, S)                                                                      \
+    X(S, CHOICE, tip, tip, ANYWHERE, OPTIONAL, "", "end", ANY, "of the chain of points")           \
+    X(S, ONE, contour, INTEGER, ANYWHERE, REQUIRED, "", NULL, FROM_TO(2, 10000),                   \
+      "cells from the node nearest to the tip to each side of the rectangle that J is integrated along") \
+    X(S, ONE, dynamic, BOOLEAN, ANYWHERE, OPTIONAL, "", "true", ANY,                               \
+      "with kinetic energy, accelerations and body forces; without, J is that of a state at rest") \
+    X(S, CHOICE, form, j_form, AXISYMMETRIC, OPTIONAL, "", "bergkvist_huong", ANY,                 \
+      "area term: with the radius as weight, without, or no area term at all, which depends on the contour") \
+    X(S, GROUP, propagation, propagation, ANYWHERE, OPTIONAL, "", NULL, ANY,                       \
+      "lets the tip grow; at most once for each tip")
+
 #define KEYS_cohesive(X, S)                                                                        \
     X(S, CHOICE, law, cohesive_law, ANYWHERE, REQUIRED, "", NULL, ANY,                             \
       "how the traction falls with the opening, once it has reached the strength")                 \
@@ -314,7 +353,9 @@
     X(S, ONE, opening, BOOLEAN, ANYWHERE, OPTIONAL, "", "false", ANY,                              \
       "follow both surfaces, and write how far they have opened and slid to history.csv; with cohesive they always are") \
     X(S, GROUP, cohesive, cohesive, ANYWHERE, OPTIONAL, "", NULL, ANY,                             \
-      "traction between its surfaces; without it there is none")
+      "traction between its surfaces; without it there is none") \
+    X(S, LIST, j_integral, j_integral, ANYWHERE, OPTIONAL, "", "[]", ANY,                          \
+      "J integrals around its tips, and K_I and K_II: columns of history.csv")
 
 #define KEYS_thermostat(X, S)                                                                      \
     X(S, ONE, gain, NUMBER, ANYWHERE, REQUIRED, "1/time^2", NULL, ABOVE(0),                        \
@@ -367,7 +408,7 @@
 #define MPM_KEY_LISTS(L)                                                                           \
     L(units) L(grid) L(rest) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
     L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary)            \
-    L(traction) L(loads) L(cohesive) L(crack) L(thermostat) L(damping) L(output) L(scene)
+    L(traction) L(loads) L(propagation) L(j_integral) L(cohesive) L(crack) L(thermostat) L(damping) L(output) L(scene)
 /* clang-format on */
 
 #endif

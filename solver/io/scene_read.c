@@ -123,6 +123,7 @@ static enum mpm_status build(const struct mpm_reading *reading)
     MPM_TRY(mpm_build_boundaries(reading));
     MPM_TRY(mpm_build_loads(reading));
     MPM_TRY(mpm_build_cracks(reading));
+    MPM_TRY(mpm_build_j_integrals(reading));
     return mpm_build_damping(reading);
 }
 
@@ -229,6 +230,7 @@ void mpm_scene_free(struct mpm_scene *scene)
     free(scene->boundaries);
     free(scene->edge_loads);
     free(scene->cracks);
+    free(scene->j_integrals);
     free(scene->materials);
     free(scene->settings);
     free(scene->title);
@@ -249,6 +251,11 @@ const char *mpm_scene_body_name(const struct mpm_scene *scene, size_t body)
 double mpm_scene_end_time(const struct mpm_scene *scene)
 {
     return scene->end;
+}
+
+size_t mpm_scene_j_integral_count(const struct mpm_scene *scene)
+{
+    return scene->j_integral_count;
 }
 
 bool mpm_scene_is_damped(const struct mpm_scene *scene)

@@ -233,9 +233,11 @@ static enum mpm_status advance_point(const struct mpm_state *state, size_t crack
 
 enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *error)
 {
-    size_t k = 0;
-    for (size_t crack = 0; k < state->cracks.point_count; crack++)
-        for (size_t i = 0; i < state->cracks.chains[crack].count; i++)
-            MPM_TRY(advance_point(state, crack, k++, error));
+    for (size_t crack = 0; crack < state->scene->crack_count; crack++) {
+        const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
+        const size_t first = (size_t)(chain->x - state->cracks.position[0]);
+        for (size_t i = 0; i < chain->count; i++)
+            MPM_TRY(advance_point(state, crack, first + i, error));
+    }
     return MPM_OK;
 }

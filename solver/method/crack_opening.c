@@ -21,10 +21,7 @@ static const enum mpm_crack_side sides[2] = {MPM_CRACK_ABOVE, MPM_CRACK_BELOW};
 
 size_t mpm_crack_first_point(const struct mpm_state *state, size_t crack)
 {
-    size_t first = 0;
-    for (size_t k = 0; k < crack; k++)
-        first += state->cracks.chains[k].count;
-    return first;
+    return (size_t)(state->cracks.chains[crack].x - state->cracks.position[0]);
 }
 
 void mpm_crack_point_normal(const struct mpm_crack_chain *chain, size_t k, double normal[2])

@@ -54,10 +54,16 @@ void mpm_particle_set_domain(const struct mpm_state *state, size_t p)
         state->particles.domain[k][p] = edge[k];
 }
 
-void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
+                                struct mpm_stencil *stencil)
 {
     const struct mpm_shape_domain domain = domain_of(state, p);
     state->family->evaluate(&state->shape_grid, &domain, stencil);
+}
+
+void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+{
+    mpm_particle_plain_stencil(state, p, stencil);
     if (state->cracks.code != NULL && state->cracks.code[p] != 0)
         mpm_crack_divert(state, state->cracks.code[p], stencil);
 }

@@ -8,7 +8,10 @@
 
 #include "method/extent.h"
 
-/* S, G and T of the nodes that a particle reaches. */
+/* S, G and T of the nodes that a particle reaches, cracks left out. */
+void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
+                                struct mpm_stencil *stencil);
+/* The same, with the velocity fields of the step at nodes near cracks. */
 void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil);
 
 /* The weights of what a particle reads back: the stencil itself, or in the momentum form, Notes

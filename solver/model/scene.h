@@ -148,6 +148,40 @@ struct mpm_crack_spec {
     int line;
 };
 
+/* The J integral around an axisymmetric crack tip; see method/j_integral.h. */
+enum mpm_j_form {
+    MPM_J_BERGKVIST_HUONG, /* weighted with the radius */
+    MPM_J_BROBERG,         /* not weighted */
+    MPM_J_CONTOUR,         /* not weighted, and without the area term: depends on its contour */
+};
+
+/* Where a crack grows. */
+enum mpm_growth_direction {
+    MPM_GROWS_STRAIGHT,
+    MPM_GROWS_HOOP, /* across the largest hoop stress, from K_I and K_II */
+};
+
+/* A tip that grows when J_1 reaches the toughness. */
+struct mpm_growth_spec {
+    double toughness; /* energy per area; 0: it does not grow */
+    double increment; /* in parts of the shorter cell side */
+    double longest;   /* length that it may grow by in all */
+    enum mpm_growth_direction direction;
+    int64_t every; /* steps: J is looked at in one of so many */
+};
+
+/* A J integral: a rectangle of grid lines around a tip. */
+struct mpm_j_integral_spec {
+    char key[64]; /* "cracks.0.j_integral.1", for messages */
+    size_t crack;
+    bool at_start;   /* at the chain's first point, not at its last */
+    int64_t contour; /* cells from the node nearest to the tip to each side */
+    bool dynamic;    /* with kinetic energy and accelerations */
+    enum mpm_j_form form;
+    struct mpm_growth_spec growth;
+    int line;
+};
+
 /* Rates are expressions in the coordinates and t, NULL where there is none. */
 struct mpm_damping_spec {
     char *grid, *particle; /* alpha_g, alpha_p, 1/time */
@@ -210,6 +244,8 @@ struct mpm_scene {
     enum mpm_crack_method crack_method;
     struct mpm_crack_spec *cracks;
     size_t crack_count;
+    struct mpm_j_integral_spec *j_integrals; /* of all cracks, crack by crack */
+    size_t j_integral_count;
 
     double history_interval, snapshot_interval;              /* 0: only first and last */
     double checkpoint_interval;                              /* 0: none asked for */

@@ -20,19 +20,28 @@ static enum mpm_status fail(struct mpm_simulation *simulation, uint64_t good_ste
     return MPM_RUN_FAILED;
 }
 
+/* Puts step and time in front of a failure's reason. */
+static enum mpm_status tell_when(const struct mpm_simulation *simulation, enum mpm_status status,
+                                 struct mpm_error *error)
+{
+    const struct mpm_state *const state = &simulation->state;
+    const struct mpm_error cause = *error;
+    return mpm_error_set(error, status, "step %llu, time %g: %s",
+                         (unsigned long long)simulation->step + 1, state->time + state->time_step,
+                         cause.message);
+}
+
 static enum mpm_status take_step(struct mpm_simulation *simulation, struct mpm_error *error)
 {
     struct mpm_state *const state = &simulation->state;
     const double work = state->external_work;
-    const enum mpm_status status = mpm_step_advance(state, simulation->seconds, error);
-    if (status != MPM_OK && state->failure.kind == MPM_NO_FAILURE) {
-        const struct mpm_error cause = *error;
-        return mpm_error_set(error, status, "step %llu, time %g: %s",
-                             (unsigned long long)simulation->step + 1,
-                             state->time + state->time_step, cause.message);
-    }
+    enum mpm_status status = mpm_step_advance(state, simulation->seconds, error);
+    if (status != MPM_OK && state->failure.kind == MPM_NO_FAILURE)
+        return tell_when(simulation, status, error);
     simulation->work_scale += fabs(state->external_work - work);
-    return mpm_health_check(simulation, mpm_kinetic_energy(state), error);
+    MPM_TRY(mpm_health_check(simulation, mpm_kinetic_energy(state), error));
+    status = mpm_cracks_grow(simulation, error);
+    return status == MPM_OK ? MPM_OK : tell_when(simulation, status, error);
 }
 
 enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double time_limit,

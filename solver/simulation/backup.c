@@ -40,6 +40,7 @@ void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *aren
         backup->crack_position[axis] =
             MPM_TAKE(arena, double, simulation->state.cracks.point_count);
     }
+    mpm_growth_layout(simulation, arena);
     const size_t followed = mpm_openings_points(&simulation->state);
     for (int axis = 0; axis < 2; axis++)
         backup->crack_opening[axis] = MPM_TAKE(arena, double, followed);
@@ -60,6 +61,7 @@ void mpm_backup_save(struct mpm_simulation *simulation)
                    state->cracks.point_count * sizeof(double));
     }
     copy_openings(simulation, false);
+    mpm_growth_save(simulation);
     backup->time = state->time;
     backup->external_work = state->external_work;
     backup->work_scale = simulation->work_scale;
@@ -85,6 +87,7 @@ static void copy_back(struct mpm_simulation *simulation)
                    state->cracks.point_count * sizeof(double));
     }
     copy_openings(simulation, true);
+    mpm_growth_restore(simulation);
     state->time = backup->time;
     state->external_work = backup->external_work;
     simulation->work_scale = backup->work_scale;
@@ -106,7 +109,8 @@ void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step)
     for (; simulation->step < step; simulation->step++) {
         const uint64_t k = simulation->step - backup->step;
         state->time_step = backup->time_steps[k];
-        (void)mpm_step_advance(state, simulation->seconds, NULL); /* it has succeeded before */
+        (void)mpm_step_advance(state, simulation->seconds, NULL); /* it has succeeded before, */
+        (void)mpm_cracks_grow(simulation, NULL);                  /* and so has this */
         state->time = backup->times[k];
     }
 }

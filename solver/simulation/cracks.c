@@ -27,6 +27,13 @@ static size_t count_points(const struct mpm_scene *scene, const struct mpm_crack
     return count;
 }
 
+/* With what it may grow to. */
+static size_t count_with_room(const struct mpm_scene *scene, size_t crack)
+{
+    return count_points(scene, &scene->cracks[crack]) + mpm_crack_room(scene, crack, true) +
+           mpm_crack_room(scene, crack, false);
+}
+
 /* Nodes around each segment, twice of it for what cracks grow, and no more than there are. */
 static size_t nodes_needed(const struct mpm_state *state)
 {
@@ -67,13 +74,15 @@ static void place_cracks(struct mpm_state *state)
     }
     for (size_t k = 0; k < state->scene->crack_count; k++) {
         const struct mpm_crack_spec *const spec = &state->scene->cracks[k];
-        double *const x = cracks->position[0] + first, *const y = cracks->position[1] + first;
+        const size_t before = mpm_crack_room(state->scene, k, true);
+        double *const x = cracks->position[0] + first + before;
+        double *const y = cracks->position[1] + first + before;
         place_chain(state->scene, spec, x, y);
         cracks->chains[k].x = x;
         cracks->chains[k].y = y;
         cracks->chains[k].count = count_points(state->scene, spec);
         mpm_crack_chain_bound(&cracks->chains[k]);
-        first += cracks->chains[k].count;
+        first += count_with_room(state->scene, k);
     }
 }
 
@@ -186,9 +195,9 @@ static enum mpm_status hold_points(const struct mpm_simulation *simulation,
     const struct mpm_state *const state = &simulation->state;
     const double place = place_of_plane(state, plane);
     const double slack = 1e-6 * state->grid.cell[plane->axis];
-    size_t k = 0;
     for (size_t crack = 0; crack < scene->crack_count; crack++) {
         const size_t count = state->cracks.chains[crack].count;
+        size_t k = (size_t)(state->cracks.chains[crack].x - state->cracks.position[0]);
         size_t held = 0, inside = 0;
         for (size_t i = 0; i < count; i++, k++) {
             const double depth =
@@ -215,7 +224,7 @@ enum mpm_status mpm_cracks_create(struct mpm_simulation *simulation, struct mpm_
     struct mpm_state *const state = &simulation->state;
     struct mpm_cracks *const cracks = &state->cracks;
     for (size_t k = 0; k < simulation->scene->crack_count; k++)
-        cracks->point_count += count_points(simulation->scene, &simulation->scene->cracks[k]);
+        cracks->point_count += count_with_room(simulation->scene, k);
     if (cracks->point_count > 0) {
         cracks->node_capacity = nodes_needed(state);
         state->grid.field_rows =
@@ -232,7 +241,7 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
         return;
     cracks->chains = MPM_TAKE(arena, struct mpm_crack_chain, state->scene->crack_count);
     for (size_t k = 0; k < state->scene->crack_count; k++) {
-        const size_t points = count_points(state->scene, &state->scene->cracks[k]);
+        const size_t points = count_with_room(state->scene, k);
         struct mpm_crack_box *const pieces =
             MPM_TAKE(arena, struct mpm_crack_box, mpm_crack_chain_pieces(points));
         if (cracks->chains != NULL)

@@ -112,6 +112,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     mpm_damping_layout(state, arena);
     mpm_edge_loads_layout(state, arena);
     mpm_cracks_layout(state, arena);
+    mpm_j_integrals_layout(simulation, arena);
     mpm_openings_layout(state, arena);
     state->sort_counts = MPM_TAKE(arena, uint32_t, longest + 1);
     const size_t driven =
@@ -370,6 +371,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     MPM_TRY(set_velocities(simulation, error));
     for (size_t p = 0; p < state->particles.count; p++)
         mpm_particle_set_domain(state, p);
+    MPM_TRY(mpm_j_integrals_fill(simulation, error));
     set_rigid_velocities(state);
     set_fixed(state);
     MPM_TRY(check_start(simulation, error));

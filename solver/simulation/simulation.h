@@ -6,8 +6,20 @@
 #define MPM_SIMULATION_SIMULATION_H
 
 #include "base/arena.h"
+#include "method/j_integral.h"
 #include "method/state.h"
 #include "method/step.h"
+
+/* The tip of a crack that a J integral goes around. */
+struct mpm_crack_tip {
+    struct mpm_j_tip undeformed;
+    double grown, dissipated; /* length, energy */
+};
+
+/* Points of a chain: the first one's place among all, and how many. */
+struct mpm_chain_extent {
+    size_t first, count;
+};
 
 /* The state after the last sort. A step is undone by going back to it and repeating
  * the steps since: they give the same bits, so nothing has to be copied each step. */
@@ -16,6 +28,8 @@ struct mpm_backup {
     double *rigid_position[2], *rigid_velocity[2];
     double *crack_position[2];
     double *crack_opening[2], *largest_opening;
+    struct mpm_crack_tip *tips; /* these and the extents of chains: with J integrals */
+    struct mpm_chain_extent *extents;
     double time, external_work, work_scale, wave_speed;
     struct mpm_damping_books damping;
     uint64_t step;
@@ -29,6 +43,8 @@ struct mpm_simulation {
     struct mpm_arena given; /* of a caller's body force; empty without */
     struct mpm_state state;
     struct mpm_backup backup;
+    struct mpm_crack_tip *tips; /* per J integral of the scene; NULL without */
+    struct mpm_j_scratch j_scratch;
     uint64_t step;
     double wave_speed; /* fastest in the material now */
     double wave_speed_start;
@@ -92,6 +108,11 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena);
 bool mpm_cracks_need_surfaces(const struct mpm_scene *scene);
 enum mpm_status mpm_cracks_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 
+/* j_integrals.c: their memory; their tips, once the particles stand: MPM_BAD_INPUT where a contour
+ * is not one. */
+void mpm_j_integrals_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);
+enum mpm_status mpm_j_integrals_fill(struct mpm_simulation *simulation, struct mpm_error *error);
+
 /* openings.c: the same for the surfaces of cracks that are followed. MPM_BAD_INPUT: a plane of
  * symmetry holds the crack; a cohesive crack that passes the edge of a body between two points. */
 /* Points of which surfaces are kept: all of the scene's cracks, or none. */
@@ -101,6 +122,15 @@ enum mpm_status mpm_openings_fill(struct mpm_simulation *simulation, struct mpm_
 /* MPM_BAD_INPUT: a cohesive law stiffer than the first time step can follow. */
 enum mpm_status mpm_openings_check_start(const struct mpm_simulation *simulation,
                                          struct mpm_error *error);
+
+/* crack_growth.c: points that a chain may get at one of its ends; growth after a step,
+ * MPM_RUN_FAILED where J has no value or there is no room; what of it a step changes, kept and put
+ * back. */
+size_t mpm_crack_room(const struct mpm_scene *scene, size_t crack, bool at_start);
+enum mpm_status mpm_cracks_grow(struct mpm_simulation *simulation, struct mpm_error *error);
+void mpm_growth_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);
+void mpm_growth_save(struct mpm_simulation *simulation);
+void mpm_growth_restore(struct mpm_simulation *simulation);
 
 /* create.c: parses a pair of expressions of a scene; a NULL text stays a NULL component. */
 enum mpm_status mpm_vector_field_create(const struct mpm_scene *scene,

@@ -19,6 +19,7 @@
     PROGRAM(crack_patch)                                                                           \
     PROGRAM(sliding)                                                                               \
     PROGRAM(cohesive)                                                                              \
+    PROGRAM(fracture)                                                                              \
     PROGRAM(cantilever)                                                                            \
     PROGRAM(carried)                                                                               \
     PROGRAM(manufactured)                                                                          \

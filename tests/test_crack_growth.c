@@ -1,0 +1,216 @@
+/* Cracks that grow by a toughness criterion.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/simulation.h"
+#include "suites.h"
+#include "support/folder.h"
+#include "support/near.h"
+#include "support/scene_files.h"
+#include "support/scenes.h"
+#include "verification/exact/williams_field.h"
+
+#include <glib.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { AXES = 2, GRADIENT = 5 };
+
+/* Pulled apart along y; wave speed 8.5. */
+static const char BLOCK[] =
+    "format: 1\n"
+    "geometry: plane_strain\n"
+    "thickness: 2\n"
+    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [36, 28]}\n"
+    "time: {end: 100, courant: 0.3}\n"
+    "materials: [{name: stiff, law: linear_elastic, density: 2, bulk: 80, shear: 48}]\n"
+    "bodies:\n"
+    "  - {name: block, material: stiff, region: {rectangle: {from: [2, 1.6], to: [34, 20.8]}},\n"
+    "     velocity: [0, '0.01*(y - 11.2)']}\n";
+
+#define CRACK(propagation)                                                                         \
+    "cracks=[{points: [[0.2, 11.2], [14.3, 11.2]], contact: none, j_integral: [{contour: 4, "      \
+    "propagation: " propagation "}, {contour: 5}]}]"
+static const double TOUGHNESS = 0.002, INCREMENT = 0.4; /* half of the shorter side of a cell */
+#define GROWS CRACK("{toughness: 0.002, longest: 8, every: 5}")
+
+static struct mpm_j_integral value_of(const struct test_run *run, size_t index)
+{
+    struct mpm_j_integral value;
+    struct mpm_error error = {.message = ""};
+    const enum mpm_status status =
+        mpm_simulation_j_integral(run->simulation, index, &value, &error);
+    ck_assert_msg(status == MPM_OK, "%s", error.message);
+    return value;
+}
+
+/* The block is its own mirror image but for round-off, which steps make grow. */
+static const double STRAIGHT = 1e-8;
+
+START_TEST(a_tip_grows_straight_on_by_increments_and_books_its_work)
+{
+    const char *const settings[] = {_i == 0 ? "method.shape=ugimp" : "method.shape=bspline2", GROWS,
+                                    NULL};
+    struct test_run run = test_run_open(BLOCK, settings, 1);
+    const struct mpm_crack_chain *const chain = &run.simulation->state.cracks.chains[0];
+    const size_t points = chain->count;
+    double grown = 0.0;
+    for (int k = 0; k < 70; k++) {
+        test_run_steps(&run, 1);
+        const struct mpm_j_integral value = value_of(&run, 0);
+        ck_assert(value.grown == grown || fabs(value.grown - grown - INCREMENT) < 1e-12);
+        grown = value.grown;
+    }
+    const struct mpm_j_integral own = value_of(&run, 0), other = value_of(&run, 1);
+    ck_assert_msg(grown > 3.0, "grown by %g", grown);
+    ck_assert_uint_eq(chain->count, points + (size_t)llround(grown / INCREMENT));
+    ck_assert_near(own.dissipated, TOUGHNESS * 2.0 * grown, 1e-14);
+    ck_assert_near(own.tip[0], 14.3 + grown, 0.05); /* the material moves little */
+    for (size_t k = 0; k < chain->count; k++)
+        ck_assert_near(chain->y[k], 11.2, STRAIGHT);
+    ck_assert(other.grown == own.grown && other.dissipated == 0.0 && other.tip[0] == own.tip[0]);
+    test_run_close(&run);
+}
+END_TEST
+
+START_TEST(a_tough_crack_is_one_that_does_not_grow)
+{
+    const char *const settings[][2] = {
+        {CRACK("{toughness: 1e9, longest: 8}"), NULL},
+        {"cracks=[{points: [[0.2, 11.2], [14.3, 11.2]], contact: none}]", NULL}};
+    struct test_run tough = test_run_open(BLOCK, settings[0], 1);
+    struct test_run plain = test_run_open(BLOCK, settings[1], 1);
+    test_run_steps(&tough, 60);
+    test_run_steps(&plain, 60);
+    ck_assert(test_run_same_bits(&tough, &plain));
+    ck_assert(value_of(&tough, 0).grown == 0.0);
+    test_run_close(&tough);
+    test_run_close(&plain);
+}
+END_TEST
+
+START_TEST(a_growing_crack_gives_the_same_bits_for_any_number_of_threads)
+{
+    const char *const settings[] = {GROWS, "method.shape=cpdi", NULL};
+    test_same_bits_over_threads(BLOCK, settings, 60, NULL);
+}
+END_TEST
+
+/* Room for four increments: the fifth fails, and the run goes back to the state before. */
+START_TEST(a_run_whose_crack_has_no_room_goes_back_by_growing_again)
+{
+    const char *const settings[] = {CRACK("{toughness: 0.002, longest: 1.7}"), NULL};
+    struct test_run failed = test_run_open(BLOCK, settings, 1);
+    struct test_run good = test_run_open(BLOCK, settings, 1);
+    struct mpm_error error = {.message = ""};
+    int steps = 0;
+    while (steps < 300 && mpm_simulation_advance(failed.simulation, HUGE_VAL, &error) == MPM_OK)
+        steps++;
+    ck_assert_int_eq(error.status, MPM_RUN_FAILED);
+    test_contains(error.message, "would grow further; allowed: up to propagation.longest, 1.7");
+    test_run_steps(&good, steps);
+    ck_assert(test_run_same_bits(&failed, &good));
+    const struct mpm_j_integral one = value_of(&failed, 0), other = value_of(&good, 0);
+    ck_assert(memcmp(&one, &other, sizeof one) == 0);
+    ck_assert_near(one.grown, 4.0 * INCREMENT, 1e-12);
+    const struct mpm_cracks *const cracks = &failed.simulation->state.cracks;
+    for (int axis = 0; axis < AXES; axis++)
+        ck_assert(memcmp(cracks->position[axis], good.simulation->state.cracks.position[axis],
+                         cracks->point_count * sizeof(double)) == 0);
+    test_run_close(&failed);
+    test_run_close(&good);
+}
+END_TEST
+
+/* By K_II alone: cos theta = 1/3, away from the side that the shear moves on; by K_I straight on.
+ */
+START_TEST(a_tip_turns_across_the_largest_hoop_stress)
+{
+    static const double modes[3][AXES] = {{1, 0}, {0, 1}, {0, -1}};
+    const char *const settings[] = {
+        _i < 3
+            ? "cracks=[{points: [[0.2, 11.3], [18.3, 11.3]], contact: none, j_integral: [{contour: "
+              "6, "
+              "dynamic: false, propagation: {toughness: 1e-12, longest: 8, direction: "
+              "hoop_stress}}]}]"
+            : "cracks=[{points: [[18.3, 11.3], [0.2, 11.3]], contact: none, j_integral: [{tip: "
+              "start, "
+              "contour: 6, dynamic: false, propagation: {toughness: 1e-12, longest: 8, direction: "
+              "hoop_stress}}]}]",
+        "bodies.block.velocity=[0, 0]", NULL};
+    const double *const mode = modes[_i % 3];
+    struct test_run run = test_run_open(BLOCK, settings, 1);
+    const double poisson = (3.0 * 80.0 - 2.0 * 48.0) / (2.0 * (3.0 * 80.0 + 48.0));
+    const struct williams_field field = {
+        .mode_1 = 1e-4 * mode[0],
+        .mode_2 = 1e-4 * mode[1],
+        .shear = 48.0,
+        .kappa = 3.0 - 4.0 * poisson,
+        .tip = {18.3, 11.3},
+        .direction = {1, 0},
+    };
+    size_t count;
+    double *const place = test_run_field(&run, MPM_FIELD_POSITION, &count);
+    double *const f = g_new0(double, GRADIENT *count);
+    for (size_t p = 0; p < count; p++) {
+        williams_field_gradient(&field, place + AXES * p, f + GRADIENT * p);
+        f[GRADIENT * p] += 1.0;
+        f[GRADIENT * p + 3] += 1.0;
+        f[GRADIENT * p + 4] = 1.0;
+    }
+    ck_assert_int_eq(mpm_simulation_set_start(run.simulation, NULL, f, NULL), MPM_OK);
+    test_run_steps(&run, 1);
+    const struct mpm_j_integral value = value_of(&run, 0);
+    const double expected = mode[1] * -acos(1.0 / 3.0);
+    ck_assert_near(value.grown, INCREMENT, 1e-12);
+    ck_assert_near(atan2(value.tip[1] - 11.3, value.tip[0] - 18.3), expected, 0.03);
+    ck_assert_near(atan2(value.direction[1], value.direction[0]), expected, 0.03);
+    g_free(f);
+    free(place);
+    test_run_close(&run);
+}
+END_TEST
+
+static const struct refusal {
+    const char *setting, *message;
+} REFUSALS[] = {
+    {"cracks=[{points: [[0.2, 11.2], [14.3, 11.2]], opening: true, contact: none, j_integral: "
+     "[{contour: 4, propagation: {toughness: 1, longest: 8}}]}]",
+     "does not grow in this version"},
+    {"cracks=[{points: [[0.2, 11.2], [14.3, 11.2]], j_integral: [{contour: 4, propagation: "
+     "{toughness: 1, longest: 8}}]}]",
+     "contact: none, or detection: cell"},
+    {"cracks=[{points: [[0.2, 11.2], [14.3, 11.2]], contact: none, j_integral: [{contour: 4, "
+     "propagation: {toughness: 1, longest: 8}}, {contour: 5, propagation: {toughness: 1, longest: "
+     "8}}]}]",
+     "grows by cracks.0.j_integral.0 already"},
+    {CRACK("{toughness: 0, longest: 8}"), "allowed: number above 0"},
+};
+
+START_TEST(growth_that_is_not_defined_is_refused_with_the_reason)
+{
+    struct mpm_scene *scene = NULL;
+    struct mpm_error error = {.message = ""};
+    char *const folder = test_folder_create();
+    char *const path = test_folder_write(folder, "scene.yaml", BLOCK);
+    ck_assert_int_eq(mpm_scene_read(path, &REFUSALS[_i].setting, 1, &scene, &error), MPM_BAD_INPUT);
+    test_contains(error.message, REFUSALS[_i].message);
+    g_free(path);
+    test_folder_remove(folder);
+}
+END_TEST
+
+Suite *suite_crack_growth(void)
+{
+    Suite *suite = suite_create("crack_growth");
+    TCase *growth = tcase_create("growth");
+    tcase_add_loop_test(growth, a_tip_grows_straight_on_by_increments_and_books_its_work, 0, 2);
+    tcase_add_test(growth, a_tough_crack_is_one_that_does_not_grow);
+    tcase_add_test(growth, a_growing_crack_gives_the_same_bits_for_any_number_of_threads);
+    tcase_add_test(growth, a_run_whose_crack_has_no_room_goes_back_by_growing_again);
+    tcase_add_loop_test(growth, a_tip_turns_across_the_largest_hoop_stress, 0, 6);
+    tcase_add_loop_test(growth, growth_that_is_not_defined_is_refused_with_the_reason, 0,
+                        G_N_ELEMENTS(REFUSALS));
+    suite_add_tcase(suite, growth);
+    return suite;
+}

@@ -1,0 +1,137 @@
+/* Exact fields and handbook values of cracks.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "suites.h"
+#include "support/near.h"
+#include "verification/exact/cantilever_crack.h"
+#include "verification/exact/centre_crack.h"
+#include "verification/exact/penny_crack.h"
+#include "verification/exact/williams_field.h"
+
+#include <math.h>
+
+enum { AXES = 2 };
+
+static const double PI = 3.14159265358979323846;
+
+static struct williams_field field_of(int kind)
+{
+    static const double loads[][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.8, -0.6, 0.5}};
+    return (struct williams_field){
+        .mode_1 = loads[kind][0],
+        .mode_2 = loads[kind][1],
+        .parallel = loads[kind][2],
+        .shear = 3.0,
+        .kappa = 1.8,
+        .tip = {0.3, -0.2},
+        .direction = {0.6, 0.8},
+    };
+}
+
+/* Central differences of a field that changes over 1: (1e-5)^2 and round-off 1e-16/1e-5. */
+static const double DIFFERENCES = 2e-10;
+
+START_TEST(the_gradient_of_a_tip_is_that_of_its_displacement)
+{
+    const struct williams_field field = field_of(_i);
+    const double step = 1e-5, place[AXES] = {1.4, 0.9};
+    double gradient[4];
+    williams_field_gradient(&field, place, gradient);
+    for (int k = 0; k < AXES; k++) {
+        double u[2][AXES];
+        for (int side = 0; side < 2; side++) {
+            double beside[AXES] = {place[0], place[1]};
+            beside[k] += side == 0 ? -step : step;
+            williams_field_displacement(&field, beside, u[side]);
+        }
+        for (int i = 0; i < AXES; i++)
+            ck_assert_near(gradient[2 * i + k], (u[1][i] - u[0][i]) / (2.0 * step), DIFFERENCES);
+    }
+}
+END_TEST
+
+/* Stress in local axes from the gradient, by Hooke's law of a plane. */
+static void local_stress(const struct williams_field *field, double r, double theta,
+                         double stress[3])
+{
+    const double place[AXES] = {r * cos(theta), r * sin(theta)};
+    double g[4];
+    williams_field_gradient(field, place, g);
+    const double lame = field->shear * (3.0 - field->kappa) / (field->kappa - 1.0);
+    stress[0] = 2.0 * field->shear * g[0] + lame * (g[0] + g[3]);
+    stress[1] = 2.0 * field->shear * g[3] + lame * (g[0] + g[3]);
+    stress[2] = field->shear * (g[1] + g[2]);
+}
+
+START_TEST(a_tip_has_free_faces_and_its_stress_ahead)
+{
+    struct williams_field field = field_of(_i);
+    double stress[3];
+    field.tip[0] = field.tip[1] = 0.0;
+    field.direction[0] = 1.0;
+    field.direction[1] = 0.0;
+    for (int side = -1; side <= 1; side += 2) {
+        local_stress(&field, 0.7, side * PI, stress);
+        ck_assert_near(stress[1], 0.0, 1e-14);
+        ck_assert_near(stress[2], 0.0, 1e-14);
+    }
+    local_stress(&field, 0.7, 0.0, stress);
+    const double root = sqrt(2.0 * PI * 0.7);
+    ck_assert_near(stress[1], field.mode_1 / root, 1e-14);
+    ck_assert_near(stress[2], field.mode_2 / root, 1e-14);
+    ck_assert_near(stress[0], field.mode_1 / root + field.parallel, 1e-14);
+}
+END_TEST
+
+/* M. Isida, Eng. Fract. Mech. 5 (1973) 647-665, by series, as the handbook tabulates it. */
+START_TEST(tadas_formula_has_the_numbers_of_isidas_series)
+{
+    static const double series[] = {1.0060, 1.0246, 1.0577, 1.1094, 1.1867, 1.3033, 1.4882, 1.8160};
+    for (int k = 0; k < 8; k++) {
+        const struct centre_crack crack = {0.1 * (k + 1), 1.0, 2.0};
+        const double scale = 2.0 * sqrt(PI * crack.half_length);
+        ck_assert_near(centre_crack_tada(&crack) / scale, series[k], 1e-3 * series[k]);
+        if (k < 7) /* up to a/W = 0.7 */
+            ck_assert_near(centre_crack_feddersen(&crack) / scale, series[k], 3.5e-3 * series[k]);
+    }
+}
+END_TEST
+
+START_TEST(beam_theory_with_rotation_agrees_with_plane_elasticity)
+{
+    for (double slender = 5.0; slender < 30.0; slender += 1.0) {
+        const struct cantilever_crack crack = {slender * 2.0, 2.0, 0.3, 70.0, 0.3};
+        const double beam = sqrt(crack.modulus * cantilever_crack_release(&crack));
+        const double plane = cantilever_crack_intensity(&crack);
+        ck_assert_near(beam, plane, 0.01 * plane);
+    }
+    ck_assert_near(cantilever_crack_rotation(0.3), 0.6635, 5e-5);
+}
+END_TEST
+
+START_TEST(a_small_disk_shaped_crack_is_one_in_an_infinite_body)
+{
+    const struct penny_crack small = {1.0, 1e6, 0.5}, large = {0.99, 1.0, 1.0};
+    ck_assert_near(penny_crack_infinite(&small), 2.0 * 0.5 / sqrt(PI), 1e-15);
+    ck_assert_near(penny_crack_cylinder(&small), penny_crack_infinite(&small), 1e-6);
+    /* at a/b = 1 the polynomial is 1 + 1/2 - 5/8 + 0.421 */
+    ck_assert_near(penny_crack_cylinder(&large) / penny_crack_infinite(&large) *
+                       (1.0 - 0.99 * 0.99) / sqrt(0.01),
+                   1.296, 0.01);
+}
+END_TEST
+
+Suite *suite_fracture(void)
+{
+    Suite *suite = suite_create("fracture");
+    TCase *fields = tcase_create("fields");
+    tcase_add_loop_test(fields, the_gradient_of_a_tip_is_that_of_its_displacement, 0, 4);
+    tcase_add_loop_test(fields, a_tip_has_free_faces_and_its_stress_ahead, 0, 4);
+    suite_add_tcase(suite, fields);
+    TCase *handbook = tcase_create("handbook");
+    tcase_add_test(handbook, tadas_formula_has_the_numbers_of_isidas_series);
+    tcase_add_test(handbook, beam_theory_with_rotation_agrees_with_plane_elasticity);
+    tcase_add_test(handbook, a_small_disk_shaped_crack_is_one_in_an_infinite_body);
+    suite_add_tcase(suite, handbook);
+    return suite;
+}
