@@ -185,6 +185,7 @@ enum mpm_field {
     MPM_FIELD_STRESS,               /* 4: Cauchy, xx yy zz xy | rr zz tt rz */
     MPM_FIELD_VOLUME,               /* 1: current (per thickness or per radian) */
     MPM_FIELD_MASS,                 /* 1 */
+    MPM_FIELD_FRINGE,               /* 1: CRAMP (23); not a number without output.fringe */
     MPM_FIELD_COUNT,
 };
 
@@ -200,6 +201,9 @@ struct mpm_field_info {
  * mass are per radian and have the same units). */
 const struct mpm_field_info *mpm_field_describe(enum mpm_field field);
 
+/* Is the field one of the scene's snapshots? All but fringe are always. */
+bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field);
+
 /* Copies a field of all particles, sorted by id: particle-major,
  * count * components values. Rigid bodies' particles are included. */
 void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_field field,
@@ -211,6 +215,16 @@ void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_fiel
  */
 void mpm_simulation_field_range(const struct mpm_simulation *simulation, enum mpm_field field,
                                 size_t first, size_t count, double *values);
+
+/* The massless points that carry the cracks, as they are now: crack by crack in the scene's order,
+ * each from its first point to its last, with those set between the scene's own. */
+struct mpm_crack_point {
+    size_t crack;
+    double position[2];
+};
+size_t mpm_simulation_crack_point_count(const struct mpm_simulation *simulation);
+struct mpm_crack_point mpm_simulation_crack_point(const struct mpm_simulation *simulation,
+                                                  size_t point);
 
 /* Sums over all deformable particles at the end of the last step. */
 struct mpm_ledger {

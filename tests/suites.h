@@ -67,6 +67,7 @@
     SUITE(bench_report)                                                                            \
     SUITE(programs)                                                                                \
     SUITE(orders)                                                                                  \
+    SUITE(pictures)                                                                                \
     SUITE(measures)                                                                                \
     SUITE(modes)                                                                                   \
     SUITE(dispersion)                                                                              \

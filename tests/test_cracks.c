@@ -131,15 +131,10 @@ START_TEST(sides_of_a_penny_crack_are_free_with_mirrored_nodes)
 END_TEST
 
 /* The crack moves with all that it is in: the position is a sum of 30 steps' ways. */
-START_TEST(a_crack_moves_at_the_velocity_of_its_body)
+static void assert_carried(struct settings *settings)
 {
-    static const char *const transfers[] = {"{kind: flip}", "{kind: pic}",
-                                            "{kind: flip, fraction: 0.8}"};
-    struct settings settings = crack_block_method(_i % CRACK_BLOCK_METHODS);
-    settings_add(&settings, "bodies.block.velocity=[0.3, -0.2]");
-    settings_add_formatted(&settings, "method.transfer=%s", transfers[_i / CRACK_BLOCK_METHODS]);
-    settings_add(&settings, "cracks=[{points: [[4, 4], [6, 5.6], [8, 7]]}]");
-    struct test_run run = crack_block_open(&settings);
+    settings_add(settings, "bodies.block.velocity=[0.3, -0.2]");
+    struct test_run run = crack_block_open(settings);
     const struct mpm_cracks *const cracks = &crack_block_state(&run)->cracks;
     double *const start[AXES] = {
         g_memdup2(cracks->position[0], cracks->point_count * sizeof(double)),
@@ -154,6 +149,28 @@ START_TEST(a_crack_moves_at_the_velocity_of_its_body)
     g_free(start[0]);
     g_free(start[1]);
     test_run_close(&run);
+}
+
+START_TEST(a_crack_moves_at_the_velocity_of_its_body)
+{
+    static const char *const transfers[] = {"{kind: flip}", "{kind: pic}",
+                                            "{kind: flip, fraction: 0.8}"};
+    struct settings settings = crack_block_method(_i % CRACK_BLOCK_METHODS);
+    settings_add_formatted(&settings, "method.transfer=%s", transfers[_i / CRACK_BLOCK_METHODS]);
+    settings_add(&settings, "cracks=[{points: [[4, 4], [6, 5.6], [8, 7]]}]");
+    assert_carried(&settings);
+}
+END_TEST
+
+/* A crack that is wide open has points that no node with mass reaches: here those in the hole of a
+ * ring, six cells wide, which the crack passes. */
+START_TEST(a_crack_that_is_wide_open_moves_as_a_whole)
+{
+    struct settings settings = crack_block_method(_i);
+    settings_add(&settings,
+                 "bodies.block.region={annulus: {center: [6.9, 6], inner: 2.9, outer: 4.3}}");
+    settings_add(&settings, "cracks=[{points: [[3.3, 6], [10.5, 6]]}]");
+    assert_carried(&settings);
 }
 END_TEST
 
@@ -364,6 +381,7 @@ Suite *suite_cracks(void)
                         2 * TEST_ORDERS);
     tcase_add_loop_test(fields, a_crack_moves_at_the_velocity_of_its_body, 0,
                         3 * CRACK_BLOCK_METHODS);
+    tcase_add_loop_test(fields, a_crack_that_is_wide_open_moves_as_a_whole, 0, CRACK_BLOCK_METHODS);
     suite_add_tcase(suite, fields);
     TCase *contact = tcase_create("contact");
     tcase_add_loop_test(contact, contact_keeps_momentum_and_shares_it_by_its_law, 0,

@@ -7,6 +7,7 @@
 #include "suites.h"
 #include "support/blocks.h"
 #include "support/folder.h"
+#include "support/near.h"
 #include "support/results.h"
 #include "support/skip.h"
 
@@ -32,7 +33,8 @@ static struct mpm_simulation *simulate(int steps)
 static char *write_snapshot(const struct mpm_simulation *simulation, const char *name)
 {
     char *path = test_folder_path(test_results.folder, name);
-    double *work = g_new(double, mpm_snapshot_work_size(mpm_simulation_particle_count(simulation)));
+    double *work = g_new(double, mpm_snapshot_work_size(test_results.scene,
+                                                        mpm_simulation_particle_count(simulation)));
     struct mpm_error error = {.status = MPM_OK};
     ck_assert_msg(mpm_snapshot_write(path, test_results.scene, simulation, work, &error) == MPM_OK,
                   "%s", error.message);
@@ -93,6 +95,16 @@ END_TEST
 
 /* --------------------------------------------------------------- snapshots */
 
+static void check_bits(const struct mpm_simulation *simulation,
+                       const struct test_snapshot *snapshot, enum mpm_field field)
+{
+    const size_t size = snapshot->count * mpm_field_describe(field)->components;
+    double *values = g_new(double, size);
+    mpm_simulation_field(simulation, field, values);
+    ck_assert_mem_eq(values, snapshot->fields[field], size * sizeof *values);
+    g_free(values);
+}
+
 /* Fewer particles than one block of writing (16384) holds, and more. */
 START_TEST(a_snapshot_reads_back_as_the_bits_of_the_simulation)
 {
@@ -108,14 +120,88 @@ START_TEST(a_snapshot_reads_back_as_the_bits_of_the_simulation)
     ck_assert(snapshot.time == mpm_simulation_time(simulation));
     ck_assert_int_eq(snapshot.step, 7);
     ck_assert_uint_eq(snapshot.count, sizes[_i].particles);
-    for (int field = 0; field < MPM_FIELD_COUNT; field++) {
-        const size_t size = snapshot.count * mpm_field_describe((enum mpm_field)field)->components;
-        double *values = g_new(double, size);
-        mpm_simulation_field(simulation, (enum mpm_field)field, values);
-        ck_assert_mem_eq(values, snapshot.fields[field], size * sizeof *values);
-        g_free(values);
-    }
+    ck_assert_ptr_null(snapshot.fields[MPM_FIELD_FRINGE]);
+    for (int field = 0; field < MPM_FIELD_COUNT; field++)
+        if (field != MPM_FIELD_FRINGE)
+            check_bits(simulation, &snapshot, (enum mpm_field)field);
     test_snapshot_free(&snapshot);
+    mpm_simulation_free(simulation);
+    g_free(path);
+}
+END_TEST
+
+/* CRAMP (23) of the stress that stands beside it; rigid particles have none. */
+START_TEST(fringes_are_the_cosine_of_the_difference_of_principal_stresses)
+{
+    static const double CONSTANT = 0.7;
+    const char *settings[] = {RIGID_BETWEEN, "output.fringe=0.7"};
+    mpm_scene_free(test_results.scene);
+    ck_assert_int_eq(
+        mpm_scene_read(test_results.scene_path, settings, 2, &test_results.scene, NULL), MPM_OK);
+    struct mpm_simulation *simulation = simulate(9);
+    char *path = write_snapshot(simulation, "one.hdf");
+    struct test_snapshot snapshot = test_snapshot_read(path);
+    const double *const stress = snapshot.fields[MPM_FIELD_STRESS];
+    double least = 1.0;
+    for (size_t i = 0; i < snapshot.count; i++) {
+        const double *const s = &stress[4 * i];
+        const double mean = (s[0] + s[1]) / 2.0;
+        const double radius = sqrt(mean * mean - (s[0] * s[1] - s[3] * s[3]));
+        ck_assert_near(snapshot.fields[MPM_FIELD_FRINGE][i], cos(CONSTANT * 2.0 * radius), 1e-9);
+        least = fmin(least, snapshot.fields[MPM_FIELD_FRINGE][i]);
+    }
+    ck_assert(least < -0.9); /* more than half a fringe */
+    check_bits(simulation, &snapshot, MPM_FIELD_FRINGE);
+    test_snapshot_free(&snapshot);
+    mpm_simulation_free(simulation);
+    g_free(path);
+}
+END_TEST
+
+static double *dataset(hid_t file, const char *object, const char *unit, size_t *count)
+{
+    char *found = test_attribute_text(file, object, "unit");
+    char *description = test_attribute_text(file, object, "description");
+    ck_assert_str_eq(found, unit);
+    ck_assert_uint_gt(strlen(description), 0);
+    g_free(found);
+    g_free(description);
+    return test_dataset_read(file, object, count);
+}
+
+/* The crack is in the middle of a block that moves as one, so its points move with it; where they
+ * are between the scene's own. */
+START_TEST(a_snapshot_of_a_cracked_scene_has_the_points_of_its_cracks)
+{
+    enum { POINTS = 5 + 2 }; /* segments of a quarter of two cells, and of half a cell */
+    static const double start[POINTS][3] = {{3, 4, 0}, {3.25, 4, 0}, {3.5, 4, 0},  {3.75, 4, 0},
+                                            {4, 4, 0}, {4, 5.5, 1},  {3.6, 5.5, 1}};
+    const char *settings[] = {
+        "bodies=[{name: block, material: rubber, region: {rectangle: {from: [2, 2], to: [8, 7]}}, "
+        "velocity: [2, -1]}]",
+        "cracks=[{points: [[3, 4], [4, 4]], spacing: 0.25}, {points: [[4, 5.5], [3.6, 5.5]]}]"};
+    mpm_scene_free(test_results.scene);
+    struct mpm_error error = {.status = MPM_OK};
+    ck_assert_msg(
+        mpm_scene_read(test_results.scene_path, settings, 2, &test_results.scene, &error) == MPM_OK,
+        "%s", error.message);
+    struct mpm_simulation *simulation = simulate(5);
+    char *path = write_snapshot(simulation, "one.hdf");
+    const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    size_t count = 0;
+    double *const position = dataset(file, "/mpm/cracks/position", "mm", &count);
+    ck_assert_uint_eq(count, 2 * POINTS);
+    double *const crack = dataset(file, "/mpm/cracks/crack", "1", &count);
+    ck_assert_uint_eq(count, POINTS);
+    const double time = mpm_simulation_time(simulation);
+    for (size_t i = 0; i < POINTS; i++) {
+        ck_assert_near(position[2 * i], start[i][0] + 2.0 * time, 1e-12);
+        ck_assert_near(position[2 * i + 1], start[i][1] - time, 1e-12);
+        ck_assert(crack[i] == start[i][2]);
+    }
+    H5Fclose(file);
+    g_free(position);
+    g_free(crack);
     mpm_simulation_free(simulation);
     g_free(path);
 }
@@ -123,6 +209,7 @@ END_TEST
 
 START_TEST(every_dataset_names_its_unit_its_meaning_and_its_components)
 {
+    set("output.fringe=0.5");
     struct mpm_simulation *simulation = simulate(1);
     char *path = write_snapshot(simulation, "one.hdf");
     const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
@@ -232,8 +319,9 @@ START_TEST(vtk_sees_the_same_data_by_hard_links)
     const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
     for (int field = 0; field < MPM_FIELD_COUNT; field++) {
         const char *name = mpm_field_describe((enum mpm_field)field)->name;
-        ck_assert_uint_eq(address_of(file, "/mpm/particles", name),
-                          address_of(file, "/VTKHDF/PointData", name));
+        if (mpm_scene_has_field(test_results.scene, (enum mpm_field)field))
+            ck_assert_uint_eq(address_of(file, "/mpm/particles", name),
+                              address_of(file, "/VTKHDF/PointData", name));
     }
     size_t count = 0;
     double *points = test_dataset_read(file, "/VTKHDF/Points", &count);
@@ -397,6 +485,8 @@ Suite *suite_results(void)
     const TTest *const files[] = {
         a_range_of_a_field_is_that_part_of_the_whole,
         every_dataset_names_its_unit_its_meaning_and_its_components,
+        fringes_are_the_cosine_of_the_difference_of_principal_stresses,
+        a_snapshot_of_a_cracked_scene_has_the_points_of_its_cracks,
         a_snapshot_tells_where_it_comes_from,
         the_same_state_makes_the_same_bytes,
         vtk_reads_positions_stress_and_time,

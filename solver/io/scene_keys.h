@@ -381,7 +381,9 @@
     X(S, ONE, snapshots, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                       \
       "interval of snapshots; without it only t = 0 and end")                                      \
     X(S, ONE, checkpoint, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                      \
-      "reserved: this version writes no checkpoints, and mpm run says so")
+      "reserved: this version writes no checkpoints, and mpm run says so")                         \
+    X(S, ONE, fringe, NUMBER, PLANAR, OPTIONAL, "length time^2/mass", NULL, ABOVE(0),              \
+      "k: snapshots have fringe, cos(k (s1 - s2)) of the principal stresses in the plane (CRAMP 23); 2 pi thickness over the material's stress for one fringe")
 
 #define KEYS_scene(X, S)                                                                           \
     X(S, ONE, format, INTEGER, ANYWHERE, REQUIRED, "", NULL, FROM_TO(1, 1),                        \

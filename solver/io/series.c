@@ -29,7 +29,7 @@ enum mpm_status mpm_series_create(const char *folder, const struct mpm_scene *sc
     *series = NULL;
     created->folder = folder;
     created->scene = scene;
-    created->work_size = mpm_snapshot_work_size(particle_count);
+    created->work_size = mpm_snapshot_work_size(scene, particle_count);
     created->work = calloc(created->work_size, sizeof *created->work);
     created->list = json_pack("{s:s, s:[]}", "file-series-version", "1.0", "files");
     created->files = json_object_get(created->list, "files");

@@ -3,7 +3,10 @@
  * /mpm            attributes: format, title, geometry, thickness, units_*, time, step,
  *                 staggered, body_names, settings and the facts of io/provenance.h
  * /mpm/particles  one dataset per field of mpm_field_describe, with attributes unit,
- *                 description and components; integers are int64, the rest double
+ *                 description and components; integers are int64, the rest double; fringe
+ *                 only where the scene asks for it
+ * /mpm/cracks     in scenes with cracks: position and crack of the points of
+ *                 mpm_simulation_crack_point, with the same attributes
  * /VTKHDF         version 1.0, UnstructuredGrid of vertices: Points is a dataset of its
  *                 own (three components), PointData holds hard links to /mpm/particles,
  *                 FieldData holds TimeValue and step
@@ -23,7 +26,7 @@
 
 /* Number of doubles that mpm_snapshot_write needs as working space: data is written in
  * blocks, so that it does not grow with the number of particles beyond 0.7 MB. */
-size_t mpm_snapshot_work_size(size_t particle_count);
+size_t mpm_snapshot_work_size(const struct mpm_scene *scene, size_t particle_count);
 
 /* Writes the state of `simulation` to `path`: to `path`.partial first, synced, then
  * renamed, so that `path` is complete or absent. `work` has mpm_snapshot_work_size

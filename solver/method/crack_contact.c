@@ -7,6 +7,7 @@
 #include "method/transfer.h"
 
 #include <math.h>
+#include <string.h>
 
 /* ------------------------------------------------------------------ contact */
 
@@ -165,6 +166,10 @@ void mpm_crack_contact_extrapolated(struct mpm_state *state)
 
 /* ------------------------------------------------------------------- motion */
 
+/* Velocities at the end of a step have no bound at nodes of little mass, which a force divides by;
+ * those at the start are means of the particles' velocities. */
+static const double LIGHT = 250.0; /* of the least mass */
+
 /* Momentum and mass of all fields of a node. */
 static double node_momentum(const struct mpm_state *state, int64_t home, double momentum[2])
 {
@@ -177,17 +182,20 @@ static double node_momentum(const struct mpm_state *state, int64_t home, double 
         if (fields[k] < 0)
             continue;
         const double m = state->grid.mass[fields[k]];
+        const double *const velocity = m < LIGHT * state->cracks.least_mass
+                                           ? state->grid.start[fields[k]]
+                                           : state->grid.motion[fields[k]].end;
         mass += m;
         for (int axis = 0; axis < 2; axis++)
-            momentum[axis] += m * state->grid.motion[fields[k]].end[axis];
+            momentum[axis] += m * velocity[axis];
     }
     return mass;
 }
 
-/* Zero where no node in reach has mass to speak of: outside of all bodies a crack stays where it
- * is. */
-static void point_velocity(const struct mpm_state *state, const double place[2], double v[2])
+/* False, and zero, where no node in reach has mass to speak of. */
+static bool point_velocity(const struct mpm_state *state, size_t point, double v[2])
 {
+    const double place[2] = {state->cracks.position[0][point], state->cracks.position[1][point]};
     struct mpm_stencil stencil;
     const struct mpm_shape_domain domain = {.position = {place[0], place[1]}};
     double weight = 0.0;
@@ -206,15 +214,39 @@ static void point_velocity(const struct mpm_state *state, const double place[2],
     }
     for (int axis = 0; axis < 2 && weight > 0.0; axis++)
         v[axis] /= weight;
+    return weight > 0.0;
+}
+
+/* The points of a crack before and after the one in hand that nodes move. */
+struct carriers {
+    bool any;             /* is there one before? */
+    size_t before, after; /* `after` is up to date if it is behind `before` */
+    double velocity[2], ahead[2];
+};
+
+/* Points that no node moves lie in the gap of an open crack, if points on both sides do move: they
+ * go with them. Else they are outside of all bodies, and stay where they are. */
+static void carried_velocity(const struct mpm_state *state, size_t point, size_t end,
+                             struct carriers *carriers, double v[2])
+{
+    v[0] = v[1] = 0.0;
+    if (!carriers->any)
+        return;
+    if (carriers->after <= carriers->before)
+        for (carriers->after = point + 1; carriers->after < end; carriers->after++)
+            if (point_velocity(state, carriers->after, carriers->ahead))
+                break;
+    const double part =
+        (double)(point - carriers->before) / (double)(carriers->after - carriers->before);
+    for (int axis = 0; axis < 2 && carriers->after < end; axis++)
+        v[axis] = (1.0 - part) * carriers->velocity[axis] + part * carriers->ahead[axis];
 }
 
 static enum mpm_status advance_point(const struct mpm_state *state, size_t crack, size_t k,
-                                     struct mpm_error *error)
+                                     const double v[2], struct mpm_error *error)
 {
     const struct mpm_cracks *const cracks = &state->cracks;
     const double place[2] = {cracks->position[0][k], cracks->position[1][k]};
-    double v[2];
-    point_velocity(state, place, v);
     for (int axis = 0; axis < 2; axis++) {
         const double low = state->grid.origin[axis];
         const double high = low + (double)state->grid.cells[axis] * state->grid.cell[axis];
@@ -235,9 +267,20 @@ enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *er
 {
     for (size_t crack = 0; crack < state->scene->crack_count; crack++) {
         const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
-        const size_t first = (size_t)(chain->x - state->cracks.position[0]);
-        for (size_t i = 0; i < chain->count; i++)
-            MPM_TRY(advance_point(state, crack, first + i, error));
+        size_t k = (size_t)(chain->x - state->cracks.position[0]);
+        const size_t end = k + chain->count;
+        struct carriers carriers = {.any = false};
+        for (; k < end; k++) {
+            double v[2];
+            if (point_velocity(state, k, v)) {
+                carriers.any = true;
+                carriers.before = k;
+                memcpy(carriers.velocity, v, sizeof v);
+            } else {
+                carried_velocity(state, k, end, &carriers, v);
+            }
+            MPM_TRY(advance_point(state, crack, k, v, error));
+        }
     }
     return MPM_OK;
 }

@@ -23,7 +23,11 @@ void mpm_crack_contact_extrapolated(struct mpm_state *state);
 /* Task 7: cracks move with the centre-of-mass velocity at the end of the step, (32), by the linear
  * functions of the nodes that have mass: at least a thousandth of the lightest particle's. Nodes
  * that a body hardly reaches have velocities without bounds, which particles take no part of, and
- * points outside of the body would. MPM_RUN_FAILED: a point leaves the grid. */
+ * points outside of the body would; below a quarter of that particle's mass a node's velocity at
+ * the start of the step is taken, which is a mean of particles'. Points that no such node reaches
+ * are in the gap of a crack that is wide open, if the crack has others on both sides of them: they
+ * go with these, by linear interpolation; else they stay where they are. MPM_RUN_FAILED: a point
+ * leaves the grid. */
 enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *error);
 
 #endif

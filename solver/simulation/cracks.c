@@ -86,6 +86,25 @@ static void place_cracks(struct mpm_state *state)
     }
 }
 
+size_t mpm_simulation_crack_point_count(const struct mpm_simulation *simulation)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < simulation->scene->crack_count; k++)
+        count += simulation->state.cracks.chains[k].count;
+    return count;
+}
+
+struct mpm_crack_point mpm_simulation_crack_point(const struct mpm_simulation *simulation,
+                                                  size_t point)
+{
+    const struct mpm_crack_chain *const chains = simulation->state.cracks.chains;
+    size_t k = 0;
+    for (; point >= chains[k].count; k++)
+        point -= chains[k].count;
+    return (struct mpm_crack_point){.crack = k,
+                                    .position = {chains[k].x[point], chains[k].y[point]}};
+}
+
 /* ---------------------------------------------------------------- surfaces */
 
 bool mpm_cracks_need_surfaces(const struct mpm_scene *scene)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/simulation.h"
 
+#include <math.h>
 #include <string.h>
 
 static const struct mpm_field_info infos[MPM_FIELD_COUNT] = {
@@ -15,11 +16,19 @@ static const struct mpm_field_info infos[MPM_FIELD_COUNT] = {
     [MPM_FIELD_VOLUME] = {"volume", 1, false, 3, 0, 0,
                           "current volume, for the thickness or per radian"},
     [MPM_FIELD_MASS] = {"mass", 1, false, 0, 1, 0, "mass, for the thickness or per radian"},
+    [MPM_FIELD_FRINGE] = {"fringe", 1, false, 0, 0, 0,
+                          "photoelastic fringes: cos(k sqrt((xx - yy)^2 + 4 xy^2)) of the Cauchy "
+                          "stress, k the scene's output.fringe"},
 };
 
 const struct mpm_field_info *mpm_field_describe(enum mpm_field field)
 {
     return &infos[field];
+}
+
+bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field)
+{
+    return field != MPM_FIELD_FRINGE || scene->fringe > 0.0;
 }
 
 static double determinant_of(const struct mpm_particles *particles, size_t p)
@@ -28,6 +37,17 @@ static double determinant_of(const struct mpm_particles *particles, size_t p)
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
         f[k] = particles->deformation[k][p];
     return mpm_determinant(f);
+}
+
+/* CRAMP (23), of Kirchhoff stress over initial density and its scale to Cauchy stress. */
+static double fringe_of(const struct mpm_simulation *simulation, size_t p, double scale)
+{
+    double *const *const stress = simulation->state.particles.stress;
+    const double constant = simulation->scene->fringe;
+    const double difference = stress[MPM_SYM_XX][p] - stress[MPM_SYM_YY][p];
+    if (!(constant > 0.0))
+        return (double)NAN;
+    return cos(constant * scale * hypot(difference, 2.0 * stress[MPM_SYM_XY][p]));
 }
 
 static void copy(const struct mpm_simulation *simulation, enum mpm_field field, size_t p,
@@ -64,6 +84,9 @@ static void copy(const struct mpm_simulation *simulation, enum mpm_field field, 
     case MPM_FIELD_MASS:
         out[0] = particles->mass[p];
         return;
+    case MPM_FIELD_FRINGE:
+        out[0] = fringe_of(simulation, p, body->material.density / determinant_of(particles, p));
+        return;
     case MPM_FIELD_COUNT:
         return;
     }
@@ -80,6 +103,8 @@ static void copy_rigid(const struct mpm_simulation *simulation, enum mpm_field f
         out[0] = rigid->id[p];
     else if (field == MPM_FIELD_BODY)
         out[0] = rigid->body[p];
+    else if (field == MPM_FIELD_FRINGE) /* of no stress */
+        out[0] = simulation->scene->fringe > 0.0 ? 1.0 : (double)NAN;
     else if (field == MPM_FIELD_DEFORMATION_GRADIENT)
         out[MPM_XX] = out[MPM_YY] = out[MPM_ZZ] = 1.0;
     else if (field == MPM_FIELD_POSITION || field == MPM_FIELD_VELOCITY)

@@ -8,6 +8,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/fields.h"
 #include "verification/suite/follow.h"
+#include "verification/suite/picture.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -171,6 +172,19 @@ static void report(const struct study *study, struct measurement *m, bool finish
     }
 }
 
+/* The first component of the stress of both, where the variant asks for it: CRAMP Fig. 1. */
+static enum mpm_status draw(const struct study *study, struct measurement *m,
+                            struct mpm_error *error)
+{
+    struct picture picture;
+    bool asked;
+    TRY(picture_read(m, &picture, &asked, error));
+    if (!asked)
+        return MPM_OK;
+    TRY(picture_write(m, &picture, study->whole.simulation, MPM_FIELD_STRESS, 0, "whole", error));
+    return picture_write(m, &picture, study->half.simulation, MPM_FIELD_STRESS, 0, "half", error);
+}
+
 static enum mpm_status follow(struct study *study, struct measurement *m, struct mpm_error *error)
 {
     double interval;
@@ -188,6 +202,7 @@ static enum mpm_status follow(struct study *study, struct measurement *m, struct
     report(study, m, alive && whole_alive);
     follow_count_work(m, study->whole.simulation);
     follow_count_work(m, study->half.simulation);
+    TRY(draw(study, m, error));
     if (study->rows.out_of_memory)
         return failure_set(error, MPM_ENVIRONMENT_FAILED, "out of memory for the curve");
     return measurement_series(m, "difference",

@@ -16,6 +16,8 @@
     PROGRAM(step_wave)                                                                             \
     PROGRAM(spin)                                                                                  \
     PROGRAM(collision)                                                                             \
+    PROGRAM(disk_chain)                                                                            \
+    PROGRAM(cracked_disks)                                                                         \
     PROGRAM(crack_patch)                                                                           \
     PROGRAM(sliding)                                                                               \
     PROGRAM(cohesive)                                                                              \
