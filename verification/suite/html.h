@@ -10,6 +10,9 @@
 /* A status as mark and word: "✓ pass". */
 void html_status(GString *html, enum verdict_status status);
 
+/* Place of a status in the order of what a reader should see first, from 0. */
+unsigned html_status_rank(enum verdict_status status);
+
 /* A class name of report.css for the colour of a status. */
 const char *html_status_class(enum verdict_status status);
 
@@ -24,11 +27,6 @@ void html_counts(GString *html, const struct record_counts *counts);
 
 /* The status of a case: the worst that occurs; known weaknesses beside it. */
 void html_case_status(GString *html, const struct record_counts *counts);
-
-/* What the pages of comparisons say together: a link and the advice of each, and a table of all
- * their variants by the number that decides; nothing if no case declares one. */
-void html_comparisons(GString *html, const struct records *records,
-                      const struct report_style *style);
 
 /* The template of `style` with its places filled; takes all three strings over. */
 char *html_fill(const struct report_style *style, const char *title, GString *navigation,

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void lower_headings(cmark_node *document)
+static void keep_headings(cmark_node *document)
 {
     cmark_node *first = cmark_node_first_child(document);
     if (first != NULL && cmark_node_get_type(first) == CMARK_NODE_HEADING &&
@@ -20,7 +20,16 @@ static void lower_headings(cmark_node *document)
     for (cmark_node *node = cmark_node_first_child(document); node != NULL;
          node = cmark_node_next(node))
         if (cmark_node_get_type(node) == CMARK_NODE_HEADING)
-            cmark_node_set_heading_level(node, MIN(6, cmark_node_get_heading_level(node) + 1));
+            cmark_node_set_heading_level(node, MAX(2, cmark_node_get_heading_level(node)));
+}
+
+static char *replace(char *text, const char *from, const char *to)
+{
+    char **parts = g_strsplit(text, from, -1);
+    char *result = g_strjoinv(to, parts);
+    g_strfreev(parts);
+    g_free(text);
+    return result;
 }
 
 char *markdown_html(const char *text)
@@ -32,10 +41,15 @@ char *markdown_html(const char *text)
         cmark_parser_attach_syntax_extension(parser, table);
     cmark_parser_feed(parser, text, strlen(text));
     cmark_node *document = cmark_parser_finish(parser);
-    lower_headings(document);
+    keep_headings(document);
     char *html =
         cmark_render_html(document, CMARK_OPT_DEFAULT, cmark_parser_get_syntax_extensions(parser));
-    char *copy = g_strdup(html);
+    /* a table scrolls in a box of its own; a heading cell without a text heads nothing */
+    char *copy = replace(g_strdup(html), "<table>",
+                         "<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+                         "aria-label=\"Table\"><table>");
+    copy = replace(copy, "</table>", "</table></div>");
+    copy = replace(copy, "<th></th>", "<td></td>");
     free(html);
     cmark_node_free(document);
     cmark_parser_free(parser);

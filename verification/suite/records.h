@@ -63,6 +63,16 @@ const char *record_text(const json_t *object, const char *key);
 double record_number(const json_t *object, const char *key);
 enum verdict_status record_status(const json_t *check);
 
+/* "case/<what>/variant" of a line, for tables of lines; g_free. */
+char *record_key(const json_t *line, const char *what);
+
+/* The object of a case; NULL if the run has none of that name. Whether it has a tag. */
+const json_t *records_case(const struct records *records, const char *name);
+bool record_has_tag(const json_t *entry, const char *tag);
+
+/* Whether two records of one case come from one declared check. */
+bool record_same_declaration(const json_t *one, const json_t *other);
+
 struct record_counts {
     size_t of[VERDICT_STATUS_COUNT];
     size_t passed, failed, skipped; /* passed counts expected failures, too */
