@@ -9,13 +9,13 @@ double headroom_of(const struct verdict_band *band, double value)
 {
     if (!isfinite(value))
         return (double)NAN;
-    const double low = band->weakness ? band->fails_low : band->low;
-    const double high = band->weakness ? band->fails_high : band->high;
-    const double centre = band->weakness ? 0.5 * (low + high) : band->expected;
-    const double deviation = value - centre;
+    if (band->weakness)
+        return 1 / (1 - verdict_margin(band->fails_low, band->fails_high, value));
+    const double deviation = value - band->expected;
     if (deviation == 0)
         return (double)INFINITY;
-    return (deviation > 0 ? high - centre : centre - low) / fabs(deviation);
+    return (deviation > 0 ? band->high - band->expected : band->expected - band->low) /
+           fabs(deviation);
 }
 
 enum headroom headroom_judge(double headroom)

@@ -63,6 +63,14 @@ void html_numbers(GString *html, char *text)
     g_free(text);
 }
 
+void html_name(GString *html, const char *name)
+{
+    char *markup = g_markup_escape_text(name, -1);
+    markup = replace(markup, "[_/]", "\\0<wbr />");
+    g_string_append(html, markup);
+    g_free(markup);
+}
+
 void html_margin(GString *html, double margin)
 {
     if (!isfinite(margin)) {

@@ -19,6 +19,9 @@ const char *html_status_class(enum verdict_status status);
 /* A text with numbers (of text.h; taken over), powers of ten written out: 1.3 × 10⁻¹⁵. */
 void html_numbers(GString *html, char *text);
 
+/* A name that a narrow column may break after underscores and slashes. */
+void html_name(GString *html, const char *name);
+
 /* A margin as a bar and a number. */
 void html_margin(GString *html, double margin);
 

@@ -104,7 +104,9 @@ static void add_key(GString *html, double value)
 static void add_check(GString *html, const json_t *check)
 {
     const double red = record_number(check, "mutations_red");
-    text_markup(html, "<tr><th scope=\"row\">%s</th><td", record_text(check, "variant"));
+    g_string_append(html, "<tr><th scope=\"row\">");
+    html_name(html, record_text(check, "variant"));
+    g_string_append(html, "</th><td");
     add_key(html, html_status_rank(record_status(check)));
     g_string_append_c(html, '>');
     html_status(html, record_status(check));
@@ -262,7 +264,7 @@ static void add_variant(struct report_table *table, const json_t *variant)
     const double seconds = record_number(variant, "seconds");
     const double known = work > 0 ? work : (double)NAN;
     const double rate = seconds > 0 ? known / seconds : (double)NAN;
-    report_table_text(table, record_text(variant, "variant"));
+    report_table_name(table, record_text(variant, "variant"));
     add_texts(table, json_object_get(variant, "settings"), "code", g_string_new(NULL));
     report_table_text(table, record_text(variant, "outcome"));
     report_table_number(table, seconds, text_seconds(seconds));

@@ -129,7 +129,7 @@ static void add_row(struct report_table *table, const struct declared *declared)
     report_table_markup(table, looks[look].word, mark);
     report_table_number(table, declared->least,
                         isinf(declared->least) ? g_strdup("∞") : text_number(declared->least));
-    report_table_text(table, record_text(declared->variant, "variant"));
+    report_table_name(table, record_text(declared->variant, "variant"));
     report_table_text(table, declared->build == NULL ? "" : declared->build);
     report_table_number(table, 100 * declared->spread, text_number(100 * declared->spread));
     report_table_text(table, band);
@@ -191,7 +191,7 @@ void report_headroom(struct report_site *site)
         {"Nearest variant", NULL, CELLS_TEXT, false},
         {"Build", NULL, CELLS_TEXT, false},
         {"Spread over builds", "%", CELLS_NUMBER, true},
-        {"Band", NULL, CELLS_TEXT, false},
+        {"Band", NULL, CELLS_BAND, false},
         {"Band from", NULL, CELLS_TEXT, false},
         {"What it is, and why the band", NULL, CELLS_WIDE, false},
     };

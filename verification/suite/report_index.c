@@ -48,7 +48,7 @@ static void add_failures(GString *html, struct report_site *site)
 {
     static const struct report_column columns[] = {
         {"Check", NULL, CELLS_TEXT, false},   {"Status", NULL, CELLS_TEXT, false},
-        {"Value", NULL, CELLS_NUMBER, false}, {"Band", NULL, CELLS_TEXT, false},
+        {"Value", NULL, CELLS_NUMBER, false}, {"Band", NULL, CELLS_BAND, false},
         {"Reason", NULL, CELLS_WIDE, false},
     };
     struct report_table *table = report_table_new(columns, G_N_ELEMENTS(columns));
@@ -133,7 +133,7 @@ static void add_closest(GString *html, struct report_site *site)
 {
     static const struct report_column columns[] = {
         {"Check", NULL, CELLS_TEXT, false},   {"Status", NULL, CELLS_TEXT, false},
-        {"Value", NULL, CELLS_NUMBER, false}, {"Band", NULL, CELLS_TEXT, false},
+        {"Value", NULL, CELLS_NUMBER, false}, {"Band", NULL, CELLS_BAND, false},
         {"Margin", NULL, CELLS_TEXT, false},
     };
     GPtrArray *checks = g_ptr_array_new();

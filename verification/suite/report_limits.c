@@ -28,7 +28,7 @@ static void add_weakness(struct report_table *table, const json_t *check)
                               record_text(check, "unit"));
     GString *what = g_string_new(NULL);
     add_case_link(table, check);
-    report_table_text(table, record_text(check, "variant"));
+    report_table_name(table, record_text(check, "variant"));
     text_markup(what, "%s<details class=\"about\"><summary>why</summary>%s</details>",
                 record_text(check, "title"), record_text(check, "why"));
     report_table_markup(table, record_text(check, "title"), what);
@@ -46,7 +46,7 @@ static size_t add_weaknesses(GString *html, struct report_site *site)
         {"What falls short", NULL, CELLS_WIDE, false},
         {"Status", NULL, CELLS_TEXT, false},
         {"Value", NULL, CELLS_NUMBER, false},
-        {"A good method", NULL, CELLS_TEXT, false},
+        {"A good method", NULL, CELLS_BAND, false},
     };
     struct report_table *table = report_table_new(columns, G_N_ELEMENTS(columns));
     for (size_t i = 0; i < json_array_size(site->records->checks); i++)
@@ -74,7 +74,7 @@ static void add_outside(struct report_table *table, const json_t *entry,
         char *href = g_strdup_printf("cases/%s/comparison.html#table", name);
         char *words = comparison_run_words(&view->table, row);
         report_table_link(table, href, name);
-        report_table_text(table, view->names[row]);
+        report_table_name(table, view->names[row]);
         report_table_text(table, record_text(view->declared, "title"));
         report_table_text(table, words);
         g_free(words);
@@ -117,7 +117,7 @@ static void add_stability(GString *html, struct report_site *site)
     static const struct report_column columns[] = {
         {"Case", NULL, CELLS_TEXT, false},  {"Variant", NULL, CELLS_TEXT, false},
         {"Limit", NULL, CELLS_WIDE, false}, {"Value", NULL, CELLS_NUMBER, false},
-        {"Band", NULL, CELLS_TEXT, false},  {"Status", NULL, CELLS_TEXT, false},
+        {"Band", NULL, CELLS_BAND, false},  {"Status", NULL, CELLS_TEXT, false},
     };
     struct report_table *table = report_table_new(columns, G_N_ELEMENTS(columns));
     for (size_t i = 0; i < json_array_size(site->records->checks); i++) {
@@ -126,7 +126,7 @@ static void add_stability(GString *html, struct report_site *site)
             continue;
         char *band = text_band(check);
         add_case_link(table, check);
-        report_table_text(table, record_text(check, "variant"));
+        report_table_name(table, record_text(check, "variant"));
         report_table_text(table, record_text(check, "title"));
         report_table_number(table, record_number(check, "value"), text_value(check));
         report_table_text(table, band);

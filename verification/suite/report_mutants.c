@@ -88,8 +88,8 @@ static void add_mutant(struct report_table *table, const json_t *mutant)
     text_markup(about, "%s", what);
     if (*patch != '\0')
         text_markup(about, "<details><summary>the change</summary><pre>%s</pre></details>", patch);
-    report_table_text(table, record_text(mutant, "id"));
-    report_table_text(table, record_text(mutant, "room"));
+    report_table_name(table, record_text(mutant, "id"));
+    report_table_name(table, record_text(mutant, "room"));
     report_table_markup(table, what, about);
     report_table_markup(table, looks[look].outcome, state);
     report_table_number(table, (double)json_array_size(killers),
@@ -164,7 +164,7 @@ static void add_killers(GString *html, struct report_site *site, const json_t *m
     g_array_sort(killers, compare_killers);
     for (unsigned i = 0; i < killers->len; i++) {
         const struct killer *killer = &g_array_index(killers, struct killer, i);
-        report_table_text(table, killer->name);
+        report_table_name(table, killer->name);
         report_table_number(table, (double)killer->kills, g_strdup_printf("%zu", killer->kills));
         report_table_number(table, (double)killer->alone, g_strdup_printf("%zu", killer->alone));
     }

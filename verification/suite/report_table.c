@@ -6,6 +6,7 @@
 #include "verification/suite/html.h"
 
 #include <math.h>
+#include <string.h>
 
 struct cell {
     char *text; /* CSV; NULL for a number */
@@ -66,7 +67,16 @@ void report_table_text(struct report_table *table, const char *text)
 void report_table_link(struct report_table *table, const char *href, const char *text)
 {
     GString *markup = g_string_new(NULL);
-    text_markup(markup, "<a href=\"%s\">%s</a>", href, text);
+    text_markup(markup, "<a href=\"%s\">", href);
+    html_name(markup, text);
+    g_string_append(markup, "</a>");
+    report_table_markup(table, text, markup);
+}
+
+void report_table_name(struct report_table *table, const char *text)
+{
+    GString *markup = g_string_new(NULL);
+    html_name(markup, text);
     report_table_markup(table, text, markup);
 }
 
@@ -99,13 +109,13 @@ void report_table_number(struct report_table *table, double value, char *shown)
 
 /* ----------------------------------------------------------------------- HTML */
 
-static void add_heading(GString *html, const struct report_column *column, bool first)
+static void add_heading(GString *html, const struct report_column *column)
 {
-    text_markup(html, "<th scope=\"col\"%s%s%s>%s",
-                column->cells == CELLS_NUMBER ? " class=\"n\"" : "",
-                column->falling ? " data-first=\"descending\"" : "",
-                first ? " data-row=\"name\"" : "", column->title);
-    if (column->unit != NULL)
+    g_string_append(html, column->cells == CELLS_NUMBER ? "<th scope=\"col\" class=\"n\""
+                                                        : "<th scope=\"col\"");
+    g_string_append(html, column->falling ? " data-first=\"descending\">" : ">");
+    text_markup(html, "%s", column->title);
+    if (column->unit != NULL && strcmp(column->unit, "1") != 0)
         text_markup(html, " <span class=\"unit\">%s</span>", column->unit);
     g_string_append(html, "</th>");
 }
@@ -113,8 +123,10 @@ static void add_heading(GString *html, const struct report_column *column, bool 
 static void add_cell(GString *html, const struct cell *cell, const struct report_column *column,
                      bool first)
 {
-    static const char *const classes[] = {
-        [CELLS_TEXT] = "", [CELLS_WIDE] = " class=\"wide\"", [CELLS_NUMBER] = " class=\"n\""};
+    static const char *const classes[] = {[CELLS_TEXT] = "",
+                                          [CELLS_WIDE] = " class=\"wide\"",
+                                          [CELLS_BAND] = " class=\"band\"",
+                                          [CELLS_NUMBER] = " class=\"n\""};
     char key[G_ASCII_DTOSTR_BUF_SIZE] = "";
     if (isfinite(cell->value))
         g_ascii_formatd(key, sizeof key, "%.17g", cell->value);
@@ -125,15 +137,18 @@ static void add_cell(GString *html, const struct cell *cell, const struct report
     g_string_append_printf(html, ">%s%s", cell->markup, first ? "</th>" : "</td>");
 }
 
+/* Longer tables scroll in a box, under their headings. */
+enum { SHOWN_WHOLE = 40 };
+
 void report_table_html(const struct report_table *table, const char *caption, const char *csv,
                        GString *html)
 {
     text_markup(html,
-                "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"%s\">"
-                "<table class=\"sortable\">\n<caption>%s</caption>\n<thead><tr>",
-                caption, caption);
+                "<div class=\"scroll%s\" tabindex=\"0\" role=\"region\" aria-label=\"%s\">"
+                "<table class=\"sortable data\">\n<caption>%s</caption>\n<thead><tr>",
+                report_table_rows(table) > SHOWN_WHOLE ? " tall" : "", caption, caption);
     for (size_t i = 0; i < table->count; i++)
-        add_heading(html, &table->columns[i], i == 0);
+        add_heading(html, &table->columns[i]);
     g_string_append(html, "</tr></thead>\n<tbody>\n");
     for (size_t row = 0; row < report_table_rows(table); row++) {
         g_string_append(html, "<tr>");

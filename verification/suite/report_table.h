@@ -12,7 +12,7 @@
 struct report_column {
     const char *title;
     const char *unit; /* in the heading; NULL where it differs by row or is none */
-    enum report_cells { CELLS_TEXT, CELLS_WIDE, CELLS_NUMBER } cells;
+    enum report_cells { CELLS_TEXT, CELLS_WIDE, CELLS_NUMBER, CELLS_BAND } cells;
     bool falling; /* the first press sorts from the largest down */
 };
 
@@ -25,6 +25,8 @@ size_t report_table_rows(const struct report_table *table);
 
 /* Each adds the next cell; a row ends when it has one for each column. Texts are escaped. */
 void report_table_text(struct report_table *table, const char *text);
+/* A name, which may break after its underscores; the second links it. */
+void report_table_name(struct report_table *table, const char *text);
 void report_table_link(struct report_table *table, const char *href, const char *text);
 void report_table_status(struct report_table *table, enum verdict_status status);
 /* A number, shown as the text (taken over), sorted and written by its value. */
