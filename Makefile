@@ -231,6 +231,10 @@ verify: all ## the catalogue at CI size; report in build/reports/verify
 verify-full: all ## the catalogue at full size
 	$(BUILD)/bin/mpm-verify run --tier full --output build/reports/verify
 
+.PHONY: test-browser
+test-browser: ## the report of `make verify` in headless Chromium: links, sorting, layout, axe
+	@.ci/test-browser build/reports/verify
+
 # --------------------------------------------------------------- benchmarks
 .PHONY: bench
 bench: all ## speed, memory, scaling, error against run time (about 9 min); build/reports/bench

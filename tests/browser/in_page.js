@@ -24,7 +24,8 @@ function textLines() {
   };
   for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
     const parent = node.parentElement;
-    if (node.data.trim() === "" || parent.closest("script, style, .skip") || !seen(parent)) continue;
+    if (node.data.trim() === "" || parent.closest("script, style, .skip") || !seen(parent) ||
+      (parent.localName === "details" && !parent.open)) continue;
     range.selectNodeContents(node);
     for (const rect of range.getClientRects()) {
       if (rect.width < 1 || rect.height < 1) continue;
@@ -77,11 +78,16 @@ function layout() {
   return complaints.concat(overlaps(lines));
 }
 
-/* Labels of a picture: inside it, and apart. */
+/* Labels of a picture: inside it, and apart. A sign alone is a mark, not a label; what is written
+ * twice in one place (the stamp, by each panel) reads as once. */
 function picture() {
-  const svg = document.documentElement, frame = svg.getBoundingClientRect();
-  const lines = Array.from(svg.querySelectorAll("text")).filter((t) => t.textContent.trim() !== "")
-    .map((t) => ({ text: t.textContent.trim().slice(0, 40), box: t.getBoundingClientRect(), node: t }));
+  const svg = document.documentElement, frame = svg.getBoundingClientRect(), places = new Set();
+  const lines = Array.from(svg.querySelectorAll("text")).filter((t) => /[\p{L}\p{N}]/u.test(t.textContent))
+    .map((t) => ({ text: t.textContent.trim().slice(0, 40), box: t.getBoundingClientRect(), node: t }))
+    .filter(({ text, box }) => {
+      const place = `${text} ${Math.round(box.left)} ${Math.round(box.top)}`;
+      return !places.has(place) && places.add(place);
+    });
   return lines.filter(({ box }) => box.left < frame.left - 1 || box.right > frame.right + 1 ||
       box.top < frame.top - 1 || box.bottom > frame.bottom + 1)
     .map(({ text }) => `text is clipped: "${text}"`)

@@ -32,6 +32,20 @@ static char *replace(char *text, const char *from, const char *to)
     return result;
 }
 
+/* Each table in a box that scrolls, with a name of its own for those who do not see it. */
+static char *with_boxes(const char *html)
+{
+    char **parts = g_strsplit(html, "<table>", -1);
+    GString *result = g_string_new(parts[0]);
+    for (unsigned i = 1; parts[i] != NULL; i++)
+        g_string_append_printf(result,
+                               "<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+                               "aria-label=\"Table %u of the text\"><table>%s",
+                               i, parts[i]);
+    g_strfreev(parts);
+    return replace(g_string_free(result, FALSE), "</table>", "</table></div>");
+}
+
 char *markdown_html(const char *text)
 {
     cmark_gfm_core_extensions_ensure_registered();
@@ -44,11 +58,8 @@ char *markdown_html(const char *text)
     keep_headings(document);
     char *html =
         cmark_render_html(document, CMARK_OPT_DEFAULT, cmark_parser_get_syntax_extensions(parser));
-    /* a table scrolls in a box of its own; a heading cell without a text heads nothing */
-    char *copy = replace(g_strdup(html), "<table>",
-                         "<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
-                         "aria-label=\"Table\"><table>");
-    copy = replace(copy, "</table>", "</table></div>");
+    /* a heading cell without a text heads nothing */
+    char *copy = with_boxes(html);
     copy = replace(copy, "<th></th>", "<td></td>");
     free(html);
     cmark_node_free(document);

@@ -78,7 +78,7 @@ static char *with_places(char *html)
     return g_string_free(result, FALSE);
 }
 
-void report_glossary(struct report_site *site)
+void report_glossary_page(struct report_site *site)
 {
     GString *html = g_string_new("<h1>Words and symbols</h1>\n");
     char *text = with_places(markdown_html(site->style->glossary));

@@ -182,7 +182,7 @@ static void add_builds(GString *html, struct report_site *site)
     report_site_table(site, table, "The builds whose values are compared", "builds.csv", html);
 }
 
-void report_headroom(struct report_site *site)
+void report_headroom_page(struct report_site *site)
 {
     static const struct report_column columns[] = {
         {"Check", NULL, CELLS_TEXT, false},

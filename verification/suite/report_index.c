@@ -154,7 +154,7 @@ static void add_closest(GString *html, struct report_site *site)
     g_ptr_array_unref(checks);
 }
 
-void report_front(struct report_site *site)
+void report_front_page(struct report_site *site)
 {
     const struct record_counts counts = records_count(site->records, NULL, NULL);
     GString *html = g_string_new(NULL);

@@ -140,7 +140,7 @@ static void add_stability(GString *html, struct report_site *site)
     report_site_table(site, table, "Limits of stability", "stability.csv", html);
 }
 
-void report_limits(struct report_site *site)
+void report_limits_page(struct report_site *site)
 {
     GString *html = g_string_new(NULL), *body = g_string_new(NULL);
     const size_t weaknesses = add_weaknesses(body, site), broken = add_breaking(body, site);

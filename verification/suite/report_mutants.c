@@ -199,7 +199,7 @@ static void add_score(GString *html, const json_t *mutants)
     g_free(score);
 }
 
-void report_mutants(struct report_site *site)
+void report_mutants_page(struct report_site *site)
 {
     const json_t *mutants = json_object_get(site->mutants, "mutants");
     GString *html = g_string_new("<h1>Mutants</h1>\n<p class=\"lead\">Copies of the solver and the "

@@ -47,10 +47,11 @@ void report_site_links(GString *html, const struct report_site *site, const char
         if ((g_str_has_prefix(pages[i].file, "..") && !site->benchmarks) ||
             (strcmp(pages[i].place, "#comparisons") == 0 && !site->compares))
             continue;
-        text_markup(html, "<li><a href=\"%s%s%s\"%s>%s</a></li>", root, pages[i].file,
-                    pages[i].place,
-                    !front && g_strcmp0(here, pages[i].file) == 0 ? " aria-current=\"page\"" : "",
-                    pages[i].title);
+        text_markup(html, "<li><a href=\"%s%s%s\"", root, pages[i].file, pages[i].place);
+        g_string_append(html, !front && g_strcmp0(here, pages[i].file) == 0
+                                  ? " aria-current=\"page\">"
+                                  : ">");
+        text_markup(html, "%s</a></li>", pages[i].title);
     }
     g_string_append(html, "</ul></nav>");
 }

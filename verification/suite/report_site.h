@@ -40,11 +40,11 @@ void report_site_links(GString *html, const struct report_site *site, const char
                        const char *here);
 
 /* Each page with its tables. */
-void report_limits(struct report_site *site);
-void report_headroom(struct report_site *site);
-void report_mutants(struct report_site *site);
-void report_glossary(struct report_site *site);
-void report_front(struct report_site *site);
+void report_limits_page(struct report_site *site);
+void report_headroom_page(struct report_site *site);
+void report_mutants_page(struct report_site *site);
+void report_glossary_page(struct report_site *site);
+void report_front_page(struct report_site *site);
 
 /* Parts of the front page. */
 void report_coverage(GString *html, struct report_site *site);
