@@ -32,7 +32,7 @@ START_TEST(reports_are_well_formed_and_rendered_again_to_the_same_bytes)
         if (!g_str_has_suffix(rendered[i], ".md") && !g_str_has_suffix(rendered[i], ".tap"))
             test_assert_well_formed(before[i], rendered[i]);
         /* one script, that of the tables; none of a text */
-        ck_assert_ptr_null(strstr(before[i], "alert(1)"));
+        ck_assert_ptr_null(strstr(before[i], "<script>alert"));
         if (i != 3)
             continue;
         /* as many results as the plan says */

@@ -88,8 +88,8 @@ END_TEST
 START_TEST(mutants_that_are_not_as_described_are_refused)
 {
     static const char good[] =
-        "{\"id\":\"a\",\"room\":\"r\",\"description\":\"d\",\"patch\":\"\","
-        "\"outcome\":\"killed\",\"killed_by\":[\"Q/exact\"],\"reason\":\"\"}";
+        "{\"name\":\"a\",\"room\":\"r\",\"what\":\"d\",\"patch\":\"\","
+        "\"outcome\":\"killed\",\"killed_by\":[\"Q/exact\"],\"equivalent\":\"\"}";
     const struct {
         const char *from, *to, *message;
     } table[] = {
@@ -99,7 +99,7 @@ START_TEST(mutants_that_are_not_as_described_are_refused)
         {"[\"Q/exact\"]", "[1]", "killed_by: allowed is"},
         {"\"killed\"", "\"survived\"", "killed_by: allowed is"},
         {"\"outcome\":\"killed\",\"killed_by\":[\"Q/exact\"]",
-         "\"outcome\":\"equivalent\",\"killed_by\":[]", "why it is equivalent is missing"},
+         "\"outcome\":\"equivalent\",\"killed_by\":[]", "equivalent: the reason is missing"},
     };
     for (size_t i = 0; i <= G_N_ELEMENTS(table); i++) {
         const bool fine = i == G_N_ELEMENTS(table);
@@ -124,10 +124,10 @@ END_TEST
 
 static const char mutants_file[] =
     "{\"format\":1,\"revision\":\"abc\",\"mutants\":["
-    "{\"id\":\"sign\",\"room\":\"method\",\"description\":\"wrong sign\",\"patch\":\"-a\\n+b <c>\","
-    "\"outcome\":\"killed\",\"killed_by\":[\"Q/exact\"],\"reason\":\"\"},"
-    "{\"id\":\"norm\",\"room\":\"measures\",\"description\":\"wrong norm\",\"patch\":\"\","
-    "\"outcome\":\"survived\",\"killed_by\":[],\"reason\":\"open\"}]}";
+    "{\"name\":\"sign\",\"room\":\"method\",\"what\":\"wrong sign\",\"patch\":\"-a\\n+b <c>\","
+    "\"outcome\":\"killed\",\"killed_by\":[\"Q/exact\"],\"equivalent\":\"\"},"
+    "{\"name\":\"norm\",\"room\":\"measures\",\"what\":\"wrong norm\",\"patch\":\"\","
+    "\"outcome\":\"survived\",\"killed_by\":[],\"equivalent\":\"\"}]}";
 
 static struct {
     char *catalogue, *first, *second;
@@ -197,7 +197,8 @@ START_TEST(evidence_that_is_none_of_the_kinds_is_refused)
     struct test_said said =
         test_verify_with("mpm-verify list --catalogue @", folders.catalogue, NULL);
     ck_assert_int_eq(said.exit_status, 2);
-    ck_assert_msg(strstr(said.err, "case.yaml:7: ") != NULL && strstr(said.err, "hearsay") != NULL, "%s", said.err);
+    ck_assert_msg(strstr(said.err, "case.yaml:7: ") != NULL && strstr(said.err, "hearsay") != NULL,
+                  "%s", said.err);
     test_said_free(&said);
     g_free(wrong);
     g_strfreev(parts);

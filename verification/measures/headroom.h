@@ -12,10 +12,10 @@
 #define HEADROOM_LEAST 1.5
 #define HEADROOM_MOST  100.0
 
-/* Room from the expected value to the end of the band on the value's side, over the value's distance
- * from the expected one: 1 on the end, below 1 outside, infinite where the value is the expected
- * one. Of a known weakness, whose expected value is another band's: 1 / (1 - margin), half the
- * width of its band over the distance from its middle, in logarithms where the margin is (see
+/* Room from the expected value to the end of the band on the value's side, over the value's
+ * distance from the expected one: 1 on the end, below 1 outside, infinite where the value is the
+ * expected one. Of a known weakness, whose expected value is another band's: 1 / (1 - margin), half
+ * the width of its band over the distance from its middle, in logarithms where the margin is (see
  * verdict_margin). NaN for a value that is not finite. */
 double headroom_of(const struct verdict_band *band, double value);
 

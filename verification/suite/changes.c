@@ -94,7 +94,7 @@ static void compare_statuses(struct gathering *runs)
 /* A check that a run did not select has not vanished. */
 static bool same_selection(const struct gathering *runs)
 {
-    static const char *const keys[] = {"tier", "case_glob", "variant_glob"};
+    static const char *const keys[] = {"tier", "case_glob", "variant_glob", "only"};
     bool same = true;
     for (size_t i = 0; i < G_N_ELEMENTS(keys); i++)
         same = same && strcmp(record_text(runs->before->run, keys[i]),

@@ -45,8 +45,8 @@ static void print_changes(const struct comparison_runs *runs, const struct chang
 
 static void print_runs(const struct comparison_runs *runs, const char *before, const char *after)
 {
-    static const char *const keys[] = {"revision", "compiler", "flags",     "processor",   "simd",
-                                       "kernels",  "tier",     "case_glob", "variant_glob"};
+    static const char *const keys[] = {"revision", "compiler", "flags",     "processor",    "simd",
+                                       "kernels",  "tier",     "case_glob", "variant_glob", "only"};
     fprintf(runs->out, "from %s\nto   %s\n", before, after);
     for (size_t i = 0; i < G_N_ELEMENTS(keys); i++) {
         const char *one = record_text(runs->before.run, keys[i]);

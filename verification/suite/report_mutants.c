@@ -28,7 +28,7 @@ static size_t outcome_of(const json_t *mutant)
 
 enum mpm_status mutants_check(const json_t *object, const char *path, struct mpm_error *error)
 {
-    static const char *const keys[] = {"id", "room", "description", "patch", "outcome", "reason"};
+    static const char *const keys[] = {"name", "room", "what", "patch", "outcome"};
     const json_t *mutants = json_object_get(object, "mutants");
     if (!json_is_array(mutants))
         return failure_set(error, MPM_BAD_INPUT, "%s: mutants: a list is missing", path);
@@ -52,9 +52,9 @@ enum mpm_status mutants_check(const json_t *object, const char *path, struct mpm
                                "%s: mutants.%zu: killed_by: allowed is a list of names, empty "
                                "unless the outcome is killed",
                                path, i);
-        if (outcome_of(mutant) == EQUIVALENT && *record_text(mutant, "reason") == '\0')
+        if (outcome_of(mutant) == EQUIVALENT && *record_text(mutant, "equivalent") == '\0')
             return failure_set(error, MPM_BAD_INPUT,
-                               "%s: mutants.%zu: reason: why it is equivalent is missing", path, i);
+                               "%s: mutants.%zu: equivalent: the reason is missing", path, i);
     }
     return MPM_OK;
 }
@@ -78,7 +78,8 @@ static void add_mutant(struct report_table *table, const json_t *mutant)
 {
     const json_t *killers = json_object_get(mutant, "killed_by");
     const size_t look = outcome_of(mutant);
-    const char *patch = record_text(mutant, "patch"), *what = record_text(mutant, "description");
+    const char *patch = record_text(mutant, "patch"), *what = record_text(mutant, "what");
+    const char *fault = record_text(mutant, "fault") /* of the build */;
     char *names = killers_text(killers);
     GString *state = g_string_new(NULL), *about = g_string_new(NULL);
     text_markup(
@@ -88,14 +89,14 @@ static void add_mutant(struct report_table *table, const json_t *mutant)
     text_markup(about, "%s", what);
     if (*patch != '\0')
         text_markup(about, "<details><summary>the change</summary><pre>%s</pre></details>", patch);
-    report_table_name(table, record_text(mutant, "id"));
+    report_table_name(table, record_text(mutant, "name"));
     report_table_name(table, record_text(mutant, "room"));
     report_table_markup(table, what, about);
     report_table_markup(table, looks[look].outcome, state);
     report_table_number(table, (double)json_array_size(killers),
                         g_strdup_printf("%zu", json_array_size(killers)));
     report_table_text(table, names);
-    report_table_text(table, record_text(mutant, "reason"));
+    report_table_text(table, *fault == '\0' ? record_text(mutant, "equivalent") : fault);
     g_free(names);
 }
 

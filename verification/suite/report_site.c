@@ -48,9 +48,8 @@ void report_site_links(GString *html, const struct report_site *site, const char
             (strcmp(pages[i].place, "#comparisons") == 0 && !site->compares))
             continue;
         text_markup(html, "<li><a href=\"%s%s%s\"", root, pages[i].file, pages[i].place);
-        g_string_append(html, !front && g_strcmp0(here, pages[i].file) == 0
-                                  ? " aria-current=\"page\">"
-                                  : ">");
+        g_string_append(
+            html, !front && g_strcmp0(here, pages[i].file) == 0 ? " aria-current=\"page\">" : ">");
         text_markup(html, "%s</a></li>", pages[i].title);
     }
     g_string_append(html, "</ul></nav>");
