@@ -88,6 +88,15 @@ class Test {
     await tab.scheme("light");
   }
 
+  /* The part of it that a fault concerns. */
+  async look(tab, { file, look }) {
+    if (look === "labels") return this.labels(tab, file);
+    if (look === "load") return this.load(tab, file);
+    await this.open(tab, file);
+    if (look === "sort") return this.sort(tab, file);
+    return look === "layout" ? this.layout(tab, file, WIDTHS[0]) : this.accessibility(tab, file, "light");
+  }
+
   async pictures(tab, page, width, folder) {
     for (const scheme of SCHEMES) {
       await tab.scheme(scheme);
@@ -133,8 +142,7 @@ async function testItself(browser, folder, axe) {
     try {
       const inner = new Test(copy, axe);
       await tab.width(WIDTHS[2]);
-      if (fault.file.endsWith(".svg")) await inner.labels(tab, fault.file);
-      else await inner.whole(tab, fault.file);
+      await inner.look(tab, fault);
       const said = inner.failures.flatMap(({ complaints }) => complaints);
       const seen = said.find((text) => fault.complaint.test(text));
       console.log(`${seen ? "red" : "NOT SEEN"}: ${fault.name}${seen ? ` (${seen.slice(0, 90)})` : ""}`);

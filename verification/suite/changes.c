@@ -17,26 +17,6 @@ struct gathering {
     struct changes *changes;
 };
 
-/* -------------------------------------------------------------------- lookup */
-
-GHashTable *changes_index(const json_t *lines, const char *what)
-{
-    GHashTable *table = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
-    for (size_t i = 0; i < json_array_size(lines); i++) {
-        json_t *line = json_array_get(lines, i);
-        g_hash_table_insert(table, record_key(line, what), line);
-    }
-    return table;
-}
-
-const json_t *changes_find(GHashTable *table, const json_t *line, const char *what)
-{
-    char *key = record_key(line, what);
-    const json_t *found = g_hash_table_lookup(table, key);
-    g_free(key);
-    return found;
-}
-
 /* ----------------------------------------------------------------------- lines */
 
 const char *changes_word(enum run_change change)
@@ -76,7 +56,7 @@ static void compare_statuses(struct gathering *runs)
 {
     for (size_t i = 0; i < json_array_size(runs->after->checks); i++) {
         const json_t *after = json_array_get(runs->after->checks, i);
-        const json_t *before = changes_find(runs->checks_before, after, "check");
+        const json_t *before = record_find(runs->checks_before, after, "check");
         if (before == NULL)
             continue;
         const enum run_change change =
@@ -109,7 +89,7 @@ static void compare_presence(struct gathering *runs)
     const bool same = same_selection(runs);
     for (size_t i = 0; i < json_array_size(runs->after->checks); i++) {
         const json_t *after = json_array_get(runs->after->checks, i);
-        if (changes_find(runs->checks_before, after, "check") != NULL)
+        if (record_find(runs->checks_before, after, "check") != NULL)
             continue;
         const bool red = verdict_is_red(record_status(after));
         add_check(runs, presence, red ? RUN_WORSE : RUN_OTHER, after,
@@ -117,7 +97,7 @@ static void compare_presence(struct gathering *runs)
     }
     for (size_t i = 0; i < json_array_size(runs->before->checks); i++) {
         const json_t *before = json_array_get(runs->before->checks, i);
-        if (changes_find(runs->checks_after, before, "check") != NULL)
+        if (record_find(runs->checks_after, before, "check") != NULL)
             continue;
         if (same) {
             add_check(runs, presence, RUN_WORSE, before,
@@ -146,7 +126,7 @@ static void compare_values(struct gathering *runs)
 {
     for (size_t i = 0; i < json_array_size(runs->after->checks); i++) {
         const json_t *after = json_array_get(runs->after->checks, i);
-        const json_t *before = changes_find(runs->checks_before, after, "check");
+        const json_t *before = record_find(runs->checks_before, after, "check");
         if (before == NULL || !(run_change_relative(record_number(before, "value"),
                                                     record_number(after, "value")) > runs->change))
             continue;
@@ -175,9 +155,9 @@ static void compare_measurements(struct gathering *runs)
 {
     for (size_t i = 0; i < json_array_size(runs->after->measurements); i++) {
         const json_t *after = json_array_get(runs->after->measurements, i);
-        const json_t *before = changes_find(runs->values_before, after, "quantity");
+        const json_t *before = record_find(runs->values_before, after, "quantity");
         if (before == NULL || is_time(after) ||
-            changes_find(runs->judged, after, "quantity") != NULL ||
+            record_find(runs->judged, after, "quantity") != NULL ||
             !(run_change_relative(record_number(before, "value"), record_number(after, "value")) >
               runs->change))
             continue;
@@ -199,10 +179,10 @@ struct changes changes_gather(const struct records *before, const struct records
     struct gathering runs = {
         .before = before,
         .after = after,
-        .checks_before = changes_index(before->checks, "check"),
-        .checks_after = changes_index(after->checks, "check"),
-        .values_before = changes_index(before->measurements, "quantity"),
-        .judged = changes_index(after->checks, "quantity"),
+        .checks_before = record_index(before->checks, "check"),
+        .checks_after = record_index(after->checks, "check"),
+        .values_before = record_index(before->measurements, "quantity"),
+        .judged = record_index(after->checks, "quantity"),
         .change = change,
         .changes = &changes,
     };

@@ -27,10 +27,6 @@ void changes_clear(struct changes *changes);
 /* "better", "worse", "changed"; "" for none. */
 const char *changes_word(enum run_change change);
 
-/* Lines of result files by "case/<what>/variant"; the lines belong to their records. */
-GHashTable *changes_index(const json_t *lines, const char *what);
-const json_t *changes_find(GHashTable *index, const json_t *line, const char *what);
-
 /* The changes with what the two runs were, as the object of changes.json (see reports/README.md).
  */
 json_t *changes_record(const struct changes *changes, const json_t *before, const json_t *after,

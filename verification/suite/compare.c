@@ -83,12 +83,12 @@ struct times {
 
 static void compare_times(const struct comparison_runs *runs)
 {
-    GHashTable *index = changes_index(runs->before.measurements, "quantity");
+    GHashTable *index = record_index(runs->before.measurements, "quantity");
     struct times times = {g_array_new(FALSE, FALSE, sizeof(double)),
                           g_array_new(FALSE, FALSE, sizeof(double)), g_ptr_array_new()};
     for (size_t i = 0; i < json_array_size(runs->after.measurements); i++) {
         json_t *after = json_array_get(runs->after.measurements, i);
-        const double one = record_number(changes_find(index, after, "quantity"), "value");
+        const double one = record_number(record_find(index, after, "quantity"), "value");
         const double other = record_number(after, "value");
         if (strcmp(record_text(after, "quantity"), "cpu_seconds") != 0 || !(one > shortest) ||
             !(other > shortest))

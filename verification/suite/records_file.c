@@ -156,6 +156,24 @@ char *record_key(const json_t *line, const char *what)
                      record_text(line, "variant"), NULL);
 }
 
+GHashTable *record_index(const json_t *lines, const char *what)
+{
+    GHashTable *table = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+    for (size_t i = 0; i < json_array_size(lines); i++) {
+        json_t *line = json_array_get(lines, i);
+        g_hash_table_insert(table, record_key(line, what), line);
+    }
+    return table;
+}
+
+const json_t *record_find(GHashTable *table, const json_t *line, const char *what)
+{
+    char *key = record_key(line, what);
+    const json_t *found = g_hash_table_lookup(table, key);
+    g_free(key);
+    return found;
+}
+
 const json_t *records_case(const struct records *records, const char *name)
 {
     const json_t *cases = json_object_get(records->run, "cases");
