@@ -37,6 +37,14 @@ START_TEST(a_table_has_the_same_cells_as_html_and_as_csv)
     ck_assert_str_eq(csv, "\"Name\",\"Length (mm)\",\"Status\"\r\n"
                           "\"a_\"\"b\"\" < c\",0.10000000000000001,\"pass\"\r\n"
                           "\"second\",,\"fail\"\r\n");
+    g_free(csv);
+    report_table_link(table, "x.html", "another");
+    report_table_number(table, 1, g_strdup("1"));
+    report_table_status(table, VERDICT_PASS);
+    report_table_sort(table);
+    csv = report_table_csv(table);
+    ck_assert_ptr_nonnull(strstr(csv, "\"pass\"\r\n\"another\",1,\"pass\"\r\n\"second\","));
+
     GString *html = g_string_new(NULL);
     report_table_html(table, "caption", "x.csv", html);
     char *whole = g_strdup_printf("<div>%s</div>", html->str);

@@ -74,7 +74,8 @@ static void add_declaration(GString *html, const json_t *check)
     const char *unit = record_text(check, "unit");
     const bool weakness = json_is_number(json_object_get(check, "fails_low"));
     text_markup(html,
-                "<tr><th scope=\"rowgroup\" colspan=\"6\">%s <code>%s</code><span class=\"facts\">"
+                "<tr><th scope=\"rowgroup\" colspan=\"6\"><div class=\"stay\">%s "
+                "<code>%s</code><span class=\"facts\">"
                 "<span>Quantity <code>%s</code></span><span>Norm: %s</span><span>Expected: ",
                 record_text(check, "title"), record_text(check, "check"),
                 record_text(check, "quantity"), record_text(check, "norm"));
@@ -86,10 +87,10 @@ static void add_declaration(GString *html, const json_t *check)
     }
     text_markup(html, "</span><span>%s: ", weakness ? "Known weakness, fails in" : "Band");
     html_numbers(html, text_band(check));
-    text_markup(
-        html,
-        "</span><span>Band from: %s</span></span><span class=\"why about\">%s</span></th></tr>\n",
-        record_text(check, "basis"), record_text(check, "why"));
+    text_markup(html,
+                "</span><span>Band from: %s</span></span><span class=\"why "
+                "about\">%s</span></div></th></tr>\n",
+                record_text(check, "basis"), record_text(check, "why"));
 }
 
 /* A number as the text that sorts a cell; "" if it is not finite. */

@@ -75,17 +75,18 @@ static void add_purpose(struct report_table *table, const struct problem *proble
 {
     const char *name = record_text(problem->entry, "case");
     const struct comparison_table *numbers = &problem->view.table;
-    const size_t best = comparison_best(numbers, problem->leading);
+    const size_t cost = comparison_view_cost(&problem->view);
+    const size_t choice = comparison_choice(numbers, problem->leading, cost);
     char *href = g_strdup_printf("cases/%s/comparison.html", name);
     char *purpose = g_strdup_printf("%s: %s", name, record_text(problem->view.declared, "title"));
-    char *guide = comparison_guide(numbers, problem->leading, comparison_view_cost(&problem->view));
+    char *guide = comparison_guide(numbers, problem->leading, cost);
     report_table_link(table, href, purpose);
-    report_table_text(table, best == COMPARISON_NONE ? "none" : problem->view.names[best]);
+    report_table_text(table, choice == COMPARISON_NONE ? "none" : problem->view.names[choice]);
     report_table_text(table, problem->view.columns[problem->leading].title);
-    if (best == COMPARISON_NONE) {
+    if (choice == COMPARISON_NONE) {
         report_table_text(table, "none");
     } else {
-        const double value = comparison_cell(numbers, best, problem->leading)->value;
+        const double value = comparison_cell(numbers, choice, problem->leading)->value;
         report_table_number(table, value,
                             text_quantity(value, problem->view.columns[problem->leading].unit));
     }

@@ -202,6 +202,7 @@ void report_headroom_page(struct report_site *site)
     struct report_table *table = report_table_new(columns, G_N_ELEMENTS(columns));
     for (unsigned i = 0; i < all->len; i++)
         add_row(table, &g_array_index(all, struct declared, i));
+    report_table_sort(table);
     add_counts(html, all);
     g_string_append(
         html, "<p class=\"about\">Headroom: the room from the expected value to the end of the "

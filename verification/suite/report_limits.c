@@ -53,6 +53,7 @@ static size_t add_weaknesses(GString *html, struct report_site *site)
         if (is_weakness(json_array_get(site->records->checks, i)))
             add_weakness(table, json_array_get(site->records->checks, i));
     const size_t rows = report_table_rows(table);
+    report_table_sort(table);
     g_string_append(html, "<h2 id=\"weaknesses\">Known weaknesses</h2>\n<p class=\"about\">Each is "
                           "a check that is expected to fail, with a band of its own for how "
                           "badly: it turns red when the weakness grows, and when it goes "
@@ -101,6 +102,7 @@ static size_t add_breaking(GString *html, struct report_site *site)
         comparison_view_clear(&view);
     }
     const size_t rows = report_table_rows(table);
+    report_table_sort(table);
     g_string_append(html, "<h2 id=\"breaking\">Where methods break</h2>\n<p class=\"about\">Runs "
                           "that did not reach their end or left the limits that the case sets for "
                           "a run to count; the comparison of the case says by how much and beside "
@@ -133,6 +135,7 @@ static void add_stability(GString *html, struct report_site *site)
         report_table_status(table, record_status(check));
         g_free(band);
     }
+    report_table_sort(table);
     g_string_append(html, "<h2 id=\"stability\">Stability and extremes</h2>\n<p "
                           "class=\"about\">Largest stable Courant numbers, fractions of a long run "
                           "that are survived, the smallest and largest values that a method "

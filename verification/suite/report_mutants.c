@@ -114,6 +114,7 @@ static void add_mutants(GString *html, struct report_site *site, const json_t *m
     struct report_table *table = report_table_new(columns, G_N_ELEMENTS(columns));
     for (size_t i = 0; i < json_array_size(mutants); i++)
         add_mutant(table, json_array_get(mutants, i));
+    report_table_sort(table);
     g_string_append(html, "<h2 id=\"mutants\">Every mutant</h2>\n");
     report_site_table(site, table, "Mutants and what became of them", "mutants.csv", html);
 }

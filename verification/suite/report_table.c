@@ -6,6 +6,7 @@
 #include "verification/suite/html.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 struct cell {
@@ -105,6 +106,33 @@ void report_table_number(struct report_table *table, double value, char *shown)
     GString *markup = g_string_new(NULL);
     html_numbers(markup, shown);
     report_table_value(table, value, markup);
+}
+
+static int compare_rows(const void *a, const void *b)
+{
+    const struct cell *one = *(const struct cell *const *)a;
+    const struct cell *other = *(const struct cell *const *)b;
+    const int names = g_strcmp0(one[0].text, other[0].text);
+    const int seconds = names != 0 ? names : g_strcmp0(one[1].text, other[1].text);
+    /* else as they were: rows lie in one array */
+    return seconds != 0 ? seconds : (one > other) - (one < other);
+}
+
+void report_table_sort(struct report_table *table)
+{
+    const size_t rows = report_table_rows(table), count = table->count;
+    const struct cell **order = g_new(const struct cell *, rows + 1);
+    GArray *sorted = g_array_sized_new(FALSE, TRUE, sizeof(struct cell), table->cells->len);
+    for (size_t row = 0; row < rows; row++)
+        order[row] = &g_array_index(table->cells, struct cell, row * count);
+    qsort(order, rows, sizeof *order, compare_rows);
+    for (size_t row = 0; row < rows; row++)
+        g_array_append_vals(sorted, order[row], (guint)count);
+    g_array_set_clear_func(table->cells, NULL); /* the texts have moved */
+    g_array_unref(table->cells);
+    g_array_set_clear_func(sorted, clear_cell);
+    table->cells = sorted;
+    g_free(order);
 }
 
 /* ----------------------------------------------------------------------- HTML */

@@ -35,6 +35,9 @@ void report_table_number(struct report_table *table, double value, char *shown);
 void report_table_value(struct report_table *table, double value, GString *markup);
 void report_table_markup(struct report_table *table, const char *text, GString *markup);
 
+/* Puts whole rows in alphabetical order of the texts of their first cells, then of their second. */
+void report_table_sort(struct report_table *table);
+
 /* Appends the table with its caption, in a box that scrolls, and the link of the CSV file `csv`. */
 void report_table_html(const struct report_table *table, const char *caption, const char *csv,
                        GString *html);
