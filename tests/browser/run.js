@@ -21,7 +21,13 @@ const SCHEMES = ["light", "dark"];
 /* Cases whose pages are looked at in full: few and many checks, pictures, a comparison, failures told.
  * All others are loaded, and their links followed. */
 const SAMPLE = /^cases\/(R1|S2|W1|G1|D2)\//;
-const AXE_RULES = { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"] };
+/* The scheme changes colours alone. */
+const AXE_RULES = {
+  light: { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"] },
+  dark: { runOnly: { type: "rule", values: ["color-contrast", "link-in-text-block"] } },
+};
+/* Width and scheme of the screenshots of a page. */
+const PICTURES = { 360: ["light"], 768: ["dark"], 1440: SCHEMES };
 
 class Test {
   constructor(folder, axe) {
@@ -69,7 +75,7 @@ class Test {
   async accessibility(tab, page, scheme) {
     await tab.scheme(scheme);
     await tab.ask(`(() => { if (!window.axe) { ${this.axe} } })()`);
-    const found = await tab.ask(`axe.run(document, ${JSON.stringify({ ...AXE_RULES, resultTypes: ["violations"] })})
+    const found = await tab.ask(`axe.run(document, ${JSON.stringify({ ...AXE_RULES[scheme], resultTypes: ["violations"] })})
       .then(({ violations }) => violations.map((v) =>
         v.id + ": " + v.help + " (" + v.nodes.length + "), first " + v.nodes[0].html.slice(0, 160)))`);
     this.judge(`${page}: axe, ${scheme}`, found);
@@ -98,7 +104,7 @@ class Test {
   }
 
   async pictures(tab, page, width, folder) {
-    for (const scheme of SCHEMES) {
+    for (const scheme of PICTURES[width]) {
       await tab.scheme(scheme);
       await tab.picture(path.join(folder,
         `${page.replace(/\.html$/, "").replaceAll("/", "-")}-${width}-${scheme}.png`));

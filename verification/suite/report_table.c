@@ -47,7 +47,7 @@ void report_table_free(struct report_table *table)
 
 size_t report_table_rows(const struct report_table *table)
 {
-    return table->cells->len / table->count;
+    return table->count == 0 ? 0 : table->cells->len / table->count;
 }
 
 /* ---------------------------------------------------------------------- cells */
@@ -125,7 +125,7 @@ void report_table_sort(struct report_table *table)
     GArray *sorted = g_array_sized_new(FALSE, TRUE, sizeof(struct cell), table->cells->len);
     for (size_t row = 0; row < rows; row++)
         order[row] = &g_array_index(table->cells, struct cell, row * count);
-    qsort(order, rows, sizeof *order, compare_rows);
+    qsort(order, rows, sizeof(void *), compare_rows);
     for (size_t row = 0; row < rows; row++)
         g_array_append_vals(sorted, order[row], (guint)count);
     g_array_set_clear_func(table->cells, NULL); /* the texts have moved */
@@ -224,10 +224,11 @@ char *report_table_csv(const struct report_table *table)
         report_csv_text(csv, title);
         g_free(title);
     }
-    for (unsigned i = 0; i < table->cells->len; i++) {
-        g_string_append(csv, i % table->count == 0 ? "\r\n" : ",");
-        add_csv_cell(csv, &g_array_index(table->cells, struct cell, i));
-    }
+    for (size_t row = 0; row < report_table_rows(table); row++)
+        for (size_t i = 0; i < table->count; i++) {
+            g_string_append(csv, i == 0 ? "\r\n" : ",");
+            add_csv_cell(csv, &g_array_index(table->cells, struct cell, row * table->count + i));
+        }
     g_string_append(csv, "\r\n");
     return g_string_free(csv, FALSE);
 }
