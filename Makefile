@@ -231,6 +231,10 @@ verify: all ## the catalogue at CI size; report in build/reports/verify
 verify-full: all ## the catalogue at full size
 	$(BUILD)/bin/mpm-verify run --tier full --output build/reports/verify
 
+.PHONY: test-browser
+test-browser: ## the report of `make verify` in headless Chromium: links, sorting, layout, axe
+	@.ci/test-browser build/reports/verify
+
 # ------------------------------------------------------------------ mutants
 .PHONY: mutants
 mutants: ## plant small bugs, one after the other: which test or check finds each; build/mutants

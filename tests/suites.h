@@ -45,6 +45,7 @@
     SUITE(score_readers)                                                                           \
     SUITE(score)                                                                                   \
     SUITE(docs)                                                                                    \
+    SUITE(report_site)                                                                             \
     SUITE(scene_run)                                                                               \
     SUITE(budget)                                                                                  \
     SUITE(scene_limits)                                                                            \

@@ -29,6 +29,10 @@ static const cyaml_strval_t basis_values[] = {{"theory", BASIS_THEORY},
                                               {"round-off", BASIS_ROUND_OFF},
                                               {"literature", BASIS_LITERATURE},
                                               {"measured", BASIS_MEASURED}};
+static const cyaml_strval_t evidence_values[] = {
+    {"quadrature", EVIDENCE_QUADRATURE},       {"exact", EVIDENCE_EXACT},
+    {"manufactured", EVIDENCE_MANUFACTURED},   {"invariant", EVIDENCE_INVARIANT},
+    {"cross-variant", EVIDENCE_CROSS_VARIANT}, {"reference-data", EVIDENCE_REFERENCE_DATA}};
 static const cyaml_strval_t outcome_values[] = {{"pass", OUTCOME_PASS}, {"fail", OUTCOME_FAIL}};
 
 static const cyaml_schema_field_t variant_fields[] = {
@@ -70,6 +74,9 @@ static const cyaml_schema_field_t check_fields[] = {
     CYAML_FIELD_ENUM("basis", CYAML_FLAG_STRICT, struct case_check, basis, basis_values,
                      CYAML_ARRAY_LEN(basis_values)),
     TEXT("why", case_check, why),
+    OPTIONAL_TEXT("headroom", case_check, headroom),
+    CYAML_FIELD_ENUM("evidence", CYAML_FLAG_STRICT | CYAML_FLAG_OPTIONAL, struct case_check,
+                     evidence, evidence_values, CYAML_ARRAY_LEN(evidence_values)),
     CYAML_FIELD_ENUM("outcome", CYAML_FLAG_STRICT | CYAML_FLAG_OPTIONAL, struct case_check, outcome,
                      outcome_values, CYAML_ARRAY_LEN(outcome_values)),
     CYAML_FIELD_END};
@@ -163,6 +170,8 @@ static const cyaml_schema_field_t file_fields[] = {
     TEXT("title", case_file, title),
     TEXT("summary", case_file, summary),
     LIST("tags", case_file, tags, &yaml_text_schema, 0),
+    CYAML_FIELD_ENUM("evidence", CYAML_FLAG_STRICT | CYAML_FLAG_OPTIONAL, struct case_file,
+                     evidence, evidence_values, CYAML_ARRAY_LEN(evidence_values)),
     TEXT("program", case_file, program_name),
     OPTIONAL_TEXT("scene", case_file, scene),
     LIST("parameters", case_file, parameters, &parameter_schema, 0),

@@ -17,6 +17,20 @@ const char *basis_name(enum case_basis basis)
     return names[basis];
 }
 
+const char *evidence_name(enum case_evidence evidence)
+{
+    static const char *const names[EVIDENCE_COUNT] = {
+        [EVIDENCE_NOT_STATED] = "",
+        [EVIDENCE_QUADRATURE] = "quadrature",
+        [EVIDENCE_EXACT] = "exact",
+        [EVIDENCE_MANUFACTURED] = "manufactured",
+        [EVIDENCE_INVARIANT] = "invariant",
+        [EVIDENCE_CROSS_VARIANT] = "cross-variant",
+        [EVIDENCE_REFERENCE_DATA] = "reference-data",
+    };
+    return names[evidence];
+}
+
 const char *tier_name(enum tier tier)
 {
     static const char *const names[] = {"ci", "full"};

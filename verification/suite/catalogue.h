@@ -53,6 +53,18 @@ struct case_methods {
 enum case_basis { BASIS_THEORY, BASIS_ROUND_OFF, BASIS_LITERATURE, BASIS_MEASURED };
 enum case_outcome { OUTCOME_PASS, OUTCOME_FAIL };
 
+/* What a check rests on: what stands against the solver's number. */
+enum case_evidence {
+    EVIDENCE_NOT_STATED,
+    EVIDENCE_QUADRATURE,     /* the definition, integrated numerically */
+    EVIDENCE_EXACT,          /* a solution in closed form, or to all digits */
+    EVIDENCE_MANUFACTURED,   /* a chosen motion with the forces that it needs */
+    EVIDENCE_INVARIANT,      /* what must not change, or be the same from both sides */
+    EVIDENCE_CROSS_VARIANT,  /* the solver against itself: other method, order, path */
+    EVIDENCE_REFERENCE_DATA, /* numbers of a paper, or of another program */
+    EVIDENCE_COUNT
+};
+
 struct case_check {
     char *name, *title;
     char **variants; /* globs */
@@ -62,6 +74,8 @@ struct case_check {
     char *fails_low_text, *fails_high_text, *initial_text;
     enum case_basis basis;
     char *why;
+    char *headroom;              /* why its band is as far from the values as it is; may be NULL */
+    enum case_evidence evidence; /* NOT_STATED: that of the case */
     enum case_outcome outcome;
     struct verdict_band band;
 };
@@ -141,6 +155,7 @@ struct case_file {
     char *family, *name, *title, *summary;
     char **tags;
     unsigned tags_count;
+    enum case_evidence evidence; /* of checks that state none of their own */
     char *program_name;
     char *scene;
     struct case_parameter *parameters;
@@ -184,6 +199,7 @@ void catalogue_free(struct catalogue *catalogue);
 char *catalogue_scene_path(const struct catalogue_case *entry, const struct case_variant *variant);
 
 const char *basis_name(enum case_basis basis);
+const char *evidence_name(enum case_evidence evidence); /* "" where none is stated */
 const char *tier_name(enum tier tier);
 const char *better_name(enum comparison_better better);
 

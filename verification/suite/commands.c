@@ -8,6 +8,7 @@
 #include "verification/suite/failure.h"
 #include "verification/suite/machine.h"
 #include "verification/suite/report.h"
+#include "verification/suite/report_kept.h"
 #include "verification/suite/resources.h"
 #include "verification/suite/rows.h"
 #include "verification/suite/run.h"
@@ -27,16 +28,20 @@ static const char usage[] =
     "usage: " PROGRAM " COMMAND\n"
     "\n"
     "  list [--tag T]                         the cases, their variants and checks\n"
-    "  run [--tier ci|full] [--case GLOB] [--variant GLOB] [--only FILE]\n"
+    "  run [--tier ci|full] [--case GLOB] [--variant GLOB] [--only FILE] [--baseline DIR]\n"
     "      [--kernels auto|reference|fast] [--jobs N] [--output DIR]\n"
     "                                         run, judge, and write results and reports; --only: "
     "those\n"
-    "                                         of the file's lines CASE/VARIANT\n"
+    "                                         of the file's lines CASE/VARIANT; --baseline: what\n"
+    "                                         changed since that run, in the report\n"
     "  explain CHECK [--output DIR]           what CASE[/CHECK[/VARIANT]] (globs) states, its "
     "band\n"
     "                                         and why, last values, the command to reproduce it\n"
-    "  report DIR                             render the reports of DIR again from its result "
-    "lines\n"
+    "  report DIR [--baseline DIR]            render the reports of DIR again from its result "
+    "lines;\n"
+    "      [--mutants FILE]                   keeps there, and shows, what changed since a "
+    "baseline,\n"
+    "      [--headroom NAME=DIR]...           a run of mutants, the values of other builds' runs\n"
     "  compare DIR DIR [--change X]           what changed from the first run to the second: "
     "statuses,\n"
     "                                         checks, values by more than X (relative, 0.001 "
@@ -76,6 +81,9 @@ static void options_clear(struct command_options *options)
     g_free(options->tag);
     g_free(options->change);
     g_free(options->name);
+    g_free(options->baseline);
+    g_free(options->mutants);
+    g_strfreev(options->headroom);
     g_strfreev(options->rest);
 }
 
@@ -87,7 +95,9 @@ enum {
     TAKES_TAG = 8,
     TAKES_CHANGE = 16,
     TAKES_CASE = 32,
-    TAKES_NAME = 64
+    TAKES_NAME = 64,
+    TAKES_BASELINE = 128,
+    TAKES_ADDITIONS = 256
 };
 
 enum mpm_status command_catalogue(const struct command *command, struct catalogue **catalogue,
@@ -165,6 +175,7 @@ static enum mpm_status command_run(struct command *command, struct mpm_error *er
         .reports = reports,
         .output = output,
         .command = typed,
+        .baseline = options->baseline,
         .selection = {.case_glob = options->case_glob, .variant_glob = options->variant_glob},
     };
     const enum mpm_status status = run_with(&run, command, error);
@@ -180,6 +191,12 @@ static enum mpm_status command_run(struct command *command, struct mpm_error *er
 static enum mpm_status command_report(struct command *command, struct mpm_error *error)
 {
     const char *folder = command->options.rest[0];
+    const struct report_additions additions = {
+        .baseline = command->options.baseline,
+        .mutants = command->options.mutants,
+        .headroom = (const char *const *)command->options.headroom,
+    };
+    TRY(report_keep(folder, &additions, error));
     char *reports = resources_reports(command->argv[0]);
     const enum mpm_status status = report_render(folder, reports, error);
     g_free(reports);
@@ -204,9 +221,9 @@ static enum mpm_status command_compare(struct command *command, struct mpm_error
 
 static const struct command_entry commands[] = {
     {"list", TAKES_TAG | TAKES_CATALOGUE, 0, "", command_list},
-    {"run", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE, 0, "", command_run},
+    {"run", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE, 0, "", command_run},
     {"explain", TAKES_OUTPUT | TAKES_CATALOGUE, 1, "explain: CHECK", command_explain},
-    {"report", 0, 1, "report: the folder DIR", command_report},
+    {"report", TAKES_BASELINE | TAKES_ADDITIONS, 1, "report: the folder DIR", command_report},
     {"compare", TAKES_CHANGE, 2, "compare: a folder DIR", command_compare},
     {"export", TAKES_CASE | TAKES_OUTPUT | TAKES_CATALOGUE, 0, "", command_export},
     {"score", TAKES_NAME | TAKES_OUTPUT, 2, "score: BUNDLE or RESULTS", command_score},
@@ -229,6 +246,10 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
         {TAKES_CATALOGUE,
          {"catalogue", 0, 0, G_OPTION_ARG_FILENAME, &given->catalogue, NULL, NULL}},
         {TAKES_TAG, {"tag", 0, 0, G_OPTION_ARG_STRING, &given->tag, NULL, NULL}},
+        {TAKES_BASELINE, {"baseline", 0, 0, G_OPTION_ARG_FILENAME, &given->baseline, NULL, NULL}},
+        {TAKES_ADDITIONS, {"mutants", 0, 0, G_OPTION_ARG_FILENAME, &given->mutants, NULL, NULL}},
+        {TAKES_ADDITIONS,
+         {"headroom", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &given->headroom, NULL, NULL}},
         {TAKES_CHANGE, {"change", 0, 0, G_OPTION_ARG_STRING, &given->change, NULL, NULL}},
         {TAKES_NAME, {"name", 0, 0, G_OPTION_ARG_STRING, &given->name, NULL, NULL}},
     };

@@ -25,6 +25,7 @@ int suite_command(int argc, char **argv, const struct suite_world *world);
 struct command_options {
     char *tier, *case_glob, *variant_glob, *only, *kernels, *output, *catalogue, *tag, *change;
     char *name; /* of a solver */
+    char *baseline, *mutants, **headroom;
     int jobs;
     char **rest; /* what stands beside the options */
 };

@@ -73,18 +73,16 @@ static const json_t *find_by(const json_t *array, const char *key, const char *n
     return NULL;
 }
 
-/* The measurement of a variant (NULL: of any) of a case. */
-static const json_t *find_measurement(const struct records *records, const char *name,
-                                      const char *variant, const char *quantity)
+/* Whether any variant of a case has a line of the quantity. */
+static bool is_measured(const struct records *records, const char *name, const char *quantity)
 {
     for (size_t i = 0; i < json_array_size(records->measurements); i++) {
         const json_t *line = json_array_get(records->measurements, i);
         if (strcmp(record_text(line, "case"), name) == 0 &&
-            (variant == NULL || strcmp(record_text(line, "variant"), variant) == 0) &&
             strcmp(record_text(line, "quantity"), quantity) == 0)
-            return line;
+            return true;
     }
-    return NULL;
+    return false;
 }
 
 /* "timed out", "failed: what its log says last" */
@@ -111,7 +109,7 @@ static char *absence(const struct records *records, const char *name, const json
     if (variant == NULL)
         return g_strdup_printf("case %s did not run it", name);
     const bool returned = strcmp(record_text(variant, "outcome"), "returned") == 0;
-    if (returned && find_measurement(records, name, NULL, quantity) == NULL)
+    if (returned && !is_measured(records, name, quantity))
         return g_strdup_printf("case %s measures no %s", name, quantity);
     *state = COMPARISON_FAILED;
     return returned ? g_strdup_printf("%s was not reported", quantity) : failure_of(variant);
@@ -120,7 +118,9 @@ static char *absence(const struct records *records, const char *name, const json
 static struct comparison_cell cell_of(struct comparison_view *view, const struct records *records,
                                       const char *name, const char *variant, const char *quantity)
 {
-    const json_t *line = find_measurement(records, name, variant, quantity);
+    char *key = g_strjoin("/", name, quantity, variant, NULL); /* as record_key has it */
+    const json_t *line = g_hash_table_lookup(view->lines, key);
+    g_free(key);
     const double value = record_number(line, "value");
     if (isfinite(value))
         return (struct comparison_cell){COMPARISON_NUMBER, value, ""};
@@ -188,6 +188,7 @@ struct comparison_view comparison_view_make(const struct records *records, const
     view.columns = g_new0(struct comparison_column, column_count + 1);
     view.cells = g_new0(struct comparison_cell, most * column_count + 1);
     view.reasons = g_ptr_array_new_with_free_func(g_free);
+    view.lines = record_index(records->measurements, "quantity");
     for (size_t i = 0; i < most; i++) {
         const json_t *variant = json_array_get(variants, i);
         if (is_row(view.declared, record_text(variant, "variant")))
@@ -212,6 +213,7 @@ void comparison_view_clear(struct comparison_view *view)
     g_free(view->columns);
     g_free(view->cells);
     g_ptr_array_unref(view->reasons);
+    g_hash_table_unref(view->lines);
     *view = (struct comparison_view){.declared = NULL};
 }
 

@@ -18,6 +18,7 @@ struct comparison_view {
     struct comparison_column *columns;
     struct comparison_cell *cells;
     GPtrArray *reasons;
+    GHashTable *lines; /* measurements by record_key */
 };
 
 /* `entry` is an object of the run's cases with a comparison. */

@@ -30,6 +30,11 @@ const char *html_status_class(enum verdict_status status)
     return looks[look_of(status)].class;
 }
 
+unsigned html_status_rank(enum verdict_status status)
+{
+    return (unsigned)look_of(status);
+}
+
 void html_status(GString *html, enum verdict_status status)
 {
     const size_t look = look_of(status);
@@ -56,6 +61,14 @@ void html_numbers(GString *html, char *text)
     g_string_append(html, markup);
     g_free(markup);
     g_free(text);
+}
+
+void html_name(GString *html, const char *name)
+{
+    char *markup = g_markup_escape_text(name, -1);
+    markup = replace(markup, "[_/]", "\\0<wbr />");
+    g_string_append(html, markup);
+    g_free(markup);
 }
 
 void html_margin(GString *html, double margin)
@@ -142,11 +155,9 @@ char *html_fill(const struct report_style *style, const char *title, GString *na
     char *safe_title = g_markup_escape_text(title, -1);
     const struct {
         const char *place, *text;
-    } fills[] = {{"title", safe_title},
-                 {"style", style->css},
-                 {"navigation", navigation->str},
-                 {"content", content->str},
-                 {"footer", footer->str}};
+    } fills[] = {{"title", safe_title},     {"style", style->css},
+                 {"script", style->script}, {"navigation", navigation->str},
+                 {"content", content->str}, {"footer", footer->str}};
     GString *page = g_string_new(NULL);
     /* one pass over the template, so that a text with {{...}} in it stays a text */
     for (const char *rest = style->page; *rest != '\0';) {

@@ -10,11 +10,17 @@
 /* A status as mark and word: "✓ pass". */
 void html_status(GString *html, enum verdict_status status);
 
+/* Place of a status in the order of what a reader should see first, from 0. */
+unsigned html_status_rank(enum verdict_status status);
+
 /* A class name of report.css for the colour of a status. */
 const char *html_status_class(enum verdict_status status);
 
 /* A text with numbers (of text.h; taken over), powers of ten written out: 1.3 × 10⁻¹⁵. */
 void html_numbers(GString *html, char *text);
+
+/* A name that a narrow column may break after underscores and slashes. */
+void html_name(GString *html, const char *name);
 
 /* A margin as a bar and a number. */
 void html_margin(GString *html, double margin);
@@ -24,11 +30,6 @@ void html_counts(GString *html, const struct record_counts *counts);
 
 /* The status of a case: the worst that occurs; known weaknesses beside it. */
 void html_case_status(GString *html, const struct record_counts *counts);
-
-/* What the pages of comparisons say together: a link and the advice of each, and a table of all
- * their variants by the number that decides; nothing if no case declares one. */
-void html_comparisons(GString *html, const struct records *records,
-                      const struct report_style *style);
 
 /* The template of `style` with its places filled; takes all three strings over. */
 char *html_fill(const struct report_style *style, const char *title, GString *navigation,

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void lower_headings(cmark_node *document)
+static void keep_headings(cmark_node *document)
 {
     cmark_node *first = cmark_node_first_child(document);
     if (first != NULL && cmark_node_get_type(first) == CMARK_NODE_HEADING &&
@@ -20,7 +20,30 @@ static void lower_headings(cmark_node *document)
     for (cmark_node *node = cmark_node_first_child(document); node != NULL;
          node = cmark_node_next(node))
         if (cmark_node_get_type(node) == CMARK_NODE_HEADING)
-            cmark_node_set_heading_level(node, MIN(6, cmark_node_get_heading_level(node) + 1));
+            cmark_node_set_heading_level(node, MAX(2, cmark_node_get_heading_level(node)));
+}
+
+static char *replace(char *text, const char *from, const char *to)
+{
+    char **parts = g_strsplit(text, from, -1);
+    char *result = g_strjoinv(to, parts);
+    g_strfreev(parts);
+    g_free(text);
+    return result;
+}
+
+/* Each table in a box that scrolls, with a name of its own for those who do not see it. */
+static char *with_boxes(const char *html)
+{
+    char **parts = g_strsplit(html, "<table>", -1);
+    GString *result = g_string_new(parts[0]);
+    for (unsigned i = 1; parts[i] != NULL; i++)
+        g_string_append_printf(result,
+                               "<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+                               "aria-label=\"Table %u of the text\"><table>%s",
+                               i, parts[i]);
+    g_strfreev(parts);
+    return replace(g_string_free(result, FALSE), "</table>", "</table></div>");
 }
 
 char *markdown_html(const char *text)
@@ -32,10 +55,12 @@ char *markdown_html(const char *text)
         cmark_parser_attach_syntax_extension(parser, table);
     cmark_parser_feed(parser, text, strlen(text));
     cmark_node *document = cmark_parser_finish(parser);
-    lower_headings(document);
+    keep_headings(document);
     char *html =
         cmark_render_html(document, CMARK_OPT_DEFAULT, cmark_parser_get_syntax_extensions(parser));
-    char *copy = g_strdup(html);
+    /* a heading cell without a text heads nothing */
+    char *copy = with_boxes(html);
+    copy = replace(copy, "<th></th>", "<td></td>");
     free(html);
     cmark_node_free(document);
     cmark_parser_free(parser);

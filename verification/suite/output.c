@@ -12,13 +12,16 @@
 
 static const char marker[] = ".mpm-verify";
 static const char *const top_names[] = {
-    "checks.jsonl", "measurements.jsonl", "index.html", "summary.md",
-    "junit.xml",    "results.tap",        "cases",      "style"};
-static const char *const style_names[] = {"style.gp", "comparison.gp", "report.css", "page.html",
-                                          "table.js"};
-static const char *const case_globs[] = {"rows-*.jsonl",  "log-*.txt",  "data-*.dat",
-                                         "figure-*.svg",  "index.html", "comparison.html",
-                                         "comparison.csv"};
+    "checks.jsonl", "measurements.jsonl", "index.html",   "summary.md",
+    "junit.xml",    "results.tap",        "cases",        "style",
+    "limits.html",  "headroom.html",      "mutants.html", "glossary.html",
+    "changes.json", "headroom.json",      "mutants.json", "table-*.csv"};
+static const char *const style_names[] = {"style.gp",  "comparison.gp", "report.css",
+                                          "page.html", "table.js",      "glossary.md"};
+static const char *const case_globs[] = {"rows-*.jsonl",   "log-*.txt",  "data-*.dat",
+                                         "figure-*.svg",   "index.html", "comparison.html",
+                                         "comparison.csv", "checks.csv", "runs.csv"};
+
 static const char *const source_globs[] = {"*.gp", "*.dat", "*.csv"};
 
 static enum mpm_status cannot_write(const char *path, struct mpm_error *error)

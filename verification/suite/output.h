@@ -2,9 +2,12 @@
  * not at all.
  *
  *     checks.jsonl   measurements.jsonl   index.html   summary.md   junit.xml   results.tap
- *     style/         style.gp, comparison.gp, report.css, page.html, table.js
+ *     limits.html    headroom.html   mutants.html   glossary.html   table-*.csv
+ *     changes.json   headroom.json   mutants.json   (see reports/README.md)
+ *     style/         style.gp, comparison.gp, report.css, page.html, table.js, glossary.md
  *     cases/<case>/  index.html, figure-<name>.svg, and per variant rows-*.jsonl,
- *                    log-*.txt, data-*-<name>.dat; comparison.html, comparison.csv and
+ *                    log-*.txt, data-*-<name>.dat; checks.csv, runs.csv,
+ *                    comparison.html, comparison.csv and
  *                    its data-*.dat where a comparison is declared
  *     cases/<case>/source/   the case's gnuplot scripts and reference data
  *

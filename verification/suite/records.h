@@ -18,6 +18,7 @@
 #include "verification/suite/judge.h"
 #include "verification/suite/plan.h"
 
+#include <glib.h>
 #include <jansson.h>
 
 struct records {
@@ -62,6 +63,21 @@ enum mpm_status records_read(const char *folder, struct records *records, struct
 const char *record_text(const json_t *object, const char *key);
 double record_number(const json_t *object, const char *key);
 enum verdict_status record_status(const json_t *check);
+
+/* "case/<what>/variant" of a line, for tables of lines; g_free. */
+char *record_key(const json_t *line, const char *what);
+
+/* Lines by that key, and the line with the key of another one; g_hash_table_unref. The lines belong
+ * to their records. */
+GHashTable *record_index(const json_t *lines, const char *what);
+const json_t *record_find(GHashTable *index, const json_t *line, const char *what);
+
+/* The object of a case; NULL if the run has none of that name. Whether it has a tag. */
+const json_t *records_case(const struct records *records, const char *name);
+bool record_has_tag(const json_t *entry, const char *tag);
+
+/* Whether two records of one case come from one declared check. */
+bool record_same_declaration(const json_t *one, const json_t *other);
 
 struct record_counts {
     size_t of[VERDICT_STATUS_COUNT];

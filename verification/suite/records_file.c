@@ -150,6 +150,58 @@ enum verdict_status record_status(const json_t *check)
     return verdict_status_find(record_text(check, "status"));
 }
 
+char *record_key(const json_t *line, const char *what)
+{
+    return g_strjoin("/", record_text(line, "case"), record_text(line, what),
+                     record_text(line, "variant"), NULL);
+}
+
+GHashTable *record_index(const json_t *lines, const char *what)
+{
+    GHashTable *table = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+    for (size_t i = 0; i < json_array_size(lines); i++) {
+        json_t *line = json_array_get(lines, i);
+        g_hash_table_insert(table, record_key(line, what), line);
+    }
+    return table;
+}
+
+const json_t *record_find(GHashTable *table, const json_t *line, const char *what)
+{
+    char *key = record_key(line, what);
+    const json_t *found = g_hash_table_lookup(table, key);
+    g_free(key);
+    return found;
+}
+
+const json_t *records_case(const struct records *records, const char *name)
+{
+    const json_t *cases = json_object_get(records->run, "cases");
+    for (size_t i = 0; i < json_array_size(cases); i++)
+        if (strcmp(record_text(json_array_get(cases, i), "case"), name) == 0)
+            return json_array_get(cases, i);
+    return NULL;
+}
+
+bool record_has_tag(const json_t *entry, const char *tag)
+{
+    const json_t *tags = json_object_get(entry, "tags");
+    for (size_t i = 0; i < json_array_size(tags); i++)
+        if (g_strcmp0(json_string_value(json_array_get(tags, i)), tag) == 0)
+            return true;
+    return false;
+}
+
+bool record_same_declaration(const json_t *one, const json_t *other)
+{
+    static const char *const keys[] = {"check", "title", "expected",  "low",       "high",
+                                       "basis", "why",   "fails_low", "fails_high"};
+    for (size_t i = 0; i < G_N_ELEMENTS(keys); i++)
+        if (!json_equal(json_object_get(one, keys[i]), json_object_get(other, keys[i])))
+            return false;
+    return true;
+}
+
 static bool belongs(const json_t *check, const char *family, const char *name)
 {
     return (family == NULL || strcmp(record_text(check, "family"), family) == 0) &&

@@ -7,6 +7,8 @@
 #include "verification/suite/figures.h"
 #include "verification/suite/records.h"
 
+#include <glib.h>
+
 /* Renders index.html, the cases' pages, comparisons and figures, summary.md, junit.xml and
  * results.tap of `folder` from its checks.jsonl and
  * measurements.jsonl. The figures' scripts and data are those
@@ -25,7 +27,8 @@ char *report_tap(const struct records *records);
 struct report_style {
     char *page; /* page.html, with {{title}}, {{style}}, ... */
     char *css;
-    char *script; /* of sortable tables */
+    char *script;   /* of sortable tables */
+    char *glossary; /* Markdown */
 };
 
 /* Reads it from `style` in the folder of the results, or else from `reports` (may be NULL).
@@ -34,17 +37,18 @@ enum mpm_status report_style_read(const char *folder, const char *reports,
                                   struct report_style *style, struct mpm_error *error);
 void report_style_clear(struct report_style *style);
 
-char *report_index(const struct records *records, const struct report_style *style);
+struct report_site; /* report_site.h */
 
 /* The page of the comparison that `entry` declares, and its numbers as CSV. */
 struct comparison_view;
-char *comparison_page(const struct records *records, const json_t *entry,
-                      const struct comparison_view *view, const struct figure_result *picture,
-                      const struct report_style *style);
+char *comparison_page(const struct report_site *site, const json_t *entry,
+                      const struct comparison_view *view, const struct figure_result *picture);
 char *comparison_csv(const struct comparison_view *view);
 
-/* `figures` belongs to the figures of `entry`, an object of the run's cases. */
-char *report_case(const struct records *records, const json_t *entry,
-                  const struct figure_result *figures, const struct report_style *style);
+/* The page of `entry`, an object of the run's cases, whose figures `figures` belongs to; its tables
+ * go to checks.csv and runs.csv in the folder of the case. `files` are names in that folder that
+ * the page offers. */
+char *report_case(struct report_site *site, const json_t *entry,
+                  const struct figure_result *figures, const GPtrArray *files);
 
 #endif

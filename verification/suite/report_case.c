@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/html.h"
 #include "verification/suite/markdown.h"
+#include "verification/suite/report_site.h"
 
 #include <math.h>
 #include <string.h>
@@ -17,6 +18,18 @@ static void add_head(GString *html, const struct records *records, const json_t 
     if (json_is_object(json_object_get(entry, "comparison")))
         g_string_append(html, "<p><a href=\"comparison.html\">Its variants compared</a>: which to "
                               "use for what</p>\n");
+    static const struct {
+        const char *place, *title;
+    } parts[] = {{"pictures", "Pictures"},
+                 {"checks", "Checks"},
+                 {"cite", "Cite and reproduce"},
+                 {"data", "Data"},
+                 {"runs", "Runs"}};
+    const bool pictures = json_array_size(json_object_get(entry, "figures")) > 0;
+    g_string_append(html, "<nav aria-label=\"On this page\"><ul class=\"here\">");
+    for (size_t i = pictures ? 0 : 1; i < G_N_ELEMENTS(parts); i++)
+        text_markup(html, "<li><a href=\"#%s\">%s</a></li>", parts[i].place, parts[i].title);
+    g_string_append(html, "</ul></nav>\n");
     char *readme = markdown_html(record_text(entry, "readme"));
     g_string_append_printf(html, "<section class=\"readme\">\n%s</section>\n", readme);
     g_free(readme);
@@ -56,23 +69,13 @@ static void add_figures(GString *html, const json_t *entry, const struct figure_
 
 /* --------------------------------------------------------------------- checks */
 
-/* Whether two rows come from one declaration. */
-static bool same_declaration(const json_t *one, const json_t *other)
-{
-    static const char *const keys[] = {"check", "title", "expected",  "low",       "high",
-                                       "basis", "why",   "fails_low", "fails_high"};
-    for (size_t i = 0; i < G_N_ELEMENTS(keys); i++)
-        if (!json_equal(json_object_get(one, keys[i]), json_object_get(other, keys[i])))
-            return false;
-    return true;
-}
-
 static void add_declaration(GString *html, const json_t *check)
 {
     const char *unit = record_text(check, "unit");
     const bool weakness = json_is_number(json_object_get(check, "fails_low"));
     text_markup(html,
-                "<tr><th scope=\"rowgroup\" colspan=\"6\">%s <code>%s</code><span class=\"facts\">"
+                "<tr><th scope=\"rowgroup\" colspan=\"6\"><div class=\"stay\">%s "
+                "<code>%s</code><span class=\"facts\">"
                 "<span>Quantity <code>%s</code></span><span>Norm: %s</span><span>Expected: ",
                 record_text(check, "title"), record_text(check, "check"),
                 record_text(check, "quantity"), record_text(check, "norm"));
@@ -84,23 +87,42 @@ static void add_declaration(GString *html, const json_t *check)
     }
     text_markup(html, "</span><span>%s: ", weakness ? "Known weakness, fails in" : "Band");
     html_numbers(html, text_band(check));
-    text_markup(
-        html,
-        "</span><span>Band from: %s</span></span><span class=\"why about\">%s</span></th></tr>\n",
-        record_text(check, "basis"), record_text(check, "why"));
+    text_markup(html,
+                "</span><span>Band from: %s</span></span><span class=\"why "
+                "about\">%s</span></div></th></tr>\n",
+                record_text(check, "basis"), record_text(check, "why"));
+}
+
+/* A number as the text that sorts a cell; "" if it is not finite. */
+static void add_key(GString *html, double value)
+{
+    char key[G_ASCII_DTOSTR_BUF_SIZE] = "";
+    if (isfinite(value))
+        g_ascii_formatd(key, sizeof key, "%.17g", value);
+    g_string_append_printf(html, " data-key=\"%s\"", key);
 }
 
 static void add_check(GString *html, const json_t *check)
 {
-    g_string_append(html, "<tr><td>");
+    const double red = record_number(check, "mutations_red");
+    g_string_append(html, "<tr><th scope=\"row\">");
+    html_name(html, record_text(check, "variant"));
+    g_string_append(html, "</th><td");
+    add_key(html, html_status_rank(record_status(check)));
+    g_string_append_c(html, '>');
     html_status(html, record_status(check));
-    text_markup(html, "</td><td>%s</td><td class=\"n\">", record_text(check, "variant"));
+    g_string_append(html, "</td><td class=\"n\"");
+    add_key(html, record_number(check, "value"));
+    g_string_append_c(html, '>');
     html_numbers(html, text_value(check));
-    g_string_append(html, "</td><td>");
+    g_string_append(html, "</td><td");
+    add_key(html, record_number(check, "margin"));
+    g_string_append_c(html, '>');
     html_margin(html, record_number(check, "margin"));
-    char *proof = g_strdup_printf("%.0f of %.0f", record_number(check, "mutations_red"),
-                                  record_number(check, "mutations"));
-    text_markup(html, "</td><td class=\"n\">%s</td><td class=\"wide\">%s</td></tr>\n", proof,
+    g_string_append(html, "</td><td class=\"n\"");
+    add_key(html, red);
+    char *proof = g_strdup_printf("%.0f of %.0f", red, record_number(check, "mutations"));
+    text_markup(html, ">%s</td><td class=\"wide\">%s</td></tr>\n", proof,
                 record_text(check, "reason"));
     g_free(proof);
 }
@@ -119,15 +141,16 @@ static GPtrArray *checks_of(const struct records *records, const char *name)
 static void add_checks(GString *html, const struct records *records, const char *name)
 {
     GPtrArray *checks = checks_of(records, name);
-    g_string_append(html,
-                    "<h2 id=\"checks\">Checks</h2>\n<div class=\"scroll\"><table>\n<caption>Each "
-                    "check with its "
-                    "band and the reason for it, then one row per variant. “Proven” counts the "
-                    "spoiled results that turned the check red on this run.</caption>\n"
-                    "<thead><tr><th scope=\"col\">Status</th><th scope=\"col\">Variant</th>"
-                    "<th scope=\"col\" class=\"n\">Value</th><th scope=\"col\">Margin</th>"
-                    "<th scope=\"col\" class=\"n\">Proven</th><th scope=\"col\">Remark</th>"
-                    "</tr></thead>\n");
+    g_string_append(
+        html,
+        "<h2 id=\"checks\">Checks</h2>\n<p class=\"about\">Each check with its band and the "
+        "reason for it, then one row per variant; a heading sorts within each check. “Proven” "
+        "counts the spoiled results that turned the check red on this run.</p>\n"
+        "<div class=\"scroll tall\" tabindex=\"0\" role=\"region\" aria-label=\"Checks\"><table "
+        "class=\"sortable groups\">\n<thead><tr><th scope=\"col\">Variant</th>"
+        "<th scope=\"col\">Status</th><th scope=\"col\" class=\"n\">Value</th>"
+        "<th scope=\"col\">Margin</th><th scope=\"col\" class=\"n\" data-first=\"descending\">"
+        "Proven</th><th scope=\"col\">Remark</th></tr></thead>\n");
     for (unsigned i = 0; i < checks->len; i++) {
         if (checks->pdata[i] == NULL)
             continue;
@@ -135,14 +158,54 @@ static void add_checks(GString *html, const struct records *records, const char 
         g_string_append(html, "<tbody class=\"group\">\n");
         add_declaration(html, first);
         for (unsigned j = i; j < checks->len; j++)
-            if (checks->pdata[j] != NULL && same_declaration(first, checks->pdata[j])) {
+            if (checks->pdata[j] != NULL && record_same_declaration(first, checks->pdata[j])) {
                 add_check(html, checks->pdata[j]);
                 checks->pdata[j] = NULL;
             }
         g_string_append(html, "</tbody>\n");
     }
-    g_string_append(html, "</table></div>\n");
+    g_string_append(html, "</table></div>\n<p class=\"csv\"><a "
+                          "href=\"checks.csv\">checks.csv</a></p>\n");
     g_ptr_array_unref(checks);
+}
+
+/* Every fact of the checks of a case, a row for each variant. */
+static char *checks_csv(const struct records *records, const char *name)
+{
+    static const char *const texts[] = {"case", "check",  "variant", "title",    "quantity", "unit",
+                                        "norm", "status", "basis",   "evidence", "reason"};
+    static const char *const numbers[] = {"value",     "expected",   "low",   "high",
+                                          "fails_low", "fails_high", "margin"};
+    GPtrArray *checks = checks_of(records, name);
+    GString *csv = g_string_new(NULL);
+    for (size_t i = 0; i < G_N_ELEMENTS(texts); i++)
+        g_string_append_printf(csv, "%s\"%s\"", i == 0 ? "" : ",", texts[i]);
+    for (size_t i = 0; i < G_N_ELEMENTS(numbers); i++)
+        g_string_append_printf(csv, ",\"%s\"", numbers[i]);
+    for (unsigned row = 0; row < checks->len; row++) {
+        for (size_t i = 0; i < G_N_ELEMENTS(texts); i++) {
+            g_string_append(csv, i == 0 ? "\r\n" : ",");
+            report_csv_text(csv, record_text(checks->pdata[row], texts[i]));
+        }
+        for (size_t i = 0; i < G_N_ELEMENTS(numbers); i++) {
+            char number[G_ASCII_DTOSTR_BUF_SIZE] = "";
+            const double value = record_number(checks->pdata[row], numbers[i]);
+            if (isfinite(value))
+                g_ascii_formatd(number, sizeof number, "%.17g", value);
+            g_string_append_printf(csv, ",%s", number);
+        }
+    }
+    g_string_append(csv, "\r\n");
+    g_ptr_array_unref(checks);
+    return g_string_free(csv, FALSE);
+}
+
+/* A file in the folder of the case. */
+static void add_file(struct report_site *site, const json_t *entry, const char *name, char *text)
+{
+    char *path = g_strdup_printf("cases/%s/%s", record_text(entry, "case"), name);
+    report_site_file(site, path, text);
+    g_free(path);
 }
 
 /* ----------------------------------------------------------------------- runs */
@@ -152,68 +215,88 @@ static bool is_full(const json_t *variant)
     return strcmp(record_text(variant, "tier"), "full") == 0;
 }
 
-static void add_settings(GString *html, const json_t *variant)
+/* An array of texts, one below the other. */
+static void add_lines(GString *html, const json_t *texts, const char *element)
 {
-    const json_t *settings = json_object_get(variant, "settings");
-    for (size_t i = 0; i < json_array_size(settings); i++)
-        text_markup(html, "%s<code>%s</code>", i == 0 ? "" : "<br />",
-                    json_string_value(json_array_get(settings, i)));
+    for (size_t i = 0; i < json_array_size(texts); i++) {
+        g_string_append_printf(html, "%s<%s>", i == 0 ? "" : "<br />", element);
+        text_markup(html, "%s", json_string_value(json_array_get(texts, i)));
+        g_string_append_printf(html, "</%s>", element);
+    }
 }
 
-static void add_notes(GString *html, const json_t *variant)
+static char *joined(const json_t *texts)
 {
-    const json_t *notes = json_object_get(variant, "notes");
-    for (size_t i = 0; i < json_array_size(notes); i++)
-        text_markup(html, "%s%s", i == 0 ? "" : "<br />",
-                    json_string_value(json_array_get(notes, i)));
+    GString *text = g_string_new(NULL);
+    for (size_t i = 0; i < json_array_size(texts); i++)
+        g_string_append_printf(text, "%s%s", i == 0 ? "" : "; ",
+                               json_string_value(json_array_get(texts, i)));
+    return g_string_free(text, FALSE);
+}
+
+/* Texts as a cell: as lines in the page, joined in CSV. */
+static void add_texts(struct report_table *table, const json_t *texts, const char *element,
+                      GString *after)
+{
+    GString *markup = g_string_new(NULL);
+    char *text = joined(texts);
+    add_lines(markup, texts, element);
+    g_string_append(markup, after->str);
+    report_table_markup(table, text, markup);
+    g_string_free(after, TRUE);
+    g_free(text);
+}
+
+static GString *log_end(const json_t *variant)
+{
+    GString *html = g_string_new(NULL);
     const bool returned = strcmp(record_text(variant, "outcome"), "returned") == 0;
     const char *log = record_text(variant, "log_tail");
     if (!returned && *log != '\0')
         text_markup(
             html, "<details open=\"open\"><summary>End of the log</summary><pre>%s</pre></details>",
             log);
+    return html;
 }
 
-static void add_variant(GString *html, const json_t *variant)
+static void add_variant(struct report_table *table, const json_t *variant)
 {
     const double work = record_number(variant, "particle_steps");
     const double seconds = record_number(variant, "seconds");
-    char *time = text_seconds(seconds);
-    text_markup(html, "<tr><th scope=\"row\">%s</th><td>", record_text(variant, "variant"));
-    add_settings(html, variant);
-    text_markup(html, "</td><td>%s</td><td class=\"n\">%s</td><td class=\"n\">",
-                record_text(variant, "outcome"), time);
-    if (work > 0)
-        html_numbers(html, text_number(work));
-    g_string_append(html, "</td><td class=\"n\">");
-    if (work > 0 && seconds > 0)
-        html_numbers(html, text_quantity(work / seconds, "1/s"));
-    g_string_append(html, "</td><td class=\"wide\">");
-    add_notes(html, variant);
-    g_string_append(html, "</td></tr>\n");
-    g_free(time);
+    const double known = work > 0 ? work : (double)NAN;
+    const double rate = seconds > 0 ? known / seconds : (double)NAN;
+    report_table_name(table, record_text(variant, "variant"));
+    add_texts(table, json_object_get(variant, "settings"), "code", g_string_new(NULL));
+    report_table_text(table, record_text(variant, "outcome"));
+    report_table_number(table, seconds, text_seconds(seconds));
+    report_table_number(table, known, work > 0 ? text_number(work) : g_strdup(""));
+    report_table_number(table, rate, isfinite(rate) ? text_number(rate) : g_strdup(""));
+    add_texts(table, json_object_get(variant, "notes"), "span", log_end(variant));
 }
 
-static void add_variants(GString *html, const json_t *entry)
+static void add_variants(GString *html, struct report_site *site, const json_t *entry)
 {
+    static const struct report_column columns[] = {
+        {"Variant", NULL, CELLS_TEXT, false},         {"Settings", NULL, CELLS_TEXT, false},
+        {"Program", NULL, CELLS_TEXT, false},         {"Time", NULL, CELLS_NUMBER, true},
+        {"Particle-steps", NULL, CELLS_NUMBER, true}, {"Rate", "1/s", CELLS_NUMBER, true},
+        {"Notes", NULL, CELLS_WIDE, false},
+    };
     const json_t *variants = json_object_get(entry, "variants");
-    g_string_append(
-        html, "<h2 id=\"runs\">Runs</h2>\n<div class=\"scroll\"><table>\n<caption>One process per "
-              "variant. Times are shown, never judged.</caption>\n<thead><tr>"
-              "<th scope=\"col\">Variant</th><th scope=\"col\">Settings</th>"
-              "<th scope=\"col\">Program</th><th scope=\"col\" class=\"n\">Time</th>"
-              "<th scope=\"col\" class=\"n\">Particle-steps</th>"
-              "<th scope=\"col\" class=\"n\">Rate</th>"
-              "<th scope=\"col\">Notes</th></tr></thead>\n<tbody>\n");
+    struct report_table *table = report_table_new(columns, G_N_ELEMENTS(columns));
     for (size_t i = 0; i < json_array_size(variants); i++)
-        add_variant(html, json_array_get(variants, i));
-    g_string_append(html, "</tbody>\n</table></div>\n");
+        add_variant(table, json_array_get(variants, i));
+    g_string_append(html, "<h2 id=\"runs\">Runs</h2>\n<p class=\"about\">One process per variant. "
+                          "Times, in s in the CSV, are shown, never judged.</p>\n");
+    report_table_html(table, "Runs of this case", "runs.csv", html);
+    add_file(site, entry, "runs.csv", report_table_csv(table));
+    report_table_free(table);
 }
 
 static void add_commands(GString *html, const json_t *entry, const json_t *run)
 {
     const json_t *variants = json_object_get(entry, "variants");
-    g_string_append(html, "<h2 id=\"reproduce\">Reproduce</h2>\n<pre><code>");
+    g_string_append(html, "<h3 id=\"reproduce\">Commands</h3>\n<pre tabindex=\"0\"><code>");
     for (size_t i = 0; i < json_array_size(variants); i++) {
         const json_t *variant = json_array_get(variants, i);
         char *command = text_command(record_text(entry, "case"), record_text(variant, "variant"),
@@ -226,22 +309,74 @@ static void add_commands(GString *html, const json_t *entry, const json_t *run)
     g_free(name);
 }
 
-char *report_case(const struct records *records, const json_t *entry,
-                  const struct figure_result *figures, const struct report_style *style)
+/* What to write where the case is referred to. */
+static void add_citation(GString *html, const json_t *entry, const json_t *run)
+{
+    const char *name = record_text(entry, "case"), *started = record_text(run, "started");
+    char *day = g_strndup(started, 10); /* the date of ISO 8601 */
+    text_markup(
+        html,
+        "<h2 id=\"cite\">Cite and reproduce</h2>\n<p class=\"cite\">Touchstone %s, case %s: "
+        "%s. Revision %s, size %s, run of %s, %s. Page <code>cases/%s/index.html</code> of "
+        "the verification report.</p>\n<p class=\"about\">The address of the page and of its "
+        "parts stays the same from report to report; the revision says which solver it "
+        "is about.</p>\n",
+        record_text(run, "version"), name, record_text(entry, "title"),
+        record_text(run, "revision"), record_text(run, "tier"), day, record_text(run, "compiler"),
+        name);
+    g_free(day);
+}
+
+static void add_data(GString *html, const GPtrArray *files, bool compares)
+{
+    static const char *const always[][2] = {
+        {"checks.csv", "every check of this case"},
+        {"runs.csv", "its runs"},
+        {"../../checks.jsonl", "all checks of the whole run, with its provenance"},
+    };
+    g_string_append(html, "<h2 id=\"data\">Data</h2>\n<ul class=\"pages\">\n");
+    for (size_t i = 0; i < G_N_ELEMENTS(always); i++)
+        text_markup(html, "<li><a href=\"%s\">%s</a>: %s</li>\n", always[i][0],
+                    strrchr(always[i][0], '/') == NULL ? always[i][0]
+                                                       : strrchr(always[i][0], '/') + 1,
+                    always[i][1]);
+    if (compares)
+        g_string_append(html, "<li><a href=\"comparison.csv\">comparison.csv</a>: the table of the "
+                              "comparison</li>\n");
+    g_string_append(html, "</ul>\n");
+    if (files->len == 0)
+        return;
+    g_string_append_printf(html,
+                           "<details><summary>%u files that the runs wrote: curves "
+                           "(.dat) and reported values (.jsonl)</summary>\n<ul "
+                           "class=\"files\">\n",
+                           files->len);
+    for (unsigned i = 0; i < files->len; i++)
+        text_markup(html, "<li><a href=\"%s\">%s</a></li>\n", (const char *)files->pdata[i],
+                    (const char *)files->pdata[i]);
+    g_string_append(html, "</ul></details>\n");
+}
+
+char *report_case(struct report_site *site, const json_t *entry,
+                  const struct figure_result *figures, const GPtrArray *files)
 {
     GString *html = g_string_new(NULL), *navigation = g_string_new(NULL);
+    const struct records *records = site->records;
     const char *name = record_text(entry, "case");
+    report_site_links(navigation, site, "../../", NULL);
     text_markup(navigation,
-                "<a href=\"../../index.html\"><strong>Touchstone</strong> verification report</a> "
-                "/ family %s / %s",
+                "<p class=\"path\"><a href=\"../../index.html#cases\">family %s</a> / %s</p>",
                 record_text(entry, "family"), name);
     add_head(html, records, entry);
     add_figures(html, entry, figures);
     add_checks(html, records, name);
+    add_file(site, entry, "checks.csv", checks_csv(records, name));
+    add_citation(html, entry, records->run);
     add_commands(html, entry, records->run);
-    add_variants(html, entry);
+    add_data(html, files, json_is_object(json_object_get(entry, "comparison")));
+    add_variants(html, site, entry);
     char *title = g_strdup_printf("%s: %s", name, record_text(entry, "title"));
-    char *page = html_page(records, style, title, navigation, html);
+    char *page = html_page(records, site->style, title, navigation, html);
     g_free(title);
     return page;
 }

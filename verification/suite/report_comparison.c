@@ -6,6 +6,7 @@
 #include "verification/measures/comparison_words.h"
 #include "verification/suite/comparison_view.h"
 #include "verification/suite/html.h"
+#include "verification/suite/report_site.h"
 
 #include <string.h>
 
@@ -186,18 +187,18 @@ static void add_losses(GString *html, const struct comparison_view *view)
 
 /* ---------------------------------------------------------------------- page */
 
-char *comparison_page(const struct records *records, const json_t *entry,
-                      const struct comparison_view *view, const struct figure_result *picture,
-                      const struct report_style *style)
+char *comparison_page(const struct report_site *site, const json_t *entry,
+                      const struct comparison_view *view, const struct figure_result *picture)
 {
     const char *name = record_text(entry, "case"), *said = record_text(view->declared, "title");
     const char *summary = record_text(view->declared, "summary");
     const char *setup = record_text(view->declared, "setup");
     const json_t *figure = own_figure(entry, view);
     GString *html = g_string_new(NULL), *navigation = g_string_new(NULL);
+    report_site_links(navigation, site, "../../", NULL);
     text_markup(navigation,
-                "<a href=\"../../index.html\"><strong>Touchstone</strong> verification report</a> "
-                "/ family %s / <a href=\"index.html\">%s</a> / comparison",
+                "<p class=\"path\"><a href=\"../../index.html#cases\">family %s</a> / "
+                "<a href=\"index.html\">%s</a> / comparison</p>",
                 record_text(entry, "family"), name);
     text_markup(html, "<h1>%s: %s</h1>\n<p class=\"lead\">%s</p>\n", name, said,
                 *summary == '\0' ? record_text(entry, "summary") : summary);
@@ -209,9 +210,8 @@ char *comparison_page(const struct records *records, const json_t *entry,
     add_picture(html, view, picture);
     comparison_table_html(html, view);
     add_losses(html, view);
-    g_string_append_printf(html, "<script>\n%s</script>\n", style->script);
     char *title = g_strdup_printf("%s: %s", name, said);
-    char *page = html_page(records, style, title, navigation, html);
+    char *page = html_page(site->records, site->style, title, navigation, html);
     g_free(title);
     return page;
 }

@@ -5,6 +5,7 @@
 #include "verification/measures/comparison_words.h"
 #include "verification/suite/comparison_view.h"
 #include "verification/suite/html.h"
+#include "verification/suite/report_table.h"
 
 #include <math.h>
 #include <string.h>
@@ -264,24 +265,13 @@ void comparison_table_html(GString *html, const struct comparison_view *view)
 
 /* ------------------------------------------------------------------------ csv */
 
-/* Quoted as RFC 4180 says. */
-static void csv_field(GString *csv, const char *text, bool first)
-{
-    g_string_append(csv, first ? "\"" : ",\"");
-    for (const char *c = text; *c != '\0'; c++) {
-        if (*c == '"')
-            g_string_append_c(csv, '"');
-        g_string_append_c(csv, *c);
-    }
-    g_string_append_c(csv, '"');
-}
-
 static void csv_row(GString *csv, const struct comparison_view *view, size_t row)
 {
     const struct comparison_table *table = &view->table;
     GString *missing = g_string_new(NULL);
-    csv_field(csv, view->names[row], true);
-    csv_field(csv, record_text(view->variants[row], "outcome"), false);
+    report_csv_text(csv, view->names[row]);
+    g_string_append_c(csv, ',');
+    report_csv_text(csv, record_text(view->variants[row], "outcome"));
     for (size_t column = 0; column < table->column_count; column++) {
         const struct comparison_cell *cell = comparison_cell(table, row, column);
         char number[G_ASCII_DTOSTR_BUF_SIZE] = "";
@@ -292,7 +282,8 @@ static void csv_row(GString *csv, const struct comparison_view *view, size_t row
                                    table->columns[column].title, cell->reason);
         g_string_append_printf(csv, ",%s", number);
     }
-    csv_field(csv, missing->str, false);
+    g_string_append_c(csv, ',');
+    report_csv_text(csv, missing->str);
     g_string_append(csv, "\r\n");
     g_string_free(missing, TRUE);
 }
@@ -303,7 +294,8 @@ char *comparison_csv(const struct comparison_view *view)
     for (size_t column = 0; column < view->table.column_count; column++) {
         char *title =
             g_strdup_printf("%s (%s)", view->columns[column].title, view->columns[column].unit);
-        csv_field(csv, title, false);
+        g_string_append_c(csv, ',');
+        report_csv_text(csv, title);
         g_free(title);
     }
     g_string_append(csv, ",\"missing\"\r\n");

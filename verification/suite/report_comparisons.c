@@ -5,6 +5,7 @@
 #include "verification/measures/comparison_words.h"
 #include "verification/suite/comparison_view.h"
 #include "verification/suite/html.h"
+#include "verification/suite/report_site.h"
 
 #include <string.h>
 
@@ -69,15 +70,43 @@ static GPtrArray *names_of(const GArray *problems)
 
 /* --------------------------------------------------------------------- pieces */
 
-static void add_page(GString *html, const struct problem *problem)
+/* Purpose, the variant to use, its number, and the advice in words. */
+static void add_purpose(struct report_table *table, const struct problem *problem)
 {
     const char *name = record_text(problem->entry, "case");
-    char *guide = comparison_guide(&problem->view.table, problem->leading,
-                                   comparison_view_cost(&problem->view));
-    text_markup(html, "<li><a href=\"cases/%s/comparison.html\">%s: %s</a><span class=\"about\">",
-                name, name, record_text(problem->view.declared, "title"));
-    html_numbers(html, guide);
-    g_string_append(html, "</span></li>\n");
+    const struct comparison_table *numbers = &problem->view.table;
+    const size_t cost = comparison_view_cost(&problem->view);
+    const size_t choice = comparison_choice(numbers, problem->leading, cost);
+    char *href = g_strdup_printf("cases/%s/comparison.html", name);
+    char *purpose = g_strdup_printf("%s: %s", name, record_text(problem->view.declared, "title"));
+    char *guide = comparison_guide(numbers, problem->leading, cost);
+    report_table_link(table, href, purpose);
+    report_table_text(table, choice == COMPARISON_NONE ? "none" : problem->view.names[choice]);
+    report_table_text(table, problem->view.columns[problem->leading].title);
+    if (choice == COMPARISON_NONE) {
+        report_table_text(table, "none");
+    } else {
+        const double value = comparison_cell(numbers, choice, problem->leading)->value;
+        report_table_number(table, value,
+                            text_quantity(value, problem->view.columns[problem->leading].unit));
+    }
+    report_table_text(table, guide);
+    g_free(guide);
+    g_free(purpose);
+    g_free(href);
+}
+
+static void add_purposes(GString *html, struct report_site *site, const GArray *problems)
+{
+    static const struct report_column columns[] = {
+        {"Purpose", NULL, CELLS_TEXT, false},    {"Variant", NULL, CELLS_TEXT, false},
+        {"Decided by", NULL, CELLS_TEXT, false}, {"Its number", NULL, CELLS_NUMBER, false},
+        {"Advice", NULL, CELLS_WIDE, false},
+    };
+    struct report_table *table = report_table_new(columns, G_N_ELEMENTS(columns));
+    for (unsigned p = 0; p < problems->len; p++)
+        add_purpose(table, &g_array_index(problems, struct problem, p));
+    report_site_table(site, table, "Which variant for which purpose", "purposes.csv", html);
 }
 
 static void add_heading(GString *html, const struct problem *problem)
@@ -144,19 +173,52 @@ static void add_table(GString *html, const GArray *problems)
     g_ptr_array_unref(names);
 }
 
-void html_comparisons(GString *html, const struct records *records,
-                      const struct report_style *style)
+/* The numbers of the table, all digits; empty where there is none. */
+static char *matrix_csv(const GArray *problems)
 {
-    GArray *problems = problems_of(records);
+    GPtrArray *names = names_of(problems);
+    GString *csv = g_string_new("\"variant\"");
+    for (unsigned p = 0; p < problems->len; p++) {
+        const struct problem *problem = &g_array_index(problems, struct problem, p);
+        const struct comparison_column *rule = &problem->view.columns[problem->leading];
+        char *title = g_strdup_printf("%s: %s (%s)", record_text(problem->entry, "case"),
+                                      rule->title, rule->unit);
+        g_string_append_c(csv, ',');
+        report_csv_text(csv, title);
+        g_free(title);
+    }
+    for (unsigned i = 0; i < names->len; i++) {
+        g_string_append(csv, "\r\n");
+        report_csv_text(csv, names->pdata[i]);
+        for (unsigned p = 0; p < problems->len; p++) {
+            const struct problem *problem = &g_array_index(problems, struct problem, p);
+            const size_t row = find_row(&problem->view, names->pdata[i]);
+            char number[G_ASCII_DTOSTR_BUF_SIZE] = "";
+            if (row != COMPARISON_NONE) {
+                const struct comparison_cell *cell =
+                    comparison_cell(&problem->view.table, row, problem->leading);
+                if (cell->state == COMPARISON_NUMBER)
+                    g_ascii_formatd(number, sizeof number, "%.17g", cell->value);
+            }
+            g_string_append_printf(csv, ",%s", number);
+        }
+    }
+    g_string_append(csv, "\r\n");
+    g_ptr_array_unref(names);
+    return g_string_free(csv, FALSE);
+}
+
+void report_comparisons(GString *html, struct report_site *site)
+{
+    GArray *problems = problems_of(site->records);
     if (problems->len > 0) {
         g_string_append(html,
-                        "<h2 id=\"comparisons\">Methods compared: which to use for what</h2>\n"
-                        "<ul class=\"pages\">\n");
-        for (unsigned p = 0; p < problems->len; p++)
-            add_page(html, &g_array_index(problems, struct problem, p));
-        g_string_append(html, "</ul>\n");
+                        "<h2 id=\"comparisons\">Methods compared: which to use for what</h2>\n");
+        add_purposes(html, site, problems);
         add_table(html, problems);
-        g_string_append_printf(html, "<script>\n%s</script>\n", style->script);
+        g_string_append(html, "<p class=\"csv\"><a href=\"table-variants.csv\">table-variants.csv"
+                              "</a></p>\n");
+        report_site_file(site, "table-variants.csv", matrix_csv(problems));
     }
     g_array_unref(problems);
 }

@@ -2,28 +2,23 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/html.h"
+#include "verification/suite/report_site.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static void add_link(GString *html, const char *name, const char *place, const char *text)
-{
-    text_markup(html, "<a href=\"cases/%s/index.html%s\">%s</a>", name, place, text);
-}
-
 /* Name, status, value and band of a check: the first cells of its row. */
-static void begin_row(GString *html, const json_t *check)
+static void begin_row(struct report_table *table, const json_t *check)
 {
-    char *name = text_check_name(check);
-    g_string_append(html, "<tr><th scope=\"row\">");
-    add_link(html, record_text(check, "case"), "#checks", name);
-    g_string_append(html, "</th><td>");
-    html_status(html, record_status(check));
-    g_string_append(html, "</td><td class=\"n\">");
-    html_numbers(html, text_value(check));
-    g_string_append(html, "</td><td class=\"band\">");
-    html_numbers(html, text_band(check));
+    char *name = text_check_name(check), *band = text_band(check);
+    char *href = g_strdup_printf("cases/%s/index.html#checks", record_text(check, "case"));
+    report_table_link(table, href, name);
+    report_table_status(table, record_status(check));
+    report_table_number(table, record_number(check, "value"), text_value(check));
+    report_table_text(table, band);
+    g_free(href);
+    g_free(band);
     g_free(name);
 }
 
@@ -49,22 +44,26 @@ static void add_verdict(GString *html, const struct records *records,
                               "mpm-verify run --tier full</code> runs all variants.</p>\n");
 }
 
-static void add_failures(GString *html, const struct records *records)
+static void add_failures(GString *html, struct report_site *site)
 {
-    g_string_append(html, "<h2>What does not hold</h2>\n<div class=\"scroll\"><table>\n"
-                          "<caption>Every check that fails this run</caption>\n<thead><tr>"
-                          "<th scope=\"col\">Check</th><th scope=\"col\">Status</th>"
-                          "<th scope=\"col\" class=\"n\">Value</th><th scope=\"col\">Band</th>"
-                          "<th scope=\"col\">Reason</th></tr></thead>\n<tbody>\n");
-    for (size_t i = 0; i < json_array_size(records->checks); i++) {
-        const json_t *check = json_array_get(records->checks, i);
+    static const struct report_column columns[] = {
+        {"Check", NULL, CELLS_TEXT, false},   {"Status", NULL, CELLS_TEXT, false},
+        {"Value", NULL, CELLS_NUMBER, false}, {"Band", NULL, CELLS_BAND, false},
+        {"Reason", NULL, CELLS_WIDE, false},
+    };
+    struct report_table *table = report_table_new(columns, G_N_ELEMENTS(columns));
+    for (size_t i = 0; i < json_array_size(site->records->checks); i++) {
+        const json_t *check = json_array_get(site->records->checks, i);
         if (!verdict_is_red(record_status(check)))
             continue;
-        begin_row(html, check);
-        text_markup(html, "</td><td class=\"wide\">%s</td></tr>\n", record_text(check, "reason"));
+        begin_row(table, check);
+        report_table_text(table, record_text(check, "reason"));
     }
-    g_string_append(html, "</tbody>\n</table></div>\n");
+    g_string_append(html, "<h2 id=\"failures\">What does not hold</h2>\n");
+    report_site_table(site, table, "Every check that fails this run", "failures.csv", html);
 }
+
+/* ------------------------------------------------------------------------ cases */
 
 static double case_seconds(const json_t *entry)
 {
@@ -75,57 +74,50 @@ static double case_seconds(const json_t *entry)
     return seconds;
 }
 
-static void add_case(GString *html, const struct records *records, const json_t *entry)
+static void add_margin(struct report_table *table, const json_t *check, bool named)
+{
+    GString *markup = g_string_new(NULL);
+    if (check != NULL)
+        html_margin(markup, record_number(check, "margin"));
+    if (check != NULL && named)
+        text_markup(markup, "<span class=\"about\">%s, %s</span>", record_text(check, "check"),
+                    record_text(check, "variant"));
+    report_table_value(table, record_number(check, "margin"), markup);
+}
+
+static void add_case(struct report_table *table, const struct records *records, const json_t *entry)
 {
     const char *name = record_text(entry, "case");
     const struct record_counts counts = records_count(records, NULL, name);
-    const json_t *worst = records_worst(records, name);
-    char *seconds = text_seconds(case_seconds(entry));
-    char *checks = g_strdup_printf("%zu", counts.total);
-    text_markup(html, "<tr><th scope=\"row\">%s</th><td class=\"wide\">", name);
-    add_link(html, name, "", record_text(entry, "title"));
-    text_markup(html, "<span class=\"about\">%s</span></td><td>", record_text(entry, "summary"));
-    html_case_status(html, &counts);
-    text_markup(html, "</td><td class=\"n\">%s</td><td>", checks);
-    if (worst != NULL) {
-        html_margin(html, record_number(worst, "margin"));
-        text_markup(html, "<span class=\"about\">%s, %s</span>", record_text(worst, "check"),
-                    record_text(worst, "variant"));
-    }
-    text_markup(html, "</td><td class=\"n\">%s</td></tr>\n", seconds);
-    g_free(seconds);
-    g_free(checks);
+    char *href = g_strdup_printf("cases/%s/index.html", name);
+    GString *problem = g_string_new(NULL), *status = g_string_new(NULL);
+    text_markup(problem, "%s<span class=\"about\">%s</span>", record_text(entry, "title"),
+                record_text(entry, "summary"));
+    html_case_status(status, &counts);
+    report_table_link(table, href, name);
+    report_table_markup(table, record_text(entry, "title"), problem);
+    report_table_markup(table, counts.failed > 0 ? "fail" : "pass", status);
+    report_table_number(table, (double)counts.total, g_strdup_printf("%zu", counts.total));
+    add_margin(table, records_worst(records, name), true);
+    report_table_number(table, case_seconds(entry), text_seconds(case_seconds(entry)));
+    g_free(href);
 }
 
-static void add_cases(GString *html, const struct records *records)
+static void add_cases(GString *html, struct report_site *site)
 {
-    const json_t *cases = json_object_get(records->run, "cases");
-    g_string_append(html, "<h2>Families and cases</h2>\n<div class=\"scroll\"><table>\n"
-                          "<caption>The worst status and the least margin of each case. A margin "
-                          "is 1 in the middle of the band, 0 on its edge and negative "
-                          "outside.</caption>\n<thead><tr><th scope=\"col\">Case</th>"
-                          "<th scope=\"col\">Problem</th><th scope=\"col\">Status</th>"
-                          "<th scope=\"col\" class=\"n\">Checks</th>"
-                          "<th scope=\"col\">Worst margin</th>"
-                          "<th scope=\"col\" class=\"n\">Time</th></tr></thead>\n");
-    const char *family = NULL;
-    for (size_t i = 0; i < json_array_size(cases); i++) {
-        const json_t *entry = json_array_get(cases, i);
-        const char *own = record_text(entry, "family");
-        if (family == NULL || strcmp(family, own) != 0) {
-            const struct record_counts counts = records_count(records, own, NULL);
-            char *checks = text_count(counts.total, "check");
-            g_string_append(html, family == NULL ? "" : "</tbody>\n");
-            text_markup(html,
-                        "<tbody class=\"group\">\n<tr><th scope=\"rowgroup\" colspan=\"6\">"
-                        "Family %s <span class=\"about\">%s</span></th></tr>\n",
-                        own, checks);
-            g_free(checks);
-        }
-        family = own;
-        add_case(html, records, entry);
-    }
-    g_string_append(html, "</tbody>\n</table></div>\n");
+    static const struct report_column columns[] = {
+        {"Case", NULL, CELLS_TEXT, false},         {"Problem", NULL, CELLS_WIDE, false},
+        {"Status", NULL, CELLS_TEXT, false},       {"Checks", NULL, CELLS_NUMBER, true},
+        {"Worst margin", NULL, CELLS_TEXT, false}, {"Time", NULL, CELLS_NUMBER, true},
+    };
+    const json_t *cases = json_object_get(site->records->run, "cases");
+    struct report_table *table = report_table_new(columns, G_N_ELEMENTS(columns));
+    for (size_t i = 0; i < json_array_size(cases); i++)
+        add_case(table, site->records, json_array_get(cases, i));
+    g_string_append(html, "<h2 id=\"cases\">Cases</h2>\n<p class=\"about\">The worst status and "
+                          "the least margin of each. A margin is 1 in the middle of the band, 0 on "
+                          "its edge and negative outside.</p>\n");
+    report_site_table(site, table, "Every case of this run", "cases.csv", html);
 }
 
 static int compare_margins(const void *a, const void *b)
@@ -137,46 +129,44 @@ static int compare_margins(const void *a, const void *b)
 
 enum { CLOSEST_SHOWN = 6 };
 
-static void add_closest(GString *html, const struct records *records)
+static void add_closest(GString *html, struct report_site *site)
 {
+    static const struct report_column columns[] = {
+        {"Check", NULL, CELLS_TEXT, false},   {"Status", NULL, CELLS_TEXT, false},
+        {"Value", NULL, CELLS_NUMBER, false}, {"Band", NULL, CELLS_BAND, false},
+        {"Margin", NULL, CELLS_TEXT, false},
+    };
     GPtrArray *checks = g_ptr_array_new();
-    for (size_t i = 0; i < json_array_size(records->checks); i++) {
-        json_t *check = json_array_get(records->checks, i);
+    for (size_t i = 0; i < json_array_size(site->records->checks); i++) {
+        json_t *check = json_array_get(site->records->checks, i);
         if (isfinite(record_number(check, "margin")))
             g_ptr_array_add(checks, check);
     }
     g_ptr_array_sort(checks, compare_margins);
-    g_string_append(html, "<h2>Closest to their bands</h2>\n<div class=\"scroll\"><table>\n"
-                          "<caption>The checks with the least margin</caption>\n<thead><tr>"
-                          "<th scope=\"col\">Check</th><th scope=\"col\">Status</th>"
-                          "<th scope=\"col\" class=\"n\">Value</th><th scope=\"col\">Band</th>"
-                          "<th scope=\"col\">Margin</th></tr></thead>\n<tbody>\n");
+    struct report_table *table = report_table_new(columns, G_N_ELEMENTS(columns));
     for (unsigned i = 0; i < MIN(checks->len, CLOSEST_SHOWN); i++) {
-        const json_t *check = checks->pdata[i];
-        begin_row(html, check);
-        g_string_append(html, "</td><td>");
-        html_margin(html, record_number(check, "margin"));
-        g_string_append(html, "</td></tr>\n");
+        begin_row(table, checks->pdata[i]);
+        add_margin(table, checks->pdata[i], false);
     }
-    g_string_append(html, "</tbody>\n</table></div>\n");
+    g_string_append(html, "<h2 id=\"margins\">Worst margins</h2>\n");
+    report_site_table(site, table, "The checks closest to an end of their band", "margins.csv",
+                      html);
     g_ptr_array_unref(checks);
 }
 
-char *report_index(const struct records *records, const struct report_style *style)
+void report_front_page(struct report_site *site)
 {
-    const struct record_counts counts = records_count(records, NULL, NULL);
+    const struct record_counts counts = records_count(site->records, NULL, NULL);
     GString *html = g_string_new(NULL);
-    GString *navigation = g_string_new("<strong>Touchstone</strong> verification report");
-    add_verdict(html, records, &counts);
+    add_verdict(html, site->records, &counts);
     if (counts.failed > 0)
-        add_failures(html, records);
-    html_comparisons(html, records, style);
-    add_cases(html, records);
-    add_closest(html, records);
+        add_failures(html, site);
+    add_closest(html, site);
+    report_changes(html, site);
+    report_comparisons(html, site);
+    report_coverage(html, site);
+    add_cases(html, site);
     char *verdict = text_verdict(&counts);
-    char *title = g_strconcat("Touchstone: ", verdict, NULL);
-    char *page = html_page(records, style, title, navigation, html);
+    report_site_page(site, "index.html", verdict, html);
     g_free(verdict);
-    g_free(title);
-    return page;
 }

@@ -6,6 +6,7 @@
 #include "verification/suite/machine.h"
 #include "verification/suite/output.h"
 #include "verification/suite/report.h"
+#include "verification/suite/report_kept.h"
 #include "verification/suite/schedule.h"
 
 #include <glib.h>
@@ -16,6 +17,26 @@ static char *now(void)
     char *text = g_date_time_format(time, "%Y-%m-%dT%H:%M:%SZ");
     g_date_time_unref(time);
     return text;
+}
+
+/* Said before anything runs: the run is to be compared with another one's results. */
+static enum mpm_status check_baseline(const struct run_options *options, struct mpm_error *error)
+{
+    struct records baseline;
+    if (options->baseline == NULL)
+        return MPM_OK;
+    char *one = g_canonicalize_filename(options->baseline, NULL);
+    char *other = g_canonicalize_filename(options->output, NULL);
+    const bool same = g_strcmp0(one, other) == 0;
+    g_free(one);
+    g_free(other);
+    if (same)
+        return failure_set(error, MPM_BAD_INPUT,
+                           "--baseline %s: is the output folder, whose results this run replaces",
+                           options->baseline);
+    TRY(records_read(options->baseline, &baseline, error));
+    records_clear(&baseline);
+    return MPM_OK;
 }
 
 /* Records and reports what the jobs left. */
@@ -36,6 +57,9 @@ static enum mpm_status conclude(const struct run_options *options, const struct 
     struct records records = records_make(plan, results, &context);
     *counts = records_count(&records, NULL, NULL);
     enum mpm_status status = records_write(options->output, &records, error);
+    const struct report_additions additions = {.baseline = options->baseline};
+    if (status == MPM_OK)
+        status = report_keep(options->output, &additions, error);
     if (status == MPM_OK)
         status = report_render(options->output, options->reports, error);
     /* said on any outcome: the counts are known even if they could not be written */
@@ -79,6 +103,7 @@ enum mpm_status suite_run(const struct run_options *options, struct program_tabl
     struct catalogue *catalogue;
     struct plan plan;
     *counts = (struct record_counts){.total = 0};
+    TRY(check_baseline(options, error));
     TRY(catalogue_read(options->catalogue, programs, &catalogue, error));
     enum mpm_status status = plan_make(catalogue, &options->selection, &plan, error);
     int lock = -1;

@@ -9,6 +9,7 @@
 struct run_options {
     const char *catalogue, *reports, *output; /* folders */
     const char *command;                      /* as typed, for provenance */
+    const char *baseline;                     /* folder of an earlier run, or NULL */
     struct plan_selection selection;
     enum mpm_kernels kernels; /* for every measurement */
     unsigned jobs;            /* programs at a time, >= 1 */

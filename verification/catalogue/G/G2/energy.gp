@@ -5,7 +5,7 @@ set output output
 set xlabel 'distance carried (cells)'
 set xrange [0:100]
 set lmargin 9
-set rmargin 1
+set rmargin 3
 set multiplot layout 1,2
 set yrange [-50:50]
 do for [family in 'ugimp classic'] {

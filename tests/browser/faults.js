@@ -1,0 +1,56 @@
+/* Faults that the browser test must see: each spoils one file of a copy of the report, and `look` says
+ * which part of the test is to see it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+"use strict";
+const fs = require("node:fs");
+const os = require("node:os");
+const path = require("node:path");
+
+const addStyle = (rule) => (text) => text.replace("</head>", `<style>${rule}</style></head>`);
+const addMarkup = (markup) => (text) => text.replace("</main>", `${markup}</main>`);
+
+const faults = [
+  { name: "a broken link", file: "glossary.html", look: "load", complaint: /^broken link/,
+    spoil: (text) => text.replace('href="limits.html"', 'href="nowhere.html"') },
+  { name: "a link to a place that is not there", file: "glossary.html", look: "load", complaint: /place that is not there/,
+    spoil: addMarkup('<p><a href="#nowhere">nowhere</a></p>') },
+  { name: "a link to the network", file: "glossary.html", look: "load", complaint: /out of the report/,
+    spoil: addMarkup('<p><a href="https://example.org/">out</a></p>') },
+  { name: "a picture that is not there", file: "glossary.html", look: "load", complaint: /^picture not shown/,
+    spoil: addMarkup('<img src="nowhere.svg" alt="nothing" />') },
+  { name: "a clipped label", file: "glossary.html", look: "layout", complaint: /^text is clipped/,
+    spoil: addStyle(".state { display: inline-block; width: 2.2rem; overflow: hidden; }") },
+  { name: "a clipped label in a picture", file: "picture.svg", look: "labels", complaint: /^text is clipped/,
+    spoil: () => '<svg xmlns="http://www.w3.org/2000/svg" width="200" height="100">' +
+      '<text x="150" y="50">a label that is too long</text></svg>' },
+  { name: "texts on each other", file: "glossary.html", look: "layout", complaint: /^texts overlap/,
+    spoil: addStyle("h2 + dl { margin-top: -2rem; }") },
+  { name: "a page that scrolls sideways", file: "glossary.html", look: "layout", complaint: /scrolls sideways|leaves the page/,
+    spoil: addStyle(".scroll { overflow: visible; } table { min-width: 60rem; }") },
+  { name: "a table that sorts wrongly", file: "glossary.html", look: "sort", complaint: /stands before|aria-sort/,
+    spoil: (text) => text.replace("rising ? order : -order", "rising ? -order : order") },
+  { name: "an exception in a script", file: "glossary.html", look: "load", complaint: /^exception/,
+    spoil: addMarkup("<script>throw new Error('spoiled');</script>") },
+  { name: "an error on the console", file: "glossary.html", look: "load", complaint: /^console/,
+    spoil: addMarkup("<script>console.error('spoiled');</script>") },
+  { name: "too little contrast", file: "glossary.html", look: "axe", complaint: /^color-contrast/,
+    spoil: addStyle("main, main * { color: #c8c8c8 !important; background: #ffffff !important; }") },
+  { name: "a button without a name", file: "glossary.html", look: "axe", complaint: /^button-name/,
+    spoil: addMarkup('<button type="button"></button>') },
+];
+
+/* A folder with the report's files as links, and the spoiled one as a file of its own. */
+function spoiledCopy(folder, fault) {
+  const copy = fs.mkdtempSync(path.join(os.tmpdir(), "touchstone-spoiled-"));
+  for (const name of fs.readdirSync(folder))
+    if (name !== fault.file) fs.symlinkSync(path.resolve(folder, name), path.join(copy, name));
+  const source = path.join(folder, fault.file);
+  const before = fs.existsSync(source) ? fs.readFileSync(source, "utf8") : "";
+  const after = fault.spoil(before);
+  if (after === before) throw new Error(`${fault.name}: nothing to spoil in ${fault.file}`);
+  fs.writeFileSync(path.join(copy, fault.file), after);
+  return copy;
+}
+
+module.exports = { faults, spoiledCopy };
