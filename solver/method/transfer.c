@@ -3,6 +3,7 @@
 #include "method/particle_updates.h"
 
 #include <float.h>
+#include <string.h>
 
 /* ------------------------------------------------------------ the particle */
 
@@ -54,12 +55,24 @@ void mpm_particle_set_domain(const struct mpm_state *state, size_t p)
         state->particles.domain[k][p] = edge[k];
 }
 
-void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
+                                struct mpm_stencil *stencil)
 {
     const struct mpm_shape_domain domain = domain_of(state, p);
     state->family->evaluate(&state->shape_grid, &domain, stencil);
-    if (state->cracks.code != NULL && state->cracks.code[p] != 0)
-        mpm_crack_divert(state, state->cracks.code[p], stencil);
+}
+
+void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+{
+    const struct mpm_crack_kept *const kept =
+        state->cracks.kept_of == NULL ? NULL : mpm_crack_kept_of(state, p);
+    if (kept == NULL) {
+        mpm_particle_plain_stencil(state, p, stencil);
+        return;
+    }
+    stencil->count = kept->stencil.count;
+    memcpy(stencil->node, kept->stencil.node,
+           (size_t)kept->stencil.count * sizeof *stencil->node);
 }
 
 MPM_INLINE const struct mpm_stencil *read_back_weights(const struct mpm_state *state,

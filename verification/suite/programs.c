@@ -16,6 +16,7 @@
     PROGRAM(step_wave)                                                                             \
     PROGRAM(spin)                                                                                  \
     PROGRAM(collision)                                                                             \
+    PROGRAM(crack_overhead)                                                                        \
     PROGRAM(crack_patch)                                                                           \
     PROGRAM(sliding)                                                                               \
     PROGRAM(cantilever)                                                                            \
