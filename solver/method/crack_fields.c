@@ -47,6 +47,7 @@ static uint32_t code_of(const struct mpm_state *state, const struct mpm_crack_si
 {
     const struct mpm_grid *const grid = &state->grid;
     const struct mpm_crack_chain *const chain = &state->cracks.chains[site->crack];
+    const double from = mpm_crack_part_distance(&site->part, particle);
     uint32_t code = 0;
     for (int k = 0; k < made->stencil.count; k++) {
         const int64_t node = state->node_zero + made->stencil.node[k].node;
@@ -55,6 +56,9 @@ static uint32_t code_of(const struct mpm_state *state, const struct mpm_crack_si
             grid->origin[0] + grid->cell[0] * (double)(at.column - MPM_GHOST_ROWS),
             grid->origin[1] + grid->cell[1] * (double)(at.row - MPM_GHOST_ROWS)};
         size_t segment = 0;
+        if (mpm_crack_part_is_beside(&site->part, from,
+                                     mpm_crack_part_distance(&site->part, place)))
+            continue;
         const enum mpm_crack_side side =
             mpm_crack_part_side(chain, &site->part, particle, place, &segment);
         if (side == MPM_CRACK_SAME_SIDE)

@@ -32,10 +32,34 @@ static void include(struct mpm_crack_box *box, const double place[2])
     }
 }
 
+static double along_of(const struct mpm_crack_chain *chain, int axis, size_t k)
+{
+    return axis == 0 ? chain->x[k] : chain->y[k];
+}
+
+/* The axis along which its points follow each other on one line, or -1. */
+static int straight_axis_of(const struct mpm_crack_chain *chain, const struct mpm_crack_part *part)
+{
+    const int axis = fabs(part->normal[0]) < fabs(part->normal[1]) ? 0 : 1;
+    double first[2], last[2], place[2];
+    place_of(chain, part->first, first);
+    place_of(chain, part->end, last);
+    const bool rises = last[axis] > first[axis];
+    for (size_t k = part->first + 1; k <= part->end; k++) {
+        place_of(chain, k, place);
+        const double before = along_of(chain, axis, k - 1);
+        if (place[axis] == before || (place[axis] > before) != rises ||
+            mpm_orientation(first, last, place) != 0.0)
+            return -1;
+    }
+    return axis;
+}
+
 struct mpm_crack_part mpm_crack_part_of(const struct mpm_crack_chain *chain, size_t first,
                                         size_t end, double slack)
 {
-    struct mpm_crack_part part = {.first = first, .end = end, .thickness = HUGE_VAL};
+    struct mpm_crack_part part = {
+        .first = first, .end = end, .thickness = HUGE_VAL, .straight_axis = -1};
     double from[2], place[2];
     place_of(chain, first, from);
     place_of(chain, end, place);
@@ -56,6 +80,8 @@ struct mpm_crack_part mpm_crack_part_of(const struct mpm_crack_chain *chain, siz
     }
     if (has_line)
         part.thickness = farthest + slack;
+    if (farthest < slack)
+        part.straight_axis = straight_axis_of(chain, &part);
     return part;
 }
 
@@ -177,16 +203,36 @@ static size_t first_crossed(const struct mpm_crack_chain *chain, const struct mp
     return k - 1;
 }
 
-enum mpm_crack_side mpm_crack_part_side(const struct mpm_crack_chain *chain,
-                                        const struct mpm_crack_part *part, const double particle[2],
-                                        const double node[2], size_t *segment)
+/* Is the node on a straight part, inside of it? Then *segment is the one that it is on: of two, the
+ * later one. */
+static bool is_on_part(const struct mpm_crack_chain *chain, const struct mpm_crack_part *part,
+                       const double node[2], size_t *segment)
 {
-    const double from = mpm_crack_part_distance(part, particle),
-                 to = mpm_crack_part_distance(part, node);
-    if (fabs(from) <= part->thickness || fabs(to) <= part->thickness)
-        return side_by_segments(chain, part, particle, node, segment);
-    if ((from > 0.0) == (to > 0.0))
-        return MPM_CRACK_SAME_SIDE;
+    const int axis = part->straight_axis;
+    double first[2], last[2];
+    if (axis < 0)
+        return false;
+    place_of(chain, part->first, first);
+    place_of(chain, part->end, last);
+    const bool rises = last[axis] > first[axis];
+    const double low = rises ? first[axis] : last[axis], high = rises ? last[axis] : first[axis];
+    if (!(node[axis] > low && node[axis] < high) || mpm_orientation(first, last, node) != 0.0)
+        return false;
+    size_t k = part->first;
+    while (rises ? along_of(chain, axis, k + 1) <= node[axis]
+                 : along_of(chain, axis, k + 1) >= node[axis])
+        k++;
+    if (segment != NULL)
+        *segment = k;
+    return true;
+}
+
+/* Both beyond the thickness of the part's line, on two sides of it. */
+static enum mpm_crack_side side_by_line(const struct mpm_crack_chain *chain,
+                                        const struct mpm_crack_part *part,
+                                        const double particle[2], const double node[2],
+                                        size_t *segment)
+{
     const double first = beside_line(chain, part->first, particle, node),
                  last = beside_line(chain, part->end, particle, node);
     if (first == 0.0 || last == 0.0)
@@ -195,5 +241,21 @@ enum mpm_crack_side mpm_crack_part_side(const struct mpm_crack_chain *chain,
         return MPM_CRACK_SAME_SIDE;
     if (segment != NULL)
         *segment = first_crossed(chain, part, particle, node);
-    return from > 0.0 ? MPM_CRACK_ABOVE : MPM_CRACK_BELOW;
+    return mpm_crack_part_distance(part, particle) > 0.0 ? MPM_CRACK_ABOVE : MPM_CRACK_BELOW;
+}
+
+enum mpm_crack_side mpm_crack_part_side(const struct mpm_crack_chain *chain,
+                                        const struct mpm_crack_part *part, const double particle[2],
+                                        const double node[2], size_t *segment)
+{
+    const double from = mpm_crack_part_distance(part, particle),
+                 to = mpm_crack_part_distance(part, node);
+    if (mpm_crack_part_is_beside(part, from, to))
+        return MPM_CRACK_SAME_SIDE;
+    if (fabs(from) > part->thickness && fabs(to) <= part->thickness &&
+        is_on_part(chain, part, node, segment))
+        return from > 0.0 ? MPM_CRACK_ABOVE : MPM_CRACK_BELOW;
+    if (fabs(from) <= part->thickness || fabs(to) <= part->thickness)
+        return side_by_segments(chain, part, particle, node, segment);
+    return side_by_line(chain, part, particle, node, segment);
 }

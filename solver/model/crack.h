@@ -47,6 +47,8 @@ struct mpm_crack_part {
     /* all points lie within `thickness` of the line normal . x = offset from the first point to
      * the last; the normal points to the left. Infinite: no line is near to all. */
     double normal[2], offset, thickness;
+    /* Its points lie on one line to the last bit, in order along this axis; -1: they do not. */
+    int straight_axis;
 };
 
 /* Describes a part of a chain. `slack`: far more than the round-off of places of the scene, by
@@ -61,6 +63,14 @@ static inline double mpm_crack_part_distance(const struct mpm_crack_part *part,
     return part->normal[0] * place[0] + part->normal[1] * place[1] - part->offset;
 }
 
+/* Do two places at these distances have the whole part on one side? Then nothing is crossed. */
+static inline bool mpm_crack_part_is_beside(const struct mpm_crack_part *part, double one,
+                                            double other)
+{
+    return (one > part->thickness && other > part->thickness) ||
+           (one < -part->thickness && other < -part->thickness);
+}
+
 /* On which side is the particle, seen from the node? Only segments of the part are looked at: it
  * must have all that meet the box around both places. `segment`, unless NULL, gets the first one
  * that is crossed, where an odd number is.
@@ -68,7 +78,8 @@ static inline double mpm_crack_part_distance(const struct mpm_crack_part *part,
  * Places that are farther from the part's line than its points are see it as one segment: with
  * both on one side nothing is crossed; else the line between them passes all segments of the part
  * or none of them beside it, and crosses an odd number if its first and last point lie on
- * different sides of it. Others take the segments one by one. Cost: some ns, or some ns a segment. */
+ * different sides of it. A node on a part that is straight to the last bit is crossed from where the
+ * particle is. Others take the segments one by one. Cost: some ns, or some ns a segment. */
 enum mpm_crack_side mpm_crack_part_side(const struct mpm_crack_chain *chain,
                                         const struct mpm_crack_part *part, const double particle[2],
                                         const double node[2], size_t *segment);

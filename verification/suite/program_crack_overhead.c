@@ -70,8 +70,7 @@ static enum mpm_status take_rounds(struct study *study, struct mpm_error *error)
             TRY(advance(study, k, &seconds[k], error));
         }
         study->ratios[round] = seconds[CRACKED] / seconds[PLAIN];
-        follow_rows_add(&study->rows,
-                        (const double[]){(double)(round + 1), 100.0 * (study->ratios[round] - 1.0)});
+        follow_rows_add(&study->rows, (const double[]){(double)(round + 1), study->ratios[round]});
     }
     return MPM_OK;
 }
@@ -83,17 +82,16 @@ static enum mpm_status report(struct study *study, struct measurement *m, struct
     const double work = particles * (double)study->rounds * (double)study->steps;
     qsort(study->ratios, study->rounds, sizeof *study->ratios, by_size);
     measurement_report(m, "particles", particles);
-    measurement_report(m, "overhead", 100.0 * (study->ratios[study->rounds / 2] - 1.0));
-    measurement_report(m, "overhead_lower_quarter",
-                       100.0 * (study->ratios[study->rounds / 4] - 1.0));
-    measurement_report(m, "overhead_upper_quarter",
-                       100.0 * (study->ratios[study->rounds - 1 - study->rounds / 4] - 1.0));
+    measurement_report(m, "time_ratio", study->ratios[study->rounds / 2]);
+    measurement_report(m, "ratio_lower_quarter", study->ratios[study->rounds / 4]);
+    measurement_report(m, "ratio_upper_quarter",
+                       study->ratios[study->rounds - 1 - study->rounds / 4]);
     measurement_report(m, "plain_nanoseconds", 1e9 * study->seconds[PLAIN] / work);
     measurement_report(m, "crack_nanoseconds", 1e9 * study->seconds[CRACKED] / work);
     for (int k = 0; k < MODELS; k++)
         follow_count_work(m, study->models[k].simulation);
     TRY(follow_rows_check(&study->rows, error));
-    return measurement_series(m, "rounds", "round overhead", study->rows.columns, study->rows.count,
+    return measurement_series(m, "rounds", "round ratio", study->rows.columns, study->rows.count,
                               study->rows.values, error);
 }
 
