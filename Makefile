@@ -231,6 +231,11 @@ verify: all ## the catalogue at CI size; report in build/reports/verify
 verify-full: all ## the catalogue at full size
 	$(BUILD)/bin/mpm-verify run --tier full --output build/reports/verify
 
+# ------------------------------------------------------------------ mutants
+.PHONY: mutants
+mutants: ## plant small bugs, one after the other: which test or check finds each; build/mutants
+	tests/mutants/mutants.py run
+
 # --------------------------------------------------------------- benchmarks
 .PHONY: bench
 bench: all ## speed, memory, scaling, error against run time (about 9 min); build/reports/bench
@@ -240,7 +245,7 @@ bench: all ## speed, memory, scaling, error against run time (about 9 min); buil
 CLANG_FORMAT ?= $(or $(shell command -v clang-format-14),clang-format)
 CLANG_TIDY   ?= $(or $(shell command -v clang-tidy-14),clang-tidy)
 CHECKS := check-format check-source check-includes check-warnings check-cppcheck check-tidy \
-          check-bits check-budget check-reference
+          check-bits check-budget check-reference check-mutants
 .PHONY: check check-all $(CHECKS) format
 check: ## format, lint, include directions, warnings and bits of both compilers, checksums
 	+@$(MAKE) --keep-going check-all
@@ -289,6 +294,10 @@ check-budget: check-gcc ## instructions, branches and bytes of small runs agains
 	@$(GCC_BUILD)/bin/mpm-bench budget
 check-reference:
 	@$(if $(wildcard reference_data),cd reference_data && sha256sum --quiet -c MANIFEST.sha256)
+
+# A mutant whose lines have changed no longer applies: whoever changes them mends it.
+check-mutants:
+	@tests/mutants/mutants.py check
 
 format: ## rewrite the sources in the house format
 	$(CLANG_FORMAT) -i $(SOURCES) $(HEADERS)

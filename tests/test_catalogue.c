@@ -39,9 +39,12 @@ START_TEST(the_plan_owes_every_check_of_every_variant_of_the_size)
         struct plan_selection selection;
         size_t jobs, checks; /* 0: refused */
     } table[] = {
-        {{TIER_CI, NULL, NULL}, 2, 2},   {{TIER_FULL, NULL, NULL}, 3, 3},
-        {{TIER_FULL, "Q", "f*"}, 1, 1},  {{TIER_FULL, "[P-R]", "?????"}, 2, 2},
-        {{TIER_CI, NULL, "fine"}, 0, 0}, {{TIER_FULL, "X", NULL}, 0, 0},
+        {{.tier = TIER_CI}, 2, 2},
+        {{.tier = TIER_FULL}, 3, 3},
+        {{.tier = TIER_FULL, .case_glob = "Q", .variant_glob = "f*"}, 1, 1},
+        {{.tier = TIER_FULL, .case_glob = "[P-R]", .variant_glob = "?????"}, 2, 2},
+        {{.tier = TIER_CI, .variant_glob = "fine"}, 0, 0},
+        {{.tier = TIER_FULL, .case_glob = "X"}, 0, 0},
     };
     char *folder = test_folder_create();
     test_case_write_quadrature(folder);

@@ -203,6 +203,31 @@ START_TEST(an_output_folder_keeps_what_is_not_ours)
 }
 END_TEST
 
+START_TEST(a_list_of_pairs_selects_those_and_is_recorded)
+{
+    char *catalogue = test_folder_create(), *output = test_folder_create();
+    test_case_write_quadrature(catalogue);
+    char *list = test_folder_write(catalogue, "list", "Q/ninth\n\n  Q/fine \nR1/cubic\n");
+    char *line =
+        g_strdup_printf("mpm-verify run --tier full --catalogue @ --output @ --only %s", list);
+    struct test_said said = test_verify_with(line, catalogue, output);
+    struct records records;
+    struct mpm_error error;
+    ck_assert_msg(said.exit_status == 0, "%s", said.err);
+    ck_assert_int_eq(records_read(output, &records, &error), MPM_OK);
+    ck_assert_uint_eq(json_array_size(records.checks), 2);
+    for (size_t i = 0; i < 2; i++)
+        ck_assert_str_ne(record_text(json_array_get(records.checks, i), "variant"), "cubic");
+    ck_assert_str_eq(record_text(records.run, "only"), list);
+    records_clear(&records);
+    test_said_free(&said);
+    g_free(line);
+    g_free(list);
+    test_folder_remove(output);
+    test_folder_remove(catalogue);
+}
+END_TEST
+
 /* ----------------------------------------------------------------- commands */
 
 START_TEST(bad_usage_ends_with_2_and_says_why)
@@ -219,6 +244,9 @@ START_TEST(bad_usage_ends_with_2_and_says_why)
          "--kernels: 'quick' is no set of kernels; allowed: auto, reference, fast"},
         {"mpm-verify list --catalogue @ --kernels fast", "Unknown option --kernels"},
         {"mpm-verify run --catalogue @ --case X", "no check matches"},
+        {"mpm-verify run --catalogue @ --only @/none", "--only: Failed to open file"},
+        {"mpm-verify run --catalogue @ --only @/empty", "empty; allowed: lines CASE/VARIANT"},
+        {"mpm-verify run --catalogue @ --only @/strangers", "and the list --only"},
         {"mpm-verify run --catalogue @ --speed", "Unknown option --speed"},
         {"mpm-verify run --catalogue @ extra", "\"extra\": unexpected argument"},
         {"mpm-verify run --catalogue @/none", "no such folder of a catalogue"},
@@ -233,6 +261,8 @@ START_TEST(bad_usage_ends_with_2_and_says_why)
     };
     char *catalogue = test_folder_create();
     test_case_write_quadrature(catalogue);
+    g_free(test_folder_write(catalogue, "empty", "\n \n"));
+    g_free(test_folder_write(catalogue, "strangers", "Q/none\nR1/ugimp\n"));
     for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
         struct test_said said = strchr(table[i].line, '@') == NULL
                                     ? test_verify(table[i].line)
@@ -361,6 +391,7 @@ Suite *suite_suite(void)
     tcase_add_test(runs, a_result_line_has_the_promised_keys);
     tcase_add_test(runs, an_interrupted_run_ends_its_programs_and_leaves_no_report);
     tcase_add_test(runs, an_output_folder_keeps_what_is_not_ours);
+    tcase_add_test(runs, a_list_of_pairs_selects_those_and_is_recorded);
     tcase_add_test(runs, the_kernels_asked_for_reach_every_measurement_and_are_recorded);
     suite_add_tcase(suite, runs);
     TCase *commands = tcase_create("commands");

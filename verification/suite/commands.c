@@ -27,8 +27,11 @@ static const char usage[] =
     "usage: " PROGRAM " COMMAND\n"
     "\n"
     "  list [--tag T]                         the cases, their variants and checks\n"
-    "  run [--tier ci|full] [--case GLOB] [--variant GLOB] [--kernels auto|reference|fast]\n"
-    "      [--jobs N] [--output DIR]          run, judge, and write results and reports\n"
+    "  run [--tier ci|full] [--case GLOB] [--variant GLOB] [--only FILE]\n"
+    "      [--kernels auto|reference|fast] [--jobs N] [--output DIR]\n"
+    "                                         run, judge, and write results and reports; --only: "
+    "those\n"
+    "                                         of the file's lines CASE/VARIANT\n"
     "  explain CHECK [--output DIR]           what CASE[/CHECK[/VARIANT]] (globs) states, its "
     "band\n"
     "                                         and why, last values, the command to reproduce it\n"
@@ -57,6 +60,7 @@ static void options_clear(struct command_options *options)
     g_free(options->tier);
     g_free(options->case_glob);
     g_free(options->variant_glob);
+    g_free(options->only);
     g_free(options->kernels);
     g_free(options->output);
     g_free(options->catalogue);
@@ -117,6 +121,9 @@ static enum mpm_status run_with(struct run_options *run, struct command *command
     struct record_counts counts;
     TRY(read_tier(options->tier, &run->selection.tier, error));
     TRY(read_kernels(options->kernels, &run->kernels, error));
+    run->selection.only_file = options->only;
+    if (options->only != NULL)
+        TRY(plan_read_only(options->only, &run->selection.only, error));
     if (options->jobs != JOBS_DEFAULT && (options->jobs < 1 || options->jobs > JOBS_MAX))
         return failure_set(error, MPM_BAD_INPUT, "--jobs %d: allowed are 1 to %d", options->jobs,
                            JOBS_MAX);
@@ -149,6 +156,8 @@ static enum mpm_status command_run(struct command *command, struct mpm_error *er
         .selection = {.case_glob = options->case_glob, .variant_glob = options->variant_glob},
     };
     const enum mpm_status status = run_with(&run, command, error);
+    if (run.selection.only != NULL)
+        g_hash_table_unref(run.selection.only);
     g_free(catalogue);
     g_free(reports);
     g_free(output);
@@ -198,6 +207,7 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
         {TAKES_SELECTION, {"tier", 0, 0, G_OPTION_ARG_STRING, &given->tier, NULL, NULL}},
         {TAKES_SELECTION, {"case", 0, 0, G_OPTION_ARG_STRING, &given->case_glob, NULL, NULL}},
         {TAKES_SELECTION, {"variant", 0, 0, G_OPTION_ARG_STRING, &given->variant_glob, NULL, NULL}},
+        {TAKES_SELECTION, {"only", 0, 0, G_OPTION_ARG_FILENAME, &given->only, NULL, NULL}},
         {TAKES_SELECTION, {"kernels", 0, 0, G_OPTION_ARG_STRING, &given->kernels, NULL, NULL}},
         {TAKES_SELECTION, {"jobs", 0, 0, G_OPTION_ARG_INT, &given->jobs, NULL, NULL}},
         {TAKES_OUTPUT, {"output", 0, 0, G_OPTION_ARG_FILENAME, &given->output, NULL, NULL}},

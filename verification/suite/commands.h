@@ -23,7 +23,7 @@ int suite_command(int argc, char **argv, const struct suite_world *world);
 /* ------------------------------------------- shared by the files of commands */
 
 struct command_options {
-    char *tier, *case_glob, *variant_glob, *kernels, *output, *catalogue, *tag, *change;
+    char *tier, *case_glob, *variant_glob, *only, *kernels, *output, *catalogue, *tag, *change;
     int jobs;
     char **rest; /* what stands beside the options */
 };

@@ -84,8 +84,8 @@ static void print_check(struct comparison_runs *runs, enum run_change change, co
 
 static void print_runs(const struct comparison_runs *runs, const char *before, const char *after)
 {
-    static const char *const keys[] = {"revision", "compiler", "flags",     "processor",   "simd",
-                                       "kernels",  "tier",     "case_glob", "variant_glob"};
+    static const char *const keys[] = {"revision", "compiler", "flags",     "processor",    "simd",
+                                       "kernels",  "tier",     "case_glob", "variant_glob", "only"};
     fprintf(runs->out, "from %s\nto   %s\n", before, after);
     for (size_t i = 0; i < G_N_ELEMENTS(keys); i++) {
         const char *one = record_text(runs->before.run, keys[i]);
@@ -122,7 +122,7 @@ static void compare_statuses(struct comparison_runs *runs)
 /* A check that a run did not select has not vanished. */
 static bool same_selection(const struct comparison_runs *runs)
 {
-    static const char *const keys[] = {"tier", "case_glob", "variant_glob"};
+    static const char *const keys[] = {"tier", "case_glob", "variant_glob", "only"};
     bool same = true;
     for (size_t i = 0; i < G_N_ELEMENTS(keys); i++)
         same = same && strcmp(record_text(runs->before.run, keys[i]),

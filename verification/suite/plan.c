@@ -3,11 +3,51 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/plan.h"
 
-#include <glib.h>
+#include "verification/suite/failure.h"
 
 static bool matches(const char *glob, const char *name)
 {
     return glob == NULL || glob_matches(glob, name);
+}
+
+enum mpm_status plan_read_only(const char *path, GHashTable **only, struct mpm_error *error)
+{
+    char *text = NULL;
+    GError *failure = NULL;
+    *only = NULL;
+    if (!g_file_get_contents(path, &text, NULL, &failure)) {
+        const enum mpm_status status =
+            failure_set(error, MPM_BAD_INPUT, "--only: %s", failure->message);
+        g_error_free(failure);
+        return status;
+    }
+    char **lines = g_strsplit(text, "\n", -1);
+    GHashTable *const pairs = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+    for (char **line = lines; *line != NULL; line++)
+        if (*g_strstrip(*line) != '\0')
+            g_hash_table_add(pairs, g_strdup(*line));
+    g_strfreev(lines);
+    g_free(text);
+    if (g_hash_table_size(pairs) == 0) {
+        g_hash_table_unref(pairs);
+        return failure_set(error, MPM_BAD_INPUT, "--only: %s is empty; allowed: lines CASE/VARIANT",
+                           path);
+    }
+    *only = pairs;
+    return MPM_OK;
+}
+
+static bool is_selected(const struct plan_selection *selection, const struct catalogue_case *entry,
+                        const struct case_variant *variant)
+{
+    if (variant->tier > selection->tier || !matches(selection->variant_glob, variant->name))
+        return false;
+    if (selection->only == NULL)
+        return true;
+    char *const pair = g_strconcat(entry->file->name, "/", variant->name, NULL);
+    const bool listed = g_hash_table_contains(selection->only, pair);
+    g_free(pair);
+    return listed;
 }
 
 static void plan_variant(const struct catalogue_case *entry, const struct case_variant *variant,
@@ -43,7 +83,7 @@ enum mpm_status plan_make(const struct catalogue *catalogue, const struct plan_s
             continue;
         for (unsigned v = 0; v < entry->file->variants_count; v++) {
             const struct case_variant *variant = &entry->file->variants[v];
-            if (variant->tier <= selection->tier && matches(selection->variant_glob, variant->name))
+            if (is_selected(selection, entry, variant))
                 plan_variant(entry, variant, jobs, checks);
         }
     }
@@ -55,11 +95,12 @@ enum mpm_status plan_make(const struct catalogue *catalogue, const struct plan_s
         return MPM_OK;
     plan_clear(plan);
     return failure_set(error, MPM_BAD_INPUT,
-                       "no check matches --tier %s --case \"%s\" --variant \"%s\"; see mpm-verify "
-                       "list",
+                       "no check matches --tier %s --case \"%s\" --variant \"%s\"%s; see "
+                       "mpm-verify list",
                        tier_name(selection->tier),
                        selection->case_glob == NULL ? "*" : selection->case_glob,
-                       selection->variant_glob == NULL ? "*" : selection->variant_glob);
+                       selection->variant_glob == NULL ? "*" : selection->variant_glob,
+                       selection->only == NULL ? "" : " and the list --only");
 }
 
 enum mpm_status plan_check_methods(const struct plan *plan, struct mpm_error *error)

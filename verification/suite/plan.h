@@ -7,6 +7,8 @@
 
 #include "verification/suite/catalogue.h"
 
+#include <glib.h>
+
 struct planned_job {
     const struct catalogue_case *entry;
     const struct case_variant *variant;
@@ -27,7 +29,13 @@ struct plan {
 struct plan_selection {
     enum tier tier;
     const char *case_glob, *variant_glob; /* NULL selects all */
+    const char *only_file;                /* that `only` was read from */
+    GHashTable *only;                     /* texts CASE/VARIANT; NULL selects all */
 };
+
+/* The pairs CASE/VARIANT of a file, one a line; empty lines are passed over. MPM_BAD_INPUT if it
+ * cannot be read or has none. Release with g_hash_table_unref. */
+enum mpm_status plan_read_only(const char *path, GHashTable **only, struct mpm_error *error);
 
 /* MPM_BAD_INPUT if the selection holds no check. Release with plan_clear. */
 enum mpm_status plan_make(const struct catalogue *catalogue, const struct plan_selection *selection,

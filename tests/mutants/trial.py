@@ -1,0 +1,203 @@
+"""A trial: builds a mutant in a folder of its own, and runs unit tests and catalogue against it.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import time
+
+from mutant_files import Fault, ROOT
+
+LONG_SUITE = 5.0  # s: a suite that takes longer waits until the others have left a mutant alive
+QUICK_VARIANT = 0.2  # s: the same of a variant of the catalogue
+SOUND = ("pass", "skip", "expected-fail")
+FAILED_TEST = re.compile(r"^\S+:\d+:[FE]:[^:]*:([^:]+):")
+
+
+def command(folder, words, limit, environment=None):
+    """Output and status of a command; None for the status of one that was stopped at its limit."""
+    try:
+        done = subprocess.run(words, cwd=folder, timeout=limit, check=False, text=True,
+                              errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, env={**os.environ, **(environment or {})})
+    except subprocess.TimeoutExpired:
+        return "", None
+    return done.stdout, done.returncode
+
+
+def copy_sources(folder):
+    names = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, text=True,
+                           stdout=subprocess.PIPE).stdout.split("\0")
+    for name in filter(None, names):
+        if (ROOT / name).is_file():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(ROOT / name, folder / name)
+
+
+def suites(folder):
+    """By the names that Check knows them by."""
+    texts = [path.read_text(encoding="utf-8") for path in sorted((folder / "tests").glob("*.c"))]
+    return [name for text in texts for name in re.findall(r'suite_create\("([\w ]+)"\)', text)]
+
+
+def build(folder, jobs, limit):
+    """The end of what make said if it failed, else ''. Warnings do not count: a mutant may leave
+    something unused."""
+    said, status = command(folder, ["make", f"-j{jobs}", "WERROR="], limit)
+    if status == 0:
+        said, status = command(folder, ["make", f"-j{jobs}", "WERROR=",
+                                        "build/release/bin/mpm-tests"], limit)
+    return "" if status == 0 else said[-2000:] or "stopped at its time limit"
+
+
+def run_suite(folder, suite, limit):
+    """Names of the tests that failed, or a word for a suite that did not end."""
+    binaries = folder / "build/release/bin"
+    said, status = command(folder, [binaries / "mpm-tests"], limit,
+                           {"CK_RUN_SUITE": suite, "MPM_BIN": str(binaries),
+                            "CK_DEFAULT_TIMEOUT": "30"})
+    if status is None:
+        return ["(did not end)"]
+    failed = sorted({m[1] for m in map(FAILED_TEST.match, said.splitlines()) if m})
+    return failed or ([] if status == 0 else [f"(exit status {status})"])
+
+
+def run_catalogue(folder, limit, jobs=1, only=None):
+    """The lines of the checks, or a word for a run that left none."""
+    output = folder / "build/reports/mutant"
+    shutil.rmtree(output, ignore_errors=True)
+    words = ["build/release/bin/mpm-verify", "run", "--jobs", str(jobs), "--output", str(output)]
+    if only is not None:
+        (folder / "build/only").write_text("".join(f"{pair}\n" for pair in only), encoding="utf-8")
+        words += ["--only", "build/only"]
+    said, status = command(folder, words, limit)
+    try:
+        lines = (output / "checks.jsonl").read_text(encoding="utf-8").splitlines()
+        return [line for line in map(json.loads, lines) if line["kind"] == "check"], ""
+    except (OSError, ValueError, KeyError):
+        return [], "(did not end)" if status is None else f"(exit status {status}: {said[-200:]})"
+
+
+class Baseline:
+    """The unchanged sources, built and run: what is green, and how long it takes."""
+
+    def __init__(self, folder, jobs, say):
+        self.folder = folder
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        copy_sources(folder)
+        say("building the unchanged sources")
+        fault = build(folder, jobs, 1800)
+        if fault:
+            raise Fault(f"the unchanged sources do not build:\n{fault}")
+        self.suite_seconds = {}
+        for suite in suites(folder):
+            start = time.monotonic()
+            failed = run_suite(folder, suite, 600)
+            self.suite_seconds[suite] = time.monotonic() - start
+            if failed:
+                raise Fault(f"unchanged, suite {suite} fails: {', '.join(failed)}")
+        say("running the catalogue")
+        start = time.monotonic()
+        checks, fault = run_catalogue(folder, 1800, jobs)
+        self.catalogue_seconds = jobs * (time.monotonic() - start)
+        red = [c for c in checks if c["status"] not in SOUND]
+        if fault or red:
+            raise Fault(f"unchanged, the catalogue is red: {fault or red[0]}")
+        self.check_count = len(checks)
+        self.quick = quick_pairs(checks)
+
+    def quick_suites(self):
+        return [s for s, seconds in self.suite_seconds.items() if seconds <= LONG_SUITE]
+
+    def long_suites(self):
+        return [s for s, seconds in self.suite_seconds.items() if seconds > LONG_SUITE]
+
+
+def quick_pairs(checks):
+    """CASE/VARIANT of quick variants, and of the quickest one of each case."""
+    seconds = {}
+    for check in checks:
+        seconds.setdefault(check["case"], {})[check["variant"]] = check["seconds"]
+    return sorted(f"{case}/{variant}" for case, of in seconds.items() for variant in of
+                  if of[variant] <= QUICK_VARIANT or of[variant] == min(of.values()))
+
+
+class Bench:
+    """A copy of the baseline in which one mutant after the other is tried."""
+
+    def __init__(self, baseline, folder):
+        self.baseline = baseline
+        self.folder = folder
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(baseline.folder, folder)
+
+    def restore(self):
+        """Sources, objects and programs of the baseline, with their times, so that make is content."""
+        for part in ("solver", "verification", "build/release"):
+            for original in (self.baseline.folder / part).rglob("*"):
+                copy = self.folder / original.relative_to(self.baseline.folder)
+                if original.is_file() and self.differs(original, copy):
+                    shutil.copy2(original, copy)
+
+    @staticmethod
+    def differs(original, copy):
+        if not copy.exists():
+            return True
+        one, other = original.stat(), copy.stat()
+        return one.st_mtime_ns != other.st_mtime_ns or one.st_size != other.st_size
+
+    def limit(self, seconds):
+        return 60.0 + 10.0 * seconds
+
+    def suites_kill(self, names):
+        killed = []
+        for suite in names:
+            limit = self.limit(self.baseline.suite_seconds[suite])
+            killed += [f"{suite}/{test}" for test in run_suite(self.folder, suite, limit)]
+        return killed
+
+    def catalogue_kills(self, only):
+        checks, fault = run_catalogue(self.folder, self.limit(self.baseline.catalogue_seconds),
+                                      only=only)
+        if fault:
+            return [f"catalogue {fault}"]
+        return [f"{c['case']}/{c['check']}[{c['variant']}]" for c in checks
+                if c["status"] not in SOUND]
+
+    def attempt(self, mutant):
+        """What became of the mutant, as a dictionary."""
+        start = time.monotonic()
+        patch = self.folder / "build/mutant.patch"
+        patch.write_text(mutant.patch, encoding="utf-8")
+        # the folder may lie within the repository, and is not of it
+        said, status = command(self.folder, ["git", "apply", str(patch.resolve())], 60,
+                               {"GIT_CEILING_DIRECTORIES": str(self.folder.resolve().parent)})
+        if status != 0:
+            raise Fault(f"{mutant.name}: the patch does not apply: {said}")
+        result = {"name": mutant.name, "room": mutant.room, "kind": mutant.kind,
+                  "what": mutant.what, "file": mutant.path, "patch": mutant.patch,
+                  "equivalent": mutant.equivalent, "tests": [], "checks": [], "whole": False}
+        fault = build(self.folder, 1, 1800)
+        if fault:
+            result["outcome"], result["fault"] = "not-built", fault
+        else:
+            self.try_all(result)
+            killed = result["tests"] or result["checks"]
+            result["outcome"] = ("killed" if killed else
+                                 "equivalent" if mutant.equivalent else "survived")
+        self.restore()
+        result["seconds"] = time.monotonic() - start
+        return result
+
+    def try_all(self, result):
+        result["tests"] = self.suites_kill(self.baseline.quick_suites())
+        result["checks"] = self.catalogue_kills(self.baseline.quick)
+        if not result["tests"] and not result["checks"]:
+            result["whole"] = True
+            result["tests"] = self.suites_kill(self.baseline.long_suites())
+            result["checks"] = self.catalogue_kills(None)
