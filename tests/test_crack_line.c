@@ -46,8 +46,8 @@ static enum mpm_crack_side side_of(const struct chain *made, const double partic
 {
     size_t one_by_one = SIZE_MAX, by_line = SIZE_MAX;
     const struct mpm_crack_part all = segment_by_segment(made),
-                                line =
-                                    mpm_crack_part_of(&made->chain, 0, made->chain.count - 1, SLACK);
+                                line = mpm_crack_part_of(&made->chain, 0, made->chain.count - 1,
+                                                         SLACK);
     const enum mpm_crack_side side =
         mpm_crack_part_side(&made->chain, &all, particle, node, &one_by_one);
     ck_assert_int_eq(mpm_crack_part_side(&made->chain, &line, particle, node, &by_line), side);
@@ -462,8 +462,7 @@ START_TEST(a_part_of_a_chain_tells_what_all_of_it_does_by_its_line_too)
                 mpm_crack_part_of(&chain.chain, (size_t)at - 4, (size_t)at + 4, HUGE_VAL);
             const enum mpm_crack_side side =
                 mpm_crack_part_side(&chain.chain, &part, particle, node, NULL);
-            ck_assert_int_eq(side,
-                             mpm_crack_part_side(&chain.chain, &alone, particle, node, NULL));
+            ck_assert_int_eq(side, mpm_crack_part_side(&chain.chain, &alone, particle, node, NULL));
             crossed += side != MPM_CRACK_SAME_SIDE;
         }
     }

@@ -23,7 +23,10 @@ void mpm_crack_contact_extrapolated(struct mpm_state *state);
 /* Task 7: cracks move with the centre-of-mass velocity at the end of the step, (32), by the linear
  * functions of the nodes that have mass: at least a thousandth of the lightest particle's. Nodes
  * that a body hardly reaches have velocities without bounds, which particles take no part of, and
- * points outside of the body would. MPM_RUN_FAILED: a point leaves the grid. */
+ * points outside of the body would. MPM_RUN_FAILED: a point leaves the grid, or a segment has grown
+ * longer than MPM_CRACK_LONGEST shorter cell sides: it would no longer follow the material between.
+ */
+enum { MPM_CRACK_LONGEST = 4 };
 enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *error);
 
 #endif

@@ -16,7 +16,8 @@ static const double PLACE_SLACK = 1e-12;
 static struct mpm_crack_bands take_bands(const struct mpm_state *state, struct mpm_arena *arena)
 {
     const size_t rows = (size_t)state->grid.rows;
-    int64_t *const low = MPM_TAKE(arena, int64_t, rows), *const high = MPM_TAKE(arena, int64_t, rows);
+    int64_t *const low = MPM_TAKE(arena, int64_t, rows), *const high =
+                                                             MPM_TAKE(arena, int64_t, rows);
     return (struct mpm_crack_bands){low, high};
 }
 
@@ -313,8 +314,7 @@ static bool list_segment(struct mpm_state *state, uint32_t crack, size_t k)
     const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
     struct mpm_crack_map *const map = state->cracks.map;
     const double low[2] = {fmin(chain->x[k], chain->x[k + 1]), fmin(chain->y[k], chain->y[k + 1])};
-    const double high[2] = {fmax(chain->x[k], chain->x[k + 1]),
-                            fmax(chain->y[k], chain->y[k + 1])};
+    const double high[2] = {fmax(chain->x[k], chain->x[k + 1]), fmax(chain->y[k], chain->y[k + 1])};
     const struct mpm_cell_block met = block_between(&state->grid, low, high, 0);
     const int64_t back = map->span - 1;
     for (int64_t row = within(met.low[1] - back, state->grid.rows); row <= met.high[1]; row++) {
@@ -357,8 +357,8 @@ bool mpm_crack_map_draw(struct mpm_state *state)
 /* ---------------------------------------------------------------------- asking */
 
 static const struct mpm_crack_site *put_together(const struct mpm_state *state,
-                                                 const struct mpm_cell_block *block,
-                                                 uint32_t crack, struct mpm_crack_site *made)
+                                                 const struct mpm_cell_block *block, uint32_t crack,
+                                                 struct mpm_crack_site *made)
 {
     const struct mpm_crack_map *const map = state->cracks.map;
     size_t first = SIZE_MAX, end = 0;

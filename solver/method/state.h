@@ -177,10 +177,10 @@ struct mpm_cracks {
     double *position[2]; /* of all chains' points, one after the other */
     uint8_t *held;       /* per point: bits of the axes along which a symmetry plane holds it */
     double least_mass;   /* of a node that moves cracks; see mpm_cracks_advance */
-    double widest[2]; /* reach of the largest undeformed domain */
+    double widest[2];    /* reach of the largest undeformed domain */
     /* Of the step */
-    struct mpm_crack_map *map;    /* cells near cracks; see crack_map.h */
-    struct mpm_crack_kept *kept;  /* particles with further fields; see crack_fields.h */
+    struct mpm_crack_map *map;   /* cells near cracks; see crack_map.h */
+    struct mpm_crack_kept *kept; /* particles with further fields; see crack_fields.h */
     size_t kept_count, kept_capacity;
     uint32_t *kept_of;            /* per particle: one more than its place in `kept`, or 0 */
     struct mpm_crack_span *spans; /* see mpm_crack_spans */

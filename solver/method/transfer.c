@@ -71,8 +71,7 @@ void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_st
         return;
     }
     stencil->count = kept->stencil.count;
-    memcpy(stencil->node, kept->stencil.node,
-           (size_t)kept->stencil.count * sizeof *stencil->node);
+    memcpy(stencil->node, kept->stencil.node, (size_t)kept->stencil.count * sizeof *stencil->node);
 }
 
 MPM_INLINE const struct mpm_stencil *read_back_weights(const struct mpm_state *state,

@@ -229,9 +229,8 @@ static bool is_on_part(const struct mpm_crack_chain *chain, const struct mpm_cra
 
 /* Both beyond the thickness of the part's line, on two sides of it. */
 static enum mpm_crack_side side_by_line(const struct mpm_crack_chain *chain,
-                                        const struct mpm_crack_part *part,
-                                        const double particle[2], const double node[2],
-                                        size_t *segment)
+                                        const struct mpm_crack_part *part, const double particle[2],
+                                        const double node[2], size_t *segment)
 {
     const double first = beside_line(chain, part->first, particle, node),
                  last = beside_line(chain, part->end, particle, node);

@@ -78,8 +78,8 @@ static inline bool mpm_crack_part_is_beside(const struct mpm_crack_part *part, d
  * Places that are farther from the part's line than its points are see it as one segment: with
  * both on one side nothing is crossed; else the line between them passes all segments of the part
  * or none of them beside it, and crosses an odd number if its first and last point lie on
- * different sides of it. A node on a part that is straight to the last bit is crossed from where the
- * particle is. Others take the segments one by one. Cost: some ns, or some ns a segment. */
+ * different sides of it. A node on a part that is straight to the last bit is crossed from where
+ * the particle is. Others take the segments one by one. Cost: some ns, or some ns a segment. */
 enum mpm_crack_side mpm_crack_part_side(const struct mpm_crack_chain *chain,
                                         const struct mpm_crack_part *part, const double particle[2],
                                         const double node[2], size_t *segment);

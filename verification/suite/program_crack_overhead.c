@@ -77,8 +77,7 @@ static enum mpm_status take_rounds(struct study *study, struct mpm_error *error)
 
 static enum mpm_status report(struct study *study, struct measurement *m, struct mpm_error *error)
 {
-    const double particles =
-        (double)mpm_simulation_particle_count(study->models[PLAIN].simulation);
+    const double particles = (double)mpm_simulation_particle_count(study->models[PLAIN].simulation);
     const double work = particles * (double)study->rounds * (double)study->steps;
     qsort(study->ratios, study->rounds, sizeof *study->ratios, by_size);
     measurement_report(m, "particles", particles);
