@@ -26,6 +26,12 @@
     "boundary=[{region: {line: {from: [0, 1], to: [7, 1]}}, velocity: [free, 0.2]}, "              \
     "{region: {line: {from: [1, 0], to: [1, 7]}}, velocity: [0.3, free]}]"
 
+/* 10^5 particles: what a crack costs goes with its length. */
+#define MANY           "grid.refine=32"
+#define ALONG          "[[1, 3.5], [3.5, 3.5]]"
+#define ACROSS         "[[2.25, 2.25], [4.4375, 4.78125]]"
+#define MANY_PARTICLES "plain, 10^5 particles"
+
 const struct pays_feature pays_features[] = {
     {STEPS_ALONE, NULL, false, PLANAR, {NULL}, "plane strain, uGIMP, MUSL, neo-Hookean, FLIP"},
     {"axisymmetry",
@@ -94,6 +100,26 @@ const struct pays_feature pays_features[] = {
      PLANAR,
      {"grid.cells=[50, 50]", "grid.origin=[-22, -22]"},
      "100 times the cells of the body; passes visit active rows only: under 5 %"},
+    {MANY_PARTICLES, NULL, false, PLANAR, {MANY}, "the same scene, for cracks"},
+    {"crack along the grid",
+     MANY_PARTICLES,
+     false,
+     PLANAR,
+     {MANY, "cracks=[{points: " ALONG ", contact: none}]"},
+     "half of the block's width, by the particles beside it alone: 5 %"},
+    {"crack across the grid",
+     MANY_PARTICLES,
+     false,
+     PLANAR,
+     {MANY, "cracks=[{points: " ACROSS ", contact: none}]"},
+     "two thirds of the block's width, more particles a cell of it than along the grid: under 10 "
+     "%"},
+    {"crack across, with friction",
+     MANY_PARTICLES,
+     false,
+     PLANAR,
+     {MANY, "cracks=[{points: " ACROSS ", contact: friction, friction: 0.3}]"},
+     "areas and surfaces of nodes besides: under 15 %"},
     {START_AND_END, NULL, true, PLANAR, {RUN, SLOW, "output={}"}, "steps and files of a whole run"},
     {"ledger every 100 steps",
      START_AND_END,

@@ -11,19 +11,16 @@
 #include <math.h>
 #include <string.h>
 
-enum { LONGEST = 201, PIECES = (LONGEST - 1 + MPM_CRACK_PIECE - 1) / MPM_CRACK_PIECE };
+enum { LONGEST = 201 };
 
 struct chain {
     double x[LONGEST], y[LONGEST];
-    struct mpm_crack_box boxes[PIECES];
     struct mpm_crack_chain chain;
 };
 
 static void bound(struct chain *made, size_t count)
 {
-    made->chain =
-        (struct mpm_crack_chain){.x = made->x, .y = made->y, .count = count, .pieces = made->boxes};
-    mpm_crack_chain_bound(&made->chain);
+    made->chain = (struct mpm_crack_chain){.x = made->x, .y = made->y, .count = count};
 }
 
 static void place(struct chain *made, size_t count, const double (*points)[2])
@@ -35,15 +32,28 @@ static void place(struct chain *made, size_t count, const double (*points)[2])
     bound(made, count);
 }
 
-static struct mpm_crack_range all_of(const struct chain *made)
+/* A slack without end leaves no place to what is told by a part's line alone. */
+static struct mpm_crack_part segment_by_segment(const struct chain *made)
 {
-    return (struct mpm_crack_range){0, made->chain.count - 1, made->chain.whole};
+    return mpm_crack_part_of(&made->chain, 0, made->chain.count - 1, HUGE_VAL);
 }
 
+static const double SLACK = 1e-12;
+
+/* By both ways, which must tell the same. */
 static enum mpm_crack_side side_of(const struct chain *made, const double particle[2],
                                    const double node[2])
 {
-    return mpm_crack_chain_side(&made->chain, all_of(made), particle, node, NULL);
+    size_t one_by_one = SIZE_MAX, by_line = SIZE_MAX;
+    const struct mpm_crack_part all = segment_by_segment(made),
+                                line = mpm_crack_part_of(&made->chain, 0, made->chain.count - 1,
+                                                         SLACK);
+    const enum mpm_crack_side side =
+        mpm_crack_part_side(&made->chain, &all, particle, node, &one_by_one);
+    ck_assert_int_eq(mpm_crack_part_side(&made->chain, &line, particle, node, &by_line), side);
+    if (side != MPM_CRACK_SAME_SIDE)
+        ck_assert_uint_eq(by_line, one_by_one);
+    return side;
 }
 
 static enum mpm_crack_side other_side(enum mpm_crack_side side)
@@ -177,9 +187,9 @@ START_TEST(the_normal_points_from_above_to_below_whatever_the_particle)
     struct chain chain;
     double normal[2] = {0, 0};
     place(&chain, 2, slanted);
-    ck_assert_int_eq(
-        mpm_crack_chain_side(&chain.chain, all_of(&chain), places[_i], places[1 - _i], normal),
-        _i == 0 ? MPM_CRACK_ABOVE : MPM_CRACK_BELOW);
+    ck_assert_int_eq(side_of(&chain, places[_i], places[1 - _i]),
+                     _i == 0 ? MPM_CRACK_ABOVE : MPM_CRACK_BELOW);
+    mpm_crack_segment_normal(&chain.chain, 0, normal);
     ck_assert_near(normal[0], 0.6, DBL_EPSILON);
     ck_assert_near(normal[1], -0.8, DBL_EPSILON);
 }
@@ -426,31 +436,33 @@ START_TEST(a_straight_crack_of_rounded_points_has_two_sides)
 }
 END_TEST
 
-/* ------------------------------------------------------------------------ boxes */
+/* ------------------------------------------------------------------------ parts */
 
-START_TEST(no_crossing_is_lost_by_the_range_of_a_box)
+/* Waves of all steepnesses: from parts that are all but straight to some that fold back. */
+START_TEST(a_part_of_a_chain_tells_what_all_of_it_does_by_its_line_too)
 {
     GRand *const random = g_rand_new_with_seed(200);
+    const double roughness = 0.001 * pow(10.0, _i);
     int crossed = 0;
     for (int time = 0; time < 40; time++) {
         struct chain chain;
         for (int k = 0; k < LONGEST; k++) {
-            chain.x[k] = 0.5 * k + g_rand_double_range(random, -1, 1);
-            chain.y[k] = 20.0 * sin(0.05 * k) + g_rand_double_range(random, -1, 1);
+            chain.x[k] = 0.5 * k + roughness * g_rand_double_range(random, -1, 1);
+            chain.y[k] = 20.0 * sin(0.05 * k) + roughness * g_rand_double_range(random, -1, 1);
         }
         bound(&chain, LONGEST);
         for (int line = 0; line < 500; line++) {
-            const double particle[2] = {g_rand_double_range(random, -2, 102),
-                                        g_rand_double_range(random, -22, 22)};
-            const double node[2] = {rint(particle[0]) + g_rand_int_range(random, -2, 3),
-                                    rint(particle[1]) + g_rand_int_range(random, -2, 3)};
-            const struct mpm_crack_box box = {
-                .low = {fmin(particle[0], node[0]), fmin(particle[1], node[1])},
-                .high = {fmax(particle[0], node[0]), fmax(particle[1], node[1])}};
-            const struct mpm_crack_range range = mpm_crack_chain_near(&chain.chain, &box);
+            const int at = g_rand_int_range(random, 4, LONGEST - 4);
+            const double particle[2] = {chain.x[at] + g_rand_double_range(random, -1, 1),
+                                        chain.y[at] + g_rand_double_range(random, -1, 1)};
+            const double node[2] = {rint(particle[0]), rint(particle[1])};
+            const struct mpm_crack_part part =
+                mpm_crack_part_of(&chain.chain, (size_t)at - 4, (size_t)at + 4, SLACK);
+            const struct mpm_crack_part alone =
+                mpm_crack_part_of(&chain.chain, (size_t)at - 4, (size_t)at + 4, HUGE_VAL);
             const enum mpm_crack_side side =
-                mpm_crack_chain_side(&chain.chain, range, particle, node, NULL);
-            ck_assert_int_eq(side, side_of(&chain, particle, node));
+                mpm_crack_part_side(&chain.chain, &part, particle, node, NULL);
+            ck_assert_int_eq(side, mpm_crack_part_side(&chain.chain, &alone, particle, node, NULL));
             crossed += side != MPM_CRACK_SAME_SIDE;
         }
     }
@@ -459,19 +471,17 @@ START_TEST(no_crossing_is_lost_by_the_range_of_a_box)
 }
 END_TEST
 
-START_TEST(segments_at_the_edge_of_a_box_are_in_its_range)
+START_TEST(all_points_of_a_part_lie_in_its_box_and_near_its_line)
 {
-    static const double points[][2] = {{0, 0}, {1, 0}, {2, 0}, {3, 0}};
+    static const double points[][2] = {{0, 0}, {1, 0.5}, {2, -0.25}, {4, 0}, {5, 9}};
     struct chain chain;
-    place(&chain, 4, points);
-    const struct mpm_crack_box touching = {{1, 0}, {2, 5}}, above = {{0, 0.5}, {3, 1}},
-                               behind = {{4, -1}, {5, 1}};
-    struct mpm_crack_range range = mpm_crack_chain_near(&chain.chain, &touching);
-    ck_assert(range.first == 0 && range.end == 3);
-    range = mpm_crack_chain_near(&chain.chain, &above);
-    ck_assert(range.first == range.end);
-    range = mpm_crack_chain_near(&chain.chain, &behind);
-    ck_assert(range.first == range.end);
+    place(&chain, 5, points);
+    const struct mpm_crack_part part = mpm_crack_part_of(&chain.chain, 0, 3, 0.125);
+    ck_assert(part.box.low[0] == 0 && part.box.high[0] == 4);
+    ck_assert(part.box.low[1] == -0.25 && part.box.high[1] == 0.5);
+    ck_assert_near(part.thickness, 0.5 + 0.125, DBL_EPSILON);
+    ck_assert_near(mpm_crack_part_distance(&part, points[1]), 0.5, DBL_EPSILON);
+    ck_assert_near(mpm_crack_part_distance(&part, points[2]), -0.25, DBL_EPSILON);
 }
 END_TEST
 
@@ -488,9 +498,9 @@ Suite *suite_crack_line(void)
     tcase_add_test(sides, particles_near_the_crack_are_on_one_side_of_it_for_all_nodes);
     tcase_add_loop_test(sides, a_straight_crack_of_rounded_points_has_two_sides, 0, 4);
     suite_add_tcase(suite, sides);
-    TCase *boxes = tcase_create("boxes");
-    tcase_add_test(boxes, no_crossing_is_lost_by_the_range_of_a_box);
-    tcase_add_test(boxes, segments_at_the_edge_of_a_box_are_in_its_range);
-    suite_add_tcase(suite, boxes);
+    TCase *parts = tcase_create("parts");
+    tcase_add_loop_test(parts, a_part_of_a_chain_tells_what_all_of_it_does_by_its_line_too, 0, 4);
+    tcase_add_test(parts, all_points_of_a_part_lie_in_its_box_and_near_its_line);
+    suite_add_tcase(suite, parts);
     return suite;
 }

@@ -1,9 +1,12 @@
 /* Velocity fields, contact and motion of cracks in whole steps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/crack_fields.h"
+#include "method/crack_map.h"
 #include "method/grid_update.h"
 #include "suites.h"
 #include "support/crack_block.h"
+#include "support/kernel_pair.h"
 #include "support/near.h"
 #include "support/transfer_block.h"
 
@@ -319,7 +322,7 @@ START_TEST(a_scene_without_cracks_has_nothing_of_them)
     test_run_steps(&without, 2);
     const struct mpm_cracks *const cracks = &crack_block_state(&without)->cracks;
     ck_assert(cracks->point_count == 0 && cracks->node_capacity == 0 && cracks->rows == 0);
-    ck_assert(cracks->chains == NULL && cracks->code == NULL && cracks->node_of == NULL);
+    ck_assert(cracks->chains == NULL && cracks->kept_of == NULL && cracks->node_of == NULL);
     ck_assert(cracks->wanted == NULL && cracks->nodes == NULL && cracks->homes == NULL);
     ck_assert(crack_block_state(&without)->symmetry_count == 0);
     ck_assert_int_eq(crack_block_state(&without)->grid.field_rows, 0);
@@ -339,7 +342,61 @@ static const struct {
      "a point of cracks.0 left the grid from ("},
     {{"cracks=[{points: [[2, 5.3], [10, 5.3]]}, {points: [[2, 5.5], [10, 5.5]]}]"},
      "reaches a node past two cracks; allowed: past one"},
+    {{"cracks=[{points: [[5.2, 5.6], [6.8, 5.6]], contact: none, spacing: 1}]",
+      "bodies=[{name: block, material: rubber, velocity: ['2*(x-6)', 0], "
+      "region: {rectangle: {from: [5.2, 3.2], to: [6.8, 8]}}}]",
+      "materials.0={name: rubber, law: neo_hookean, density: 1, bulk: 0.01, shear: 0.01}"},
+     "a segment of cracks.0 was stretched, from ("},
 };
+
+/* What is measured when the scene is created may not suffice for what cracks become. */
+START_TEST(cracks_that_find_no_room_end_the_run_with_a_message)
+{
+    static const char *const words[] = {"cells than the 1 that", "particles than the 1 that",
+                                        "nodes than the 1 that"};
+    struct settings settings = {.count = 0};
+    settings_add(&settings, "cracks=[{points: [[2, 5.6], [10, 5.6]]}]");
+    struct test_run run = crack_block_open(&settings);
+    struct mpm_cracks *const cracks = &run.simulation->state.cracks;
+    struct mpm_error error = {.message = ""};
+    test_run_steps(&run, 1);
+    *(_i == 0   ? &cracks->map->capacity
+      : _i == 1 ? &cracks->kept_capacity
+                : &cracks->node_capacity) = 1;
+    ck_assert_int_eq(mpm_cracks_find_fields(&run.simulation->state, 1, &error), MPM_RUN_FAILED);
+    ck_assert_msg(strstr(error.message, words[_i]) != NULL, "%s", error.message);
+    test_run_close(&run);
+}
+END_TEST
+
+/* What particles with several fields meet in a step: contact, nodes that they do not see, edges. */
+static const char *const BESIDE[] = {
+    "cracks=[{points: [[2, 5.6], [10, 5.6]], contact: none}]",
+    "cracks=[{points: [[2, 5.6], [6, 5.7], [10, 5.6]], contact: friction, friction: 0.3}]",
+    "cracks=[{points: [[4, 4], [7.3, 7.1]], contact: stick}]",
+    "cracks=[{points: [[4, 4], [7.3, 7.1]], contact: none}] method.cracks=visibility",
+    "cracks=[{points: [[2, 5.6], [6, 5.7]], contact: none}] "
+    "loads.tractions=[{body: block, edge: all, frame: edge, value: [-0.1, 0]}]",
+};
+
+START_TEST(fast_and_reference_kernels_agree_beside_cracks)
+{
+    struct settings settings = crack_block_method(_i % CRACK_BLOCK_METHODS);
+    gchar **const words = g_strsplit(BESIDE[_i / CRACK_BLOCK_METHODS], "] ", 2);
+    for (int k = 0; words[k] != NULL; k++)
+        settings_add_formatted(&settings, "%s%s", words[k], k == 0 && words[1] != NULL ? "]" : "");
+    settings_add(&settings, "bodies.block.velocity=['0.1*sin(y)', '0.1*cos(x)']");
+    const struct kernel_side sides[2] = {
+        {settings.texts, {.kernels = MPM_KERNELS_REFERENCE, .threads = 1}},
+        {settings.texts, {.kernels = MPM_KERNELS_FAST, .threads = 1}},
+    };
+    struct kernel_pair pair = kernel_pair_open_text(CRACK_BLOCK, sides);
+    kernel_pair_assert_alike(&pair, 10);
+    kernel_pair_close(&pair);
+    g_strfreev(words);
+    settings_clear(&settings);
+}
+END_TEST
 
 /* Everything goes back to the last good step, the cracks too. */
 START_TEST(a_run_that_cannot_go_on_says_why_and_goes_back_with_its_cracks)
@@ -394,6 +451,9 @@ Suite *suite_cracks(void)
     TCase *runs = tcase_create("runs");
     tcase_add_loop_test(runs, results_are_the_same_bits_for_any_number_of_threads, 0, 2);
     tcase_add_test(runs, a_scene_without_cracks_has_nothing_of_them);
+    tcase_add_loop_test(runs, cracks_that_find_no_room_end_the_run_with_a_message, 0, 3);
+    tcase_add_loop_test(runs, fast_and_reference_kernels_agree_beside_cracks, 0,
+                        G_N_ELEMENTS(BESIDE) * CRACK_BLOCK_METHODS);
     tcase_add_loop_test(runs, a_run_that_cannot_go_on_says_why_and_goes_back_with_its_cracks, 0,
                         G_N_ELEMENTS(FAILING));
     suite_add_tcase(suite, runs);

@@ -263,6 +263,26 @@ static enum mpm_status advance_point(const struct mpm_state *state, size_t crack
     return MPM_OK;
 }
 
+static enum mpm_status check_lengths(const struct mpm_state *state, size_t crack,
+                                     struct mpm_error *error)
+{
+    const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
+    const double side = fmin(state->grid.cell[0], state->grid.cell[1]);
+    const double longest = MPM_CRACK_LONGEST * side;
+    for (size_t k = 0; k + 1 < chain->count; k++) {
+        const double along[2] = {chain->x[k + 1] - chain->x[k], chain->y[k + 1] - chain->y[k]};
+        const double square = along[0] * along[0] + along[1] * along[1];
+        if (!(square <= longest * longest))
+            return mpm_error_set(
+                error, MPM_RUN_FAILED,
+                "a segment of cracks.%zu was stretched, from (%g, %g) to (%g, %g): "
+                "length %g shorter cell sides; allowed: up to %d",
+                crack, chain->x[k], chain->y[k], chain->x[k + 1], chain->y[k + 1],
+                sqrt(square) / side, MPM_CRACK_LONGEST);
+    }
+    return MPM_OK;
+}
+
 enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *error)
 {
     for (size_t crack = 0; crack < state->scene->crack_count; crack++) {
@@ -281,6 +301,7 @@ enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *er
             }
             MPM_TRY(advance_point(state, crack, k, v, error));
         }
+        MPM_TRY(check_lengths(state, crack, error));
     }
     return MPM_OK;
 }

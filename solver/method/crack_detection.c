@@ -3,6 +3,7 @@
 
 #include "base/strips.h"
 #include "method/crack_fields.h"
+#include "method/crack_map.h"
 #include "method/transfer.h"
 
 #include <math.h>
@@ -42,19 +43,14 @@ static struct contribution contribution_of(const struct mpm_state *state, size_t
     return made;
 }
 
-static void add_crossing(const struct mpm_state *state, size_t p, const double particle[2],
-                         const double place[2], struct mpm_crack_node *node)
+static void add_crossing(const struct mpm_state *state, const struct mpm_crack_crossing *crossing,
+                         struct mpm_crack_node *node)
 {
     double normal[2];
-    for (size_t k = 0; k < state->scene->crack_count; k++) {
-        const struct mpm_crack_range range = mpm_crack_range_of(state, p, k);
-        if (mpm_crack_chain_side(&state->cracks.chains[k], range, particle, place, normal) ==
-            MPM_CRACK_SAME_SIDE)
-            continue;
-        node->normal[0] += normal[0];
-        node->normal[1] += normal[1];
-        node->crack = k < node->crack ? k : node->crack;
-    }
+    mpm_crack_segment_normal(&state->cracks.chains[crossing->crack], crossing->segment, normal);
+    node->normal[0] += normal[0];
+    node->normal[1] += normal[1];
+    node->crack = crossing->crack < node->crack ? crossing->crack : node->crack;
 }
 
 static void add_sums(const struct contribution *made, const struct mpm_stencil_node *entry,
@@ -68,32 +64,46 @@ static void add_sums(const struct contribution *made, const struct mpm_stencil_n
     }
 }
 
+/* Has one of the particle's nodes further fields? */
+static bool reaches_fields(const struct mpm_state *state, const struct mpm_cell_block *block)
+{
+    for (int64_t row = block->low[1]; row <= block->high[1] + 1; row++)
+        for (int64_t column = block->low[0]; column <= block->high[0] + 1; column++)
+            if (state->cracks.node_of[row * state->grid.columns + column] != 0)
+                return true;
+    return false;
+}
+
+static void measure(void *context, size_t p, const struct mpm_cell_block *block)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_crack_kept *const kept = mpm_crack_kept_of(state, p);
+    uint32_t code = kept == NULL ? 0 : kept->code;
+    struct mpm_stencil stencil;
+    if (kept == NULL && !reaches_fields(state, block))
+        return;
+    const struct contribution made = contribution_of(state, p);
+    mpm_particle_stencil(state, p, &stencil);
+    for (int k = 0; k < stencil.count; k++, code >>= 2) {
+        const int64_t home = mpm_crack_home(state, state->node_zero + stencil.node[k].node);
+        if (state->cracks.node_of[home] == 0)
+            continue;
+        struct mpm_crack_node *const node = &state->cracks.nodes[state->cracks.node_of[home] - 1];
+        double place[2];
+        mpm_grid_position(&state->grid, home, place);
+        add_sums(&made, &stencil.node[k], place, &node->sums[code & 3u]);
+        if ((code & 3u) != 0)
+            add_crossing(state, &kept->crossing[k], node);
+    }
+}
+
 /* Strips of one colour have no node in common. */
 static void measure_strip(void *context, int64_t index, int worker)
 {
     const struct mpm_state *const state = context;
-    const struct mpm_strip *const strip = &state->strips[index];
     (void)worker;
-    for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil;
-        uint32_t code = state->cracks.code[p];
-        if (state->cracks.near[p] == 0)
-            continue;
-        const struct contribution made = contribution_of(state, p);
-        mpm_particle_stencil(state, p, &stencil);
-        for (int k = 0; k < stencil.count; k++, code >>= 2) {
-            const int64_t home = mpm_crack_home(state, state->node_zero + stencil.node[k].node);
-            if (state->cracks.node_of[home] == 0)
-                continue;
-            struct mpm_crack_node *const node =
-                &state->cracks.nodes[state->cracks.node_of[home] - 1];
-            double place[2];
-            mpm_grid_position(&state->grid, home, place);
-            add_sums(&made, &stencil.node[k], place, &node->sums[code & 3u]);
-            if ((code & 3u) != 0)
-                add_crossing(state, p, made.place, place, node);
-        }
-    }
+    mpm_crack_bands_visit(state, &state->strips[index], &state->cracks.map->beside, measure,
+                          context);
 }
 
 void mpm_crack_detection_measure(struct mpm_state *state, int workers)

@@ -2,89 +2,87 @@
 #include "method/crack_fields.h"
 
 #include "base/strips.h"
-#include "method/extent.h"
+#include "method/crack_map.h"
 #include "method/transfer.h"
 
-#include <math.h>
 #include <string.h>
 
 _Static_assert(2 * MPM_STENCIL_MAX <= 32, "a particle's fields are two bits a node");
 
 /* ------------------------------------------------------------ the particles */
 
-/* The box that a particle and all its nodes lie in. */
-static struct mpm_crack_box box_of(const struct mpm_state *state, size_t p)
+/* What finding the fields of a particle works on. */
+struct search {
+    struct mpm_state *state;
+    int64_t strip;
+};
+
+struct lattice_place {
+    int64_t column, row;
+};
+
+/* Of a node of the block, or near it: without a division. */
+static struct lattice_place place_in_block(const struct mpm_state *state,
+                                           const struct mpm_cell_block *block, int64_t node)
 {
-    const double *reach = state->cracks.reach[state->particles.body[p]];
-    double wide[2];
-    if (state->family->convected) {
-        const struct mpm_placement placement = mpm_particle_placement(state, p);
-        for (int axis = 0; axis < 2; axis++)
-            wide[axis] =
-                placement.reach[axis] + state->family->nodes_past_end * state->grid.cell[axis];
-        reach = wide;
-    }
-    const double x = state->particles.position[0][p], y = state->particles.position[1][p];
-    return (struct mpm_crack_box){{x - reach[0], y - reach[1]}, {x + reach[0], y + reach[1]}};
+    const int64_t columns = state->grid.columns;
+    struct lattice_place place = {node - block->low[1] * columns, block->low[1]};
+    for (; place.column >= columns; place.column -= columns)
+        place.row++;
+    return place;
 }
 
-/* Is a node that the strip's particles reach near a crack? So many cells from it a node may have
- * further fields. */
-enum { NODES_APART = 4 };
-static bool is_strip_near(const struct mpm_state *state, const struct mpm_strip *strip)
+/* Strips of one colour have no row of nodes in common: the bits of a node are set by one worker. */
+static void ask_for_field(const struct mpm_cracks *cracks, int64_t node,
+                          const struct lattice_place *place, enum mpm_crack_side side)
 {
-    const struct mpm_grid *const grid = &state->grid;
-    const struct mpm_crack_box box = {
-        .low = {grid->origin[0] + grid->cell[0] * (double)(strip->column_low - NODES_APART),
-                grid->origin[1] + grid->cell[1] * (double)(strip->row_low - NODES_APART)},
-        .high = {grid->origin[0] + grid->cell[0] * (double)(strip->column_high + NODES_APART),
-                 grid->origin[1] + grid->cell[1] * (double)(strip->row_high + NODES_APART)},
-    };
-    for (size_t k = 0; k < state->scene->crack_count; k++) {
-        if (mpm_crack_chain_meets(&state->cracks.chains[k], &box))
-            return true;
-    }
-    return false;
-}
-
-/* May one of its nodes have further fields? Such a node is one of a particle whose box meets a
- * crack: this one's does, with half the widest box around it. Of domains that F has stretched
- * (CPDI) the widest is taken to be this one. */
-static bool is_near(const struct mpm_state *state, size_t p)
-{
-    struct mpm_crack_box box = box_of(state, p);
-    for (int axis = 0; axis < 2; axis++) {
-        const double own = 0.5 * (box.high[axis] - box.low[axis]);
-        const double half = fmax(own, state->cracks.widest[axis]);
-        box.low[axis] -= half;
-        box.high[axis] += half;
-    }
-    for (size_t k = 0; k < state->scene->crack_count; k++)
-        if (mpm_crack_chain_meets(&state->cracks.chains[k], &box))
-            return true;
-    return false;
-}
-
-struct mpm_crack_range mpm_crack_range_of(const struct mpm_state *state, size_t p, size_t crack)
-{
-    const struct mpm_crack_box box = box_of(state, p);
-    return mpm_crack_chain_near(&state->cracks.chains[crack], &box);
+    cracks->wanted[node] |= (uint8_t)(1u << side);
+    mpm_crack_bands_mark(&cracks->map->wanted, place->column, place->row);
 }
 
 /* The particle's fields at its nodes as far as one crack has a say. */
-static uint32_t code_of(const struct mpm_state *state, size_t p, size_t crack,
-                        struct mpm_crack_range range, const struct mpm_stencil *stencil)
+static uint32_t code_of(const struct mpm_state *state, const struct mpm_crack_site *site,
+                        const struct mpm_cell_block *block, const double particle[2],
+                        struct mpm_crack_kept *made)
 {
-    const double particle[2] = {state->particles.position[0][p], state->particles.position[1][p]};
+    const struct mpm_grid *const grid = &state->grid;
+    const struct mpm_crack_chain *const chain = &state->cracks.chains[site->crack];
+    const double from = mpm_crack_part_distance(&site->part, particle);
     uint32_t code = 0;
-    for (int k = 0; k < stencil->count; k++) {
-        double place[2];
-        mpm_grid_position(&state->grid, state->node_zero + stencil->node[k].node, place);
-        code |= (uint32_t)mpm_crack_chain_side(&state->cracks.chains[crack], range, particle, place,
-                                               NULL)
-                << (2 * k);
+    for (int k = 0; k < made->stencil.count; k++) {
+        const int64_t node = state->node_zero + made->stencil.node[k].node;
+        const struct lattice_place at = place_in_block(state, block, node);
+        const double place[2] = {
+            grid->origin[0] + grid->cell[0] * (double)(at.column - MPM_GHOST_ROWS),
+            grid->origin[1] + grid->cell[1] * (double)(at.row - MPM_GHOST_ROWS)};
+        size_t segment = 0;
+        if (mpm_crack_part_is_beside(&site->part, from,
+                                     mpm_crack_part_distance(&site->part, place)))
+            continue;
+        const enum mpm_crack_side side =
+            mpm_crack_part_side(chain, &site->part, particle, place, &segment);
+        if (side == MPM_CRACK_SAME_SIDE)
+            continue;
+        code |= (uint32_t)side << (2 * k);
+        made->crossing[k] = (struct mpm_crack_crossing){site->crack, (uint32_t)segment};
+        ask_for_field(&state->cracks, node, &at, side);
     }
     return code;
+}
+
+/* May the part pass between the corners of the block? */
+static bool may_pass(const struct mpm_state *state, const struct mpm_crack_part *part,
+                     const struct mpm_cell_block *block)
+{
+    const struct mpm_grid *const grid = &state->grid;
+    double middle[2], reach = 0.0;
+    for (int axis = 0; axis < 2; axis++) {
+        const double low = (double)(block->low[axis] - MPM_GHOST_ROWS),
+                     high = (double)(block->high[axis] + 1 - MPM_GHOST_ROWS);
+        middle[axis] = grid->origin[axis] + 0.5 * (low + high) * grid->cell[axis];
+        reach += 0.5 * (high - low) * grid->cell[axis] * fabs(part->normal[axis]);
+    }
+    return fabs(mpm_crack_part_distance(part, middle)) <= reach + part->thickness;
 }
 
 /* The nodes that are hidden by both. */
@@ -104,50 +102,73 @@ static void add_to_spans(const struct mpm_state *state, int64_t index, size_t p)
         spans[strip->span_count++] = (struct mpm_crack_span){p, p + 1};
 }
 
-/* Strips of one colour have no node in common: the bits of a node are set by one worker. */
+/* Where particles are kept depends on which strip is first; what is found there does not. */
+static void keep(const struct search *search, const struct mpm_crack_kept *made)
+{
+    struct mpm_cracks *const cracks = &search->state->cracks;
+    size_t place;
+#pragma omp atomic capture
+    place = cracks->kept_count++;
+    if (place >= cracks->kept_capacity)
+        return;
+    struct mpm_crack_kept *const kept = &cracks->kept[place];
+    kept->particle = made->particle;
+    kept->code = made->code;
+    kept->stencil.count = made->stencil.count;
+    memcpy(kept->stencil.node, made->stencil.node,
+           (size_t)made->stencil.count * sizeof *made->stencil.node);
+    memcpy(kept->crossing, made->crossing, (size_t)made->stencil.count * sizeof *made->crossing);
+    cracks->kept_of[made->particle] = (uint32_t)place + 1;
+    add_to_spans(search->state, search->strip, made->particle);
+}
+
+static void find_code(void *context, size_t p, const struct mpm_cell_block *block)
+{
+    const struct search *const search = context;
+    const struct mpm_state *const state = search->state;
+    const double particle[2] = {state->particles.position[0][p], state->particles.position[1][p]};
+    struct mpm_crack_kept made;
+    made.particle = (uint32_t)p;
+    made.code = 0;
+    made.stencil.count = 0;
+    for (uint32_t crack = 0; crack < state->scene->crack_count; crack++) {
+        struct mpm_crack_site together;
+        const struct mpm_crack_site *const site =
+            mpm_crack_map_site(state, block, crack, &together);
+        if (site == NULL || !may_pass(state, &site->part, block))
+            continue;
+        if (made.stencil.count == 0)
+            mpm_particle_plain_stencil(state, p, &made.stencil);
+        const uint32_t code = code_of(state, site, block, particle, &made);
+        if (contradict(made.code, code))
+            mpm_strip_record(&state->strips[search->strip], MPM_TWO_CRACKS, state->particles.id[p],
+                             0, 0.0);
+        made.code |= code;
+    }
+    if (made.code != 0)
+        keep(search, &made);
+}
+
 static void find_codes(void *context, int64_t index, int worker)
 {
-    const struct mpm_state *const state = context;
-    struct mpm_strip *const strip = &state->strips[index];
-    const size_t count = strip->end - strip->begin;
+    const struct search search = {context, index};
+    struct mpm_strip *const strip = &search.state->strips[index];
     (void)worker;
     strip->span_count = 0;
-    memset(state->cracks.code + strip->begin, 0, count * sizeof *state->cracks.code);
-    memset(state->cracks.near + strip->begin, 0, count * sizeof *state->cracks.near);
-    if (!is_strip_near(state, strip))
-        return;
-    for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil = {.count = 0};
-        uint32_t code = 0;
-        if (!is_near(state, p))
-            continue;
-        state->cracks.near[p] = 1;
-        for (size_t crack = 0; crack < state->scene->crack_count; crack++) {
-            const struct mpm_crack_range range = mpm_crack_range_of(state, p, crack);
-            if (range.first == range.end)
-                continue;
-            if (stencil.count == 0)
-                mpm_particle_stencil(state, p, &stencil);
-            const uint32_t one = code_of(state, p, crack, range, &stencil);
-            if (contradict(code, one))
-                mpm_strip_record(strip, MPM_TWO_CRACKS, state->particles.id[p], 0, 0.0);
-            code |= one;
-        }
-        state->cracks.code[p] = code;
-        if (code != 0)
-            add_to_spans(state, index, p);
-        for (int k = 0; k < stencil.count && code >> 2 * k != 0; k++)
-            state->cracks.wanted[state->node_zero + stencil.node[k].node] |=
-                (uint8_t)(1u << (code >> 2 * k & 3u));
-    }
+    mpm_crack_bands_visit(search.state, strip, &search.state->cracks.map->listed, find_code,
+                          (void *)&search);
 }
 
 /* ---------------------------------------------------------------- the nodes */
 
-/* Boxes of active rows may be wider than what cracks reach: only nodes that are asked for count. */
-static bool asks_for_more(uint8_t wanted)
+/* The cells that the node is a corner of: blocks of particles that reach it have one of them. */
+static void mark_cells(struct mpm_state *state, int64_t node)
 {
-    return (wanted & ~(1u << MPM_CRACK_SAME_SIDE)) != 0;
+    const int64_t row = node / state->grid.columns, column = node % state->grid.columns;
+    for (int64_t k = row > 0 ? row - 1 : 0; k <= row; k++) {
+        mpm_crack_bands_mark(&state->cracks.map->beside, column > 0 ? column - 1 : 0, k);
+        mpm_crack_bands_mark(&state->cracks.map->beside, column, k);
+    }
 }
 
 static bool add_node(struct mpm_state *state, int64_t node)
@@ -163,29 +184,35 @@ static bool add_node(struct mpm_state *state, int64_t node)
             made.field[side] = first + cracks->field_count++;
         }
     cracks->nodes[cracks->node_count++] = made;
+    mark_cells(state, node);
     cracks->node_of[node] = (uint32_t)cracks->node_count;
     return true;
 }
 
+/* In the order of the grid. */
 static bool list_nodes(struct mpm_state *state)
 {
     const struct mpm_cracks *const cracks = &state->cracks;
-    for (int64_t row = state->first_row; row <= state->last_row; row++)
-        for (int64_t column = state->row_low[row]; column <= state->row_high[row]; column++) {
+    const struct mpm_crack_bands *const wanted = &cracks->map->wanted;
+    for (int64_t row = 0; row < state->grid.rows; row++)
+        for (int64_t column = wanted->low[row]; column <= wanted->high[row]; column++) {
             const int64_t node = row * state->grid.columns + column;
-            if (asks_for_more(cracks->wanted[node]) && !add_node(state, node))
+            if (cracks->wanted[node] != 0 && !add_node(state, node))
                 return false;
             cracks->wanted[node] = 0;
         }
     return true;
 }
 
-static void forget_nodes(struct mpm_cracks *cracks)
+static void forget(struct mpm_cracks *cracks)
 {
     for (size_t k = 0; k < cracks->node_count; k++)
         cracks->node_of[cracks->nodes[k].field[0]] = 0;
+    for (size_t k = 0; k < cracks->kept_count && k < cracks->kept_capacity; k++)
+        cracks->kept_of[cracks->kept[k].particle] = 0;
     cracks->node_count = 0;
     cracks->field_count = 0;
+    cracks->kept_count = 0;
 }
 
 static void set_rows(struct mpm_state *state)
@@ -200,24 +227,6 @@ static void set_rows(struct mpm_state *state)
     }
 }
 
-enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
-                                       struct mpm_error *error)
-{
-    struct mpm_cracks *const cracks = &state->cracks;
-    if (cracks->point_count == 0)
-        return MPM_OK;
-    for (size_t k = 0; k < state->scene->crack_count; k++)
-        mpm_crack_chain_bound(&cracks->chains[k]);
-    forget_nodes(cracks);
-    mpm_strips_run(state->strip_count, workers, find_codes, state);
-    if (!list_nodes(state))
-        return mpm_error_set(error, MPM_RUN_FAILED,
-                             "cracks have grown to more than the %zu nodes that there is room for",
-                             cracks->node_capacity);
-    set_rows(state);
-    return MPM_OK;
-}
-
 /* ----------------------------------------------------------------- stencils */
 
 static inline int64_t diverted(const struct mpm_state *state, int64_t offset, uint32_t side)
@@ -226,9 +235,12 @@ static inline int64_t diverted(const struct mpm_state *state, int64_t offset, ui
     return node->field[side] - state->node_zero;
 }
 
-void mpm_crack_divert(const struct mpm_state *state, uint32_t code, struct mpm_stencil *stencil)
+/* Puts the particle's fields into its stencil. */
+static void divert(const struct mpm_state *state, struct mpm_crack_kept *kept)
 {
     const bool hides = state->scene->crack_method == MPM_CRACKS_VISIBILITY;
+    struct mpm_stencil *const stencil = &kept->stencil;
+    uint32_t code = kept->code;
     int count = 0;
     for (int k = 0; k < stencil->count; k++, code >>= 2) {
         struct mpm_stencil_node entry = stencil->node[k];
@@ -241,20 +253,49 @@ void mpm_crack_divert(const struct mpm_state *state, uint32_t code, struct mpm_s
     stencil->count = count;
 }
 
+static enum mpm_status no_room(const char *what, size_t capacity, struct mpm_error *error)
+{
+    return mpm_error_set(error, MPM_RUN_FAILED,
+                         "cracks have grown to more %s than the %zu that there is room for", what,
+                         capacity);
+}
+
+enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
+                                       struct mpm_error *error)
+{
+    struct mpm_cracks *const cracks = &state->cracks;
+    if (cracks->point_count == 0)
+        return MPM_OK;
+    forget(cracks);
+    if (!mpm_crack_map_draw(state)) /* clears all bands */
+        return no_room("cells", cracks->map->capacity, error);
+    mpm_strips_run(state->strip_count, workers, find_codes, state);
+    if (cracks->kept_count > cracks->kept_capacity)
+        return no_room("particles", cracks->kept_capacity, error);
+    if (!list_nodes(state))
+        return no_room("nodes", cracks->node_capacity, error);
+    set_rows(state);
+    for (size_t k = 0; k < cracks->kept_count; k++)
+        divert(state, &cracks->kept[k]);
+    return MPM_OK;
+}
+
+/* -------------------------------------------------------------------- edges */
+
+/* The plain stencil has the same nodes in the same order. */
 void mpm_crack_divert_edge(const struct mpm_state *state, size_t p,
                            struct mpm_edge_weights *weights)
 {
     struct mpm_stencil plain;
-    const uint32_t code = state->cracks.code[p];
-    if (code == 0)
+    const struct mpm_crack_kept *const kept = mpm_crack_kept_of(state, p);
+    if (kept == NULL)
         return;
-    state->cracks.code[p] = 0; /* its nodes as they are */
-    mpm_particle_stencil(state, p, &plain);
-    state->cracks.code[p] = code;
+    mpm_particle_plain_stencil(state, p, &plain);
     for (int i = 0; i < weights->count; i++)
         for (int k = 0; k < plain.count; k++)
-            if (plain.node[k].node == weights->entry[i].node && (code >> 2 * k & 3u) != 0) {
-                weights->entry[i].node = diverted(state, plain.node[k].node, code >> 2 * k & 3u);
+            if (plain.node[k].node == weights->entry[i].node && (kept->code >> 2 * k & 3u) != 0) {
+                weights->entry[i].node =
+                    diverted(state, plain.node[k].node, kept->code >> 2 * k & 3u);
                 break;
             }
 }

@@ -21,25 +21,41 @@
 
 /* Task 1, first part: v(p, i) of all particles near cracks; the nodes' further fields, and their
  * rows. A line that crosses two cracks is recorded with its particle, and fails the step at its
- * end. MPM_RUN_FAILED: cracks have grown so that there is no room for their nodes. */
+ * end. MPM_RUN_FAILED: cracks have grown so that there is no room for what is near them. */
 enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
                                        struct mpm_error *error);
 
 /* Where the step's spans of a strip stand: those with particles that have further fields, and with
- * the particles between them where those are fewer than MPM_CRACK_GAP. */
-enum { MPM_CRACK_GAP = 16 };
+ * the particles between them where those are fewer than MPM_CRACK_GAP: the fast kernels'
+ * last particles of a piece cost as much as so many with the others. */
+enum { MPM_CRACK_GAP = 4 };
 static inline struct mpm_crack_span *mpm_crack_spans(const struct mpm_state *state, int64_t strip)
 {
     return state->cracks.spans + strip + state->strips[strip].begin / MPM_CRACK_GAP;
 }
 
-/* The segments of a crack that lines from a particle to its nodes may cross. */
-struct mpm_crack_range mpm_crack_range_of(const struct mpm_state *state, size_t p, size_t crack);
+/* The segment that the line to a node crosses. */
+struct mpm_crack_crossing {
+    uint32_t crack, segment;
+};
 
-/* Puts the particle's fields into its stencil. */
-void mpm_crack_divert(const struct mpm_state *state, uint32_t code, struct mpm_stencil *stencil);
+/* A particle with nodes that have further fields; from the start of a step to its end. */
+struct mpm_crack_kept {
+    uint32_t particle;
+    uint32_t code;              /* two bits for each node of its plain stencil, an mpm_crack_side */
+    struct mpm_stencil stencil; /* its nodes in its fields */
+    struct mpm_crack_crossing crossing[MPM_STENCIL_MAX]; /* of nodes on another side */
+};
 
-/* The same for the nodes of one of its edges. */
+/* The entry of a particle that has such nodes, or NULL. */
+static inline const struct mpm_crack_kept *mpm_crack_kept_of(const struct mpm_state *state,
+                                                             size_t p)
+{
+    const uint32_t place = state->cracks.kept_of[p];
+    return place == 0 ? NULL : &state->cracks.kept[place - 1];
+}
+
+/* Puts the particle's fields into the nodes of one of its edges. */
 void mpm_crack_divert_edge(const struct mpm_state *state, size_t p,
                            struct mpm_edge_weights *weights);
 

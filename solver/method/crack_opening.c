@@ -2,6 +2,7 @@
 #include "method/crack_opening.h"
 
 #include "method/crack_fields.h"
+#include "method/crack_map.h"
 #include "method/grid_update.h"
 
 #include <math.h>
@@ -71,12 +72,14 @@ static void find_sides(const struct mpm_state *state, const double from[2],
         side[k] = MPM_CRACK_SAME_SIDE;
     for (size_t crack = 0; crack < state->scene->crack_count; crack++) {
         const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
-        const struct mpm_crack_range range = mpm_crack_chain_near(chain, box);
-        for (int k = 0; k < stencil->count && range.first != range.end; k++) {
+        struct mpm_crack_site made;
+        const struct mpm_crack_part *const part =
+            mpm_crack_map_part(state, box, (uint32_t)crack, &made);
+        for (int k = 0; k < stencil->count && part != NULL; k++) {
             double place[2];
             mpm_grid_position(&state->grid, state->node_zero + stencil->node[k].node, place);
             if (side[k] == MPM_CRACK_SAME_SIDE)
-                side[k] = mpm_crack_chain_side(chain, range, from, place, NULL);
+                side[k] = mpm_crack_part_side(chain, part, from, place, NULL);
         }
     }
 }

@@ -136,7 +136,7 @@ static void prepare_strip(void *context, int64_t index, int worker)
         else
             mpm_edge_integrate(state->family, &state->shape_grid, &domain, edge->site->edge,
                                depth_of(state, edge->particle), &edge->weights);
-        if (state->cracks.code != NULL && !spec_of(state, edge->site)->on_particles)
+        if (state->cracks.kept_of != NULL && !spec_of(state, edge->site)->on_particles)
             mpm_crack_divert_edge(state, edge->particle, &edge->weights);
     }
 }

@@ -9,8 +9,11 @@ enum mpm_crack_side mpm_j_side(const struct mpm_j_contour *contour, const double
                                const double to[2], size_t *crack)
 {
     for (size_t k = 0; k < contour->state->scene->crack_count; k++) {
-        const enum mpm_crack_side side = mpm_crack_chain_side(&contour->state->cracks.chains[k],
-                                                              contour->ranges[k], from, to, NULL);
+        const struct mpm_crack_part *const part = &contour->parts[k];
+        if (part->first == part->end)
+            continue;
+        const enum mpm_crack_side side =
+            mpm_crack_part_side(&contour->state->cracks.chains[k], part, from, to, NULL);
         if (side == MPM_CRACK_SAME_SIDE)
             continue;
         if (crack != NULL)
@@ -113,8 +116,8 @@ static double crossing_part(const struct mpm_j_contour *contour, const double fr
 {
     const struct mpm_crack_chain *const chain =
         &contour->state->cracks.chains[contour->spec->crack];
-    const struct mpm_crack_range range = contour->ranges[contour->spec->crack];
-    for (size_t k = range.first; k < range.end; k++) {
+    const struct mpm_crack_part *const part = &contour->parts[contour->spec->crack];
+    for (size_t k = part->first; k < part->end; k++) {
         const double first[2] = {chain->x[k], chain->y[k]};
         const double last[2] = {chain->x[k + 1], chain->y[k + 1]};
         const double a = mpm_orientation(first, last, from), b = mpm_orientation(first, last, to);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/j_integral.h"
 
+#include "method/crack_map.h"
 #include "method/j_contour.h"
 #include "method/transfer.h"
 
@@ -363,15 +364,16 @@ enum mpm_status mpm_j_evaluate(const struct mpm_state *state,
         .spec = spec,
         .tip = tip,
         .nodes = scratch->nodes,
-        .ranges = scratch->ranges,
+        .parts = scratch->parts,
     };
     struct material_search search = {.found = false};
     struct mpm_j_flux flux;
     MPM_TRY(place_contour(&contour, error));
-    /* segments move by less than a cell between the bounding of their chain and now */
-    const struct mpm_crack_box box = box_around(&contour, PARTICLE_MARGIN + 1);
+    const struct mpm_crack_box box = box_around(&contour, PARTICLE_MARGIN);
     for (size_t k = 0; k < state->scene->crack_count; k++)
-        contour.ranges[k] = mpm_crack_chain_near(&state->cracks.chains[k], &box);
+        if (!mpm_crack_part_near(&state->cracks.chains[k], &box, state->cracks.map->slack,
+                                 &contour.parts[k]))
+            contour.parts[k] = (struct mpm_crack_part){.first = 0, .end = 0};
     memset(contour.nodes, 0, mpm_j_nodes(spec) * sizeof *contour.nodes);
     MPM_TRY(gather(&contour, &search, error));
     mpm_j_contour_find_common(&contour);

@@ -66,8 +66,8 @@ struct mpm_j_node {
 
 /* Scratch memory. */
 struct mpm_j_scratch {
-    struct mpm_j_node *nodes;       /* as many as the largest contour needs */
-    struct mpm_crack_range *ranges; /* per crack */
+    struct mpm_j_node *nodes;     /* as many as the largest contour needs */
+    struct mpm_crack_part *parts; /* per crack */
 };
 size_t mpm_j_nodes(const struct mpm_j_integral_spec *spec);
 

@@ -196,12 +196,13 @@ struct mpm_cracks {
     uint8_t *held;       /* per point: bits of the axes along which a symmetry plane holds it */
     double least_mass;   /* of a node that moves cracks; see mpm_cracks_advance */
     struct mpm_crack_openings openings;
+    double widest[2];    /* reach of the largest undeformed domain */
     /* Of the step */
-    uint32_t *code; /* per particle: two bits for each node of its stencil, an mpm_crack_side */
+    struct mpm_crack_map *map;   /* cells near cracks; see crack_map.h */
+    struct mpm_crack_kept *kept; /* particles with further fields; see crack_fields.h */
+    size_t kept_count, kept_capacity;
+    uint32_t *kept_of;            /* per particle: one more than its place in `kept`, or 0 */
     struct mpm_crack_span *spans; /* see mpm_crack_spans */
-    uint8_t *near;                /* per particle: may lines to its nodes cross a crack? */
-    double (*reach)[2];           /* per body: of a particle's nodes from it; not for CPDI */
-    double widest[2];             /* of these */
     uint8_t *wanted;              /* per node: bits of the sides that some particle asks for */
     uint32_t *node_of;            /* per node: one more than its place in `nodes`, or 0 */
     struct mpm_crack_node *nodes; /* in the order of the grid */

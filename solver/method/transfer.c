@@ -3,6 +3,7 @@
 #include "method/particle_updates.h"
 
 #include <float.h>
+#include <string.h>
 
 /* ------------------------------------------------------------ the particle */
 
@@ -63,9 +64,14 @@ void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
 
 void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
 {
-    mpm_particle_plain_stencil(state, p, stencil);
-    if (state->cracks.code != NULL && state->cracks.code[p] != 0)
-        mpm_crack_divert(state, state->cracks.code[p], stencil);
+    const struct mpm_crack_kept *const kept =
+        state->cracks.kept_of == NULL ? NULL : mpm_crack_kept_of(state, p);
+    if (kept == NULL) {
+        mpm_particle_plain_stencil(state, p, stencil);
+        return;
+    }
+    stencil->count = kept->stencil.count;
+    memcpy(stencil->node, kept->stencil.node, (size_t)kept->stencil.count * sizeof *stencil->node);
 }
 
 MPM_INLINE const struct mpm_stencil *read_back_weights(const struct mpm_state *state,

@@ -8,11 +8,13 @@
 
 #include "method/extent.h"
 
-/* S, G and T of the nodes that a particle reaches, cracks left out. */
+/* S, G and T of the nodes that a particle reaches; within a step: of particles near cracks they are
+ * those of the place at its start. */
+void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil);
+
+/* The same of the grid's nodes alone, whatever hides them. */
 void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
                                 struct mpm_stencil *stencil);
-/* The same, with the velocity fields of the step at nodes near cracks. */
-void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil);
 
 /* The weights of what a particle reads back: the stencil itself, or in the momentum form, Notes
  * (67), (73)-(78), `weights`. With the mass M = sum S m_i that the nodes have at the particle,

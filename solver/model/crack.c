@@ -16,77 +16,101 @@ static inline double greatest(double a, double b)
     return a > b ? a : b;
 }
 
-static void include(struct mpm_crack_box *box, const struct mpm_crack_box *other)
+/* Do the ranges of a and b, and of c and d, have nothing in common? */
+static inline bool apart(double a, double b, double c, double d)
+{
+    return least(a, b) > greatest(c, d) || greatest(a, b) < least(c, d);
+}
+
+/* --------------------------------------------------------------------- parts */
+
+static void place_of(const struct mpm_crack_chain *chain, size_t k, double place[2])
+{
+    place[0] = chain->x[k];
+    place[1] = chain->y[k];
+}
+
+static void include(struct mpm_crack_box *box, const double place[2])
 {
     for (int axis = 0; axis < 2; axis++) {
-        box->low[axis] = least(box->low[axis], other->low[axis]);
-        box->high[axis] = greatest(box->high[axis], other->high[axis]);
+        box->low[axis] = least(box->low[axis], place[axis]);
+        box->high[axis] = greatest(box->high[axis], place[axis]);
     }
 }
 
-static struct mpm_crack_box segment_box(const struct mpm_crack_chain *chain, size_t k)
+static double along_of(const struct mpm_crack_chain *chain, int axis, size_t k)
 {
-    return (struct mpm_crack_box){
-        .low = {least(chain->x[k], chain->x[k + 1]), least(chain->y[k], chain->y[k + 1])},
-        .high = {greatest(chain->x[k], chain->x[k + 1]), greatest(chain->y[k], chain->y[k + 1])},
-    };
+    return axis == 0 ? chain->x[k] : chain->y[k];
 }
 
-void mpm_crack_chain_bound(struct mpm_crack_chain *chain)
+/* The axis along which its points follow each other on one line, or -1. */
+static int straight_axis_of(const struct mpm_crack_chain *chain, const struct mpm_crack_part *part)
 {
-    chain->whole = segment_box(chain, 0);
+    const int axis = fabs(part->normal[0]) < fabs(part->normal[1]) ? 0 : 1;
+    double first[2], last[2], place[2];
+    place_of(chain, part->first, first);
+    place_of(chain, part->end, last);
+    const bool rises = last[axis] > first[axis];
+    for (size_t k = part->first + 1; k <= part->end; k++) {
+        place_of(chain, k, place);
+        const double before = along_of(chain, axis, k - 1);
+        if (place[axis] == before || (place[axis] > before) != rises ||
+            mpm_orientation(first, last, place) != 0.0)
+            return -1;
+    }
+    return axis;
+}
+
+struct mpm_crack_part mpm_crack_part_of(const struct mpm_crack_chain *chain, size_t first,
+                                        size_t end, double slack)
+{
+    struct mpm_crack_part part = {
+        .first = first, .end = end, .thickness = HUGE_VAL, .straight_axis = -1};
+    double from[2], place[2];
+    place_of(chain, first, from);
+    place_of(chain, end, place);
+    part.box = (struct mpm_crack_box){{from[0], from[1]}, {from[0], from[1]}};
+    const double along[2] = {place[0] - from[0], place[1] - from[1]};
+    const double length = sqrt(along[0] * along[0] + along[1] * along[1]);
+    const bool has_line = length > slack;
+    double farthest = 0.0;
+    if (has_line) {
+        part.normal[0] = -along[1] / length;
+        part.normal[1] = along[0] / length;
+        part.offset = part.normal[0] * from[0] + part.normal[1] * from[1];
+    }
+    for (size_t k = first + 1; k <= end; k++) {
+        place_of(chain, k, place);
+        include(&part.box, place);
+        farthest = greatest(farthest, fabs(mpm_crack_part_distance(&part, place)));
+    }
+    if (has_line)
+        part.thickness = farthest + slack;
+    if (farthest < slack)
+        part.straight_axis = straight_axis_of(chain, &part);
+    return part;
+}
+
+bool mpm_crack_part_near(const struct mpm_crack_chain *chain, const struct mpm_crack_box *box,
+                         double slack, struct mpm_crack_part *part)
+{
+    size_t first = 0, end = 0;
     for (size_t k = 0; k + 1 < chain->count; k++) {
-        const struct mpm_crack_box box = segment_box(chain, k);
-        struct mpm_crack_box *const piece = &chain->pieces[k / MPM_CRACK_PIECE];
-        include(&chain->whole, &box);
-        if (k % MPM_CRACK_PIECE == 0)
-            *piece = box;
-        include(piece, &box);
-    }
-}
-
-static inline bool meet(const struct mpm_crack_box *a, const struct mpm_crack_box *b)
-{
-    return a->low[0] <= b->high[0] && a->high[0] >= b->low[0] && a->low[1] <= b->high[1] &&
-           a->high[1] >= b->low[1];
-}
-
-bool mpm_crack_chain_meets(const struct mpm_crack_chain *chain, const struct mpm_crack_box *box)
-{
-    if (!meet(&chain->whole, box))
-        return false;
-    for (size_t k = 0; k < mpm_crack_chain_pieces(chain->count); k++)
-        if (meet(&chain->pieces[k], box))
-            return true;
-    return false;
-}
-
-struct mpm_crack_range mpm_crack_chain_near(const struct mpm_crack_chain *chain,
-                                            const struct mpm_crack_box *box)
-{
-    struct mpm_crack_range range = {.first = 0, .end = 0};
-    if (!meet(&chain->whole, box))
-        return range;
-    for (size_t k = 0; k + 1 < chain->count; k++) {
-        if (k % MPM_CRACK_PIECE == 0 && !meet(&chain->pieces[k / MPM_CRACK_PIECE], box)) {
-            k += MPM_CRACK_PIECE - 1;
+        double one[2], other[2];
+        place_of(chain, k, one);
+        place_of(chain, k + 1, other);
+        if (apart(one[0], other[0], box->low[0], box->high[0]) ||
+            apart(one[1], other[1], box->low[1], box->high[1]))
             continue;
-        }
-        const struct mpm_crack_box segment = segment_box(chain, k);
-        if (!meet(&segment, box))
-            continue;
-        if (range.end == 0) {
-            range.first = k;
-            range.box = segment;
-        }
-        range.end = k + 1;
+        first = end == 0 ? k : first;
+        end = k + 1;
     }
-    for (size_t k = range.first; k < range.end; k++) {
-        const struct mpm_crack_box segment = segment_box(chain, k);
-        include(&range.box, &segment);
-    }
-    return range;
+    if (end > 0)
+        *part = mpm_crack_part_of(chain, first, end, slack);
+    return end > 0;
 }
+
+/* ------------------------------------------------------------------ crossings */
 
 /* 1 from above, -1 from below, 0: not crossed. Of points on the line, the first one of a segment
  * that is crossed from above belongs to it, and the last one of one that is crossed from below: as
@@ -121,14 +145,10 @@ static int crossing_at_point(const double particle[2], const double before[2], c
     return (turns_left ? one < 0.0 || other < 0.0 : one < 0.0 && other < 0.0) ? -1 : 0;
 }
 
-static inline bool apart(double a, double b, double c, double d)
+void mpm_crack_segment_normal(const struct mpm_crack_chain *chain, size_t segment, double normal[2])
 {
-    return least(a, b) > greatest(c, d) || greatest(a, b) < least(c, d);
-}
-
-static void find_normal(const double first[2], const double last[2], double normal[2])
-{
-    const double along[2] = {last[0] - first[0], last[1] - first[1]};
+    const double along[2] = {chain->x[segment + 1] - chain->x[segment],
+                             chain->y[segment + 1] - chain->y[segment]};
     const double length = sqrt(along[0] * along[0] + along[1] * along[1]);
     normal[0] = along[1] / length;
     normal[1] = -along[0] / length;
@@ -154,26 +174,27 @@ static inline int crossing_of(const struct mpm_crack_chain *chain, size_t k,
     return crossing(particle, node, first, last, opens, closes);
 }
 
-enum mpm_crack_side mpm_crack_chain_side(const struct mpm_crack_chain *chain,
-                                         struct mpm_crack_range range, const double particle[2],
-                                         const double node[2], double normal[2])
+static enum mpm_crack_side side_by_segments(const struct mpm_crack_chain *chain,
+                                            const struct mpm_crack_part *part,
+                                            const double particle[2], const double node[2],
+                                            size_t *segment)
 {
     int count = 0, sum = 0;
-    if (range.first == range.end ||
-        apart(particle[0], node[0], range.box.low[0], range.box.high[0]) ||
-        apart(particle[1], node[1], range.box.low[1], range.box.high[1]))
+    if (apart(particle[0], node[0], part->box.low[0], part->box.high[0]) ||
+        apart(particle[1], node[1], part->box.low[1], part->box.high[1]))
         return MPM_CRACK_SAME_SIDE;
-    for (size_t k = range.first; k < range.end; k++) {
-        const double first[2] = {chain->x[k], chain->y[k]};
-        const double last[2] = {chain->x[k + 1], chain->y[k + 1]};
+    for (size_t k = part->first; k < part->end; k++) {
+        double first[2], last[2];
+        place_of(chain, k, first);
+        place_of(chain, k + 1, last);
         if (apart(particle[0], node[0], first[0], last[0]) ||
             apart(particle[1], node[1], first[1], last[1]))
             continue;
         const int from = crossing_of(chain, k, particle, node, first, last);
         if (from == 0)
             continue;
-        if (count == 0 && normal != NULL)
-            find_normal(first, last, normal);
+        if (count == 0 && segment != NULL)
+            *segment = k;
         count++;
         sum += from;
     }
@@ -181,4 +202,79 @@ enum mpm_crack_side mpm_crack_chain_side(const struct mpm_crack_chain *chain,
     if (count % 2 == 0)
         return MPM_CRACK_SAME_SIDE;
     return sum > 0 ? MPM_CRACK_ABOVE : MPM_CRACK_BELOW;
+}
+
+static double beside_line(const struct mpm_crack_chain *chain, size_t point,
+                          const double particle[2], const double node[2])
+{
+    double place[2];
+    place_of(chain, point, place);
+    return mpm_orientation(particle, node, place);
+}
+
+/* The first segment with points on both sides of the line; points on it count as on its right. */
+static size_t first_crossed(const struct mpm_crack_chain *chain, const struct mpm_crack_part *part,
+                            const double particle[2], const double node[2])
+{
+    const bool right = beside_line(chain, part->first, particle, node) <= 0.0;
+    size_t k = part->first + 1;
+    while (k < part->end && (beside_line(chain, k, particle, node) <= 0.0) == right)
+        k++;
+    return k - 1;
+}
+
+/* Is the node on a straight part, inside of it? Then *segment is the one that it is on: of two, the
+ * later one. */
+static bool is_on_part(const struct mpm_crack_chain *chain, const struct mpm_crack_part *part,
+                       const double node[2], size_t *segment)
+{
+    const int axis = part->straight_axis;
+    double first[2], last[2];
+    if (axis < 0)
+        return false;
+    place_of(chain, part->first, first);
+    place_of(chain, part->end, last);
+    const bool rises = last[axis] > first[axis];
+    const double low = rises ? first[axis] : last[axis], high = rises ? last[axis] : first[axis];
+    if (!(node[axis] > low && node[axis] < high) || mpm_orientation(first, last, node) != 0.0)
+        return false;
+    size_t k = part->first;
+    while (rises ? along_of(chain, axis, k + 1) <= node[axis]
+                 : along_of(chain, axis, k + 1) >= node[axis])
+        k++;
+    if (segment != NULL)
+        *segment = k;
+    return true;
+}
+
+/* Both beyond the thickness of the part's line, on two sides of it. */
+static enum mpm_crack_side side_by_line(const struct mpm_crack_chain *chain,
+                                        const struct mpm_crack_part *part, const double particle[2],
+                                        const double node[2], size_t *segment)
+{
+    const double first = beside_line(chain, part->first, particle, node),
+                 last = beside_line(chain, part->end, particle, node);
+    if (first == 0.0 || last == 0.0)
+        return side_by_segments(chain, part, particle, node, segment);
+    if ((first > 0.0) == (last > 0.0))
+        return MPM_CRACK_SAME_SIDE;
+    if (segment != NULL)
+        *segment = first_crossed(chain, part, particle, node);
+    return mpm_crack_part_distance(part, particle) > 0.0 ? MPM_CRACK_ABOVE : MPM_CRACK_BELOW;
+}
+
+enum mpm_crack_side mpm_crack_part_side(const struct mpm_crack_chain *chain,
+                                        const struct mpm_crack_part *part, const double particle[2],
+                                        const double node[2], size_t *segment)
+{
+    const double from = mpm_crack_part_distance(part, particle),
+                 to = mpm_crack_part_distance(part, node);
+    if (mpm_crack_part_is_beside(part, from, to))
+        return MPM_CRACK_SAME_SIDE;
+    if (fabs(from) > part->thickness && fabs(to) <= part->thickness &&
+        is_on_part(chain, part, node, segment))
+        return from > 0.0 ? MPM_CRACK_ABOVE : MPM_CRACK_BELOW;
+    if (fabs(from) <= part->thickness || fabs(to) <= part->thickness)
+        return side_by_segments(chain, part, particle, node, segment);
+    return side_by_line(chain, part, particle, node, segment);
 }

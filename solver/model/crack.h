@@ -34,42 +34,63 @@ struct mpm_crack_box {
     double low[2], high[2];
 };
 
-/* Points of one chain, and the boxes that it and pieces of it lie in. */
+/* Points of one chain. */
 struct mpm_crack_chain {
     const double *x, *y;
     size_t count; /* 2 or more */
-    struct mpm_crack_box whole;
-    struct mpm_crack_box *pieces; /* of MPM_CRACK_PIECE segments each */
 };
-enum { MPM_CRACK_PIECE = 16 };
 
-/* Pieces of a chain of that many points. */
-static inline size_t mpm_crack_chain_pieces(size_t points)
-{
-    return (points - 1 + MPM_CRACK_PIECE - 1) / MPM_CRACK_PIECE;
-}
-
-/* Sets the boxes. */
-void mpm_crack_chain_bound(struct mpm_crack_chain *chain);
-
-/* Segments first..end - 1, and the box that they lie in. */
-struct mpm_crack_range {
+/* Segments first..end - 1, at least one, and what of them is known beforehand. */
+struct mpm_crack_part {
     size_t first, end;
     struct mpm_crack_box box;
+    /* all points lie within `thickness` of the line normal . x = offset from the first point to
+     * the last; the normal points to the left. Infinite: no line is near to all. */
+    double normal[2], offset, thickness;
+    /* Its points lie on one line to the last bit, in order along this axis; -1: they do not. */
+    int straight_axis;
 };
 
-/* Does a piece of the chain meet a box? */
-bool mpm_crack_chain_meets(const struct mpm_crack_chain *chain, const struct mpm_crack_box *box);
+/* Describes a part of a chain. `slack`: far more than the round-off of places of the scene, by
+ * which the line is thicker. Cost: some ns a segment. */
+struct mpm_crack_part mpm_crack_part_of(const struct mpm_crack_chain *chain, size_t first,
+                                        size_t end, double slack);
 
-/* All segments that meet a box, edges included, are in this range; first == end: none does. */
-struct mpm_crack_range mpm_crack_chain_near(const struct mpm_crack_chain *chain,
-                                            const struct mpm_crack_box *box);
+/* The part that has all segments which meet a box, edges included; false: none does. Cost: some ns
+ * for each segment of the chain. */
+bool mpm_crack_part_near(const struct mpm_crack_chain *chain, const struct mpm_crack_box *box,
+                         double slack, struct mpm_crack_part *part);
 
-/* On which side is the particle, seen from the node? Only segments in the range are looked at: it
- * must be that of a box with both places in it. `normal`, unless NULL, gets the unit normal from
- * above to below of the first segment that is crossed. Cost: some ns a segment. */
-enum mpm_crack_side mpm_crack_chain_side(const struct mpm_crack_chain *chain,
-                                         struct mpm_crack_range range, const double particle[2],
-                                         const double node[2], double normal[2]);
+/* The distance of a place from the part's line, positive on the left. */
+static inline double mpm_crack_part_distance(const struct mpm_crack_part *part,
+                                             const double place[2])
+{
+    return part->normal[0] * place[0] + part->normal[1] * place[1] - part->offset;
+}
+
+/* Do two places at these distances have the whole part on one side? Then nothing is crossed. */
+static inline bool mpm_crack_part_is_beside(const struct mpm_crack_part *part, double one,
+                                            double other)
+{
+    return (one > part->thickness && other > part->thickness) ||
+           (one < -part->thickness && other < -part->thickness);
+}
+
+/* On which side is the particle, seen from the node? Only segments of the part are looked at: it
+ * must have all that meet the box around both places. `segment`, unless NULL, gets the first one
+ * that is crossed, where an odd number is.
+ *
+ * Places that are farther from the part's line than its points are see it as one segment: with
+ * both on one side nothing is crossed; else the line between them passes all segments of the part
+ * or none of them beside it, and crosses an odd number if its first and last point lie on
+ * different sides of it. A node on a part that is straight to the last bit is crossed from where
+ * the particle is. Others take the segments one by one. Cost: some ns, or some ns a segment. */
+enum mpm_crack_side mpm_crack_part_side(const struct mpm_crack_chain *chain,
+                                        const struct mpm_crack_part *part, const double particle[2],
+                                        const double node[2], size_t *segment);
+
+/* The unit normal of a segment, from above to below. */
+void mpm_crack_segment_normal(const struct mpm_crack_chain *chain, size_t segment,
+                              double normal[2]);
 
 #endif

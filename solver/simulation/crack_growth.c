@@ -76,7 +76,6 @@ static void add_point(struct mpm_cracks *cracks, const struct mpm_j_integral_spe
     chain->x = cracks->position[0] + first;
     chain->y = cracks->position[1] + first;
     chain->count++;
-    mpm_crack_chain_bound(chain);
 }
 
 /* All J integrals around this tip go with it. */
@@ -177,6 +176,5 @@ void mpm_growth_restore(struct mpm_simulation *simulation)
         cracks->chains[k].x = cracks->position[0] + simulation->backup.extents[k].first;
         cracks->chains[k].y = cracks->position[1] + simulation->backup.extents[k].first;
         cracks->chains[k].count = simulation->backup.extents[k].count;
-        mpm_crack_chain_bound(&cracks->chains[k]);
     }
 }

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/crack_fields.h"
+#include "method/crack_map.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -44,6 +45,19 @@ static size_t nodes_needed(const struct mpm_state *state)
     return estimate < all ? estimate : all;
 }
 
+/* Particles that reach such nodes: as many as half of the nodes have in their cells, and no more
+ * than there are. */
+static size_t particles_kept(const struct mpm_state *state)
+{
+    int most = 0;
+    for (size_t k = 0; k < state->scene->body_count; k++) {
+        const int *const in_cell = state->scene->bodies[k].particles_per_cell;
+        most = in_cell[0] * in_cell[1] > most ? in_cell[0] * in_cell[1] : most;
+    }
+    const size_t estimate = (state->cracks.node_capacity * (size_t)most + 1) / 2;
+    return estimate < state->particles.count ? estimate : state->particles.count;
+}
+
 static void place_chain(const struct mpm_scene *scene, const struct mpm_crack_spec *spec, double *x,
                         double *y)
 {
@@ -65,13 +79,12 @@ static void place_cracks(struct mpm_state *state)
     struct mpm_cracks *const cracks = &state->cracks;
     size_t first = 0;
     for (size_t k = 0; k < state->scene->body_count; k++) {
-        mpm_shape_reach(state->family, &state->shape_grid, state->bodies[k].half_size,
-                        cracks->reach[k]);
-        for (int axis = 0; axis < 2; axis++) {
-            cracks->reach[k][axis] += state->family->nodes_past_end * state->grid.cell[axis];
-            cracks->widest[axis] = fmax(cracks->widest[axis], cracks->reach[k][axis]);
-        }
+        double reach[2];
+        mpm_shape_reach(state->family, &state->shape_grid, state->bodies[k].half_size, reach);
+        for (int axis = 0; axis < 2; axis++)
+            cracks->widest[axis] = fmax(cracks->widest[axis], reach[axis]);
     }
+    mpm_crack_map_fill(state);
     for (size_t k = 0; k < state->scene->crack_count; k++) {
         const struct mpm_crack_spec *const spec = &state->scene->cracks[k];
         const size_t before = mpm_crack_room(state->scene, k, true);
@@ -81,7 +94,6 @@ static void place_cracks(struct mpm_state *state)
         cracks->chains[k].x = x;
         cracks->chains[k].y = y;
         cracks->chains[k].count = count_points(state->scene, spec);
-        mpm_crack_chain_bound(&cracks->chains[k]);
         first += count_with_room(state->scene, k);
     }
 }
@@ -259,19 +271,13 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
     if (cracks->point_count == 0)
         return;
     cracks->chains = MPM_TAKE(arena, struct mpm_crack_chain, state->scene->crack_count);
-    for (size_t k = 0; k < state->scene->crack_count; k++) {
-        const size_t points = count_with_room(state->scene, k);
-        struct mpm_crack_box *const pieces =
-            MPM_TAKE(arena, struct mpm_crack_box, mpm_crack_chain_pieces(points));
-        if (cracks->chains != NULL)
-            cracks->chains[k].pieces = pieces;
-    }
     for (int axis = 0; axis < 2; axis++)
         cracks->position[axis] = MPM_TAKE(arena, double, cracks->point_count);
     cracks->held = MPM_TAKE(arena, uint8_t, cracks->point_count);
-    cracks->near = MPM_TAKE(arena, uint8_t, state->particles.count);
-    cracks->reach = mpm_arena_take(arena, state->scene->body_count, sizeof *cracks->reach);
-    cracks->code = MPM_TAKE(arena, uint32_t, state->particles.count);
+    mpm_crack_map_layout(state, cracks->node_capacity * state->scene->crack_count, arena);
+    cracks->kept_capacity = particles_kept(state);
+    cracks->kept = MPM_TAKE(arena, struct mpm_crack_kept, cracks->kept_capacity);
+    cracks->kept_of = MPM_TAKE(arena, uint32_t, state->particles.count);
     cracks->spans =
         MPM_TAKE(arena, struct mpm_crack_span,
                  state->particles.count / MPM_CRACK_GAP + (size_t)state->strip_count + 1);

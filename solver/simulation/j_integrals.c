@@ -18,7 +18,7 @@ void mpm_j_integrals_layout(struct mpm_simulation *simulation, struct mpm_arena 
         return;
     simulation->tips = MPM_TAKE(arena, struct mpm_crack_tip, scene->j_integral_count);
     simulation->j_scratch.nodes = MPM_TAKE(arena, struct mpm_j_node, nodes);
-    simulation->j_scratch.ranges = MPM_TAKE(arena, struct mpm_crack_range, scene->crack_count);
+    simulation->j_scratch.parts = MPM_TAKE(arena, struct mpm_crack_part, scene->crack_count);
 }
 
 /* Of the chain as the scene gives it. */

@@ -18,6 +18,7 @@
     PROGRAM(collision)                                                                             \
     PROGRAM(disk_chain)                                                                            \
     PROGRAM(cracked_disks)                                                                         \
+    PROGRAM(crack_overhead)                                                                        \
     PROGRAM(crack_patch)                                                                           \
     PROGRAM(sliding)                                                                               \
     PROGRAM(cohesive)                                                                              \
