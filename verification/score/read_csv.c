@@ -95,7 +95,7 @@ enum mpm_status score_read_csv(const char *path, const struct score_format *form
     struct header header = {.count = 0};
     enum mpm_status status = MPM_OK;
     size_t number = 0;
-    char *next = text;
+    char *next;
     /* line by line in place: functions of strings would look through all the rest each time */
     for (char *line = text; status == MPM_OK && line < text + length; line = next) {
         char *end = memchr(line, '\n', (size_t)(text + length - line));
