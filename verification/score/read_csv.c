@@ -89,22 +89,29 @@ enum mpm_status score_read_csv(const char *path, const struct score_format *form
                                struct score_table *table, struct mpm_error *error)
 {
     char *text;
-    if (!g_file_get_contents(path, &text, NULL, NULL))
+    size_t length;
+    if (!g_file_get_contents(path, &text, &length, NULL))
         return failure_set(error, MPM_BAD_INPUT, "%s: cannot be read", path);
     struct header header = {.count = 0};
     enum mpm_status status = MPM_OK;
-    char **lines = g_strsplit(text, "\n", -1);
-    g_free(text);
-    for (size_t i = 0; status == MPM_OK && lines[i] != NULL; i++) {
-        const char *line = g_strstrip(lines[i]);
+    size_t number = 0;
+    char *next;
+    /* line by line in place: functions of strings would look through all the rest each time */
+    for (char *line = text; status == MPM_OK && line < text + length; line = next) {
+        char *end = memchr(line, '\n', (size_t)(text + length - line));
+        next = end == NULL ? text + length : end + 1;
+        if (end != NULL)
+            *end = '\0';
+        number++;
+        line = g_strstrip(line);
         if (*line == '\0' || *line == '#')
             continue;
-        char *place = g_strdup_printf("%s:%zu", path, i + 1);
+        char *place = g_strdup_printf("%s:%zu", path, number);
         status = header.count == 0 ? read_header(place, format, line, &header, table, error)
                                    : read_row(place, format, line, &header, table, error);
         g_free(place);
     }
-    g_strfreev(lines);
+    g_free(text);
     if (status == MPM_OK && table->rows == 0)
         status = failure_set(error, MPM_BAD_INPUT, "%s: holds no row of numbers", path);
     return status;
