@@ -48,6 +48,7 @@
     SUITE(crack_line)                                                                              \
     SUITE(cracks)                                                                                  \
     SUITE(cohesive)                                                                                \
+    SUITE(cohesive_laws)                                                                           \
     SUITE(symmetry)                                                                                \
     SUITE(scene_settings)                                                                          \
     SUITE(suite)                                                                                   \
