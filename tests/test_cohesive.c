@@ -28,8 +28,8 @@ static const double MIDDLE = 5.6;
 
 static const char *const LAWS[] = {
     LINEAR,
-    "{law: trilinear, strength: 2, toughness: 0.3, stiffness: 200, knee_opening: 0.05, "
-    "knee_traction: 0.7}",
+    ("{law: trilinear, strength: 2, toughness: 0.3, stiffness: 200, knee_opening: 0.05, "
+     "knee_traction: 0.7}"),
     "{law: exponential, strength: 2, toughness: 0.3, stiffness: 200}",
 };
 
