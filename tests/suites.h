@@ -55,6 +55,7 @@
     SUITE(crack_growth)                                                                            \
     SUITE(cracks)                                                                                  \
     SUITE(cohesive)                                                                                \
+    SUITE(cohesive_laws)                                                                           \
     SUITE(symmetry)                                                                                \
     SUITE(scene_settings)                                                                          \
     SUITE(suite)                                                                                   \
