@@ -143,7 +143,7 @@ struct mpm_crack_spec {
         touching;   /* relative volumes: apart below, in contact above; CRAMP's V_sep, V_contact */
     double spacing; /* points are set so that no segment is longer than this many of the shorter
                      * cell side */
-    bool opening;                /* are its surfaces followed? With a law they always are */
+    bool opening;   /* are its surfaces followed? With a law they always are */
     struct mpm_cohesive cohesive; /* traction between its surfaces; law NULL: none */
     int line;
 };
