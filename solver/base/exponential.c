@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-/* exp(x) = 2^n exp(y), y = x - n ln 2 within +-ln 2/2, ln 2 in two parts so that y keeps its
- * digits. Of Taylor's series of exp(y) what is left out is below 1e-17. */
+/* exp(x) = 2^n exp(y), y = x - n ln 2 within +-ln 2/2, ln 2 in two parts so that y keeps its digits.
+ * Of Taylor's series of exp(y) what is left out is below 1e-17. */
 double mpm_exponential(double x)
 {
     static const double LN2_HIGH = 0x1.62e42feep-1, LN2_LOW = 0x1.a39ef35793c76p-33;

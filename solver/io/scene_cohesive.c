@@ -14,9 +14,8 @@ static enum mpm_status check_knee_keys(const struct mpm_reading *reading, const 
         char key[MPM_PATH_SIZE];
         (void)mpm_path_join(path, keys[k].key, key);
         if (cohesive->law->has_knee && keys[k].given == NULL)
-            return mpm_reading_fault(reading, path,
-                                     "%s without %s; allowed: with knee_opening and "
-                                     "knee_traction",
+            return mpm_reading_fault(reading, path, "%s without %s; allowed: with knee_opening and "
+                                                    "knee_traction",
                                      cohesive->law->name, keys[k].key);
         if (!cohesive->law->has_knee && keys[k].given != NULL)
             return mpm_reading_fault(reading, key,
@@ -40,8 +39,8 @@ static enum mpm_status check_knee(const struct mpm_reading *reading, const char 
                                  cohesive->knee_opening, onset);
     if (!(cohesive->knee_traction <= cohesive->strength))
         return mpm_reading_fault(reading, mpm_path_join(path, "knee_traction", key),
-                                 "got %g; allowed: up to the strength, %g", cohesive->knee_traction,
-                                 cohesive->strength);
+                                 "got %g; allowed: up to the strength, %g",
+                                 cohesive->knee_traction, cohesive->strength);
     return MPM_OK;
 }
 
@@ -81,7 +80,6 @@ enum mpm_status mpm_build_cohesive(const struct mpm_reading *reading, const char
         return mpm_reading_fault(reading, "method.cracks",
                                  "visibility with %s: its nodes have no field of their own for "
                                  "each surface; allowed: fields",
-                                 crack->cohesive.law != NULL ? "cracks.cohesive"
-                                                             : "cracks.opening");
+                                 crack->cohesive.law != NULL ? "cracks.cohesive" : "cracks.opening");
     return MPM_OK;
 }

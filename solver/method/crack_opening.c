@@ -8,11 +8,11 @@
 
 /* Fields of less than this part of the largest mass of their side count for less. */
 static const double FULL_MASS = 0.1;
-/* How far a surface lies from the crack where it is asked what lies on its side, in cells: enough
- * for it to be off the crack whatever the round-off. */
+/* How far a surface lies from the crack where it is asked what lies on its side, in cells: enough for
+ * it to be off the crack whatever the round-off. */
 static const double ASIDE = 1e-6;
-/* And how far back from its end, where a crack cuts the edge of a body: the line from a surface
- * there to any node of the other side crosses the crack, which from a tip it need not. */
+/* And how far back from its end, where a crack cuts the edge of a body: the line from a surface there
+ * to any node of the other side crosses the crack, which from a tip it need not. */
 static const double BACK = 1e-3;
 
 static const enum mpm_crack_side sides[2] = {MPM_CRACK_ABOVE, MPM_CRACK_BELOW};
@@ -91,7 +91,8 @@ static void weigh(const struct mpm_state *state, struct mpm_crack_surface *surfa
     for (int k = 0; k < surface->count; k++)
         largest = fmax(largest, state->grid.mass[surface->node[k]]);
     for (int k = 0; k < surface->count; k++) {
-        surface->weight[k] *= fmin(1.0, state->grid.mass[surface->node[k]] / (FULL_MASS * largest));
+        surface->weight[k] *=
+            fmin(1.0, state->grid.mass[surface->node[k]] / (FULL_MASS * largest));
         sum += surface->weight[k];
     }
     for (int k = 0; k < surface->count; k++)
@@ -123,7 +124,7 @@ static void view_point(const struct mpm_state *state, size_t crack, size_t point
 {
     const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
     const bool *const cuts = state->cracks.openings.cuts[crack];
-    const double back = point == 0 && cuts[0]                  ? BACK
+    const double back = point == 0 && cuts[0]                   ? BACK
                         : point + 1 == chain->count && cuts[1] ? -BACK
                                                                : 0.0;
     const double along[2] = {normal[1], -normal[0]};
@@ -144,7 +145,8 @@ static void find_point(const struct mpm_state *state, size_t crack, size_t first
         double from[2], place[2];
         for (int axis = 0; axis < 2; axis++) {
             from[axis] = view[axis] + sign * ASIDE * state->grid.cell[axis] * normal[axis];
-            place[axis] = state->cracks.position[axis][k] + sign * 0.5 * openings->vector[axis][k];
+            place[axis] =
+                state->cracks.position[axis][k] + sign * 0.5 * openings->vector[axis][k];
         }
         find_surface(state, chain, from, place, &openings->surfaces[k][side]);
     }

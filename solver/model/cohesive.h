@@ -1,17 +1,16 @@
-/* Cohesive laws: the traction between the surfaces of a crack. A law is one file and one line of
- * the list below.
+/* Cohesive laws: the traction between the surfaces of a crack. A law is one file and one line of the
+ * list below.
  *
  * Normal and tangential opening count alike: with the effective opening
  *     lambda = sqrt(<delta_n>^2 + delta_s^2),  <x> = x for x > 0, else 0,
- * the traction is T(lambda)/lambda (<delta_n> n + delta_s s), along the opening itself unless
- * surfaces overlap: then contact has the normal part. One function T serves both modes, so that the
- * work of complete failure is the toughness whatever the way there, and one number, the largest
- * lambda so far, is all that a point has to remember. Laws that are not coupled would need two
- * toughnesses and a criterion for both; and a traction that is not along the opening turns the
- * crack.
+ * the traction is T(lambda)/lambda (<delta_n> n + delta_s s), along the opening itself unless surfaces
+ * overlap: then contact has the normal part. One function T serves both modes, so that the work of
+ * complete failure is the toughness whatever the way there, and one number, the largest lambda so
+ * far, is all that a point has to remember. Laws that are not coupled would need two toughnesses and a
+ * criterion for both; and a traction that is not along the opening turns the crack.
  *
- * Up to the opening `onset` T = stiffness * lambda, which reaches the strength there; from then on
- * the law's own T falls. Below the largest opening so far T goes straight to the origin, and back.
+ * Up to the opening `onset` T = stiffness * lambda, which reaches the strength there; from then on the
+ * law's own T falls. Below the largest opening so far T goes straight to the origin, and back.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_MODEL_COHESIVE_H

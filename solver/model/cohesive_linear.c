@@ -18,7 +18,8 @@ static double traction(const struct mpm_cohesive *cohesive, double opening)
 {
     if (opening >= cohesive->length)
         return 0.0;
-    return cohesive->strength * (cohesive->length - opening) / (cohesive->length - cohesive->onset);
+    return cohesive->strength * (cohesive->length - opening) /
+           (cohesive->length - cohesive->onset);
 }
 
 static double work(const struct mpm_cohesive *cohesive, double opening)

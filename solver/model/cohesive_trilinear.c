@@ -1,6 +1,6 @@
-/* Two lines of softening: from the strength at onset to knee_traction at knee_opening, and from
- * there to nothing at `length`, which follows from the toughness. With knee_traction = strength the
- * first one is a plateau.
+/* Two lines of softening: from the strength at onset to knee_traction at knee_opening, and from there
+ * to nothing at `length`, which follows from the toughness. With knee_traction = strength the first
+ * one is a plateau.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model/cohesive.h"

@@ -43,8 +43,9 @@ static void add_areas(const struct mpm_state *state, const struct mpm_crack_chai
         const double x[2] = {chain->x[k], chain->x[k + 1]};
         const double length = hypot(x[1] - x[0], chain->y[k + 1] - chain->y[k]);
         for (int end = 0; end < 2; end++)
-            area[k + (size_t)end] += axisymmetric ? length * (2.0 * x[end] + x[1 - end]) / 6.0
-                                                  : 0.5 * length * state->scene->thickness;
+            area[k + (size_t)end] +=
+                axisymmetric ? length * (2.0 * x[end] + x[1 - end]) / 6.0
+                             : 0.5 * length * state->scene->thickness;
     }
 }
 
@@ -90,7 +91,8 @@ static void find_cuts(const struct mpm_state *state, const struct mpm_crack_chai
     for (int k = 0; k < 2; k++) {
         const double x = chain->x[end[k]] - chain->x[next[k]];
         const double y = chain->y[end[k]] - chain->y[next[k]];
-        const double scale = BEYOND * fmin(state->grid.cell[0], state->grid.cell[1]) / hypot(x, y);
+        const double scale =
+            BEYOND * fmin(state->grid.cell[0], state->grid.cell[1]) / hypot(x, y);
         const double place[2] = {chain->x[end[k]] + scale * x, chain->y[end[k]] + scale * y};
         cuts[k] = !is_in_a_body(state->scene, place);
     }
@@ -152,8 +154,8 @@ enum mpm_status mpm_openings_check_start(const struct mpm_simulation *simulation
     if (!mpm_scene_is_cohesive(scene) || scene->allow_unstable)
         return MPM_OK;
     const double step = mpm_time_step_next(simulation, scene->end, &lands);
-    const double mass =
-        LEAST_MASS * lightest_density(&simulation->state) * fmin(scene->cell[0], scene->cell[1]);
+    const double mass = LEAST_MASS * lightest_density(&simulation->state) *
+                        fmin(scene->cell[0], scene->cell[1]);
     const double limit = mass / (step * step);
     for (size_t k = 0; k < scene->crack_count; k++)
         if (scene->cracks[k].cohesive.law != NULL &&
