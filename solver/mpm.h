@@ -290,13 +290,13 @@ bool mpm_simulation_at_rest(const struct mpm_simulation *simulation, struct mpm_
  * the left of it; both as they lie in the undeformed body. */
 struct mpm_j_integral {
     size_t crack;
-    bool at_start;            /* of the chain, else at its end */
-    double tip[2];            /* where it is */
-    double direction[2];      /* 1 */
-    double j[2];              /* J_1, the energy released per area of growth, and J_2 */
+    bool at_start;              /* of the chain, else at its end */
+    double tip[2];              /* where it is */
+    double direction[2];        /* 1 */
+    double j[2];                /* J_1, the energy released per area of growth, and J_2 */
     double stress_intensity[2]; /* K_I, above 0 where it opens, and K_II; both 0 unless J_1 > 0 */
-    double grown;             /* length that the tip has grown by */
-    double dissipated;        /* toughness times area of that growth: thickness, or per radian */
+    double grown;               /* length that the tip has grown by */
+    double dissipated;          /* toughness times area of that growth: thickness, or per radian */
 };
 
 /* How many the scene asks for, crack by crack in its order. */
