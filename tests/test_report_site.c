@@ -228,6 +228,7 @@ START_TEST(every_page_is_well_formed_and_limits_hold_the_weaknesses)
     expect(folders.first, "index.html", "None is kept with this report");
     expect(folders.first, "glossary.html", "id=\"evidence\"");
     expect(folders.first, "cases/Q/index.html", "Revision ");
+    expect(folders.first, "cases/Q/index.html", "<span>Evidence: invariant</span>");
     expect(folders.first, "cases/Q/checks.csv", "\"Q\",\"exact\",\"cubic\"");
     expect(folders.first, "cases/Q/runs.csv", "\"cubic\"");
 }

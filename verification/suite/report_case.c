@@ -87,10 +87,11 @@ static void add_declaration(GString *html, const json_t *check)
     }
     text_markup(html, "</span><span>%s: ", weakness ? "Known weakness, fails in" : "Band");
     html_numbers(html, text_band(check));
-    text_markup(html,
-                "</span><span>Band from: %s</span></span><span class=\"why "
-                "about\">%s</span></div></th></tr>\n",
-                record_text(check, "basis"), record_text(check, "why"));
+    text_markup(html, "</span><span>Band from: %s</span>", record_text(check, "basis"));
+    if (*record_text(check, "evidence") != '\0')
+        text_markup(html, "<span>Evidence: %s</span>", record_text(check, "evidence"));
+    text_markup(html, "</span><span class=\"why about\">%s</span></div></th></tr>\n",
+                record_text(check, "why"));
 }
 
 /* A number as the text that sorts a cell; "" if it is not finite. */
