@@ -26,9 +26,8 @@ enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
                                        struct mpm_error *error);
 
 /* Where the step's spans of a strip stand: those with particles that have further fields, and with
- * the particles between them where those are fewer than MPM_CRACK_GAP: the fast kernels'
- * last particles of a piece cost as much as so many with the others. */
-enum { MPM_CRACK_GAP = 4 };
+ * the particles between them where those are fewer than MPM_CRACK_GAP. */
+enum { MPM_CRACK_GAP = 16 };
 static inline struct mpm_crack_span *mpm_crack_spans(const struct mpm_state *state, int64_t strip)
 {
     return state->cracks.spans + strip + state->strips[strip].begin / MPM_CRACK_GAP;
