@@ -315,6 +315,8 @@ static const char *scene_around(const char *key, bool axisymmetric)
         return "tests/scenes/good/loaded_block.yaml";
     if (g_str_has_prefix(key, "time.rest.") || g_str_has_prefix(key, "damping.thermostat."))
         return "tests/scenes/good/damped_to_rest.yaml";
+    if (g_str_has_prefix(key, "cracks[].j_integral[]."))
+        return "tests/scenes/good/growing_crack.yaml";
     if (g_str_has_prefix(key, "cracks[].") || strcmp(key, "method.cracks") == 0)
         return "tests/scenes/good/cracked_block.yaml";
     return axisymmetric ? "tests/scenes/good/compressed_disk.yaml" : TEST_MINIMAL_SCENE;

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLUMNS = 6, ROWS_MAX = 128, CELL_SIZE = 256 };
+enum { COLUMNS = 6, ROWS_MAX = 256, CELL_SIZE = 256 };
 
 struct table {
     size_t rows;
