@@ -4,6 +4,7 @@
 #include "io/snapshot_data.h"
 
 #include <glib.h>
+#include <hdf5.h>
 
 static herr_t keep_innermost(unsigned depth, const H5E_error2_t *entry, void *failure)
 {

@@ -247,8 +247,8 @@ struct mpm_scene {
     struct mpm_j_integral_spec *j_integrals; /* of all cracks, crack by crack */
     size_t j_integral_count;
 
-    double history_interval, snapshot_interval;              /* 0: only first and last */
-    double checkpoint_interval;                              /* 0: none asked for */
+    double history_interval, snapshot_interval; /* 0: only first and last */
+    double checkpoint_interval;                 /* 0: none asked for */
     double fringe; /* k_f of CRAMP (23), 1/stress; 0: no fringes asked for */
     int line_grid, line_time, line_body_force, line_damping; /* in the file, for messages */
     unsigned char sha256[32];                                /* of the file's bytes */
