@@ -240,6 +240,25 @@ test-browser: ## the report of `make verify` in headless Chromium: links, sortin
 mutants: ## plant small bugs, one after the other: which test or check finds each; build/mutants
 	tests/mutants/mutants.py run
 
+# ----------------------------------------------------------------- headroom
+# The catalogue with other compilers, instructions and kernels, and under a sanitizer; how far each
+# value keeps from the ends of its band is a page of the report. Failures there are values too.
+HEADROOM := build/reports/headroom
+.PHONY: headroom
+headroom: all ## how far values keep from their bands over builds (half an hour); a page of build/reports/verify
+	+@$(MAKE) VARIANT=release BUILD=build/check/clang CC=clang build/check/clang/bin/mpm-verify
+	+@$(if $(WIDE),$(MAKE) VARIANT=release BUILD=build/check/gcc-wide CC=gcc \
+	  EXTRA_FLAGS=-march=$(WIDE) build/check/gcc-wide/bin/mpm-verify)
+	+@$(MAKE) VARIANT=ubsan build/ubsan/bin/mpm-verify
+	-build/check/clang/bin/mpm-verify run --output $(HEADROOM)/clang
+	$(if $(WIDE),-build/check/gcc-wide/bin/mpm-verify run --output $(HEADROOM)/wide)
+	-build/ubsan/bin/mpm-verify run --output $(HEADROOM)/ubsan
+	-$(BUILD)/bin/mpm-verify run --kernels reference --output $(HEADROOM)/reference
+	-$(BUILD)/bin/mpm-verify run --output build/reports/verify
+	$(BUILD)/bin/mpm-verify report build/reports/verify --headroom clang=$(HEADROOM)/clang \
+	  $(if $(WIDE),--headroom wide=$(HEADROOM)/wide) --headroom ubsan=$(HEADROOM)/ubsan \
+	  --headroom reference=$(HEADROOM)/reference
+
 # --------------------------------------------------------------- benchmarks
 .PHONY: bench
 bench: all ## speed, memory, scaling, error against run time (about 9 min); build/reports/bench

@@ -27,8 +27,8 @@ void mpm_crack_contact_extrapolated(struct mpm_state *state);
  * the start of the step is taken, which is a mean of particles'. Points that no such node reaches
  * are in the gap of a crack that is wide open, if the crack has others on both sides of them: they
  * go with these, by linear interpolation; else they stay where they are. MPM_RUN_FAILED: a point
- * leaves the grid, or a segment has grown longer than MPM_CRACK_LONGEST shorter cell sides: it would
- * no longer follow the material between. */
+ * leaves the grid, or a segment has grown longer than MPM_CRACK_LONGEST shorter cell sides: it
+ * would no longer follow the material between. */
 enum { MPM_CRACK_LONGEST = 4 };
 enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *error);
 

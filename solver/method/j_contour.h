@@ -13,11 +13,11 @@ struct mpm_j_contour {
     const struct mpm_state *state;
     const struct mpm_j_integral_spec *spec;
     const struct mpm_j_tip *tip;
-    struct mpm_j_node *nodes; /* of the rectangle and its margin, row by row */
+    struct mpm_j_node *nodes;     /* of the rectangle and its margin, row by row */
     struct mpm_crack_part *parts; /* per crack; first == end: nothing of it is near */
-    int64_t low[2], high[2]; /* columns and rows of the rectangle, ghosts counted */
-    int64_t width;           /* nodes of a row, margin included */
-    double common[4];        /* C of j_integral.h, less the unit tensor: xx xy yx yy */
+    int64_t low[2], high[2];      /* columns and rows of the rectangle, ghosts counted */
+    int64_t width;                /* nodes of a row, margin included */
+    double common[4];             /* C of j_integral.h, less the unit tensor: xx xy yx yy */
 };
 
 /* Is this column or row within so many of the rectangle? */

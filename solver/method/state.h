@@ -196,7 +196,7 @@ struct mpm_cracks {
     uint8_t *held;       /* per point: bits of the axes along which a symmetry plane holds it */
     double least_mass;   /* of a node that moves cracks; see mpm_cracks_advance */
     struct mpm_crack_openings openings;
-    double widest[2];    /* reach of the largest undeformed domain */
+    double widest[2]; /* reach of the largest undeformed domain */
     /* Of the step */
     struct mpm_crack_map *map;   /* cells near cracks; see crack_map.h */
     struct mpm_crack_kept *kept; /* particles with further fields; see crack_fields.h */
