@@ -51,6 +51,14 @@ struct comparison {
     char *text;
 };
 
+/* Steps of the short tier: fewer of scenes with many particles. */
+static uint64_t short_steps(const struct kernel_pair *pair)
+{
+    static const double PARTICLE_STEPS = 1e5, FEWEST = 10.0;
+    const double particles = (double)mpm_simulation_particle_count(pair->simulation[0]);
+    return (uint64_t)fmin(fmax(PARTICLE_STEPS / particles, FEWEST), (double)KERNEL_PAIR_STEPS);
+}
+
 static struct comparison follow(struct kernel_pair *pair)
 {
     struct comparison comparison = {.compared = true, .early = kernel_pair_worst(pair)};
@@ -61,7 +69,7 @@ static struct comparison follow(struct kernel_pair *pair)
             comparison.within = step;
         if (step <= KERNEL_PAIR_STEPS)
             comparison.early = comparison.all;
-        if (step == KERNEL_PAIR_STEPS && !kernel_pair_is_long())
+        if (step == short_steps(pair) && !kernel_pair_is_long())
             break;
     }
     comparison.text = kernel_pair_text(pair);
