@@ -32,22 +32,16 @@ static void place(struct chain *made, size_t count, const double (*points)[2])
     bound(made, count);
 }
 
-/* A slack without end leaves no place to what is told by a part's line alone. */
-static struct mpm_crack_part segment_by_segment(const struct chain *made)
-{
-    return mpm_crack_part_of(&made->chain, 0, made->chain.count - 1, HUGE_VAL);
-}
-
 static const double SLACK = 1e-12;
 
-/* By both ways, which must tell the same. */
+/* By both ways, which must tell the same: with a slack without end nothing by the line alone. */
 static enum mpm_crack_side side_of(const struct chain *made, const double particle[2],
                                    const double node[2])
 {
     size_t one_by_one = SIZE_MAX, by_line = SIZE_MAX;
-    const struct mpm_crack_part all = segment_by_segment(made),
-                                line = mpm_crack_part_of(&made->chain, 0, made->chain.count - 1,
-                                                         SLACK);
+    const size_t end = made->chain.count - 1;
+    const struct mpm_crack_part all = mpm_crack_part_of(&made->chain, 0, end, HUGE_VAL),
+                                line = mpm_crack_part_of(&made->chain, 0, end, SLACK);
     const enum mpm_crack_side side =
         mpm_crack_part_side(&made->chain, &all, particle, node, &one_by_one);
     ck_assert_int_eq(mpm_crack_part_side(&made->chain, &line, particle, node, &by_line), side);
@@ -420,8 +414,8 @@ START_TEST(a_straight_crack_of_rounded_points_has_two_sides)
         const double node[2] = {column * cell, rint(line / cell) * cell};
         const double x = node[0] + cell * g_rand_double_range(random, -1, 1);
         const double away = cell * g_rand_double_range(random, 0.01, 1);
-        const double above[2] = {x, 0.7 + (x - 0.3) * slope + away};
-        const double below[2] = {x, 0.7 + (x - 0.3) * slope - away};
+        const double crack = 0.7 + (x - 0.3) * slope;
+        const double above[2] = {x, crack + away}, below[2] = {x, crack - away};
         const enum mpm_crack_side up = side_of(&chain, above, node),
                                   down = side_of(&chain, below, node);
         if (fabs(node[1] - line) > 1e-12) {
@@ -453,17 +447,17 @@ START_TEST(a_part_of_a_chain_tells_what_all_of_it_does_by_its_line_too)
         bound(&chain, LONGEST);
         for (int line = 0; line < 500; line++) {
             const int at = g_rand_int_range(random, 4, LONGEST - 4);
-            const double particle[2] = {chain.x[at] + g_rand_double_range(random, -1, 1),
-                                        chain.y[at] + g_rand_double_range(random, -1, 1)};
-            const double node[2] = {rint(particle[0]), rint(particle[1])};
-            const struct mpm_crack_part part =
-                mpm_crack_part_of(&chain.chain, (size_t)at - 4, (size_t)at + 4, SLACK);
-            const struct mpm_crack_part alone =
-                mpm_crack_part_of(&chain.chain, (size_t)at - 4, (size_t)at + 4, HUGE_VAL);
-            const enum mpm_crack_side side =
-                mpm_crack_part_side(&chain.chain, &part, particle, node, NULL);
-            ck_assert_int_eq(side, mpm_crack_part_side(&chain.chain, &alone, particle, node, NULL));
-            crossed += side != MPM_CRACK_SAME_SIDE;
+            const double x = chain.x[at] + g_rand_double_range(random, -1, 1),
+                         y = chain.y[at] + g_rand_double_range(random, -1, 1);
+            const double particle[2] = {x, y}, node[2] = {rint(x), rint(y)};
+            enum mpm_crack_side side[2]; /* with its line, and without */
+            for (int k = 0; k < 2; k++) {
+                const struct mpm_crack_part part = mpm_crack_part_of(
+                    &chain.chain, (size_t)at - 4, (size_t)at + 4, k == 0 ? SLACK : HUGE_VAL);
+                side[k] = mpm_crack_part_side(&chain.chain, &part, particle, node, NULL);
+            }
+            ck_assert_int_eq(side[0], side[1]);
+            crossed += side[0] != MPM_CRACK_SAME_SIDE;
         }
     }
     ck_assert_int_gt(crossed, 500);
@@ -477,8 +471,8 @@ START_TEST(all_points_of_a_part_lie_in_its_box_and_near_its_line)
     struct chain chain;
     place(&chain, 5, points);
     const struct mpm_crack_part part = mpm_crack_part_of(&chain.chain, 0, 3, 0.125);
-    ck_assert(part.box.low[0] == 0 && part.box.high[0] == 4);
-    ck_assert(part.box.low[1] == -0.25 && part.box.high[1] == 0.5);
+    ck_assert(part.box.low[0] == 0 && part.box.high[0] == 4 && part.box.low[1] == -0.25 &&
+              part.box.high[1] == 0.5);
     ck_assert_near(part.thickness, 0.5 + 0.125, DBL_EPSILON);
     ck_assert_near(mpm_crack_part_distance(&part, points[1]), 0.5, DBL_EPSILON);
     ck_assert_near(mpm_crack_part_distance(&part, points[2]), -0.25, DBL_EPSILON);
@@ -497,10 +491,8 @@ Suite *suite_crack_line(void)
     tcase_add_loop_test(sides, lines_cross_as_exact_integers_say, 0, 4);
     tcase_add_test(sides, particles_near_the_crack_are_on_one_side_of_it_for_all_nodes);
     tcase_add_loop_test(sides, a_straight_crack_of_rounded_points_has_two_sides, 0, 4);
+    tcase_add_loop_test(sides, a_part_of_a_chain_tells_what_all_of_it_does_by_its_line_too, 0, 4);
+    tcase_add_test(sides, all_points_of_a_part_lie_in_its_box_and_near_its_line);
     suite_add_tcase(suite, sides);
-    TCase *parts = tcase_create("parts");
-    tcase_add_loop_test(parts, a_part_of_a_chain_tells_what_all_of_it_does_by_its_line_too, 0, 4);
-    tcase_add_test(parts, all_points_of_a_part_lie_in_its_box_and_near_its_line);
-    suite_add_tcase(suite, parts);
     return suite;
 }

@@ -375,8 +375,8 @@ static const char *const BESIDE[] = {
     "cracks=[{points: [[2, 5.6], [6, 5.7], [10, 5.6]], contact: friction, friction: 0.3}]",
     "cracks=[{points: [[4, 4], [7.3, 7.1]], contact: stick}]",
     "cracks=[{points: [[4, 4], [7.3, 7.1]], contact: none}] method.cracks=visibility",
-    "cracks=[{points: [[2, 5.6], [6, 5.7]], contact: none}] "
-    "loads.tractions=[{body: block, edge: all, frame: edge, value: [-0.1, 0]}]",
+    ("cracks=[{points: [[2, 5.6], [6, 5.7]], contact: none}] "
+     "loads.tractions=[{body: block, edge: all, frame: edge, value: [-0.1, 0]}]"),
 };
 
 START_TEST(fast_and_reference_kernels_agree_beside_cracks)

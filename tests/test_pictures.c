@@ -70,8 +70,9 @@ struct lattice {
 static void lattice_open(struct lattice *lattice)
 {
     for (size_t p = 0; p < PARTICLES; p++) {
-        lattice->start[AXES * p] = (double)(p % SIDE) + 0.5;
-        lattice->start[AXES * p + 1] = (double)(p / SIDE) + 0.5 - SIDE / 2;
+        const size_t column = p % SIDE, row = p / SIDE;
+        lattice->start[AXES * p] = (double)column + 0.5;
+        lattice->start[AXES * p + 1] = (double)row + 0.5 - 0.5 * SIDE;
     }
     ck_assert(
         crack_faces_create(lattice->start, PARTICLES, CRACK, POINTS, 1.6, 1.0, &lattice->faces));

@@ -233,7 +233,7 @@ enum mpm_status mpm_history_write(struct mpm_history *history, const struct mpm_
             g_string_append_c(row, ',');
         append_value(row, history->columns[i], ledger);
     }
-    for (size_t i = 0; i < history->quantity_count; i++) {
+    for (size_t i = 0; i < history->quantity_count && simulation != NULL; i++) {
         g_string_append_c(row, ',');
         append_number(row, mpm_simulation_crack_quantity(simulation, i));
     }

@@ -166,7 +166,7 @@ static enum mpm_status add_cut(const struct mpm_j_contour *contour, const struct
                                enum mpm_crack_side of_to, enum mpm_crack_side of_from,
                                struct mpm_j_flux *flux, struct mpm_error *error)
 {
-    struct sample from, to;
+    struct sample from = {.x = 0.0}, to = {.x = 0.0};
     double a[2], b[2];
     place_of(contour, segment->from, a);
     place_of(contour, segment->to, b);
@@ -190,7 +190,7 @@ static enum mpm_status add_plain(const struct mpm_j_contour *contour, const stru
                                  enum mpm_crack_side of_to, enum mpm_crack_side of_from,
                                  struct mpm_j_flux *flux, struct mpm_error *error)
 {
-    struct sample from, to;
+    struct sample from = {.x = 0.0}, to = {.x = 0.0};
     MPM_TRY(find_sample(contour, segment->from, of_from, &from, error));
     MPM_TRY(find_sample(contour, segment->to, of_to, &to, error));
     add_point(contour, &from, segment->axis, segment->sign, 0.5 * segment->length, flux->j);
@@ -202,7 +202,7 @@ static enum mpm_status add_plain(const struct mpm_j_contour *contour, const stru
 static enum mpm_status open_at_node(const struct mpm_j_contour *contour, const int64_t at[2],
                                     struct mpm_j_flux *flux, struct mpm_error *error)
 {
-    struct sample above, below;
+    struct sample above = {.x = 0.0}, below = {.x = 0.0};
     MPM_TRY(find_sample(contour, at, MPM_CRACK_ABOVE, &above, error));
     MPM_TRY(find_sample(contour, at, MPM_CRACK_BELOW, &below, error));
     find_opening(contour, &above, &below, flux->opening);

@@ -62,7 +62,7 @@ static void place_probes(struct study *study)
         const double goal[AXES] = {study->radius * (0.5 + (double)k), 0.25 * study->impact.cell};
         double best = HUGE_VAL;
         for (size_t p = 0; p < study->impact.count; p++) {
-            const double *const place = &study->impact.position[AXES * p];
+            const double *const place = study->impact.position + AXES * p;
             const double distance = hypot(place[0] - goal[0], place[1] - goal[1]);
             if (distance < best) {
                 best = distance;
@@ -90,7 +90,7 @@ static double fringe_order(const struct study *study)
     const double centre = 2.0 * study->radius * (0.5 * DISKS), inner = study->radius * 2.0 / 3.0;
     double largest = 0.0;
     for (size_t p = 0; p < study->impact.count; p++) {
-        const double *const place = &study->impact.position[AXES * p];
+        const double *const place = study->impact.position + AXES * p;
         const double *const s = &study->stress[STRESS * p];
         if (hypot(place[0] - centre, place[1]) < inner)
             largest = fmax(largest, hypot(s[0] - s[1], 2.0 * s[3]));
