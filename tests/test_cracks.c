@@ -392,6 +392,9 @@ START_TEST(fast_and_reference_kernels_agree_beside_cracks)
     };
     struct kernel_pair pair = kernel_pair_open_text(CRACK_BLOCK, sides);
     kernel_pair_assert_alike(&pair, 10);
+    const size_t general = mpm_simulation_general_particles(pair.simulation[1]);
+    ck_assert_uint_eq(mpm_simulation_general_particles(pair.simulation[0]), 0);
+    ck_assert(general > 0 && general < mpm_simulation_particle_count(pair.simulation[1]));
     kernel_pair_close(&pair);
     g_strfreev(words);
     settings_clear(&settings);

@@ -1,4 +1,5 @@
-/* D8: what a crack adds to the time of a step.
+/* D8: what a crack adds to a step: how many particles it takes from the fast kernels, and how much
+ * time.
  *
  * The same scene with and without the crack takes turns, a few steps each, so that whatever
  * else the machine does meets both alike; processor time, not time of day, and the median of the
@@ -80,7 +81,11 @@ static enum mpm_status report(struct study *study, struct measurement *m, struct
     const double particles = (double)mpm_simulation_particle_count(study->models[PLAIN].simulation);
     const double work = particles * (double)study->rounds * (double)study->steps;
     qsort(study->ratios, study->rounds, sizeof *study->ratios, by_size);
+    const double general =
+        (double)mpm_simulation_general_particles(study->models[CRACKED].simulation);
     measurement_report(m, "particles", particles);
+    measurement_report(m, "general_particles", general);
+    measurement_report(m, "general_share", 100.0 * general / particles);
     measurement_report(m, "time_ratio", study->ratios[study->rounds / 2]);
     measurement_report(m, "ratio_lower_quarter", study->ratios[study->rounds / 4]);
     measurement_report(m, "ratio_upper_quarter",

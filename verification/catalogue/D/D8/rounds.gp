@@ -5,11 +5,11 @@ set output output
 set xlabel 'round'
 set ylabel 'time with the crack / time without'
 set xrange [0:13]
-set yrange [0.9:1.4]
+set yrange [0.9:1.5]
 set key top right
 file(v) = data.'/data-'.v.'-rounds.dat'
 plot 1 with lines ls 1 title 'without a crack', \
      1.05 with lines ls 1 dashtype 2 title 'goal', \
-     file('along') using 1:2 with linespoints ls 2 title 'along the grid', \
-     file('across') using 1:2 with linespoints ls 3 title 'across it', \
-     file('across_friction') using 1:2 with linespoints ls 4 title 'across it, with friction'
+     file('along_timed') using 1:2 with linespoints ls 2 title 'along the grid', \
+     file('across_timed') using 1:2 with linespoints ls 3 title 'across it', \
+     file('across_friction_timed') using 1:2 with linespoints ls 4 title 'across it, with friction'
