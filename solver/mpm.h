@@ -321,7 +321,7 @@ const char *mpm_simulation_kernels(const struct mpm_simulation *simulation); /* 
 /* Particles that the last step took with the reference kernels amid fast ones: those with nodes on
  * both sides of a crack, and few between them. 0 where all particles take one set. */
 size_t mpm_simulation_general_particles(const struct mpm_simulation *simulation);
-const char *mpm_simulation_simd(const struct mpm_simulation *simulation);    /* "x86-64-v3", ... */
+const char *mpm_simulation_simd(const struct mpm_simulation *simulation); /* "x86-64-v3", ... */
 
 /* --------------------------------------------------------------------- run */
 

@@ -173,6 +173,41 @@ START_TEST(initial_positions_follow_from_ids_and_other_bodies_are_left_out)
 }
 END_TEST
 
+START_TEST(a_column_has_as_many_values_as_the_table_has_rows)
+{
+    struct score_table table;
+    score_table_open(&table);
+    table.rows = 1;
+    score_table_add(&table, SCORE_X)[0] = 7;
+    table.rows = 5000;
+    score_table_add(&table, SCORE_X);
+    ck_assert_uint_eq(table.column[SCORE_X]->len, table.rows);
+    ck_assert_double_eq(score_table_value(&table, SCORE_X, 0), 7);
+    ck_assert_double_eq(score_table_value(&table, SCORE_X, 4999), 0);
+    score_table_close(&table);
+}
+END_TEST
+
+/* An array of the name of the places that is none: passed over as all fields before POINT_DATA. */
+START_TEST(a_field_before_the_points_gives_no_column)
+{
+    char *folder = test_folder_create(), *good = vtk_text();
+    char **parts = g_strsplit(good, "FieldData 1\n", 2);
+    char *text = g_strconcat(parts[0], "FieldData 2\nposition 3 0 double\n", parts[1], NULL);
+    char *path = test_folder_write(folder, "a.vtk", text);
+    struct mpm_error error = {.message = ""};
+    struct score_table table;
+    ck_assert_msg(results_read(path, &planar, &table, &error) == MPM_OK, "%s", error.message);
+    assert_points(&table);
+    score_table_close(&table);
+    g_free(path);
+    g_free(text);
+    g_strfreev(parts);
+    g_free(good);
+    test_folder_remove(folder);
+}
+END_TEST
+
 START_TEST(axisymmetric_columns_have_names_of_their_own)
 {
     ck_assert_int_eq(score_column_find("stress_zz", MPM_AXISYMMETRIC), SCORE_STRESS_YY);
@@ -218,6 +253,10 @@ static const struct spoiled spoils[] = {
     {"b.vtk", vtk_text, "POINTS 3", "POINTS 4", "\"VERTICES\": allowed is a number"},
     {"b.vtk", vtk_text, "POINTS 3", "POINTS -3", "\"-3\": allowed is a number of things"},
     {"b.vtk", vtk_text, "POINT_DATA 3", "POINT_DATA 2", "as many rows as POINTS"},
+    {"b.vtk", vtk_text, "POINTS 3", "POINTS 1 double\n0 0 0\nPOINTS 3",
+     "b.vtk:10: \"POINTS\": a second time: allowed is once"},
+    {"b.vtk", vtk_text, "POINTS 3", "POINT_DATA 0\nVECTORS velocity double\nPOINTS 3",
+     "b.vtk:8: \"POINT_DATA\": allowed is POINTS before it"},
     {"b.vtk", vtk_text, "POINT_DATA", "CELL_DATA", "CELL_DATA is not read"},
     {"b.vtk", vtk_text, "VECTORS", "NORMALS", "b.vtk:15: \"NORMALS\": allowed are POINTS"},
     {"b.vtk", vtk_text, "1 4 0", "nan 4 0",
@@ -232,6 +271,9 @@ static const struct spoiled spoils[] = {
     {"c.vtu", vtu_ascii, "LittleEndian", "BigEndian", "allowed is LittleEndian"},
     {"c.vtu", vtu_ascii, "Points=\"3\"", "Points=\"0\"", "NumberOfPoints \"0\""},
     {"c.vtu", vtu_ascii, "Points=\"3\"", "Points=\"4\"", "has 9 values, not 4 points of 3"},
+    {"c.vtu", vtu_ascii, "<Piece",
+     "<Points><DataArray NumberOfComponents=\"3\" format=\"ascii\"></DataArray></Points><Piece",
+     "c.vtu:9: an array of points before Piece"},
     {"c.vtu", vtu_ascii, "ascii\"", "appended\"", "format \"appended\": allowed are ascii and"},
     {"c.vtu", vtu_ascii, "</Points>", "</Point>", "c.vtu: "},
     {"c.vtu", vtu_ascii, "<Cells>", "<AppendedData>", "appended arrays are not read"},
@@ -304,6 +346,8 @@ Suite *suite_score_readers(void)
     TCase *readers = tcase_create("readers");
     tcase_add_test(readers, every_format_gives_the_same_points);
     tcase_add_test(readers, initial_positions_follow_from_ids_and_other_bodies_are_left_out);
+    tcase_add_test(readers, a_column_has_as_many_values_as_the_table_has_rows);
+    tcase_add_test(readers, a_field_before_the_points_gives_no_column);
     tcase_add_test(readers, axisymmetric_columns_have_names_of_their_own);
     tcase_add_loop_test(readers, a_bad_file_is_refused_with_place_and_reason, 0,
                         (int)G_N_ELEMENTS(spoils));

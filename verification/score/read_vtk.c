@@ -15,8 +15,8 @@ struct words {
     const char *path, *at;
     const struct score_format *format;
     unsigned line;
-    char word[WORD_SIZE]; /* the last one; "" at the end */
-    bool point_data;
+    char word[WORD_SIZE];    /* the last one; "" at the end */
+    bool points, point_data; /* that have begun */
     double time;
 };
 
@@ -93,7 +93,7 @@ static enum mpm_status take(struct words *words, const char *name, size_t compon
     GArray *values = next_numbers(words, components * count, &status, error);
     if (values == NULL)
         return status;
-    if (words->point_data || strcmp(name, "position") == 0)
+    if (words->point_data)
         status =
             score_take_array(words->path, words->format, name, components, values, table, error);
     else if (values->len == 1 &&
@@ -108,9 +108,18 @@ static enum mpm_status take(struct words *words, const char *name, size_t compon
 static enum mpm_status read_points(struct words *words, struct score_table *table,
                                    struct mpm_error *error)
 {
+    enum mpm_status status;
+    if (words->points)
+        return refuse(words, error, "a second time: allowed is once");
+    words->points = true;
     TRY(next_count(words, &table->rows, error));
     next_word(words); /* the type */
-    return take(words, "position", VECTOR, table->rows, table, error);
+    GArray *values = next_numbers(words, table->rows * VECTOR, &status, error);
+    if (values == NULL)
+        return status;
+    status = score_take_array(words->path, words->format, "position", VECTOR, values, table, error);
+    g_array_unref(values);
+    return status;
 }
 
 static enum mpm_status read_cells(struct words *words, struct score_table *table,
@@ -132,6 +141,8 @@ static enum mpm_status read_point_data(struct words *words, struct score_table *
                                        struct mpm_error *error)
 {
     size_t count = 0;
+    if (!words->points)
+        return refuse(words, error, "allowed is POINTS before it");
     TRY(next_count(words, &count, error));
     words->point_data = true;
     return count == table->rows

@@ -90,6 +90,10 @@ static void start_array(struct parsing *parsing, GMarkupParseContext *context, c
     const char *format = attribute(names, values, "format");
     const char *count = attribute(names, values, "NumberOfComponents");
     const char *name = attribute(names, values, "Name");
+    if (parsing->pieces == 0 && parsing->section != FIELD_DATA) {
+        fail(parsing, context, failure, "an array of points before Piece: allowed is inside of it");
+        return;
+    }
     if (format == NULL || (strcmp(format, "ascii") != 0 && strcmp(format, "binary") != 0)) {
         fail(parsing, context, failure, "format \"%s\": allowed are ascii and binary",
              format == NULL ? "" : format);
