@@ -71,6 +71,10 @@ static enum mpm_status next_count(struct words *words, size_t *count, struct mpm
 static GArray *next_numbers(struct words *words, size_t count, enum mpm_status *status,
                             struct mpm_error *error)
 {
+    if (count > (size_t)SCORE_ROWS_MAX * TENSOR) {
+        *status = refuse(words, error, "more numbers than 1e8 points have");
+        return NULL;
+    }
     GArray *values = g_array_new(FALSE, FALSE, sizeof(double));
     for (size_t i = 0; i < count; i++) {
         double value;
@@ -113,6 +117,8 @@ static enum mpm_status read_points(struct words *words, struct score_table *tabl
         return refuse(words, error, "a second time: allowed is once");
     words->points = true;
     TRY(next_count(words, &table->rows, error));
+    if (table->rows > SCORE_ROWS_MAX)
+        return refuse(words, error, "allowed are up to 1e8 points");
     next_word(words); /* the type */
     GArray *values = next_numbers(words, table->rows * VECTOR, &status, error);
     if (values == NULL)

@@ -76,9 +76,11 @@ static void start_piece(struct parsing *parsing, GMarkupParseContext *context, c
     const char *text = attribute(names, values, "NumberOfPoints");
     if (++parsing->pieces > 1)
         fail(parsing, context, failure, "a second Piece: allowed is one");
-    else if (text == NULL || !row_number(text, &count) || !(count >= 1) || count > 1e9)
-        fail(parsing, context, failure, "NumberOfPoints \"%s\": allowed are whole numbers from 1",
-             text == NULL ? "" : text);
+    else if (text == NULL || !row_number(text, &count) || !(count >= 1) || count > SCORE_ROWS_MAX ||
+             floor(count) < count)
+        fail(parsing, context, failure,
+             "NumberOfPoints \"%s\": allowed are whole numbers from 1 to %d",
+             text == NULL ? "" : text, SCORE_ROWS_MAX);
     else
         parsing->table->rows = (size_t)count;
 }
@@ -289,6 +291,8 @@ enum mpm_status score_read_vtk_xml(const char *path, const struct score_format *
         g_error_free(failure);
     } else if (parsing.pieces == 0) {
         status = failure_set(error, MPM_BAD_INPUT, "%s: holds no Piece of points", path);
+    } else if (!score_table_has(table, SCORE_X)) {
+        status = failure_set(error, MPM_BAD_INPUT, "%s: the Piece has no array of Points", path);
     } else if (isfinite(parsing.time)) {
         status = score_take_time(path, parsing.time, table, error);
     }

@@ -8,6 +8,10 @@
 
 #include "verification/score/table.h"
 
+/* So many rows are read of one file that declares their number before it gives them: a declared
+ * number is believed up to here, and no memory is taken for more. */
+enum { SCORE_ROWS_MAX = 100000000 };
+
 /* CSV: a line of names, each with its unit in brackets or without, then a line of numbers for each
  * row. Empty lines and lines that begin with '#' are passed over. */
 enum mpm_status score_read_csv(const char *path, const struct score_format *format,
