@@ -108,6 +108,16 @@ static char *vtu_text(bool binary, bool timed)
     return g_string_free(text, FALSE);
 }
 
+static char *vtu_ascii(void)
+{
+    return vtu_text(false, true);
+}
+
+static char *vtu_binary(void)
+{
+    return vtu_text(true, true);
+}
+
 static void assert_points(const struct score_table *table)
 {
     ck_assert_uint_eq(table->rows, 3);
@@ -189,13 +199,38 @@ START_TEST(a_column_has_as_many_values_as_the_table_has_rows)
 }
 END_TEST
 
-/* An array of the name of the places that is none: passed over as all fields before POINT_DATA. */
-START_TEST(a_field_before_the_points_gives_no_column)
+/* What writers put into files besides the values. */
+static const struct extra {
+    const char *name;
+    char *(*good)(void);
+    const char *from, *to;
+} extras[] = {
+    {"b.vtk", vtk_text, "VERTICES 3 6\n1 0 1 1 1 2",
+     "METADATA\nINFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 0 1\n\n"
+     "VERTICES 4 3\nOFFSETS vtktypeint64\n0 1 2 3\nCONNECTIVITY vtktypeint64\n0 1 2"},
+    {"b.vtk", vtk_text, "VERTICES 3 6\n1 0 1 1 1 2",
+     "VERTICES 1 0\nOFFSETS vtktypeint64\n0\nCONNECTIVITY vtktypeint64\n"},
+    {"b.vtk", vtk_text, "FieldData 1\n",
+     "FieldData 2\nb 1 1 int\n9\nMETADATA\r\nINFORMATION 0\r\n\r\n"},
+    {"b.vtk", vtk_text, "7 7 7\n", "7 7 7\nMETADATA"},
+    /* an array that is named as the places are, and is none */
+    {"b.vtk", vtk_text, "FieldData 1\n", "FieldData 2\nposition 3 0 double\n"},
+    {"c.vtu", vtu_ascii, "\n</DataArray>\n<DataArray type=\"Float64\" Name=\"stress\"",
+     "<InformationKey name=\"L2\"><Value index=\"0\">0</Value><Value>1</Value></InformationKey>"
+     "</DataArray>\n<DataArray type=\"Float64\" Name=\"stress\""},
+    {"c.vtu", vtu_ascii, "</Cells>",
+     "<DataArray format=\"ascii\">0<InformationKey><Value>1</Value></InformationKey></DataArray>"
+     "<DataArray Name=\"stress\" format=\"ascii\">0</DataArray></Cells>"},
+};
+
+START_TEST(what_writers_add_is_passed_over)
 {
-    char *folder = test_folder_create(), *good = vtk_text();
-    char **parts = g_strsplit(good, "FieldData 1\n", 2);
-    char *text = g_strconcat(parts[0], "FieldData 2\nposition 3 0 double\n", parts[1], NULL);
-    char *path = test_folder_write(folder, "a.vtk", text);
+    const struct extra *extra = &extras[_i];
+    char *folder = test_folder_create(), *good = extra->good();
+    char **parts = g_strsplit(good, extra->from, 2);
+    ck_assert_uint_eq(g_strv_length(parts), 2);
+    char *text = g_strconcat(parts[0], extra->to, parts[1], NULL);
+    char *path = test_folder_write(folder, extra->name, text);
     struct mpm_error error = {.message = ""};
     struct score_table table;
     ck_assert_msg(results_read(path, &planar, &table, &error) == MPM_OK, "%s", error.message);
@@ -228,16 +263,6 @@ struct spoiled {
     const char *from, *to;
     const char *message; /* part of the refusal */
 };
-
-static char *vtu_ascii(void)
-{
-    return vtu_text(false, true);
-}
-
-static char *vtu_binary(void)
-{
-    return vtu_text(true, true);
-}
 
 static char *vtp_without_points(void)
 {
@@ -429,7 +454,7 @@ Suite *suite_score_readers(void)
     tcase_add_test(readers, every_format_gives_the_same_points);
     tcase_add_test(readers, initial_positions_follow_from_ids_and_other_bodies_are_left_out);
     tcase_add_test(readers, a_column_has_as_many_values_as_the_table_has_rows);
-    tcase_add_test(readers, a_field_before_the_points_gives_no_column);
+    tcase_add_loop_test(readers, what_writers_add_is_passed_over, 0, (int)G_N_ELEMENTS(extras));
     tcase_add_test(readers, axisymmetric_columns_have_names_of_their_own);
     tcase_add_loop_test(readers, a_bad_file_is_refused_with_place_and_reason, 0,
                         (int)G_N_ELEMENTS(spoils));

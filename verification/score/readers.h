@@ -23,7 +23,8 @@ enum mpm_status score_read_hdf5(const char *path, const struct score_format *for
                                 struct score_table *table, struct mpm_error *error);
 
 /* Legacy VTK, ASCII: POLYDATA or UNSTRUCTURED_GRID with POINTS, POINT_DATA and its SCALARS,
- * VECTORS, TENSORS and FIELD arrays; the time from the field data TimeValue or TIME. */
+ * VECTORS, TENSORS and FIELD arrays; cells, of version 5 too, and METADATA are passed over; the
+ * time from the field data TimeValue or TIME. */
 enum mpm_status score_read_vtk(const char *path, const struct score_format *format,
                                struct score_table *table, struct mpm_error *error);
 
