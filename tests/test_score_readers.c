@@ -213,6 +213,8 @@ static const struct extra {
     {"b.vtk", vtk_text, "FieldData 1\n",
      "FieldData 2\nb 1 1 int\n9\nMETADATA\r\nINFORMATION 0\r\n\r\n"},
     {"b.vtk", vtk_text, "7 7 7\n", "7 7 7\nMETADATA"},
+    {"a.csv", csv_text, "# comment\n\n", "\xEF\xBB\xBF"},
+    {"a.csv", csv_text, "# comment\n\n", "\xEF\xBB\xBF# comment\r\n"},
     /* an array that is named as the places are, and is none */
     {"b.vtk", vtk_text, "FieldData 1\n", "FieldData 2\nposition 3 0 double\n"},
     {"c.vtu", vtu_ascii, "\n</DataArray>\n<DataArray type=\"Float64\" Name=\"stress\"",
@@ -264,6 +266,17 @@ struct spoiled {
     const char *message; /* part of the refusal */
 };
 
+static char *ids_text(void)
+{
+    return g_strdup("time,id,x,y\n0,5,1,2\n0,6,3,4\n1,5,1,2\n1,6,3,4\n");
+}
+
+static char *pvd_text(void)
+{
+    return g_strdup("<VTKFile type=\"Collection\"><Collection>\n"
+                    "<DataSet timestep=\"2\" file=\"e.vtu\"/></Collection></VTKFile>");
+}
+
 static char *vtp_without_points(void)
 {
     return g_strdup("<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"9\"/></PolyData>"
@@ -272,6 +285,11 @@ static char *vtp_without_points(void)
 
 static const struct spoiled spoils[] = {
     {"a.csv", csv_text, "x [mm]", "x [m]", "a.csv:3: x is in \"m\": allowed is \"mm\""},
+    {"a.csv", csv_text, "#", "\xEF\xBB\xBFtime\n#", "a.csv:4: has 10 cells, the line of names 1"},
+    {"a.csv", csv_text, "y,", "body,", "none of the 3 rows is of body 0, which the problem"},
+    {"a.csv", ids_text, "1,6", "1,1e300", "a.csv: point 3 has id 1e+300: allowed are whole"},
+    {"a.csv", ids_text, "1,6", "1,6.5", "a.csv: point 3 has id 6.5: allowed are whole"},
+    {"a.csv", ids_text, "0,6", "0,5", "a.csv: two points have id 5 at time 0: allowed is one"},
     {"a.csv", csv_text, "y,", "x,", "a.csv:3: column x is there twice"},
     {"a.csv", csv_text, "\n2,1", "\n2,nan", "a.csv:5: x: \"nan\" is not a finite number"},
     {"a.csv", csv_text, "\n2,1", "\n2,1e999", "\"1e999\" is not a finite number"},
@@ -319,6 +337,8 @@ static const struct spoiled spoils[] = {
     {"e.txt", csv_text, "#", "#", "e.txt: allowed are .csv, .hdf, .h5, .hdf5, .vtk"},
     {"f.hdf", csv_text, "#", "#", "f.hdf: is no HDF5 file"},
     {"g.pvd", csv_text, "#", "#", "g.pvd: "},
+    {"h.pvd", pvd_text, "file", "files", "h.pvd:2: a DataSet needs the file (.vtu, .vtp, .vtk)"},
+    {"h.pvd", pvd_text, "\"2\"", "\"two\"", "h.pvd:2: a DataSet needs the file"},
 };
 
 START_TEST(a_bad_file_is_refused_with_place_and_reason)

@@ -13,7 +13,7 @@
 enum { SCORE_ROWS_MAX = 100000000 };
 
 /* CSV: a line of names, each with its unit in brackets or without, then a line of numbers for each
- * row. Empty lines and lines that begin with '#' are passed over. */
+ * row. Empty lines, lines that begin with '#' and a byte order mark are passed over. */
 enum mpm_status score_read_csv(const char *path, const struct score_format *format,
                                struct score_table *table, struct mpm_error *error);
 
