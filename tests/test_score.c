@@ -9,6 +9,7 @@
 #include "verification/score/score.h"
 
 #include <glib.h>
+#include <glib/gstdio.h>
 #include <math.h>
 #include <string.h>
 
@@ -285,6 +286,8 @@ START_TEST(a_bundle_that_was_changed_is_refused_with_the_reason)
          "a column of reference.csv"},
         {"problem.json", "\"criterion\": \"stress\"", "\"criterion\": \"a/b\"",
          "criterion, title and why"},
+        {"problem.json", "\"criterion\": \"stress\"", "\"criterion\": \"displacement\"",
+         "criteria: criterion: allowed is each name once"},
         {"reference.csv", "[mm]", "[m]", "reference.csv:1: initial_x is in \"m\""},
         {"reference.csv", "\n0,0.25,0.5,0", "\n0,0.25,0.5,nan", "is not a finite number"},
     };
@@ -409,6 +412,38 @@ START_TEST(too_few_points_are_refused)
 }
 END_TEST
 
+/* A folder of the name of a case with a file of somebody's, and a bundle of the case. */
+START_TEST(an_export_replaces_bundles_of_the_case_alone)
+{
+    static const struct {
+        const char *name, *text;
+        int status;
+    } table[] = {
+        {"problem.md", "mine", 2},
+        {"problem.json", "{\"format\": 1, \"case\": \"E1\"}", 2},
+        {"problem.json", "{\"format\": 2, \"case\": \"E3\"}", 2},
+        {"problem.json", "{\"format\": 1, \"case\": \"E3\"}", 0},
+    };
+    for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
+        char *folder = test_folder_create(), *home = test_folder_path(folder, "E3");
+        ck_assert_int_eq(g_mkdir(home, 0700), 0);
+        char *path = test_folder_write(home, table[i].name, table[i].text);
+        struct test_command command =
+            test_command_run("mpm-verify", "export", "--case", "E3", "--output", folder, NULL);
+        char *text = test_file_read(path);
+        ck_assert_msg(command.exit_status == table[i].status, "row %zu: %s", i, command.errors);
+        ck_assert(table[i].status == 0 || strcmp(text, table[i].text) == 0);
+        ck_assert(table[i].status == 0 ||
+                  strstr(command.errors, "E3: is there and no bundle of case E3") != NULL);
+        test_command_free(&command);
+        g_free(text);
+        g_free(path);
+        g_free(home);
+        test_folder_remove(folder);
+    }
+}
+END_TEST
+
 /* Snapshots of `mpm run` carry their units. */
 START_TEST(snapshots_in_other_units_are_refused)
 {
@@ -448,6 +483,7 @@ Suite *suite_score(void)
     tcase_add_test(scores, the_command_says_and_reports_what_the_score_is);
     tcase_add_test(scores, bad_results_end_with_status_2_and_touch_nothing);
     tcase_add_test(scores, too_few_points_are_refused);
+    tcase_add_test(scores, an_export_replaces_bundles_of_the_case_alone);
     tcase_add_test(scores, snapshots_in_other_units_are_refused);
     suite_add_tcase(suite, scores);
     return suite;

@@ -9,6 +9,7 @@
 
 #include <glib.h>
 #include <glib/gstdio.h>
+#include <hdf5.h>
 #include <math.h>
 #include <string.h>
 
@@ -107,6 +108,16 @@ static char *vtu_text(bool binary, bool timed)
     return g_string_free(text, FALSE);
 }
 
+static char *vtu_ascii(void)
+{
+    return vtu_text(false, true);
+}
+
+static char *vtu_binary(void)
+{
+    return vtu_text(true, true);
+}
+
 static void assert_points(const struct score_table *table)
 {
     ck_assert_uint_eq(table->rows, 3);
@@ -173,6 +184,68 @@ START_TEST(initial_positions_follow_from_ids_and_other_bodies_are_left_out)
 }
 END_TEST
 
+START_TEST(a_column_has_as_many_values_as_the_table_has_rows)
+{
+    struct score_table table;
+    score_table_open(&table);
+    table.rows = 1;
+    score_table_add(&table, SCORE_X)[0] = 7;
+    table.rows = 5000;
+    score_table_add(&table, SCORE_X);
+    ck_assert_uint_eq(table.column[SCORE_X]->len, table.rows);
+    ck_assert_double_eq(score_table_value(&table, SCORE_X, 0), 7);
+    ck_assert_double_eq(score_table_value(&table, SCORE_X, 4999), 0);
+    score_table_close(&table);
+}
+END_TEST
+
+/* What writers put into files besides the values. */
+static const struct extra {
+    const char *name;
+    char *(*good)(void);
+    const char *from, *to;
+} extras[] = {
+    {"b.vtk", vtk_text, "VERTICES 3 6\n1 0 1 1 1 2",
+     "METADATA\nINFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 0 1\n\n"
+     "VERTICES 4 3\nOFFSETS vtktypeint64\n0 1 2 3\nCONNECTIVITY vtktypeint64\n0 1 2"},
+    {"b.vtk", vtk_text, "VERTICES 3 6\n1 0 1 1 1 2",
+     "VERTICES 1 0\nOFFSETS vtktypeint64\n0\nCONNECTIVITY vtktypeint64\n"},
+    {"b.vtk", vtk_text, "FieldData 1\n",
+     "FieldData 2\nb 1 1 int\n9\nMETADATA\r\nINFORMATION 0\r\n\r\n"},
+    {"b.vtk", vtk_text, "7 7 7\n", "7 7 7\nMETADATA"},
+    {"a.csv", csv_text, "# comment\n\n", "\xEF\xBB\xBF"},
+    {"a.csv", csv_text, "# comment\n\n", "\xEF\xBB\xBF# comment\r\n"},
+    /* an array that is named as the places are, and is none */
+    {"b.vtk", vtk_text, "FieldData 1\n", "FieldData 2\nposition 3 0 double\n"},
+    {"c.vtu", vtu_ascii, "\n</DataArray>\n<DataArray type=\"Float64\" Name=\"stress\"",
+     "<InformationKey name=\"L2\"><Value index=\"0\">0</Value><Value>1</Value></InformationKey>"
+     "</DataArray>\n<DataArray type=\"Float64\" Name=\"stress\""},
+    {"c.vtu", vtu_ascii, "</Cells>",
+     "<DataArray format=\"ascii\">0<InformationKey><Value>1</Value></InformationKey></DataArray>"
+     "<DataArray Name=\"stress\" format=\"ascii\">0</DataArray></Cells>"},
+};
+
+START_TEST(what_writers_add_is_passed_over)
+{
+    const struct extra *extra = &extras[_i];
+    char *folder = test_folder_create(), *good = extra->good();
+    char **parts = g_strsplit(good, extra->from, 2);
+    ck_assert_uint_eq(g_strv_length(parts), 2);
+    char *text = g_strconcat(parts[0], extra->to, parts[1], NULL);
+    char *path = test_folder_write(folder, extra->name, text);
+    struct mpm_error error = {.message = ""};
+    struct score_table table;
+    ck_assert_msg(results_read(path, &planar, &table, &error) == MPM_OK, "%s", error.message);
+    assert_points(&table);
+    score_table_close(&table);
+    g_free(path);
+    g_free(text);
+    g_strfreev(parts);
+    g_free(good);
+    test_folder_remove(folder);
+}
+END_TEST
+
 START_TEST(axisymmetric_columns_have_names_of_their_own)
 {
     ck_assert_int_eq(score_column_find("stress_zz", MPM_AXISYMMETRIC), SCORE_STRESS_YY);
@@ -193,18 +266,30 @@ struct spoiled {
     const char *message; /* part of the refusal */
 };
 
-static char *vtu_ascii(void)
+static char *ids_text(void)
 {
-    return vtu_text(false, true);
+    return g_strdup("time,id,x,y\n0,5,1,2\n0,6,3,4\n1,5,1,2\n1,6,3,4\n");
 }
 
-static char *vtu_binary(void)
+static char *pvd_text(void)
 {
-    return vtu_text(true, true);
+    return g_strdup("<VTKFile type=\"Collection\"><Collection>\n"
+                    "<DataSet timestep=\"2\" file=\"e.vtu\"/></Collection></VTKFile>");
+}
+
+static char *vtp_without_points(void)
+{
+    return g_strdup("<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"9\"/></PolyData>"
+                    "</VTKFile>");
 }
 
 static const struct spoiled spoils[] = {
     {"a.csv", csv_text, "x [mm]", "x [m]", "a.csv:3: x is in \"m\": allowed is \"mm\""},
+    {"a.csv", csv_text, "#", "\xEF\xBB\xBFtime\n#", "a.csv:4: has 10 cells, the line of names 1"},
+    {"a.csv", csv_text, "y,", "body,", "none of the 3 rows is of body 0, which the problem"},
+    {"a.csv", ids_text, "1,6", "1,1e300", "a.csv: point 3 has id 1e+300: allowed are whole"},
+    {"a.csv", ids_text, "1,6", "1,6.5", "a.csv: point 3 has id 6.5: allowed are whole"},
+    {"a.csv", ids_text, "0,6", "0,5", "a.csv: two points have id 5 at time 0: allowed is one"},
     {"a.csv", csv_text, "y,", "x,", "a.csv:3: column x is there twice"},
     {"a.csv", csv_text, "\n2,1", "\n2,nan", "a.csv:5: x: \"nan\" is not a finite number"},
     {"a.csv", csv_text, "\n2,1", "\n2,1e999", "\"1e999\" is not a finite number"},
@@ -218,6 +303,10 @@ static const struct spoiled spoils[] = {
     {"b.vtk", vtk_text, "POINTS 3", "POINTS 4", "\"VERTICES\": allowed is a number"},
     {"b.vtk", vtk_text, "POINTS 3", "POINTS -3", "\"-3\": allowed is a number of things"},
     {"b.vtk", vtk_text, "POINT_DATA 3", "POINT_DATA 2", "as many rows as POINTS"},
+    {"b.vtk", vtk_text, "POINTS 3", "POINTS 1 double\n0 0 0\nPOINTS 3",
+     "b.vtk:10: \"POINTS\": a second time: allowed is once"},
+    {"b.vtk", vtk_text, "POINTS 3", "POINT_DATA 0\nVECTORS velocity double\nPOINTS 3",
+     "b.vtk:8: \"POINT_DATA\": allowed is POINTS before it"},
     {"b.vtk", vtk_text, "POINT_DATA", "CELL_DATA", "CELL_DATA is not read"},
     {"b.vtk", vtk_text, "VECTORS", "NORMALS", "b.vtk:15: \"NORMALS\": allowed are POINTS"},
     {"b.vtk", vtk_text, "1 4 0", "nan 4 0",
@@ -231,7 +320,15 @@ static const struct spoiled spoils[] = {
     {"c.vtu", vtu_ascii, "byte_order", "compressor=\"z\" a", "compressed arrays are not read"},
     {"c.vtu", vtu_ascii, "LittleEndian", "BigEndian", "allowed is LittleEndian"},
     {"c.vtu", vtu_ascii, "Points=\"3\"", "Points=\"0\"", "NumberOfPoints \"0\""},
+    {"c.vtu", vtu_ascii, "Points=\"3\"", "Points=\"100000001\"",
+     "NumberOfPoints \"100000001\": allowed are whole numbers from 1 to 100000000"},
+    {"c.vtu", vtu_ascii, "Points=\"3\"", "Points=\"2.5\"", "NumberOfPoints \"2.5\""},
+    {"c.vtp", vtp_without_points, "9", "8", "c.vtp: the Piece has no array of Points"},
+    {"b.vtk", vtk_text, "POINTS 3", "POINTS 100000001", "allowed are up to 1e8 points"},
     {"c.vtu", vtu_ascii, "Points=\"3\"", "Points=\"4\"", "has 9 values, not 4 points of 3"},
+    {"c.vtu", vtu_ascii, "<Piece",
+     "<Points><DataArray NumberOfComponents=\"3\" format=\"ascii\"></DataArray></Points><Piece",
+     "c.vtu:9: an array of points before Piece"},
     {"c.vtu", vtu_ascii, "ascii\"", "appended\"", "format \"appended\": allowed are ascii and"},
     {"c.vtu", vtu_ascii, "</Points>", "</Point>", "c.vtu: "},
     {"c.vtu", vtu_ascii, "<Cells>", "<AppendedData>", "appended arrays are not read"},
@@ -240,6 +337,8 @@ static const struct spoiled spoils[] = {
     {"e.txt", csv_text, "#", "#", "e.txt: allowed are .csv, .hdf, .h5, .hdf5, .vtk"},
     {"f.hdf", csv_text, "#", "#", "f.hdf: is no HDF5 file"},
     {"g.pvd", csv_text, "#", "#", "g.pvd: "},
+    {"h.pvd", pvd_text, "file", "files", "h.pvd:2: a DataSet needs the file (.vtu, .vtp, .vtk)"},
+    {"h.pvd", pvd_text, "\"2\"", "\"two\"", "h.pvd:2: a DataSet needs the file"},
 };
 
 START_TEST(a_bad_file_is_refused_with_place_and_reason)
@@ -259,6 +358,76 @@ START_TEST(a_bad_file_is_refused_with_place_and_reason)
     g_free(text);
     g_strfreev(parts);
     g_free(good);
+    test_folder_remove(folder);
+}
+END_TEST
+
+/* An attribute of `count` values of the type, all bytes '1'. */
+static void add_attribute(hid_t place, const char *name, hid_t type, hsize_t count)
+{
+    const hid_t space = H5Screate_simple(1, &count, NULL);
+    const hid_t attribute = H5Acreate2(place, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    char *bytes = g_strnfill(count * H5Tget_size(type), '1');
+    ck_assert_int_ge(H5Awrite(attribute, type, bytes), 0);
+    g_free(bytes);
+    (void)H5Aclose(attribute);
+    (void)H5Sclose(space);
+}
+
+/* What a snapshot declares, in place of two particles at one time with units of one text. */
+static const struct declared {
+    hsize_t rows, times, units;
+    size_t text; /* bytes of a unit */
+    bool written, time_as_text;
+    const char *message;
+} declared[] = {
+    {2, 1, 1, 2, true, false, "position: x is in \"11\": allowed is \"mm\""},
+    {2, 1, 20000, 2, true, false, "position: attribute unit: allowed is one text"},
+    {2, 1, 1, 300, true, false, "position: attribute unit: allowed is one text of up to 256"},
+    {2, 4000, 0, 0, true, false, "/mpm: attribute time: allowed is one finite number"},
+    {2, 1, 0, 0, true, true, "/mpm: attribute time: allowed is one finite number"},
+    {2, 1, 0, 0, false, false, "position: 2 x 2 values: allowed are numbers that the file holds"},
+    {2000000000, 1, 0, 0, false, false, "for each of 1 to 100000000 particles"},
+};
+
+static void write_declared(const char *path, const struct declared *what)
+{
+    static const double numbers[4] = {0, 1, 2, 3};
+    const hsize_t size[2] = {what->rows, 2}, chunk[2] = {2, 2};
+    const hid_t file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t mpm = H5Gcreate2(file, "/mpm", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t particles = H5Gcreate2(mpm, "particles", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t space = H5Screate_simple(2, size, NULL), settings = H5Pcreate(H5P_DATASET_CREATE);
+    const hid_t text = H5Tcopy(H5T_C_S1);
+    (void)H5Pset_chunk(settings, 2, chunk);
+    const hid_t dataset = H5Dcreate2(particles, "position", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT,
+                                     settings, H5P_DEFAULT);
+    if (what->written)
+        (void)H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers);
+    if (what->units > 0) {
+        (void)H5Tset_size(text, what->text);
+        add_attribute(dataset, "unit", text, what->units);
+    }
+    add_attribute(mpm, "time", what->time_as_text ? text : H5T_NATIVE_DOUBLE, what->times);
+    (void)H5Dclose(dataset);
+    (void)H5Tclose(text);
+    (void)H5Pclose(settings);
+    (void)H5Sclose(space);
+    (void)H5Gclose(particles);
+    (void)H5Gclose(mpm);
+    ck_assert_int_ge(H5Fclose(file), 0);
+}
+
+START_TEST(what_a_snapshot_declares_is_not_believed)
+{
+    char *folder = test_folder_create(), *path = test_folder_path(folder, "a.hdf");
+    struct score_table table;
+    struct mpm_error error = {.message = "accepted"};
+    write_declared(path, &declared[_i]);
+    const enum mpm_status status = results_read(path, &planar, &table, &error);
+    ck_assert_msg(status == MPM_BAD_INPUT && strstr(error.message, declared[_i].message) != NULL,
+                  "%s", error.message);
+    g_free(path);
     test_folder_remove(folder);
 }
 END_TEST
@@ -304,9 +473,13 @@ Suite *suite_score_readers(void)
     TCase *readers = tcase_create("readers");
     tcase_add_test(readers, every_format_gives_the_same_points);
     tcase_add_test(readers, initial_positions_follow_from_ids_and_other_bodies_are_left_out);
+    tcase_add_test(readers, a_column_has_as_many_values_as_the_table_has_rows);
+    tcase_add_loop_test(readers, what_writers_add_is_passed_over, 0, (int)G_N_ELEMENTS(extras));
     tcase_add_test(readers, axisymmetric_columns_have_names_of_their_own);
     tcase_add_loop_test(readers, a_bad_file_is_refused_with_place_and_reason, 0,
                         (int)G_N_ELEMENTS(spoils));
+    tcase_add_loop_test(readers, what_a_snapshot_declares_is_not_believed, 0,
+                        (int)G_N_ELEMENTS(declared));
     tcase_add_loop_test(readers, files_cut_short_or_scrambled_never_crash_a_reader, 0, 4);
     suite_add_tcase(suite, readers);
     return suite;

@@ -165,8 +165,12 @@ static enum mpm_status read_criteria(struct bundle *bundle, struct mpm_error *er
     if (bundle->criterion_count == 0)
         return refuse(bundle, error, "criteria", "a list of at least one");
     bundle->criteria = g_new0(struct bundle_criterion, bundle->criterion_count);
-    for (size_t i = 0; i < bundle->criterion_count; i++)
+    for (size_t i = 0; i < bundle->criterion_count; i++) {
         TRY(read_criterion(bundle, json_array_get(criteria, i), &bundle->criteria[i], error));
+        for (size_t k = 0; k < i; k++)
+            if (strcmp(bundle->criteria[k].check.name, bundle->criteria[i].check.name) == 0)
+                return refuse(bundle, error, "criteria: criterion", "each name once");
+    }
     return MPM_OK;
 }
 

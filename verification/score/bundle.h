@@ -53,7 +53,8 @@ const double *bundle_reference(const struct bundle *bundle, enum score_column co
                                size_t instant);
 
 /* Writes the bundle of a case that has one to <folder>/<case>/. MPM_ENVIRONMENT_FAILED: cannot be
- * written; MPM_BAD_INPUT: the case's bundle names what there is not. */
+ * written; MPM_BAD_INPUT: the case's bundle names what there is not, or the folder is there
+ * and holds anything but a bundle of the case. */
 enum mpm_status bundle_write(const struct catalogue_case *entry, const char *folder,
                              struct mpm_error *error);
 

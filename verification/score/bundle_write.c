@@ -357,12 +357,37 @@ static enum mpm_status prepare(struct writing *writing, struct mpm_error *error)
     return check_criteria(writing, error);
 }
 
+/* Only a new or empty folder, or a bundle of the same case, is written to. */
+static enum mpm_status check_home(const char *home, const char *name, struct mpm_error *error)
+{
+    GDir *directory = g_dir_open(home, 0, NULL);
+    const bool empty = directory == NULL ? !g_file_test(home, G_FILE_TEST_EXISTS)
+                                         : g_dir_read_name(directory) == NULL;
+    if (directory != NULL)
+        g_dir_close(directory);
+    if (empty)
+        return MPM_OK;
+    char *path = g_build_filename(home, "problem.json", NULL);
+    json_t *json = json_load_file(path, 0, NULL);
+    const bool bundle = json_integer_value(json_object_get(json, "format")) == 1 &&
+                        strcmp(record_text(json, "case"), name) == 0;
+    json_decref(json);
+    g_free(path);
+    return bundle ? MPM_OK
+                  : failure_set(error, MPM_BAD_INPUT,
+                                "%s: is there and no bundle of case %s: allowed are a new or "
+                                "empty folder, or such a bundle",
+                                home, name);
+}
+
 enum mpm_status bundle_write(const struct catalogue_case *entry, const char *folder,
                              struct mpm_error *error)
 {
     struct writing writing = {.entry = entry, .bundle = entry->file->bundle};
     char *home = g_build_filename(folder, entry->file->name, NULL);
     enum mpm_status status = prepare(&writing, error);
+    if (status == MPM_OK)
+        status = check_home(home, entry->file->name, error);
     if (status == MPM_OK && g_mkdir_with_parents(home, 0777) != 0)
         status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be made", home);
     if (status == MPM_OK)

@@ -8,6 +8,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Some programs begin UTF-8 texts with it. */
+#define BYTE_ORDER_MARK "\xEF\xBB\xBF"
+
 struct header {
     enum score_column column[SCORE_COLUMNS * 4]; /* SCORE_COLUMNS: not read */
     size_t count;
@@ -97,7 +100,9 @@ enum mpm_status score_read_csv(const char *path, const struct score_format *form
     size_t number = 0;
     char *next;
     /* line by line in place: functions of strings would look through all the rest each time */
-    for (char *line = text; status == MPM_OK && line < text + length; line = next) {
+    for (char *line =
+             text + (g_str_has_prefix(text, BYTE_ORDER_MARK) ? strlen(BYTE_ORDER_MARK) : 0);
+         status == MPM_OK && line < text + length; line = next) {
         char *end = memchr(line, '\n', (size_t)(text + length - line));
         next = end == NULL ? text + length : end + 1;
         if (end != NULL)

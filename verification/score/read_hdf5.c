@@ -23,42 +23,83 @@ static const struct dataset {
     {"body", SCORE_BODY},
 };
 
-/* The attribute `unit`, of any length; NULL if there is none. g_free. */
-static char *read_unit(hid_t dataset)
+enum { TEXT_MAX = 256, COMPONENTS_MAX = 16 };
+
+/* Whether the attribute is one value, and its type; the size that a file declares is that of what
+ * is read. H5Tclose *type, also if false. */
+static bool is_single(hid_t attribute, hid_t *type)
 {
-    char *unit = NULL;
-    if (H5Aexists(dataset, "unit") <= 0)
+    const hid_t space = H5Aget_space(attribute);
+    const bool single = space >= 0 && H5Sget_simple_extent_npoints(space) == 1;
+    (void)H5Sclose(space);
+    *type = H5Aget_type(attribute);
+    return single && *type >= 0;
+}
+
+/* A text of an open attribute; NULL if it is none. g_free. */
+static char *read_text(hid_t attribute, hid_t type)
+{
+    char *text = NULL, *own = NULL;
+    if (H5Tget_class(type) != H5T_STRING)
         return NULL;
-    const hid_t attribute = H5Aopen(dataset, "unit", H5P_DEFAULT);
-    const hid_t type = H5Aget_type(attribute);
-    if (H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) > 0) {
-        char *text = NULL;
+    if (H5Tis_variable_str(type) > 0) {
         if (H5Aread(attribute, type, &text) >= 0 && text != NULL) {
-            unit = g_strdup(text);
+            own = g_strdup(text);
             (void)H5free_memory(text);
         }
-    } else if (H5Tget_class(type) == H5T_STRING) {
-        unit = g_malloc0(H5Tget_size(type) + 1);
-        if (H5Aread(attribute, type, unit) < 0)
-            *unit = '\0';
+    } else if (H5Tget_size(type) <= TEXT_MAX) {
+        own = g_malloc0(TEXT_MAX + 1);
+        if (H5Aread(attribute, type, own) < 0)
+            g_clear_pointer(&own, g_free);
     }
+    return own;
+}
+
+/* The attribute `unit`; NULL if there is none, or if it is no text: then false. g_free. */
+static bool read_unit(hid_t dataset, char **unit)
+{
+    hid_t type;
+    *unit = NULL;
+    if (H5Aexists(dataset, "unit") == 0)
+        return true;
+    const hid_t attribute = H5Aopen(dataset, "unit", H5P_DEFAULT);
+    if (attribute < 0)
+        return false;
+    if (is_single(attribute, &type))
+        *unit = read_text(attribute, type);
     (void)H5Tclose(type);
     (void)H5Aclose(attribute);
-    return unit;
+    return *unit != NULL;
+}
+
+/* Whether the file has the values of a dataset of that many bytes; filters may make them fewer. */
+static bool is_written(hid_t dataset, hsize_t bytes)
+{
+    const hid_t settings = H5Dget_create_plist(dataset);
+    const bool filtered = settings >= 0 && H5Pget_nfilters(settings) > 0;
+    (void)H5Pclose(settings);
+    return H5Dget_storage_size(dataset) >= (filtered ? 1 : bytes);
 }
 
 /* Values and components of an open dataset of one or two dimensions; NULL if it is none. */
 static GArray *read_values(hid_t dataset, size_t *rows, size_t *components)
 {
     hsize_t size[2] = {0, 1};
-    const hid_t space = H5Dget_space(dataset);
+    const hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
+    const size_t bytes = H5Tget_size(type);
+    (void)H5Tclose(type);
     const int rank = H5Sget_simple_extent_ndims(space);
     if (rank == 1 || rank == 2)
         (void)H5Sget_simple_extent_dims(space, size, NULL);
     (void)H5Sclose(space);
     *rows = (size_t)size[0];
     *components = (size_t)size[1];
-    if (size[0] == 0 || size[1] == 0 || size[1] > 16 || size[0] > G_MAXUINT / size[1])
+    if (size[0] == 0 || size[1] == 0 || size[1] > COMPONENTS_MAX || size[0] > SCORE_ROWS_MAX ||
+        !is_written(dataset, size[0] * size[1] * bytes))
+        return NULL;
+    void *room = g_try_malloc_n((size_t)(size[0] * size[1]), sizeof(double));
+    g_free(room);
+    if (room == NULL)
         return NULL;
     GArray *values = g_array_new(FALSE, FALSE, sizeof(double));
     g_array_set_size(values, (guint)(size[0] * size[1]));
@@ -73,12 +114,20 @@ static enum mpm_status take_dataset(const char *path, const struct score_format 
                                     struct score_table *table, struct mpm_error *error)
 {
     size_t rows, components;
-    char *unit = read_unit(dataset), *place = g_strdup_printf("%s: %s", path, entry->name);
+    char *unit, *place = g_strdup_printf("%s: %s", path, entry->name);
+    const bool sound = read_unit(dataset, &unit);
     GArray *values = read_values(dataset, &rows, &components);
     enum mpm_status status = MPM_OK;
-    if (values == NULL)
+    if (!sound)
         status = failure_set(error, MPM_BAD_INPUT,
-                             "%s: allowed are numbers, one or more for each particle", place);
+                             "%s: attribute unit: allowed is one text of up "
+                             "to %d bytes",
+                             place, TEXT_MAX);
+    else if (values == NULL)
+        status = failure_set(error, MPM_BAD_INPUT,
+                             "%s: %zu x %zu values: allowed are numbers that the file holds, 1 to "
+                             "%d for each of 1 to %d particles",
+                             place, rows, components, COMPONENTS_MAX, SCORE_ROWS_MAX);
     if (status == MPM_OK && unit != NULL)
         status = score_check_unit(format, entry->unit, unit, place, error);
     if (status == MPM_OK && table->rows == 0)
@@ -96,9 +145,14 @@ static double read_time(hid_t group)
 {
     double time = (double)NAN;
     if (H5Aexists(group, "time") > 0) {
+        hid_t type;
         const hid_t attribute = H5Aopen(group, "time", H5P_DEFAULT);
-        if (H5Aread(attribute, H5T_NATIVE_DOUBLE, &time) < 0)
+        const bool single = is_single(attribute, &type);
+        const H5T_class_t class = H5Tget_class(type);
+        if (!single || (class != H5T_FLOAT && class != H5T_INTEGER) ||
+            H5Aread(attribute, H5T_NATIVE_DOUBLE, &time) < 0)
             time = (double)NAN;
+        (void)H5Tclose(type);
         (void)H5Aclose(attribute);
     }
     return time;
@@ -121,7 +175,8 @@ static enum mpm_status read_groups(const char *path, const struct score_format *
     }
     const double time = read_time(mpm);
     if (!isfinite(time))
-        return failure_set(error, MPM_BAD_INPUT, "%s: /mpm has no attribute time", path);
+        return failure_set(error, MPM_BAD_INPUT,
+                           "%s: /mpm: attribute time: allowed is one finite number", path);
     return score_take_time(path, time, table, error);
 }
 

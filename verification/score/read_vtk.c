@@ -15,8 +15,8 @@ struct words {
     const char *path, *at;
     const struct score_format *format;
     unsigned line;
-    char word[WORD_SIZE]; /* the last one; "" at the end */
-    bool point_data;
+    char word[WORD_SIZE];    /* the last one; "" at the end */
+    bool points, point_data; /* that have begun */
     double time;
 };
 
@@ -51,6 +51,16 @@ static void skip_line(struct words *words)
         words->at++;
 }
 
+/* A block that ends with an empty line. */
+static void skip_block(struct words *words)
+{
+    do {
+        skip_line(words);
+        words->line += *words->at == '\n';
+        words->at += *words->at == '\n';
+    } while (line_goes_on(words));
+}
+
 static enum mpm_status refuse(const struct words *words, struct mpm_error *error, const char *what)
 {
     return failure_set(error, MPM_BAD_INPUT, "%s:%u: \"%s\": %s", words->path, words->line,
@@ -71,6 +81,10 @@ static enum mpm_status next_count(struct words *words, size_t *count, struct mpm
 static GArray *next_numbers(struct words *words, size_t count, enum mpm_status *status,
                             struct mpm_error *error)
 {
+    if (count > (size_t)SCORE_ROWS_MAX * TENSOR) {
+        *status = refuse(words, error, "more numbers than 1e8 points have");
+        return NULL;
+    }
     GArray *values = g_array_new(FALSE, FALSE, sizeof(double));
     for (size_t i = 0; i < count; i++) {
         double value;
@@ -93,7 +107,7 @@ static enum mpm_status take(struct words *words, const char *name, size_t compon
     GArray *values = next_numbers(words, components * count, &status, error);
     if (values == NULL)
         return status;
-    if (words->point_data || strcmp(name, "position") == 0)
+    if (words->point_data)
         status =
             score_take_array(words->path, words->format, name, components, values, table, error);
     else if (values->len == 1 &&
@@ -108,9 +122,39 @@ static enum mpm_status take(struct words *words, const char *name, size_t compon
 static enum mpm_status read_points(struct words *words, struct score_table *table,
                                    struct mpm_error *error)
 {
+    enum mpm_status status;
+    if (words->points)
+        return refuse(words, error, "a second time: allowed is once");
+    words->points = true;
     TRY(next_count(words, &table->rows, error));
+    if (table->rows > SCORE_ROWS_MAX)
+        return refuse(words, error, "allowed are up to 1e8 points");
     next_word(words); /* the type */
-    return take(words, "position", VECTOR, table->rows, table, error);
+    GArray *values = next_numbers(words, table->rows * VECTOR, &status, error);
+    if (values == NULL)
+        return status;
+    status = score_take_array(words->path, words->format, "position", VECTOR, values, table, error);
+    g_array_unref(values);
+    return status;
+}
+
+static enum mpm_status skip_words(struct words *words, size_t count, struct mpm_error *error)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!next_word(words))
+            return refuse(words, error, "the cells are cut short");
+    return MPM_OK;
+}
+
+/* The cells of version 5: OFFSETS and CONNECTIVITY, each with its type. */
+static enum mpm_status skip_offsets(struct words *words, size_t offsets, size_t connectivity,
+                                    struct mpm_error *error)
+{
+    TRY(skip_words(words, offsets + 1, error));
+    next_word(words);
+    if (strcmp(words->word, "CONNECTIVITY") != 0)
+        return refuse(words, error, "allowed is CONNECTIVITY after OFFSETS");
+    return skip_words(words, connectivity + 1, error);
 }
 
 static enum mpm_status read_cells(struct words *words, struct score_table *table,
@@ -122,9 +166,19 @@ static enum mpm_status read_cells(struct words *words, struct score_table *table
     TRY(next_count(words, &count, error));
     if (!types)
         TRY(next_count(words, &size, error));
-    for (size_t i = 0; i < (types ? count : size); i++)
-        if (!next_word(words))
-            return refuse(words, error, "the cells are cut short");
+    const struct words before = *words;
+    if (!types && next_word(words) && strcmp(words->word, "OFFSETS") == 0)
+        return skip_offsets(words, count, size, error);
+    *words = before;
+    return skip_words(words, types ? count : size, error);
+}
+
+static enum mpm_status read_metadata(struct words *words, struct score_table *table,
+                                     struct mpm_error *error)
+{
+    (void)table;
+    (void)error;
+    skip_block(words);
     return MPM_OK;
 }
 
@@ -132,6 +186,8 @@ static enum mpm_status read_point_data(struct words *words, struct score_table *
                                        struct mpm_error *error)
 {
     size_t count = 0;
+    if (!words->points)
+        return refuse(words, error, "allowed is POINTS before it");
     TRY(next_count(words, &count, error));
     words->point_data = true;
     return count == table->rows
@@ -196,6 +252,10 @@ static enum mpm_status read_field(struct words *words, struct score_table *table
     for (size_t i = 0; i < arrays; i++) {
         size_t components = 0, count = 0;
         next_word(words);
+        while (strcmp(words->word, "METADATA") == 0) { /* of the array before */
+            skip_block(words);
+            next_word(words);
+        }
         char *name = g_strdup(words->word);
         enum mpm_status status = next_count(words, &components, error);
         if (status == MPM_OK)
@@ -218,6 +278,7 @@ static const struct keyword {
     {"POLYGONS", read_cells},        {"CELLS", read_cells},         {"CELL_TYPES", read_cells},
     {"POINT_DATA", read_point_data}, {"CELL_DATA", read_cell_data}, {"SCALARS", read_scalars},
     {"VECTORS", read_vectors},       {"TENSORS", read_tensors},     {"FIELD", read_field},
+    {"METADATA", read_metadata},
 };
 
 static enum mpm_status read_keyword(struct words *words, struct score_table *table,

@@ -18,6 +18,7 @@ struct parsing {
     unsigned pieces;
     bool header_64; /* bytes of an array are counted in 8 bytes, not 4 */
     bool in_array, binary;
+    unsigned nested; /* elements that are open within the array: passed over */
     char *name, *type;
     size_t components;
     GString *text;
@@ -76,9 +77,11 @@ static void start_piece(struct parsing *parsing, GMarkupParseContext *context, c
     const char *text = attribute(names, values, "NumberOfPoints");
     if (++parsing->pieces > 1)
         fail(parsing, context, failure, "a second Piece: allowed is one");
-    else if (text == NULL || !row_number(text, &count) || !(count >= 1) || count > 1e9)
-        fail(parsing, context, failure, "NumberOfPoints \"%s\": allowed are whole numbers from 1",
-             text == NULL ? "" : text);
+    else if (text == NULL || !row_number(text, &count) || !(count >= 1) || count > SCORE_ROWS_MAX ||
+             floor(count) < count)
+        fail(parsing, context, failure,
+             "NumberOfPoints \"%s\": allowed are whole numbers from 1 to %d",
+             text == NULL ? "" : text, SCORE_ROWS_MAX);
     else
         parsing->table->rows = (size_t)count;
 }
@@ -90,6 +93,10 @@ static void start_array(struct parsing *parsing, GMarkupParseContext *context, c
     const char *format = attribute(names, values, "format");
     const char *count = attribute(names, values, "NumberOfComponents");
     const char *name = attribute(names, values, "Name");
+    if (parsing->pieces == 0 && parsing->section != FIELD_DATA) {
+        fail(parsing, context, failure, "an array of points before Piece: allowed is inside of it");
+        return;
+    }
     if (format == NULL || (strcmp(format, "ascii") != 0 && strcmp(format, "binary") != 0)) {
         fail(parsing, context, failure, "format \"%s\": allowed are ascii and binary",
              format == NULL ? "" : format);
@@ -105,8 +112,8 @@ static void start_array(struct parsing *parsing, GMarkupParseContext *context, c
     g_string_truncate(parsing->text, 0);
 }
 
-static void start_element(GMarkupParseContext *context, const char *element, const char **names,
-                          const char **values, void *data, GError **failure)
+/* The section that an element is; NO_SECTION if it is none. */
+static enum section section_of(const char *element)
 {
     static const struct {
         const char *name;
@@ -114,10 +121,22 @@ static void start_element(GMarkupParseContext *context, const char *element, con
     } sections[] = {{"FieldData", FIELD_DATA}, {"PointData", POINT_DATA}, {"Points", POINTS},
                     {"CellData", OTHER},       {"Cells", OTHER},          {"Verts", OTHER},
                     {"Lines", OTHER},          {"Strips", OTHER},         {"Polys", OTHER}};
-    struct parsing *parsing = data;
     for (size_t i = 0; i < G_N_ELEMENTS(sections); i++)
         if (strcmp(element, sections[i].name) == 0)
-            parsing->section = sections[i].section;
+            return sections[i].section;
+    return NO_SECTION;
+}
+
+static void start_element(GMarkupParseContext *context, const char *element, const char **names,
+                          const char **values, void *data, GError **failure)
+{
+    struct parsing *parsing = data;
+    if (parsing->in_array) { /* InformationKey and its like */
+        parsing->nested++;
+        return;
+    }
+    if (section_of(element) != NO_SECTION)
+        parsing->section = section_of(element);
     if (strcmp(element, "VTKFile") == 0)
         start_file(parsing, context, names, values, failure);
     else if (strcmp(element, "Piece") == 0)
@@ -134,7 +153,7 @@ static void add_text(GMarkupParseContext *context, const char *text, size_t leng
     (void)context;
     (void)failure;
     struct parsing *parsing = data;
-    if (parsing->in_array)
+    if (parsing->in_array && parsing->nested == 0)
         g_string_append_len(parsing->text, text, (gssize)length);
 }
 
@@ -250,12 +269,12 @@ static void end_element(GMarkupParseContext *context, const char *element, void 
                         GError **failure)
 {
     struct parsing *parsing = data;
-    if (strcmp(element, "DataArray") == 0) {
-        if (parsing->in_array)
-            end_array(parsing, context, failure);
-    } else {
+    if (parsing->nested > 0)
+        parsing->nested--;
+    else if (parsing->in_array)
+        end_array(parsing, context, failure);
+    else if (section_of(element) != NO_SECTION)
         parsing->section = NO_SECTION;
-    }
 }
 
 enum mpm_status score_read_vtk_xml(const char *path, const struct score_format *format,
@@ -285,6 +304,8 @@ enum mpm_status score_read_vtk_xml(const char *path, const struct score_format *
         g_error_free(failure);
     } else if (parsing.pieces == 0) {
         status = failure_set(error, MPM_BAD_INPUT, "%s: holds no Piece of points", path);
+    } else if (!score_table_has(table, SCORE_X)) {
+        status = failure_set(error, MPM_BAD_INPUT, "%s: the Piece has no array of Points", path);
     } else if (isfinite(parsing.time)) {
         status = score_take_time(path, parsing.time, table, error);
     }

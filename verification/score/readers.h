@@ -8,8 +8,12 @@
 
 #include "verification/score/table.h"
 
+/* So many rows are read of one file that declares their number before it gives them: a declared
+ * number is believed up to here, and no memory is taken for more. */
+enum { SCORE_ROWS_MAX = 100000000 };
+
 /* CSV: a line of names, each with its unit in brackets or without, then a line of numbers for each
- * row. Empty lines and lines that begin with '#' are passed over. */
+ * row. Empty lines, lines that begin with '#' and a byte order mark are passed over. */
 enum mpm_status score_read_csv(const char *path, const struct score_format *format,
                                struct score_table *table, struct mpm_error *error);
 
@@ -19,7 +23,8 @@ enum mpm_status score_read_hdf5(const char *path, const struct score_format *for
                                 struct score_table *table, struct mpm_error *error);
 
 /* Legacy VTK, ASCII: POLYDATA or UNSTRUCTURED_GRID with POINTS, POINT_DATA and its SCALARS,
- * VECTORS, TENSORS and FIELD arrays; the time from the field data TimeValue or TIME. */
+ * VECTORS, TENSORS and FIELD arrays; cells, of version 5 too, and METADATA are passed over; the
+ * time from the field data TimeValue or TIME. */
 enum mpm_status score_read_vtk(const char *path, const struct score_format *format,
                                struct score_table *table, struct mpm_error *error);
 

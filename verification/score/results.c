@@ -57,7 +57,7 @@ static enum mpm_status add_file(const char *path, double time, const struct scor
 /* ------------------------------------------------------------------------ .pvd */
 
 struct collection {
-    const char *folder;
+    const char *path, *folder;
     const struct score_format *format;
     struct score_table *table;
     struct mpm_error *error;
@@ -70,7 +70,7 @@ static void start_data_set(GMarkupParseContext *context, const char *element, co
     struct collection *collection = data;
     const char *file = NULL, *step = NULL;
     double time = (double)NAN;
-    (void)context;
+    int line, column;
     if (strcmp(element, "DataSet") != 0)
         return;
     for (size_t i = 0; names[i] != NULL; i++) {
@@ -81,10 +81,11 @@ static void start_data_set(GMarkupParseContext *context, const char *element, co
     }
     if (file == NULL || step == NULL || !row_number(step, &time) || !isfinite(time) ||
         g_str_has_suffix(file, ".pvd")) {
-        collection->status =
-            failure_set(collection->error, MPM_BAD_INPUT,
-                        "%s: a DataSet needs the file (.vtu, .vtp, .vtk) and its time as timestep",
-                        collection->folder);
+        g_markup_parse_context_get_position(context, &line, &column);
+        collection->status = failure_set(
+            collection->error, MPM_BAD_INPUT,
+            "%s:%d: a DataSet needs the file (.vtu, .vtp, .vtk) and its time as timestep",
+            collection->path, line);
     } else {
         char *path = g_build_filename(collection->folder, file, NULL);
         collection->status =
@@ -101,7 +102,7 @@ static enum mpm_status read_pvd(const char *path, const struct score_format *for
     static const GMarkupParser parser = {start_data_set, NULL, NULL, NULL, NULL};
     char *text, *folder = g_path_get_dirname(path);
     size_t length;
-    struct collection collection = {folder, format, table, error, MPM_OK};
+    struct collection collection = {path, folder, format, table, error, MPM_OK};
     enum mpm_status status = MPM_OK;
     if (!g_file_get_contents(path, &text, &length, NULL)) {
         g_free(folder);
@@ -173,10 +174,11 @@ static enum mpm_status add_files(const char *path, const struct score_format *fo
 
 /* ------------------------------------------------------- what follows from others */
 
-static void keep_body(struct score_table *table, int body)
+static enum mpm_status keep_body(const char *path, struct score_table *table, int body,
+                                 struct mpm_error *error)
 {
     if (!score_table_has(table, SCORE_BODY))
-        return;
+        return MPM_OK;
     size_t kept = 0;
     for (size_t p = 0; p < table->rows; p++) {
         if (fabs(score_table_value(table, SCORE_BODY, p) - body) >= 0.5)
@@ -187,31 +189,55 @@ static void keep_body(struct score_table *table, int body)
                     g_array_index(table->column[c], double, p);
         kept++;
     }
+    if (kept == 0)
+        return failure_set(error, MPM_BAD_INPUT,
+                           "%s: none of the %zu rows is of body %d, which the problem asks for",
+                           path, table->rows, body);
     table->rows = kept;
     for (int c = 0; c < SCORE_COLUMNS; c++)
         if (table->column[c] != NULL)
             g_array_set_size(table->column[c], (guint)kept);
+    return MPM_OK;
 }
+
+/* Doubles tell whole numbers apart up to 2^53, which is a little more. */
+static const double ID_MAX = 9e15;
 
 static const struct axis {
     enum score_column initial, current, displacement;
 } axes[] = {{SCORE_INITIAL_X, SCORE_X, SCORE_DISPLACEMENT_X},
             {SCORE_INITIAL_Y, SCORE_Y, SCORE_DISPLACEMENT_Y}};
 
-/* Where the points with each id are at time 0; false if one has no such row. */
-static bool trace_back(struct score_table *table, const struct axis *axis)
+/* Whether the ids are of the same points at all instants: whole numbers, once each at time 0. Fills
+ * ids, rows (of table->rows) and start, the rows at time 0 by id. */
+static enum mpm_status find_start(const char *path, const struct score_table *table, gint64 *ids,
+                                  size_t *rows, GHashTable *start, struct mpm_error *error)
 {
-    GHashTable *start = g_hash_table_new_full(g_int64_hash, g_int64_equal, g_free, NULL);
-    const double *time = (const double *)(const void *)table->column[SCORE_TIME]->data;
-    bool complete = true;
+    for (size_t p = 0; p < table->rows; p++) {
+        const double id = score_table_value(table, SCORE_ID, p);
+        if (!(fabs(id) < ID_MAX) || floor(id) < id)
+            return failure_set(error, MPM_BAD_INPUT,
+                               "%s: point %zu has id %g: allowed are whole numbers below %g", path,
+                               p, id, ID_MAX);
+        ids[p] = (gint64)id;
+        rows[p] = p;
+        if (!(fabs(score_table_value(table, SCORE_TIME, p)) > 0) &&
+            !g_hash_table_insert(start, &ids[p], &rows[p]))
+            return failure_set(error, MPM_BAD_INPUT,
+                               "%s: two points have id %g at time 0: allowed is one", path, id);
+    }
+    return MPM_OK;
+}
+
+/* Adds where the points with each id are at time 0; nothing if one has no such row. */
+static enum mpm_status trace_back(const char *path, struct score_table *table,
+                                  const struct axis *axis, struct mpm_error *error)
+{
+    GHashTable *start = g_hash_table_new(g_int64_hash, g_int64_equal);
     gint64 *ids = g_new(gint64, table->rows + 1);
     size_t *rows = g_new(size_t, table->rows + 1);
-    for (size_t p = 0; p < table->rows; p++) {
-        ids[p] = (gint64)score_table_value(table, SCORE_ID, p);
-        rows[p] = p;
-        if (!(fabs(time[p]) > 0))
-            g_hash_table_insert(start, g_memdup2(&ids[p], sizeof ids[p]), &rows[p]);
-    }
+    const enum mpm_status status = find_start(path, table, ids, rows, start, error);
+    bool complete = status == MPM_OK;
     for (size_t p = 0; complete && p < table->rows; p++)
         complete = g_hash_table_contains(start, &ids[p]);
     if (complete) {
@@ -224,7 +250,7 @@ static bool trace_back(struct score_table *table, const struct axis *axis)
     g_hash_table_unref(start);
     g_free(ids);
     g_free(rows);
-    return complete;
+    return status;
 }
 
 /* `sign` times one column added to another. */
@@ -239,28 +265,30 @@ static void derive(struct score_table *table, enum score_column wanted, enum sco
         values[p] = score_table_value(table, one, p) + sign * score_table_value(table, other, p);
 }
 
-static void complete(struct score_table *table)
+static enum mpm_status complete(const char *path, struct score_table *table,
+                                struct mpm_error *error)
 {
     for (size_t a = 0; a < G_N_ELEMENTS(axes); a++) {
         const struct axis *axis = &axes[a];
         derive(table, axis->initial, axis->current, -1, axis->displacement);
         if (!score_table_has(table, axis->initial) && score_table_has(table, axis->current) &&
             score_table_has(table, SCORE_ID) && score_table_has(table, SCORE_TIME))
-            trace_back(table, axis);
+            TRY(trace_back(path, table, axis, error));
         derive(table, axis->displacement, axis->current, -1, axis->initial);
     }
+    return MPM_OK;
 }
 
 enum mpm_status results_read(const char *path, const struct score_format *format,
                              struct score_table *table, struct mpm_error *error)
 {
     score_table_open(table);
-    const enum mpm_status status = add_files(path, format, table, error);
-    if (status != MPM_OK) {
+    enum mpm_status status = add_files(path, format, table, error);
+    if (status == MPM_OK)
+        status = keep_body(path, table, format->body, error);
+    if (status == MPM_OK)
+        status = complete(path, table, error);
+    if (status != MPM_OK)
         score_table_close(table);
-        return status;
-    }
-    keep_body(table, format->body);
-    complete(table);
-    return MPM_OK;
+    return status;
 }

@@ -15,7 +15,8 @@
  * both positions. Where there is a column `body`, rows of others than the problem's
  * are left out.
  *
- * MPM_BAD_INPUT: a file that cannot be read, no results at all, files whose columns differ. */
+ * MPM_BAD_INPUT: a file that cannot be read, no results at all, or of other bodies alone, files
+ * whose columns differ, ids that do not tell the points apart where they are needed. */
 enum mpm_status results_read(const char *path, const struct score_format *format,
                              struct score_table *table, struct mpm_error *error);
 

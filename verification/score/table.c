@@ -34,10 +34,9 @@ double score_table_value(const struct score_table *table, enum score_column colu
 
 double *score_table_add(struct score_table *table, enum score_column column)
 {
-    if (table->column[column] == NULL) {
+    if (table->column[column] == NULL)
         table->column[column] = g_array_new(FALSE, TRUE, sizeof(double));
-        g_array_set_size(table->column[column], (guint)table->rows);
-    }
+    g_array_set_size(table->column[column], (guint)table->rows);
     return (double *)(void *)table->column[column]->data;
 }
 

@@ -30,7 +30,8 @@ void score_table_close(struct score_table *table);
 bool score_table_has(const struct score_table *table, enum score_column column);
 double score_table_value(const struct score_table *table, enum score_column column, size_t row);
 
-/* Adds the column (of `rows` rows, zeros) if it is not there yet; its values. */
+/* Adds the column if it is not there yet; its values, `rows` of them, zeros where there were none.
+ */
 double *score_table_add(struct score_table *table, enum score_column column);
 
 /* Adds the name of a column that is not read, once. */
