@@ -296,7 +296,8 @@ struct mpm_j_integral {
     double j[2];                /* J_1, the energy released per area of growth, and J_2 */
     double stress_intensity[2]; /* K_I, above 0 where it opens, and K_II; both 0 unless J_1 > 0 */
     double grown;               /* length that the tip has grown by */
-    double dissipated;          /* toughness times area of that growth: thickness, or per radian */
+    double dissipated;          /* toughness times area of that growth: thickness, or per radian;
+                                   part of no sum of energies: growth releases it into waves */
 };
 
 /* How many the scene asks for, crack by crack in its order. */
