@@ -237,12 +237,15 @@ test-browser: ## the report of `make verify` in headless Chromium: links, sortin
 
 # ------------------------------------------------------------------ mutants
 .PHONY: mutants
-mutants: ## plant small bugs, one after the other: which test or check finds each; build/mutants
+mutants: all ## plant small bugs, one after the other: which test or check finds each; build/mutants
 	tests/mutants/mutants.py run
+	@if [ -e build/reports/verify/checks.jsonl ]; then \
+	  $(BUILD)/bin/mpm-verify report build/reports/verify --mutants build/mutants/mutants.json; fi
 
 # ----------------------------------------------------------------- headroom
 # The catalogue with other compilers, instructions and kernels, and under a sanitizer; how far each
-# value keeps from the ends of its band is a page of the report. Failures there are values too.
+# value keeps from the ends of its band is a page of the report. A check that has no value in one of
+# them is judged by the others: look at that run's own report.
 HEADROOM := build/reports/headroom
 .PHONY: headroom
 headroom: all ## how far values keep from their bands over builds (half an hour); a page of build/reports/verify

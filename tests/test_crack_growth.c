@@ -207,6 +207,38 @@ START_TEST(growth_that_is_not_defined_is_refused_with_the_reason)
 }
 END_TEST
 
+/* Room for a crack to grow moves the points of those after it, and nothing else. */
+START_TEST(a_crack_that_may_grow_leaves_the_openings_of_others_alone)
+{
+#define MAY_GROW                                                                                   \
+    "{points: [[0.2, 6.3], [14.3, 6.3]], contact: none, j_integral: [{contour: 4, propagation: "   \
+    "{toughness: 1e9, longest: 8}}]}"
+#define HELD                                                                                       \
+    "{points: [[0.2, 15.1], [2, 15.1], [14.3, 15.1]], contact: none, cohesive: {law: linear, "     \
+    "strength: 0.1, "                                                                              \
+    "toughness: 0.01, stiffness: 1}}"
+    static const char *const cracks[] = {"cracks=[" MAY_GROW ", " HELD "]",
+                                         "cracks=[" HELD ", " MAY_GROW "]"};
+    struct test_run runs[2];
+    for (int k = 0; k < 2; k++) {
+        runs[k] = test_run_open(BLOCK, (const char *const[]){cracks[k], NULL}, 1);
+        test_run_steps(&runs[k], 40);
+    }
+    const size_t count = mpm_scene_crack_quantity_count(runs[0].scene);
+    ck_assert_uint_gt(count, 0);
+    for (size_t k = 0; k < count; k++)
+        ck_assert_double_eq(mpm_simulation_crack_quantity(runs[0].simulation, k),
+                            mpm_simulation_crack_quantity(runs[1].simulation, k));
+    struct mpm_ledger one, other;
+    mpm_simulation_ledger(runs[0].simulation, &one);
+    mpm_simulation_ledger(runs[1].simulation, &other);
+    ck_assert_double_gt(one.cohesive_stored, 0.0);
+    ck_assert_double_eq(one.cohesive_stored, other.cohesive_stored);
+    for (int k = 0; k < 2; k++)
+        test_run_close(&runs[k]);
+}
+END_TEST
+
 Suite *suite_crack_growth(void)
 {
     Suite *suite = suite_create("crack_growth");
@@ -218,6 +250,7 @@ Suite *suite_crack_growth(void)
     tcase_add_loop_test(growth, a_tip_turns_across_the_largest_hoop_stress, 0, 6);
     tcase_add_loop_test(growth, growth_that_is_not_defined_is_refused_with_the_reason, 0,
                         G_N_ELEMENTS(REFUSALS));
+    tcase_add_test(growth, a_crack_that_may_grow_leaves_the_openings_of_others_alone);
     suite_add_tcase(suite, growth);
     return suite;
 }

@@ -352,8 +352,9 @@ static const struct {
 /* What is measured when the scene is created may not suffice for what cracks become. */
 START_TEST(cracks_that_find_no_room_end_the_run_with_a_message)
 {
-    static const char *const words[] = {"cells than the 1 that", "particles than the 1 that",
-                                        "nodes than the 1 that"};
+    static const char *const words[] = {"more cells near cracks than the 1 that",
+                                        "more particles near cracks than the 1 that",
+                                        "more nodes near cracks than the 1 that"};
     struct settings settings = {.count = 0};
     settings_add(&settings, "cracks=[{points: [[2, 5.6], [10, 5.6]]}]");
     struct test_run run = crack_block_open(&settings);

@@ -9,6 +9,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <glib.h>
+#include <math.h>
 #include <stddef.h>
 #include <unistd.h>
 
@@ -203,13 +204,21 @@ void mpm_history_free(struct mpm_history *history)
     g_free(history);
 }
 
+/* One without a value, nan: the first such one is the failure. */
 static enum mpm_status append_integrals(const struct mpm_history *history, GString *row,
                                         const struct mpm_simulation *simulation,
                                         struct mpm_error *error)
 {
+    const double none = (double)NAN;
+    enum mpm_status status = MPM_OK;
     for (size_t i = 0; i < history->integral_count; i++) {
-        struct mpm_j_integral found;
-        MPM_TRY(mpm_simulation_j_integral(simulation, i, &found, error));
+        struct mpm_j_integral found = {.grown = none, .dissipated = none};
+        struct mpm_error second = {.status = MPM_OK};
+        const enum mpm_status one =
+            mpm_simulation_j_integral(simulation, i, &found, status == MPM_OK ? error : &second);
+        if (one != MPM_OK)
+            found.j[0] = found.j[1] = found.stress_intensity[0] = found.stress_intensity[1] = none;
+        status = status == MPM_OK ? one : status;
         const double values[] = {
             found.j[0],  found.j[1],      found.stress_intensity[0], found.stress_intensity[1],
             found.grown, found.dissipated};
@@ -219,7 +228,7 @@ static enum mpm_status append_integrals(const struct mpm_history *history, GStri
             append_number(row, values[k]);
         }
     }
-    return MPM_OK;
+    return status;
 }
 
 enum mpm_status mpm_history_write(struct mpm_history *history, const struct mpm_ledger *ledger,
@@ -237,14 +246,13 @@ enum mpm_status mpm_history_write(struct mpm_history *history, const struct mpm_
         g_string_append_c(row, ',');
         append_number(row, mpm_simulation_crack_quantity(simulation, i));
     }
-    enum mpm_status status = append_integrals(history, row, simulation, error);
+    const enum mpm_status found = append_integrals(history, row, simulation, error);
     g_string_append_c(row, '\n');
-    if (status == MPM_OK)
-        status = append_line(history, row, error);
+    const enum mpm_status status = append_line(history, row, error);
     g_string_free(row, TRUE);
     if (status == MPM_OK) {
         history->has_row = true;
         history->last_step = ledger->step;
     }
-    return status;
+    return status != MPM_OK ? status : found;
 }

@@ -93,18 +93,20 @@ static enum mpm_status add_state(const struct run *run, enum mpm_status status,
     return status;
 }
 
-/* Writes what is asked for; what is there already for this step is not written twice. */
+/* Writes what is asked for; what is there already for this step is not written twice.
+ * MPM_RUN_FAILED: all is written, but a row of the history has a quantity without a value. */
 static enum mpm_status write_results(struct run *run, bool history, bool snapshot,
                                      struct mpm_error *error)
 {
     if (run->series == NULL || !(history || snapshot))
         return MPM_OK;
     const double start = seconds_now();
-    enum mpm_status status = history ? write_history(run, error) : MPM_OK;
+    const enum mpm_status row = history ? write_history(run, error) : MPM_OK;
+    enum mpm_status status = row == MPM_RUN_FAILED ? MPM_OK : row;
     if (status == MPM_OK && snapshot)
         status = mpm_series_write(run->series, run->simulation, error);
     run->record.seconds_output += seconds_now() - start;
-    return status == MPM_OK ? MPM_OK : add_state(run, status, error);
+    return status == MPM_OK ? row : add_state(run, status, error);
 }
 
 static enum mpm_status write_due_results(struct run *run, struct mpm_error *error)
@@ -125,7 +127,8 @@ static enum mpm_status keep_last_good_state(struct run *run, enum mpm_status fai
                                             struct mpm_error *error)
 {
     struct mpm_error second = {.status = MPM_OK};
-    if (write_results(run, true, true, &second) == MPM_OK)
+    const enum mpm_status status = write_results(run, true, true, &second);
+    if (status == MPM_OK || status == MPM_RUN_FAILED)
         return failed;
     char *message = g_strdup(error->message);
     (void)mpm_error_set(error, failed, "%s; and the last good state cannot be written: %s", message,
@@ -173,7 +176,10 @@ static enum mpm_status march(struct run *run, struct mpm_error *error)
         run->record.seconds_step += seconds_now() - start;
         if (status != MPM_OK)
             return keep_last_good_state(run, status, error);
-        MPM_TRY(write_due_results(run, error));
+        const enum mpm_status written = write_due_results(run, error);
+        if (written == MPM_RUN_FAILED)
+            return keep_last_good_state(run, written, error);
+        MPM_TRY(written);
         report_progress(run);
     }
     return check_rest(run, error);

@@ -70,10 +70,28 @@ static enum mpm_status build_growth(const struct mpm_reading *reading,
     };
     const double increment =
         own->growth.increment * fmin(reading->scene->cell[0], reading->scene->cell[1]);
+    if (!(own->growth.longest >= increment * (1.0 - 1e-9)))
+        return mpm_reading_fault(reading, path,
+                                 "longest is %g; allowed: at least one increment, %g",
+                                 own->growth.longest, increment);
     if (!(own->growth.longest / increment <= MPM_POINTS_MAX))
         return mpm_reading_fault(reading, path, "longest is %g increments; allowed: up to %d",
                                  own->growth.longest / increment, MPM_POINTS_MAX);
     return MPM_OK;
+}
+
+/* Scratch memory goes with its size. */
+static enum mpm_status check_contour(const struct mpm_reading *reading,
+                                     const struct mpm_j_integral_spec *made)
+{
+    const int64_t *const cells = reading->scene->cells;
+    const int64_t fewest = cells[0] < cells[1] ? cells[0] : cells[1];
+    if (made->contour <= fewest / 2)
+        return MPM_OK;
+    return mpm_reading_fault(reading, made->key,
+                             "a contour of %lld cells to each side; allowed: up to half of the "
+                             "grid's, %lld",
+                             (long long)made->contour, (long long)(fewest / 2));
 }
 
 static enum mpm_status build_one(const struct mpm_reading *reading, size_t crack, size_t i)
@@ -89,6 +107,7 @@ static enum mpm_status build_one(const struct mpm_reading *reading, size_t crack
     made->dynamic = raw->dynamic;
     made->form = scene->geometry == MPM_AXISYMMETRIC ? (enum mpm_j_form)raw->form : MPM_J_CONTOUR;
     made->line = mpm_reading_line(reading, made->key);
+    MPM_TRY(check_contour(reading, made));
     MPM_TRY(check_others(reading, made->key, index));
     return build_growth(reading, raw->propagation, index);
 }

@@ -78,12 +78,11 @@ void mpm_cohesive_spread(struct mpm_state *state)
     const struct mpm_scene *const scene = state->scene;
     if (state->cracks.openings.largest == NULL)
         return;
-    size_t first = 0;
     for (size_t crack = 0; crack < scene->crack_count; crack++) {
+        const size_t first = mpm_crack_first_point(state, crack);
         const size_t count = state->cracks.chains[crack].count;
         for (size_t k = 0; k < count && scene->cracks[crack].cohesive.law != NULL; k++)
             spread_point(state, crack, first, k);
-        first += count;
     }
 }
 
@@ -112,10 +111,7 @@ void mpm_cohesive_energies(const struct mpm_state *state, double *stored, double
     *stored = *dissipated = 0.0;
     if (state->cracks.openings.largest == NULL)
         return;
-    size_t first = 0;
-    for (size_t crack = 0; crack < scene->crack_count; crack++) {
+    for (size_t crack = 0; crack < scene->crack_count; crack++)
         if (scene->cracks[crack].cohesive.law != NULL)
-            add_energies(state, crack, first, stored, dissipated);
-        first += state->cracks.chains[crack].count;
-    }
+            add_energies(state, crack, mpm_crack_first_point(state, crack), stored, dissipated);
 }

@@ -253,11 +253,16 @@ static void divert(const struct mpm_state *state, struct mpm_crack_kept *kept)
     stencil->count = count;
 }
 
-static enum mpm_status no_room(const char *what, size_t capacity, struct mpm_error *error)
+/* What this step has asked for is not to reach the next one. */
+static enum mpm_status no_room(struct mpm_state *state, const char *what, size_t capacity,
+                               struct mpm_error *error)
 {
-    return mpm_error_set(error, MPM_RUN_FAILED,
-                         "cracks have grown to more %s than the %zu that there is room for", what,
-                         capacity);
+    memset(state->cracks.wanted, 0, (size_t)(state->grid.columns * state->grid.rows));
+    return mpm_error_set(
+        error, MPM_RUN_FAILED,
+        "there are more %s near cracks than the %zu that there is room for: cracks "
+        "have grown or stretched, or bodies are compressed there",
+        what, capacity);
 }
 
 enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
@@ -268,12 +273,12 @@ enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
         return MPM_OK;
     forget(cracks);
     if (!mpm_crack_map_draw(state)) /* clears all bands */
-        return no_room("cells", cracks->map->capacity, error);
+        return no_room(state, "cells", cracks->map->capacity, error);
     mpm_strips_run(state->strip_count, workers, find_codes, state);
     if (cracks->kept_count > cracks->kept_capacity)
-        return no_room("particles", cracks->kept_capacity, error);
+        return no_room(state, "particles", cracks->kept_capacity, error);
     if (!list_nodes(state))
-        return no_room("nodes", cracks->node_capacity, error);
+        return no_room(state, "nodes", cracks->node_capacity, error);
     set_rows(state);
     for (size_t k = 0; k < cracks->kept_count; k++)
         divert(state, &cracks->kept[k]);

@@ -173,12 +173,11 @@ void mpm_crack_openings_find(struct mpm_state *state)
     const struct mpm_scene *const scene = state->scene;
     if (state->cracks.openings.surfaces == NULL)
         return;
-    size_t first = 0;
     for (size_t crack = 0; crack < scene->crack_count; crack++) {
+        const size_t first = mpm_crack_first_point(state, crack);
         const size_t count = state->cracks.chains[crack].count;
         for (size_t k = 0; k < count && mpm_crack_is_followed(&scene->cracks[crack]); k++)
             find_point(state, crack, first, k);
-        first += count;
     }
 }
 
@@ -234,12 +233,11 @@ enum mpm_status mpm_crack_openings_advance(struct mpm_state *state, double part,
     const struct mpm_scene *const scene = state->scene;
     if (state->cracks.openings.surfaces == NULL || part == 0.0)
         return MPM_OK;
-    size_t first = 0;
     for (size_t crack = 0; crack < scene->crack_count; crack++) {
+        const size_t first = mpm_crack_first_point(state, crack);
         const size_t count = state->cracks.chains[crack].count;
         for (size_t k = 0; k < count && mpm_crack_is_followed(&scene->cracks[crack]); k++)
             MPM_TRY(advance_point(state, crack, first + k, part * state->time_step, error));
-        first += count;
     }
     return MPM_OK;
 }

@@ -226,6 +226,8 @@ static struct told told_to(const struct mpm_j_contour *contour, const struct car
             continue;
         const struct mpm_j_sums *const sums = sums_for(contour, own, at);
         told.share += share_of(contour, at) * entry->s;
+        if (!(sums->mass > 0.0)) /* no weight on it: of a particle on a line of nodes */
+            continue;
         for (int i = 0; i < 2; i++) {
             told.force[i] += entry->s * sums->force[i] / sums->mass;
             told.gradient[2 * i] += entry->g[0] * sums->momentum[i] / sums->mass;
@@ -383,5 +385,8 @@ enum mpm_status mpm_j_evaluate(const struct mpm_state *state,
     value->j[0] = d[0] * flux.j[0] + d[1] * flux.j[1];
     value->j[1] = d[0] * flux.j[1] - d[1] * flux.j[0];
     find_stress_intensity(modulus_of(state, search.body), flux.opening, value);
+    if (!isfinite(value->j[0]) || !isfinite(value->j[1]))
+        return mpm_error_set(error, MPM_RUN_FAILED, "%s: J is not finite: %g, %g", spec->key,
+                             value->j[0], value->j[1]);
     return MPM_OK;
 }

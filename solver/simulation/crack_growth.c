@@ -47,8 +47,8 @@ static void turn(double tangent, double direction[2])
 
 static double half_angle(const struct mpm_growth_spec *growth, const double intensity[2])
 {
-    const double size =
-        sqrt(intensity[0] * intensity[0] + 8.0 * intensity[1] * intensity[1]) + intensity[0];
+    const double opening = fmax(intensity[0], 0.0); /* faces pressed together have no K_I */
+    const double size = sqrt(opening * opening + 8.0 * intensity[1] * intensity[1]) + opening;
     if (growth->direction == MPM_GROWS_STRAIGHT || !(size > 0.0))
         return 0.0;
     return -2.0 * intensity[1] / size;
@@ -112,7 +112,8 @@ static enum mpm_status grow(struct mpm_simulation *simulation, size_t index,
     const double tangent = half_angle(&spec->growth, value->stress_intensity);
     double place[2], direction[2];
     mpm_j_tip_place(state, spec, place);
-    if (simulation->tips[index].grown + increment > spec->growth.longest * (1.0 + 1e-9))
+    if (rint(simulation->tips[index].grown / increment) + 1.0 >
+        (double)increments_of(scene, &spec->growth))
         return mpm_error_set(error, MPM_RUN_FAILED,
                              "%s: the tip at (%g, %g) has grown by %g and would grow further; "
                              "allowed: up to propagation.longest, %g",

@@ -35,18 +35,19 @@ static size_t count_with_room(const struct mpm_scene *scene, size_t crack)
            mpm_crack_room(scene, crack, false);
 }
 
-/* Nodes around each segment, twice of it for what cracks grow, and no more than there are. */
-static size_t nodes_needed(const struct mpm_state *state)
+/* Nodes around each segment, twice of it for what cracks grow, and no more than there are of them
+ * for each of so many `layers`. */
+static size_t nodes_around(const struct mpm_state *state, size_t layers)
 {
-    const size_t all = (size_t)(state->grid.columns * state->grid.rows);
+    const size_t all = layers * (size_t)(state->grid.columns * state->grid.rows);
     const size_t around = 2 * (2 + (size_t)state->family->nodes_past_end);
     const size_t estimate =
         2 * (state->cracks.point_count + state->scene->crack_count * around) * around;
     return estimate < all ? estimate : all;
 }
 
-/* Particles that reach such nodes: as many as half of the nodes have in their cells, and no more
- * than there are. */
+/* Particles that reach such nodes: twice as many as the nodes have in their cells, since bodies may
+ * be compressed there, and no more than there are. */
 static size_t particles_kept(const struct mpm_state *state)
 {
     int most = 0;
@@ -54,7 +55,7 @@ static size_t particles_kept(const struct mpm_state *state)
         const int *const in_cell = state->scene->bodies[k].particles_per_cell;
         most = in_cell[0] * in_cell[1] > most ? in_cell[0] * in_cell[1] : most;
     }
-    const size_t estimate = (state->cracks.node_capacity * (size_t)most + 1) / 2;
+    const size_t estimate = 2 * state->cracks.node_capacity * (size_t)most;
     return estimate < state->particles.count ? estimate : state->particles.count;
 }
 
@@ -257,7 +258,7 @@ enum mpm_status mpm_cracks_create(struct mpm_simulation *simulation, struct mpm_
     for (size_t k = 0; k < simulation->scene->crack_count; k++)
         cracks->point_count += count_with_room(simulation->scene, k);
     if (cracks->point_count > 0) {
-        cracks->node_capacity = nodes_needed(state);
+        cracks->node_capacity = nodes_around(state, 1);
         state->grid.field_rows =
             (2 * (int64_t)cracks->node_capacity + state->grid.columns - 1) / state->grid.columns;
     }
@@ -274,7 +275,7 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
     for (int axis = 0; axis < 2; axis++)
         cracks->position[axis] = MPM_TAKE(arena, double, cracks->point_count);
     cracks->held = MPM_TAKE(arena, uint8_t, cracks->point_count);
-    mpm_crack_map_layout(state, cracks->node_capacity * state->scene->crack_count, arena);
+    mpm_crack_map_layout(state, nodes_around(state, state->scene->crack_count), arena);
     cracks->kept_capacity = particles_kept(state);
     cracks->kept = MPM_TAKE(arena, struct mpm_crack_kept, cracks->kept_capacity);
     cracks->kept_of = MPM_TAKE(arena, uint32_t, state->particles.count);

@@ -133,16 +133,15 @@ enum mpm_status mpm_openings_fill(struct mpm_simulation *simulation, struct mpm_
 {
     const struct mpm_scene *const scene = simulation->scene;
     struct mpm_state *const state = &simulation->state;
-    size_t first = 0;
     for (size_t crack = 0; crack < scene->crack_count; crack++) {
         const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
+        const size_t first = mpm_crack_first_point(state, crack);
         if (mpm_crack_is_followed(&scene->cracks[crack])) {
             MPM_TRY(check_planes(state, crack, first, error));
             find_cuts(state, chain, state->cracks.openings.cuts[crack]);
         }
         if (scene->cracks[crack].cohesive.law != NULL)
             MPM_TRY(add_areas(state, crack, state->cracks.openings.area + first, error));
-        first += chain->count;
     }
     return MPM_OK;
 }

@@ -23,7 +23,10 @@ class Browser {
     this.listeners = [];
     this.next = 1;
     this.rest = "";
-    this.ended = new Promise((resolve) => this.child.on("exit", resolve));
+    this.ended = new Promise((resolve) => {
+      this.child.on("exit", resolve);
+      this.child.on("error", resolve); /* it was never started */
+    });
     this.child.on("exit", () => this.fail(new Error("the browser ended")));
     this.child.on("error", (error) => this.fail(error));
     this.child.stdio[3].on("error", () => {}); /* told by exit */

@@ -14,7 +14,8 @@ import re
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 CURATED = HERE / "curated"
-ROOMS = ("base", "model", "method", "simulation", "io", "cli", "exact", "measures", "suite")
+ROOMS = ("base", "model", "method", "simulation", "io", "cli", "exact", "measures", "score",
+         "suite")
 FEWEST = 60
 KINDS = ("wrong sign", "lost term", "lost rule", "swapped index", "stale field", "wrong time level",
          "missing truncation", "missing condition", "unlocked race", "wrong norm", "oracle typo",

@@ -30,9 +30,9 @@ def entry(result):
     """As the report's page of mutants reads it."""
     counts = columns_of(result)
     return {
-        "id": result["name"], "room": result["room"], "kind": result["kind"],
-        "description": result["what"], "patch": result["patch"], "outcome": result["outcome"],
-        "reason": result["equivalent"] or result.get("fault", ""),
+        "name": result["name"], "room": result["room"], "kind": result["kind"],
+        "what": result["what"], "patch": result["patch"], "outcome": result["outcome"],
+        "equivalent": result["equivalent"], "fault": result.get("fault", ""),
         "killed_by": sorted(result["tests"] + result["checks"]),
         "only_killer": next(iter(counts)) if len(counts) == 1 else "",
         "whole": result["whole"], "seconds": result["seconds"],

@@ -170,8 +170,10 @@ static void add_killers(GString *html, struct report_site *site, const json_t *m
         report_table_number(table, (double)killer->kills, g_strdup_printf("%zu", killer->kills));
         report_table_number(table, (double)killer->alone, g_strdup_printf("%zu", killer->alone));
     }
-    g_string_append(html, "<h2 id=\"killers\">What each check is worth</h2>\n<p class=\"about\">A "
-                          "check that alone kills a mutant cannot be taken away.</p>\n");
+    g_string_append(
+        html, "<h2 id=\"killers\">What each check is worth</h2>\n<p class=\"about\">"
+              "Killed mutants have met the quick tests and checks only: of one that alone kills "
+              "a mutant, see first what the whole catalogue says.</p>\n");
     report_site_table(site, table, "Mutants killed by each check and test", "killers.csv", html);
     g_array_unref(killers);
 }
