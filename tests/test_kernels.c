@@ -54,7 +54,7 @@ struct comparison {
 /* Steps of the short tier: fewer of scenes with many particles. */
 static uint64_t short_steps(const struct kernel_pair *pair)
 {
-    static const double PARTICLE_STEPS = 1e5, FEWEST = 10.0;
+    static const double PARTICLE_STEPS = 3e4, FEWEST = 6.0;
     const double particles = (double)mpm_simulation_particle_count(pair->simulation[0]);
     return (uint64_t)fmin(fmax(PARTICLE_STEPS / particles, FEWEST), (double)KERNEL_PAIR_STEPS);
 }
