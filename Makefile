@@ -232,8 +232,8 @@ verify-full: all ## the catalogue at full size
 	$(BUILD)/bin/mpm-verify run --tier full --output build/reports/verify
 
 .PHONY: test-browser
-test-browser: ## the report of `make verify` in headless Chromium: links, sorting, layout, axe
-	@.ci/test-browser build/reports/verify
+test-browser: all ## the report of `make verify` in headless Chromium: links, sorting, layout, axe
+	@.ci/test-browser build/reports/verify $(BUILD)/bin/mpm-verify
 
 # ------------------------------------------------------------------ mutants
 .PHONY: mutants

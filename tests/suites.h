@@ -42,7 +42,9 @@
     SUITE(comparison_page)                                                                         \
     SUITE(judge)                                                                                   \
     SUITE(report)                                                                                  \
+    SUITE(score_parts)                                                                             \
     SUITE(score_readers)                                                                           \
+    SUITE(score_snapshots)                                                                         \
     SUITE(score)                                                                                   \
     SUITE(docs)                                                                                    \
     SUITE(report_site)                                                                             \

@@ -34,16 +34,6 @@ static const char BLOCK[] =
 static const double TOUGHNESS = 0.002, INCREMENT = 0.4; /* half of the shorter side of a cell */
 #define GROWS CRACK("{toughness: 0.002, longest: 8, every: 5}")
 
-static struct mpm_j_integral value_of(const struct test_run *run, size_t index)
-{
-    struct mpm_j_integral value;
-    struct mpm_error error = {.message = ""};
-    const enum mpm_status status =
-        mpm_simulation_j_integral(run->simulation, index, &value, &error);
-    ck_assert_msg(status == MPM_OK, "%s", error.message);
-    return value;
-}
-
 /* The block is its own mirror image but for round-off, which steps make grow. */
 static const double STRAIGHT = 1e-8;
 
@@ -57,11 +47,12 @@ START_TEST(a_tip_grows_straight_on_by_increments_and_books_its_work)
     double grown = 0.0;
     for (int k = 0; k < 70; k++) {
         test_run_steps(&run, 1);
-        const struct mpm_j_integral value = value_of(&run, 0);
+        const struct mpm_j_integral value = test_run_j_integral(&run, 0);
         ck_assert(value.grown == grown || fabs(value.grown - grown - INCREMENT) < 1e-12);
         grown = value.grown;
     }
-    const struct mpm_j_integral own = value_of(&run, 0), other = value_of(&run, 1);
+    const struct mpm_j_integral own = test_run_j_integral(&run, 0),
+                                other = test_run_j_integral(&run, 1);
     ck_assert_msg(grown > 3.0, "grown by %g", grown);
     ck_assert_uint_eq(chain->count, points + (size_t)llround(grown / INCREMENT));
     ck_assert_near(own.dissipated, TOUGHNESS * 2.0 * grown, 1e-14);
@@ -83,7 +74,7 @@ START_TEST(a_tough_crack_is_one_that_does_not_grow)
     test_run_steps(&tough, 60);
     test_run_steps(&plain, 60);
     ck_assert(test_run_same_bits(&tough, &plain));
-    ck_assert(value_of(&tough, 0).grown == 0.0);
+    ck_assert(test_run_j_integral(&tough, 0).grown == 0.0);
     test_run_close(&tough);
     test_run_close(&plain);
 }
@@ -110,7 +101,8 @@ START_TEST(a_run_whose_crack_has_no_room_goes_back_by_growing_again)
     test_contains(error.message, "would grow further; allowed: up to propagation.longest, 1.7");
     test_run_steps(&good, steps);
     ck_assert(test_run_same_bits(&failed, &good));
-    const struct mpm_j_integral one = value_of(&failed, 0), other = value_of(&good, 0);
+    const struct mpm_j_integral one = test_run_j_integral(&failed, 0),
+                                other = test_run_j_integral(&good, 0);
     for (int k = 0; k < AXES; k++) {
         ck_assert_double_eq(one.tip[k], other.tip[k]);
         ck_assert_double_eq(one.direction[k], other.direction[k]);
@@ -167,7 +159,7 @@ START_TEST(a_tip_turns_across_the_largest_hoop_stress)
     }
     ck_assert_int_eq(mpm_simulation_set_start(run.simulation, NULL, f, NULL), MPM_OK);
     test_run_steps(&run, 1);
-    const struct mpm_j_integral value = value_of(&run, 0);
+    const struct mpm_j_integral value = test_run_j_integral(&run, 0);
     const double expected = mode[1] * -acos(1.0 / 3.0);
     ck_assert_near(value.grown, INCREMENT, 1e-12);
     ck_assert_near(atan2(value.tip[1] - 11.3, value.tip[0] - 18.3), expected, 0.03);

@@ -24,18 +24,6 @@ static const double MIDDLE = 5.6;
 static const char *const CRACKS[PLACES] = {"[[2, 5.6], [10, 5.6]]",
                                            "[[2, 5.6], [6, 5.7], [10, 5.6]]"};
 
-/* Momentum of the part above the middle, or of that below. */
-static void momentum_of(const struct test_run *run, const struct crack_block_start *start,
-                        bool above, double momentum[AXES])
-{
-    double *const velocity = test_run_field(run, MPM_FIELD_VELOCITY, NULL);
-    momentum[0] = momentum[1] = 0.0;
-    for (size_t k = 0; k < start->count; k++)
-        for (int axis = 0; axis < AXES && (start->place[AXES * k + 1] > MIDDLE) == above; axis++)
-            momentum[axis] += start->mass[k] * velocity[AXES * k + (size_t)axis];
-    free(velocity);
-}
-
 /* Masses are of 144 particles of 0.2: momenta are sums of as many products of a velocity of order
  * 1, rounded some times each on their way to nodes and back. */
 static const double MOMENTUM_ROUND_OFF = 1e-13;
@@ -208,11 +196,11 @@ static void take_one_step(int index, double slip, const char *contact, double ga
     struct crack_block_start start;
     struct test_run run = open_pressed(index, slip, contact, &start);
     double above[2][AXES], below[2][AXES];
-    momentum_of(&run, &start, true, above[0]);
-    momentum_of(&run, &start, false, below[0]);
+    crack_block_momentum(&run, &start, true, above[0]);
+    crack_block_momentum(&run, &start, false, below[0]);
     test_run_steps(&run, 1);
-    momentum_of(&run, &start, true, above[1]);
-    momentum_of(&run, &start, false, below[1]);
+    crack_block_momentum(&run, &start, true, above[1]);
+    crack_block_momentum(&run, &start, false, below[1]);
     for (int axis = 0; axis < AXES; axis++) {
         gained[axis] = above[1][axis] - above[0][axis];
         ck_assert_near(below[1][axis] - below[0][axis], -gained[axis], 15.0 * MOMENTUM_ROUND_OFF);

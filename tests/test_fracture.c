@@ -6,6 +6,7 @@
 #include "verification/exact/cantilever_crack.h"
 #include "verification/exact/centre_crack.h"
 #include "verification/exact/penny_crack.h"
+#include "verification/exact/struck_crack.h"
 #include "verification/exact/williams_field.h"
 
 #include <math.h>
@@ -121,6 +122,27 @@ START_TEST(a_small_disk_shaped_crack_is_one_in_an_infinite_body)
 }
 END_TEST
 
+/* For nu = 0 and a step: 2 sigma sqrt(c t/pi), c = sqrt(E/rho). */
+START_TEST(a_wave_that_rises_within_no_time_is_a_step_and_others_are_sums_of_steps)
+{
+    const struct struck_crack step = {4.0, 0.0, 1.0, 0.5, 1e-6}, slow = {4.0, 0.3, 1.0, 0.5, 1.5};
+    ck_assert_near(struck_crack_celerity(&step), 2.0, 1e-15);
+    ck_assert_near(struck_crack_intensity(&step, 3.0), sqrt(6.0 / PI), 1e-6);
+    ck_assert_near(struck_crack_intensity(&slow, -0.1), 0.0, 0.0);
+    for (double time = 0.5; time < 4.0; time += 0.5) {
+        enum { STEPS = 4000 };
+        double sum = 0.0;
+        for (int k = 0; k < STEPS; k++) {
+            struct struck_crack part = slow;
+            part.stress /= STEPS;
+            part.rise = 1e-9;
+            sum += struck_crack_intensity(&part, time - slow.rise * (k + 0.5) / STEPS);
+        }
+        ck_assert_near(struck_crack_intensity(&slow, time), sum, 1e-4 * sum);
+    }
+}
+END_TEST
+
 Suite *suite_fracture(void)
 {
     Suite *suite = suite_create("fracture");
@@ -132,6 +154,8 @@ Suite *suite_fracture(void)
     tcase_add_test(handbook, tadas_formula_has_the_numbers_of_isidas_series);
     tcase_add_test(handbook, beam_theory_with_rotation_agrees_with_plane_elasticity);
     tcase_add_test(handbook, a_small_disk_shaped_crack_is_one_in_an_infinite_body);
+    tcase_add_test(handbook,
+                   a_wave_that_rises_within_no_time_is_a_step_and_others_are_sums_of_steps);
     suite_add_tcase(suite, handbook);
     return suite;
 }

@@ -74,16 +74,6 @@ static void give(struct test_run *run, const struct given *given)
     free(place);
 }
 
-static struct mpm_j_integral j_of(const struct test_run *run, size_t index)
-{
-    struct mpm_j_integral value;
-    struct mpm_error error = {.message = ""};
-    const enum mpm_status status =
-        mpm_simulation_j_integral(run->simulation, index, &value, &error);
-    ck_assert_msg(status == MPM_OK, "%s", error.message);
-    return value;
-}
-
 /* ---------------------------------------------------------- fields of a tip */
 
 static void tip_gradient(const void *context, const double place[AXES], double gradient[GRADIENT])
@@ -127,7 +117,7 @@ static struct test_run open_tip(const struct tip *tip, const char *shape, const 
 static struct williams_field field_at(const struct test_run *run, const struct tip *tip,
                                       enum mpm_geometry geometry)
 {
-    const struct mpm_j_integral value = j_of(run, 0);
+    const struct mpm_j_integral value = test_run_j_integral(run, 0);
     return (struct williams_field){
         .shear = SHEAR,
         .kappa = kappa_of(geometry),
@@ -160,7 +150,7 @@ static void assert_tip(const struct test_run *run, const struct williams_field *
     const double one = field->mode_1, two = field->mode_2;
     const double j = (one * one + two * two) / modulus;
     for (size_t i = 0; i < SIZES; i++) {
-        const struct mpm_j_integral found = j_of(run, i);
+        const struct mpm_j_integral found = test_run_j_integral(run, i);
         const double bound = j * j_tolerance(CONTOURS[i]);
         const double shares = SMALL * share_tolerance(CONTOURS[i]);
         for (int axis = 0; axis < AXES; axis++)
@@ -353,14 +343,14 @@ START_TEST(a_smooth_field_has_no_j_whatever_it_is)
     struct test_run run = open_smooth(smooth, families[_i % FAMILIES]);
     give(&run, &(struct given){wave_gradient, wave_velocity, &wave});
     for (size_t k = 0; k < 2; k++) {
-        const struct mpm_j_integral found = j_of(&run, k);
+        const struct mpm_j_integral found = test_run_j_integral(&run, k);
         ck_assert_near(found.j[0], 0.0, smooth->bound);
         ck_assert_near(found.j[1], 0.0, smooth->bound);
     }
     const size_t last = mpm_scene_j_integral_count(run.scene) - 1;
-    ck_assert(fabs(j_of(&run, last).j[0]) >= smooth->without);
+    ck_assert(fabs(test_run_j_integral(&run, last).j[0]) >= smooth->without);
     if (!smooth->stretched)
-        ck_assert(fabs(j_of(&run, 3).j[0]) >= smooth->without);
+        ck_assert(fabs(test_run_j_integral(&run, 3).j[0]) >= smooth->without);
     test_run_close(&run);
 }
 END_TEST

@@ -14,7 +14,7 @@
 
 enum { PARAMETERS_MAX = 24 };
 
-/* Parts NAME=VALUE that blanks part. */
+/* Parts NAME=VALUE that blanks part; a blank of a value is written +. */
 static unsigned read_parameters(char **words, struct case_parameter parameters[PARAMETERS_MAX])
 {
     unsigned count = 0;
@@ -22,7 +22,7 @@ static unsigned read_parameters(char **words, struct case_parameter parameters[P
         ck_assert_uint_lt(count, PARAMETERS_MAX);
         char *const sign = strchr(words[count], '=');
         *sign = '\0';
-        parameters[count] = (struct case_parameter){words[count], sign + 1};
+        parameters[count] = (struct case_parameter){words[count], g_strdelimit(sign + 1, "+", ' ')};
     }
     return count;
 }
@@ -69,7 +69,8 @@ static char *run(const char *program, const char *folder, const char *parameters
     "field=axis_aligned law=neo_hookean geometry=plane_strain density=1 bulk=1 shear=1 cell_x=1 "  \
     "cell_y=1 "                                                                                    \
     "length=1 refine=1 particles=2 steps=8 looks=1 refine_time=1 refine_particles=1 "
-#define BAR "family=bar length=1 modulus=1 density=1 modes="
+#define WAVE "modulus=1 poisson=0 density=1 stress=1 rise=1 distance=1 from=1 interval=1 contours="
+#define BAR  "family=bar length=1 modulus=1 density=1 modes="
 
 static const struct {
     const char *program, *folder, *parameters, *message;
@@ -87,6 +88,9 @@ static const struct {
      "\"refine_space\" is 3; allowed: whole numbers from 1 to 2"},
     {"manufactured", "M/M0", "geometry=round", "\"field\" is missing"},
     {"energy", "E/E1", "interval=0", "samples every 0; allowed: above 0"},
+    {"crack_wave", "D/D6b", WAVE "4+6x", "\"contours\": \"4 6x\"; allowed: 1 to 4 numbers"},
+    {"crack_wave", "D/D6b", WAVE "4+5+6+7+8", "allowed: 1 to 4 numbers"},
+    {"crack_wave", "D/D6b", WAVE "+", "allowed: 1 to 4 numbers"},
 };
 
 START_TEST(a_parameter_that_means_nothing_is_refused_with_what_is_allowed)

@@ -12,6 +12,7 @@ const FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", 
   "--disable-background-networking", "--disable-component-update", "--disable-sync",
   "--hide-scrollbars", "--force-color-profile=srgb", "--remote-debugging-pipe"];
 const ANSWER_MS = 60000;
+const PICTURE_HEIGHT = 12000; /* px; the browser draws no more than 16384 */
 
 class Browser {
   /* Starts the program with a profile of its own. */
@@ -116,10 +117,19 @@ class Tab {
 
   async open(url) {
     this.complaints = [];
-    const loaded = new Promise((resolve) => { this.loaded = resolve; });
-    const { errorText } = await this.send("Page.navigate", { url });
-    if (errorText) throw new Error(`${url}: ${errorText}`);
-    await loaded;
+    let timer;
+    const loaded = new Promise((resolve, reject) => {
+      this.loaded = resolve;
+      timer = setTimeout(() => reject(new Error(`${url}: not loaded in ${ANSWER_MS / 1000} s`)), ANSWER_MS);
+    });
+    loaded.catch(() => {}); /* told by the await below, unless the navigation failed before */
+    try {
+      const { errorText } = await this.send("Page.navigate", { url });
+      if (errorText) throw new Error(`${url}: ${errorText}`);
+      await loaded;
+    } finally {
+      clearTimeout(timer);
+    }
   }
 
   /* The value of an expression in the page, awaited. */
@@ -149,8 +159,11 @@ class Tab {
     await this.send("Input.dispatchKeyEvent", { type: "keyUp", key, code: key, windowsVirtualKeyCode: code });
   }
 
+  /* Of the whole page, from its top to its end. */
   async picture(file) {
-    const { data } = await this.send("Page.captureScreenshot", { format: "png", captureBeyondViewport: false });
+    const { cssContentSize: { width, height } } = await this.send("Page.getLayoutMetrics");
+    const clip = { x: 0, y: 0, width, height: Math.min(height, PICTURE_HEIGHT), scale: 1 };
+    const { data } = await this.send("Page.captureScreenshot", { format: "png", clip, captureBeyondViewport: true });
     fs.writeFileSync(file, Buffer.from(data, "base64"));
   }
 }

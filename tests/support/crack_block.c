@@ -52,3 +52,15 @@ void crack_block_start_free(struct crack_block_start *start)
     free(start->mass);
     free(start->velocity);
 }
+
+void crack_block_momentum(const struct test_run *run, const struct crack_block_start *start,
+                          bool above, double momentum[2])
+{
+    static const double MIDDLE = 5.6;
+    double *const velocity = test_run_field(run, MPM_FIELD_VELOCITY, NULL);
+    momentum[0] = momentum[1] = 0.0;
+    for (size_t k = 0; k < start->count; k++)
+        for (size_t axis = 0; axis < 2 && (start->place[2 * k + 1] > MIDDLE) == above; axis++)
+            momentum[axis] += start->mass[k] * velocity[2 * k + axis];
+    free(velocity);
+}

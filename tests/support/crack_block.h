@@ -33,6 +33,10 @@ struct crack_block_start {
 };
 
 struct crack_block_start crack_block_start(const struct test_run *run);
+
+/* Momentum of the half that began above the middle, or below. */
+void crack_block_momentum(const struct test_run *run, const struct crack_block_start *start,
+                          bool above, double momentum[2]);
 void crack_block_start_free(struct crack_block_start *start);
 
 #endif

@@ -62,6 +62,16 @@ struct mpm_ledger test_run_ledger(const struct test_run *run)
     return ledger;
 }
 
+struct mpm_j_integral test_run_j_integral(const struct test_run *run, size_t index)
+{
+    struct mpm_j_integral value;
+    struct mpm_error error = {.message = ""};
+    const enum mpm_status status =
+        mpm_simulation_j_integral(run->simulation, index, &value, &error);
+    ck_assert_msg(status == MPM_OK, "%s", error.message);
+    return value;
+}
+
 static bool same_bytes(const void *a, const void *b, size_t size)
 {
     return memcmp(a, b, size) == 0;

@@ -23,6 +23,8 @@ void test_run_steps(struct test_run *run, int steps);
 double *test_run_field(const struct test_run *run, enum mpm_field field, size_t *count);
 
 struct mpm_ledger test_run_ledger(const struct test_run *run);
+/* The J integral of that index, which must have a value. */
+struct mpm_j_integral test_run_j_integral(const struct test_run *run, size_t index);
 
 /* Position, velocity, deformation gradient and stress of two runs, and their ledgers: byte by
  * byte, so that not-a-numbers are told from one another as well. */

@@ -36,6 +36,14 @@ static void step_wave(const struct reference_problem *problem, const double plac
     values[SCORE_STRESS_XX] = behind ? -step_wave_pressure(&wave) : 0;
 }
 
+/* Of an axisymmetric state: r, z and around stand for x, y and z. */
+static void set_stress(double values[SCORE_COLUMNS], double rr, double zz, double tt)
+{
+    values[SCORE_STRESS_XX] = rr;
+    values[SCORE_STRESS_YY] = zz;
+    values[SCORE_STRESS_ZZ] = tt;
+}
+
 static void compression(const struct reference_problem *problem, const double place[2], double time,
                         double values[SCORE_COLUMNS])
 {
@@ -46,9 +54,7 @@ static void compression(const struct reference_problem *problem, const double pl
     values[SCORE_DISPLACEMENT_X] = strain * place[0];
     values[SCORE_VELOCITY_X] = -speed * place[0] / radius;
     values[SCORE_RELATIVE_VOLUME] = volume;
-    values[SCORE_STRESS_XX] = stress.rr;
-    values[SCORE_STRESS_YY] = stress.zz;
-    values[SCORE_STRESS_ZZ] = stress.tt;
+    set_stress(values, stress.rr, stress.zz, stress.tt);
 }
 
 static void lame(const struct reference_problem *problem, const double place[2], double time,
@@ -59,9 +65,7 @@ static void lame(const struct reference_problem *problem, const double place[2],
     const struct lame_cylinder cylinder = {n[0], n[1], n[2], n[3], n[4], n[5]};
     const struct lame_state state = lame_cylinder_state(&cylinder, place[0]);
     values[SCORE_DISPLACEMENT_X] = state.u;
-    values[SCORE_STRESS_XX] = state.rr;
-    values[SCORE_STRESS_YY] = state.zz;
-    values[SCORE_STRESS_ZZ] = state.tt;
+    set_stress(values, state.rr, state.zz, state.tt);
 }
 
 static void self_weight(const struct reference_problem *problem, const double place[2], double time,

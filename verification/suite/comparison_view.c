@@ -179,7 +179,7 @@ static void take_out_all(struct comparison_view *view)
 struct comparison_view comparison_view_make(const struct records *records, const json_t *entry)
 {
     const json_t *variants = json_object_get(entry, "variants");
-    struct comparison_view view = {.declared = comparison_declared(entry)};
+    struct comparison_view view = {.declared = comparison_declared(entry), .records = records};
     const json_t *columns = json_object_get(view.declared, "columns");
     const size_t most = json_array_size(variants), column_count = json_array_size(columns);
     size_t rows = 0;

@@ -13,6 +13,7 @@ struct comparison_view {
     struct comparison_table table; /* rows in alphabetical order */
     const json_t **variants;       /* records of the rows */
     const json_t *declared;        /* of the comparison */
+    const struct records *records; /* of the run */
     /* memory of the table */
     const char **names;
     struct comparison_column *columns;

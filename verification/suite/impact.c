@@ -60,18 +60,11 @@ static void look_at_symmetry(struct impact *impact)
 static enum mpm_status read_frames(struct impact *impact, struct mpm_error *error)
 {
     bool asked;
-    const char *text;
     TRY(picture_read(impact->measurement, &impact->picture, &asked, error));
     if (!asked)
         return MPM_OK;
-    TRY(measurement_text(impact->measurement, "frames", &text, error));
-    for (char *end = NULL; impact->frame_count < IMPACT_FRAMES_MAX; text = end) {
-        const double time = g_ascii_strtod(text, &end);
-        if (end == text)
-            break;
-        impact->frames[impact->frame_count++] = time;
-    }
-    return MPM_OK;
+    return measurement_list(impact->measurement, "frames", IMPACT_FRAMES_MAX, impact->frames,
+                            &impact->frame_count, error);
 }
 
 /* A picture at the first look at or after each of its times. */

@@ -106,6 +106,29 @@ enum mpm_status measurement_count(const struct measurement *measurement, const c
                        number, low, high);
 }
 
+enum mpm_status measurement_list(const struct measurement *measurement, const char *name,
+                                 size_t most, double *values, size_t *count,
+                                 struct mpm_error *error)
+{
+    const char *text;
+    TRY(measurement_text(measurement, name, &text, error));
+    char **const words = g_strsplit(text, " ", -1);
+    bool good = true;
+    *count = 0;
+    for (char **word = words; good && *word != NULL; word++)
+        if (**word != '\0') {
+            good = *count < most && row_number(*word, &values[*count]) && isfinite(values[*count]);
+            *count += good;
+        }
+    g_strfreev(words);
+    if (good && *count > 0)
+        return MPM_OK;
+    return failure_set(error, MPM_BAD_INPUT,
+                       "case %s, variant %s: parameter \"%s\": \"%s\"; allowed: 1 to %zu numbers",
+                       measurement_case(measurement), measurement_variant(measurement), name, text,
+                       most);
+}
+
 static enum mpm_status refuse_choice(const struct measurement *measurement, const char *name,
                                      const char *text, const char *const *names, size_t count,
                                      struct mpm_error *error)

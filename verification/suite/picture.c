@@ -12,21 +12,15 @@ enum { AXES = 2, GRADIENT = 5 };
 enum mpm_status picture_read(const struct measurement *measurement, struct picture *picture,
                              bool *asked, struct mpm_error *error)
 {
-    const char *text;
+    double numbers[5];
+    size_t count;
     *asked = measurement_has(measurement, "picture");
     if (!*asked)
         return MPM_OK;
-    TRY(measurement_text(measurement, "picture", &text, error));
-    double numbers[5];
-    const char *rest = text;
-    for (size_t k = 0; k < G_N_ELEMENTS(numbers); k++) {
-        char *end = NULL;
-        numbers[k] = g_ascii_strtod(rest, &end);
-        if (end == rest)
-            return failure_set(error, MPM_BAD_INPUT,
-                               "picture: \"%s\"; allowed: \"x y x y pixel\", five numbers", text);
-        rest = end;
-    }
+    TRY(measurement_list(measurement, "picture", G_N_ELEMENTS(numbers), numbers, &count, error));
+    if (count < G_N_ELEMENTS(numbers))
+        return failure_set(error, MPM_BAD_INPUT,
+                           "picture: %zu numbers; allowed: \"x y x y pixel\", five", count);
     *picture = (struct picture){{numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4]};
     return MPM_OK;
 }

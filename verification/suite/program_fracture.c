@@ -13,7 +13,6 @@
 
 #include <glib.h>
 #include <math.h>
-#include <stdlib.h>
 
 enum { CONTOURS_MAX = 16, FORMS_MAX = 3, COLUMNS = 2 + 2 * FORMS_MAX };
 
@@ -29,7 +28,7 @@ struct study {
     double intensity;             /* K_I of the handbook */
     const struct form *forms;
     size_t form_count;
-    unsigned contours[CONTOURS_MAX];
+    double contours[CONTOURS_MAX]; /* cells */
     size_t contour_count;
     double j[FORMS_MAX][CONTOURS_MAX], k[FORMS_MAX][CONTOURS_MAX][2];
     bool finished;
@@ -60,22 +59,6 @@ enum { PENNY = 2 };
 
 /* ------------------------------------------------------------------- running */
 
-static enum mpm_status read_contours(const struct measurement *m, struct study *study,
-                                     struct mpm_error *error)
-{
-    const char *text;
-    TRY(measurement_text(m, "contours", &text, error));
-    for (char *end; study->contour_count < CONTOURS_MAX; text = end) {
-        const unsigned long size = strtoul(text, &end, 10);
-        if (end == text)
-            break;
-        study->contours[study->contour_count++] = (unsigned)size;
-    }
-    if (study->contour_count == 0)
-        return failure_set(error, MPM_BAD_INPUT, "contours: none; allowed: numbers of cells");
-    return MPM_OK;
-}
-
 static enum mpm_status read_study(const struct measurement *m, struct study *study,
                                   struct mpm_error *error)
 {
@@ -90,7 +73,8 @@ static enum mpm_status read_study(const struct measurement *m, struct study *stu
     study->intensity = INTENSITIES[reference](study);
     study->forms = reference == PENNY ? CURVED_FORMS : PLANAR_FORMS;
     study->form_count = reference == PENNY ? FORMS_MAX : 1;
-    return read_contours(m, study, error);
+    return measurement_list(m, "contours", CONTOURS_MAX, study->contours, &study->contour_count,
+                            error);
 }
 
 /* "cracks.0.j_integral=[...]"; g_free it. */
@@ -100,7 +84,7 @@ static char *setting_of(const struct study *study)
     for (size_t form = 0; form < study->form_count; form++)
         for (size_t k = 0; k < study->contour_count; k++) {
             const char *const key = study->forms[form].key;
-            g_string_append_printf(text, "{contour: %u%s%s}, ", study->contours[k],
+            g_string_append_printf(text, "{contour: %g%s%s}, ", study->contours[k],
                                    key == NULL ? "" : ", form: ", key == NULL ? "" : key);
         }
     g_string_append_c(text, ']');
@@ -141,7 +125,7 @@ static void report_form(struct measurement *m, const struct study *study, size_t
     double least = HUGE_VAL, largest = -HUGE_VAL, sum = 0.0, intensity = 0.0, sliding = 0.0;
     for (size_t k = 0; k < study->contour_count; k++) {
         const double j = study->j[form][k];
-        char *const contour = g_strdup_printf("%s_%u", name, study->contours[k]);
+        char *const contour = g_strdup_printf("%s_%g", name, study->contours[k]);
         report_one(m, "j_ratio", contour, j / release);
         g_free(contour);
         least = fmin(least, j);

@@ -22,6 +22,7 @@
     PROGRAM(crack_patch)                                                                           \
     PROGRAM(sliding)                                                                               \
     PROGRAM(cohesive)                                                                              \
+    PROGRAM(crack_wave)                                                                            \
     PROGRAM(fracture)                                                                              \
     PROGRAM(cantilever)                                                                            \
     PROGRAM(carried)                                                                               \

@@ -86,6 +86,12 @@ enum mpm_status measurement_count(const struct measurement *measurement, const c
                                   unsigned low, unsigned high, unsigned *value,
                                   struct mpm_error *error);
 
+/* A parameter of 1 to `most` finite numbers parted by blanks, and how many they are. Anything else
+ * is MPM_BAD_INPUT. */
+enum mpm_status measurement_list(const struct measurement *measurement, const char *name,
+                                 size_t most, double *values, size_t *count,
+                                 struct mpm_error *error);
+
 /* A parameter that is one of `count` names: its place among them. Any other is MPM_BAD_INPUT. */
 enum mpm_status measurement_choice(const struct measurement *measurement, const char *name,
                                    const char *const *names, size_t count, size_t *place,

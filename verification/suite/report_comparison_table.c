@@ -207,8 +207,10 @@ static void add_definitions(GString *html, const struct comparison_view *view)
                     *about == '\0' ? "" : " ");
         g_string_append(html, "<span class=\"rule\">");
         html_numbers(html, rules_of(&view->columns[column]));
-        if (*other != '\0')
+        if (records_case(view->records, other) != NULL)
             text_markup(html, "; from case <a href=\"../%s/index.html\">%s</a>", other, other);
+        else if (*other != '\0') /* the run was of fewer cases */
+            text_markup(html, "; from case %s", other);
         g_string_append(html, "</span></dd>\n");
     }
     g_string_append(html, "</dl>\n");
