@@ -287,7 +287,7 @@ enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *er
 {
     for (size_t crack = 0; crack < state->scene->crack_count; crack++) {
         const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
-        size_t k = (size_t)(chain->x - state->cracks.position[0]);
+        size_t k = mpm_crack_first_point(state, crack);
         const size_t end = k + chain->count;
         struct carriers carriers = {.any = false};
         for (; k < end; k++) {

@@ -10,11 +10,19 @@
 
 /* ---------------------------------------------------------------- measuring */
 
-static bool asks_for_contact(const struct mpm_state *state)
+static bool is_asked(const struct mpm_scene *scene)
 {
-    for (size_t k = 0; k < state->scene->crack_count; k++)
-        if (state->scene->cracks[k].contact != MPM_CONTACT_NONE)
-            return state->scene->crack_method == MPM_CRACKS_FIELDS;
+    for (size_t k = 0; k < scene->crack_count; k++)
+        if (mpm_crack_has_contact(scene, k))
+            return true;
+    return false;
+}
+
+bool mpm_crack_detection_needs_surfaces(const struct mpm_scene *scene)
+{
+    for (size_t k = 0; k < scene->crack_count; k++)
+        if (mpm_crack_has_contact(scene, k) && scene->cracks[k].detection != MPM_DETECT_CELL)
+            return true;
     return false;
 }
 
@@ -108,7 +116,7 @@ static void measure_strip(void *context, int64_t index, int worker)
 
 void mpm_crack_detection_measure(struct mpm_state *state, int workers)
 {
-    if (state->cracks.node_count > 0 && asks_for_contact(state))
+    if (state->cracks.node_count > 0 && is_asked(state->scene))
         mpm_strips_run(state->strip_count, workers, measure_strip, state);
 }
 

@@ -51,7 +51,9 @@ void mpm_crack_map_fill(struct mpm_state *state);
  * room. */
 bool mpm_crack_map_draw(struct mpm_state *state);
 
+/* Marks one cell or node. */
 void mpm_crack_bands_mark(struct mpm_crack_bands *bands, int64_t column, int64_t row);
+
 /* Work for one particle; `block`: the cells that its nodes span, from the first one on, which is
  * left of and below all of them, by what may be round-off. */
 typedef void mpm_crack_visit(void *context, size_t p, const struct mpm_cell_block *block);

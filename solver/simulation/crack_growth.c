@@ -7,6 +7,7 @@
  * again.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/crack_fields.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -64,11 +65,12 @@ static void tip_direction(const struct mpm_crack_chain *chain, bool at_start, do
     direction[1] = y / length;
 }
 
-static void add_point(struct mpm_cracks *cracks, const struct mpm_j_integral_spec *spec,
+static void add_point(struct mpm_state *state, const struct mpm_j_integral_spec *spec,
                       const double place[2])
 {
+    struct mpm_cracks *const cracks = &state->cracks;
     struct mpm_crack_chain *const chain = &cracks->chains[spec->crack];
-    const size_t first = (size_t)(chain->x - cracks->position[0]) - (spec->at_start ? 1 : 0);
+    const size_t first = mpm_crack_first_point(state, spec->crack) - (spec->at_start ? 1 : 0);
     const size_t added = spec->at_start ? first : first + chain->count;
     for (int axis = 0; axis < 2; axis++)
         cracks->position[axis][added] = place[axis];
@@ -123,7 +125,7 @@ static enum mpm_status grow(struct mpm_simulation *simulation, size_t index,
     turn(tangent, direction);
     for (int axis = 0; axis < 2; axis++)
         place[axis] += increment * direction[axis];
-    add_point(&state->cracks, spec, place);
+    add_point(state, spec, place);
     move_tips(simulation, index, tangent);
     return MPM_OK;
 }
@@ -164,7 +166,7 @@ void mpm_growth_save(struct mpm_simulation *simulation)
         simulation->backup.tips[k] = simulation->tips[k];
     for (size_t k = 0; scene->j_integral_count > 0 && k < scene->crack_count; k++)
         simulation->backup.extents[k] = (struct mpm_chain_extent){
-            (size_t)(cracks->chains[k].x - cracks->position[0]), cracks->chains[k].count};
+            mpm_crack_first_point(&simulation->state, k), cracks->chains[k].count};
 }
 
 void mpm_growth_restore(struct mpm_simulation *simulation)

@@ -2,6 +2,7 @@
  * for it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/crack_fields.h"
 #include "method/crack_opening.h"
 #include "simulation/simulation.h"
 

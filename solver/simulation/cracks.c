@@ -121,15 +121,6 @@ struct mpm_crack_point mpm_simulation_crack_point(const struct mpm_simulation *s
 
 /* ---------------------------------------------------------------- surfaces */
 
-bool mpm_cracks_need_surfaces(const struct mpm_scene *scene)
-{
-    for (size_t k = 0; k < scene->crack_count; k++)
-        if (scene->cracks[k].contact != MPM_CONTACT_NONE &&
-            scene->cracks[k].detection != MPM_DETECT_CELL)
-            return scene->crack_method == MPM_CRACKS_FIELDS;
-    return false;
-}
-
 /* To the nearest point of the cracks. */
 static void find_way(const struct mpm_scene *scene, const double place[2], double way[2])
 {
@@ -232,7 +223,7 @@ static enum mpm_status hold_points(const struct mpm_simulation *simulation,
     const double slack = 1e-6 * state->grid.cell[plane->axis];
     for (size_t crack = 0; crack < scene->crack_count; crack++) {
         const size_t count = state->cracks.chains[crack].count;
-        size_t k = (size_t)(state->cracks.chains[crack].x - state->cracks.position[0]);
+        size_t k = mpm_crack_first_point(state, crack);
         size_t held = 0, inside = 0;
         for (size_t i = 0; i < count; i++, k++) {
             const double depth =
