@@ -100,6 +100,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
         .domains = keeps_domains(state),
         .affine = simulation->scene->transfer == MPM_TRANSFER_APIC,
         .surfaces = mpm_crack_detection_needs_surfaces(simulation->scene),
+        .stress = simulation->scene->crack_count > 0, /* see method/split.h */
     };
     mpm_particles_layout(&state->particles, counts->deformable, extras, arena);
     mpm_rigid_particles_layout(&state->rigid, counts->rigid, arena);
