@@ -87,19 +87,19 @@ static void measure(void *context, size_t p, const struct mpm_cell_block *block)
     const struct mpm_state *const state = context;
     const struct mpm_crack_kept *const kept = mpm_crack_kept_of(state, p);
     uint32_t code = kept == NULL ? 0 : kept->code;
-    struct mpm_stencil stencil;
+    struct mpm_stencil room;
     if (kept == NULL && !reaches_fields(state, block))
         return;
     const struct contribution made = contribution_of(state, p);
-    mpm_particle_stencil(state, p, &stencil);
-    for (int k = 0; k < stencil.count; k++, code >>= 2) {
-        const int64_t home = mpm_crack_home(state, state->node_zero + stencil.node[k].node);
+    const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+    for (int k = 0; k < stencil->count; k++, code >>= 2) {
+        const int64_t home = mpm_crack_home(state, state->node_zero + stencil->node[k].node);
         if (state->cracks.node_of[home] == 0)
             continue;
         struct mpm_crack_node *const node = &state->cracks.nodes[state->cracks.node_of[home] - 1];
         double place[2];
         mpm_grid_position(&state->grid, home, place);
-        add_sums(&made, &stencil.node[k], place, &node->sums[code & 3u]);
+        add_sums(&made, &stencil->node[k], place, &node->sums[code & 3u]);
         if ((code & 3u) != 0)
             add_crossing(state, &kept->crossing[k], node);
     }
