@@ -4,13 +4,11 @@
 #include "io/scene_build.h"
 
 #include "base/segment.h"
+#include "method/crack_contact.h"
 #include "model/region.h"
 
 #include <math.h>
 #include <string.h>
-
-/* Places that are nearer to each other, in parts of the shorter cell side, count as one. */
-static const double NEAR = 1e-6;
 
 static double shorter_side(const struct mpm_scene *scene)
 {
@@ -37,14 +35,14 @@ static double distance(const double a[2], const double b[2])
 static enum mpm_status check_lengths(const struct mpm_reading *reading, const char *path,
                                      const struct mpm_crack_spec *crack)
 {
-    const double near = NEAR * shorter_side(reading->scene);
+    const double near = MPM_CRACK_NEAR * shorter_side(reading->scene);
     for (size_t i = 0; i + 1 < crack->point_count; i++) {
         const struct mpm_segment s = segment_of(crack, i);
         if (!(distance(s.a, s.b) > near))
             return mpm_reading_fault(reading, path,
                                      "a segment of no length, from point %zu (%g, %g) to the "
                                      "next; allowed: more than %g of the shorter cell side",
-                                     i, s.a[0], s.a[1], NEAR);
+                                     i, s.a[0], s.a[1], MPM_CRACK_NEAR);
     }
     return MPM_OK;
 }
@@ -55,7 +53,8 @@ static enum mpm_status check_inside_grid(const struct mpm_reading *reading, cons
     const struct mpm_scene *const scene = reading->scene;
     for (size_t i = 0; i < crack->point_count; i++)
         for (int axis = 0; axis < 2; axis++) {
-            const double slack = 1e-9 * scene->cell[axis], place = crack->points[i][axis];
+            const double slack = MPM_CRACK_EDGE_SLACK * scene->cell[axis],
+                         place = crack->points[i][axis];
             const bool radius = scene->geometry == MPM_AXISYMMETRIC && axis == 0;
             const double first = scene->origin[axis];
             const double last = first + (double)scene->cells[axis] * scene->cell[axis];
@@ -113,7 +112,7 @@ static enum mpm_status check_in_body(const struct mpm_reading *reading, const ch
 static enum mpm_status check_itself(const struct mpm_reading *reading, const char *path,
                                     const struct mpm_crack_spec *crack)
 {
-    const double near = NEAR * shorter_side(reading->scene);
+    const double near = MPM_CRACK_NEAR * shorter_side(reading->scene);
     for (size_t i = 0; i + 1 < crack->point_count; i++)
         for (size_t j = i + 1; j + 1 < crack->point_count; j++) {
             const struct mpm_segment one = segment_of(crack, i), other = segment_of(crack, j);
@@ -133,7 +132,7 @@ static enum mpm_status check_others(const struct mpm_reading *reading, const cha
                                     size_t index)
 {
     const struct mpm_crack_spec *const cracks = reading->scene->cracks;
-    const double near = NEAR * shorter_side(reading->scene);
+    const double near = MPM_CRACK_NEAR * shorter_side(reading->scene);
     for (size_t before = 0; before < index; before++)
         for (size_t i = 0; i + 1 < cracks[before].point_count; i++)
             for (size_t j = 0; j + 1 < cracks[index].point_count; j++) {
