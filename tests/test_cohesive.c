@@ -346,8 +346,9 @@ END_TEST
 
 START_TEST(cracks_that_are_not_followed_keep_nothing_of_openings)
 {
-    static const char *const cracked[] = {"cracks=[{points: " THROUGH "}]", NULL};
-    static const char *const followed[] = {"cracks=[{points: " THROUGH ", opening: true}]", NULL};
+    static const char *const cracked[] = {"cracks=[{points: " THROUGH ", contact: none}]", NULL};
+    static const char *const followed[] = {
+        "cracks=[{points: " THROUGH ", contact: none, opening: true}]", NULL};
     struct test_run without = test_run_open(CRACK_BLOCK, cracked, 1);
     struct test_run with = test_run_open(CRACK_BLOCK, followed, 1);
     const struct mpm_crack_openings *const openings = openings_of(&without);
@@ -373,8 +374,9 @@ START_TEST(the_history_tells_how_far_a_crack_has_opened_and_slid)
         {"crack_1_opening_largest", 0.75}, {"crack_1_sliding_largest", -0.5},
     };
     struct settings settings = {.count = 0};
-    settings_add(&settings, "cracks=[{points: [[3, 4], [9, 4]]}, {points: [[9, 7], [3, 7]], "
-                            "opening: true}]");
+    settings_add(&settings,
+                 "cracks=[{points: [[3, 4], [9, 4]], contact: none}, {points: [[9, 7], [3, "
+                 "7]], contact: none, opening: true}]");
     struct test_run run = crack_block_open(&settings);
     const size_t first = crack_block_state(&run)->cracks.chains[0].count;
     const size_t last = crack_block_state(&run)->cracks.point_count - 1;
@@ -389,6 +391,27 @@ START_TEST(the_history_tells_how_far_a_crack_has_opened_and_slid)
         ck_assert_near(mpm_simulation_crack_quantity(run.simulation, k), expected[k].value, 1e-15);
     }
     test_run_close(&run);
+}
+END_TEST
+
+/* A crack that comes round to itself: of nodes between, particles on three sides have fields. */
+START_TEST(the_history_counts_nodes_that_contact_leaves_alone)
+{
+    static const char *const cracks[] = {
+        "cracks=[{points: [[5.8, 3.6], [5.8, 7.4], [8.4, 7.4], [8.4, 4.1], [6.3, 4.1], [6.3, "
+        "6.5]]}]",
+        "cracks=[{points: [[5.8, 3.6], [5.8, 7.4]]}]"};
+    for (int k = 0; k < 2; k++) {
+        struct test_run run = test_run_open(CRACK_BLOCK, (const char *const[]){cracks[k], NULL}, 1);
+        ck_assert_uint_eq(mpm_scene_crack_quantity_count(run.scene), 1);
+        const struct mpm_quantity_info info = mpm_scene_crack_quantity(run.scene, 0);
+        ck_assert_str_eq(info.name, "crack_0_nodes_without_contact");
+        ck_assert_double_eq(mpm_simulation_crack_quantity(run.simulation, 0), 0.0);
+        test_run_steps(&run, 1);
+        /* those at x = 6 and y = 4 to 6.4, between both legs; of one leg none */
+        ck_assert_double_eq(mpm_simulation_crack_quantity(run.simulation, 0), k == 0 ? 4.0 : 0.0);
+        test_run_close(&run);
+    }
 }
 END_TEST
 
@@ -440,6 +463,7 @@ Suite *suite_cohesive(void)
     tcase_add_test(runs, a_failed_run_goes_back_with_its_openings);
     tcase_add_test(runs, cracks_that_are_not_followed_keep_nothing_of_openings);
     tcase_add_test(runs, the_history_tells_how_far_a_crack_has_opened_and_slid);
+    tcase_add_test(runs, the_history_counts_nodes_that_contact_leaves_alone);
     tcase_add_test(runs, a_cohesive_crack_says_what_its_file_says);
     suite_add_tcase(suite, runs);
     return suite;

@@ -87,10 +87,23 @@ START_TEST(a_growing_crack_gives_the_same_bits_for_any_number_of_threads)
 }
 END_TEST
 
-/* Room for four increments: the fifth fails, and the run goes back to the state before. */
-START_TEST(a_run_whose_crack_has_no_room_goes_back_by_growing_again)
+/* Room for four increments: the fifth fails. A tip that has turned back meets its own crack with
+ * the third. The run goes back to the state before. */
+static const struct ending {
+    const char *cracks, *message;
+    double grown;
+} ENDINGS[] = {
+    {CRACK("{toughness: 0.002, longest: 1.7}"),
+     "would grow further; allowed: up to propagation.longest, 1.7", 4.0},
+    {"cracks=[{points: [[14.3, 0.2], [14.3, 12.9], [18, 12.9], [18, 11.3], [16.1, 11.3]], contact: "
+     "none, j_integral: [{contour: 4, propagation: {toughness: 1e-7, longest: 8, every: 5}}]}]",
+     "and meet cracks.0 there; allowed: cracks that meet neither themselves nor each other", 4.0},
+};
+
+START_TEST(a_run_whose_crack_cannot_grow_goes_back_by_growing_again)
 {
-    const char *const settings[] = {CRACK("{toughness: 0.002, longest: 1.7}"), NULL};
+    const struct ending *const ending = &ENDINGS[_i];
+    const char *const settings[] = {ending->cracks, NULL};
     struct test_run failed = test_run_open(BLOCK, settings, 1);
     struct test_run good = test_run_open(BLOCK, settings, 1);
     struct mpm_error error = {.message = ""};
@@ -98,7 +111,7 @@ START_TEST(a_run_whose_crack_has_no_room_goes_back_by_growing_again)
     while (steps < 300 && mpm_simulation_advance(failed.simulation, HUGE_VAL, &error) == MPM_OK)
         steps++;
     ck_assert_int_eq(error.status, MPM_RUN_FAILED);
-    test_contains(error.message, "would grow further; allowed: up to propagation.longest, 1.7");
+    test_contains(error.message, ending->message);
     test_run_steps(&good, steps);
     ck_assert(test_run_same_bits(&failed, &good));
     const struct mpm_j_integral one = test_run_j_integral(&failed, 0),
@@ -111,7 +124,7 @@ START_TEST(a_run_whose_crack_has_no_room_goes_back_by_growing_again)
     }
     ck_assert_double_eq(one.grown, other.grown);
     ck_assert_double_eq(one.dissipated, other.dissipated);
-    ck_assert_near(one.grown, 4.0 * INCREMENT, 1e-12);
+    ck_assert_near(one.grown, ending->grown * INCREMENT, 1e-12);
     const struct mpm_cracks *const cracks = &failed.simulation->state.cracks;
     for (int axis = 0; axis < AXES; axis++)
         ck_assert(memcmp(cracks->position[axis], good.simulation->state.cracks.position[axis],
@@ -238,7 +251,8 @@ Suite *suite_crack_growth(void)
     tcase_add_loop_test(growth, a_tip_grows_straight_on_by_increments_and_books_its_work, 0, 2);
     tcase_add_test(growth, a_tough_crack_is_one_that_does_not_grow);
     tcase_add_test(growth, a_growing_crack_gives_the_same_bits_for_any_number_of_threads);
-    tcase_add_test(growth, a_run_whose_crack_has_no_room_goes_back_by_growing_again);
+    tcase_add_loop_test(growth, a_run_whose_crack_cannot_grow_goes_back_by_growing_again, 0,
+                        G_N_ELEMENTS(ENDINGS));
     tcase_add_loop_test(growth, a_tip_turns_across_the_largest_hoop_stress, 0, 6);
     tcase_add_loop_test(growth, growth_that_is_not_defined_is_refused_with_the_reason, 0,
                         G_N_ELEMENTS(REFUSALS));

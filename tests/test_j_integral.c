@@ -368,6 +368,14 @@ static const struct refusal {
     {{"cracks=[{points: [[0.2, 18.1], [18.3, 18.1]], j_integral: [{contour: 6}]},"
       " {points: [[15.2, 15.1], [28.3, 15.1]]}]"},
      "meets cracks.1"},
+    /* all of another crack inside: J would be that of both */
+    {{"cracks=[{points: [[0.2, 18.1], [18.3, 18.1]], j_integral: [{contour: 6}]},"
+      " {points: [[19.6, 18.1], [20.4, 18.9]]}]"},
+     "cracks.1 lies inside the contour, near (19.6, 18.1)"},
+    {{"geometry=axisymmetric",
+      "cracks=[{points: [[0, 18.1], [8.3, 18.1]], j_integral: [{contour: 8}]}]",
+      "bodies.block.region={rectangle: {from: [0, 1.6], to: [34, 34.4]}}"},
+     "reaches the axis r = 0"},
     {{"cracks=[{points: [[0.2, 18.1], [18.3, 18.1]], j_integral: [{contour: 4}]}]",
       "materials=[{name: stiff, law: linear_elastic, density: 2, bulk: 80, shear: 48},"
       " {name: soft, law: linear_elastic, density: 2, bulk: 8, shear: 4.8}]",
@@ -402,6 +410,27 @@ START_TEST(a_contour_that_is_none_is_refused_with_the_reason)
 }
 END_TEST
 
+/* Particles of 1/4 cell from middle to edge, stretched along y */
+static const struct stretch {
+    double factor;
+    const char *message; /* NULL: it has a value */
+} STRETCHES[] = {{3.9, NULL}, {4.1, "reaches 1.025 cells along the second axis"}};
+
+START_TEST(a_contour_near_particles_longer_than_its_margin_is_refused)
+{
+    const struct stretch *const stretch = &STRETCHES[_i];
+    struct test_run run = open_tip(&TIPS[0], "cpdi", "plane_strain");
+    struct wave wave = {.stretched = {1, 0, 0, stretch->factor, 1}};
+    struct mpm_j_integral value;
+    struct mpm_error error = {.message = ""};
+    give(&run, &(struct given){wave_gradient, wave_velocity, &wave});
+    const enum mpm_status status = mpm_simulation_j_integral(run.simulation, 0, &value, &error);
+    ck_assert_int_eq(status, stretch->message == NULL ? MPM_OK : MPM_RUN_FAILED);
+    test_contains(error.message, stretch->message == NULL ? "" : stretch->message);
+    test_run_close(&run);
+}
+END_TEST
+
 Suite *suite_j_integral(void)
 {
     Suite *suite = suite_create("j_integral");
@@ -418,6 +447,8 @@ Suite *suite_j_integral(void)
     TCase *scenes = tcase_create("scenes");
     tcase_add_loop_test(scenes, a_contour_that_is_none_is_refused_with_the_reason, 0,
                         G_N_ELEMENTS(REFUSALS));
+    tcase_add_loop_test(scenes, a_contour_near_particles_longer_than_its_margin_is_refused, 0,
+                        G_N_ELEMENTS(STRETCHES));
     suite_add_tcase(suite, scenes);
     return suite;
 }

@@ -4,8 +4,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model/boundary.h"
 #include "model/grid.h"
+#include "simulation/simulation.h"
 #include "suites.h"
+#include "support/near.h"
 #include "support/scene_files.h"
+#include "support/scenes.h"
 
 #include <glib.h>
 #include <math.h>
@@ -222,6 +225,27 @@ START_TEST(a_crack_or_plane_that_is_near_to_one_that_cannot_be_is_read)
 }
 END_TEST
 
+/* On an edge but for round-off, wherever the body moves: neither moved there nor lost. */
+START_TEST(points_a_rounding_error_outside_of_the_grid_are_on_its_edge)
+{
+    static const double outside = 5e-10;
+    const char *const settings[] = {
+        "cracks=[{points: [[-5e-10, 3.1], [8.0000000005, 3.1]]}]",
+        "bodies=[{name: block, material: rubber, velocity: [0, 0.1], region: {rectangle: {from: "
+        "[0, 1], to: [8, 7]}}}]",
+        NULL};
+    char *text = scene_with(PLANAR, "", GOOD);
+    struct test_run run = test_run_open(text, settings, 1);
+    const struct mpm_crack_chain *const chain = &run.simulation->state.cracks.chains[0];
+    test_run_steps(&run, 3);
+    ck_assert_near(chain->x[0], -outside, 1e-15);
+    ck_assert_near(chain->x[chain->count - 1], 8.0 + outside, 1e-14);
+    ck_assert(chain->y[0] > 3.1);
+    test_run_close(&run);
+    g_free(text);
+}
+END_TEST
+
 /* --------------------------------------------------------------- conditions */
 
 static double at_rest(const void *context, int32_t boundary, int32_t component,
@@ -291,6 +315,7 @@ Suite *suite_scene_cracks(void)
     tcase_add_loop_test(refusals, a_crack_or_plane_that_is_near_to_one_that_cannot_be_is_read, 0,
                         G_N_ELEMENTS(accepted));
     tcase_add_test(refusals, all_cracks_together_may_have_10000_points);
+    tcase_add_test(refusals, points_a_rounding_error_outside_of_the_grid_are_on_its_edge);
     suite_add_tcase(suite, refusals);
     TCase *conditions = tcase_create("conditions");
     tcase_add_test(conditions, a_plane_of_symmetry_holds_its_own_nodes_and_none_behind);

@@ -3,6 +3,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene_build.h"
 
+static bool has_knee(const struct mpm_cohesive *cohesive)
+{
+    return cohesive->law->work_to_knee != NULL;
+}
+
 static enum mpm_status check_knee_keys(const struct mpm_reading *reading, const char *path,
                                        const struct mpm_raw_cohesive *raw,
                                        const struct mpm_cohesive *cohesive)
@@ -13,12 +18,12 @@ static enum mpm_status check_knee_keys(const struct mpm_reading *reading, const 
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
         char key[MPM_PATH_SIZE];
         (void)mpm_path_join(path, keys[k].key, key);
-        if (cohesive->law->has_knee && keys[k].given == NULL)
+        if (has_knee(cohesive) && keys[k].given == NULL)
             return mpm_reading_fault(reading, path,
                                      "%s without %s; allowed: with knee_opening and "
                                      "knee_traction",
                                      cohesive->law->name, keys[k].key);
-        if (!cohesive->law->has_knee && keys[k].given != NULL)
+        if (!has_knee(cohesive) && keys[k].given != NULL)
             return mpm_reading_fault(reading, key,
                                      "given with law: %s, got %s; allowed: with trilinear only",
                                      cohesive->law->name, keys[k].given);
@@ -31,7 +36,7 @@ static enum mpm_status check_knee(const struct mpm_reading *reading, const char 
 {
     char key[MPM_PATH_SIZE];
     const double onset = cohesive->strength / cohesive->stiffness;
-    if (!cohesive->law->has_knee)
+    if (!has_knee(cohesive))
         return MPM_OK;
     if (!(cohesive->knee_opening > onset))
         return mpm_reading_fault(reading, mpm_path_join(path, "knee_opening", key),
@@ -63,8 +68,8 @@ static enum mpm_status build_law(const struct mpm_reading *reading, const char *
                                  "got %g; allowed: above %g, the work of what the other keys "
                                  "describe (%s)",
                                  cohesive->toughness, least,
-                                 cohesive->law->has_knee ? "up to the knee"
-                                                         : "strength^2/(2 stiffness)");
+                                 has_knee(cohesive) ? "up to the knee"
+                                                    : "strength^2/(2 stiffness)");
     return MPM_OK;
 }
 

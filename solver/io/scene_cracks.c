@@ -3,14 +3,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene_build.h"
 
-#include "base/orientation.h"
+#include "base/segment.h"
+#include "method/crack_contact.h"
 #include "model/region.h"
 
 #include <math.h>
 #include <string.h>
-
-/* Places that are nearer to each other, in parts of the shorter cell side, count as one. */
-static const double NEAR = 1e-6;
 
 static double shorter_side(const struct mpm_scene *scene)
 {
@@ -19,13 +17,9 @@ static double shorter_side(const struct mpm_scene *scene)
 
 /* ---------------------------------------------------------------- segments */
 
-struct segment {
-    double a[2], b[2];
-};
-
-static struct segment segment_of(const struct mpm_crack_spec *crack, size_t index)
+static struct mpm_segment segment_of(const struct mpm_crack_spec *crack, size_t index)
 {
-    struct segment segment;
+    struct mpm_segment segment;
     memcpy(segment.a, crack->points[index], sizeof segment.a);
     memcpy(segment.b, crack->points[index + 1], sizeof segment.b);
     return segment;
@@ -36,63 +30,19 @@ static double distance(const double a[2], const double b[2])
     return hypot(b[0] - a[0], b[1] - a[1]);
 }
 
-/* Is the place within `near` of the segment, which has a length? */
-static bool is_near(const struct segment *segment, const double place[2], double near)
-{
-    const double along[2] = {segment->b[0] - segment->a[0], segment->b[1] - segment->a[1]};
-    const double from[2] = {place[0] - segment->a[0], place[1] - segment->a[1]};
-    const double part =
-        (from[0] * along[0] + from[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
-    const double bounded = fmin(fmax(part, 0.0), 1.0);
-    const double nearest[2] = {segment->a[0] + bounded * along[0],
-                               segment->a[1] + bounded * along[1]};
-    return distance(nearest, place) <= near;
-}
-
-static bool are_apart(const struct segment *one, const struct segment *other, double near)
-{
-    for (int i = 0; i < 2; i++)
-        if (fmax(one->a[i], one->b[i]) + near < fmin(other->a[i], other->b[i]) ||
-            fmax(other->a[i], other->b[i]) + near < fmin(one->a[i], one->b[i]))
-            return true;
-    return false;
-}
-
-static bool splits(const struct segment *one, const struct segment *other)
-{
-    return (mpm_orientation(one->a, one->b, other->a) > 0.0) !=
-           (mpm_orientation(one->a, one->b, other->b) > 0.0);
-}
-
-/* Do two segments cross, or come within `near`? */
-static bool meet(const struct segment *one, const struct segment *other, double near)
-{
-    if (are_apart(one, other, near))
-        return false;
-    return (splits(one, other) && splits(other, one)) || is_near(one, other->a, near) ||
-           is_near(one, other->b, near) || is_near(other, one->a, near) ||
-           is_near(other, one->b, near);
-}
-
-/* The next segment shares a point with this one: it must not fold back on it. */
-static bool folds(const struct segment *one, const struct segment *next, double near)
-{
-    return is_near(one, next->b, near) || is_near(next, one->a, near);
-}
-
 /* ------------------------------------------------------------------ places */
 
 static enum mpm_status check_lengths(const struct mpm_reading *reading, const char *path,
                                      const struct mpm_crack_spec *crack)
 {
-    const double near = NEAR * shorter_side(reading->scene);
+    const double near = MPM_CRACK_NEAR * shorter_side(reading->scene);
     for (size_t i = 0; i + 1 < crack->point_count; i++) {
-        const struct segment s = segment_of(crack, i);
+        const struct mpm_segment s = segment_of(crack, i);
         if (!(distance(s.a, s.b) > near))
             return mpm_reading_fault(reading, path,
                                      "a segment of no length, from point %zu (%g, %g) to the "
                                      "next; allowed: more than %g of the shorter cell side",
-                                     i, s.a[0], s.a[1], NEAR);
+                                     i, s.a[0], s.a[1], MPM_CRACK_NEAR);
     }
     return MPM_OK;
 }
@@ -103,7 +53,8 @@ static enum mpm_status check_inside_grid(const struct mpm_reading *reading, cons
     const struct mpm_scene *const scene = reading->scene;
     for (size_t i = 0; i < crack->point_count; i++)
         for (int axis = 0; axis < 2; axis++) {
-            const double slack = 1e-9 * scene->cell[axis], place = crack->points[i][axis];
+            const double slack = MPM_CRACK_EDGE_SLACK * scene->cell[axis],
+                         place = crack->points[i][axis];
             const bool radius = scene->geometry == MPM_AXISYMMETRIC && axis == 0;
             const double first = scene->origin[axis];
             const double last = first + (double)scene->cells[axis] * scene->cell[axis];
@@ -129,7 +80,7 @@ static bool in_a_body(const struct mpm_scene *scene, const double place[2])
 }
 
 /* Looks at its ends and every half cell. */
-static bool reaches_a_body(const struct mpm_scene *scene, const struct segment *segment)
+static bool reaches_a_body(const struct mpm_scene *scene, const struct mpm_segment *segment)
 {
     const double count = ceil(distance(segment->a, segment->b) / (0.5 * shorter_side(scene)));
     for (double k = 0.0; k <= count; k += 1.0) {
@@ -146,7 +97,7 @@ static enum mpm_status check_in_body(const struct mpm_reading *reading, const ch
                                      const struct mpm_crack_spec *crack)
 {
     for (size_t i = 0; i + 1 < crack->point_count; i++) {
-        const struct segment segment = segment_of(crack, i);
+        const struct mpm_segment segment = segment_of(crack, i);
         if (reaches_a_body(reading->scene, &segment))
             return MPM_OK;
     }
@@ -161,11 +112,11 @@ static enum mpm_status check_in_body(const struct mpm_reading *reading, const ch
 static enum mpm_status check_itself(const struct mpm_reading *reading, const char *path,
                                     const struct mpm_crack_spec *crack)
 {
-    const double near = NEAR * shorter_side(reading->scene);
+    const double near = MPM_CRACK_NEAR * shorter_side(reading->scene);
     for (size_t i = 0; i + 1 < crack->point_count; i++)
         for (size_t j = i + 1; j + 1 < crack->point_count; j++) {
-            const struct segment one = segment_of(crack, i), other = segment_of(crack, j);
-            if (!(j == i + 1 ? folds : meet)(&one, &other, near))
+            const struct mpm_segment one = segment_of(crack, i), other = segment_of(crack, j);
+            if (!(j == i + 1 ? mpm_segments_fold : mpm_segments_meet)(&one, &other, near))
                 continue;
             return mpm_reading_fault(reading, path,
                                      "the crack crosses or touches itself, with the segments that "
@@ -181,13 +132,13 @@ static enum mpm_status check_others(const struct mpm_reading *reading, const cha
                                     size_t index)
 {
     const struct mpm_crack_spec *const cracks = reading->scene->cracks;
-    const double near = NEAR * shorter_side(reading->scene);
+    const double near = MPM_CRACK_NEAR * shorter_side(reading->scene);
     for (size_t before = 0; before < index; before++)
         for (size_t i = 0; i + 1 < cracks[before].point_count; i++)
             for (size_t j = 0; j + 1 < cracks[index].point_count; j++) {
-                const struct segment one = segment_of(&cracks[before], i),
-                                     other = segment_of(&cracks[index], j);
-                if (!meet(&one, &other, near))
+                const struct mpm_segment one = segment_of(&cracks[before], i),
+                                         other = segment_of(&cracks[index], j);
+                if (!mpm_segments_meet(&one, &other, near))
                     continue;
                 return mpm_reading_fault(reading, path,
                                          "crosses or touches cracks.%zu, with the segment that "

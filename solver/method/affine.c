@@ -13,7 +13,7 @@ struct surroundings {
 static void look_around(const struct mpm_state *state, size_t p, struct surroundings *around)
 {
     double mean[2] = {0.0, 0.0};
-    mpm_particle_stencil(state, p, &around->stencil);
+    mpm_particle_plain_stencil(state, p, &around->stencil); /* no APIC with cracks */
     const struct mpm_stencil *const stencil = &around->stencil;
     for (int k = 0; k < stencil->count; k++) {
         mpm_grid_position(&state->grid, state->node_zero + stencil->node[k].node, around->away[k]);

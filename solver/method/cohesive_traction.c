@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/cohesive_traction.h"
 
+#include "method/crack_fields.h"
 #include "method/crack_opening.h"
 
 #include <math.h>
@@ -80,8 +81,9 @@ void mpm_cohesive_spread(struct mpm_state *state)
         return;
     for (size_t crack = 0; crack < scene->crack_count; crack++) {
         const size_t first = mpm_crack_first_point(state, crack);
-        const size_t count = state->cracks.chains[crack].count;
-        for (size_t k = 0; k < count && scene->cracks[crack].cohesive.law != NULL; k++)
+        if (scene->cracks[crack].cohesive.law == NULL)
+            continue;
+        for (size_t k = 0; k < state->cracks.chains[crack].count; k++)
             spread_point(state, crack, first, k);
     }
 }

@@ -11,23 +11,31 @@
 
 /* ------------------------------------------------------------------ contact */
 
-/* The two fields that have mass, the one above first; false if there are fewer, or three, as a bent
- * crack may ask for: such a node has no contact. */
-static bool find_pair(const struct mpm_state *state, const struct mpm_crack_node *node,
-                      enum mpm_crack_side pair[2])
+/* The fields that have mass, the one above first, and how many they are: one, two, or three, as a
+ * bent crack may ask for. Only a pair may be in contact. */
+static int find_massive(const struct mpm_state *state, const struct mpm_crack_node *node,
+                        enum mpm_crack_side massive[3])
 {
     static const enum mpm_crack_side order[3] = {MPM_CRACK_ABOVE, MPM_CRACK_SAME_SIDE,
                                                  MPM_CRACK_BELOW};
     int count = 0;
     for (int k = 0; k < 3; k++) {
         const int64_t field = node->field[order[k]];
-        if (field < 0 || state->grid.mass[field] == 0.0)
-            continue;
-        if (count == 2)
-            return false;
-        pair[count++] = order[k];
+        if (field >= 0 && state->grid.mass[field] != 0.0)
+            massive[count++] = order[k];
     }
-    return count == 2;
+    return count;
+}
+
+size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < state->cracks.node_count; k++) {
+        const struct mpm_crack_node *const node = &state->cracks.nodes[k];
+        enum mpm_crack_side massive[3];
+        count += node->crack == crack && find_massive(state, node, massive) > 2;
+    }
+    return count;
 }
 
 static bool unit_normal(const struct mpm_crack_node *node, double normal[2])
@@ -89,9 +97,9 @@ static void resolve(struct mpm_state *state,
 {
     for (size_t k = 0; k < state->cracks.node_count; k++) {
         const struct mpm_crack_node *const node = &state->cracks.nodes[k];
-        enum mpm_crack_side pair[2];
+        enum mpm_crack_side pair[3];
         double v[2][2], exchange[2];
-        if (node->crack == SIZE_MAX || !find_pair(state, node, pair))
+        if (node->crack == SIZE_MAX || find_massive(state, node, pair) != 2)
             continue;
         const int64_t field[2] = {node->field[pair[0]], node->field[pair[1]]};
         read(state, field[0], v[0]);
@@ -252,7 +260,8 @@ static enum mpm_status advance_point(const struct mpm_state *state, size_t crack
         const double high = low + (double)state->grid.cells[axis] * state->grid.cell[axis];
         const bool held = (cracks->held[k] >> axis & 1) != 0;
         const double moved = place[axis] + (held ? 0.0 : state->time_step * v[axis]);
-        if (!(moved >= low && moved <= high))
+        const double slack = MPM_CRACK_EDGE_SLACK * state->grid.cell[axis];
+        if (!(moved >= low - slack && moved <= high + slack))
             return mpm_error_set(error, MPM_RUN_FAILED,
                                  "a point of cracks.%zu left the grid from (%g, %g): %s coordinate "
                                  "%g; allowed: %g to %g",
@@ -287,7 +296,7 @@ enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *er
 {
     for (size_t crack = 0; crack < state->scene->crack_count; crack++) {
         const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
-        size_t k = (size_t)(chain->x - state->cracks.position[0]);
+        size_t k = mpm_crack_first_point(state, crack);
         const size_t end = k + chain->count;
         struct carriers carriers = {.any = false};
         for (; k < end; k++) {

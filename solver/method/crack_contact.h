@@ -20,6 +20,16 @@ void mpm_crack_contact_start(struct mpm_state *state);
 void mpm_crack_contact_end(struct mpm_state *state);
 void mpm_crack_contact_extrapolated(struct mpm_state *state);
 
+/* Nodes of the last step that this crack is the first at and that have three fields with mass, as a
+ * crack may ask for that bends within a node's reach: they have no contact. */
+size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack);
+
+/* Cracks that come this near to themselves or each other meet, in parts of the shorter cell side.
+ */
+#define MPM_CRACK_NEAR 1e-6
+/* Points of a crack so little outside of the grid, in parts of a cell, count as on its edge. */
+#define MPM_CRACK_EDGE_SLACK 1e-9
+
 /* Task 7: cracks move with the centre-of-mass velocity at the end of the step, (32), by the linear
  * functions of the nodes that have mass: at least a thousandth of the lightest particle's. Nodes
  * that a body hardly reaches have velocities without bounds, which particles take no part of, and

@@ -10,11 +10,19 @@
 
 /* ---------------------------------------------------------------- measuring */
 
-static bool asks_for_contact(const struct mpm_state *state)
+static bool is_asked(const struct mpm_scene *scene)
 {
-    for (size_t k = 0; k < state->scene->crack_count; k++)
-        if (state->scene->cracks[k].contact != MPM_CONTACT_NONE)
-            return state->scene->crack_method == MPM_CRACKS_FIELDS;
+    for (size_t k = 0; k < scene->crack_count; k++)
+        if (mpm_crack_has_contact(scene, k))
+            return true;
+    return false;
+}
+
+bool mpm_crack_detection_needs_surfaces(const struct mpm_scene *scene)
+{
+    for (size_t k = 0; k < scene->crack_count; k++)
+        if (mpm_crack_has_contact(scene, k) && scene->cracks[k].detection != MPM_DETECT_CELL)
+            return true;
     return false;
 }
 
@@ -79,19 +87,19 @@ static void measure(void *context, size_t p, const struct mpm_cell_block *block)
     const struct mpm_state *const state = context;
     const struct mpm_crack_kept *const kept = mpm_crack_kept_of(state, p);
     uint32_t code = kept == NULL ? 0 : kept->code;
-    struct mpm_stencil stencil;
+    struct mpm_stencil room;
     if (kept == NULL && !reaches_fields(state, block))
         return;
     const struct contribution made = contribution_of(state, p);
-    mpm_particle_stencil(state, p, &stencil);
-    for (int k = 0; k < stencil.count; k++, code >>= 2) {
-        const int64_t home = mpm_crack_home(state, state->node_zero + stencil.node[k].node);
+    const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+    for (int k = 0; k < stencil->count; k++, code >>= 2) {
+        const int64_t home = mpm_crack_home(state, state->node_zero + stencil->node[k].node);
         if (state->cracks.node_of[home] == 0)
             continue;
         struct mpm_crack_node *const node = &state->cracks.nodes[state->cracks.node_of[home] - 1];
         double place[2];
         mpm_grid_position(&state->grid, home, place);
-        add_sums(&made, &stencil.node[k], place, &node->sums[code & 3u]);
+        add_sums(&made, &stencil->node[k], place, &node->sums[code & 3u]);
         if ((code & 3u) != 0)
             add_crossing(state, &kept->crossing[k], node);
     }
@@ -108,7 +116,7 @@ static void measure_strip(void *context, int64_t index, int worker)
 
 void mpm_crack_detection_measure(struct mpm_state *state, int workers)
 {
-    if (state->cracks.node_count > 0 && asks_for_contact(state))
+    if (state->cracks.node_count > 0 && is_asked(state->scene))
         mpm_strips_run(state->strip_count, workers, measure_strip, state);
 }
 

@@ -23,6 +23,16 @@
 
 #include "method/state.h"
 
+/* May the surfaces of this crack come into contact? */
+static inline bool mpm_crack_has_contact(const struct mpm_scene *scene, size_t crack)
+{
+    return scene->crack_method == MPM_CRACKS_FIELDS &&
+           scene->cracks[crack].contact != MPM_CONTACT_NONE;
+}
+
+/* Is contact of any crack told by where its surfaces are? Particles carry that then. */
+bool mpm_crack_detection_needs_surfaces(const struct mpm_scene *scene);
+
 /* Task 1, second part: normals and sums of the nodes with several fields. Cost: the stencils of
  * the particles that reach such nodes. */
 void mpm_crack_detection_measure(struct mpm_state *state, int workers);

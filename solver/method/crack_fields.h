@@ -58,6 +58,12 @@ static inline const struct mpm_crack_kept *mpm_crack_kept_of(const struct mpm_st
 void mpm_crack_divert_edge(const struct mpm_state *state, size_t p,
                            struct mpm_edge_weights *weights);
 
+/* The place of a crack's first point among the points of all cracks. */
+static inline size_t mpm_crack_first_point(const struct mpm_state *state, size_t crack)
+{
+    return (size_t)(state->cracks.chains[crack].x - state->cracks.position[0]);
+}
+
 /* The node of the grid that a node is, or is a field of. */
 static inline int64_t mpm_crack_home(const struct mpm_state *state, int64_t node)
 {

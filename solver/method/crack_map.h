@@ -31,15 +31,19 @@ struct mpm_crack_site {
     struct mpm_crack_part part;
 };
 
+struct mpm_crack_chunk;
+
 struct mpm_crack_map {
     int64_t span;
     double slack;    /* see mpm_crack_part_of */
     uint32_t *first; /* per cell: one more than its first site, or 0 */
     struct mpm_crack_site *sites;
     size_t count, capacity;
-    struct mpm_crack_bands listed; /* of the cells that are */
-    struct mpm_crack_bands wanted; /* of the nodes that further fields are asked for at */
-    struct mpm_crack_bands beside; /* of those with corners that have further velocity fields */
+    struct mpm_crack_bands listed;  /* of the cells that are */
+    struct mpm_crack_bands wanted;  /* of the nodes that further fields are asked for at */
+    struct mpm_crack_bands beside;  /* of those with corners that have further velocity fields */
+    struct mpm_crack_chunk *chunks; /* of the step: some particles each, strip by strip */
+    bool *described;                /* per strip: are its chunks those of this step? */
 };
 
 /* Takes the arrays of a map with room for so many sites. */
@@ -51,7 +55,9 @@ void mpm_crack_map_fill(struct mpm_state *state);
  * room. */
 bool mpm_crack_map_draw(struct mpm_state *state);
 
+/* Marks one cell or node. */
 void mpm_crack_bands_mark(struct mpm_crack_bands *bands, int64_t column, int64_t row);
+
 /* Work for one particle; `block`: the cells that its nodes span, from the first one on, which is
  * left of and below all of them, by what may be round-off. */
 typedef void mpm_crack_visit(void *context, size_t p, const struct mpm_cell_block *block);

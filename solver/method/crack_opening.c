@@ -20,11 +20,6 @@ static const enum mpm_crack_side sides[2] = {MPM_CRACK_ABOVE, MPM_CRACK_BELOW};
 
 /* ----------------------------------------------------------------- geometry */
 
-size_t mpm_crack_first_point(const struct mpm_state *state, size_t crack)
-{
-    return (size_t)(state->cracks.chains[crack].x - state->cracks.position[0]);
-}
-
 void mpm_crack_point_normal(const struct mpm_crack_chain *chain, size_t k, double normal[2])
 {
     double along[2] = {0.0, 0.0};
@@ -175,8 +170,9 @@ void mpm_crack_openings_find(struct mpm_state *state)
         return;
     for (size_t crack = 0; crack < scene->crack_count; crack++) {
         const size_t first = mpm_crack_first_point(state, crack);
-        const size_t count = state->cracks.chains[crack].count;
-        for (size_t k = 0; k < count && mpm_crack_is_followed(&scene->cracks[crack]); k++)
+        if (!mpm_crack_is_followed(&scene->cracks[crack]))
+            continue;
+        for (size_t k = 0; k < state->cracks.chains[crack].count; k++)
             find_point(state, crack, first, k);
     }
 }
@@ -235,8 +231,9 @@ enum mpm_status mpm_crack_openings_advance(struct mpm_state *state, double part,
         return MPM_OK;
     for (size_t crack = 0; crack < scene->crack_count; crack++) {
         const size_t first = mpm_crack_first_point(state, crack);
-        const size_t count = state->cracks.chains[crack].count;
-        for (size_t k = 0; k < count && mpm_crack_is_followed(&scene->cracks[crack]); k++)
+        if (!mpm_crack_is_followed(&scene->cracks[crack]))
+            continue;
+        for (size_t k = 0; k < state->cracks.chains[crack].count; k++)
             MPM_TRY(advance_point(state, crack, first + k, part * state->time_step, error));
     }
     return MPM_OK;

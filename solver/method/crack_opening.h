@@ -56,7 +56,4 @@ struct mpm_crack_gap {
 struct mpm_crack_gap mpm_crack_gap_at(const struct mpm_state *state, size_t crack, size_t first,
                                       size_t point);
 
-/* The place of a crack's first point among the points of all cracks. */
-size_t mpm_crack_first_point(const struct mpm_state *state, size_t crack);
-
 #endif

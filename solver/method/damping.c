@@ -167,9 +167,9 @@ enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_erro
 
 static void grid_velocity(const struct mpm_state *state, size_t p, double v[2])
 {
-    struct mpm_stencil stencil, weights;
-    mpm_particle_stencil(state, p, &stencil);
-    const struct mpm_stencil *const read = mpm_particle_read_weights(state, &stencil, &weights);
+    struct mpm_stencil room, weights;
+    const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+    const struct mpm_stencil *const read = mpm_particle_read_weights(state, stencil, &weights);
     v[0] = v[1] = 0.0;
     for (int k = 0; k < read->count; k++) {
         const double *const start = state->grid.start[state->node_zero + read->node[k].node];

@@ -117,10 +117,10 @@ static void find_traction(const struct mpm_state *state, const struct mpm_shape_
 
 static void weigh_particle(const struct mpm_state *state, struct mpm_loaded_edge *edge)
 {
-    struct mpm_stencil stencil;
-    mpm_particle_stencil(state, edge->particle, &stencil);
+    struct mpm_stencil room;
+    const struct mpm_stencil *const stencil = mpm_particle_stencil(state, edge->particle, &room);
     edge->weights.count = 0;
-    mpm_edge_weights_add(&edge->weights, &stencil, edge->site->area);
+    mpm_edge_weights_add(&edge->weights, stencil, edge->site->area);
 }
 
 static void prepare_strip(void *context, int64_t index, int worker)
@@ -173,9 +173,9 @@ static double take_massless(const struct mpm_state *state, struct mpm_edge_weigh
 
 static void give_by_shape(const struct mpm_state *state, struct mpm_loaded_edge *edge, double area)
 {
-    struct mpm_stencil stencil;
-    mpm_particle_stencil(state, edge->particle, &stencil);
-    mpm_edge_weights_add(&edge->weights, &stencil, area);
+    struct mpm_stencil room;
+    const struct mpm_stencil *const stencil = mpm_particle_stencil(state, edge->particle, &room);
+    mpm_edge_weights_add(&edge->weights, stencil, area);
 }
 
 static void spread_strip(void *context, int64_t index, int worker)

@@ -10,6 +10,10 @@
 
 /* Particles so many cells from the contour give something to the nodes in its margin. */
 enum { PARTICLE_MARGIN = MPM_J_MARGIN + 2 };
+/* The margins are for particles that reach nodes up to two cells away: domains whose edges are no
+ * farther than one from their particle, in cells. */
+static const double LONGEST_REACH = 1.0;
+static const char *const axis_names[] = {"first", "second"};
 
 size_t mpm_j_nodes(const struct mpm_j_integral_spec *spec)
 {
@@ -30,7 +34,6 @@ void mpm_j_tip_place(const struct mpm_state *state, const struct mpm_j_integral_
 
 static enum mpm_status place_contour(struct mpm_j_contour *contour, struct mpm_error *error)
 {
-    static const char *const names[] = {"first", "second"};
     const struct mpm_state *const state = contour->state;
     const struct mpm_grid *const grid = &state->grid;
     const int64_t cells = contour->spec->contour;
@@ -41,12 +44,18 @@ static enum mpm_status place_contour(struct mpm_j_contour *contour, struct mpm_e
         const int64_t nearest = mpm_floor(from + 0.5);
         const bool radius = axis == 0 && state->scene->geometry == MPM_AXISYMMETRIC;
         const double lowest = grid->origin[axis] + (double)(nearest - cells) * grid->cell[axis];
-        if (nearest - cells < 0 || nearest + cells > grid->cells[axis] ||
-            (radius && lowest < -1e-9 * grid->cell[axis]))
+        if (radius && lowest < 1e-9 * grid->cell[axis])
+            return mpm_error_set(error, MPM_RUN_FAILED,
+                                 "%s: the contour of %lld cells around the tip (%g, %g) reaches "
+                                 "the axis r = 0, which has particles on one side alone; allowed: "
+                                 "r > 0",
+                                 contour->spec->key, (long long)cells, tip[0], tip[1]);
+        if (nearest - cells < 0 || nearest + cells > grid->cells[axis])
             return mpm_error_set(error, MPM_RUN_FAILED,
                                  "%s: the contour of %lld cells around the tip (%g, %g) leaves the "
                                  "grid along its %s axis; allowed: inside",
-                                 contour->spec->key, (long long)cells, tip[0], tip[1], names[axis]);
+                                 contour->spec->key, (long long)cells, tip[0], tip[1],
+                                 axis_names[axis]);
         contour->low[axis] = nearest - cells + MPM_GHOST_ROWS;
         contour->high[axis] = nearest + cells + MPM_GHOST_ROWS;
     }
@@ -68,7 +77,48 @@ static struct mpm_crack_box box_around(const struct mpm_j_contour *contour, int6
     return box;
 }
 
+/* Any point of it inside; one that only crosses the contour is found there. */
+static enum mpm_status check_alone(const struct mpm_j_contour *contour, struct mpm_error *error)
+{
+    const struct mpm_state *const state = contour->state;
+    const struct mpm_crack_box box = box_around(contour, 0);
+    for (size_t k = 0; k < state->scene->crack_count; k++) {
+        const struct mpm_crack_chain *const chain = &state->cracks.chains[k];
+        for (size_t i = 0; i < chain->count && k != contour->spec->crack; i++)
+            if (chain->x[i] >= box.low[0] && chain->x[i] <= box.high[0] &&
+                chain->y[i] >= box.low[1] && chain->y[i] <= box.high[1])
+                return mpm_error_set(error, MPM_RUN_FAILED,
+                                     "%s: cracks.%zu lies inside the contour, near (%g, %g), and "
+                                     "J would be that of both; allowed: its own crack alone",
+                                     contour->spec->key, k, chain->x[i], chain->y[i]);
+    }
+    return MPM_OK;
+}
+
 /* ---------------------------------------------------------------- particles */
+
+static enum mpm_status check_reach(const struct mpm_j_contour *contour, struct mpm_error *error)
+{
+    const struct mpm_state *const state = contour->state;
+    const struct mpm_crack_box box = box_around(contour, PARTICLE_MARGIN);
+    for (size_t p = 0; state->family->convected && p < state->particles.count; p++) {
+        const struct mpm_placement at = mpm_particle_placement(state, p);
+        bool near = true;
+        for (int axis = 0; axis < 2; axis++)
+            near = near && at.position[axis] + at.reach[axis] > box.low[axis] &&
+                   at.position[axis] - at.reach[axis] < box.high[axis];
+        for (int axis = 0; axis < 2 && near; axis++)
+            if (!(at.reach[axis] * state->grid.inverse_cell[axis] <= LONGEST_REACH))
+                return mpm_error_set(
+                    error, MPM_RUN_FAILED,
+                    "%s: the domain of the particle at (%g, %g), near the contour, reaches %g "
+                    "cells along the %s axis; allowed: up to %g",
+                    contour->spec->key, at.position[0], at.position[1],
+                    at.reach[axis] * state->grid.inverse_cell[axis], axis_names[axis],
+                    LONGEST_REACH);
+    }
+    return MPM_OK;
+}
 
 /* What a particle carries, per undeformed area. */
 struct carried {
@@ -376,10 +426,12 @@ enum mpm_status mpm_j_evaluate(const struct mpm_state *state,
         if (!mpm_crack_part_near(&state->cracks.chains[k], &box, state->cracks.map->slack,
                                  &contour.parts[k]))
             contour.parts[k] = (struct mpm_crack_part){.first = 0, .end = 0};
+    MPM_TRY(check_reach(&contour, error));
     memset(contour.nodes, 0, mpm_j_nodes(spec) * sizeof *contour.nodes);
     MPM_TRY(gather(&contour, &search, error));
     mpm_j_contour_find_common(&contour);
     MPM_TRY(mpm_j_contour_integrate(&contour, &flux, error));
+    MPM_TRY(check_alone(&contour, error));
     integrate_area(&contour, flux.j);
     const double *const d = tip->direction;
     value->j[0] = d[0] * flux.j[0] + d[1] * flux.j[1];

@@ -85,11 +85,11 @@ struct mpm_j_value {
 void mpm_j_tip_place(const struct mpm_state *state, const struct mpm_j_integral_spec *spec,
                      double place[2]);
 
-/* MPM_RUN_FAILED, with the reason: the contour leaves the grid, or the bodies; there is more than
- * one material in it; it meets another crack, or its own other than once. Cost: a look at each
- * particle; a stencil of each particle within the contour or six cells of it, and another one where
- * there is an area term. Particles reach nodes up to four cells away (CPDI: domains shorter than
- * that). */
+/* MPM_RUN_FAILED, with the reason: the contour leaves the grid or the bodies, or reaches the axis;
+ * there is more than one material in it; it meets or surrounds another crack, or meets its own
+ * other than once; a particle of CPDI near it is longer than a cell to one side. Cost: a look at
+ * each particle (CPDI: its corners); a stencil of each particle within the contour or six cells of
+ * it, and another one where there is an area term. */
 enum mpm_status mpm_j_evaluate(const struct mpm_state *state,
                                const struct mpm_j_integral_spec *spec, const struct mpm_j_tip *tip,
                                const struct mpm_j_scratch *scratch, struct mpm_j_value *value,

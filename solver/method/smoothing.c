@@ -70,17 +70,18 @@ void mpm_pass_smooth(void *context, int64_t index, int worker)
     const struct mpm_strip *const strip = &state->strips[index];
     (void)worker;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil;
+        struct mpm_stencil room;
         double momentum[2] = {0.0, 0.0};
-        mpm_particle_stencil(state, p, &stencil);
-        for (int k = 0; k < stencil.count; k++) {
-            const int64_t node = state->node_zero + stencil.node[k].node;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        for (int k = 0; k < stencil->count; k++) {
+            const int64_t node = state->node_zero + stencil->node[k].node;
             for (int axis = 0; axis < 2; axis++)
-                momentum[axis] += stencil.node[k].s * state->grid.smoothed[node].acceleration[axis];
+                momentum[axis] +=
+                    stencil->node[k].s * state->grid.smoothed[node].acceleration[axis];
         }
         for (int axis = 0; axis < 2; axis++)
             momentum[axis] *= state->particles.mass[p];
-        mpm_particle_add_extrapolated(state, &stencil, momentum);
+        mpm_particle_add_extrapolated(state, stencil, momentum);
     }
 }
 

@@ -3,7 +3,6 @@
 #include "method/particle_updates.h"
 
 #include <float.h>
-#include <string.h>
 
 /* ------------------------------------------------------------ the particle */
 
@@ -62,16 +61,15 @@ void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
     state->family->evaluate(&state->shape_grid, &domain, stencil);
 }
 
-void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, size_t p,
+                                               struct mpm_stencil *room)
 {
     const struct mpm_crack_kept *const kept =
         state->cracks.kept_of == NULL ? NULL : mpm_crack_kept_of(state, p);
-    if (kept == NULL) {
-        mpm_particle_plain_stencil(state, p, stencil);
-        return;
-    }
-    stencil->count = kept->stencil.count;
-    memcpy(stencil->node, kept->stencil.node, (size_t)kept->stencil.count * sizeof *stencil->node);
+    if (kept != NULL)
+        return &kept->stencil;
+    mpm_particle_plain_stencil(state, p, room);
+    return room;
 }
 
 MPM_INLINE const struct mpm_stencil *read_back_weights(const struct mpm_state *state,
@@ -139,9 +137,9 @@ void mpm_pass_momentum(void *context, int64_t strip, int worker)
     struct mpm_state *const state = context;
     (void)worker;
     for (size_t p = state->strips[strip].begin; p < state->strips[strip].end; p++) {
-        struct mpm_stencil stencil;
-        mpm_particle_stencil(state, p, &stencil);
-        add_momentum(state, p, &stencil);
+        struct mpm_stencil room;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        add_momentum(state, p, stencil);
     }
 }
 
@@ -150,10 +148,10 @@ void mpm_pass_momentum_and_force(void *context, int64_t strip, int worker)
     struct mpm_state *const state = context;
     (void)worker;
     for (size_t p = state->strips[strip].begin; p < state->strips[strip].end; p++) {
-        struct mpm_stencil stencil;
-        mpm_particle_stencil(state, p, &stencil);
-        add_momentum(state, p, &stencil);
-        mpm_particle_add_internal_force(state, p, &stencil);
+        struct mpm_stencil room;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        add_momentum(state, p, stencil);
+        mpm_particle_add_internal_force(state, p, stencil);
     }
 }
 
@@ -179,15 +177,15 @@ void mpm_pass_body_force(void *context, int64_t index, int worker)
     struct mpm_state *const state = context;
     struct mpm_strip *const strip = &state->strips[index];
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil;
+        struct mpm_stencil room;
         double b[2];
         if (!mpm_particle_body_force(state, p, worker, strip, b))
             continue;
-        mpm_particle_stencil(state, p, &stencil);
-        for (int k = 0; k < stencil.count; k++) {
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        for (int k = 0; k < stencil->count; k++) {
             struct mpm_node_sum *const sum =
-                state->grid.sum[state->node_zero + stencil.node[k].node];
-            const double weight = state->particles.mass[p] * stencil.node[k].s;
+                state->grid.sum[state->node_zero + stencil->node[k].node];
+            const double weight = state->particles.mass[p] * stencil->node[k].s;
             sum[0].force += weight * b[0];
             sum[1].force += weight * b[1];
         }
@@ -200,16 +198,16 @@ void mpm_pass_body_work(void *context, int64_t index, int worker)
     struct mpm_strip *const strip = &state->strips[index];
     strip->external_work = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil;
+        struct mpm_stencil room;
         double b[2], power = 0.0;
         if (!mpm_particle_body_force(state, p, worker, strip, b))
             continue;
-        mpm_particle_stencil(state, p, &stencil);
-        for (int k = 0; k < stencil.count; k++) {
-            const int64_t node = state->node_zero + stencil.node[k].node;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        for (int k = 0; k < stencil->count; k++) {
+            const int64_t node = state->node_zero + stencil->node[k].node;
             const double *const start = state->grid.start[node];
             const double *const end = state->grid.motion[node].end;
-            power += stencil.node[k].s * (b[0] * (start[0] + end[0]) + b[1] * (start[1] + end[1]));
+            power += stencil->node[k].s * (b[0] * (start[0] + end[0]) + b[1] * (start[1] + end[1]));
         }
         strip->external_work += 0.5 * state->time_step * state->particles.mass[p] * power;
     }
@@ -222,11 +220,11 @@ MPM_INLINE void flip_fraction(struct mpm_state *state, int64_t index, bool by_mo
     const struct mpm_strip *const strip = &state->strips[index];
     const double part = 1.0 - state->scene->flip_fraction;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil, weights;
+        struct mpm_stencil room, weights;
         double grid[2] = {0.0, 0.0};
-        mpm_particle_stencil(state, p, &stencil);
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
         const struct mpm_stencil *const read =
-            read_back_weights(state, &stencil, by_momentum, &weights);
+            read_back_weights(state, stencil, by_momentum, &weights);
         for (int k = 0; k < read->count; k++) {
             const double *const start = state->grid.start[state->node_zero + read->node[k].node];
             grid[0] += read->node[k].s * start[0];
@@ -259,10 +257,10 @@ MPM_INLINE void velocity(struct mpm_state *state, int64_t index, bool by_momentu
     struct mpm_strip *const strip = &state->strips[index];
     strip->kinetic_energy = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil, weights;
-        mpm_particle_stencil(state, p, &stencil);
+        struct mpm_stencil room, weights;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
         const struct mpm_stencil *const read =
-            read_back_weights(state, &stencil, by_momentum, &weights);
+            read_back_weights(state, stencil, by_momentum, &weights);
         mpm_particle_update_velocity(state, p, read, strip);
     }
 }
@@ -274,14 +272,14 @@ MPM_INLINE void velocity_and_momentum(struct mpm_state *state, int64_t index, bo
     struct mpm_strip *const strip = &state->strips[index];
     strip->kinetic_energy = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil, weights;
-        mpm_particle_stencil(state, p, &stencil);
+        struct mpm_stencil room, weights;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
         const struct mpm_stencil *const read =
-            read_back_weights(state, &stencil, by_momentum, &weights);
+            read_back_weights(state, stencil, by_momentum, &weights);
         mpm_particle_update_velocity(state, p, read, strip);
         const double px = state->particles.mass[p] * state->particles.velocity[0][p];
         const double py = state->particles.mass[p] * state->particles.velocity[1][p];
-        mpm_particle_add_extrapolated(state, &stencil, (const double[2]){px, py});
+        mpm_particle_add_extrapolated(state, stencil, (const double[2]){px, py});
     }
 }
 
@@ -349,12 +347,12 @@ MPM_INLINE void stress_and_force(struct mpm_state *state, int64_t index, bool by
     struct mpm_strip *const strip = &state->strips[index];
     strip->wave_speed_squared = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil, weights;
-        mpm_particle_stencil(state, p, &stencil);
+        struct mpm_stencil room, weights;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
         const struct mpm_stencil *const read =
-            read_back_weights(state, &stencil, by_momentum, &weights);
+            read_back_weights(state, stencil, by_momentum, &weights);
         update_stress(state, p, read, state->order->before, strip);
-        mpm_particle_add_internal_force(state, p, &stencil);
+        mpm_particle_add_internal_force(state, p, stencil);
     }
 }
 
@@ -415,10 +413,10 @@ MPM_INLINE void position(struct mpm_state *state, int64_t index, bool by_momentu
     struct mpm_strip *const strip = &state->strips[index];
     struct mpm_extent extent = MPM_NO_EXTENT;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil, weights;
-        mpm_particle_stencil(state, p, &stencil);
+        struct mpm_stencil room, weights;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
         const struct mpm_stencil *const read =
-            read_back_weights(state, &stencil, by_momentum, &weights);
+            read_back_weights(state, stencil, by_momentum, &weights);
         update_position(state, p, read, strip, &extent);
     }
     if (strip->failure.kind == MPM_NO_FAILURE)
@@ -433,10 +431,10 @@ MPM_INLINE void stress_and_position(struct mpm_state *state, int64_t index, bool
     struct mpm_extent extent = MPM_NO_EXTENT;
     strip->wave_speed_squared = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil stencil, weights;
-        mpm_particle_stencil(state, p, &stencil);
+        struct mpm_stencil room, weights;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
         const struct mpm_stencil *const read =
-            read_back_weights(state, &stencil, by_momentum, &weights);
+            read_back_weights(state, stencil, by_momentum, &weights);
         update_stress(state, p, read, state->order->after, strip);
         update_position(state, p, read, strip, &extent);
     }

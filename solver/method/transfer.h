@@ -8,9 +8,10 @@
 
 #include "method/extent.h"
 
-/* S, G and T of the nodes that a particle reaches; within a step: of particles near cracks they are
- * those of the place at its start. */
-void mpm_particle_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil);
+/* S, G and T of the nodes that a particle reaches, in `room`, or where a step keeps them: of
+ * particles near cracks they are those of the place at its start. */
+const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, size_t p,
+                                               struct mpm_stencil *room);
 
 /* The same of the grid's nodes alone, whatever hides them. */
 void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model/cohesive.h"
 
+#include <stddef.h>
+
 const struct mpm_cohesive_law *mpm_cohesive_law(enum mpm_cohesive_kind kind)
 {
 #define LIST_COHESIVE(kind, name) [kind] = &mpm_cohesive_##name,
@@ -9,10 +11,17 @@ const struct mpm_cohesive_law *mpm_cohesive_law(enum mpm_cohesive_kind kind)
     return laws[kind];
 }
 
+static double work_to_onset(const struct mpm_cohesive *cohesive)
+{
+    return 0.5 * cohesive->strength * cohesive->onset;
+}
+
 bool mpm_cohesive_settle(struct mpm_cohesive *cohesive, double *least)
 {
     cohesive->onset = cohesive->strength / cohesive->stiffness;
-    *least = cohesive->law->least_toughness(cohesive);
+    *least = work_to_onset(cohesive);
+    if (cohesive->law->work_to_knee != NULL)
+        *least += cohesive->law->work_to_knee(cohesive);
     cohesive->length = cohesive->law->length(cohesive);
     return cohesive->toughness > *least;
 }
@@ -27,7 +36,7 @@ double mpm_cohesive_work(const struct mpm_cohesive *cohesive, double opening)
 {
     if (opening <= cohesive->onset)
         return 0.5 * cohesive->stiffness * opening * opening;
-    return 0.5 * cohesive->strength * cohesive->onset + cohesive->law->work(cohesive, opening);
+    return work_to_onset(cohesive) + cohesive->law->work(cohesive, opening);
 }
 
 double mpm_cohesive_secant(const struct mpm_cohesive *cohesive, double largest)

@@ -34,10 +34,9 @@ struct mpm_cohesive {
 
 struct mpm_cohesive_law {
     const char *name;
-    bool has_knee;
-    /* The work per area that the constants ask for up to the part of T whose length follows from
-     * the toughness, and that length. Both with onset set. */
-    double (*least_toughness)(const struct mpm_cohesive *cohesive);
+    /* The work per area from onset to the knee, from where on the length of T follows from the
+     * toughness; NULL: it has no knee, and does so from onset on. With onset set. */
+    double (*work_to_knee)(const struct mpm_cohesive *cohesive);
     double (*length)(const struct mpm_cohesive *cohesive);
     /* T at an opening beyond onset, and its integral from onset to there. */
     double (*traction)(const struct mpm_cohesive *cohesive, double opening);

@@ -6,11 +6,6 @@
 #include "base/exponential.h"
 #include "model/cohesive.h"
 
-static double least_toughness(const struct mpm_cohesive *cohesive)
-{
-    return 0.5 * cohesive->strength * cohesive->onset;
-}
-
 static double length(const struct mpm_cohesive *cohesive)
 {
     return cohesive->toughness / cohesive->strength - 0.5 * cohesive->onset;
@@ -28,7 +23,6 @@ static double work(const struct mpm_cohesive *cohesive, double opening)
 
 const struct mpm_cohesive_law mpm_cohesive_exponential = {
     .name = "exponential",
-    .least_toughness = least_toughness,
     .length = length,
     .traction = traction,
     .work = work,

@@ -4,11 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model/cohesive.h"
 
-static double least_toughness(const struct mpm_cohesive *cohesive)
-{
-    return 0.5 * cohesive->strength * cohesive->onset;
-}
-
 static double length(const struct mpm_cohesive *cohesive)
 {
     return 2.0 * cohesive->toughness / cohesive->strength;
@@ -29,7 +24,6 @@ static double work(const struct mpm_cohesive *cohesive, double opening)
 
 const struct mpm_cohesive_law mpm_cohesive_linear = {
     .name = "linear",
-    .least_toughness = least_toughness,
     .length = length,
     .traction = traction,
     .work = work,

@@ -12,15 +12,10 @@ static double work_to_knee(const struct mpm_cohesive *cohesive)
            (cohesive->knee_opening - cohesive->onset);
 }
 
-static double least_toughness(const struct mpm_cohesive *cohesive)
-{
-    return 0.5 * cohesive->strength * cohesive->onset + work_to_knee(cohesive);
-}
-
 static double length(const struct mpm_cohesive *cohesive)
 {
-    return cohesive->knee_opening +
-           2.0 * (cohesive->toughness - least_toughness(cohesive)) / cohesive->knee_traction;
+    const double least = 0.5 * cohesive->strength * cohesive->onset + work_to_knee(cohesive);
+    return cohesive->knee_opening + 2.0 * (cohesive->toughness - least) / cohesive->knee_traction;
 }
 
 static double traction(const struct mpm_cohesive *cohesive, double opening)
@@ -47,8 +42,7 @@ static double work(const struct mpm_cohesive *cohesive, double opening)
 
 const struct mpm_cohesive_law mpm_cohesive_trilinear = {
     .name = "trilinear",
-    .has_knee = true,
-    .least_toughness = least_toughness,
+    .work_to_knee = work_to_knee,
     .length = length,
     .traction = traction,
     .work = work,

@@ -7,7 +7,10 @@ void mpm_particles_layout(struct mpm_particles *particles, size_t count,
                           struct mpm_particle_extras extras, struct mpm_arena *arena)
 {
     *particles = (struct mpm_particles){
-        .count = count, .kept = extras.affine ? MPM_KEPT_ARRAYS : MPM_KEPT_ARRAYS - 4};
+        .count = count,
+        .kept = 4U + MPM_GRADIENT_SIZE + (extras.affine ? 4U : 0U) +
+                (extras.stress ? MPM_SYMMETRIC_SIZE : 0U),
+    };
     for (int axis = 0; axis < 2; axis++) {
         particles->position[axis] = MPM_TAKE(arena, double, count);
         particles->velocity[axis] = MPM_TAKE(arena, double, count);

@@ -39,9 +39,9 @@ struct mpm_rigid_particles {
     uint32_t *body;
 };
 
-/* Arrays that only some methods need. */
+/* Arrays that only some methods need; `stress`: is it from more than one set of kernels? */
 struct mpm_particle_extras {
-    bool domains, affine, surfaces;
+    bool domains, affine, surfaces, stress;
 };
 
 void mpm_particles_layout(struct mpm_particles *particles, size_t count,
@@ -52,9 +52,10 @@ void mpm_rigid_particles_layout(struct mpm_rigid_particles *particles, size_t co
 /* Every array of doubles that a particle carries, for passes that treat all alike.
  * Returns the number of arrays (at most MPM_PARTICLE_ARRAYS). */
 enum { MPM_PARTICLE_ARRAYS = 24 };
-/* The first ones of them, position, velocity, deformation and the affine part, if any: all
- * else of a particle that changes can be recomputed. particles->kept of them, at most so many. */
-enum { MPM_KEPT_ARRAYS = 8 + MPM_GRADIENT_SIZE };
+/* The first ones of them, position, velocity, deformation, the affine part if any, and stress if it
+ * comes from several sets of kernels, whose bits differ: all else of a particle that changes can be
+ * recomputed. particles->kept of them, at most so many. */
+enum { MPM_KEPT_ARRAYS = 8 + MPM_GRADIENT_SIZE + MPM_SYMMETRIC_SIZE };
 size_t mpm_particles_arrays(const struct mpm_particles *particles,
                             double *arrays[MPM_PARTICLE_ARRAYS]);
 

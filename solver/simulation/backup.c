@@ -70,14 +70,20 @@ void mpm_backup_save(struct mpm_simulation *simulation)
     backup->step = simulation->step;
 }
 
+static void copy_particles_back(struct mpm_simulation *simulation)
+{
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    double *arrays[MPM_PARTICLE_ARRAYS];
+    (void)mpm_particles_arrays(particles, arrays);
+    for (size_t k = 0; k < particles->kept; k++)
+        memcpy(arrays[k], simulation->backup.arrays[k], particles->count * sizeof(double));
+}
+
 static void copy_back(struct mpm_simulation *simulation)
 {
     struct mpm_state *const state = &simulation->state;
     const struct mpm_backup *const backup = &simulation->backup;
-    double *arrays[MPM_PARTICLE_ARRAYS];
-    (void)mpm_particles_arrays(&state->particles, arrays);
-    for (size_t k = 0; k < state->particles.kept; k++)
-        memcpy(arrays[k], backup->arrays[k], state->particles.count * sizeof(double));
+    copy_particles_back(simulation);
     for (int axis = 0; axis < 2; axis++) {
         const size_t bytes = state->rigid.count * sizeof(double);
         memcpy(state->rigid.position[axis], backup->rigid_position[axis], bytes);
@@ -106,6 +112,7 @@ void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step)
     for (int64_t s = 0; s < state->strip_count; s++)
         state->strips[s].failure = (struct mpm_failure){0};
     mpm_step_recompute(state);
+    copy_particles_back(simulation); /* stress, where it is kept: not from F by the one kernel */
     for (; simulation->step < step; simulation->step++) {
         const uint64_t k = simulation->step - backup->step;
         state->time_step = backup->time_steps[k];

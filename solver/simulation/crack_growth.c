@@ -7,6 +7,9 @@
  * again.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/segment.h"
+#include "method/crack_contact.h"
+#include "method/crack_fields.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -64,11 +67,12 @@ static void tip_direction(const struct mpm_crack_chain *chain, bool at_start, do
     direction[1] = y / length;
 }
 
-static void add_point(struct mpm_cracks *cracks, const struct mpm_j_integral_spec *spec,
+static void add_point(struct mpm_state *state, const struct mpm_j_integral_spec *spec,
                       const double place[2])
 {
+    struct mpm_cracks *const cracks = &state->cracks;
     struct mpm_crack_chain *const chain = &cracks->chains[spec->crack];
-    const size_t first = (size_t)(chain->x - cracks->position[0]) - (spec->at_start ? 1 : 0);
+    const size_t first = mpm_crack_first_point(state, spec->crack) - (spec->at_start ? 1 : 0);
     const size_t added = spec->at_start ? first : first + chain->count;
     for (int axis = 0; axis < 2; axis++)
         cracks->position[axis][added] = place[axis];
@@ -101,6 +105,32 @@ static void move_tips(struct mpm_simulation *simulation, size_t index, double ta
         }
 }
 
+/* The segment that the tip has now shares a point with the new one, and neither direction turns by
+ * a right angle. */
+static enum mpm_status check_way(const struct mpm_state *state,
+                                 const struct mpm_j_integral_spec *spec,
+                                 const struct mpm_segment *added, struct mpm_error *error)
+{
+    const double near = MPM_CRACK_NEAR * fmin(state->grid.cell[0], state->grid.cell[1]);
+    for (size_t crack = 0; crack < state->scene->crack_count; crack++) {
+        const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
+        const size_t own = spec->at_start ? 0 : chain->count - 2;
+        for (size_t k = 0; k + 1 < chain->count; k++) {
+            const struct mpm_segment there = {{chain->x[k], chain->y[k]},
+                                              {chain->x[k + 1], chain->y[k + 1]}};
+            if ((crack == spec->crack && k == own) || !mpm_segments_meet(added, &there, near))
+                continue;
+            return mpm_error_set(error, MPM_RUN_FAILED,
+                                 "%s: the tip at (%g, %g) would grow to (%g, %g), and meet "
+                                 "cracks.%zu there; allowed: cracks that meet neither themselves "
+                                 "nor each other",
+                                 spec->key, added->a[0], added->a[1], added->b[0], added->b[1],
+                                 crack);
+        }
+    }
+    return MPM_OK;
+}
+
 static enum mpm_status grow(struct mpm_simulation *simulation, size_t index,
                             const struct mpm_j_value *value, struct mpm_error *error)
 {
@@ -110,20 +140,22 @@ static enum mpm_status grow(struct mpm_simulation *simulation, size_t index,
     const struct mpm_crack_chain *const chain = &state->cracks.chains[spec->crack];
     const double increment = increment_of(scene, &spec->growth);
     const double tangent = half_angle(&spec->growth, value->stress_intensity);
-    double place[2], direction[2];
-    mpm_j_tip_place(state, spec, place);
+    struct mpm_segment added;
+    double direction[2];
+    mpm_j_tip_place(state, spec, added.a);
     if (rint(simulation->tips[index].grown / increment) + 1.0 >
         (double)increments_of(scene, &spec->growth))
         return mpm_error_set(error, MPM_RUN_FAILED,
                              "%s: the tip at (%g, %g) has grown by %g and would grow further; "
                              "allowed: up to propagation.longest, %g",
-                             spec->key, place[0], place[1], simulation->tips[index].grown,
+                             spec->key, added.a[0], added.a[1], simulation->tips[index].grown,
                              spec->growth.longest);
     tip_direction(chain, spec->at_start, direction);
     turn(tangent, direction);
     for (int axis = 0; axis < 2; axis++)
-        place[axis] += increment * direction[axis];
-    add_point(&state->cracks, spec, place);
+        added.b[axis] = added.a[axis] + increment * direction[axis];
+    MPM_TRY(check_way(state, spec, &added, error));
+    add_point(state, spec, added.b);
     move_tips(simulation, index, tangent);
     return MPM_OK;
 }
@@ -164,7 +196,7 @@ void mpm_growth_save(struct mpm_simulation *simulation)
         simulation->backup.tips[k] = simulation->tips[k];
     for (size_t k = 0; scene->j_integral_count > 0 && k < scene->crack_count; k++)
         simulation->backup.extents[k] = (struct mpm_chain_extent){
-            (size_t)(cracks->chains[k].x - cracks->position[0]), cracks->chains[k].count};
+            mpm_crack_first_point(&simulation->state, k), cracks->chains[k].count};
 }
 
 void mpm_growth_restore(struct mpm_simulation *simulation)

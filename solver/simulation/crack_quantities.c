@@ -2,6 +2,9 @@
  * for it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/crack_contact.h"
+#include "method/crack_detection.h"
+#include "method/crack_fields.h"
 #include "method/crack_opening.h"
 #include "simulation/simulation.h"
 
@@ -86,6 +89,13 @@ static double opening_mean(const struct mpm_simulation *simulation, size_t crack
     return area > 0.0 ? sum / area : 0.0;
 }
 
+/* ------------------------------------------------------------------ contact */
+
+static double nodes_without_contact(const struct mpm_simulation *simulation, size_t crack)
+{
+    return (double)mpm_crack_contact_crowded(&simulation->state, crack);
+}
+
 /* -------------------------------------------------------------------- table */
 
 static const struct quantity {
@@ -104,6 +114,9 @@ static const struct quantity {
      is_followed, sliding_largest},
     {"opening_mean", 1, 0, 0, "mean of the normal opening over its cohesive area", is_cohesive,
      opening_mean},
+    {"nodes_without_contact", 0, 0, 0,
+     "nodes with three velocity fields in the last step, which contact leaves alone",
+     mpm_crack_has_contact, nodes_without_contact},
 };
 enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
 

@@ -1,6 +1,7 @@
 /* Cracks and planes of symmetry: settled when the simulation is created.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/segment.h"
 #include "method/crack_fields.h"
 #include "method/crack_map.h"
 #include "simulation/simulation.h"
@@ -120,40 +121,33 @@ struct mpm_crack_point mpm_simulation_crack_point(const struct mpm_simulation *s
 
 /* ---------------------------------------------------------------- surfaces */
 
-bool mpm_cracks_need_surfaces(const struct mpm_scene *scene)
+/* To the nearest point of the cracks. */
+static void find_way(const struct mpm_scene *scene, const double place[2], double way[2])
 {
+    double least = HUGE_VAL;
     for (size_t k = 0; k < scene->crack_count; k++)
-        if (scene->cracks[k].contact != MPM_CONTACT_NONE &&
-            scene->cracks[k].detection != MPM_DETECT_CELL)
-            return scene->crack_method == MPM_CRACKS_FIELDS;
-    return false;
-}
-
-/* Takes the way to the segment from a to b if that is shorter. */
-static void shorten(const double place[2], const double a[2], const double b[2], double way[2])
-{
-    const double along[2] = {b[0] - a[0], b[1] - a[1]}, to[2] = {a[0] - place[0], a[1] - place[1]};
-    const double part =
-        -(to[0] * along[0] + to[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
-    const double bounded = fmin(fmax(part, 0.0), 1.0);
-    const double other[2] = {to[0] + bounded * along[0], to[1] + bounded * along[1]};
-    if (other[0] * other[0] + other[1] * other[1] >= way[0] * way[0] + way[1] * way[1])
-        return;
-    way[0] = other[0];
-    way[1] = other[1];
+        for (size_t i = 0; i + 1 < scene->cracks[k].point_count; i++) {
+            const double *const a = scene->cracks[k].points[i];
+            const double *const b = scene->cracks[k].points[i + 1];
+            const struct mpm_segment segment = {{a[0], a[1]}, {b[0], b[1]}};
+            double other[2];
+            mpm_segment_find_way(&segment, place, other);
+            const double square = other[0] * other[0] + other[1] * other[1];
+            if (square >= least)
+                continue;
+            least = square;
+            way[0] = other[0];
+            way[1] = other[1];
+        }
 }
 
 static void place_surfaces(struct mpm_state *state)
 {
     struct mpm_particles *const particles = &state->particles;
     for (size_t p = 0; particles->surface[0] != NULL && p < particles->count; p++) {
-        const double place[2] = {particles->position[0][p], particles->position[1][p]};
-        double way[2] = {HUGE_VAL, 0.0};
-        for (size_t k = 0; k < state->scene->crack_count; k++) {
-            const struct mpm_crack_spec *const spec = &state->scene->cracks[k];
-            for (size_t i = 0; i + 1 < spec->point_count; i++)
-                shorten(place, spec->points[i], spec->points[i + 1], way);
-        }
+        double way[2] = {0.0, 0.0};
+        find_way(state->scene,
+                 (const double[2]){particles->position[0][p], particles->position[1][p]}, way);
         particles->surface[0][p] = way[0];
         particles->surface[1][p] = way[1];
     }
@@ -229,7 +223,7 @@ static enum mpm_status hold_points(const struct mpm_simulation *simulation,
     const double slack = 1e-6 * state->grid.cell[plane->axis];
     for (size_t crack = 0; crack < scene->crack_count; crack++) {
         const size_t count = state->cracks.chains[crack].count;
-        size_t k = (size_t)(state->cracks.chains[crack].x - state->cracks.position[0]);
+        size_t k = mpm_crack_first_point(state, crack);
         size_t held = 0, inside = 0;
         for (size_t i = 0; i < count; i++, k++) {
             const double depth =

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/strips.h"
+#include "method/crack_detection.h"
 #include "method/transfer.h"
 #include "model/fill.h"
 #include "simulation/simulation.h"
@@ -98,7 +99,8 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     const struct mpm_particle_extras extras = {
         .domains = keeps_domains(state),
         .affine = simulation->scene->transfer == MPM_TRANSFER_APIC,
-        .surfaces = mpm_cracks_need_surfaces(simulation->scene),
+        .surfaces = mpm_crack_detection_needs_surfaces(simulation->scene),
+        .stress = simulation->scene->crack_count > 0, /* see method/split.h */
     };
     mpm_particles_layout(&state->particles, counts->deformable, extras, arena);
     mpm_rigid_particles_layout(&state->rigid, counts->rigid, arena);

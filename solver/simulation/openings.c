@@ -1,6 +1,7 @@
 /* Surfaces of cracks and their cohesive laws: settled when the simulation is created.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/crack_fields.h"
 #include "method/crack_opening.h"
 #include "model/region.h"
 #include "simulation/simulation.h"

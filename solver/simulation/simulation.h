@@ -104,8 +104,6 @@ void mpm_edge_loads_free(struct mpm_state *state);
  * MPM_BAD_INPUT: bodies on both sides of a plane, a body force across it. */
 enum mpm_status mpm_cracks_create(struct mpm_simulation *simulation, struct mpm_error *error);
 void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena);
-/* Whether contact of their surfaces is told by where these are: particles carry it then. */
-bool mpm_cracks_need_surfaces(const struct mpm_scene *scene);
 enum mpm_status mpm_cracks_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 
 /* j_integrals.c: their memory; their tips, once the particles stand: MPM_BAD_INPUT where a contour
@@ -113,10 +111,10 @@ enum mpm_status mpm_cracks_fill(struct mpm_simulation *simulation, struct mpm_er
 void mpm_j_integrals_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);
 enum mpm_status mpm_j_integrals_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 
-/* openings.c: the same for the surfaces of cracks that are followed. MPM_BAD_INPUT: a plane of
- * symmetry holds the crack; a cohesive crack that passes the edge of a body between two points. */
-/* Points of which surfaces are kept: all of the scene's cracks, or none. */
+/* openings.c: points of which surfaces are kept: all of the scene's cracks, or none. */
 size_t mpm_openings_points(const struct mpm_state *state);
+/* Their memory; what does not change. MPM_BAD_INPUT: a plane of symmetry holds the crack; a
+ * cohesive crack that passes the edge of a body between two points. */
 void mpm_openings_layout(struct mpm_state *state, struct mpm_arena *arena);
 enum mpm_status mpm_openings_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 /* MPM_BAD_INPUT: a cohesive law stiffer than the first time step can follow. */

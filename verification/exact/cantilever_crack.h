@@ -10,8 +10,9 @@
  *
  * Plane elasticity (R. M. L. Foote, V. T. Buchwald, Int. J. Fract. 29 (1985) 125-134; a fit that
  * they give 1.1 % for, for every a/h):
- *     K_I = P/sqrt(h) { sqrt(12) (a/h + 0.673) + sqrt(2 h/(pi a)) - 1/[0.815 (a/h)^0.619 + 0.429]
- * }. From a/h = 5 on both agree within 1 % in K_I.
+ *     K_I = P/sqrt(h) { sqrt(12) (a/h + 0.673) + sqrt(2 h/(pi a))
+ *                       - 1/[0.815 (a/h)^0.619 + 0.429] }.
+ * From a/h = 5 on both agree within 1 % in K_I.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef VERIFICATION_EXACT_CANTILEVER_CRACK_H
