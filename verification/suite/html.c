@@ -35,13 +35,18 @@ unsigned html_status_rank(enum verdict_status status)
     return (unsigned)look_of(status);
 }
 
-void html_status(GString *html, enum verdict_status status)
+void html_state(GString *html, const char *class, const char *mark, const char *word)
 {
-    const size_t look = look_of(status);
     text_markup(
         html,
         "<span class=\"state %s\"><span class=\"mark\" aria-hidden=\"true\">%s</span>%s</span>",
-        looks[look].class, looks[look].mark, verdict_status_name(status));
+        class, mark, word);
+}
+
+void html_status(GString *html, enum verdict_status status)
+{
+    const size_t look = look_of(status);
+    html_state(html, looks[look].class, looks[look].mark, verdict_status_name(status));
 }
 
 static char *replace(char *text, const char *pattern, const char *replacement)

@@ -7,6 +7,9 @@
 #include "verification/suite/report.h"
 #include "verification/suite/text.h"
 
+/* A state as mark and word; `class` is that of report.css for its colour. */
+void html_state(GString *html, const char *class, const char *mark, const char *word);
+
 /* A status as mark and word: "✓ pass". */
 void html_status(GString *html, enum verdict_status status);
 
