@@ -127,6 +127,8 @@ START_TEST(a_check_outside_needs_a_reason_and_no_other_may_have_one)
     } table[] = {
         {{"3.0", "3.0"}, "3.0", "", HEADROOM_SOUND, 0},
         {{"5.0", "3.0"}, "3.0", "", HEADROOM_UNREASONED, 0},
+        {{"6.5", "3.0"}, "3.0", "a limit", HEADROOM_OUTSIDE, 0},
+        {{"3.0", "3.0"}, "0.5", "a limit", HEADROOM_OUTSIDE, 1},
         {{"3.0", "5.0"}, "3.0", "", HEADROOM_UNREASONED, 0},
         {{"3.0", "3.0"}, "5.0", "", HEADROOM_UNREASONED, 1},
         {{"3.0", "3.0"}, "5.0", "a limit", HEADROOM_SOUND, 1},
@@ -294,6 +296,7 @@ START_TEST(every_page_is_well_formed_and_limits_hold_the_weaknesses)
     expect(folders.first, "index.html", "None is kept with this report");
     expect(folders.first, "glossary.html", "id=\"evidence\"");
     expect(folders.first, "cases/Q/index.html", "Revision ");
+    expect(folders.first, "cases/Q/index.html", "mpm-verify run --tier ci --case Q --output DIR\n");
     expect(folders.first, "cases/Q/index.html", "<span>Evidence: invariant</span>");
     expect(folders.first, "cases/Q/checks.csv", "\"Q\",\"exact\",\"cubic\"");
     expect(folders.first, "cases/Q/runs.csv", "\"cubic\"");

@@ -13,6 +13,7 @@ const char *headroom_fault_words(enum headroom_fault fault)
         [HEADROOM_UNREASONED] = "no reason written",
         [HEADROOM_STALE] = "a reason is written, and none is needed",
         [HEADROOM_MISSING] = "no value in a build that ran it",
+        [HEADROOM_OUTSIDE] = "outside its band",
     };
     return words[fault];
 }
@@ -102,10 +103,12 @@ static struct declared_headroom *add(struct headroom_table *table, const json_t 
 
 static enum headroom_fault fault_of(const struct declared_headroom *declared)
 {
-    const enum headroom judged = headroom_judge(declared_headroom_least(declared));
+    const double least = declared_headroom_least(declared);
+    const enum headroom judged = headroom_judge(least);
     const bool outside = judged == HEADROOM_FLAKY || judged == HEADROOM_SLACK;
     const bool reasoned = *record_text(declared->first, "headroom") != '\0';
     return declared->missing != NULL ? HEADROOM_MISSING
+           : least < 1               ? HEADROOM_OUTSIDE
            : outside && !reasoned    ? HEADROOM_UNREASONED
            : !outside && reasoned    ? HEADROOM_STALE
                                      : HEADROOM_SOUND;

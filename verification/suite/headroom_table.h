@@ -13,6 +13,7 @@ enum headroom_fault {
     HEADROOM_UNREASONED, /* flaky or slack, and no reason written */
     HEADROOM_STALE,      /* neither, and a reason is written */
     HEADROOM_MISSING,    /* a build that ran the check has no value of it */
+    HEADROOM_OUTSIDE,    /* a build's value is outside the band: no reason is one for that */
     HEADROOM_FAULTS
 };
 
