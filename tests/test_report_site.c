@@ -84,6 +84,16 @@ START_TEST(headroom_is_the_room_on_the_side_of_the_value_over_its_deviation)
         ck_assert_int_eq(headroom_judge(headroom), table[i].judged);
     }
     ck_assert_double_eq(headroom_spread(&band, 2, 3), 0.4); /* over half of 5 */
+    /* decades: by how much the value may grow, unless it is near the lower end */
+    const struct verdict_band errors = {.expected = 16, .low = 1, .high = 64};
+    ck_assert_double_eq(headroom_of(&errors, 2), 32);
+    ck_assert_double_eq(headroom_of(&errors, 60), 64.0 / 60);
+    ck_assert_double_eq(headroom_of(&errors, 1.25), 1.25);
+    ck_assert_double_eq(headroom_of(&errors, 0.5), 0.5);
+    ck_assert_double_eq(headroom_of(&errors, 128), 0.5);
+    ck_assert_double_lt(headroom_of(&errors, 0), 1);
+    const struct verdict_band negative = {.expected = -16, .low = -64, .high = -1};
+    ck_assert_double_eq(headroom_of(&negative, -2), 32);
     /* a weakness: from the middle of its own band, 4.5 */
     const struct verdict_band weakness = {
         .expected = 1, .low = 0, .high = 2, .weakness = true, .fails_low = 3, .fails_high = 6};
