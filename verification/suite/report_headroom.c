@@ -159,14 +159,15 @@ void report_headroom_page(struct report_site *site)
     report_table_sort(table);
     add_counts(html, &headroom, site->headroom != NULL);
     g_string_append(
-        html, "<p class=\"about\">Headroom: the room from the expected value to the end of the "
-              "band, over the distance of the value from the expected one (in a band of a decade or "
-              "more: the far end over the value); the least over the "
-              "variants of the check and over builds. Below 1.5 a check is flagged as flaky: a "
-              "change that is none may turn it red. Above 100 as slack: an error may grow a "
-              "hundredfold unseen. Either needs a reason, written beside it. Exact: every value "
-              "is the expected one. Spread: the largest difference between builds over half the "
-              "width of the band.</p>\n");
+        html,
+        "<p class=\"about\">Headroom: the room from the expected value to the end of the "
+        "band, over the distance of the value from the expected one (in a band of a decade or "
+        "more: the far end over the value); the least over the "
+        "variants of the check and over builds. Below 1.5 a check is flagged as flaky: a "
+        "change that is none may turn it red. Above 100 as slack: an error may grow a "
+        "hundredfold unseen. Either needs a reason, written beside it. Exact: every value "
+        "is the expected one. Spread: the largest difference between builds over half the "
+        "width of the band.</p>\n");
     report_site_table(site, table, "Headroom of every declared check", "headroom.csv", html);
     add_builds(html, site, &headroom);
     headroom_table_clear(&headroom);
