@@ -246,14 +246,15 @@ mutants: all ## plant small bugs, one after the other: which test or check finds
 # The catalogue with other compilers, levels of SIMD and kernels, and under sanitizers; how far each
 # value keeps from the ends of its band is a page of the report. Sanitizers and the reference kernels
 # take ten times as long: they run the quick variants. A check that is red somewhere ends no run: the
-# judgement at the end does.
+# judgement at the end does. The build of the baseline level has the objects that the release keeps
+# for old processors.
 HEADROOM := build/reports/headroom
 HEADROOM_BUILDS = clang baseline $(if $(WIDE),wide) reference san
 .PHONY: headroom
 headroom: all ## how far values keep from their bands over builds (half an hour); a page of build/reports/verify
 	+@$(MAKE) VARIANT=release BUILD=build/check/clang CC=clang build/check/clang/bin/mpm-verify
 	+@$(MAKE) VARIANT=release BUILD=build/check/gcc-baseline CC=gcc FAST_LEVELS=baseline \
-	  build/check/gcc-baseline/bin/mpm-verify
+	  FAST_FLAGS_baseline='$(FAST_FLAGS_baseline)' build/check/gcc-baseline/bin/mpm-verify
 	+@$(if $(WIDE),$(MAKE) VARIANT=release BUILD=build/check/gcc-wide CC=gcc \
 	  EXTRA_FLAGS=-march=$(WIDE) build/check/gcc-wide/bin/mpm-verify)
 	+@$(MAKE) VARIANT=san BUILD=build/san CC=gcc build/san/bin/mpm-verify
