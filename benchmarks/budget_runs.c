@@ -9,6 +9,9 @@ enum { STEPS = 40 };
 #define PLANAR       "block.yaml"
 #define AXISYMMETRIC "block_axisymmetric.yaml"
 
+/* Across the grid, through a quarter of the strips, with both tips inside. */
+#define CRACK(contact) "cracks=[{points: [[1.6, 2.1], [3.2, 2.9]], " contact "}]"
+
 /* Of 1600 particles, but for R1 with its 352. */
 const struct budget_run budget_runs[] = {
     {"planar uGIMP MUSL", PLANAR, MPM_KERNELS_AUTO, {NULL}},
@@ -18,6 +21,16 @@ const struct budget_run budget_runs[] = {
     {"axisymmetric uGIMP MUSL", AXISYMMETRIC, MPM_KERNELS_AUTO, {NULL}},
     {"axisymmetric CPDI MUSL", AXISYMMETRIC, MPM_KERNELS_AUTO, {"method.shape=cpdi"}},
     {"R1 with its ring", "R/R1", MPM_KERNELS_AUTO, {NULL}},
+    {"planar uGIMP MUSL, crack", PLANAR, MPM_KERNELS_AUTO, {CRACK("contact: none")}},
+    {"planar uGIMP MUSL, crack with friction",
+     PLANAR,
+     MPM_KERNELS_AUTO,
+     {CRACK("contact: friction, friction: 0.3")}},
+    {"axisymmetric CPDI USAVG, crack with friction",
+     AXISYMMETRIC,
+     MPM_KERNELS_AUTO,
+     {"method.shape=cpdi", "method.stress_update=usavg",
+      CRACK("contact: friction, friction: 0.3")}},
     {"reference, planar uGIMP MUSL", PLANAR, MPM_KERNELS_REFERENCE, {NULL}},
     {"reference, axisymmetric CPDI USAVG",
      AXISYMMETRIC,

@@ -6,7 +6,7 @@
 
 #include "benchmarks/budget.h"
 
-enum { BUDGET_SETTINGS = 3 };
+enum { BUDGET_SETTINGS = 4 };
 
 struct budget_run {
     const char *name;
