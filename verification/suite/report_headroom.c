@@ -69,10 +69,7 @@ static void add_counts(GString *html, const struct headroom_table *table, bool c
     for (size_t look = 0; look < G_N_ELEMENTS(looks); look++) {
         const size_t number = headroom_table_count(table, table->build_count, looks[look].judged);
         if (number > 0)
-            g_string_append_printf(html,
-                                   "<li class=\"%s\"><span aria-hidden=\"true\">%s</span> "
-                                   "<b>%zu</b> %s</li>",
-                                   looks[look].class, looks[look].mark, number, looks[look].word);
+            html_state_count(html, looks[look].class, looks[look].mark, number, looks[look].word);
     }
     g_string_append(html, "</ul>\n");
     bool sound = true;

@@ -191,10 +191,7 @@ static void add_score(GString *html, const json_t *mutants)
                 score);
     for (size_t i = 0; i < OUTCOMES; i++)
         if (counts[i] > 0)
-            g_string_append_printf(html,
-                                   "<li class=\"%s\"><span aria-hidden=\"true\">%s</span> "
-                                   "<b>%zu</b> %s</li>",
-                                   looks[i].class, looks[i].mark, counts[i], looks[i].outcome);
+            html_state_count(html, looks[i].class, looks[i].mark, counts[i], looks[i].outcome);
     g_string_append(html, "</ul>\n");
     g_free(score);
 }
