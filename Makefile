@@ -243,24 +243,32 @@ mutants: all ## plant small bugs, one after the other: which test or check finds
 	  $(BUILD)/bin/mpm-verify report build/reports/verify --mutants build/mutants/mutants.json; fi
 
 # ----------------------------------------------------------------- headroom
-# The catalogue with other compilers, instructions and kernels, and under a sanitizer; how far each
-# value keeps from the ends of its band is a page of the report. A check that has no value in one of
-# them is judged by the others: look at that run's own report.
+# The catalogue with other compilers, levels of SIMD and kernels, and under sanitizers; how far each
+# value keeps from the ends of its band is a page of the report. Sanitizers and the reference kernels
+# take ten times as long: they run the quick variants. A check that is red somewhere ends no run: the
+# judgement at the end does. The build of the baseline level has the objects that the release keeps
+# for old processors.
 HEADROOM := build/reports/headroom
+HEADROOM_BUILDS = clang baseline $(if $(WIDE),wide) reference san
 .PHONY: headroom
 headroom: all ## how far values keep from their bands over builds (half an hour); a page of build/reports/verify
 	+@$(MAKE) VARIANT=release BUILD=build/check/clang CC=clang build/check/clang/bin/mpm-verify
+	+@$(MAKE) VARIANT=release BUILD=build/check/gcc-baseline CC=gcc FAST_LEVELS=baseline \
+	  FAST_FLAGS_baseline='$(FAST_FLAGS_baseline)' build/check/gcc-baseline/bin/mpm-verify
 	+@$(if $(WIDE),$(MAKE) VARIANT=release BUILD=build/check/gcc-wide CC=gcc \
 	  EXTRA_FLAGS=-march=$(WIDE) build/check/gcc-wide/bin/mpm-verify)
-	+@$(MAKE) VARIANT=ubsan build/ubsan/bin/mpm-verify
-	-build/check/clang/bin/mpm-verify run --output $(HEADROOM)/clang
-	$(if $(WIDE),-build/check/gcc-wide/bin/mpm-verify run --output $(HEADROOM)/wide)
-	-build/ubsan/bin/mpm-verify run --output $(HEADROOM)/ubsan
-	-$(BUILD)/bin/mpm-verify run --kernels reference --output $(HEADROOM)/reference
+	+@$(MAKE) VARIANT=san BUILD=build/san CC=gcc build/san/bin/mpm-verify
+	@rm -rf $(HEADROOM) && mkdir -p $(HEADROOM)
 	-$(BUILD)/bin/mpm-verify run --output build/reports/verify
-	$(BUILD)/bin/mpm-verify report build/reports/verify --headroom clang=$(HEADROOM)/clang \
-	  $(if $(WIDE),--headroom wide=$(HEADROOM)/wide) --headroom ubsan=$(HEADROOM)/ubsan \
-	  --headroom reference=$(HEADROOM)/reference
+	.ci/quick-variants build/reports/verify 0.2 2 > $(HEADROOM)/quick
+	-build/check/clang/bin/mpm-verify run --output $(HEADROOM)/clang
+	-build/check/gcc-baseline/bin/mpm-verify run --output $(HEADROOM)/baseline
+	$(if $(WIDE),-build/check/gcc-wide/bin/mpm-verify run --output $(HEADROOM)/wide)
+	-$(BUILD)/bin/mpm-verify run --kernels reference --only $(HEADROOM)/quick --output $(HEADROOM)/reference
+	-$(TEST_ENVIRONMENT_san) build/san/bin/mpm-verify run --only $(HEADROOM)/quick --output $(HEADROOM)/san
+	$(BUILD)/bin/mpm-verify report build/reports/verify \
+	  $(foreach build,$(HEADROOM_BUILDS),--headroom $(build)=$(HEADROOM)/$(build))
+	$(BUILD)/bin/mpm-verify headroom build/reports/verify
 
 # --------------------------------------------------------------- benchmarks
 .PHONY: bench

@@ -160,13 +160,13 @@ static void add_help(GHashTable *options, const char *program, const char *comma
 START_TEST(man_pages_have_the_options_and_commands_of_the_help)
 {
     static const struct {
-        const char *program, *page, *commands[8];
+        const char *program, *page, *commands[9];
         bool each; /* commands have a help of their own */
     } programs[] = {
         {"mpm", "docs/man/mpm.1", {"run", "check", "info", "schema"}, true},
         {"mpm-verify",
          "docs/man/mpm-verify.1",
-         {"list", "run", "explain", "report", "compare", "export", "score"},
+         {"list", "run", "explain", "report", "headroom", "compare", "export", "score"},
          false},
         {"mpm-bench",
          "docs/man/mpm-bench.1",
@@ -201,11 +201,12 @@ END_TEST
 START_TEST(every_check_of_the_catalogue_is_explained_whole)
 {
     static const char *const labels[] = {"  quantity   ", "  expected   ", "  band       ",
-                                         "  why        ", "  reproduce  "};
+                                         "  why        ", "  evidence   ", "  reproduce  "};
     struct test_command explain = test_command_run("mpm-verify", "explain", "*", NULL);
     ck_assert_msg(explain.exit_status == 0, "%s", explain.errors);
     char **lines = g_strsplit(explain.output, "\n", -1);
-    size_t checks = 0, cases = 0, problems = 0, references = 0, criteria = 0, full[5] = {0};
+    size_t checks = 0, cases = 0, problems = 0, references = 0, criteria = 0,
+           full[G_N_ELEMENTS(labels)] = {0};
     for (char **line = lines; *line != NULL; line++) {
         cases += g_str_has_prefix(*line, "# ") ? 1 : 0;
         problems += g_str_has_prefix(*line, "## Problem") ? 1 : 0;

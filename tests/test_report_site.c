@@ -7,7 +7,7 @@
 #include "support/folder.h"
 #include "support/verify.h"
 
-#include "verification/measures/headroom.h"
+#include "verification/suite/headroom_table.h"
 #include "verification/suite/report_kept.h"
 #include "verification/suite/report_table.h"
 
@@ -84,10 +84,88 @@ START_TEST(headroom_is_the_room_on_the_side_of_the_value_over_its_deviation)
         ck_assert_int_eq(headroom_judge(headroom), table[i].judged);
     }
     ck_assert_double_eq(headroom_spread(&band, 2, 3), 0.4); /* over half of 5 */
+    /* decades: by how much the value may grow, unless it is near the lower end */
+    const struct verdict_band errors = {.expected = 16, .low = 1, .high = 64};
+    ck_assert_double_eq(headroom_of(&errors, 2), 32);
+    ck_assert_double_eq(headroom_of(&errors, 60), 64.0 / 60);
+    ck_assert_double_eq(headroom_of(&errors, 1.25), 1.25);
+    ck_assert_double_eq(headroom_of(&errors, 0.5), 0.5);
+    ck_assert_double_eq(headroom_of(&errors, 128), 0.5);
+    ck_assert_double_lt(headroom_of(&errors, 0), 1);
+    const struct verdict_band negative = {.expected = -16, .low = -64, .high = -1};
+    ck_assert_double_eq(headroom_of(&negative, -2), 32);
     /* a weakness: from the middle of its own band, 4.5 */
     const struct verdict_band weakness = {
         .expected = 1, .low = 0, .high = 2, .weakness = true, .fails_low = 3, .fails_high = 6};
     ck_assert_double_eq(headroom_of(&weakness, 5.25), 2);
+}
+END_TEST
+
+/* Band 1..6 about 2: 3 is fine, 5 flaky, 2.015625 slack, 2 exact. */
+static char *check_text(const char *variant, const char *value, const char *reason)
+{
+    return g_strdup_printf(
+        "{\"case\":\"A\",\"check\":\"c\",\"variant\":\"%s\",\"title\":\"t\","
+        "\"quantity\":\"q\",\"basis\":\"theory\",\"why\":\"\","
+        "\"fails_low\":null,\"fails_high\":null,\"status\":\"pass\",\"expected\":2.0,\"low\":1.0,"
+        "\"high\":6.0,\"value\":%s,\"headroom\":\"%s\"}",
+        variant, value, reason);
+}
+
+/* Of a check with two variants in this run, and of the first of them in another build. */
+static struct headroom_table table_of(const char *const *values, const char *reason,
+                                      const char *other, json_t **text)
+{
+    char *one = check_text("v", values[0], reason), *two = check_text("w", values[1], reason);
+    char *whole =
+        g_strdup_printf("{\"checks\":[%s,%s],\"builds\":[{\"name\":\"old\",\"values\":{%s%s}}]}",
+                        one, two, *other == '\0' ? "" : "\"A/c/v\":", other);
+    *text = json_loads(whole, 0, NULL);
+    ck_assert_ptr_nonnull(*text);
+    g_free(one);
+    g_free(two);
+    g_free(whole);
+    return headroom_table_make(json_object_get(*text, "checks"), json_object_get(*text, "builds"));
+}
+
+START_TEST(a_check_outside_needs_a_reason_and_no_other_may_have_one)
+{
+    static const struct {
+        const char *values[2], *other, *reason;
+        enum headroom_fault fault;
+        size_t flaky; /* in the other build */
+    } table[] = {
+        {{"3.0", "3.0"}, "3.0", "", HEADROOM_SOUND, 0},
+        {{"5.0", "3.0"}, "3.0", "", HEADROOM_UNREASONED, 0},
+        {{"6.5", "3.0"}, "3.0", "a limit", HEADROOM_OUTSIDE, 0},
+        {{"3.0", "3.0"}, "0.5", "a limit", HEADROOM_OUTSIDE, 1},
+        {{"3.0", "5.0"}, "3.0", "", HEADROOM_UNREASONED, 0},
+        {{"3.0", "3.0"}, "5.0", "", HEADROOM_UNREASONED, 1},
+        {{"3.0", "3.0"}, "5.0", "a limit", HEADROOM_SOUND, 1},
+        {{"3.0", "3.0"}, "3.0", "a limit", HEADROOM_STALE, 0},
+        {{"2.015625", "2.015625"}, "2.015625", "", HEADROOM_UNREASONED, 0},
+        {{"2.015625", "2.015625"}, "2.015625", "a count", HEADROOM_SOUND, 0},
+        {{"2.015625", "3.0"}, "2.015625", "", HEADROOM_SOUND, 0}, /* the least counts */
+        {{"3.0", "3.0"}, "null", "", HEADROOM_MISSING, 0},
+        {{"3.0", "null"}, "3.0", "", HEADROOM_MISSING, 0},
+        {{"null", "null"}, "null", "", HEADROOM_MISSING, 0},
+        {{"3.0", "3.0"}, "", "", HEADROOM_SOUND, 0}, /* not run there */
+    };
+    for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
+        json_t *text;
+        struct headroom_table headroom =
+            table_of(table[i].values, table[i].reason, table[i].other, &text);
+        ck_assert_uint_eq(headroom.checks->len, 1);
+        for (int fault = 0; fault < HEADROOM_FAULTS; fault++)
+            ck_assert_msg(headroom_table_faults(&headroom, (enum headroom_fault)fault) ==
+                              ((enum headroom_fault)fault == table[i].fault),
+                          "row %zu: fault %d", i, fault);
+        ck_assert_uint_eq(headroom_table_count(&headroom, 1, HEADROOM_FLAKY), table[i].flaky);
+        ck_assert_uint_eq(headroom.values[1] + headroom.without[1], *table[i].other != '\0');
+        ck_assert_uint_eq(headroom.without[1], strcmp(table[i].other, "null") == 0);
+        headroom_table_clear(&headroom);
+        json_decref(text);
+    }
 }
 END_TEST
 
@@ -228,6 +306,7 @@ START_TEST(every_page_is_well_formed_and_limits_hold_the_weaknesses)
     expect(folders.first, "index.html", "None is kept with this report");
     expect(folders.first, "glossary.html", "id=\"evidence\"");
     expect(folders.first, "cases/Q/index.html", "Revision ");
+    expect(folders.first, "cases/Q/index.html", "mpm-verify run --tier ci --case Q --output DIR\n");
     expect(folders.first, "cases/Q/index.html", "<span>Evidence: invariant</span>");
     expect(folders.first, "cases/Q/checks.csv", "\"Q\",\"exact\",\"cubic\"");
     expect(folders.first, "cases/Q/runs.csv", "\"cubic\"");
@@ -275,6 +354,64 @@ START_TEST(what_is_kept_is_shown_again_from_the_folder_alone)
 }
 END_TEST
 
+/* Runs mpm-verify headroom on the second folder and compares what it says. */
+static void expect_headroom(int exit_status, const char *const *texts)
+{
+    struct test_said said = test_verify_with("mpm-verify headroom @", folders.second, NULL);
+    ck_assert_msg(said.exit_status == exit_status, "%d: %s%s", said.exit_status, said.out,
+                  said.err);
+    for (; *texts != NULL; texts++)
+        ck_assert_msg(strstr(said.out, *texts) != NULL || strstr(said.err, *texts) != NULL,
+                      "no %s in\n%s%s", *texts, said.out, said.err);
+    test_said_free(&said);
+}
+
+/* Replaces every `from` in a file of the second folder. */
+static void edit(const char *name, const char *from, const char *to)
+{
+    char *text = test_folder_read(folders.second, name);
+    char **parts = g_strsplit(text, from, -1);
+    ck_assert_msg(g_strv_length(parts) > 1, "%s: no %s in\n%s", name, from, text);
+    char *whole = g_strjoinv(to, parts);
+    g_free(test_folder_write(folders.second, name, whole));
+    g_free(whole);
+    g_strfreev(parts);
+    g_free(text);
+}
+
+START_TEST(headroom_without_a_reason_and_values_missing_elsewhere_are_told)
+{
+    run_into(folders.second);
+    struct test_said said =
+        test_verify_with("mpm-verify explain Q/short/ninth --catalogue @ --output @",
+                         folders.catalogue, folders.second);
+    ck_assert_ptr_nonnull(
+        strstr(said.out, "\n  evidence   invariant\n  headroom   as wide as <it> is\n"));
+    test_said_free(&said);
+    expect_headroom(2, (const char *[]){"no headroom.json", NULL});
+    char *line =
+        g_strdup_printf("mpm-verify report %s --headroom old=%s", folders.second, folders.first);
+    said = test_verify(line);
+    ck_assert_int_eq(said.exit_status, 0);
+    test_said_free(&said);
+    g_free(line);
+    expect_headroom(1, (const char *[]){"Q/exact [cubic], this run: ", ": no reason written",
+                                        "1 passed, 1 failed, 0 skipped", NULL});
+    edit("checks.jsonl", "\"headroom\":\"\"", "\"headroom\":\"a fixture\"");
+    expect_headroom(0, (const char *[]){"2 passed, 0 failed, 0 skipped", NULL});
+    edit("headroom.json", "\"Q/exact/cubic\": ", "\"Q/exact/cubic\": 1.000000000005, \"was\": ");
+    expect_headroom(1, (const char *[]){"Q/exact [cubic], old: 2: a reason is written", NULL});
+    edit("headroom.json", "\"Q/exact/cubic\": ", "\"Q/exact/cubic\": null, \"is\": ");
+    expect_headroom(1,
+                    (const char *[]){"Q/exact [cubic], old: no value: no value in a build", NULL});
+    said = test_verify_with("mpm-verify report @", folders.second, NULL);
+    test_said_free(&said);
+    expect(folders.second, "headroom.html", "<p class=\"notice\">1 of 2 checks: no value in a");
+    expect(folders.second, "table-headroom.csv", "no value in a build that ran it");
+    expect(folders.second, "table-builds.csv", "\"old\",1,0,1,1,");
+}
+END_TEST
+
 START_TEST(additions_that_cannot_be_are_refused)
 {
     const struct {
@@ -301,6 +438,7 @@ Suite *suite_report_site(void)
     TCase *pieces = tcase_create("pieces");
     tcase_add_test(pieces, a_table_has_the_same_cells_as_html_and_as_csv);
     tcase_add_test(pieces, headroom_is_the_room_on_the_side_of_the_value_over_its_deviation);
+    tcase_add_test(pieces, a_check_outside_needs_a_reason_and_no_other_may_have_one);
     tcase_add_test(pieces, mutants_that_are_not_as_described_are_refused);
     suite_add_tcase(suite, pieces);
     TCase *site = tcase_create("site");
@@ -309,6 +447,7 @@ Suite *suite_report_site(void)
     tcase_add_test(site, evidence_that_is_none_of_the_kinds_is_refused);
     tcase_add_test(site, every_page_is_well_formed_and_limits_hold_the_weaknesses);
     tcase_add_test(site, what_is_kept_is_shown_again_from_the_folder_alone);
+    tcase_add_test(site, headroom_without_a_reason_and_values_missing_elsewhere_are_told);
     tcase_add_test(site, additions_that_cannot_be_are_refused);
     suite_add_tcase(suite, site);
     return suite;

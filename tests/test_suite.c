@@ -312,6 +312,7 @@ START_TEST(list_names_the_cases_and_explain_says_all_of_a_check)
                                         "Let x < y",
                                         "degree 9 needs 5 points",
                                         "from theory",
+                                        "evidence   not stated",
                                         "required to lie in 0.99 .. 1",
                                         "expected-fail",
                                         "mpm-verify run --case Q --variant ninth"};

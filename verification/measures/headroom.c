@@ -11,6 +11,12 @@ double headroom_of(const struct verdict_band *band, double value)
         return (double)NAN;
     if (band->weakness)
         return 1 / (1 - verdict_margin(band->fails_low, band->fails_high, value));
+    const double far = fmax(fabs(band->low), fabs(band->high));
+    const double near = fmin(fabs(band->low), fabs(band->high));
+    if (verdict_spans_decades(band->low, band->high) && value * band->low > 0) {
+        const double least = fabs(value) / near;
+        return least < HEADROOM_LEAST ? least : far / fabs(value);
+    }
     const double deviation = value - band->expected;
     if (deviation == 0)
         return (double)INFINITY;

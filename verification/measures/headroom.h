@@ -14,7 +14,9 @@
 
 /* Room from the expected value to the end of the band on the value's side, over the value's
  * distance from the expected one: 1 on the end, below 1 outside, infinite where the value is the
- * expected one. Of a known weakness, whose expected value is another band's: 1 / (1 - margin), half
+ * expected one. In a band of a decade or more (an error, above zero): its far end over the value,
+ * by which the error may grow; or the value over the near end, where that is below HEADROOM_LEAST.
+ * Of a known weakness, whose expected value is another band's: 1 / (1 - margin), half
  * the width of its band over the distance from its middle, in logarithms where the margin is (see
  * verdict_margin). NaN for a value that is not finite. */
 double headroom_of(const struct verdict_band *band, double value);

@@ -77,11 +77,16 @@ const char *verdict_band_fault(const struct verdict_band *band)
     return NULL;
 }
 
+bool verdict_spans_decades(double low, double high)
+{
+    return low * high > 0 && fmax(fabs(low), fabs(high)) >= 10 * fmin(fabs(low), fabs(high));
+}
+
 double verdict_margin(double low, double high, double value)
 {
     const double sign = low > 0 ? 1 : -1;
     const double near = fmin(fabs(low), fabs(high)), far = fmax(fabs(low), fabs(high));
-    if (low * high > 0 && far >= 10 * near && sign * value > 0) {
+    if (verdict_spans_decades(low, high) && sign * value > 0) {
         const double position = log(fabs(value));
         return fmin(position - log(near), log(far) - position) / (0.5 * (log(far) - log(near)));
     }

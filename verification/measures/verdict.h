@@ -58,6 +58,9 @@ struct verdict {
     char reason[VERDICT_REASON_SIZE];
 };
 
+/* Whether the band spans a decade or more on one side of zero. */
+bool verdict_spans_decades(double low, double high);
+
 /* Judges a value that was reported; band edges count as inside. */
 struct verdict verdict_judge(const struct verdict_band *band, double value);
 

@@ -31,6 +31,11 @@ const char *evidence_name(enum case_evidence evidence)
     return names[evidence];
 }
 
+enum case_evidence check_evidence(const struct case_file *file, const struct case_check *check)
+{
+    return check->evidence != EVIDENCE_NOT_STATED ? check->evidence : file->evidence;
+}
+
 const char *tier_name(enum tier tier)
 {
     static const char *const names[] = {"ci", "full"};

@@ -200,6 +200,8 @@ char *catalogue_scene_path(const struct catalogue_case *entry, const struct case
 
 const char *basis_name(enum case_basis basis);
 const char *evidence_name(enum case_evidence evidence); /* "" where none is stated */
+/* That of the check, or else of its case. */
+enum case_evidence check_evidence(const struct case_file *file, const struct case_check *check);
 const char *tier_name(enum tier tier);
 const char *better_name(enum comparison_better better);
 

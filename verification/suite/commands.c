@@ -42,6 +42,11 @@ static const char usage[] =
     "      [--mutants FILE]                   keeps there, and shows, what changed since a "
     "baseline,\n"
     "      [--headroom NAME=DIR]...           a run of mutants, the values of other builds' runs\n"
+    "  headroom DIR                           whether every check of DIR is within 1.5 to 100 "
+    "times\n"
+    "                                         its deviation from its band's end, over the builds "
+    "kept\n"
+    "                                         there, or says why not\n"
     "  compare DIR DIR [--change X]           what changed from the first run to the second: "
     "statuses,\n"
     "                                         checks, values by more than X (relative, 0.001 "
@@ -63,7 +68,9 @@ static const char usage[] =
     "build/reports/score\n"
     "and score-report).\n"
     "Exit status: 0 every check holds (or shows its known weakness); 1 one does not; 2 bad usage\n"
-    "or a bad catalogue; 4 the environment failed. compare: 0 nothing got worse; 1 a status did,\n"
+    "or a bad catalogue; 4 the environment failed. headroom: 1 a band or its reason is at fault, "
+    "or\n"
+    "a value is missing. compare: 0 nothing got worse; 1 a status did,\n"
     "a check failed that is new or vanished from the same selection, or a margin shrank by more\n"
     "than 0.1. Time is shown, never judged: mpm-bench compares speed.\n";
 
@@ -224,6 +231,7 @@ static const struct command_entry commands[] = {
     {"run", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE, 0, "", command_run},
     {"explain", TAKES_OUTPUT | TAKES_CATALOGUE, 1, "explain: CHECK", command_explain},
     {"report", TAKES_BASELINE | TAKES_ADDITIONS, 1, "report: the folder DIR", command_report},
+    {"headroom", 0, 1, "headroom: the folder DIR", command_headroom},
     {"compare", TAKES_CHANGE, 2, "compare: a folder DIR", command_compare},
     {"export", TAKES_CASE | TAKES_OUTPUT | TAKES_CATALOGUE, 0, "", command_export},
     {"score", TAKES_NAME | TAKES_OUTPUT, 2, "score: BUNDLE or RESULTS", command_score},

@@ -40,6 +40,7 @@ struct command {
 
 enum mpm_status command_list(struct command *command, struct mpm_error *error);
 enum mpm_status command_explain(struct command *command, struct mpm_error *error);
+enum mpm_status command_headroom(struct command *command, struct mpm_error *error);
 enum mpm_status command_export(struct command *command, struct mpm_error *error);
 enum mpm_status command_score(struct command *command, struct mpm_error *error);
 

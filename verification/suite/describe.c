@@ -122,6 +122,7 @@ static void print_declaration(const struct explanation *explanation, const struc
 {
     FILE *out = explanation->out;
     const struct verdict_band *band = &check->band;
+    const char *evidence = evidence_name(check_evidence(job->entry->file, check));
     char *expected = text_quantity(band->expected, check->unit);
     char *good = text_range(band->low, band->high, check->unit);
     char *weak = text_range(band->fails_low, band->fails_high, check->unit);
@@ -139,6 +140,9 @@ static void print_declaration(const struct explanation *explanation, const struc
     if (band->weakness)
         fprintf(out, "  weakness   known to fail: required to lie in %s\n", weak);
     fprintf(out, "  why        %s\n", check->why);
+    fprintf(out, "  evidence   %s\n", *evidence == '\0' ? "not stated" : evidence);
+    if (check->headroom != NULL)
+        fprintf(out, "  headroom   %s\n", check->headroom);
     fprintf(out, "  reproduce  %s\n", command);
     g_free(expected);
     g_free(good);

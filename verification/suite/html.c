@@ -35,13 +35,26 @@ unsigned html_status_rank(enum verdict_status status)
     return (unsigned)look_of(status);
 }
 
-void html_status(GString *html, enum verdict_status status)
+void html_state(GString *html, const char *class, const char *mark, const char *word)
 {
-    const size_t look = look_of(status);
     text_markup(
         html,
         "<span class=\"state %s\"><span class=\"mark\" aria-hidden=\"true\">%s</span>%s</span>",
-        looks[look].class, looks[look].mark, verdict_status_name(status));
+        class, mark, word);
+}
+
+void html_state_count(GString *html, const char *class, const char *mark, size_t count,
+                      const char *word)
+{
+    text_markup(html, "<li class=\"%s\"><span aria-hidden=\"true\">%s</span> ", class, mark);
+    g_string_append_printf(html, "<b>%zu</b>", count);
+    text_markup(html, " %s</li>", word);
+}
+
+void html_status(GString *html, enum verdict_status status)
+{
+    const size_t look = look_of(status);
+    html_state(html, looks[look].class, looks[look].mark, verdict_status_name(status));
 }
 
 static char *replace(char *text, const char *pattern, const char *replacement)
@@ -93,10 +106,8 @@ void html_counts(GString *html, const struct record_counts *counts)
         const size_t count = counts->of[looks[i].status];
         if (count == 0)
             continue;
-        char *number = g_strdup_printf("%zu", count);
-        text_markup(html, "<li class=\"%s\"><span aria-hidden=\"true\">%s</span> <b>%s</b> %s</li>",
-                    looks[i].class, looks[i].mark, number, verdict_status_name(looks[i].status));
-        g_free(number);
+        html_state_count(html, looks[i].class, looks[i].mark, count,
+                         verdict_status_name(looks[i].status));
     }
     g_string_append(html, "</ul>\n");
 }

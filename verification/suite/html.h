@@ -7,6 +7,13 @@
 #include "verification/suite/report.h"
 #include "verification/suite/text.h"
 
+/* A state as mark and word; `class` is that of report.css for its colour. */
+void html_state(GString *html, const char *class, const char *mark, const char *word);
+
+/* How many are in a state, as an entry of <ul class="counts">. */
+void html_state_count(GString *html, const char *class, const char *mark, size_t count,
+                      const char *word);
+
 /* A status as mark and word: "✓ pass". */
 void html_status(GString *html, enum verdict_status status);
 

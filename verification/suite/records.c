@@ -69,9 +69,7 @@ json_t *record_check(const struct planned_job *job, const struct case_check *che
     json_object_set_new(object, "basis", json_string(basis_name(check->basis)));
     json_object_set_new(object, "why", record_text_of(check->why));
     json_object_set_new(object, "evidence",
-                        json_string(evidence_name(check->evidence != EVIDENCE_NOT_STATED
-                                                      ? check->evidence
-                                                      : job->entry->file->evidence)));
+                        json_string(evidence_name(check_evidence(job->entry->file, check))));
     json_object_set_new(object, "headroom",
                         record_text_of(check->headroom == NULL ? "" : check->headroom));
     json_object_set_new(object, "mutations", json_integer((json_int_t)judged->mutations));

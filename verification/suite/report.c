@@ -34,13 +34,16 @@ enum mpm_status report_style_read(const char *folder, const char *reports,
                                   struct report_style *style, struct mpm_error *error)
 {
     *style = (struct report_style){.page = NULL};
-    enum mpm_status status = read_style_file(folder, reports, "page.html", &style->page, error);
-    if (status == MPM_OK)
-        status = read_style_file(folder, reports, "report.css", &style->css, error);
-    if (status == MPM_OK)
-        status = read_style_file(folder, reports, "table.js", &style->script, error);
-    if (status == MPM_OK)
-        status = read_style_file(folder, reports, "glossary.md", &style->glossary, error);
+    const struct {
+        const char *name;
+        char **text;
+    } files[] = {{"page.html", &style->page},
+                 {"report.css", &style->css},
+                 {"table.js", &style->script},
+                 {"glossary.md", &style->glossary}};
+    enum mpm_status status = MPM_OK;
+    for (size_t i = 0; status == MPM_OK && i < G_N_ELEMENTS(files); i++)
+        status = read_style_file(folder, reports, files[i].name, files[i].text, error);
     if (status != MPM_OK)
         report_style_clear(style);
     return status;

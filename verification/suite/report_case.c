@@ -297,7 +297,18 @@ static void add_variants(GString *html, struct report_site *site, const json_t *
 static void add_commands(GString *html, const json_t *entry, const json_t *run)
 {
     const json_t *variants = json_object_get(entry, "variants");
-    g_string_append(html, "<h3 id=\"reproduce\">Commands</h3>\n<pre tabindex=\"0\"><code>");
+    g_string_append(html, "<h3 id=\"reproduce\">Commands</h3>\n");
+    if (!json_is_true(json_object_get(run, "score")))
+        text_markup(html,
+                    "<p class=\"about\">In a checkout of revision %s, <code>make</code> builds "
+                    "<code>build/release/bin/mpm-verify</code>. The first command runs the whole "
+                    "case, each of the next one variant, the last says what is checked and "
+                    "why.</p>\n<pre tabindex=\"0\"><code>mpm-verify run --tier %s --case %s "
+                    "--output DIR\n",
+                    record_text(run, "revision"), record_text(run, "tier"),
+                    record_text(entry, "case"));
+    else
+        g_string_append(html, "<pre tabindex=\"0\"><code>");
     for (size_t i = 0; i < json_array_size(variants); i++) {
         const json_t *variant = json_array_get(variants, i);
         char *command = text_command(record_text(entry, "case"), record_text(variant, "variant"),

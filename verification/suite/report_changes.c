@@ -17,16 +17,11 @@ static void add_change(struct report_table *table, const json_t *line)
            strcmp(looks[look].change, record_text(line, "change")) != 0)
         look++;
     char *href = g_strdup_printf("cases/%s/index.html#checks", record_text(line, "case"));
-    GString *state = g_string_new(NULL);
-    text_markup(
-        state,
-        "<span class=\"state %s\"><span class=\"mark\" aria-hidden=\"true\">%s</span>%s</span>",
-        looks[look].class, looks[look].mark, looks[look].change);
     if (strncmp(record_text(line, "text"), "gone", 4) == 0) /* its page may be gone as well */
         report_table_text(table, record_text(line, "name"));
     else
         report_table_link(table, href, record_text(line, "name"));
-    report_table_markup(table, looks[look].change, state);
+    report_table_state(table, looks[look].class, looks[look].mark, looks[look].change);
     report_table_text(table, record_text(line, "section"));
     report_table_text(table, record_text(line, "text"));
     g_free(href);

@@ -58,13 +58,6 @@ static void add_feature(GArray *features, const char *name, const char *kind, co
         g_array_append_val(features, feature);
 }
 
-static int compare_features(const void *a, const void *b)
-{
-    const struct feature *one = a, *other = b;
-    const int kinds = strcmp(one->kind, other->kind);
-    return kinds != 0 ? kinds : strcmp(one->name, other->name);
-}
-
 /* The tags of all cases and, where a comparison tells them, the parts of methods' names. */
 static GArray *features_of(const json_t *cases)
 {
@@ -83,7 +76,6 @@ static GArray *features_of(const json_t *cases)
             add_feature(features, record_text(part, "part"), record_text(part, "kind"), part);
         }
     }
-    g_array_sort(features, compare_features);
     return features;
 }
 
@@ -166,6 +158,7 @@ void report_coverage(GString *html, struct report_site *site)
     struct report_table *table = report_table_new(columns, G_N_ELEMENTS(columns) - (all ? 0 : 1));
     for (unsigned i = 0; i < features->len; i++)
         add_row(table, &g_array_index(features, struct feature, i), all);
+    report_table_sort(table);
     g_string_append(html, "<h2 id=\"coverage\">What is covered by which evidence</h2>\n"
                           "<p class=\"about\">Checks of this run, by what stands against the "
                           "solver’s number: its <a href=\"glossary.html#evidence\">evidence</a>. "

@@ -53,6 +53,8 @@ static json_t *build_record(const char *name, const struct records *records)
         json_object_set_new(build, keys[i], json_string(record_text(records->run, keys[i])));
     for (size_t i = 0; i < json_array_size(records->checks); i++) {
         const json_t *check = json_array_get(records->checks, i);
+        if (record_status(check) == VERDICT_SKIP)
+            continue; /* not run, which is no value that is missing */
         char *key = record_key(check, "check");
         json_object_set(values, key, json_object_get(check, "value"));
         g_free(key);
@@ -146,11 +148,15 @@ enum mpm_status report_kept_read(const char *folder, struct report_kept *kept,
                                  struct mpm_error *error)
 {
     *kept = (struct report_kept){.changes = NULL};
-    enum mpm_status status = read_kept(folder, changes_name, &kept->changes, error);
-    if (status == MPM_OK)
-        status = read_kept(folder, headroom_name, &kept->headroom, error);
-    if (status == MPM_OK)
-        status = read_kept(folder, mutants_name, &kept->mutants, error);
+    const struct {
+        const char *name;
+        json_t **object;
+    } files[] = {{changes_name, &kept->changes},
+                 {headroom_name, &kept->headroom},
+                 {mutants_name, &kept->mutants}};
+    enum mpm_status status = MPM_OK;
+    for (size_t i = 0; status == MPM_OK && i < G_N_ELEMENTS(files); i++)
+        status = read_kept(folder, files[i].name, files[i].object, error);
     if (status != MPM_OK)
         report_kept_clear(kept);
     return status;

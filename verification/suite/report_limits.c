@@ -148,13 +148,12 @@ void report_limits_page(struct report_site *site)
     GString *html = g_string_new(NULL), *body = g_string_new(NULL);
     const size_t weaknesses = add_weaknesses(body, site), broken = add_breaking(body, site);
     add_stability(body, site);
-    g_string_append_printf(
-        html,
-        "<h1>Limits and stability</h1>\n<p class=\"lead\">Where methods fall short, break or go "
-        "unstable, gathered from all cases of this run.</p>\n<ul class=\"counts\"><li "
-        "class=\"known\"><span aria-hidden=\"true\">◇</span> <b>%zu</b> known weaknesses</li>"
-        "<li class=\"idle\"><b>%zu</b> runs that do not count</li></ul>\n",
-        weaknesses, broken);
+    g_string_append(html, "<h1>Limits and stability</h1>\n<p class=\"lead\">Where methods fall "
+                          "short, break or go unstable, gathered from all cases of this "
+                          "run.</p>\n<ul class=\"counts\">");
+    html_state_count(html, "known", "◇", weaknesses, "known weaknesses");
+    html_state_count(html, "idle", "–", broken, "runs that do not count");
+    g_string_append(html, "</ul>\n");
     g_string_append(html, body->str);
     g_string_free(body, TRUE);
     report_site_page(site, "limits.html", "Limits and stability", html);

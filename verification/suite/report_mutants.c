@@ -81,18 +81,14 @@ static void add_mutant(struct report_table *table, const json_t *mutant)
     const char *patch = record_text(mutant, "patch"), *what = record_text(mutant, "what");
     const char *fault = record_text(mutant, "fault") /* of the build */;
     char *names = killers_text(killers);
-    GString *state = g_string_new(NULL), *about = g_string_new(NULL);
-    text_markup(
-        state,
-        "<span class=\"state %s\"><span class=\"mark\" aria-hidden=\"true\">%s</span>%s</span>",
-        looks[look].class, looks[look].mark, looks[look].outcome);
+    GString *about = g_string_new(NULL);
     text_markup(about, "%s", what);
     if (*patch != '\0')
         text_markup(about, "<details><summary>the change</summary><pre>%s</pre></details>", patch);
     report_table_name(table, record_text(mutant, "name"));
     report_table_name(table, record_text(mutant, "room"));
     report_table_markup(table, what, about);
-    report_table_markup(table, looks[look].outcome, state);
+    report_table_state(table, looks[look].class, looks[look].mark, looks[look].outcome);
     report_table_number(table, (double)json_array_size(killers),
                         g_strdup_printf("%zu", json_array_size(killers)));
     report_table_text(table, names);
@@ -195,10 +191,7 @@ static void add_score(GString *html, const json_t *mutants)
                 score);
     for (size_t i = 0; i < OUTCOMES; i++)
         if (counts[i] > 0)
-            g_string_append_printf(html,
-                                   "<li class=\"%s\"><span aria-hidden=\"true\">%s</span> "
-                                   "<b>%zu</b> %s</li>",
-                                   looks[i].class, looks[i].mark, counts[i], looks[i].outcome);
+            html_state_count(html, looks[i].class, looks[i].mark, counts[i], looks[i].outcome);
     g_string_append(html, "</ul>\n");
     g_free(score);
 }

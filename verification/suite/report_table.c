@@ -81,6 +81,14 @@ void report_table_name(struct report_table *table, const char *text)
     report_table_markup(table, text, markup);
 }
 
+void report_table_state(struct report_table *table, const char *class, const char *mark,
+                        const char *word)
+{
+    GString *markup = g_string_new(NULL);
+    html_state(markup, class, mark, word);
+    report_table_markup(table, word, markup);
+}
+
 void report_table_status(struct report_table *table, enum verdict_status status)
 {
     GString *markup = g_string_new(NULL);

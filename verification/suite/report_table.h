@@ -28,6 +28,9 @@ void report_table_text(struct report_table *table, const char *text);
 /* A name, which may break after its underscores; the second links it. */
 void report_table_name(struct report_table *table, const char *text);
 void report_table_link(struct report_table *table, const char *href, const char *text);
+/* A mark and a word, of the colour of a class of report.css; sorted by the word. */
+void report_table_state(struct report_table *table, const char *class, const char *mark,
+                        const char *word);
 void report_table_status(struct report_table *table, enum verdict_status status);
 /* A number, shown as the text (taken over), sorted and written by its value. */
 void report_table_number(struct report_table *table, double value, char *shown);
