@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/crack_map.h"
 
-#include "base/simd.h"
 #include "method/transfer.h"
 
 #include <math.h>
@@ -11,21 +10,6 @@
 static const double CELL_SLACK = 1e-9;
 /* Round-off of places, of the largest coordinate. */
 static const double PLACE_SLACK = 1e-12;
-
-/* Places along an axis. */
-struct interval {
-    double low, high;
-};
-
-/* Particles that are looked at together. */
-enum { CHUNK = 32 };
-
-/* What is known of such particles: where they are along x, and how far their domains reach at
- * most. */
-struct mpm_crack_chunk {
-    struct interval x;
-    double reach[2];
-};
 
 /* ---------------------------------------------------------------------- layout */
 
@@ -47,9 +31,6 @@ void mpm_crack_map_layout(struct mpm_state *state, size_t capacity, struct mpm_a
         .listed = take_bands(state, arena),
         .wanted = take_bands(state, arena),
         .beside = take_bands(state, arena),
-        .chunks = MPM_TAKE(arena, struct mpm_crack_chunk,
-                           state->particles.count / CHUNK + (size_t)state->strip_count),
-        .described = MPM_TAKE(arena, bool, (size_t)state->strip_count),
     };
     if (map != NULL)
         *map = made;
@@ -155,79 +136,73 @@ static struct mpm_cell_block strip_block(const struct mpm_state *state,
 
 /* -------------------------------------------------------------------- visiting */
 
+/* Places along an axis. */
+struct interval {
+    double low, high;
+};
+
 static inline bool contains(const struct interval *interval, double place)
 {
     return place >= interval->low && place <= interval->high;
 }
 
+/* By signs of products, and-ed together: compilers take several places at a time. */
+static bool contains_any(const struct interval *interval, const double *places, size_t count)
+{
+    const double low = interval->low, high = interval->high;
+    uint64_t outside = UINT64_MAX;
+    for (size_t k = 0; k < count; k++) {
+        const double product = (places[k] - low) * (high - places[k]);
+        uint64_t bits;
+        memcpy(&bits, &product, sizeof bits);
+        outside &= bits;
+    }
+    return outside >> 63 == 0;
+}
+
 static struct interval hull_of(const double *places, size_t count)
 {
-    enum { LANES = sizeof(mpm_vector) / sizeof(double) };
     struct interval hull = {places[0], places[0]};
-    size_t k = 0;
-    if (count >= LANES) {
-        mpm_vector low = mpm_load(places), high = low;
-        for (k = LANES; k + LANES <= count; k += LANES) {
-            const mpm_vector next = mpm_load(places + k);
-            low = mpm_smaller(low, next);
-            high = mpm_larger(high, next);
-        }
-        hull = (struct interval){mpm_smallest_lane(low), mpm_largest_lane(high)};
-    }
-    for (; k < count; k++) {
+    for (size_t k = 1; k < count; k++) {
         hull.low = places[k] < hull.low ? places[k] : hull.low;
         hull.high = places[k] > hull.high ? places[k] : hull.high;
     }
     return hull;
 }
 
-struct chunk {
-    size_t begin, count;
-    const double *reach;
-};
-
+/* No less than the largest size, and not much more. */
 static double largest_size(const double *values, size_t count)
 {
+    static const double usual = 1.5;
+    static const struct interval above = {usual, 1e300}, below = {-1e300, -usual};
+    if (!contains_any(&above, values, count) && !contains_any(&below, values, count))
+        return usual;
     const struct interval hull = hull_of(values, count);
     return -hull.low > hull.high ? -hull.low : hull.high;
 }
 
-static void describe_chunk(const struct mpm_state *state, size_t begin, size_t count,
-                           struct mpm_crack_chunk *made)
+/* Particles that are looked at together. */
+enum { CHUNK = 32 };
+
+struct chunk {
+    size_t begin, count;
+    double reach[2]; /* of its domains, at least */
+};
+
+static void find_reach(const struct mpm_state *state, struct chunk *chunk)
 {
     static const int parts[2][2] = {{MPM_XX, MPM_XY}, {MPM_YX, MPM_YY}};
     const double *const widest = state->cracks.widest;
-    made->x = hull_of(state->particles.position[0] + begin, count);
     for (int axis = 0; axis < 2; axis++) {
-        made->reach[axis] = widest[axis];
+        chunk->reach[axis] = widest[axis];
         if (!state->family->convected)
             continue;
-        made->reach[axis] = 0.0;
-        for (int k = 0; k < 2; k++)
-            made->reach[axis] +=
-                widest[k] *
-                largest_size(state->particles.deformation[parts[axis][k]] + begin, count);
+        chunk->reach[axis] = 0.0;
+        for (int k = 0; k < 2; k++) {
+            const double *const part = state->particles.deformation[parts[axis][k]];
+            chunk->reach[axis] += widest[k] * largest_size(part + chunk->begin, chunk->count);
+        }
     }
-}
-
-static size_t chunk_size(const struct mpm_strip *strip, size_t begin)
-{
-    return strip->end - begin < CHUNK ? strip->end - begin : CHUNK;
-}
-
-/* Those of a strip: the first visit in a step finds them, for those that follow. */
-static const struct mpm_crack_chunk *chunks_of(const struct mpm_state *state,
-                                               const struct mpm_strip *strip)
-{
-    const struct mpm_crack_map *const map = state->cracks.map;
-    const size_t index = (size_t)(strip - state->strips);
-    struct mpm_crack_chunk *const chunks = map->chunks + index + strip->begin / CHUNK;
-    if (map->described[index])
-        return chunks;
-    map->described[index] = true;
-    for (size_t k = 0, begin = strip->begin; begin < strip->end; begin += CHUNK, k++)
-        describe_chunk(state, begin, chunk_size(strip, begin), &chunks[k]);
-    return chunks;
 }
 
 /* Columns of the marked cells of some rows. */
@@ -291,15 +266,18 @@ void mpm_crack_bands_visit(const struct mpm_state *state, const struct mpm_strip
                            const struct mpm_crack_bands *bands, mpm_crack_visit *visit,
                            void *context)
 {
+    const double *const x = state->particles.position[0];
     const struct mpm_cell_block all = strip_block(state, strip);
     if (strip->begin == strip->end || !meet(bands, &all))
         return;
     const struct columns columns = columns_of(bands, all.low[1], all.high[1]);
-    const struct mpm_crack_chunk *known = chunks_of(state, strip);
-    for (size_t begin = strip->begin; begin < strip->end; begin += CHUNK, known++) {
-        const struct chunk chunk = {begin, chunk_size(strip, begin), known->reach};
+    struct chunk chunk = {.begin = strip->begin};
+    for (; chunk.begin < strip->end; chunk.begin += chunk.count) {
+        const size_t rest = strip->end - chunk.begin;
+        chunk.count = rest < CHUNK ? rest : CHUNK;
+        find_reach(state, &chunk);
         const struct interval near = interval_of(state, &columns, &chunk);
-        if (known->x.low <= near.high && known->x.high >= near.low)
+        if (contains_any(&near, x + chunk.begin, chunk.count))
             visit_chunk(state, bands, &chunk, visit, context);
     }
 }
@@ -364,7 +342,6 @@ bool mpm_crack_map_draw(struct mpm_state *state)
     clear_bands(state, &map->listed);
     clear_bands(state, &map->wanted);
     clear_bands(state, &map->beside);
-    memset(map->described, 0, (size_t)state->strip_count * sizeof *map->described);
     for (uint32_t crack = 0; crack < state->scene->crack_count; crack++)
         for (size_t k = 0; k + 1 < state->cracks.chains[crack].count; k++)
             if (!list_segment(state, crack, k))

@@ -31,19 +31,15 @@ struct mpm_crack_site {
     struct mpm_crack_part part;
 };
 
-struct mpm_crack_chunk;
-
 struct mpm_crack_map {
     int64_t span;
     double slack;    /* see mpm_crack_part_of */
     uint32_t *first; /* per cell: one more than its first site, or 0 */
     struct mpm_crack_site *sites;
     size_t count, capacity;
-    struct mpm_crack_bands listed;  /* of the cells that are */
-    struct mpm_crack_bands wanted;  /* of the nodes that further fields are asked for at */
-    struct mpm_crack_bands beside;  /* of those with corners that have further velocity fields */
-    struct mpm_crack_chunk *chunks; /* of the step: some particles each, strip by strip */
-    bool *described;                /* per strip: are its chunks those of this step? */
+    struct mpm_crack_bands listed; /* of the cells that are */
+    struct mpm_crack_bands wanted; /* of the nodes that further fields are asked for at */
+    struct mpm_crack_bands beside; /* of those with corners that have further velocity fields */
 };
 
 /* Takes the arrays of a map with room for so many sites. */
