@@ -140,7 +140,7 @@ static enum mpm_status grow(struct mpm_simulation *simulation, size_t index,
     const struct mpm_crack_chain *const chain = &state->cracks.chains[spec->crack];
     const double increment = increment_of(scene, &spec->growth);
     const double tangent = half_angle(&spec->growth, value->stress_intensity);
-    struct mpm_segment added;
+    struct mpm_segment added = {{0.0, 0.0}, {0.0, 0.0}};
     double direction[2];
     mpm_j_tip_place(state, spec, added.a);
     if (rint(simulation->tips[index].grown / increment) + 1.0 >
