@@ -60,21 +60,37 @@ def chosen(arguments):
     return sample
 
 
-def already_tried(path, mutants):
-    """Results of an interrupted run, of mutants as they are now."""
+def revision_of_sources():
+    return subprocess.run(["git", "describe", "--always", "--dirty", "--abbrev=12"], cwd=ROOT,
+                          text=True, stdout=subprocess.PIPE, check=False).stdout.strip()
+
+
+def already_tried(path, mutants, revision):
+    """Results of an interrupted run: of the same sources, of mutants as they are now. Its last line
+    may have been cut."""
     if not path.exists():
         return []
     patches = {m.name: m.patch for m in mutants}
-    lines = map(json.loads, path.read_text(encoding="utf-8").splitlines())
-    return [r for r in lines if patches.get(r["name"]) == r["patch"]]
+    results = []
+    for line in path.read_text(encoding="utf-8").splitlines():
+        try:
+            result = json.loads(line)
+        except ValueError:
+            continue
+        if result["revision"] == revision and patches.get(result["name"]) == result["patch"]:
+            results.append(result)
+    return results
 
 
-def try_all(arguments, mutants, log):
+def try_all(arguments, mutants, log, revision):
     """Yields results as they come."""
     folder = arguments.output
     baseline = trial.Baseline(folder / "unchanged", arguments.jobs, say)
-    say(f"unchanged: {len(baseline.suite_seconds)} suites, {baseline.check_count} checks, "
-        f"{len(baseline.quick)} quick variants")
+    say(f"unchanged: {len(baseline.suite_seconds)} suites, {baseline.check_count} checks")
+    for number, (suites, pairs) in enumerate(baseline.stages(), 1):
+        say(f"stage {number}: {len(suites)} suites, {len(pairs)} variants, "
+            f"{sum(baseline.suite_seconds[s] for s in suites):.0f} + "
+            f"{sum(baseline.variant_seconds[p] for p in pairs):.0f} s")
     benches = queue.Queue()
     for k in range(arguments.jobs):
         benches.put(trial.Bench(baseline, folder / f"bench-{k}"))
@@ -82,13 +98,13 @@ def try_all(arguments, mutants, log):
     def attempt(mutant):
         bench = benches.get()
         try:
-            return bench.attempt(mutant)
+            return bench.attempt(mutant, arguments.thorough)
         finally:
             benches.put(bench)
 
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool, log.open("a") as lines:
         for done in concurrent.futures.as_completed([pool.submit(attempt, m) for m in mutants]):
-            result = done.result()
+            result = {**done.result(), "revision": revision}
             lines.write(json.dumps(result) + "\n")
             lines.flush()
             yield result
@@ -120,15 +136,15 @@ def run(arguments):
     if not arguments.resume:
         log.unlink(missing_ok=True)
     start = time.monotonic()
-    results = already_tried(log, mutants)
+    revision = revision_of_sources()
+    results = already_tried(log, mutants, revision)
+    say(f"{len(results)} of {len(mutants)} have been tried")
     names = {r["name"] for r in results}
     left = [m for m in mutants if m.name not in names]
     if left:
-        for result in try_all(arguments, left, log):
+        for result in try_all(arguments, left, log, revision):
             results.append(result)
             report(result, len(results), len(mutants))
-    revision = subprocess.run(["git", "describe", "--always", "--dirty", "--abbrev=12"], cwd=ROOT,
-                              text=True, stdout=subprocess.PIPE, check=False).stdout.strip()
     about = {"revision": revision, "seconds": time.monotonic() - start, "jobs": arguments.jobs,
              "set": "operators" if arguments.operators else "curated", "seed": arguments.seed}
     table.write_all(arguments.output, about, results)
@@ -147,6 +163,8 @@ def read_arguments():
     runs.add_argument("--files", default="solver/**/*", metavar="GLOB", help="where operators are")
     runs.add_argument("--seed", type=int, default=1, help="of the sample of operators")
     runs.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N")
+    runs.add_argument("--thorough", action="store_true",
+                      help="all tests and checks for each, also after it is found")
     runs.add_argument("--output", type=pathlib.Path, default=ROOT / "build/mutants", metavar="DIR")
     runs.add_argument("--resume", action="store_true", help="keep what an interrupted run has found")
     return parser.parse_args()

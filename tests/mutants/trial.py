@@ -4,23 +4,29 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 
 import json
+import math
 import os
 import re
+import resource
 import shutil
 import subprocess
 import time
 
 from mutant_files import Fault, ROOT
 
-LONG_SUITE = 5.0  # s: a suite that takes longer waits until the others have left a mutant alive
-QUICK_VARIANT = 0.2  # s: the same of a variant of the catalogue
+# What a mutant meets first: suites of unit tests, and variants of the catalogue, of up to so many
+# seconds. Only one that is still alive meets what takes longer.
+STAGES = ((0.6, 0.03), (3.0, 0.03), (3.0, 0.2), (math.inf, 0.2), (math.inf, 1.0),
+          (math.inf, math.inf))
 SOUND = ("pass", "skip", "expected-fail")
 FAILED_TEST = re.compile(r"^\S+:\d+:[FE]:[^:]*:([^:]+):")
 
 
 def inherited():
-    """Without what a make that called has put there: trials are builds of their own."""
-    return {k: v for k, v in os.environ.items() if k not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL")}
+    """Without what a make that called has put there: trials are builds of their own. As many trials
+    run side by side as there are processors: threads must not spin while they wait."""
+    kept = {k: v for k, v in os.environ.items() if k not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL")}
+    return {**kept, "OMP_WAIT_POLICY": "passive"}
 
 
 def command(folder, words, limit, environment=None):
@@ -87,6 +93,12 @@ def run_catalogue(folder, limit, jobs=1, only=None):
         return [], "(did not end)" if status is None else f"(exit status {status}: {said[-200:]})"
 
 
+def processor_seconds():
+    """Of the commands that have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 class Baseline:
     """The unchanged sources, built and run: what is green, and how long it takes."""
 
@@ -101,35 +113,30 @@ class Baseline:
             raise Fault(f"the unchanged sources do not build:\n{fault}")
         self.suite_seconds = {}
         for suite in suites(folder):
-            start = time.monotonic()
+            start = processor_seconds()
             failed = run_suite(folder, suite, 600)
-            self.suite_seconds[suite] = time.monotonic() - start
+            self.suite_seconds[suite] = processor_seconds() - start
             if failed:
                 raise Fault(f"unchanged, suite {suite} fails: {', '.join(failed)}")
         say("running the catalogue")
-        start = time.monotonic()
+        start = processor_seconds()
         checks, fault = run_catalogue(folder, 1800, jobs)
-        self.catalogue_seconds = jobs * (time.monotonic() - start)
+        used = processor_seconds() - start
         red = [c for c in checks if c["status"] not in SOUND]
         if fault or red:
             raise Fault(f"unchanged, the catalogue is red: {fault or red[0]}")
         self.check_count = len(checks)
-        self.quick = quick_pairs(checks)
+        passed = {f"{c['case']}/{c['variant']}": c["seconds"] for c in checks}
+        share = used / sum(passed.values())  # of the time that passed: the machine may be busy
+        self.variant_seconds = {pair: share * seconds for pair, seconds in passed.items()}
 
-    def quick_suites(self):
-        return [s for s, seconds in self.suite_seconds.items() if seconds <= LONG_SUITE]
-
-    def long_suites(self):
-        return [s for s, seconds in self.suite_seconds.items() if seconds > LONG_SUITE]
-
-
-def quick_pairs(checks):
-    """CASE/VARIANT of quick variants, and of the quickest one of each case."""
-    seconds = {}
-    for check in checks:
-        seconds.setdefault(check["case"], {})[check["variant"]] = check["seconds"]
-    return sorted(f"{case}/{variant}" for case, of in seconds.items() for variant in of
-                  if of[variant] <= QUICK_VARIANT or of[variant] == min(of.values()))
+    def stages(self):
+        """Suites and CASE/VARIANTs of each stage, all of them once."""
+        limits = (0.0, *(limit for limit, _ in STAGES)), (0.0, *(limit for _, limit in STAGES))
+        parts = [[[name for name, of in seconds.items() if low <= of < high]
+                  for low, high in zip(limit, limit[1:])]
+                 for seconds, limit in zip((self.suite_seconds, self.variant_seconds), limits)]
+        return list(zip(*parts))
 
 
 class Bench:
@@ -156,7 +163,9 @@ class Bench:
         one, other = original.stat(), copy.stat()
         return one.st_mtime_ns != other.st_mtime_ns or one.st_size != other.st_size
 
-    def limit(self, seconds):
+    @staticmethod
+    def limit(seconds):
+        """Far from what a busy machine makes of it."""
         return 60.0 + 10.0 * seconds
 
     def suites_kill(self, names):
@@ -167,15 +176,18 @@ class Bench:
         return killed
 
     def catalogue_kills(self, only):
-        checks, fault = run_catalogue(self.folder, self.limit(self.baseline.catalogue_seconds),
-                                      only=only)
+        if not only:
+            return []
+        seconds = sum(self.baseline.variant_seconds[pair] for pair in only)
+        checks, fault = run_catalogue(self.folder, self.limit(seconds), only=only)
         if fault:
             return [f"catalogue {fault}"]
         return [f"{c['case']}/{c['check']}[{c['variant']}]" for c in checks
                 if c["status"] not in SOUND]
 
-    def attempt(self, mutant):
-        """What became of the mutant, as a dictionary."""
+    def attempt(self, mutant, thorough):
+        """What became of the mutant, as a dictionary. A thorough trial goes on after the first stage
+        that finds it."""
         start = time.monotonic()
         patch = self.folder / "build/mutant.patch"
         patch.write_text(mutant.patch, encoding="utf-8")
@@ -191,7 +203,7 @@ class Bench:
         if fault:
             result["outcome"], result["fault"] = "not-built", fault
         else:
-            self.try_all(result)
+            self.try_all(result, thorough)
             killed = result["tests"] or result["checks"]
             result["outcome"] = ("killed" if killed else
                                  "equivalent" if mutant.equivalent else "survived")
@@ -199,10 +211,11 @@ class Bench:
         result["seconds"] = time.monotonic() - start
         return result
 
-    def try_all(self, result):
-        result["tests"] = self.suites_kill(self.baseline.quick_suites())
-        result["checks"] = self.catalogue_kills(self.baseline.quick)
-        if not result["tests"] and not result["checks"]:
-            result["whole"] = True
-            result["tests"] = self.suites_kill(self.baseline.long_suites())
-            result["checks"] = self.catalogue_kills(None)
+    def try_all(self, result, thorough):
+        stages = self.baseline.stages()
+        for number, (names, pairs) in enumerate(stages, 1):
+            result["tests"] += self.suites_kill(names)
+            result["checks"] += self.catalogue_kills(pairs)
+            result["whole"] = number == len(stages)
+            if not thorough and (result["tests"] or result["checks"]):
+                break
