@@ -1,13 +1,15 @@
-/* The arena, tensors and strips.
+/* The arena, tensors, orientation and strips.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/arena.h"
+#include "base/orientation.h"
 #include "base/strips.h"
 #include "base/tensor.h"
 #include "suites.h"
 #include "support/near.h"
 
 #include <float.h>
+#include <glib.h>
 
 START_TEST(an_arena_gives_aligned_zeroed_arrays_of_the_size_measured)
 {
@@ -141,6 +143,48 @@ START_TEST(rows_run_once_whatever_the_number_of_workers)
 }
 END_TEST
 
+/* ------------------------------------------------------------------ orientation */
+
+__extension__ typedef __int128 wide_t; /* holds products of differences of 53 bits */
+
+static int sign_of(double value)
+{
+    return (value > 0.0) - (value < 0.0);
+}
+
+static int sign_of_area(const int64_t a[2], const int64_t b[2], const int64_t c[2])
+{
+    const wide_t area =
+        (wide_t)(a[0] - c[0]) * (b[1] - c[1]) - (wide_t)(a[1] - c[1]) * (b[0] - c[0]);
+    return (area > 0) - (area < 0);
+}
+
+START_TEST(the_sign_of_an_area_is_that_of_wide_integers)
+{
+    GRand *const random = g_rand_new_with_seed(1997);
+    int missed = 0; /* by rounded products */
+    for (int time = 0; time < 20000; time++) {
+        int64_t at[3][2];
+        double place[3][2];
+        const double part = g_rand_double(random);
+        for (int axis = 0; axis < 2; axis++) {
+            for (int k = 0; k < 2; k++)
+                at[k][axis] = (int64_t)ldexp(g_rand_double_range(random, -1, 1), 52);
+            at[2][axis] = at[0][axis] + llrint(part * (double)(at[1][axis] - at[0][axis])) +
+                          g_rand_int_range(random, -1, 2);
+            for (int k = 0; k < 3; k++)
+                place[k][axis] = (double)at[k][axis];
+        }
+        const int sign = sign_of_area(at[0], at[1], at[2]);
+        ck_assert_int_eq(sign_of(mpm_orientation(place[0], place[1], place[2])), sign);
+        missed += sign_of((place[0][0] - place[2][0]) * (place[1][1] - place[2][1]) -
+                          (place[0][1] - place[2][1]) * (place[1][0] - place[2][0])) != sign;
+    }
+    ck_assert_int_gt(missed, 100);
+    g_rand_free(random);
+}
+END_TEST
+
 Suite *suite_base(void)
 {
     Suite *const suite = suite_create("base");
@@ -154,6 +198,9 @@ Suite *suite_base(void)
     tcase_add_test(tensor, cayley_hamilton_gives_the_series_for_any_number_of_terms);
     tcase_add_test(tensor, the_exponential_of_a_spin_is_a_rotation);
     suite_add_tcase(suite, tensor);
+    TCase *const orientation = tcase_create("orientation");
+    tcase_add_test(orientation, the_sign_of_an_area_is_that_of_wide_integers);
+    suite_add_tcase(suite, orientation);
     TCase *const strips = tcase_create("strips");
     tcase_add_test(strips, every_strip_runs_once_even_ones_first);
     tcase_add_test(strips, rows_run_once_whatever_the_number_of_workers);
