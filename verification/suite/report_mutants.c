@@ -168,8 +168,9 @@ static void add_killers(GString *html, struct report_site *site, const json_t *m
     }
     g_string_append(
         html, "<h2 id=\"killers\">What each check is worth</h2>\n<p class=\"about\">"
-              "Killed mutants have met the quick tests and checks only: of one that alone kills "
-              "a mutant, see first what the whole catalogue says.</p>\n");
+              "A mutant meets the slower tests and checks only while quicker ones leave it alive: "
+              "of one that alone kills a mutant here, see first what all of them say "
+              "(<code>mutants.py run --thorough</code>).</p>\n");
     report_site_table(site, table, "Mutants killed by each check and test", "killers.csv", html);
     g_array_unref(killers);
 }
