@@ -228,8 +228,8 @@ coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gc
 .PHONY: verify verify-full
 verify: all ## the catalogue at CI size; report in build/reports/verify
 	$(BUILD)/bin/mpm-verify run --tier ci --output build/reports/verify
-verify-full: all ## the catalogue at full size
-	$(BUILD)/bin/mpm-verify run --tier full --output build/reports/verify
+verify-full: all ## the catalogue at full size; report in build/reports/verify-full
+	$(BUILD)/bin/mpm-verify run --tier full --output build/reports/verify-full
 
 .PHONY: test-browser
 test-browser: all ## the report of `make verify` in headless Chromium: links, sorting, layout, axe

@@ -45,6 +45,7 @@
     SUITE(score_parts)                                                                             \
     SUITE(score_readers)                                                                           \
     SUITE(score_snapshots)                                                                         \
+    SUITE(score_numbers)                                                                           \
     SUITE(score)                                                                                   \
     SUITE(docs)                                                                                    \
     SUITE(report_site)                                                                             \

@@ -144,6 +144,25 @@ static const struct {
      "bundle.criteria.0: within: \"5 %\" is not a finite number"},
     {"why: it is <one> & only\n", BUNDLE("1, 1", "5") "no_bundle: n\n",
      "case.yaml:26: no_bundle: there is a bundle"},
+#define NUMBER(low)                                                                                \
+    "{number: n, title: t, quantity: q, unit: m, expected: 1, low: " low                           \
+    ", high: 2, basis: theory, why: w}"
+#define NUMBERS(file, numbers)                                                                     \
+    "why: w\nbundle_of_numbers:\n  {about: a, files: [" file "], list: [" numbers "]}\n"
+    {"why: it is <one> & only\n", NUMBERS("f", NUMBER("0.5")),
+     "case.yaml:25: bundle_of_numbers: states the case's scene"},
+    {"why: it is <one> & only\n", NUMBERS("/f", NUMBER("0.5")),
+     "file \"/f\": allowed is one within reference_data"},
+    {"why: it is <one> & only\n", NUMBERS("a/../../f", NUMBER("0.5")),
+     "file \"a/../../f\": allowed is one within reference_data"},
+    {"why: it is <one> & only\n", NUMBERS("f", NUMBER("q")),
+     "bundle_of_numbers.list.0: low: \"q\" is not a finite number"},
+    {"why: it is <one> & only\n", NUMBERS("f", NUMBER("-0.5")),
+     "bundle_of_numbers.list.0: number \"n\": the band holds zero"},
+    {"why: it is <one> & only\n", NUMBERS("f", NUMBER("0.5") ", " NUMBER("0.5")),
+     "bundle_of_numbers.list.1: number \"n\" is there twice"},
+    {"why: it is <one> & only\n", NUMBERS("f", NUMBER("0.5")) "no_bundle: n\n",
+     "bundle_of_numbers: there is a no_bundle as well"},
 };
 
 START_TEST(a_bad_case_is_refused_with_file_line_and_reason)

@@ -87,8 +87,8 @@ START_TEST(the_tutorial_on_scores_does_what_it_says)
             results++;
         }
     }
-    ck_assert_uint_eq(commands, 7);
-    ck_assert_uint_eq(results, 5);
+    ck_assert_uint_eq(commands, 10);
+    ck_assert_uint_eq(results, 7);
     g_free(said);
     g_strfreev(lines);
     g_free(text);

@@ -127,6 +127,28 @@ static char *text_of(const json_t *object, const char *key)
     return (char *)json_string_value(json_object_get(object, key));
 }
 
+static enum mpm_status read_check(const struct bundle *bundle, const json_t *object,
+                                  struct case_check *check, struct mpm_error *error)
+{
+    *check = (struct case_check){.name = text_of(object, "criterion"),
+                                 .title = text_of(object, "title"),
+                                 .quantity = text_of(object, "criterion"),
+                                 .unit = text_of(object, "unit"),
+                                 .norm = text_of(object, "quantity"),
+                                 .why = text_of(object, "why"),
+                                 .band = {.expected = record_number(object, "expected"),
+                                          .low = record_number(object, "low"),
+                                          .high = record_number(object, "high")}};
+    if (check->name == NULL || !name_is_sound(check->name) || check->title == NULL ||
+        check->why == NULL)
+        return refuse(bundle, error, "criteria", "criterion, title and why");
+    const char *fault = verdict_band_fault(&check->band);
+    if (fault == NULL)
+        return MPM_OK;
+    return failure_set(error, MPM_BAD_INPUT, "%s/problem.json: criterion %s: %s", bundle->folder,
+                       check->name, fault);
+}
+
 static enum mpm_status read_criterion(struct bundle *bundle, const json_t *object,
                                       struct bundle_criterion *criterion, struct mpm_error *error)
 {
@@ -137,25 +159,24 @@ static enum mpm_status read_criterion(struct bundle *bundle, const json_t *objec
     if (norm == AGREEMENT_NORMS)
         return refuse(bundle, error, "criteria: norm", "l1, l2, linf or mean");
     criterion->norm = (enum agreement_norm)norm;
-    struct case_check *check = &criterion->check;
-    *check = (struct case_check){.name = text_of(object, "criterion"),
-                                 .title = text_of(object, "title"),
-                                 .quantity = text_of(object, "criterion"),
-                                 .unit = (char *)"%",
-                                 .norm = (char *)agreement_norm_words(criterion->norm),
-                                 .basis = BASIS_THEORY,
-                                 .why = text_of(object, "why"),
-                                 .band = {.expected = record_number(object, "expected"),
-                                          .low = record_number(object, "low"),
-                                          .high = record_number(object, "high")}};
-    if (check->name == NULL || !name_is_sound(check->name) || check->title == NULL ||
-        check->why == NULL)
-        return refuse(bundle, error, "criteria", "criterion, title and why");
-    const char *fault = verdict_band_fault(&check->band);
-    if (fault != NULL)
-        return failure_set(error, MPM_BAD_INPUT, "%s/problem.json: criterion %s: %s",
-                           bundle->folder, check->name, fault);
+    TRY(read_check(bundle, object, &criterion->check, error));
+    criterion->check.unit = (char *)"%";
+    criterion->check.norm = (char *)agreement_norm_words(criterion->norm);
+    criterion->check.basis = BASIS_THEORY;
     return read_columns(bundle, object, criterion, error);
+}
+
+static enum mpm_status read_number(struct bundle *bundle, const json_t *object,
+                                   struct bundle_criterion *criterion, struct mpm_error *error)
+{
+    struct case_check *check = &criterion->check;
+    TRY(read_check(bundle, object, check, error));
+    if (check->unit == NULL || check->norm == NULL)
+        return refuse(bundle, error, "criteria", "quantity and unit");
+    return basis_find(record_text(object, "basis"), &check->basis)
+               ? MPM_OK
+               : refuse(bundle, error, "criteria: basis",
+                        "theory, round-off, literature or measured");
 }
 
 static enum mpm_status read_criteria(struct bundle *bundle, struct mpm_error *error)
@@ -166,7 +187,9 @@ static enum mpm_status read_criteria(struct bundle *bundle, struct mpm_error *er
         return refuse(bundle, error, "criteria", "a list of at least one");
     bundle->criteria = g_new0(struct bundle_criterion, bundle->criterion_count);
     for (size_t i = 0; i < bundle->criterion_count; i++) {
-        TRY(read_criterion(bundle, json_array_get(criteria, i), &bundle->criteria[i], error));
+        const json_t *const object = json_array_get(criteria, i);
+        TRY((bundle->numbers ? read_number : read_criterion)(bundle, object, &bundle->criteria[i],
+                                                             error));
         for (size_t k = 0; k < i; k++)
             if (strcmp(bundle->criteria[k].check.name, bundle->criteria[i].check.name) == 0)
                 return refuse(bundle, error, "criteria: criterion", "each name once");
@@ -211,14 +234,25 @@ static enum mpm_status read_files(struct bundle *bundle, struct mpm_error *error
     return status;
 }
 
+static enum mpm_status read_kind(struct bundle *bundle, struct mpm_error *error)
+{
+    const char *results = record_text(bundle->json, "results");
+    bundle->numbers = strcmp(results, "numbers") == 0;
+    return bundle->numbers || strcmp(results, "fields") == 0
+               ? MPM_OK
+               : refuse(bundle, error, "results", "fields or numbers");
+}
+
 enum mpm_status bundle_read(const char *folder, struct bundle *bundle, struct mpm_error *error)
 {
     *bundle = (struct bundle){.folder = g_strdup(folder)};
     score_table_open(&bundle->reference);
     enum mpm_status status = read_files(bundle, error);
     if (status == MPM_OK)
+        status = read_kind(bundle, error);
+    if (status == MPM_OK && !bundle->numbers)
         status = read_setting(bundle, error);
-    if (status == MPM_OK)
+    if (status == MPM_OK && !bundle->numbers)
         status = read_reference(bundle, error);
     if (status == MPM_OK)
         status = read_criteria(bundle, error);

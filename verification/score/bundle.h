@@ -31,6 +31,7 @@ struct bundle {
     char *folder;
     json_t *json; /* problem.json */
     char *words;  /* problem.md */
+    bool numbers; /* are judged, see numbers.h, not fields; then there are but the criteria below */
     struct score_format format;
     struct lattice lattice;
     double end;

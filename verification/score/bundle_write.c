@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/score/bundle.h"
+#include "verification/score/bundle_folder.h"
 #include "verification/score/references.h"
 #include "verification/score/scene_json.h"
 #include "verification/suite/failure.h"
@@ -176,35 +177,13 @@ static json_t *columns_json(const struct writing *writing)
     return columns;
 }
 
-/* The sections of a scene that say what the problem is, not how the solver takes it. */
-static json_t *problem_json(const json_t *scene)
-{
-    static const char *const sections[] = {"title",    "thickness", "materials", "bodies",
-                                           "boundary", "loads",     "cracks"};
-    json_t *problem = json_object();
-    for (size_t i = 0; i < G_N_ELEMENTS(sections); i++)
-        if (json_object_get(scene, sections[i]) != NULL)
-            json_object_set(problem, sections[i], json_object_get(scene, sections[i]));
-    json_object_set(problem, "resolution_of_the_case", json_object_get(scene, "grid"));
-    return problem;
-}
-
 static json_t *bundle_json(const struct writing *writing)
 {
-    const struct case_file *file = writing->entry->file;
     const struct case_bundle *bundle = writing->bundle;
-    json_t *object = json_object(), *criteria = json_array();
+    json_t *object = bundle_facts(writing->entry, writing->scene, bundle->about, "fields");
+    json_t *criteria = json_array();
     for (unsigned i = 0; i < bundle->criteria_count; i++)
         json_array_append_new(criteria, criterion_json(&bundle->criteria[i]));
-    json_object_set_new(object, "format", json_integer(1));
-    json_object_set_new(object, "family", record_text_of(file->family));
-    json_object_set_new(object, "case", record_text_of(file->name));
-    json_object_set_new(object, "title", record_text_of(file->title));
-    json_object_set_new(object, "summary", record_text_of(file->summary));
-    json_object_set_new(object, "about", record_text_of(bundle->about));
-    json_object_set(object, "geometry", json_object_get(writing->scene, "geometry"));
-    json_object_set(object, "units", json_object_get(writing->scene, "units"));
-    json_object_set_new(object, "problem", problem_json(writing->scene));
     json_object_set_new(object, "body", json_integer(bundle->body));
     json_object_set_new(object, "at_rest", json_boolean(bundle->rest));
     json_object_set_new(object, "end", json_real(bundle->end));
@@ -212,8 +191,6 @@ static json_t *bundle_json(const struct writing *writing)
     json_object_set_new(object, "points", points_json(writing));
     json_object_set_new(object, "columns", columns_json(writing));
     json_object_set_new(object, "criteria", criteria);
-    json_object_set_new(object, "version", record_text_of(mpm_build_info()->version));
-    json_object_set_new(object, "revision", record_text_of(mpm_build_info()->revision));
     return object;
 }
 
@@ -254,10 +231,7 @@ static void add_times(GString *text, const struct case_bundle *bundle)
 
 static char *words_text(const struct writing *writing, const json_t *json)
 {
-    const struct case_file *file = writing->entry->file;
-    GString *text = g_string_new(NULL);
-    g_string_append_printf(text, "# Case %s for other solvers: %s\n\n%s\n\n", file->name,
-                           file->title, writing->bundle->about);
+    GString *text = bundle_words_begin(writing->entry, writing->bundle->about);
     g_string_append(
         text, "`problem.json` states geometry, units, material, bodies, conditions and loads, as "
               "the scene of the case has them; texts such as \"sin(pi*x/16)\" are formulas in the "
@@ -277,11 +251,7 @@ static char *words_text(const struct writing *writing, const json_t *json)
                     "    mpm-verify score BUNDLE RESULTS\n\n## Criteria\n\nAgreement with the "
                     "reference, taken between its points at yours.\n\n");
     add_criteria(text, writing->bundle);
-    g_string_append_printf(text,
-                           "\n---\n\nWhat the suite itself says of the case, of its own solver "
-                           "included:\n\n%s",
-                           writing->entry->readme);
-    return g_string_free(text, FALSE);
+    return bundle_words_end(writing->entry, text);
 }
 
 /* ------------------------------------------------------------------------- files */
@@ -304,18 +274,13 @@ static enum mpm_status write_files(const struct writing *writing, const char *ho
                                    struct mpm_error *error)
 {
     json_t *json = bundle_json(writing);
-    char *dump = json_dumps(json, JSON_INDENT(2) | JSON_PRESERVE_ORDER | JSON_REAL_PRECISION(15));
-    char *text = g_strconcat(dump, "\n", NULL), *words = words_text(writing, json);
+    char *words = words_text(writing, json);
     enum mpm_status status = write_table(writing, home, "reference.csv", false, error);
     if (status == MPM_OK)
         status = write_table(writing, home, "body_force.csv", true, error);
     if (status == MPM_OK)
-        status = output_write(home, "problem.md", words, error);
-    if (status == MPM_OK)
-        status = output_write(home, "problem.json", text, error);
+        status = bundle_describe(home, words, json, error);
     g_free(words);
-    g_free(text);
-    free(dump);
     json_decref(json);
     return status;
 }
@@ -357,39 +322,14 @@ static enum mpm_status prepare(struct writing *writing, struct mpm_error *error)
     return check_criteria(writing, error);
 }
 
-/* Only a new or empty folder, or a bundle of the same case, is written to. */
-static enum mpm_status check_home(const char *home, const char *name, struct mpm_error *error)
-{
-    GDir *directory = g_dir_open(home, 0, NULL);
-    const bool empty = directory == NULL ? !g_file_test(home, G_FILE_TEST_EXISTS)
-                                         : g_dir_read_name(directory) == NULL;
-    if (directory != NULL)
-        g_dir_close(directory);
-    if (empty)
-        return MPM_OK;
-    char *path = g_build_filename(home, "problem.json", NULL);
-    json_t *json = json_load_file(path, 0, NULL);
-    const bool bundle = json_integer_value(json_object_get(json, "format")) == 1 &&
-                        strcmp(record_text(json, "case"), name) == 0;
-    json_decref(json);
-    g_free(path);
-    return bundle ? MPM_OK
-                  : failure_set(error, MPM_BAD_INPUT,
-                                "%s: is there and no bundle of case %s: allowed are a new or "
-                                "empty folder, or such a bundle",
-                                home, name);
-}
-
 enum mpm_status bundle_write(const struct catalogue_case *entry, const char *folder,
                              struct mpm_error *error)
 {
     struct writing writing = {.entry = entry, .bundle = entry->file->bundle};
-    char *home = g_build_filename(folder, entry->file->name, NULL);
+    char *home = NULL;
     enum mpm_status status = prepare(&writing, error);
     if (status == MPM_OK)
-        status = check_home(home, entry->file->name, error);
-    if (status == MPM_OK && g_mkdir_with_parents(home, 0777) != 0)
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be made", home);
+        status = bundle_home(entry, folder, &home, error);
     if (status == MPM_OK)
         status = write_files(&writing, home, error);
     json_decref(writing.scene);

@@ -1,6 +1,7 @@
 /* A score as a run of the suite with one case and one variant: the solver.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/score/numbers.h"
 #include "verification/score/results.h"
 #include "verification/score/score.h"
 #include "verification/suite/failure.h"
@@ -101,26 +102,32 @@ static enum mpm_status report(const struct score_options *options, const struct 
     return status;
 }
 
+static enum mpm_status field_rows(const struct bundle *bundle, const char *path, GString *rows,
+                                  struct mpm_error *error)
+{
+    struct score_table results;
+    TRY(results_read(path, &bundle->format, &results, error));
+    const enum mpm_status status = score_rows(bundle, &results, rows, error);
+    score_table_close(&results);
+    return status;
+}
+
 enum mpm_status score_run(const struct score_options *options, struct console *console,
                           struct record_counts *counts, struct mpm_error *error)
 {
     struct bundle bundle;
-    struct score_table results;
     *counts = (struct record_counts){.total = 0};
     if (options->name != NULL && !name_is_sound(options->name))
         return failure_set(error, MPM_BAD_INPUT, "--name \"%s\": %s", options->name, name_rule);
     TRY(bundle_read(options->bundle, &bundle, error));
-    enum mpm_status status = results_read(options->results, &bundle.format, &results, error);
-    if (status == MPM_OK) {
-        GString *rows = g_string_new(NULL);
-        char *name = solver_name(options);
-        status = score_rows(&bundle, &results, rows, error);
-        if (status == MPM_OK)
-            status = report(options, &bundle, name, rows->str, console, counts, error);
-        g_free(name);
-        g_string_free(rows, TRUE);
-        score_table_close(&results);
-    }
+    GString *rows = g_string_new(NULL);
+    char *name = solver_name(options);
+    enum mpm_status status = bundle.numbers ? numbers_rows(&bundle, options->results, rows, error)
+                                            : field_rows(&bundle, options->results, rows, error);
+    if (status == MPM_OK)
+        status = report(options, &bundle, name, rows->str, console, counts, error);
+    g_free(name);
+    g_string_free(rows, TRUE);
     bundle_close(&bundle);
     return status;
 }

@@ -249,6 +249,45 @@ static enum mpm_status check_criterion(const char *path, const struct case_bundl
     return MPM_OK;
 }
 
+static enum mpm_status check_number(const char *path, const struct case_numbers *numbers,
+                                    unsigned index, struct mpm_error *error)
+{
+    const struct case_check *number = &numbers->list[index];
+    char place[48];
+    g_snprintf(place, sizeof place, "bundle_of_numbers.list.%u", index);
+    if (!name_is_sound(number->name))
+        return yaml_refuse(path, error, place, "number \"%s\": %s", number->name, name_rule);
+    const char *fault = verdict_band_fault(&number->band);
+    if (fault != NULL)
+        return yaml_refuse(path, error, place, "number \"%s\": %s", number->name, fault);
+    for (unsigned i = 0; i < index; i++)
+        if (strcmp(number->name, numbers->list[i].name) == 0)
+            return yaml_refuse(path, error, place, "number \"%s\" is there twice", number->name);
+    return MPM_OK;
+}
+
+static enum mpm_status check_numbers(const char *path, const struct case_file *file,
+                                     struct mpm_error *error)
+{
+    const struct case_numbers *numbers = file->numbers;
+    if (numbers == NULL)
+        return MPM_OK;
+    if (file->bundle != NULL || file->no_bundle != NULL)
+        return yaml_refuse(path, error, "bundle_of_numbers",
+                           "there is a %s as well; allowed is one",
+                           file->bundle != NULL ? "bundle" : "no_bundle");
+    for (unsigned i = 0; i < numbers->files_count; i++)
+        if (g_path_is_absolute(numbers->files[i]) || strstr(numbers->files[i], "..") != NULL)
+            return yaml_refuse(path, error, "bundle_of_numbers",
+                               "file \"%s\": allowed is one within reference_data",
+                               numbers->files[i]);
+    for (unsigned i = 0; i < numbers->list_count; i++)
+        TRY(check_number(path, numbers, i, error));
+    return file->scene != NULL ? MPM_OK
+                               : yaml_refuse(path, error, "bundle_of_numbers",
+                                             "states the case's scene, and it has none");
+}
+
 static enum mpm_status check_bundle(const char *path, const struct case_file *file,
                                     struct mpm_error *error)
 {
@@ -296,5 +335,6 @@ enum mpm_status case_file_check(const char *path, const struct case_file *file,
     for (unsigned i = 0; i < file->figures_count; i++)
         TRY(check_figure(path, file, i, error));
     TRY(check_comparison(path, file, error));
-    return check_bundle(path, file, error);
+    TRY(check_bundle(path, file, error));
+    return check_numbers(path, file, error);
 }

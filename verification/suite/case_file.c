@@ -163,6 +163,25 @@ static const cyaml_schema_field_t bundle_fields[] = {
     LIST("criteria", case_bundle, criteria, &criterion_schema, 1),
     CYAML_FIELD_END};
 
+static const cyaml_schema_field_t number_fields[] = {
+    TEXT("number", case_check, name),
+    TEXT("title", case_check, title),
+    TEXT("quantity", case_check, quantity),
+    TEXT("unit", case_check, unit),
+    TEXT("expected", case_check, expected_text),
+    TEXT("low", case_check, low_text),
+    TEXT("high", case_check, high_text),
+    CYAML_FIELD_ENUM("basis", CYAML_FLAG_STRICT, struct case_check, basis, basis_values,
+                     CYAML_ARRAY_LEN(basis_values)),
+    TEXT("why", case_check, why),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t number_schema = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct case_check, number_fields)};
+
+static const cyaml_schema_field_t numbers_fields[] = {
+    TEXT("about", case_numbers, about), LIST("files", case_numbers, files, &yaml_text_schema, 0),
+    LIST("list", case_numbers, list, &number_schema, 1), CYAML_FIELD_END};
+
 static const cyaml_schema_field_t file_fields[] = {
     CYAML_FIELD_INT("format", CYAML_FLAG_DEFAULT, struct case_file, format),
     TEXT("family", case_file, family),
@@ -184,6 +203,8 @@ static const cyaml_schema_field_t file_fields[] = {
                             struct case_file, comparison, comparison_fields),
     CYAML_FIELD_MAPPING_PTR("bundle", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL, struct case_file,
                             bundle, bundle_fields),
+    CYAML_FIELD_MAPPING_PTR("bundle_of_numbers", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL,
+                            struct case_file, numbers, numbers_fields),
     OPTIONAL_TEXT("no_bundle", case_file, no_bundle),
     CYAML_FIELD_END};
 static const cyaml_schema_value_t file_schema = {
@@ -204,8 +225,9 @@ static enum mpm_status convert(const char *path, const char *place, const char *
                        line, place, key, text);
 }
 
-static enum mpm_status convert_check(const char *path, unsigned index, struct case_check *check,
-                                     struct mpm_error *error)
+/* `list`: the key of the list that holds it. */
+static enum mpm_status convert_check(const char *path, const char *list, unsigned index,
+                                     struct case_check *check, struct mpm_error *error)
 {
     struct verdict_band *band = &check->band;
     const struct {
@@ -219,8 +241,8 @@ static enum mpm_status convert_check(const char *path, unsigned index, struct ca
         {"fails_high", check->fails_high_text, &band->fails_high},
         {"initial", check->initial_text, &band->initial},
     };
-    char place[32];
-    g_snprintf(place, sizeof place, "checks.%u", index);
+    char place[48];
+    g_snprintf(place, sizeof place, "%s.%u", list, index);
     for (size_t i = 0; i < G_N_ELEMENTS(numbers); i++)
         if (numbers[i].text != NULL)
             TRY(convert(path, place, numbers[i].key, numbers[i].text, numbers[i].value, error));
@@ -286,7 +308,9 @@ static enum mpm_status convert_numbers(const char *path, struct case_file *file,
         TRY(convert(path, "methods", "timeout", file->methods->timeout_text,
                     &file->methods->timeout, error));
     for (unsigned i = 0; i < file->checks_count; i++)
-        TRY(convert_check(path, i, &file->checks[i], error));
+        TRY(convert_check(path, "checks", i, &file->checks[i], error));
+    for (unsigned i = 0; file->numbers != NULL && i < file->numbers->list_count; i++)
+        TRY(convert_check(path, "bundle_of_numbers.list", i, &file->numbers->list[i], error));
     for (unsigned i = 0; file->comparison != NULL && i < file->comparison->columns_count; i++)
         TRY(convert_column(path, i, &file->comparison->columns[i], error));
     return file->bundle == NULL ? MPM_OK : convert_bundle(path, file->bundle, error);

@@ -11,10 +11,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const char *const basis_names[] = {"theory", "round-off", "literature", "measured"};
+
 const char *basis_name(enum case_basis basis)
 {
-    static const char *const names[] = {"theory", "round-off", "literature", "measured"};
-    return names[basis];
+    return basis_names[basis];
+}
+
+bool basis_find(const char *name, enum case_basis *basis)
+{
+    for (size_t i = 0; i < G_N_ELEMENTS(basis_names); i++)
+        if (strcmp(basis_names[i], name) == 0) {
+            *basis = (enum case_basis)i;
+            return true;
+        }
+    return false;
 }
 
 const char *evidence_name(enum case_evidence evidence)

@@ -149,6 +149,15 @@ struct case_bundle {
     unsigned criteria_count;
 };
 
+/* The same of a case that has no field: numbers, which each solver finds in its own way. */
+struct case_numbers {
+    char *about;  /* what a solver has to do that README.md and the scene do not say */
+    char **files; /* of reference_data, that go with it */
+    unsigned files_count;
+    struct case_check *list; /* name, title, quantity (in words), unit, band, basis and why */
+    unsigned list_count;
+};
+
 /* case.yaml as read; texts of numbers are kept beside their values. */
 struct case_file {
     int format;
@@ -168,8 +177,9 @@ struct case_file {
     struct case_figure *figures;
     unsigned figures_count;
     struct case_comparison *comparison; /* NULL if it has none */
-    struct case_bundle *bundle;         /* NULL if it has none: */
-    char *no_bundle;                    /* why; may be NULL */
+    struct case_bundle *bundle;         /* a field for other solvers, or */
+    struct case_numbers *numbers;       /* numbers, or */
+    char *no_bundle;                    /* why it has neither; each may be NULL */
 };
 
 struct catalogue_case {
@@ -199,7 +209,8 @@ void catalogue_free(struct catalogue *catalogue);
 char *catalogue_scene_path(const struct catalogue_case *entry, const struct case_variant *variant);
 
 const char *basis_name(enum case_basis basis);
-const char *evidence_name(enum case_evidence evidence); /* "" where none is stated */
+bool basis_find(const char *name, enum case_basis *basis); /* false: none has that name */
+const char *evidence_name(enum case_evidence evidence);    /* "" where none is stated */
 /* That of the check, or else of its case. */
 enum case_evidence check_evidence(const struct case_file *file, const struct case_check *check);
 const char *tier_name(enum tier tier);

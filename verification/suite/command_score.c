@@ -1,6 +1,7 @@
 /* mpm-verify export and score.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/score/numbers.h"
 #include "verification/score/score.h"
 #include "verification/suite/command_line.h"
 #include "verification/suite/commands.h"
@@ -21,12 +22,13 @@ static enum mpm_status export_cases(const struct command *command,
         if (options->case_glob != NULL && !glob_matches(options->case_glob, file->name))
             continue;
         matched++;
-        if (file->bundle == NULL) {
+        if (file->bundle == NULL && file->numbers == NULL) {
             fprintf(out, "%-8s not exportable: %s\n", file->name,
                     file->no_bundle != NULL ? file->no_bundle : "its case.yaml declares no bundle");
             continue;
         }
-        TRY(bundle_write(&catalogue->cases[i], options->output, error));
+        TRY((file->bundle != NULL ? bundle_write : numbers_write)(&catalogue->cases[i],
+                                                                  options->output, error));
         fprintf(out, "%-8s exported to %s/%s\n", file->name, options->output, file->name);
         written++;
     }

@@ -1,0 +1,118 @@
+/* What bundles of fields and of numbers have in common, written.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/score/bundle_folder.h"
+
+#include "verification/suite/failure.h"
+#include "verification/suite/output.h"
+#include "verification/suite/records.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ------------------------------------------------------------------------- JSON */
+
+/* The sections of a scene that say what the problem is, not how the solver takes it. */
+static json_t *problem_of(const json_t *scene)
+{
+    static const char *const sections[] = {"title",    "thickness", "materials", "bodies",
+                                           "boundary", "loads",     "cracks"};
+    json_t *problem = json_object();
+    for (size_t i = 0; i < G_N_ELEMENTS(sections); i++)
+        if (json_object_get(scene, sections[i]) != NULL)
+            json_object_set(problem, sections[i], json_object_get(scene, sections[i]));
+    json_object_set(problem, "resolution_of_the_case", json_object_get(scene, "grid"));
+    json_object_set(problem, "time_of_the_case", json_object_get(scene, "time"));
+    return problem;
+}
+
+json_t *bundle_facts(const struct catalogue_case *entry, const json_t *scene, const char *about,
+                     const char *results)
+{
+    const struct case_file *file = entry->file;
+    json_t *object = json_object();
+    json_object_set_new(object, "format", json_integer(1));
+    json_object_set_new(object, "family", record_text_of(file->family));
+    json_object_set_new(object, "case", record_text_of(file->name));
+    json_object_set_new(object, "title", record_text_of(file->title));
+    json_object_set_new(object, "summary", record_text_of(file->summary));
+    json_object_set_new(object, "about", record_text_of(about));
+    json_object_set_new(object, "version", record_text_of(mpm_build_info()->version));
+    json_object_set_new(object, "revision", record_text_of(mpm_build_info()->revision));
+    json_object_set_new(object, "results", json_string(results));
+    json_object_set(object, "geometry", json_object_get(scene, "geometry"));
+    json_object_set(object, "units", json_object_get(scene, "units"));
+    json_object_set_new(object, "problem", problem_of(scene));
+    return object;
+}
+
+/* ------------------------------------------------------------------------ words */
+
+GString *bundle_words_begin(const struct catalogue_case *entry, const char *about)
+{
+    GString *text = g_string_new(NULL);
+    g_string_append_printf(text, "# Case %s for other solvers: %s\n\n%s\n\n", entry->file->name,
+                           entry->file->title, about);
+    return text;
+}
+
+char *bundle_words_end(const struct catalogue_case *entry, GString *text)
+{
+    g_string_append_printf(text,
+                           "\n---\n\nWhat the suite itself says of the case, of its own solver "
+                           "included:\n\n%s",
+                           entry->readme);
+    return g_string_free(text, FALSE);
+}
+
+/* ------------------------------------------------------------------------ files */
+
+/* Only a new or empty folder, or a bundle of the same case, is written to. */
+static enum mpm_status check_home(const char *home, const char *name, struct mpm_error *error)
+{
+    GDir *directory = g_dir_open(home, 0, NULL);
+    const bool empty = directory == NULL ? !g_file_test(home, G_FILE_TEST_EXISTS)
+                                         : g_dir_read_name(directory) == NULL;
+    if (directory != NULL)
+        g_dir_close(directory);
+    if (empty)
+        return MPM_OK;
+    char *path = g_build_filename(home, "problem.json", NULL);
+    json_t *json = json_load_file(path, 0, NULL);
+    const bool bundle = json_integer_value(json_object_get(json, "format")) == 1 &&
+                        strcmp(record_text(json, "case"), name) == 0;
+    json_decref(json);
+    g_free(path);
+    return bundle ? MPM_OK
+                  : failure_set(error, MPM_BAD_INPUT,
+                                "%s: is there and no bundle of case %s: allowed are a new or "
+                                "empty folder, or such a bundle",
+                                home, name);
+}
+
+enum mpm_status bundle_home(const struct catalogue_case *entry, const char *folder, char **home,
+                            struct mpm_error *error)
+{
+    *home = g_build_filename(folder, entry->file->name, NULL);
+    enum mpm_status status = check_home(*home, entry->file->name, error);
+    if (status == MPM_OK && g_mkdir_with_parents(*home, 0777) != 0)
+        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be made", *home);
+    if (status != MPM_OK) {
+        g_free(*home);
+        *home = NULL;
+    }
+    return status;
+}
+
+enum mpm_status bundle_describe(const char *home, const char *words, const json_t *json,
+                                struct mpm_error *error)
+{
+    char *dump = json_dumps(json, JSON_INDENT(2) | JSON_PRESERVE_ORDER | JSON_REAL_PRECISION(15));
+    char *text = g_strconcat(dump, "\n", NULL);
+    enum mpm_status status = output_write(home, "problem.md", words, error);
+    if (status == MPM_OK)
+        status = output_write(home, "problem.json", text, error);
+    g_free(text);
+    free(dump);
+    return status;
+}

@@ -1,0 +1,115 @@
+/* A bundle of numbers, written.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/score/bundle_folder.h"
+#include "verification/score/numbers.h"
+#include "verification/score/scene_json.h"
+#include "verification/suite/failure.h"
+#include "verification/suite/output.h"
+#include "verification/suite/records.h"
+#include "verification/suite/resources.h"
+
+/* -------------------------------------------------------------------------- JSON */
+
+static json_t *number_json(const struct case_check *number)
+{
+    json_t *object = json_object();
+    json_object_set_new(object, "criterion", record_text_of(number->name));
+    json_object_set_new(object, "title", record_text_of(number->title));
+    json_object_set_new(object, "quantity", record_text_of(number->quantity));
+    json_object_set_new(object, "unit", record_text_of(number->unit));
+    json_object_set_new(object, "expected", json_real(number->band.expected));
+    json_object_set_new(object, "low", json_real(number->band.low));
+    json_object_set_new(object, "high", json_real(number->band.high));
+    json_object_set_new(object, "basis", json_string(basis_name(number->basis)));
+    json_object_set_new(object, "why", record_text_of(number->why));
+    return object;
+}
+
+static json_t *bundle_json(const struct catalogue_case *entry, const json_t *scene)
+{
+    const struct case_numbers *numbers = entry->file->numbers;
+    json_t *object = bundle_facts(entry, scene, numbers->about, "numbers");
+    json_t *files = json_array(), *criteria = json_array();
+    for (unsigned i = 0; i < numbers->files_count; i++) {
+        char *name = g_path_get_basename(numbers->files[i]);
+        json_array_append_new(files, record_text_of(name));
+        g_free(name);
+    }
+    for (unsigned i = 0; i < numbers->list_count; i++)
+        json_array_append_new(criteria, number_json(&numbers->list[i]));
+    json_object_set_new(object, "files", files);
+    json_object_set_new(object, "criteria", criteria);
+    return object;
+}
+
+/* ------------------------------------------------------------------------- words */
+
+static char *words_text(const struct catalogue_case *entry)
+{
+    const struct case_numbers *numbers = entry->file->numbers;
+    GString *text = bundle_words_begin(entry, numbers->about);
+    g_string_append(
+        text, "`problem.json` states geometry, units, materials, bodies, conditions and loads, as "
+              "the scene of the case has them; texts such as \"sin(pi*x/16)\" are formulas in the "
+              "place and the time `t`.\n\n## What to write\n\nThese numbers, each found in your "
+              "own way, as CSV:\n\n    number,value,unit\n");
+    for (unsigned i = 0; i < numbers->list_count; i++)
+        g_string_append_printf(text, "    %s,...,%s\n", numbers->list[i].name,
+                               numbers->list[i].unit);
+    g_string_append(text, "\nThen\n\n    mpm-verify score BUNDLE RESULTS.csv\n\n## Criteria\n\n");
+    for (unsigned i = 0; i < numbers->list_count; i++) {
+        const struct case_check *number = &numbers->list[i];
+        g_string_append_printf(text, "- **%s** (`%s`): %s. Expected %s, allowed %s to %s %s. %s\n",
+                               number->title, number->name, number->quantity, number->expected_text,
+                               number->low_text, number->high_text, number->unit, number->why);
+    }
+    return bundle_words_end(entry, text);
+}
+
+/* ------------------------------------------------------------------------- files */
+
+static enum mpm_status copy_file(const char *name, const char *home, struct mpm_error *error)
+{
+    char *folder = resources_reference_data("mpm-verify");
+    char *path = g_build_filename(folder == NULL ? "reference_data" : folder, name, NULL);
+    char *own = g_path_get_basename(name), *text = NULL;
+    const enum mpm_status status =
+        g_file_get_contents(path, &text, NULL, NULL)
+            ? output_write(home, own, text, error)
+            : failure_set(error, MPM_BAD_INPUT, "%s: cannot be read", path);
+    g_free(text);
+    g_free(own);
+    g_free(path);
+    g_free(folder);
+    return status;
+}
+
+static enum mpm_status write_files(const struct catalogue_case *entry, const json_t *scene,
+                                   const char *home, struct mpm_error *error)
+{
+    const struct case_numbers *numbers = entry->file->numbers;
+    for (unsigned i = 0; i < numbers->files_count; i++)
+        TRY(copy_file(numbers->files[i], home, error));
+    json_t *json = bundle_json(entry, scene);
+    char *words = words_text(entry);
+    const enum mpm_status status = bundle_describe(home, words, json, error);
+    g_free(words);
+    json_decref(json);
+    return status;
+}
+
+enum mpm_status numbers_write(const struct catalogue_case *entry, const char *folder,
+                              struct mpm_error *error)
+{
+    json_t *scene = NULL;
+    char *home = NULL;
+    enum mpm_status status = scene_json_read(entry->scene_path, &scene, error);
+    if (status == MPM_OK)
+        status = bundle_home(entry, folder, &home, error);
+    if (status == MPM_OK)
+        status = write_files(entry, scene, home, error);
+    json_decref(scene);
+    g_free(home);
+    return status;
+}
