@@ -16,8 +16,8 @@ from mutant_files import Fault, ROOT
 
 # What a mutant meets first: suites of unit tests, and variants of the catalogue, of up to so many
 # seconds. Only one that is still alive meets what takes longer.
-STAGES = ((0.6, 0.03), (3.0, 0.03), (3.0, 0.2), (math.inf, 0.2), (math.inf, 1.0),
-          (math.inf, math.inf))
+STAGES = ((0.2, 0.01), (0.6, 0.03), (1.5, 0.03), (3.0, 0.03), (3.0, 0.2), (math.inf, 0.2),
+          (math.inf, 1.0), (math.inf, math.inf))
 SOUND = ("pass", "skip", "expected-fail")
 FAILED_TEST = re.compile(r"^\S+:\d+:[FE]:[^:]*:([^:]+):")
 
@@ -99,6 +99,17 @@ def processor_seconds():
     return used.ru_utime + used.ru_stime
 
 
+def words(*names):
+    return {word for name in names for word in re.split(r"[\W_]+", name.lower()) if len(word) > 3}
+
+
+def related(mutant, names):
+    """The suites with a word of the mutant's name or file in their names, or the beginning of one."""
+    own = words(mutant.name, mutant.path.rsplit("/", 1)[-1].split(".")[0])
+    return [name for name in names if any(one.startswith(other) or other.startswith(one)
+                                          for one in own for other in words(name))]
+
+
 class Baseline:
     """The unchanged sources, built and run: what is green, and how long it takes."""
 
@@ -130,13 +141,14 @@ class Baseline:
         share = used / sum(passed.values())  # of the time that passed: the machine may be busy
         self.variant_seconds = {pair: share * seconds for pair, seconds in passed.items()}
 
-    def stages(self):
-        """Suites and CASE/VARIANTs of each stage, all of them once."""
+    def stages(self, first=()):
+        """Suites and CASE/VARIANTs of each stage, all of them once: those suites, then by time."""
+        rest = {name: of for name, of in self.suite_seconds.items() if name not in first}
         limits = (0.0, *(limit for limit, _ in STAGES)), (0.0, *(limit for _, limit in STAGES))
         parts = [[[name for name, of in seconds.items() if low <= of < high]
                   for low, high in zip(limit, limit[1:])]
-                 for seconds, limit in zip((self.suite_seconds, self.variant_seconds), limits)]
-        return list(zip(*parts))
+                 for seconds, limit in zip((rest, self.variant_seconds), limits)]
+        return [(list(first), []), *zip(*parts)]
 
 
 class Bench:
@@ -203,7 +215,7 @@ class Bench:
         if fault:
             result["outcome"], result["fault"] = "not-built", fault
         else:
-            self.try_all(result, thorough)
+            self.try_all(result, related(mutant, self.baseline.suite_seconds), thorough)
             killed = result["tests"] or result["checks"]
             result["outcome"] = ("killed" if killed else
                                  "equivalent" if mutant.equivalent else "survived")
@@ -211,8 +223,8 @@ class Bench:
         result["seconds"] = time.monotonic() - start
         return result
 
-    def try_all(self, result, thorough):
-        stages = self.baseline.stages()
+    def try_all(self, result, first, thorough):
+        stages = self.baseline.stages(first)
         for number, (names, pairs) in enumerate(stages, 1):
             result["tests"] += self.suites_kill(names)
             result["checks"] += self.catalogue_kills(pairs)
