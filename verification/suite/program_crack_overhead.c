@@ -103,6 +103,10 @@ static enum mpm_status run(struct measurement *measurement, struct mpm_error *er
 {
     struct study study = {.rows = {.columns = 2}};
     const char *crack;
+    if (measurement_options(measurement)->kernels == MPM_KERNELS_REFERENCE) {
+        measurement_skip(measurement, "all particles take the reference kernels");
+        return MPM_OK;
+    }
     TRY(measurement_text(measurement, "crack", &crack, error));
     TRY(measurement_count(measurement, "rounds", 4, ROUNDS_MAX, &study.rounds, error));
     TRY(measurement_count(measurement, "steps", 1, STEPS_MAX, &study.steps, error));
