@@ -90,7 +90,8 @@ def run_catalogue(folder, limit, jobs=1, only=None):
         lines = (output / "checks.jsonl").read_text(encoding="utf-8").splitlines()
         return [line for line in map(json.loads, lines) if line["kind"] == "check"], ""
     except (OSError, ValueError, KeyError):
-        return [], "(did not end)" if status is None else f"(exit status {status}: {said[-200:]})"
+        said = said[-200:].replace(f"{folder.resolve()}/", "").strip()
+        return [], "(did not end)" if status is None else f"(exit status {status}: {said})"
 
 
 def processor_seconds():
