@@ -153,6 +153,8 @@ static const struct {
      "case.yaml:25: bundle_of_numbers: states the case's scene"},
     {"why: it is <one> & only\n", NUMBERS("/f", NUMBER("0.5")),
      "file \"/f\": allowed is one within reference_data"},
+    {"why: it is <one> & only\n", NUMBERS("a..b.csv", NUMBER("0.5")),
+     "case.yaml:25: bundle_of_numbers: states the case's scene"},
     {"why: it is <one> & only\n", NUMBERS("a/../../f", NUMBER("0.5")),
      "file \"a/../../f\": allowed is one within reference_data"},
     {"why: it is <one> & only\n", NUMBERS("f", NUMBER("q")),

@@ -118,8 +118,13 @@ static const struct results {
     {"number,value,unit\nenergy_drift,0.2 %,%\n", 2, "\"0.2 %\" is not a finite number"},
     {"number,value,unit\nenergy_drift,0.002,1\n", 2, "unit \"1\": allowed is \"%\""},
     {"number,value,unit\nenergy_drift,0.002\n", 2, ":2: has 2 cells, the line of names 3"},
-    {"energy_drift,0.2,%\n", 2, ":1: the first line names the columns number, value"},
-    {"", 2, "has no number energy_drift, in %"},
+    {"number,value,unit\nenergy_drift,1e-17,%\nleast_kinetic,1.3,%\n", 0, "2 passed, 0 failed"},
+    {"\xEF\xBB\xBFnumber,value\r\nenergy_drift,0.2\r\nleast_kinetic,1.3\r\n", 0,
+     "2 passed, 0 failed"},
+    {"number,value,value\nenergy_drift,0.2,0.3\n", 2, ":1: column value is there twice"},
+    {"energy_drift,0.2,%\n", 2,
+     ":1: begins with \"energy_drift\": allowed is a line with the names"},
+    {"# nothing\n", 2, "holds no line of names"},
 };
 
 START_TEST(the_command_scores_numbers_and_refuses_what_are_none)
@@ -139,6 +144,20 @@ START_TEST(the_command_scores_numbers_and_refuses_what_are_none)
     g_free(output);
     g_free(home);
     g_free(name);
+}
+END_TEST
+
+START_TEST(a_nul_byte_hides_nothing_behind_it)
+{
+    static const char text[] = "number,value,unit\n" GOOD "\0energy_drift,9,%\n";
+    char *home = test_folder_path(bundles, "E1"), *path = test_folder_path(bundles, "nul.csv");
+    ck_assert(g_file_set_contents(path, text, sizeof text - 1, NULL));
+    struct test_command command = test_command_run("mpm-verify", "score", home, path, NULL);
+    ck_assert_int_eq(command.exit_status, 2);
+    ck_assert_ptr_nonnull(strstr(command.errors, "nul.csv:4: holds a NUL byte"));
+    test_command_free(&command);
+    g_free(path);
+    g_free(home);
 }
 END_TEST
 
@@ -220,6 +239,7 @@ Suite *suite_score_numbers(void)
     tcase_add_loop_test(numbers, a_number_outside_of_its_band_alone_turns_red, 0, ASKED);
     tcase_add_loop_test(numbers, the_command_scores_numbers_and_refuses_what_are_none, 0,
                         (int)G_N_ELEMENTS(results));
+    tcase_add_test(numbers, a_nul_byte_hides_nothing_behind_it);
     tcase_add_test(numbers, a_page_says_what_a_number_is_and_what_was_not_read);
     tcase_add_test(numbers, a_bundle_of_numbers_that_was_changed_is_refused_with_the_reason);
     tcase_add_test(numbers, tables_that_numbers_are_told_from_lie_beside_them);

@@ -87,7 +87,7 @@ def try_all(arguments, mutants, log, revision):
     folder = arguments.output
     baseline = trial.Baseline(folder / "unchanged", arguments.jobs, say)
     say(f"unchanged: {len(baseline.suite_seconds)} suites, {baseline.check_count} checks")
-    for number, (suites, pairs) in enumerate(baseline.stages()):
+    for number, (suites, pairs) in enumerate(baseline.stages()[1:], 1):  # first: a mutant's own
         say(f"stage {number}: {len(suites)} suites, {len(pairs)} variants, "
             f"{sum(baseline.suite_seconds[s] for s in suites):.0f} + "
             f"{sum(baseline.variant_seconds[p] for p in pairs):.0f} s")

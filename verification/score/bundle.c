@@ -240,7 +240,8 @@ static enum mpm_status read_kind(struct bundle *bundle, struct mpm_error *error)
     bundle->numbers = strcmp(results, "numbers") == 0;
     return bundle->numbers || strcmp(results, "fields") == 0
                ? MPM_OK
-               : refuse(bundle, error, "results", "fields or numbers");
+               : refuse(bundle, error, "results",
+                        "fields or numbers; of a bundle without it: export it again");
 }
 
 enum mpm_status bundle_read(const char *folder, struct bundle *bundle, struct mpm_error *error)

@@ -1,10 +1,12 @@
 /* A bundle: a case as another solver gets it.
  *
- *     problem.md       the problem in words
- *     problem.json     the same for programs: geometry, units, material, bodies, conditions, points
- * and times of the reference, columns, criteria reference.csv    the reference at those points and
- * times, in the layout of results body_force.csv   where the problem has one that the scene does
- * not state: per unit mass, at the same points, and four times as often
+ * problem.md: the problem in words. problem.json: the same for programs; geometry, units, material,
+ * bodies, conditions, criteria, and of fields the points and times of the reference and its
+ * columns.
+ *
+ * Of fields: reference.csv, the reference at those points and times, in the layout of results;
+ * body_force.csv, where the problem has one that the scene does not state: per unit mass, at the
+ * same points, and four times as often. Of numbers (numbers.h): the tables that they are told from.
  *
  * All that `mpm-verify score` needs is in the bundle.
  *

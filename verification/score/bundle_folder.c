@@ -22,8 +22,42 @@ static json_t *problem_of(const json_t *scene)
         if (json_object_get(scene, sections[i]) != NULL)
             json_object_set(problem, sections[i], json_object_get(scene, sections[i]));
     json_object_set(problem, "resolution_of_the_case", json_object_get(scene, "grid"));
-    json_object_set(problem, "time_of_the_case", json_object_get(scene, "time"));
     return problem;
+}
+
+/* Laws of scenes as formulas, for those who have other names for them. */
+static const struct law {
+    const char *name, *formula;
+} laws[] = {
+    {"linear_elastic",
+     "W = G |U - I|^2 + lambda/2 (tr(U - I))^2 per volume of the undeformed body, "
+     "U the right stretch: Hooke's law that turns with the body"},
+    {"neo_hookean", "W = K/2 ((J^2 - 1)/2 - ln J) + G/2 (J^(-2/3) tr(F F^T) - 3) per volume of the "
+                    "undeformed body, J = det F; K and G follow from young and poisson"},
+    {"linear", "cohesive: the traction rises with the opening at `stiffness` to `strength`, then "
+               "falls along a line to nothing at the opening 2 toughness/strength"},
+};
+
+static bool has_law(const json_t *specs, const char *name)
+{
+    for (size_t i = 0; i < json_array_size(specs); i++) {
+        const json_t *spec = json_array_get(specs, i),
+                     *cohesive = json_object_get(spec, "cohesive");
+        if (strcmp(record_text(spec, "law"), name) == 0 ||
+            strcmp(record_text(cohesive, "law"), name) == 0)
+            return true;
+    }
+    return false;
+}
+
+static json_t *laws_of(const json_t *scene)
+{
+    json_t *object = json_object();
+    for (size_t i = 0; i < G_N_ELEMENTS(laws); i++)
+        if (has_law(json_object_get(scene, "materials"), laws[i].name) ||
+            has_law(json_object_get(scene, "cracks"), laws[i].name))
+            json_object_set_new(object, laws[i].name, json_string(laws[i].formula));
+    return object;
 }
 
 json_t *bundle_facts(const struct catalogue_case *entry, const json_t *scene, const char *about,
@@ -43,6 +77,7 @@ json_t *bundle_facts(const struct catalogue_case *entry, const json_t *scene, co
     json_object_set(object, "geometry", json_object_get(scene, "geometry"));
     json_object_set(object, "units", json_object_get(scene, "units"));
     json_object_set_new(object, "problem", problem_of(scene));
+    json_object_set_new(object, "laws", laws_of(scene));
     return object;
 }
 
@@ -54,6 +89,15 @@ GString *bundle_words_begin(const struct catalogue_case *entry, const char *abou
     g_string_append_printf(text, "# Case %s for other solvers: %s\n\n%s\n\n", entry->file->name,
                            entry->file->title, about);
     return text;
+}
+
+void bundle_words_of_laws(GString *text, const json_t *json)
+{
+    const char *name;
+    json_t *formula;
+    json_object_foreach(json_object_get(json, "laws"), name, formula)
+        g_string_append_printf(text, "- `%s`: %s.\n", name, json_string_value(formula));
+    g_string_append_c(text, '\n');
 }
 
 char *bundle_words_end(const struct catalogue_case *entry, GString *text)

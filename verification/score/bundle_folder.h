@@ -10,12 +10,15 @@
 #include <jansson.h>
 
 /* The beginning of problem.json: the case, what a solver has to do, geometry, units and problem as
- * its scene has them; `results`: what is to be written, fields or numbers. json_decref. */
+ * its scene has them, formulas of its laws; `results`: what is to be written, fields or numbers.
+ * json_decref. */
 json_t *bundle_facts(const struct catalogue_case *entry, const json_t *scene, const char *about,
                      const char *results);
 
-/* The beginning of problem.md, and its end, after which the text is the caller's (g_free). */
+/* The beginning of problem.md, formulas of the laws that the problem has, and the end, after which
+ * the text is the caller's (g_free). */
 GString *bundle_words_begin(const struct catalogue_case *entry, const char *about);
+void bundle_words_of_laws(GString *text, const json_t *json);
 char *bundle_words_end(const struct catalogue_case *entry, GString *text);
 
 /* Makes <folder>/<case>, *home (g_free). MPM_BAD_INPUT: it is there, and neither empty nor a bundle

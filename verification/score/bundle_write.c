@@ -237,6 +237,7 @@ static char *words_text(const struct writing *writing, const json_t *json)
               "the scene of the case has them; texts such as \"sin(pi*x/16)\" are formulas in the "
               "place and the time `t`. `reference.csv` is the reference: a row for each point "
               "and instant, named and ordered as results are.\n\n");
+    bundle_words_of_laws(text, json);
     if (reference_has(writing->problem.reference, SCORE_FORCE_X))
         g_string_append(text,
                         "The motion has the body force of `body_force.csv`, per unit mass, at "

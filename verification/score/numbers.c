@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/score/numbers.h"
 
+#include "verification/score/csv.h"
 #include "verification/suite/failure.h"
-#include "verification/suite/records.h"
 #include "verification/suite/rows.h"
 
 #include <math.h>
@@ -16,100 +16,79 @@ enum { NUMBER, VALUE, UNIT, CELLS };
 
 static const char *const cell_names[CELLS] = {"number", "value", "unit"};
 
-/* Where results are read. */
+/* Names that the bundle does not ask for and the report lists. */
+enum { UNREAD_LISTED = 20 };
+
+/* What the lines of the results are read into. */
 struct reading {
     const struct bundle *bundle;
     const char *path;
-    size_t line;
     int place[CELLS]; /* of each cell in a line; -1: there is none */
-    guint count;      /* cells of a line; 0 before the line of names */
     double *values;   /* NAN until read */
+    size_t unread;
     GString *rows;
 };
 
-static enum mpm_status read_names(struct reading *reading, char **cells, struct mpm_error *error)
+static enum mpm_status read_names(void *context, const struct csv_line *line,
+                                  struct mpm_error *error)
 {
-    reading->count = g_strv_length(cells);
+    struct reading *const reading = context;
     for (int c = 0; c < CELLS; c++) {
         reading->place[c] = -1;
-        for (guint i = 0; i < reading->count; i++)
-            if (strcmp(cells[i], cell_names[c]) == 0)
-                reading->place[c] = (int)i;
+        for (size_t i = 0; i < line->count; i++) {
+            if (strcmp(line->cells[i], cell_names[c]) != 0)
+                continue;
+            if (reading->place[c] >= 0)
+                return failure_set(error, MPM_BAD_INPUT, "%s: column %s is there twice",
+                                   line->place, cell_names[c]);
+            reading->place[c] = (int)i;
+        }
     }
     if (reading->place[NUMBER] >= 0 && reading->place[VALUE] >= 0)
         return MPM_OK;
     return failure_set(error, MPM_BAD_INPUT,
-                       "%s:%zu: the first line names the columns number, value and, if you like, "
-                       "unit",
-                       reading->path, reading->line);
+                       "%s: begins with \"%s\": allowed is a line with the names number, value "
+                       "and, if you like, unit",
+                       line->place, line->cells[0]);
 }
 
-static void note_unread(const struct reading *reading, const char *name)
+static void add_note(const struct reading *reading, const char *what, const char *name)
 {
-    char *note = g_strdup_printf("not read: %s", name);
+    char *note = g_strconcat(what, name, NULL);
     char *row = row_line(ROW_NOTE, "", note);
     g_string_append(reading->rows, row);
     g_free(row);
     g_free(note);
 }
 
-static enum mpm_status read_number(struct reading *reading, char **cells, struct mpm_error *error)
+static enum mpm_status read_number(void *context, const struct csv_line *line,
+                                   struct mpm_error *error)
 {
-    const struct bundle *bundle = reading->bundle;
-    const char *name = cells[reading->place[NUMBER]], *text = cells[reading->place[VALUE]];
+    struct reading *const reading = context;
+    const struct bundle *const bundle = reading->bundle;
+    const char *name = line->cells[reading->place[NUMBER]];
+    const char *text = line->cells[reading->place[VALUE]];
     size_t i = 0;
     double value;
     while (i < bundle->criterion_count && strcmp(bundle->criteria[i].check.name, name) != 0)
         i++;
     if (i == bundle->criterion_count) {
-        note_unread(reading, name);
+        if (++reading->unread <= UNREAD_LISTED)
+            add_note(reading, "not read: ", name);
         return MPM_OK;
     }
     if (!isnan(reading->values[i]))
-        return failure_set(error, MPM_BAD_INPUT, "%s:%zu: %s is there twice", reading->path,
-                           reading->line, name);
+        return failure_set(error, MPM_BAD_INPUT, "%s: %s is there twice", line->place, name);
     if (!row_number(text, &value) || !isfinite(value))
-        return failure_set(error, MPM_BAD_INPUT, "%s:%zu: %s: \"%s\" is not a finite number",
-                           reading->path, reading->line, name, text);
-    const char *unit = bundle->criteria[i].check.unit;
-    if (reading->place[UNIT] >= 0 && strcmp(cells[reading->place[UNIT]], unit) != 0)
-        return failure_set(error, MPM_BAD_INPUT, "%s:%zu: %s: unit \"%s\": allowed is \"%s\"",
-                           reading->path, reading->line, name, cells[reading->place[UNIT]], unit);
+        return failure_set(error, MPM_BAD_INPUT, "%s: %s: \"%s\" is not a finite number",
+                           line->place, name, text);
+    const char *const wanted = bundle->criteria[i].check.unit;
+    const char *const unit = reading->place[UNIT] >= 0 ? line->cells[reading->place[UNIT]] : wanted;
+    if (strcmp(unit, wanted) != 0)
+        return failure_set(error, MPM_BAD_INPUT, "%s: %s: unit \"%s\": allowed is \"%s\"",
+                           line->place, name, unit, wanted);
     reading->values[i] = value;
     return MPM_OK;
-}
-
-static enum mpm_status read_line(struct reading *reading, const char *line, struct mpm_error *error)
-{
-    char **cells = g_strsplit(line, ",", -1);
-    const guint count = g_strv_length(cells);
-    enum mpm_status status = MPM_OK;
-    for (guint i = 0; i < count; i++)
-        g_strstrip(cells[i]);
-    if (reading->count == 0)
-        status = read_names(reading, cells, error);
-    else if (count != reading->count)
-        status = failure_set(error, MPM_BAD_INPUT, "%s:%zu: has %u cells, the line of names %u",
-                             reading->path, reading->line, count, reading->count);
-    else
-        status = read_number(reading, cells, error);
-    g_strfreev(cells);
-    return status;
-}
-
-static enum mpm_status read_lines(struct reading *reading, const char *text,
-                                  struct mpm_error *error)
-{
-    enum mpm_status status = MPM_OK;
-    char **lines = g_strsplit(text, "\n", -1);
-    for (char **line = lines; *line != NULL && status == MPM_OK; line++) {
-        reading->line++;
-        g_strstrip(*line);
-        if (**line != '\0' && **line != '#')
-            status = read_line(reading, *line, error);
-    }
-    g_strfreev(lines);
-    return status;
 }
 
 static enum mpm_status write_rows(const struct reading *reading, struct mpm_error *error)
@@ -124,6 +103,11 @@ static enum mpm_status write_rows(const struct reading *reading, struct mpm_erro
         g_string_append(reading->rows, row);
         g_free(row);
     }
+    if (reading->unread > UNREAD_LISTED) {
+        char *more = g_strdup_printf("%zu", reading->unread - UNREAD_LISTED);
+        add_note(reading, "not read, and not listed: ", more);
+        g_free(more);
+    }
     char *end = row_line(ROW_END, "", "");
     g_string_append(reading->rows, end);
     g_free(end);
@@ -133,19 +117,15 @@ static enum mpm_status write_rows(const struct reading *reading, struct mpm_erro
 enum mpm_status numbers_rows(const struct bundle *bundle, const char *path, GString *rows,
                              struct mpm_error *error)
 {
-    char *text;
-    if (!g_file_get_contents(path, &text, NULL, NULL))
-        return failure_set(error, MPM_BAD_INPUT, "%s: cannot be read: allowed is a CSV file", path);
     struct reading reading = {.bundle = bundle,
                               .path = path,
                               .values = g_new(double, bundle->criterion_count),
                               .rows = rows};
     for (size_t i = 0; i < bundle->criterion_count; i++)
         reading.values[i] = (double)NAN;
-    enum mpm_status status = read_lines(&reading, text, error);
+    enum mpm_status status = csv_read(path, read_names, read_number, &reading, error);
     if (status == MPM_OK)
         status = write_rows(&reading, error);
     g_free(reading.values);
-    g_free(text);
     return status;
 }

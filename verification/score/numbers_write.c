@@ -9,6 +9,8 @@
 #include "verification/suite/records.h"
 #include "verification/suite/resources.h"
 
+#include <string.h>
+
 /* -------------------------------------------------------------------------- JSON */
 
 static json_t *number_json(const struct case_check *number)
@@ -38,6 +40,8 @@ static json_t *bundle_json(const struct catalogue_case *entry, const json_t *sce
     }
     for (unsigned i = 0; i < numbers->list_count; i++)
         json_array_append_new(criteria, number_json(&numbers->list[i]));
+    json_object_set(json_object_get(object, "problem"), "time_of_the_case",
+                    json_object_get(scene, "time"));
     json_object_set_new(object, "files", files);
     json_object_set_new(object, "criteria", criteria);
     return object;
@@ -45,55 +49,70 @@ static json_t *bundle_json(const struct catalogue_case *entry, const json_t *sce
 
 /* ------------------------------------------------------------------------- words */
 
-static char *words_text(const struct catalogue_case *entry)
+static char *words_text(const struct catalogue_case *entry, const json_t *json)
 {
     const struct case_numbers *numbers = entry->file->numbers;
     GString *text = bundle_words_begin(entry, numbers->about);
     g_string_append(
         text, "`problem.json` states geometry, units, materials, bodies, conditions and loads, as "
               "the scene of the case has them; texts such as \"sin(pi*x/16)\" are formulas in the "
-              "place and the time `t`.\n\n## What to write\n\nThese numbers, each found in your "
-              "own way, as CSV:\n\n    number,value,unit\n");
+              "place and the time `t`.\n\n");
+    bundle_words_of_laws(text, json);
+    g_string_append(text, "## What to write\n\nThese numbers, each found in your own way, as CSV. "
+                          "0 counts as no result: write a difference that is exactly 0 as "
+                          "1e-17.\n\n    number,value,unit\n");
     for (unsigned i = 0; i < numbers->list_count; i++)
         g_string_append_printf(text, "    %s,...,%s\n", numbers->list[i].name,
                                numbers->list[i].unit);
     g_string_append(text, "\nThen\n\n    mpm-verify score BUNDLE RESULTS.csv\n\n## Criteria\n\n");
     for (unsigned i = 0; i < numbers->list_count; i++) {
         const struct case_check *number = &numbers->list[i];
-        g_string_append_printf(text, "- **%s** (`%s`): %s. Expected %s, allowed %s to %s %s. %s\n",
+        const char *const unit = strcmp(number->unit, "1") == 0 ? "" : number->unit;
+        g_string_append_printf(text, "- **%s** (`%s`): %s. Expected %s, allowed %s to %s%s%s. %s\n",
                                number->title, number->name, number->quantity, number->expected_text,
-                               number->low_text, number->high_text, number->unit, number->why);
+                               number->low_text, number->high_text, *unit == '\0' ? "" : " ", unit,
+                               number->why);
     }
     return bundle_words_end(entry, text);
 }
 
 /* ------------------------------------------------------------------------- files */
 
-static enum mpm_status copy_file(const char *name, const char *home, struct mpm_error *error)
+/* Texts of the files; g_strfreev. MPM_BAD_INPUT: one is not there. */
+static enum mpm_status read_files(const struct catalogue_case *entry, char ***texts,
+                                  struct mpm_error *error)
 {
+    const struct case_numbers *numbers = entry->file->numbers;
     char *folder = resources_reference_data("mpm-verify");
-    char *path = g_build_filename(folder == NULL ? "reference_data" : folder, name, NULL);
-    char *own = g_path_get_basename(name), *text = NULL;
-    const enum mpm_status status =
-        g_file_get_contents(path, &text, NULL, NULL)
-            ? output_write(home, own, text, error)
-            : failure_set(error, MPM_BAD_INPUT, "%s: cannot be read", path);
-    g_free(text);
-    g_free(own);
-    g_free(path);
+    enum mpm_status status = MPM_OK;
+    *texts = g_new0(char *, numbers->files_count + 1);
+    for (unsigned i = 0; status == MPM_OK && i < numbers->files_count; i++) {
+        char *path =
+            g_build_filename(folder == NULL ? "reference_data" : folder, numbers->files[i], NULL);
+        if (!g_file_get_contents(path, &(*texts)[i], NULL, NULL))
+            status = failure_set(error, MPM_BAD_INPUT,
+                                 "%s: cannot be read: case %s, bundle_of_numbers, files: allowed "
+                                 "are files of reference_data",
+                                 path, entry->file->name);
+        g_free(path);
+    }
     g_free(folder);
     return status;
 }
 
 static enum mpm_status write_files(const struct catalogue_case *entry, const json_t *scene,
-                                   const char *home, struct mpm_error *error)
+                                   char *const *texts, const char *home, struct mpm_error *error)
 {
-    const struct case_numbers *numbers = entry->file->numbers;
-    for (unsigned i = 0; i < numbers->files_count; i++)
-        TRY(copy_file(numbers->files[i], home, error));
     json_t *json = bundle_json(entry, scene);
-    char *words = words_text(entry);
-    const enum mpm_status status = bundle_describe(home, words, json, error);
+    char *words = words_text(entry, json);
+    enum mpm_status status = MPM_OK;
+    for (unsigned i = 0; status == MPM_OK && texts[i] != NULL; i++) {
+        char *name = g_path_get_basename(entry->file->numbers->files[i]);
+        status = output_write(home, name, texts[i], error);
+        g_free(name);
+    }
+    if (status == MPM_OK)
+        status = bundle_describe(home, words, json, error);
     g_free(words);
     json_decref(json);
     return status;
@@ -103,13 +122,16 @@ enum mpm_status numbers_write(const struct catalogue_case *entry, const char *fo
                               struct mpm_error *error)
 {
     json_t *scene = NULL;
-    char *home = NULL;
+    char *home = NULL, **texts = NULL;
     enum mpm_status status = scene_json_read(entry->scene_path, &scene, error);
+    if (status == MPM_OK)
+        status = read_files(entry, &texts, error);
     if (status == MPM_OK)
         status = bundle_home(entry, folder, &home, error);
     if (status == MPM_OK)
-        status = write_files(entry, scene, home, error);
+        status = write_files(entry, scene, texts, home, error);
     json_decref(scene);
+    g_strfreev(texts);
     g_free(home);
     return status;
 }

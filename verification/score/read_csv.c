@@ -1,15 +1,13 @@
 /* Results as CSV.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/score/csv.h"
 #include "verification/score/readers.h"
 #include "verification/suite/failure.h"
 #include "verification/suite/rows.h"
 
 #include <math.h>
 #include <string.h>
-
-/* Some programs begin UTF-8 texts with it. */
-#define BYTE_ORDER_MARK "\xEF\xBB\xBF"
 
 struct header {
     enum score_column column[SCORE_COLUMNS * 4]; /* SCORE_COLUMNS: not read */
@@ -50,74 +48,46 @@ static enum mpm_status read_name(const char *place, const struct score_format *f
     return unit == NULL ? MPM_OK : score_check_unit(format, column, unit, place, error);
 }
 
-static enum mpm_status read_header(const char *place, const struct score_format *format,
-                                   const char *line, struct header *header,
-                                   struct score_table *table, struct mpm_error *error)
+/* What the lines of a file are read into. */
+struct reading {
+    const struct score_format *format;
+    struct header header;
+    struct score_table *table;
+};
+
+static enum mpm_status read_header(void *context, const struct csv_line *line,
+                                   struct mpm_error *error)
 {
-    enum mpm_status status = MPM_OK;
-    char **cells = g_strsplit(line, ",", -1);
-    for (char **cell = cells; *cell != NULL && status == MPM_OK; cell++)
-        status = read_name(place, format, *cell, header, table, error);
-    g_strfreev(cells);
-    return status;
+    struct reading *const reading = context;
+    for (size_t i = 0; i < line->count; i++)
+        TRY(read_name(line->place, reading->format, line->cells[i], &reading->header,
+                      reading->table, error));
+    return MPM_OK;
 }
 
-static enum mpm_status read_row(const char *place, const struct score_format *format,
-                                const char *line, const struct header *header,
-                                struct score_table *table, struct mpm_error *error)
+static enum mpm_status read_row(void *context, const struct csv_line *line, struct mpm_error *error)
 {
-    enum mpm_status status = MPM_OK;
-    char **cells = g_strsplit(line, ",", -1);
-    const size_t count = g_strv_length(cells);
-    if (count != header->count)
-        status = failure_set(error, MPM_BAD_INPUT, "%s: has %zu cells, the line of names %zu",
-                             place, count, header->count);
-    for (size_t i = 0; status == MPM_OK && i < count; i++) {
+    struct reading *const reading = context;
+    for (size_t i = 0; i < line->count; i++) {
+        const enum score_column column = reading->header.column[i];
         double value;
-        if (header->column[i] == SCORE_COLUMNS)
+        if (column == SCORE_COLUMNS)
             continue;
-        if (!row_number(g_strstrip(cells[i]), &value) || !isfinite(value))
-            status =
-                failure_set(error, MPM_BAD_INPUT, "%s: %s: \"%s\" is not a finite number", place,
-                            score_column_name(header->column[i], format->geometry), cells[i]);
-        else
-            g_array_append_val(table->column[header->column[i]], value);
+        if (!row_number(line->cells[i], &value) || !isfinite(value))
+            return failure_set(error, MPM_BAD_INPUT, "%s: %s: \"%s\" is not a finite number",
+                               line->place, score_column_name(column, reading->format->geometry),
+                               line->cells[i]);
+        g_array_append_val(reading->table->column[column], value);
     }
-    table->rows += status == MPM_OK;
-    g_strfreev(cells);
-    return status;
+    reading->table->rows++;
+    return MPM_OK;
 }
 
 enum mpm_status score_read_csv(const char *path, const struct score_format *format,
                                struct score_table *table, struct mpm_error *error)
 {
-    char *text;
-    size_t length;
-    if (!g_file_get_contents(path, &text, &length, NULL))
-        return failure_set(error, MPM_BAD_INPUT, "%s: cannot be read", path);
-    struct header header = {.count = 0};
-    enum mpm_status status = MPM_OK;
-    size_t number = 0;
-    char *next;
-    /* line by line in place: functions of strings would look through all the rest each time */
-    for (char *line =
-             text + (g_str_has_prefix(text, BYTE_ORDER_MARK) ? strlen(BYTE_ORDER_MARK) : 0);
-         status == MPM_OK && line < text + length; line = next) {
-        char *end = memchr(line, '\n', (size_t)(text + length - line));
-        next = end == NULL ? text + length : end + 1;
-        if (end != NULL)
-            *end = '\0';
-        number++;
-        line = g_strstrip(line);
-        if (*line == '\0' || *line == '#')
-            continue;
-        char *place = g_strdup_printf("%s:%zu", path, number);
-        status = header.count == 0 ? read_header(place, format, line, &header, table, error)
-                                   : read_row(place, format, line, &header, table, error);
-        g_free(place);
-    }
-    g_free(text);
-    if (status == MPM_OK && table->rows == 0)
-        status = failure_set(error, MPM_BAD_INPUT, "%s: holds no row of numbers", path);
-    return status;
+    struct reading reading = {.format = format, .table = table};
+    TRY(csv_read(path, read_header, read_row, &reading, error));
+    return table->rows > 0 ? MPM_OK
+                           : failure_set(error, MPM_BAD_INPUT, "%s: holds no row of numbers", path);
 }

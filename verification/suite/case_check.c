@@ -266,6 +266,16 @@ static enum mpm_status check_number(const char *path, const struct case_numbers 
     return MPM_OK;
 }
 
+/* Whether a path leads no way up or out. */
+static bool stays_within(const char *path)
+{
+    char **parts = g_strsplit(path, "/", -1);
+    const bool within =
+        !g_path_is_absolute(path) && !g_strv_contains((const char *const *)parts, "..");
+    g_strfreev(parts);
+    return within;
+}
+
 static enum mpm_status check_numbers(const char *path, const struct case_file *file,
                                      struct mpm_error *error)
 {
@@ -277,7 +287,7 @@ static enum mpm_status check_numbers(const char *path, const struct case_file *f
                            "there is a %s as well; allowed is one",
                            file->bundle != NULL ? "bundle" : "no_bundle");
     for (unsigned i = 0; i < numbers->files_count; i++)
-        if (g_path_is_absolute(numbers->files[i]) || strstr(numbers->files[i], "..") != NULL)
+        if (!stays_within(numbers->files[i]))
             return yaml_refuse(path, error, "bundle_of_numbers",
                                "file \"%s\": allowed is one within reference_data",
                                numbers->files[i]);
