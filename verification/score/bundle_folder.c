@@ -93,10 +93,11 @@ GString *bundle_words_begin(const struct catalogue_case *entry, const char *abou
 
 void bundle_words_of_laws(GString *text, const json_t *json)
 {
-    const char *name;
-    json_t *formula;
-    json_object_foreach(json_object_get(json, "laws"), name, formula)
-        g_string_append_printf(text, "- `%s`: %s.\n", name, json_string_value(formula));
+    json_t *const formulas = json_object_get(json, "laws");
+    for (void *law = json_object_iter(formulas); law != NULL;
+         law = json_object_iter_next(formulas, law))
+        g_string_append_printf(text, "- `%s`: %s.\n", json_object_iter_key(law),
+                               json_string_value(json_object_iter_value(law)));
     g_string_append_c(text, '\n');
 }
 

@@ -78,18 +78,20 @@ static char *words_text(const struct catalogue_case *entry, const json_t *json)
 
 /* ------------------------------------------------------------------------- files */
 
-/* Texts of the files; g_strfreev. MPM_BAD_INPUT: one is not there. */
-static enum mpm_status read_files(const struct catalogue_case *entry, char ***texts,
+/* Adds the texts of the files. MPM_BAD_INPUT: one is not there. */
+static enum mpm_status read_files(const struct catalogue_case *entry, GPtrArray *texts,
                                   struct mpm_error *error)
 {
     const struct case_numbers *numbers = entry->file->numbers;
     char *folder = resources_reference_data("mpm-verify");
     enum mpm_status status = MPM_OK;
-    *texts = g_new0(char *, numbers->files_count + 1);
     for (unsigned i = 0; status == MPM_OK && i < numbers->files_count; i++) {
         char *path =
             g_build_filename(folder == NULL ? "reference_data" : folder, numbers->files[i], NULL);
-        if (!g_file_get_contents(path, &(*texts)[i], NULL, NULL))
+        char *text = NULL;
+        if (g_file_get_contents(path, &text, NULL, NULL))
+            g_ptr_array_add(texts, text);
+        else
             status = failure_set(error, MPM_BAD_INPUT,
                                  "%s: cannot be read: case %s, bundle_of_numbers, files: allowed "
                                  "are files of reference_data",
@@ -101,14 +103,15 @@ static enum mpm_status read_files(const struct catalogue_case *entry, char ***te
 }
 
 static enum mpm_status write_files(const struct catalogue_case *entry, const json_t *scene,
-                                   char *const *texts, const char *home, struct mpm_error *error)
+                                   const GPtrArray *texts, const char *home,
+                                   struct mpm_error *error)
 {
     json_t *json = bundle_json(entry, scene);
     char *words = words_text(entry, json);
     enum mpm_status status = MPM_OK;
-    for (unsigned i = 0; status == MPM_OK && texts[i] != NULL; i++) {
+    for (guint i = 0; status == MPM_OK && i < texts->len; i++) {
         char *name = g_path_get_basename(entry->file->numbers->files[i]);
-        status = output_write(home, name, texts[i], error);
+        status = output_write(home, name, texts->pdata[i], error);
         g_free(name);
     }
     if (status == MPM_OK)
@@ -122,16 +125,17 @@ enum mpm_status numbers_write(const struct catalogue_case *entry, const char *fo
                               struct mpm_error *error)
 {
     json_t *scene = NULL;
-    char *home = NULL, **texts = NULL;
+    char *home = NULL;
+    GPtrArray *texts = g_ptr_array_new_with_free_func(g_free);
     enum mpm_status status = scene_json_read(entry->scene_path, &scene, error);
     if (status == MPM_OK)
-        status = read_files(entry, &texts, error);
+        status = read_files(entry, texts, error);
     if (status == MPM_OK)
         status = bundle_home(entry, folder, &home, error);
     if (status == MPM_OK)
         status = write_files(entry, scene, texts, home, error);
     json_decref(scene);
-    g_strfreev(texts);
+    g_ptr_array_unref(texts);
     g_free(home);
     return status;
 }
