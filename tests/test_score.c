@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
+#include "support/bundles.h"
 #include "support/command.h"
 #include "support/folder.h"
 #include "support/near.h"
@@ -18,32 +19,6 @@
 static const char *const exported[] = {"D5",  "E3", "M1", "M2", "M3", "M4",
                                        "R1b", "T3", "T4", "W1", "W2"};
 enum { EXPORTED = 11 };
-
-static char *bundles; /* of all cases */
-
-static void export_all(void)
-{
-    bundles = test_folder_create();
-    struct test_command command =
-        test_command_run("mpm-verify", "export", "--output", bundles, NULL);
-    ck_assert_msg(command.exit_status == 0, "%s", command.errors);
-    ck_assert_ptr_nonnull(strstr(command.output, "25 exported, "));
-    ck_assert_ptr_nonnull(strstr(command.output, "S1       not exportable: it integrates"));
-    test_command_free(&command);
-}
-
-static void remove_all(void)
-{
-    test_folder_remove(bundles);
-}
-
-static void open_bundle(const char *name, struct bundle *bundle)
-{
-    char *path = test_folder_path(bundles, name);
-    struct mpm_error error = {.message = ""};
-    ck_assert_msg(bundle_read(path, bundle, &error) == MPM_OK, "%s", error.message);
-    g_free(path);
-}
 
 /* The agreement of each criterion, from the rows of a score. */
 static void assert_rows(const struct bundle *bundle, const struct score_table *results,
@@ -68,7 +43,7 @@ static void assert_rows(const struct bundle *bundle, const struct score_table *r
 START_TEST(a_perfect_answer_scores_100_percent)
 {
     struct bundle bundle;
-    open_bundle(exported[_i], &bundle);
+    test_bundle_open(exported[_i], &bundle);
     assert_rows(&bundle, &bundle.reference, SIZE_MAX);
     bundle_close(&bundle);
 }
@@ -98,7 +73,7 @@ START_TEST(each_quantity_that_is_spoiled_turns_red)
     struct bundle bundle;
     struct score_table copy;
     struct mpm_error error;
-    open_bundle(exported[_i], &bundle);
+    test_bundle_open(exported[_i], &bundle);
     for (size_t i = 0; i < bundle.criterion_count; i++)
         for (size_t c = 0; c < bundle.criteria[i].column_count; c++) {
             const enum score_column column = bundle.criteria[i].columns[c];
@@ -129,7 +104,7 @@ START_TEST(results_of_the_wrong_time_are_an_error_of_their_own)
     struct bundle bundle;
     struct mpm_error error;
     GString *rows = g_string_new(NULL);
-    open_bundle("E3", &bundle);
+    test_bundle_open("E3", &bundle);
     struct score_table *table = &bundle.reference;
     const double *time = score_table_add(table, SCORE_TIME);
     /* fields of the instant before under each time: finite numbers, all wrong */
@@ -159,7 +134,7 @@ static char *refusal_of(const char *name, const char *from, const char *to)
     char *folder = test_folder_create(), *text = NULL;
     static const char *const files[] = {"problem.json", "problem.md", "reference.csv"};
     for (size_t i = 0; i < G_N_ELEMENTS(files); i++) {
-        char *path = g_build_filename(bundles, "E3", files[i], NULL);
+        char *path = g_build_filename(test_bundles, "E3", files[i], NULL);
         text = test_file_read(path);
         if (strcmp(files[i], name) == 0) {
             char **parts = g_strsplit(text, from, 2);
@@ -220,12 +195,12 @@ END_TEST
 static struct test_command score_text(const char *name, const char *from, const char *to,
                                       const char *output)
 {
-    char *path = g_build_filename(bundles, name, "reference.csv", NULL);
-    char *good = test_file_read(path), *home = test_folder_path(bundles, name);
+    char *path = g_build_filename(test_bundles, name, "reference.csv", NULL);
+    char *good = test_file_read(path), *home = test_folder_path(test_bundles, name);
     char **parts = g_strsplit(good, from, 2);
     ck_assert_uint_eq(g_strv_length(parts), 2);
     char *text = g_strconcat(parts[0], to, parts[1], NULL);
-    char *results = test_folder_write(bundles, "results.csv", text);
+    char *results = test_folder_write(test_bundles, "results.csv", text);
     struct test_command command = test_command_run("mpm-verify", "score", home, results, "--output",
                                                    output, "--name", "mine", NULL);
     g_free(results);
@@ -239,7 +214,7 @@ static struct test_command score_text(const char *name, const char *from, const 
 
 START_TEST(the_command_says_and_reports_what_the_score_is)
 {
-    char *output = test_folder_path(bundles, "report");
+    char *output = test_folder_path(test_bundles, "report");
     struct test_command command =
         score_text("E3", "stress_xx [g mm^-1 ms^-2]\n", "stress_xx\n", output);
     ck_assert_msg(command.exit_status == 0, "%s%s", command.output, command.errors);
@@ -277,7 +252,7 @@ START_TEST(bad_results_end_with_status_2_and_touch_nothing)
         {"T3", "initial_r [mm]", "initial_x [mm]", "no column initial_r"},
         {"T3", "10.0625,", "inf,", "\"inf\" is not a finite number"},
     };
-    char *output = test_folder_path(bundles, "none");
+    char *output = test_folder_path(test_bundles, "none");
     for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
         struct test_command command = score_text(table[i].name, table[i].from, table[i].to, output);
         if (table[i].message == NULL) {
@@ -300,8 +275,9 @@ END_TEST
 
 START_TEST(too_few_points_are_refused)
 {
-    char *home = test_folder_path(bundles, "T3"), *output = test_folder_path(bundles, "few");
-    char *results = test_folder_write(bundles, "few.csv",
+    char *home = test_folder_path(test_bundles, "T3"),
+         *output = test_folder_path(test_bundles, "few");
+    char *results = test_folder_write(test_bundles, "few.csv",
                                       "initial_r,displacement_r,stress_rr,stress_zz,stress_tt\n11,"
                                       "1,1,1,1\n14,1,1,1,1\n19,1,1,1,1\n");
     struct test_command command =
@@ -314,7 +290,7 @@ START_TEST(too_few_points_are_refused)
     ck_assert_int_eq(command.exit_status, 2);
     ck_assert_ptr_nonnull(strstr(command.errors, "/nowhere: no such file or folder"));
     test_command_free(&command);
-    command = test_command_run("mpm-verify", "score", bundles, results, NULL);
+    command = test_command_run("mpm-verify", "score", test_bundles, results, NULL);
     ck_assert_int_eq(command.exit_status, 2);
     ck_assert_ptr_nonnull(strstr(command.errors, "problem.json"));
     test_command_free(&command);
@@ -362,8 +338,9 @@ END_TEST
 /* Snapshots of `mpm run` carry their units. */
 START_TEST(snapshots_in_other_units_are_refused)
 {
-    char *results = test_folder_path(bundles, "mpm"), *home = test_folder_path(bundles, "E3");
-    char *output = test_folder_path(bundles, "units");
+    char *results = test_folder_path(test_bundles, "mpm"),
+         *home = test_folder_path(test_bundles, "E3");
+    char *output = test_folder_path(test_bundles, "units");
     struct test_command command =
         test_command_run("mpm", "run", "verification/catalogue/E/E3/scene.yaml", "--quiet", "--set",
                          "time.end=4", "--set", "units.mass=kg", "--output", results, NULL);
@@ -385,7 +362,7 @@ Suite *suite_score(void)
 {
     Suite *suite = suite_create("score");
     TCase *scores = tcase_create("scores");
-    tcase_add_unchecked_fixture(scores, export_all, remove_all);
+    tcase_add_unchecked_fixture(scores, test_bundles_export, test_bundles_remove);
     tcase_add_loop_test(scores, a_perfect_answer_scores_100_percent, 0, EXPORTED);
     tcase_add_loop_test(scores, each_quantity_that_is_spoiled_turns_red, 0, EXPORTED);
     tcase_add_test(scores, results_of_the_wrong_time_are_an_error_of_their_own);

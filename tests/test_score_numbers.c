@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
+#include "support/bundles.h"
 #include "support/command.h"
 #include "support/folder.h"
 
@@ -16,31 +17,6 @@ static const char *const asked[] = {"D1", "D2", "D3", "D4", "D6", "D6b", "D7",
                                     "E1", "E2", "E4", "G2", "R1", "T2b", "T2c"};
 enum { ASKED = 14 };
 
-static char *bundles; /* of all cases */
-
-static void export_all(void)
-{
-    bundles = test_folder_create();
-    struct test_command command =
-        test_command_run("mpm-verify", "export", "--output", bundles, NULL);
-    ck_assert_msg(command.exit_status == 0, "%s", command.errors);
-    test_command_free(&command);
-}
-
-static void remove_all(void)
-{
-    test_folder_remove(bundles);
-}
-
-static void open_bundle(const char *name, struct bundle *bundle)
-{
-    char *path = test_folder_path(bundles, name);
-    struct mpm_error error = {.message = ""};
-    ck_assert_msg(bundle_read(path, bundle, &error) == MPM_OK, "%s", error.message);
-    ck_assert(bundle->numbers);
-    g_free(path);
-}
-
 /* Results with the expected numbers, but for one. */
 static GString *rows_of(const struct bundle *bundle, size_t spoiled, double value)
 {
@@ -50,7 +26,7 @@ static GString *rows_of(const struct bundle *bundle, size_t spoiled, double valu
         g_string_append_printf(text, "%s,%.17g,%s\n", check->name,
                                i == spoiled ? value : check->band.expected, check->unit);
     }
-    char *path = test_folder_write(bundles, "numbers.csv", text->str);
+    char *path = test_folder_write(test_bundles, "numbers.csv", text->str);
     struct mpm_error error = {.message = ""};
     ck_assert_msg(numbers_rows(bundle, path, rows, &error) == MPM_OK, "%s", error.message);
     g_free(path);
@@ -61,7 +37,7 @@ static GString *rows_of(const struct bundle *bundle, size_t spoiled, double valu
 START_TEST(expected_numbers_pass_and_prove_that_they_can_fail)
 {
     struct bundle bundle;
-    open_bundle(asked[_i], &bundle);
+    test_bundle_open(asked[_i], &bundle);
     GString *rows = rows_of(&bundle, SIZE_MAX, 0);
     const struct job_result result = {JOB_RETURNED, 0, 0, 0, rows->str};
     for (size_t i = 0; i < bundle.criterion_count; i++) {
@@ -80,7 +56,7 @@ END_TEST
 START_TEST(a_number_outside_of_its_band_alone_turns_red)
 {
     struct bundle bundle;
-    open_bundle(asked[_i], &bundle);
+    test_bundle_open(asked[_i], &bundle);
     for (size_t i = 0; i < bundle.criterion_count; i++) {
         const struct verdict_band *const band = &bundle.criteria[i].check.band;
         const double room = band->high - band->low;
@@ -130,8 +106,9 @@ static const struct results {
 START_TEST(the_command_scores_numbers_and_refuses_what_are_none)
 {
     char *name = g_strdup_printf("report-%d", _i);
-    char *home = test_folder_path(bundles, "E1"), *output = test_folder_path(bundles, name);
-    char *path = test_folder_write(bundles, "mine.csv", results[_i].text);
+    char *home = test_folder_path(test_bundles, "E1"),
+         *output = test_folder_path(test_bundles, name);
+    char *path = test_folder_write(test_bundles, "mine.csv", results[_i].text);
     struct test_command command =
         test_command_run("mpm-verify", "score", home, path, "--output", output, NULL);
     const char *said = results[_i].status == 2 ? command.errors : command.output;
@@ -150,7 +127,8 @@ END_TEST
 START_TEST(a_nul_byte_hides_nothing_behind_it)
 {
     static const char text[] = "number,value,unit\n" GOOD "\0energy_drift,9,%\n";
-    char *home = test_folder_path(bundles, "E1"), *path = test_folder_path(bundles, "nul.csv");
+    char *home = test_folder_path(test_bundles, "E1"),
+         *path = test_folder_path(test_bundles, "nul.csv");
     ck_assert(g_file_set_contents(path, text, sizeof text - 1, NULL));
     struct test_command command = test_command_run("mpm-verify", "score", home, path, NULL);
     ck_assert_int_eq(command.exit_status, 2);
@@ -163,8 +141,9 @@ END_TEST
 
 START_TEST(a_page_says_what_a_number_is_and_what_was_not_read)
 {
-    char *home = test_folder_path(bundles, "E1"), *output = test_folder_path(bundles, "page");
-    char *path = test_folder_write(bundles, "mine.csv", results[2].text);
+    char *home = test_folder_path(test_bundles, "E1"),
+         *output = test_folder_path(test_bundles, "page");
+    char *path = test_folder_write(test_bundles, "mine.csv", results[2].text);
     struct test_command command =
         test_command_run("mpm-verify", "score", home, path, "--output", output, NULL);
     char *page_path = g_build_filename(output, "cases/E1/index.html", NULL);
@@ -195,7 +174,7 @@ START_TEST(a_bundle_of_numbers_that_was_changed_is_refused_with_the_reason)
         {"\"low\": 0.2", "\"low\": -0.2", "criterion least_kinetic: the band holds zero"},
         {"\"least_kinetic\"", "\"energy_drift\"", "criterion: allowed is each name once"},
     };
-    char *home = test_folder_path(bundles, "E1");
+    char *home = test_folder_path(test_bundles, "E1");
     for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
         char *folder = test_folder_create(), *path = test_folder_path(home, "problem.json");
         char *text = test_file_read(path), **parts = g_strsplit(text, table[i].from, 2);
@@ -218,9 +197,32 @@ START_TEST(a_bundle_of_numbers_that_was_changed_is_refused_with_the_reason)
 }
 END_TEST
 
+/* Other codes have other laws of the same names. */
+START_TEST(every_law_of_a_bundle_is_stated_as_a_formula)
+{
+    struct bundle bundle;
+    test_bundle_open(asked[_i], &bundle);
+    const json_t *problem = json_object_get(bundle.json, "problem");
+    const json_t *laws = json_object_get(bundle.json, "laws");
+    const json_t *materials = json_object_get(problem, "materials");
+    ck_assert(bundle.numbers && json_array_size(materials) > 0);
+    for (size_t i = 0; i < json_array_size(materials); i++) {
+        const char *law = json_string_value(json_object_get(json_array_get(materials, i), "law"));
+        ck_assert_msg(json_object_get(laws, law) != NULL, "%s: %s", asked[_i], law);
+    }
+    const json_t *cracks = json_object_get(problem, "cracks");
+    for (size_t i = 0; i < json_array_size(cracks); i++) {
+        const json_t *cohesive = json_object_get(json_array_get(cracks, i), "cohesive");
+        const char *law = json_string_value(json_object_get(cohesive, "law"));
+        ck_assert_msg(law == NULL || json_object_get(laws, law) != NULL, "%s: %s", asked[_i], law);
+    }
+    bundle_close(&bundle);
+}
+END_TEST
+
 START_TEST(tables_that_numbers_are_told_from_lie_beside_them)
 {
-    char *copy_path = g_build_filename(bundles, "D2", "particles_plane_strain.csv", NULL);
+    char *copy_path = g_build_filename(test_bundles, "D2", "particles_plane_strain.csv", NULL);
     char *copy = test_file_read(copy_path);
     char *own = test_file_read("reference_data/dcb_double_cantilever/particles_plane_strain.csv");
     ck_assert_str_eq(copy, own);
@@ -234,7 +236,7 @@ Suite *suite_score_numbers(void)
 {
     Suite *suite = suite_create("score_numbers");
     TCase *numbers = tcase_create("numbers");
-    tcase_add_unchecked_fixture(numbers, export_all, remove_all);
+    tcase_add_unchecked_fixture(numbers, test_bundles_export, test_bundles_remove);
     tcase_add_loop_test(numbers, expected_numbers_pass_and_prove_that_they_can_fail, 0, ASKED);
     tcase_add_loop_test(numbers, a_number_outside_of_its_band_alone_turns_red, 0, ASKED);
     tcase_add_loop_test(numbers, the_command_scores_numbers_and_refuses_what_are_none, 0,
@@ -242,6 +244,7 @@ Suite *suite_score_numbers(void)
     tcase_add_test(numbers, a_nul_byte_hides_nothing_behind_it);
     tcase_add_test(numbers, a_page_says_what_a_number_is_and_what_was_not_read);
     tcase_add_test(numbers, a_bundle_of_numbers_that_was_changed_is_refused_with_the_reason);
+    tcase_add_loop_test(numbers, every_law_of_a_bundle_is_stated_as_a_formula, 0, ASKED);
     tcase_add_test(numbers, tables_that_numbers_are_told_from_lie_beside_them);
     suite_add_tcase(suite, numbers);
     return suite;

@@ -61,8 +61,11 @@ def row(cells):
 
 
 def write_markdown(path, about, results):
+    tests, checks = ({r["name"] for r in results if r[by]} for by in ("tests", "checks"))
     text = [f"# Mutants\n\n{sum(r['outcome'] == 'killed' for r in results)} of {len(results)} "
-            f"killed, score {score(results):.1f} %, revision {about['revision']}.\n\n"]
+            f"killed, score {score(results):.1f} %, revision {about['revision']}; "
+            f"{len(tests)} by unit tests, {len(checks)} by the catalogue, {len(checks - tests)} of "
+            f"them by it alone.\n\n"]
     text += [row(["mutant", "room", "kind", "what", "outcome", "tests", "checks", "killers"]),
              row(["---"] * 8)]
     for r in results:

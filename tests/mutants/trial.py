@@ -90,7 +90,7 @@ def run_catalogue(folder, limit, jobs=1, only=None):
         lines = (output / "checks.jsonl").read_text(encoding="utf-8").splitlines()
         return [line for line in map(json.loads, lines) if line["kind"] == "check"], ""
     except (OSError, ValueError, KeyError):
-        said = said[-200:].replace(f"{folder.resolve()}/", "").strip()
+        said = said.replace(f"{folder.resolve()}/", "").strip()[-200:]
         return [], "(did not end)" if status is None else f"(exit status {status}: {said})"
 
 

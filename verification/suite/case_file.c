@@ -58,22 +58,22 @@ static const cyaml_schema_field_t methods_fields[] = {
     LIST("parameters", case_methods, parameters, &parameter_schema, 0),
     CYAML_FIELD_END};
 
+/* What checks and numbers for other solvers state alike. */
+#define CHECK_FIELDS(key)                                                                          \
+    TEXT(key, case_check, name), TEXT("title", case_check, title),                                 \
+        TEXT("quantity", case_check, quantity), TEXT("unit", case_check, unit),                    \
+        TEXT("expected", case_check, expected_text), TEXT("low", case_check, low_text),            \
+        TEXT("high", case_check, high_text), TEXT("why", case_check, why),                         \
+        CYAML_FIELD_ENUM("basis", CYAML_FLAG_STRICT, struct case_check, basis, basis_values,       \
+                         CYAML_ARRAY_LEN(basis_values))
+
 static const cyaml_schema_field_t check_fields[] = {
-    TEXT("check", case_check, name),
-    TEXT("title", case_check, title),
+    CHECK_FIELDS("check"),
     LIST("variants", case_check, variants, &yaml_text_schema, 1),
-    TEXT("quantity", case_check, quantity),
-    TEXT("unit", case_check, unit),
     TEXT("norm", case_check, norm),
-    TEXT("expected", case_check, expected_text),
-    TEXT("low", case_check, low_text),
-    TEXT("high", case_check, high_text),
     OPTIONAL_TEXT("fails_low", case_check, fails_low_text),
     OPTIONAL_TEXT("fails_high", case_check, fails_high_text),
     OPTIONAL_TEXT("initial", case_check, initial_text),
-    CYAML_FIELD_ENUM("basis", CYAML_FLAG_STRICT, struct case_check, basis, basis_values,
-                     CYAML_ARRAY_LEN(basis_values)),
-    TEXT("why", case_check, why),
     OPTIONAL_TEXT("headroom", case_check, headroom),
     CYAML_FIELD_ENUM("evidence", CYAML_FLAG_STRICT | CYAML_FLAG_OPTIONAL, struct case_check,
                      evidence, evidence_values, CYAML_ARRAY_LEN(evidence_values)),
@@ -163,18 +163,7 @@ static const cyaml_schema_field_t bundle_fields[] = {
     LIST("criteria", case_bundle, criteria, &criterion_schema, 1),
     CYAML_FIELD_END};
 
-static const cyaml_schema_field_t number_fields[] = {
-    TEXT("number", case_check, name),
-    TEXT("title", case_check, title),
-    TEXT("quantity", case_check, quantity),
-    TEXT("unit", case_check, unit),
-    TEXT("expected", case_check, expected_text),
-    TEXT("low", case_check, low_text),
-    TEXT("high", case_check, high_text),
-    CYAML_FIELD_ENUM("basis", CYAML_FLAG_STRICT, struct case_check, basis, basis_values,
-                     CYAML_ARRAY_LEN(basis_values)),
-    TEXT("why", case_check, why),
-    CYAML_FIELD_END};
+static const cyaml_schema_field_t number_fields[] = {CHECK_FIELDS("number"), CYAML_FIELD_END};
 static const cyaml_schema_value_t number_schema = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct case_check, number_fields)};
 
