@@ -244,6 +244,10 @@ struct mpm_ledger {
      * to zero, and what they do not. */
     double cohesive_stored, cohesive_dissipated;
     double total_energy; /* kinetic + strain + dissipation + cohesive energies */
+    /* With output.energy_balance, else 0: what went from particles to nodes and back without
+     * arriving, and what contact of cracks took, since t = 0. The change of total_energy plus both
+     * is external_work, to round-off; either may be negative. */
+    double transfer_loss, contact_loss;
     double j_min, j_max; /* extremes of det F */
 };
 
@@ -255,6 +259,11 @@ bool mpm_scene_is_damped(const struct mpm_scene *scene);
 
 /* Has one of its cracks a cohesive law: has its history the columns of cohesive energies? */
 bool mpm_scene_is_cohesive(const struct mpm_scene *scene);
+
+/* Does it ask for output.energy_balance: has its history the column transfer_loss? And, with contact
+ * of cracks, contact_loss? */
+bool mpm_scene_has_energy_balance(const struct mpm_scene *scene);
+bool mpm_scene_has_contact_loss(const struct mpm_scene *scene);
 
 /* What the history tells of cracks, crack by crack: columns that follow those of the ledger. */
 enum { MPM_QUANTITY_NAME_SIZE = 64 };

@@ -22,6 +22,7 @@
     SUITE(loads)                                                                                   \
     SUITE(given)                                                                                   \
     SUITE(start)                                                                                   \
+    SUITE(energy_balance)                                                                          \
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
     SUITE(time_step)                                                                               \

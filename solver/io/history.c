@@ -38,6 +38,10 @@ static const struct column {
      mpm_scene_is_cohesive},
     {"cohesive_dissipated", offsetof(struct mpm_ledger, cohesive_dissipated), false, 2, 1, -2,
      mpm_scene_is_cohesive},
+    {"transfer_loss", offsetof(struct mpm_ledger, transfer_loss), false, 2, 1, -2,
+     mpm_scene_has_energy_balance},
+    {"contact_loss", offsetof(struct mpm_ledger, contact_loss), false, 2, 1, -2,
+     mpm_scene_has_contact_loss},
 };
 
 struct mpm_history {

@@ -167,6 +167,7 @@ static enum mpm_status build_output(const struct mpm_reading *reading)
     scene->snapshot_interval = mpm_raw_double(raw->snapshots);
     scene->checkpoint_interval = mpm_raw_double(raw->checkpoint);
     scene->fringe = mpm_raw_double(raw->fringe);
+    scene->energy_balance = raw->energy_balance;
     if (raw->snapshots != NULL && scene->end / scene->snapshot_interval >= snapshots_max)
         return mpm_reading_fault(reading, "output.snapshots",
                                  "too many snapshots, got an interval of %s up to end = %g; "

@@ -382,6 +382,8 @@
       "interval of snapshots; without it only t = 0 and end")                                      \
     X(S, ONE, checkpoint, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                      \
       "reserved: this version writes no checkpoints, and mpm run says so")                         \
+    X(S, ONE, energy_balance, BOOLEAN, ANYWHERE, OPTIONAL, "", "false", ANY,                       \
+      "history.csv has transfer_loss, what is lost between particles and nodes, measured in each step, and with it closes to round-off") \
     X(S, ONE, fringe, NUMBER, PLANAR, OPTIONAL, "length time^2/mass", NULL, ABOVE(0),              \
       "k: snapshots have fringe, cos(k (s1 - s2)) of the principal stresses in the plane (CRAMP 23); 2 pi thickness over the material's stress for one fringe")
 

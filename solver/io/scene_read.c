@@ -273,6 +273,20 @@ bool mpm_scene_is_cohesive(const struct mpm_scene *scene)
     return false;
 }
 
+bool mpm_scene_has_energy_balance(const struct mpm_scene *scene)
+{
+    return scene->energy_balance;
+}
+
+bool mpm_scene_has_contact_loss(const struct mpm_scene *scene)
+{
+    for (size_t k = 0; k < scene->crack_count; k++)
+        if (scene->crack_method == MPM_CRACKS_FIELDS &&
+            scene->cracks[k].contact != MPM_CONTACT_NONE)
+            return scene->energy_balance;
+    return false;
+}
+
 bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene)
 {
     return scene->checkpoint_interval > 0.0;

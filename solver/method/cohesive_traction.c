@@ -90,6 +90,47 @@ void mpm_cohesive_spread(struct mpm_state *state)
 
 /* ------------------------------------------------------------------- energy */
 
+/* Of both ends of the step: v_i^n + v_i^{n+1} of one surface at a point. */
+static void add_velocities(const struct mpm_state *state, const struct mpm_crack_surface *surface,
+                           double sign, double v[2])
+{
+    for (int i = 0; i < surface->count; i++)
+        for (int axis = 0; axis < 2; axis++)
+            v[axis] += sign * surface->weight[i] *
+                       (state->grid.start[surface->node[i]][axis] +
+                        state->grid.motion[surface->node[i]].end[axis]);
+}
+
+/* Twice the power that the tractions of one crack take from the nodes. */
+static double crack_power(const struct mpm_state *state, size_t crack)
+{
+    const struct mpm_crack_openings *const openings = &state->cracks.openings;
+    const size_t first = mpm_crack_first_point(state, crack);
+    double power = 0.0;
+    for (size_t point = 0; point < state->cracks.chains[crack].count; point++) {
+        const struct mpm_crack_surface *const surfaces = openings->surfaces[first + point];
+        double traction[2], v[2] = {0.0, 0.0};
+        if (surfaces[0].count == 0 || surfaces[1].count == 0)
+            continue;
+        mpm_cohesive_traction_at(state, crack, first, point, traction);
+        add_velocities(state, &surfaces[0], 1.0, v);
+        add_velocities(state, &surfaces[1], -1.0, v);
+        power -= openings->area[first + point] * (traction[0] * v[0] + traction[1] * v[1]);
+    }
+    return power;
+}
+
+double mpm_cohesive_nodal_work(const struct mpm_state *state)
+{
+    double power = 0.0;
+    if (state->cracks.openings.largest == NULL)
+        return 0.0;
+    for (size_t crack = 0; crack < state->scene->crack_count; crack++)
+        if (state->scene->cracks[crack].cohesive.law != NULL)
+            power += crack_power(state, crack);
+    return 0.5 * state->time_step * power;
+}
+
 /* Of one crack, added. */
 static void add_energies(const struct mpm_state *state, size_t crack, size_t first, double *stored,
                          double *dissipated)

@@ -18,6 +18,10 @@
  * the forces of the nodes. After mpm_crack_openings_find; nothing without cohesive cracks. */
 void mpm_cohesive_spread(struct mpm_state *state);
 
+/* What the tractions of the step took from the nodes, by the mean velocity of the step: after the
+ * momentum update. */
+double mpm_cohesive_nodal_work(const struct mpm_state *state);
+
 /* What is given back when all openings go to zero, and the rest of the tractions' work since t = 0.
  */
 void mpm_cohesive_energies(const struct mpm_state *state, double *stored, double *dissipated);

@@ -287,8 +287,10 @@ void mpm_damping_find_drag(struct mpm_state *state)
     if (work == NULL)
         return;
     run_particles(state, work);
-    for (int64_t s = 0; s < state->strip_count; s++)
+    for (int64_t s = 0; s < state->strip_count; s++) {
         state->external_work += state->strips[s].external_work;
+        state->energy.lost += state->strips[s].external_work; /* that nodes do not know of */
+    }
 }
 
 static void pass_take_drag(void *context, int64_t index, int worker)

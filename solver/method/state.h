@@ -61,6 +61,7 @@ struct mpm_strip {
     double wave_speed_squared; /* largest */
     double external_work;      /* of body forces, or of loads on edges, in the step */
     double dissipated;         /* by damping at the particles, in a part of the step */
+    double internal_work;      /* what stresses take from the nodes in the step */
     struct mpm_failure failure;
 };
 
@@ -218,13 +219,25 @@ struct mpm_balance {
     double unbalanced; /* of the components that nothing holds */
 };
 
-/* What passes over rows leave for a sum in the rows' order; where a scene damps nodes or
- * asks for rest. */
+/* What passes over rows leave for a sum in the rows' order; where a scene damps nodes, asks for
+ * rest or measures its energy balance. */
 struct mpm_row_sums {
     double dissipated;
     struct mpm_balance balance;
+    double kinetic[2]; /* energy of the nodes at both ends of the step */
     int64_t refused; /* the first node with a rate that is not allowed, or -1 */
     double rate;     /* there */
+};
+
+/* Energy between particles and nodes since t = 0, where a scene measures it; see
+ * energy_balance.h. */
+struct mpm_energy_balance {
+    bool measured;
+    double particles;     /* their kinetic energy */
+    double lost;          /* kinetic energy, between particles and nodes */
+    double internal_work; /* what internal and cohesive forces have taken from the nodes */
+    double contact;       /* what contact of cracks has taken in momentum updates */
+    double dissipated;    /* by damping, before that of the particles in this step */
 };
 
 struct mpm_state {
@@ -271,6 +284,7 @@ struct mpm_state {
 
     struct mpm_given_force given_force;
     struct mpm_damping damping;
+    struct mpm_energy_balance energy;
     struct mpm_balance balance;    /* of the last step, if the scene asks for rest */
     struct mpm_row_sums *row_sums; /* per node row */
 

@@ -10,6 +10,7 @@
 #include "method/crack_opening.h"
 #include "method/damping.h"
 #include "method/edge_loads.h"
+#include "method/energy_balance.h"
 #include "method/given_force.h"
 #include "method/grid_update.h"
 #include "method/rest.h"
@@ -214,7 +215,9 @@ static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_for
     mpm_rest_measure_unbalanced(state);
     MPM_TRY(mpm_damping_apply_nodes(state, error));
     mpm_conditions_apply_end(state);
+    mpm_energy_before_contact(state);
     mpm_crack_contact_end(state);
+    mpm_energy_after_contact(state);
     if (uniform_force)
         state->external_work += uniform_work(state);
     state->external_work += mpm_given_force_work(state);
@@ -272,6 +275,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
     MPM_TRY(update_momentum(state, uniform_force, error));
+    mpm_energy_measure_nodes(state, workers);
     charge(seconds, MPM_PHASE_GRID, &mark);
 
     if (varying_force)
@@ -288,6 +292,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
      * task uses the shape functions of the positions at the start */
     run_particles(state, workers, passes->finish);
     mpm_damping_settle(state);
+    mpm_energy_measure_particles(state);
     mpm_thermostat_advance(state);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 

@@ -66,6 +66,7 @@ void mpm_backup_save(struct mpm_simulation *simulation)
     backup->external_work = state->external_work;
     backup->work_scale = simulation->work_scale;
     backup->damping = state->damping.books;
+    backup->energy = state->energy;
     backup->wave_speed = simulation->wave_speed;
     backup->step = simulation->step;
 }
@@ -98,6 +99,7 @@ static void copy_back(struct mpm_simulation *simulation)
     state->external_work = backup->external_work;
     simulation->work_scale = backup->work_scale;
     state->damping.books = backup->damping;
+    state->energy = backup->energy;
     simulation->wave_speed = backup->wave_speed;
     simulation->step = backup->step;
 }

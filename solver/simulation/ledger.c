@@ -33,6 +33,7 @@ static void add_particle(const struct mpm_simulation *simulation, size_t p,
 
 void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_ledger *ledger)
 {
+    const struct mpm_energy_balance *const energy = &simulation->state.energy;
     *ledger = (struct mpm_ledger){
         .time = simulation->state.time,
         .step = simulation->step,
@@ -48,4 +49,10 @@ void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_l
     ledger->total_energy = ledger->kinetic_energy + ledger->strain_energy +
                            ledger->damping_dissipation + ledger->cohesive_stored +
                            ledger->cohesive_dissipated;
+    if (energy->measured) {
+        ledger->contact_loss = energy->contact;
+        ledger->transfer_loss = energy->lost + energy->internal_work -
+                                (ledger->strain_energy - simulation->strain_start) -
+                                ledger->cohesive_stored - ledger->cohesive_dissipated;
+    }
 }

@@ -32,6 +32,7 @@ struct mpm_backup {
     struct mpm_chain_extent *extents;
     double time, external_work, work_scale, wave_speed;
     struct mpm_damping_books damping;
+    struct mpm_energy_balance energy;
     uint64_t step;
     double time_steps[MPM_STEPS_BETWEEN_SORTS]; /* of the steps since, */
     double times[MPM_STEPS_BETWEEN_SORTS];      /* and where they ended */
@@ -50,6 +51,7 @@ struct mpm_simulation {
     double wave_speed_start;
     double particle_speed; /* of the fastest particle if it outruns waves; else perhaps 0 */
     double mass, lightest; /* of all particles, of the lightest one */
+    double strain_start;   /* strain energy at t = 0 */
     double energy_start;   /* kinetic and strain energy at t = 0 */
     double work_scale;     /* sum of |external work| of the steps */
     int64_t steps_at_rest; /* in a row, if the scene asks for rest */

@@ -1,0 +1,161 @@
+/* The balance of energy of every step: what loads, conditions, damping, contact and transfers do to
+ * it is measured, each by itself, and the sum closes to round-off.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "suites.h"
+#include "support/combinations.h"
+#include "support/near.h"
+#include "support/scenes.h"
+#include "support/settings.h"
+#include "support/soft_block.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+static const char BLOCK[] = TEST_SOFT_BLOCK("");
+static const char BLOCK_AND_WALL[] = TEST_SOFT_BLOCK(
+    "  - {name: wall, rigid: {velocity: [0.05, '-0.1*t']}, region: {rectangle: {from: [8, 3.2],\n"
+    "     to: [9, 7.2]}}}\n");
+
+/* What makes a scene do something with its energy, in each of the combinations. */
+static const struct feature {
+    const char *name;
+    const char *settings[4];
+    bool wall;
+} features[] = {
+    {.name = "free"},
+    {.name = "uniform body force", .settings = {"loads={body_force: [0.1, '0.2*cos(t)']}"}},
+    {.name = "varying body force", .settings = {"loads={body_force: ['@A*sin(t)', '0.1*@B']}"}},
+    {.name = "tractions",
+     .settings = {"loads={tractions: [{body: block, edge: top, value: [0.03, 0.2]}, "
+                  "{body: block, edge: right, value: [0.1, '0.02*@B'], frame: edge}]}"}},
+    {.name = "particle forces",
+     .settings = {"loads={particle_forces: [{body: block, edge: left, value: [-0.1, 0.1]}]}"}},
+    {.name = "a floor that moves",
+     .settings = {"boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, "
+                  "velocity: [free, '0.2*sin(2*t)']}]"}},
+    {.name = "all nodes driven along one axis",
+     .settings = {"boundary=[{region: all, velocity: ['0.1*@A*t', free]}]"}},
+    {.name = "a rigid wall", .wall = true},
+    {.name = "grid damping", .settings = {"damping={grid: 0.3}"}},
+    {.name = "grid damping by place, and a floor",
+     .settings = {"damping={grid: '0.1*@B'}",
+                  "boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, "
+                  "velocity: ['0.02*@A', 0]}]"}},
+    {.name = "particle damping under weight",
+     .settings = {"damping={particle: 0.3}", "loads={body_force: [0, -0.2]}"}},
+    {.name = "pic damping under varying forces",
+     .settings = {"damping={pic: 0.6, particle: '0.02*@B'}",
+                  "loads={body_force: ['0.1*@A', 0], tractions: [{body: block, edge: all, "
+                  "value: [-0.1, 0], frame: edge}]}"}},
+    {.name = "thermostat", .settings = {"damping={thermostat: {gain: 0.5}}"}},
+    {.name = "flip 0.9", .settings = {"method.transfer={kind: flip, fraction: 0.9}"}},
+    {.name = "pic under traction",
+     .settings = {"method.transfer={kind: pic}",
+                  "loads={tractions: [{body: block, edge: top, value: [0, 0.2]}]}"}},
+    {.name = "xpic", .settings = {"method.transfer={kind: xpic, order: 3}"}},
+    {.name = "fmpm with a floor",
+     .settings = {"method.transfer={kind: fmpm, order: 2}",
+                  "boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, "
+                  "velocity: ['0.02*@A', 0]}]"}},
+    {.name = "apic", .settings = {"method.transfer={kind: apic}"}},
+    {.name = "momentum form", .settings = {"method.form=momentum"}},
+    {.name = "midpoint, damped",
+     .settings = {"method.position_update=midpoint", "damping={particle: 0.2, grid: 0.1}"}},
+    {.name = "a plane of symmetry",
+     .settings = {"boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, symmetry: true}]",
+                  "loads={body_force: [0.1, 0]}"}},
+    {.name = "a crack open",
+     .settings = {"cracks=[{points: [[2.7, 5.3], [6.1, 5.9]], contact: none}]"}},
+    {.name = "a crack with friction",
+     .settings = {"cracks=[{points: [[2.7, 5.3], [6.1, 5.9]], contact: friction, friction: 0.3, "
+                  "detection: cell}]",
+                  "damping={grid: 0.2}"}},
+    {.name = "a crack that sticks, under traction",
+     .settings = {"cracks=[{points: [[2.7, 5.3], [6.1, 5.9]], contact: stick, detection: cell}]",
+                  "loads={tractions: [{body: block, edge: top, value: [0, -0.2]}], "
+                  "body_force: [0, -0.1]}"}},
+    {.name = "a cohesive crack",
+     .settings = {"cracks=[{points: [[2.3, 5.3], [8.7, 5.4]], contact: none, cohesive: {law: "
+                  "linear, strength: 0.1, toughness: 0.02, stiffness: 1}}]",
+                  "loads={tractions: [{body: block, edge: top, value: [0, 0.3]}]}"}},
+};
+enum { FEATURES = sizeof features / sizeof *features };
+
+/* @A and @B: the names of the axes. */
+static void add_for_geometry(struct settings *settings, const char *text, bool axisymmetric)
+{
+    char *const first = g_strdup(text);
+    char **const a = g_strsplit(first, "@A", -1);
+    char *const second = g_strjoinv(axisymmetric ? "r" : "x", a);
+    char **const b = g_strsplit(second, "@B", -1);
+    char *const third = g_strjoinv(axisymmetric ? "z" : "y", b);
+    settings_add_formatted(settings, "%s", third);
+    g_strfreev(a);
+    g_strfreev(b);
+    g_free(first);
+    g_free(second);
+    g_free(third);
+}
+
+static struct test_run open_scene(const struct feature *feature, int index)
+{
+    const bool axisymmetric = test_combination(index).axisymmetric;
+    struct settings settings = test_combination_settings(index);
+    settings_add(&settings, "output.energy_balance=true");
+    test_add_wild_velocity(&settings, axisymmetric);
+    for (int k = 0; k < 4 && feature->settings[k] != NULL; k++)
+        add_for_geometry(&settings, feature->settings[k], axisymmetric);
+    const struct test_run run =
+        test_run_open(feature->wall ? BLOCK_AND_WALL : BLOCK, settings.texts, 1);
+    settings_clear(&settings);
+    return run;
+}
+
+static double open_balance(const struct mpm_ledger *ledger)
+{
+    return ledger->total_energy + ledger->transfer_loss + ledger->contact_loss -
+           ledger->external_work;
+}
+
+/* The largest energy in the sum: round-off is of it. */
+static double scale_of(const struct mpm_ledger *ledger)
+{
+    return ledger->kinetic_energy + ledger->strain_energy + fabs(ledger->external_work) +
+           ledger->damping_dissipation + fabs(ledger->transfer_loss) + fabs(ledger->contact_loss);
+}
+
+enum { STEPS = 7 };
+
+/* Every term counts: a step moves some 1 % of the energy, 1e11 times the bound. */
+START_TEST(every_step_closes_to_round_off)
+{
+    const struct feature *const feature = &features[_i];
+    for (int index = 0; index < TEST_COMBINATIONS; index++) {
+        struct test_run run = open_scene(feature, index);
+        struct mpm_ledger before = test_run_ledger(&run);
+        ck_assert(before.transfer_loss == 0.0);
+        for (int step = 1; step <= STEPS; step++) {
+            test_run_steps(&run, 1);
+            const struct mpm_ledger after = test_run_ledger(&run);
+            const double left = open_balance(&after) - open_balance(&before);
+            const struct test_combination c = test_combination(index);
+            ck_assert_msg(fabs(left) <= TEST_SOFT_ROUND_OFF * scale_of(&after),
+                          "%s, %s %s %s, step %d: %g of %g", feature->name, c.geometry, c.shape,
+                          c.order, step, left, scale_of(&after));
+            before = after;
+        }
+        test_run_close(&run);
+    }
+}
+END_TEST
+
+Suite *suite_energy_balance(void)
+{
+    Suite *suite = suite_create("energy_balance");
+    TCase *steps = tcase_create("steps");
+    tcase_add_loop_test(steps, every_step_closes_to_round_off, 0, FEATURES);
+    suite_add_tcase(suite, steps);
+    return suite;
+}
