@@ -216,6 +216,104 @@ START_TEST(a_body_that_nothing_moves_is_at_rest_after_its_steps_and_not_before_i
 }
 END_TEST
 
+/* -------------------------------------------------------------- loads at rest */
+
+/* A plate that is pulled at both ends and damped, with PIC damping almost all of what nodes do not
+ * carry. */
+#define PLATE                                                                                      \
+    "format: 1\n"                                                                                  \
+    "geometry: plane_strain\n"                                                                     \
+    "grid: {origin: [-2, -2], cell: [1, 1], cells: [8, 12]}\n"                                     \
+    "time: {end: 2, courant: 0.4, rest: {residual: 1e-6, kinetic_energy: 1e-9, after: 0.1}}\n"     \
+    "damping: {grid: 30, pic: 0.1}\n"                                                              \
+    "materials: [{name: glass, law: linear_elastic, density: 1e-3, young: 1000, poisson: 0.3}]\n"  \
+    "bodies: [{name: plate, material: glass, region: {rectangle: {from: [0, 0], to: [4, 8]}}}]\n"  \
+    "output: {energy_balance: true}\n"                                                             \
+    "loads:\n"                                                                                     \
+    "  tractions:\n"                                                                               \
+    "    - {body: plate, edge: top, value: [0, 't<0.1 ? t*10 : 1']}\n"                             \
+    "    - {body: plate, edge: bottom, value: [0, 't<0.1 ? -t*10 : -1']}\n"
+
+/* The stretched edges reach nodes of little mass. Where the stress update takes the velocities of
+ * the momentum update (USL, USAVG without the second extrapolation), strains follow them into
+ * balance. The other orders take velocities extrapolated from the particles, which these nodes
+ * hardly change: their forces stay unbalanced, and work of the load goes on being lost there. */
+static const struct {
+    const char *method;
+    bool rests;
+} pulled[] = {
+    {"{stress_update: usl}", true},   {"{stress_update: usavg, extrapolate: false}", true},
+    {"{stress_update: musl}", false}, {"{stress_update: usavg}", false},
+    {"{stress_update: usf}", false},
+};
+
+START_TEST(a_pulled_plate_comes_to_rest_where_the_strain_follows_all_nodes)
+{
+    char *const method = g_strdup_printf("method=%s", pulled[_i].method);
+    const char *const settings[] = {method, NULL};
+    struct test_run run = test_run_open(PLATE, settings, 1);
+    while (test_run_ledger(&run).time < 0.6 && !mpm_simulation_at_rest(run.simulation, NULL))
+        test_run_steps(&run, 1);
+    const struct mpm_ledger early = test_run_ledger(&run);
+    test_run_steps(&run, 1000);
+    const struct mpm_ledger late = test_run_ledger(&run);
+    const double work = late.external_work - early.external_work;
+    ck_assert(mpm_simulation_at_rest(run.simulation, NULL) == pulled[_i].rests);
+    ck_assert_double_lt(late.kinetic_energy, 1e-9 * late.strain_energy);
+    /* the residual squared is the order of the work: 1e-6 and 1e-3 */
+    if (pulled[_i].rests)
+        ck_assert_double_lt(fabs(work), 1e-6 * late.strain_energy);
+    else
+        ck_assert_double_gt(work, 1e-3 * late.strain_energy);
+    ck_assert_near(late.transfer_loss - early.transfer_loss, work, 1e-6 * late.strain_energy);
+    g_free(method);
+    test_run_close(&run);
+}
+END_TEST
+
+/* What a load does to nodes that particles do not follow is no energy of the body. */
+START_TEST(the_kinetic_energy_at_rest_is_measured_by_the_energy_of_the_body)
+{
+    struct test_run run = test_run_open(PLATE, NULL, 1);
+    double largest = 0.0;
+    struct mpm_rest rest;
+    for (int step = 1; step <= 1500; step++) {
+        test_run_steps(&run, 1);
+        const struct mpm_ledger ledger = test_run_ledger(&run);
+        largest =
+            fmax(largest, ledger.kinetic_energy + (step % 32 == 0 ? ledger.strain_energy : 0));
+    }
+    const struct mpm_ledger end = test_run_ledger(&run);
+    (void)mpm_simulation_at_rest(run.simulation, &rest);
+    ck_assert_near(rest.kinetic_energy * largest, end.kinetic_energy, 1e-12 * end.kinetic_energy);
+    test_run_close(&run);
+}
+END_TEST
+
+START_TEST(patience_ends_when_the_residual_has_not_fallen_by_a_tenth)
+{
+    enum { PATIENCE = 300 };
+    const char *const settings[] = {"time.rest.patience=300", NULL};
+    struct test_run run = test_run_open(PLATE, settings, 1);
+    struct mpm_rest rest;
+    double lowest = HUGE_VAL;
+    int since = 0;
+    while (!mpm_simulation_stagnates(run.simulation)) {
+        ck_assert_int_lt(since, PATIENCE);
+        test_run_steps(&run, 1);
+        (void)mpm_simulation_at_rest(run.simulation, &rest);
+        if (mpm_simulation_time(run.simulation) < 0.1)
+            continue;
+        const bool lower = rest.residual < 0.9 * lowest;
+        lowest = lower ? rest.residual : lowest;
+        since = lower ? 0 : since + 1;
+        ck_assert(rest.lowest_residual == lowest);
+    }
+    ck_assert_int_eq(since, PATIENCE);
+    test_run_close(&run);
+}
+END_TEST
+
 /* ------------------------------------------------------------ what runs say */
 
 static const char STANDING[] = COLUMN "loads: {body_force: [0, -0.001]}\n";
@@ -271,6 +369,14 @@ static const char *const unrested[][2] = {
      "not at rest when time.end reached, at step 113, time 30: residual "},
     {"{end: 30, steps: 20, rest: {residual: 1e-3, kinetic_energy: 1e-6}}",
      "not at rest when time.steps taken, at step 20, "},
+    {"{end: 30, rest: {residual: 1e-3, kinetic_energy: 1e-6, patience: 5}}",
+     "not at rest when time.rest.patience is over, at step "},
+};
+
+static const char *const unrested_advice[] = {
+    "damp more, or run longer",
+    "the residual still falls: run longer, or damp more",
+    "damp more, or run longer",
 };
 
 START_TEST(a_run_that_ends_without_rest_has_failed_with_its_last_state_written)
@@ -280,11 +386,13 @@ START_TEST(a_run_that_ends_without_rest_has_failed_with_its_last_state_written)
     ck_assert_int_eq(test_results_run(false, &error), MPM_RUN_FAILED);
     ck_assert_msg(g_str_has_prefix(error.message, unrested[_i][1]), "%s", error.message);
     ck_assert_ptr_nonnull(strstr(error.message, "allowed: below 0.001 and 1e-06 for 10 steps"));
+    ck_assert_ptr_nonnull(strstr(error.message, "the residual was lowest at time "));
+    ck_assert_msg(g_str_has_suffix(error.message, unrested_advice[_i]), "%s", error.message);
     check_record("failed", unrested[_i][1], MPM_RUN_FAILED);
     json_t *files = NULL;
     json_t *list = test_results_series(&files);
     struct test_snapshot last = test_results_listed(files, json_array_size(files) - 1);
-    ck_assert(_i == 1 || last.time == 30.0);
+    ck_assert(_i != 0 || last.time == 30.0);
     test_snapshot_free(&last);
     json_decref(list);
 }
@@ -340,6 +448,10 @@ Suite *suite_rest(void)
     tcase_add_test(motion, the_thermostat_leads_to_its_target_and_adds_no_energy);
     tcase_add_test(motion,
                    a_body_that_nothing_moves_is_at_rest_after_its_steps_and_not_before_its_time);
+    tcase_add_loop_test(motion, a_pulled_plate_comes_to_rest_where_the_strain_follows_all_nodes, 0,
+                        G_N_ELEMENTS(pulled));
+    tcase_add_test(motion, the_kinetic_energy_at_rest_is_measured_by_the_energy_of_the_body);
+    tcase_add_test(motion, patience_ends_when_the_residual_has_not_fallen_by_a_tenth);
     tcase_add_loop_test(motion, rest_that_cannot_be_is_refused, 0, G_N_ELEMENTS(refused));
     suite_add_tcase(suite, motion);
     TCase *runs = tcase_create("runs");

@@ -11,6 +11,7 @@ enum {
     BAR_WIDTH = 30,
     REDRAW_MICROSECONDS = 100000, /* ten times a second */
     CLOCK_TEXT_SIZE = 32,
+    REST_TEXT_SIZE = 64,
 };
 
 void cli_progress_start(struct cli_progress *progress, bool quiet)
@@ -39,18 +40,30 @@ static const char *time_to_go(const struct cli_progress *progress, double fracti
     return text;
 }
 
+/* ", residual 2.1e-03, kinetic 4.0e-05" where the scene asks for rest; "" elsewhere */
+static const char *way_to_rest(const struct mpm_simulation *simulation, char text[REST_TEXT_SIZE])
+{
+    struct mpm_rest rest;
+    (void)mpm_simulation_at_rest(simulation, &rest);
+    text[0] = '\0';
+    if (rest.asked)
+        g_snprintf(text, REST_TEXT_SIZE, "  residual %.1e  kinetic energy %.1e", rest.residual,
+                   rest.kinetic_energy);
+    return text;
+}
+
 static void draw_bar(struct cli_progress *progress, double fraction,
                      const struct mpm_simulation *simulation, gint64 now)
 {
-    char clock[CLOCK_TEXT_SIZE], bar[BAR_WIDTH + 1];
+    char clock[CLOCK_TEXT_SIZE], bar[BAR_WIDTH + 1], rest[REST_TEXT_SIZE];
     const int filled = (int)(fraction * BAR_WIDTH);
     for (int i = 0; i < BAR_WIDTH; i++)
         bar[i] = i < filled ? '#' : '.';
     bar[BAR_WIDTH] = '\0';
     /* the blanks at the end wipe out what a longer line has left */
-    (void)fprintf(stderr, "\r[%s] %3.0f %%  t %.4g  step %" PRIu64 "  %s to go    ", bar,
+    (void)fprintf(stderr, "\r[%s] %3.0f %%  t %.4g  step %" PRIu64 "%s  %s to go    ", bar,
                   100.0 * fraction, mpm_simulation_time(simulation), progress->step,
-                  time_to_go(progress, fraction, now, clock));
+                  way_to_rest(simulation, rest), time_to_go(progress, fraction, now, clock));
     progress->line_open = true;
     progress->next_draw = now + REDRAW_MICROSECONDS;
 }
@@ -58,10 +71,10 @@ static void draw_bar(struct cli_progress *progress, double fraction,
 static void print_tenth(struct cli_progress *progress, double fraction,
                         const struct mpm_simulation *simulation, gint64 now)
 {
-    char clock[CLOCK_TEXT_SIZE];
+    char clock[CLOCK_TEXT_SIZE], rest[REST_TEXT_SIZE];
     progress->tenths = (int)(fraction * 10.0);
-    (void)fprintf(stderr, "%3d %%  t %.4g  step %" PRIu64 "  %s to go\n", 10 * progress->tenths,
-                  mpm_simulation_time(simulation), progress->step,
+    (void)fprintf(stderr, "%3d %%  t %.4g  step %" PRIu64 "%s  %s to go\n", 10 * progress->tenths,
+                  mpm_simulation_time(simulation), progress->step, way_to_rest(simulation, rest),
                   time_to_go(progress, fraction, now, clock));
 }
 

@@ -56,13 +56,16 @@ static bool has_taken_all_steps(const struct run *run)
 static bool is_finished(const struct run *run)
 {
     return mpm_simulation_time(run->simulation) >= run->scene->end || has_taken_all_steps(run) ||
-           mpm_simulation_at_rest(run->simulation, NULL);
+           mpm_simulation_at_rest(run->simulation, NULL) ||
+           mpm_simulation_stagnates(run->simulation);
 }
 
 static const char *end_reason(const struct run *run)
 {
     if (mpm_simulation_at_rest(run->simulation, NULL))
         return "at rest";
+    if (mpm_simulation_stagnates(run->simulation))
+        return "time.rest.patience is over";
     return has_taken_all_steps(run) ? "time.steps taken" : "time.end reached";
 }
 
@@ -150,6 +153,29 @@ static void report_progress(const struct run *run)
     run->options->progress(run->options->progress_context, MIN(fraction, 1.0), run->simulation);
 }
 
+/* What may bring a scene to rest that has not come there, by what keeps it from it. */
+static const char *rest_advice(const struct mpm_rest *rest, const struct mpm_rest_spec *asked,
+                               double time)
+{
+    const bool balanced = rest->residual < asked->residual;
+    const bool still = rest->kinetic_energy < asked->kinetic_energy;
+    const bool falls = rest->lowest_time > 0.75 * time;
+    if (balanced && still)
+        return "both are below now: run longer";
+    if (balanced)
+        return "nodes are balanced, particles move: damping.grid does not reach what nodes do not "
+               "carry, damping.particle and damping.pic do";
+    if (falls)
+        return "the residual still falls: run longer, or damp more";
+    if (still)
+        return "particles do not move, nodes are not balanced: with stress_update musl, usf and "
+               "usavg "
+               "the strain does not follow nodes of little mass at an edge; usl does, and usavg "
+               "with "
+               "extrapolate: false, or allow a larger residual";
+    return "damp more, or run longer";
+}
+
 /* A scene that asks for rest and ends without it has failed; its last state is written. */
 static enum mpm_status check_rest(const struct run *run, struct mpm_error *error)
 {
@@ -160,10 +186,12 @@ static enum mpm_status check_rest(const struct run *run, struct mpm_error *error
     return mpm_error_set(error, MPM_RUN_FAILED,
                          "not at rest when %s, at step %" PRIu64
                          ", time %g: residual %g, kinetic energy %g; allowed: below %g and %g for "
-                         "%" PRId64 " steps",
+                         "%" PRId64 " steps; the residual was lowest at time %g, %g; %s",
                          end_reason(run), mpm_simulation_step(run->simulation),
                          mpm_simulation_time(run->simulation), rest.residual, rest.kinetic_energy,
-                         asked->residual, asked->kinetic_energy, asked->steps);
+                         asked->residual, asked->kinetic_energy, asked->steps, rest.lowest_time,
+                         rest.lowest_residual,
+                         rest_advice(&rest, asked, mpm_simulation_time(run->simulation)));
 }
 
 static enum mpm_status march(struct run *run, struct mpm_error *error)

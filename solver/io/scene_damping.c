@@ -80,6 +80,7 @@ static enum mpm_status build_rest(const struct mpm_reading *reading)
         .kinetic_energy = mpm_raw_double(raw->kinetic_energy),
         .after = mpm_raw_double(raw->after),
         .steps = raw->steps,
+        .patience = raw->patience,
     };
     if (scene->rest.after >= scene->end)
         return mpm_reading_fault(reading, "time.rest.after",

@@ -154,13 +154,15 @@
 
 #define KEYS_rest(X, S)                                                                            \
     X(S, ONE, residual, NUMBER, ANYWHERE, REQUIRED, "", NULL, ABOVE_TO(0, 1),                      \
-      "unbalanced force of the free nodes over the internal forces of all, to be fallen below")    \
+      "threshold: unbalanced force of the free nodes over the internal forces of all")             \
     X(S, ONE, kinetic_energy, NUMBER, ANYWHERE, REQUIRED, "", NULL, ABOVE_TO(0, 1),                \
-      "kinetic energy over the energy put in (at t = 0 and by work), to be fallen below")          \
+      "threshold: kinetic energy over the largest sum of kinetic and strain energy so far")        \
     X(S, ONE, steps, INTEGER, ANYWHERE, OPTIONAL, "", "10", FROM_TO(1, 1000000),                   \
       "both must be below for so many steps in a row")                                             \
     X(S, ONE, after, NUMBER, ANYWHERE, OPTIONAL, "time", "0", AT_LEAST(0),                         \
-      "rest is not looked for before: when the loads are complete")
+      "rest is not looked for before: when the loads are complete")                                \
+    X(S, ONE, patience, INTEGER, ANYWHERE, OPTIONAL, "", NULL, FROM_TO(1, 1000000000),             \
+      "the run has failed if the residual has not fallen by 10 % for so many steps; without it, it goes on to the end")
 
 #define KEYS_time(X, S)                                                                            \
     X(S, ONE, end, NUMBER, ANYWHERE, REQUIRED, "time", NULL, ABOVE(0), "when the run ends")        \

@@ -98,9 +98,8 @@ static double stress_power(const struct mpm_state *state, size_t p,
         zz += v[0] * entry->t;
         xy += v[0] * entry->g[1] + v[1] * entry->g[0];
     }
-    return state->particles.mass[p] *
-           (stress[MPM_SYM_XX][p] * xx + stress[MPM_SYM_YY][p] * yy + stress[MPM_SYM_ZZ][p] * zz +
-            stress[MPM_SYM_XY][p] * xy);
+    return state->particles.mass[p] * (stress[MPM_SYM_XX][p] * xx + stress[MPM_SYM_YY][p] * yy +
+                                       stress[MPM_SYM_ZZ][p] * zz + stress[MPM_SYM_XY][p] * xy);
 }
 
 static void internal_work_strip(void *context, int64_t index, int worker)

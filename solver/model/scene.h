@@ -196,9 +196,10 @@ struct mpm_damping_spec {
 struct mpm_rest_spec {
     bool asked;
     double residual;       /* unbalanced force over internal forces */
-    double kinetic_energy; /* over the energy put in */
+    double kinetic_energy; /* over the largest mechanical energy so far */
     double after;          /* time */
     int64_t steps;         /* in a row */
+    int64_t patience;      /* steps without a lower residual that end the run; 0: any number */
 };
 
 struct mpm_scene {

@@ -308,6 +308,7 @@ static void open_books(struct mpm_simulation *simulation)
     struct mpm_ledger ledger;
     mpm_simulation_ledger(simulation, &ledger);
     simulation->mass = ledger.mass;
+    simulation->rest.largest_energy = ledger.kinetic_energy + fabs(ledger.strain_energy);
     simulation->strain_start = ledger.strain_energy;
     simulation->state.energy = (struct mpm_energy_balance){
         .measured = simulation->scene->energy_balance,

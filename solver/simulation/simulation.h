@@ -38,6 +38,14 @@ struct mpm_backup {
     double times[MPM_STEPS_BETWEEN_SORTS];      /* and where they ended */
 };
 
+/* What a simulation remembers of its way to rest; all zero if its scene does not ask for it. */
+struct mpm_rest_watch {
+    int64_t steps_at_rest; /* in a row */
+    double largest_energy; /* kinetic and strain energy, so far */
+    double lowest_residual, lowest_time;
+    uint64_t lowest_step; /* 0: none yet */
+};
+
 struct mpm_simulation {
     const struct mpm_scene *scene;
     struct mpm_arena arena;
@@ -54,7 +62,7 @@ struct mpm_simulation {
     double strain_start;   /* strain energy at t = 0 */
     double energy_start;   /* kinetic and strain energy at t = 0 */
     double work_scale;     /* sum of |external work| of the steps */
-    int64_t steps_at_rest; /* in a row, if the scene asks for rest */
+    struct mpm_rest_watch rest;
     double seconds[MPM_PHASE_COUNT];
     struct mpm_error failure; /* status MPM_OK while the run is sound */
 };
