@@ -145,8 +145,8 @@ static double weight_of(const struct mpm_edge_weights *weights, int64_t node)
     return 0.0;
 }
 
-/* Does the edge lie in the span of cells that the particle is in? Knots are the nodes, or lie half
- * way between them. */
+/* Do the edge and its image across the particle lie in the span of cells that the particle is in?
+ * Knots are the nodes, or lie half way between them. */
 static bool keeps_to_its_span(const struct sample *sample)
 {
     const double shift = sample->family == &mpm_shape_bspline2 ? 0.5 : 0.0;
@@ -158,7 +158,7 @@ static bool keeps_to_its_span(const struct sample *sample)
             const double origin = sample->grid.origin[axis];
             const double home = (sample->domain.position[axis] - origin) * scale + shift;
             const double there = (ends[end][axis] - origin) * scale + shift;
-            if (floor(there) != floor(home))
+            if (floor(there) != floor(home) || floor(2.0 * home - there) != floor(home))
                 return false;
         }
     return true;
@@ -243,6 +243,35 @@ START_TEST(an_edge_reaches_no_node_that_the_particle_does_not)
 }
 END_TEST
 
+/* Two places of a spline's particle, 2e-9 of a cell apart, with a knot between them: no weight
+ * jumps. Weights are of order 10 and their slopes of order 100; a jump of the polynomials' last
+ * term is of order 1. */
+START_TEST(weights_of_an_edge_on_splines_do_not_jump_where_the_particle_passes_a_knot)
+{
+    static const enum mpm_shape shapes[] = {MPM_BSPLINE2, MPM_BSPLINE3};
+    GRand *const random = g_rand_new_with_seed(99);
+    for (int k = 0; k < SAMPLES; k++) {
+        struct sample sample = draw(random, _i);
+        const int axis = k % 2, shape = k / 2 % 2;
+        const double knot = g_rand_int_range(random, 1, 7) + (shape == 0 ? 0.5 : 0.0);
+        struct mpm_edge_weights weights[2];
+        sample.family = mpm_shape_family(shapes[shape]);
+        for (int side = 0; side < 2; side++) {
+            sample.domain.position[axis] =
+                sample.grid.origin[axis] +
+                (knot + (side == 0 ? -1e-9 : 1e-9)) / sample.grid.inverse_cell[axis];
+            weights[side] = weights_of(&sample);
+        }
+        for (int side = 0; side < 2; side++)
+            for (int n = 0; n < weights[side].count; n++) {
+                const int64_t node = weights[side].entry[n].node;
+                ck_assert_near(weight_of(&weights[0], node), weight_of(&weights[1], node), 1e-6);
+            }
+    }
+    g_rand_free(random);
+}
+END_TEST
+
 /* N&G (44), (48): what begins on the axis has no inner edge; (45), (47): a square of 2 l from 0 to
  * 2 l gives 2 l^2/3 and 4 l^2/3 to the nodes of its corners, two cells of l away. */
 START_TEST(an_edge_on_the_axis_has_no_area_and_one_that_leaves_it_is_weighted_with_r)
@@ -284,6 +313,9 @@ Suite *suite_edges(void)
                         SHAPES * CASES);
     tcase_add_loop_test(integrals, an_edge_reaches_no_node_that_the_particle_does_not, 0,
                         SHAPES * CASES);
+    tcase_add_loop_test(integrals,
+                        weights_of_an_edge_on_splines_do_not_jump_where_the_particle_passes_a_knot,
+                        0, SHAPES * CASES);
     tcase_add_test(integrals,
                    an_edge_on_the_axis_has_no_area_and_one_that_leaves_it_is_weighted_with_r);
     suite_add_tcase(suite, integrals);

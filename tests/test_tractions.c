@@ -194,6 +194,46 @@ START_TEST(no_force_is_lost_on_a_node_without_mass)
 }
 END_TEST
 
+/* Velocities after some steps of the block, by its sites; with the load on its mirror image too. */
+static double *velocities_under(const char *shape, const char *sites, const char *edge, double sign,
+                                size_t *count)
+{
+    struct settings settings = {.count = 0};
+    settings_add_formatted(&settings, "method.shape=%s", shape);
+    settings_add_formatted(&settings, "bodies.block.particles_per_cell=[%s, 2]", sites);
+    settings_add_formatted(&settings,
+                           "loads={tractions: [{body: block, edge: %s, value: [%g, 0.1]}]}", edge,
+                           0.2 * sign);
+    struct test_run run = test_run_open(BLOCK, settings.texts, 1);
+    settings_clear(&settings);
+    test_run_steps(&run, 4);
+    double *const v = test_run_field(&run, MPM_FIELD_VELOCITY, count);
+    test_run_close(&run);
+    return v;
+}
+
+/* One particle a cell is on the knots of quadratic splines, three have one there too; the block is
+ * of three cells, so that its mirror image is itself. Velocities are of order 0.1. */
+START_TEST(a_load_on_the_left_moves_the_block_as_its_mirror_image_does_on_the_right)
+{
+    static const char *const sites[] = {"1", "2", "3"};
+    size_t count;
+    double *const right = velocities_under(test_shapes[_i / 3], sites[_i % 3], "right", 1, &count);
+    double *const left = velocities_under(test_shapes[_i / 3], sites[_i % 3], "left", -1, &count);
+    const size_t columns = 3 * (size_t)(_i % 3 + 1);
+    double largest = 0.0;
+    for (size_t p = 0; p < count; p++) {
+        const size_t image = p / columns * columns + (columns - 1 - p % columns);
+        ck_assert_near(right[2 * p], -left[2 * image], MOMENTUM_ROUND_OFF);
+        ck_assert_near(right[2 * p + 1], left[2 * image + 1], MOMENTUM_ROUND_OFF);
+        largest = fmax(largest, fabs(right[2 * p]));
+    }
+    ck_assert_double_gt(largest, 0.01);
+    free(right);
+    free(left);
+}
+END_TEST
+
 /* Energy gained over work at t = 1 with so many steps. */
 static double balance(int index, const char *list, int steps)
 {
@@ -317,6 +357,9 @@ Suite *suite_tractions(void)
                         TEST_COMBINATIONS);
     tcase_add_loop_test(forces, a_particle_force_gives_its_value_times_the_area_at_the_start, 0,
                         TEST_SHAPES * TEST_GEOMETRIES);
+    tcase_add_loop_test(forces,
+                        a_load_on_the_left_moves_the_block_as_its_mirror_image_does_on_the_right, 0,
+                        3 * TEST_SHAPES);
     tcase_add_test(forces, no_force_is_lost_on_a_node_without_mass);
     tcase_add_loop_test(forces, tractions_and_particle_forces_work_what_the_energy_gains, 0,
                         TEST_SHAPES * TEST_GEOMETRIES);

@@ -15,7 +15,10 @@
  *             of balance along every edge (quadratic splines: by half of it in corners). Where the
  *             middle lies past these cells, functions are continued as the polynomials they are:
  *             the particle gives to nodes that it reaches with its mass, as everywhere in the
- *             method, and the force's sum and moment are those of the edge's middle.
+ *             method, and the force's sum and moment are those of the edge's middle. Splines: the
+ *             term of the polynomials that jumps at a knot (quadratic: S'', cubic: S''') fades out
+ *             where the particle is nearer to the knot than to the edge, so that weights vary
+ *             continuously with its place
  *
  * Domains that would pass r = 0 are cut or shrunk first, as the shape functions' own are; those
  * that are not (axis: untruncated, planar) keep the sign of r, as their mass does. Edges of points

@@ -63,7 +63,8 @@ struct mpm_shape_family {
                      struct mpm_stencil *stencil);
     /* Points: the S of another place by the polynomials of the span of cells that the particle at
      * `home` is in, so that the nodes are the particle's own: sum S = 1 and sum x_i S = place
-     * hold, S < 0 is possible beyond the span. G and T are not of use. Domains: NULL. */
+     * hold, S < 0 is possible beyond the span. Of splines S is a continuous function of `home`: see
+     * shape_bspline.c. G and T are not of use. Domains: NULL. */
     void (*continue_to)(const struct mpm_shape_grid *grid, const double home[2],
                         const double place[2], struct mpm_stencil *stencil);
     /* Largest distance of the domain from its centre along each axis; of a point, that at

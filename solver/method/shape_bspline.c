@@ -20,6 +20,7 @@ enum { LINE_NODES = 4 };
 struct line {
     int64_t first;
     int count;
+    double to_knot; /* from `home` to the nearest place where its polynomials end, in cells */
     double s[LINE_NODES], ds[LINE_NODES];
 };
 
@@ -30,13 +31,20 @@ static struct line quadratic_line(double home, double coordinate, int64_t low, i
     const double place = 0.5 * mpm_shape_cells(2.0 * coordinate);
     const int64_t node = mpm_floor(0.5 * mpm_shape_cells(2.0 * home) + 0.5);
     const double d = place - (double)node, from = 0.5 - d, to = 0.5 + d;
+    const double to_knot = 0.5 - fabs(0.5 * mpm_shape_cells(2.0 * home) - (double)node);
     if (node == low)
-        return (struct line){.first = node, .count = 2, .s = {1.0 - d, d}, .ds = {-1.0, 1.0}};
+        return (struct line){
+            .first = node, .count = 2, .to_knot = to_knot, .s = {1.0 - d, d}, .ds = {-1.0, 1.0}};
     if (node == high)
-        return (struct line){.first = node - 1, .count = 2, .s = {-d, 1.0 + d}, .ds = {-1.0, 1.0}};
+        return (struct line){.first = node - 1,
+                             .count = 2,
+                             .to_knot = to_knot,
+                             .s = {-d, 1.0 + d},
+                             .ds = {-1.0, 1.0}};
     return (struct line){
         .first = node - 1,
         .count = 3,
+        .to_knot = to_knot,
         .s = {0.5 * from * from, 0.75 - d * d, 0.5 * to * to},
         .ds = {-from, -2.0 * d, to},
     };
@@ -49,22 +57,27 @@ static struct line cubic_line(double home, double coordinate, int64_t low, int64
     const int64_t floor = mpm_floor(mpm_shape_cells(home));
     const int64_t cell = floor < high ? floor : high - 1; /* the last node ends the last cell */
     const double u = place - (double)cell, v = 1.0 - u;
+    const double past = mpm_shape_cells(home) - (double)cell, left = 1.0 - past;
     const double uu = u * u, vv = v * v, u_end = uu * u / 6.0, v_end = vv * v / 6.0;
     if (cell == low && cell == high - 1)
-        return (struct line){.first = cell, .count = 2, .s = {v, u}, .ds = {-1.0, 1.0}};
+        return (struct line){
+            .first = cell, .count = 2, .to_knot = 1.0, .s = {v, u}, .ds = {-1.0, 1.0}};
     if (cell == low)
         return (struct line){.first = cell,
                              .count = 3,
+                             .to_knot = left,
                              .s = {v + u_end, u * (1.0 - uu / 3.0), u_end},
                              .ds = {0.5 * uu - 1.0, 1.0 - uu, 0.5 * uu}};
     if (cell == high - 1)
         return (struct line){.first = cell - 1,
                              .count = 3,
+                             .to_knot = past,
                              .s = {v_end, v * (1.0 - vv / 3.0), u + v_end},
                              .ds = {-0.5 * vv, vv - 1.0, 1.0 - 0.5 * vv}};
     return (struct line){
         .first = cell - 1,
         .count = LINE_NODES,
+        .to_knot = fmin(past, left),
         .s = {v_end, (4.0 - 3.0 * uu * (2.0 - u)) / 6.0, (4.0 - 3.0 * vv * (2.0 - v)) / 6.0, u_end},
         .ds = {-0.5 * vv, -u * (2.0 - 1.5 * u), v * (2.0 - 1.5 * v), 0.5 * uu},
     };
@@ -109,13 +122,36 @@ static void evaluate_with(line_function *line_of, const struct mpm_shape_grid *g
     fill(grid, grid->axisymmetric ? 1.0 / domain->position[0] : 0.0, &line[0], &line[1], stencil);
 }
 
-static void continue_with(line_function *line_of, const struct mpm_shape_grid *grid,
-                          const double home[2], const double place[2], struct mpm_stencil *stencil)
+/* The weights at `place` of the polynomials of `home`, along one axis: S + S' d + the even terms of
+ * d + the odd ones. S and S' of `home` are continuous over a knot, and so is S'' of cubic splines.
+ * The terms that jump there, quadratic: even, cubic: odd, fade out as `home` comes nearer to a knot
+ * than d. So the weights vary continuously with `home`, vanish where S and S' do, and have their
+ * sum and first moment, whatever is left of the last term. */
+static struct line continued(line_function *line_of, bool even_jumps, double home, double place,
+                             int64_t low, int64_t high)
+{
+    const double d = place - home;
+    const struct line here = line_of(home, home, low, high);
+    const struct line behind = line_of(home, home - d, low, high);
+    struct line line = line_of(home, place, low, high);
+    const double kept = here.to_knot < fabs(d) ? here.to_knot / fabs(d) : 1.0;
+    for (int k = 0; k < line.count; k++) {
+        const double even = 0.5 * (line.s[k] + behind.s[k]) - here.s[k];
+        const double odd = 0.5 * (line.s[k] - behind.s[k]) - d * here.ds[k];
+        line.s[k] -= (1.0 - kept) * (even_jumps ? even : odd);
+    }
+    return line;
+}
+
+static void continue_with(line_function *line_of, bool even_jumps,
+                          const struct mpm_shape_grid *grid, const double home[2],
+                          const double place[2], struct mpm_stencil *stencil)
 {
     struct line line[2];
     for (int axis = 0; axis < 2; axis++)
-        line[axis] = line_of(in_cells(grid, axis, home[axis]), in_cells(grid, axis, place[axis]),
-                             grid->edge_low[axis], grid->edge_high[axis]);
+        line[axis] = continued(line_of, even_jumps, in_cells(grid, axis, home[axis]),
+                               in_cells(grid, axis, place[axis]), grid->edge_low[axis],
+                               grid->edge_high[axis]);
     fill(grid, 0.0, &line[0], &line[1], stencil);
 }
 
@@ -134,13 +170,13 @@ static void evaluate_cubic(const struct mpm_shape_grid *grid, const struct mpm_s
 static void continue_quadratic(const struct mpm_shape_grid *grid, const double home[2],
                                const double place[2], struct mpm_stencil *stencil)
 {
-    continue_with(quadratic_line, grid, home, place, stencil);
+    continue_with(quadratic_line, true, grid, home, place, stencil);
 }
 
 static void continue_cubic(const struct mpm_shape_grid *grid, const double home[2],
                            const double place[2], struct mpm_stencil *stencil)
 {
-    continue_with(cubic_line, grid, home, place, stencil);
+    continue_with(cubic_line, false, grid, home, place, stencil);
 }
 
 /* A node's support, less the cell around which boxes of nodes are drawn. */
