@@ -66,6 +66,10 @@ static const struct feature {
     {.name = "a plane of symmetry",
      .settings = {"boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, symmetry: true}]",
                   "loads={body_force: [0.1, 0]}"}},
+    {.name = "a wall that goes on past a plane of symmetry, damped",
+     .settings = {"boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, symmetry: true}, "
+                  "{region: {line: {from: [8, 0], to: [8, 12]}}, velocity: ['-0.1*cos(t)', '0.1*(@B-3.2)']}]",
+                  "damping={grid: '0.1*@B'}"}},
     {.name = "a crack open",
      .settings = {"cracks=[{points: [[2.7, 5.3], [6.1, 5.9]], contact: none}]"}},
     {.name = "a crack with friction",

@@ -3,6 +3,7 @@
 
 #include "method/crack_fields.h"
 #include "method/grid_update.h"
+#include "method/symmetry.h"
 
 #include <math.h>
 
@@ -73,11 +74,13 @@ static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_err
         if (condition->boundary != MPM_AXIS_CONDITION) {
             const struct mpm_expression *const velocity =
                 state->boundary_velocity[condition->boundary].component[condition->component];
-            double position[2];
-            mpm_grid_edge_position(&state->grid, condition->node, position);
+            double position[2], signs[2];
+            mpm_grid_edge_position(&state->grid,
+                                   mpm_symmetry_original(state, condition->node, signs), position);
             const double end = state->time + state->time_step;
-            active.start = mpm_expression_value(velocity, 0, position, state->time);
-            active.end = mpm_expression_value(velocity, 0, position, end);
+            const double sign = signs[condition->component];
+            active.start = sign * mpm_expression_value(velocity, 0, position, state->time);
+            active.end = sign * mpm_expression_value(velocity, 0, position, end);
             if (!isfinite(active.start) || !isfinite(active.end))
                 return not_finite("a boundary", position, state->time,
                                   isfinite(active.start) ? active.end : active.start, error);
@@ -284,7 +287,8 @@ static void apply_end(struct mpm_state *state, const struct mpm_active_condition
     const double acceleration = (active->end - active->start) / state->time_step;
     const double force = state->grid.sum[active->node][axis].force;
     const double reaction = state->grid.mass[active->node] * acceleration - force;
-    state->external_work += reaction * (0.5 * state->time_step * (active->start + active->end));
+    if (mpm_node_is_inside(state, active->node))
+        state->external_work += reaction * (0.5 * state->time_step * (active->start + active->end));
     motion->acceleration[axis] = acceleration;
     motion->end[axis] = active->end;
     if (!state->order->extrapolate)

@@ -4,6 +4,7 @@
 #include "base/strips.h"
 #include "method/crack_fields.h"
 #include "method/grid_update.h"
+#include "method/symmetry.h"
 #include "method/transfer.h"
 
 #include <float.h>
@@ -76,8 +77,9 @@ enum mpm_status mpm_damping_begin(struct mpm_state *state, struct mpm_error *err
 /* alpha_g(t, x_i) without the uniform part */
 static double varying_rate(const struct mpm_state *state, int64_t node, int worker)
 {
-    double place[2];
-    mpm_grid_edge_position(&state->grid, mpm_crack_home(state, node), place);
+    double place[2], sign[2];
+    const int64_t home = mpm_crack_home(state, node);
+    mpm_grid_edge_position(&state->grid, mpm_symmetry_original(state, home, sign), place);
     return value_of(state->damping.grid, state, place, worker);
 }
 
@@ -157,6 +159,8 @@ enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_erro
     for (size_t k = 0; k < state->active_count; k++) { /* held: not damped */
         const struct mpm_active_condition *const active = &state->active[k];
         const double place_rate = varying ? varying_rate(state, active->node, 0) : 0.0;
+        if (!mpm_node_is_inside(state, active->node))
+            continue;
         state->damping.books.dissipated -=
             taken(state, active->node, active->component, state->damping.grid_rate + place_rate);
     }

@@ -44,6 +44,13 @@ static inline struct mpm_row_span mpm_row_span_inside(const struct mpm_state *st
     return span;
 }
 
+/* Is a node none of those images? Further velocity fields are none. */
+static inline bool mpm_node_is_inside(const struct mpm_state *state, int64_t node)
+{
+    const struct mpm_row_span span = mpm_row_span_inside(state, node / state->grid.columns);
+    return state->symmetry_count == 0 || (node >= span.first && node < span.end);
+}
+
 /* 1 / m_i; 0 for a node without mass, so that it has no motion. */
 static inline double mpm_inverse_mass(double mass)
 {

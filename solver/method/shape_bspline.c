@@ -124,9 +124,12 @@ static void evaluate_with(line_function *line_of, const struct mpm_shape_grid *g
 
 /* The weights at `place` of the polynomials of `home`, along one axis: S + S' d + the even terms of
  * d + the odd ones. S and S' of `home` are continuous over a knot, and so is S'' of cubic splines.
- * The terms that jump there, quadratic: even, cubic: odd, fade out as `home` comes nearer to a knot
- * than d. So the weights vary continuously with `home`, vanish where S and S' do, and have their
- * sum and first moment, whatever is left of the last term. */
+ * The terms that jump there (quadratic: even, cubic: odd) fade out by r (2 - r) where r, the
+ * distance of `home` to the knot over d, is below 1. So the weights vary continuously with `home`,
+ * vanish where S and S' do, and have their sum and first moment, whatever is left of the last term.
+ * Quadratic splines with one particle a cell, d = 1/2: an edge between two particles has the same
+ * weights from both sides, and w(d) - w(-d) = 2 d S', so that a uniform stress is in balance
+ * wherever the particles are. */
 static struct line continued(line_function *line_of, bool even_jumps, double home, double place,
                              int64_t low, int64_t high)
 {
@@ -134,7 +137,8 @@ static struct line continued(line_function *line_of, bool even_jumps, double hom
     const struct line here = line_of(home, home, low, high);
     const struct line behind = line_of(home, home - d, low, high);
     struct line line = line_of(home, place, low, high);
-    const double kept = here.to_knot < fabs(d) ? here.to_knot / fabs(d) : 1.0;
+    const double r = here.to_knot < fabs(d) ? here.to_knot / fabs(d) : 1.0;
+    const double kept = r * (2.0 - r);
     for (int k = 0; k < line.count; k++) {
         const double even = 0.5 * (line.s[k] + behind.s[k]) - here.s[k];
         const double odd = 0.5 * (line.s[k] - behind.s[k]) - d * here.ds[k];

@@ -13,6 +13,22 @@ static inline double sign_of(const struct mpm_symmetry *plane, int axis)
     return axis == plane->axis ? -1.0 : 1.0;
 }
 
+int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, double sign[2])
+{
+    const int64_t columns = state->grid.columns;
+    sign[0] = sign[1] = 1.0;
+    for (size_t k = 0; k < state->symmetry_count; k++) {
+        const struct mpm_symmetry *const plane = &state->symmetries[k];
+        const int64_t place[2] = {node % columns, node / columns};
+        const int64_t depth = (plane->line - place[plane->axis]) * plane->inside;
+        if (depth <= 0)
+            continue;
+        node += 2 * depth * plane->inside * (plane->axis == 0 ? 1 : columns);
+        sign[plane->axis] = -1.0;
+    }
+    return node;
+}
+
 static void fold_momentum(const struct mpm_state *state, const struct mpm_symmetry *plane,
                           int64_t inside, int64_t beyond)
 {
