@@ -39,18 +39,29 @@ static const char *time_to_go(const struct cli_progress *progress, double fracti
     return text;
 }
 
+/* "  energy x 1.62" once it has grown, else "". */
+enum { GROWTH_TEXT_SIZE = 32 };
+static const char *growth_text(const struct mpm_simulation *simulation, char text[GROWTH_TEXT_SIZE])
+{
+    struct mpm_energy_growth growth;
+    text[0] = '\0';
+    if (mpm_simulation_energy_growth(simulation, &growth))
+        g_snprintf(text, GROWTH_TEXT_SIZE, "  energy x %.3g", growth.factor);
+    return text;
+}
+
 static void draw_bar(struct cli_progress *progress, double fraction,
                      const struct mpm_simulation *simulation, gint64 now)
 {
-    char clock[CLOCK_TEXT_SIZE], bar[BAR_WIDTH + 1];
+    char clock[CLOCK_TEXT_SIZE], bar[BAR_WIDTH + 1], growth[GROWTH_TEXT_SIZE];
     const int filled = (int)(fraction * BAR_WIDTH);
     for (int i = 0; i < BAR_WIDTH; i++)
         bar[i] = i < filled ? '#' : '.';
     bar[BAR_WIDTH] = '\0';
     /* the blanks at the end wipe out what a longer line has left */
-    (void)fprintf(stderr, "\r[%s] %3.0f %%  t %.4g  step %" PRIu64 "  %s to go    ", bar,
+    (void)fprintf(stderr, "\r[%s] %3.0f %%  t %.4g  step %" PRIu64 "%s  %s to go    ", bar,
                   100.0 * fraction, mpm_simulation_time(simulation), progress->step,
-                  time_to_go(progress, fraction, now, clock));
+                  growth_text(simulation, growth), time_to_go(progress, fraction, now, clock));
     progress->line_open = true;
     progress->next_draw = now + REDRAW_MICROSECONDS;
 }
@@ -58,10 +69,10 @@ static void draw_bar(struct cli_progress *progress, double fraction,
 static void print_tenth(struct cli_progress *progress, double fraction,
                         const struct mpm_simulation *simulation, gint64 now)
 {
-    char clock[CLOCK_TEXT_SIZE];
+    char clock[CLOCK_TEXT_SIZE], growth[GROWTH_TEXT_SIZE];
     progress->tenths = (int)(fraction * 10.0);
-    (void)fprintf(stderr, "%3d %%  t %.4g  step %" PRIu64 "  %s to go\n", 10 * progress->tenths,
-                  mpm_simulation_time(simulation), progress->step,
+    (void)fprintf(stderr, "%3d %%  t %.4g  step %" PRIu64 "%s  %s to go\n", 10 * progress->tenths,
+                  mpm_simulation_time(simulation), progress->step, growth_text(simulation, growth),
                   time_to_go(progress, fraction, now, clock));
 }
 
@@ -88,6 +99,15 @@ void cli_progress_step(void *context, double fraction, const struct mpm_simulati
         draw_bar(progress, fraction, simulation, now);
     else if (!progress->terminal && (int)(fraction * 10.0) > progress->tenths)
         print_tenth(progress, fraction, simulation, now);
+}
+
+void cli_progress_warn(void *context, const char *warning)
+{
+    struct cli_progress *progress = context;
+    if (progress->quiet)
+        return;
+    cli_progress_end(progress);
+    (void)fprintf(stderr, "mpm: warning: %s\n", warning);
 }
 
 void cli_progress_end(struct cli_progress *progress)
