@@ -181,7 +181,7 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
  *     factor = 1 + (E - W - E_0) / (E_0 + largest W so far)
  * is 1 in an exact run. MPM_RUN_FAILED: it is above 10, or E is not finite; the last good step is
  * then the one before that, of those not judged yet, where this was so first. Cost: one pass over
- * the particles; strain energy needs a logarithm each; nothing if the step has been judged. */
+ * the particles, two where the factor may be above 1.5; nothing if the step has been judged. */
 enum mpm_status mpm_simulation_judge(struct mpm_simulation *simulation, struct mpm_error *error);
 
 /* What of that has been seen so far: has the factor been above 1.5, in a run that went on? */
@@ -189,8 +189,8 @@ struct mpm_energy_growth {
     bool seen;
     uint64_t step; /* the first one at which it was seen */
     double time;
-    double factor;  /* when the energy was judged last; 0 before */
-    double largest; /* of all times when it was judged */
+    double factor;  /* when judged last, up to 1.5 a bound from above; 0 before */
+    double largest; /* of these so far */
 };
 /* The answer; `growth` may be NULL. */
 bool mpm_simulation_energy_growth(const struct mpm_simulation *simulation,
