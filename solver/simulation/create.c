@@ -313,13 +313,13 @@ static enum mpm_status open_books(struct mpm_simulation *simulation, struct mpm_
         const char *name;
         double value;
     } sums[] = {
+        {"speed of waves", simulation->wave_speed},
         {"mass", ledger.mass},
         {"momentum", ledger.momentum[0]},
         {"momentum", ledger.momentum[1]},
         {"angular momentum", ledger.angular_momentum},
         {"kinetic energy", ledger.kinetic_energy},
         {"strain energy", ledger.strain_energy},
-        {"speed of waves", simulation->wave_speed},
         {"energy of all mass at the speed of waves",
          ledger.mass * simulation->wave_speed * simulation->wave_speed},
     };
