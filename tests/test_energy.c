@@ -169,6 +169,9 @@ static const struct {
     {"a load to and fro", {"bodies.b.velocity=[0, 0]", "loads={body_force: ['0.5*sin(2*t)', 0]}"}},
     {"a wall that takes the energy out",
      {"boundary=[{region: {line: {from: [4, 0], to: [4, 14]}}, velocity: ['-0.3*exp(-t)', 0]}]"}},
+    {"a load on a block at rest",
+     {"bodies.b.velocity=[0, 0]", "loads={body_force: [0.05, 0]}",
+      "boundary=[{region: {line: {from: [4, 0], to: [4, 14]}}, velocity: [0, free]}]"}},
     {"a damped block", {"damping={grid: 0.5}"}},
     {"a block at rest", {"bodies.b.velocity=[0, 0]"}},
 };
