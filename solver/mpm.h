@@ -23,14 +23,42 @@
 enum mpm_status {
     MPM_OK = 0,
     MPM_BAD_INPUT = 2,          /* the scene or an argument is wrong: nothing was written */
-    MPM_RUN_FAILED = 3,         /* unstable, non-finite, inverted, left the grid */
+    MPM_RUN_FAILED = 3,         /* enum mpm_cause has the causes */
     MPM_ENVIRONMENT_FAILED = 4, /* memory, disk, a file that cannot be written */
 };
+
+/* Why a run failed (MPM_RUN_FAILED). The message starts with words of its own for each. */
+enum mpm_cause {
+    MPM_CAUSE_NONE, /* no failure, or one with another status */
+    MPM_CAUSE_ENERGY,
+    MPM_CAUSE_WAVES,
+    MPM_CAUSE_NOT_FINITE,
+    MPM_CAUSE_INVERTED,
+    MPM_CAUSE_LEFT_GRID,
+    MPM_CAUSE_PASSED_AXIS,
+    MPM_CAUSE_OUTRAN_CELL,
+    MPM_CAUSE_DOMAIN,
+    MPM_CAUSE_LOAD,
+    MPM_CAUSE_CONDITION,
+    MPM_CAUSE_RIGID,
+    MPM_CAUSE_DAMPING,
+    MPM_CAUSE_CRACK,
+    MPM_CAUSE_J_INTEGRAL,
+    MPM_CAUSE_NOT_AT_REST,
+    MPM_CAUSE_COUNT,
+};
+/* `name` is the value of "cause" in run.json: "left_grid"; `words` start the message: "left the
+ * grid". */
+struct mpm_cause_info {
+    const char *name, *words, *description;
+};
+const struct mpm_cause_info *mpm_cause_describe(enum mpm_cause cause);
 
 enum { MPM_MESSAGE_SIZE = 1024 };
 
 struct mpm_error {
     enum mpm_status status;
+    enum mpm_cause cause;
     char message[MPM_MESSAGE_SIZE]; /* one line: what, where, value, what is allowed */
 };
 
@@ -106,8 +134,19 @@ struct mpm_plan {
     double expected_steps; /* time.end over the first time step, or time.steps if fewer */
     const char *kernels;   /* name of the kernel set chosen: "fast" or "reference" */
     const char *kernels_reason;
-    const char *simd; /* the instructions that it uses */
+    const char *simd;                        /* the instructions that it uses */
+    double courant;                          /* of the first step */
+    char stability_advice[MPM_MESSAGE_SIZE]; /* see mpm_simulation_advice */
 };
+
+/* Largest Courant numbers at which a scene's method kept motions bounded in case G1 of the suite: 2
+ * by 2 particles in a cell, 200 crossings of a cell by a wave. 0: none from 0.1 on did. */
+struct mpm_stability {
+    double small;  /* least of three problems with velocities of 0.001 of the wave speed */
+    double large;  /* the same with 0.3 of it, where strains reach 0.3 and particles cross cells */
+    bool measured; /* with all choices of the scene; else the least of what has them one by one */
+};
+struct mpm_stability mpm_scene_stability(const struct mpm_scene *scene);
 
 /* Validates all that needs geometry (bodies, boundaries, memory) and estimates the
  * cost. Needs the memory of a simulation for a moment. */
@@ -129,11 +168,33 @@ void mpm_simulation_free(struct mpm_simulation *simulation);
 /* Takes one step, of the Courant number times the time in which the fastest of waves and
  * particles goes through a cell, in the state at hand; or the scene's fixed step. Shortened if
  * need be to land on `time_limit` exactly.
- * MPM_RUN_FAILED: the run cannot go on; the message names step, time, particle and
+ * MPM_RUN_FAILED: the run cannot go on; the message names cause, step, time, particle and
  * value, time, fields and ledger are those of the last good step, and every further
- * call fails alike. Cost: one step; once in 32 steps a sort and a copy of the state. */
+ * call fails alike. The total energy is judged once in 32 steps (mpm_simulation_judge): a step that
+ * is good by all else may be taken back then, with those after it. Cost: one step; once in 32 steps
+ * a sort, a copy of the state and the sum of the energy. */
 enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double time_limit,
                                        struct mpm_error *error);
+
+/* Judges the energy after the last step: call it before results of that step are used. With E the
+ * ledger's total energy, W its external work and E_0 the energy at t = 0,
+ *     factor = 1 + (E - W - E_0) / (E_0 + largest W so far)
+ * is 1 in an exact run. MPM_RUN_FAILED: it is above 10, or E is not finite; the last good step is
+ * then the one before that, of those not judged yet, where this was so first. Cost: one pass over
+ * the particles, two where the factor may be above 1.5; nothing if the step has been judged. */
+enum mpm_status mpm_simulation_judge(struct mpm_simulation *simulation, struct mpm_error *error);
+
+/* What of that has been seen so far: has the factor been above 1.5, in a run that went on? */
+struct mpm_energy_growth {
+    bool seen;
+    uint64_t step; /* the first one at which it was seen */
+    double time;
+    double factor;  /* when judged last, up to 1.5 a bound from above; 0 before */
+    double largest; /* of these so far */
+};
+/* The answer; `growth` may be NULL. */
+bool mpm_simulation_energy_growth(const struct mpm_simulation *simulation,
+                                  struct mpm_energy_growth *growth);
 
 /* A body force per unit mass that the caller computes, in addition to the scene's. */
 enum { MPM_BODY_FORCE_BLOCK = 256 };
@@ -168,6 +229,11 @@ enum mpm_status mpm_simulation_set_body_force(struct mpm_simulation *simulation,
 enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, const double *velocity,
                                          const double *deformation_gradient,
                                          struct mpm_error *error);
+
+/* One line for a user whose first step has a larger Courant number than mpm_scene_stability knows
+ * to be bounded; "" where it is within. Advice, not an error: the limits are those of a few
+ * problems, and a body may be stable beyond. */
+const char *mpm_simulation_advice(const struct mpm_simulation *simulation);
 
 double mpm_simulation_time(const struct mpm_simulation *simulation);
 uint64_t mpm_simulation_step(const struct mpm_simulation *simulation);
@@ -349,14 +415,18 @@ struct mpm_run_options {
     const char *scene_path; /* for provenance; may be NULL */
     /* Called after each step, if not NULL; `fraction` of the run done, 0..1. */
     void (*progress)(void *context, double fraction, const struct mpm_simulation *simulation);
+    /* Called with the same context for what a user should know of a run that goes on, if not NULL:
+     * advice before the first step, growing energy when it is first seen. run.json lists both. */
+    void (*warn)(void *context, const char *warning);
     void *progress_context;
 };
 
 /* Runs a scene to its end and writes run.json, history.csv and snapshots. A scene that asks for
  * rest ends there; one that has not come to rest when its time or its steps are over has failed
- * (MPM_RUN_FAILED: an answer that has not converged must not pass for one). Refuses
- * (MPM_BAD_INPUT) an output that is a file or holds results. On MPM_RUN_FAILED the
- * last good state has been written and run.json tells the reason. */
+ * (MPM_RUN_FAILED: an answer that has not converged must not pass for one). The energy is judged
+ * before each row, each snapshot and the end. Refuses (MPM_BAD_INPUT) an output that is a file or
+ * holds results. On MPM_RUN_FAILED the last good state has been written and run.json tells the
+ * reason. */
 enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_run_options *options,
                               struct mpm_error *error);
 

@@ -15,6 +15,7 @@
     SUITE(material)                                                                                \
     SUITE(scene)                                                                                   \
     SUITE(properties)                                                                              \
+    SUITE(energy)                                                                                  \
     SUITE(guard)                                                                                   \
     SUITE(transfers)                                                                               \
     SUITE(transfer_series)                                                                         \

@@ -329,6 +329,49 @@ START_TEST(a_run_that_blows_up_ends_with_3_and_says_where)
 }
 END_TEST
 
+/* USL with uGIMP kept small motions bounded up to 0.567 in case G1; 0.4 is within all. */
+START_TEST(a_courant_number_beyond_the_measured_limit_is_warned_of_and_taken)
+{
+    static const char *const courants[] = {"time.courant=0.4", "time.courant=1"};
+    for (int beyond = 0; beyond < 2; beyond++) {
+        struct test_command command = test_command_run("mpm", "check", fixture.scene, "--set",
+                                                       "method={shape: ugimp, stress_update: usl}",
+                                                       "--set", courants[beyond], NULL);
+        ck_assert_int_eq(command.exit_status, MPM_OK);
+        ck_assert(strstr(command.output, "case G1 has limits of 0.567 in small motions, 0.823 in "
+                                         "large ones") != NULL);
+        ck_assert((strstr(command.output, "warning    Courant number 1 is above") != NULL) ==
+                  (beyond == 1));
+        test_command_free(&command);
+        command =
+            test_command_run("mpm", "run", "--threads", "1", "--overwrite", fixture.scene, "--set",
+                             "method={shape: ugimp, stress_update: usl}", "--set", courants[beyond],
+                             "--set", "time.steps=2", "--output", fixture.output, NULL);
+        ck_assert_int_eq(command.exit_status, MPM_OK);
+        ck_assert((strstr(command.errors, "mpm: warning: Courant number 1 is above") != NULL) ==
+                  (beyond == 1));
+        char *path = g_build_filename(fixture.output, "run.json", NULL);
+        char *record = test_file_read(path);
+        ck_assert((strstr(record, "Courant number 1 is above the largest one, 0.567,") != NULL) ==
+                  (beyond == 1));
+        g_free(record);
+        g_free(path);
+        test_command_free(&command);
+    }
+}
+END_TEST
+
+START_TEST(no_infinity_is_printed_for_a_run_that_has_no_end)
+{
+    struct test_command command = test_command_run("mpm", "check", fixture.scene, "--set",
+                                                   "time.end=1e308", "--set", "output={}", NULL);
+    ck_assert_int_eq(command.exit_status, MPM_BAD_INPUT);
+    check_error(&command, "time.end: 1e+308 takes more than 9.01e+15 time steps");
+    ck_assert(strstr(command.output, "inf") == NULL && strstr(command.errors, "inf") == NULL);
+    test_command_free(&command);
+}
+END_TEST
+
 START_TEST(a_folder_that_cannot_be_written_ends_with_4)
 {
     char *below = test_folder_path(fixture.scene, "below-a-file");
@@ -387,6 +430,8 @@ Suite *suite_cli(void)
     tcase_add_test(runs, results_go_by_default_to_a_folder_named_after_the_scene);
     tcase_add_test(runs, any_number_of_threads_and_any_simd_give_the_same_bytes);
     tcase_add_test(runs, a_run_that_blows_up_ends_with_3_and_says_where);
+    tcase_add_test(runs, a_courant_number_beyond_the_measured_limit_is_warned_of_and_taken);
+    tcase_add_test(runs, no_infinity_is_printed_for_a_run_that_has_no_end);
     tcase_add_test(runs, a_folder_that_cannot_be_written_ends_with_4);
     tcase_add_test(runs, a_full_disk_ends_with_4_and_names_the_state);
     tcase_add_test(runs, standard_output_that_is_full_or_gone_is_no_crash);

@@ -7,6 +7,7 @@
 #include "support/near.h"
 #include "support/scenes.h"
 
+#include <glib.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,35 +27,49 @@ struct failing {
     const char *name;
     const char *settings[4];
     const char *says[3];
+    enum mpm_cause cause; /* none: what ends it depends on the method */
 };
 
 static const struct failing failing[] = {
     {"a step far beyond the limit",
      {"time={end: 100, courant: 5, allow_unstable: true}"},
-     {"unstable at step", "particle"}},
-    {"a huge load", {"loads={body_force: [0, -1e6]}"}, {"step", "particle", "(body 'bar')"}},
+     {"at step", "particle"},
+     MPM_CAUSE_NONE},
+    {"a huge load",
+     {"loads={body_force: [0, -1e6]}"},
+     {"step", "particle", "(body 'bar')"},
+     MPM_CAUSE_NONE},
     {"a huge load that varies in space, for an affine transfer",
      {"loads={body_force: ['0*x', -1e6]}", "method.transfer.kind=apic"},
-     {"step", "particle", "(body 'bar')"}},
-    {"a body that flies off", {"bodies.bar.velocity=[4, 0]"}, {"left the grid: x = 24", "0 to 24"}},
+     {"step", "particle", "(body 'bar')"},
+     MPM_CAUSE_NONE},
+    {"a body that flies off",
+     {"bodies.bar.velocity=[4, 0]"},
+     {"left the grid at step", "is at x = 24", "0 to 24"},
+     MPM_CAUSE_LEFT_GRID},
     {"a body crushed by a rigid one",
      {"bodies.0.velocity=[-20, 0]", "boundary=[{region: {line: {from: [8, 0], to: [8, 6]}}, "
                                     "velocity: [0, 0]}]"},
-     {"step", "particle"}},
+     {"step", "particle"},
+     MPM_CAUSE_NONE},
     {"a load that is not finite after a while",
      {"loads={body_force: ['1/(0.5-t)*(t>0.45)+sqrt(0.46-t)', 0]}"},
-     {"the body force is not finite: loads.body_force.0", "time 0.4"}},
+     {"load not finite at step", "the body force loads.body_force.0", "time 0.4"},
+     MPM_CAUSE_LOAD},
     {"a load that varies in space and is not finite after a while",
      {"loads={body_force: ['0*x+sqrt(0.46-t)', 0]}"},
-     {"(body 'bar')", "not finite: loads.body_force.0", "time 0.4"}},
+     {"(body 'bar')", "not finite: loads.body_force.0", "time 0.4"},
+     MPM_CAUSE_LOAD},
     {"a boundary velocity that is not finite after a while",
      {"boundary=[{region: {line: {from: [8, 0], to: [8, 6]}}, velocity: ['sqrt(0.4-t)', free]}]"},
-     {"not finite", "a boundary"}},
+     {"prescribed velocity not finite at step", "a boundary"},
+     MPM_CAUSE_CONDITION},
     {"a rigid body that leaves",
      {"bodies=[{name: bar, material: rubber, region: {rectangle: {from: [8, 2], to: [16, 4]}}}, "
       "{name: wall, rigid: {velocity: [5, free]}, region: {rectangle: {from: [20, 2], to: [21, "
       "4]}}}]"},
-     {"rigid body 'wall' left the grid"}},
+     {"left the grid at step", "rigid body 'wall' left the grid"},
+     MPM_CAUSE_LEFT_GRID},
 };
 enum { FAILING = sizeof failing / sizeof failing[0] };
 
@@ -82,7 +97,13 @@ START_TEST(a_run_that_cannot_go_on_says_where_and_why)
     for (int k = 0; k < 3 && f->says[k] != NULL; k++)
         ck_assert_msg(strstr(error.message, f->says[k]) != NULL, "%s: '%s' is not in: %s", f->name,
                       f->says[k], error.message);
+    ck_assert_int_ne(error.cause, MPM_CAUSE_NONE);
+    if (f->cause != MPM_CAUSE_NONE)
+        ck_assert_int_eq(error.cause, f->cause);
+    ck_assert_msg(g_str_has_prefix(error.message, mpm_cause_describe(error.cause)->words), "%s",
+                  error.message);
     ck_assert_int_eq(mpm_simulation_advance(run.simulation, 100.0, &again), MPM_RUN_FAILED);
+    ck_assert_int_eq(again.cause, error.cause);
     ck_assert_str_eq(again.message, error.message);
     test_run_close(&run);
 }

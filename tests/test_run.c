@@ -116,8 +116,9 @@ static void check_keys(const json_t *object, const char *const *keys, size_t cou
 
 START_TEST(the_run_record_tells_outcome_cost_and_origin)
 {
-    static const char *const top[] = {"outcome", "reason", "exit_status", "counters",
-                                      "kernels", "simd",   "provenance"};
+    static const char *const top[] = {"outcome",  "cause",         "reason",   "exit_status",
+                                      "warnings", "energy_growth", "counters", "kernels",
+                                      "simd",     "provenance"};
     static const char *const counted[] = {"steps", "particles", "particle_steps", "seconds",
                                           "bytes"};
     static const char *const timed[] = {"setup", "step", "output"};
@@ -137,6 +138,9 @@ START_TEST(the_run_record_tells_outcome_cost_and_origin)
     ck_assert_uint_eq(json_object_size(counters), G_N_ELEMENTS(counted));
     ck_assert_str_eq(json_string_value(json_object_get(record, "outcome")), "done");
     ck_assert_int_eq(json_integer_value(json_object_get(record, "exit_status")), 0);
+    ck_assert(json_is_null(json_object_get(record, "cause")));
+    ck_assert(json_is_null(json_object_get(record, "energy_growth")));
+    ck_assert_uint_eq(json_array_size(json_object_get(record, "warnings")), 0);
     json_decref(record);
 }
 END_TEST
@@ -165,6 +169,35 @@ START_TEST(a_failed_run_writes_its_last_good_state)
     g_free(values);
     test_snapshot_free(&last);
     json_decref(list);
+    json_decref(record);
+}
+END_TEST
+
+/* The blocks at a Courant number at which USL feeds their energy: far above ten times that of the
+ * start, with no load at all. */
+static const char *const blown_up[] = {"time={end: 10, courant: 1}", "method={stress_update: usl}",
+                                       "bodies.left.velocity=['2*(x-3.5)', '-2*(y-3.5)']",
+                                       "output={history: 0.001, snapshots: 0.05}"};
+
+START_TEST(no_row_is_of_a_state_with_more_than_ten_times_the_energy)
+{
+    const double limit = 10.0;
+    struct mpm_error error = {.status = MPM_OK};
+    mpm_scene_free(test_results.scene);
+    ck_assert_int_eq(mpm_scene_read(test_results.scene_path, blown_up, G_N_ELEMENTS(blown_up),
+                                    &test_results.scene, NULL),
+                     MPM_OK);
+    ck_assert_int_eq(test_results_run(false, &error), MPM_RUN_FAILED);
+    json_t *record = test_results_json("run.json");
+    const json_t *growth = json_object_get(record, "energy_growth");
+    ck_assert_str_eq(json_string_value(json_object_get(record, "cause")), "energy_grown");
+    ck_assert(json_number_value(json_object_get(growth, "largest_factor")) <= limit);
+    ck_assert_uint_eq(json_array_size(json_object_get(record, "warnings")), 2);
+    size_t rows = 0;
+    double(*values)[TEST_HISTORY_COLUMNS] = test_results_history(test_results.output, &rows);
+    for (size_t i = 0; i < rows; i++)
+        ck_assert(values[i][TEST_HISTORY_TOTAL] <= limit * values[0][TEST_HISTORY_TOTAL]);
+    g_free(values);
     json_decref(record);
 }
 END_TEST
@@ -359,6 +392,7 @@ Suite *suite_scene_run(void)
         a_number_of_steps_ends_the_run,
         the_run_record_tells_outcome_cost_and_origin,
         a_failed_run_writes_its_last_good_state,
+        no_row_is_of_a_state_with_more_than_ten_times_the_energy,
         a_run_without_a_folder_writes_nothing,
     };
     const TTest *const refusals[] = {

@@ -159,6 +159,81 @@ START_TEST(what_particles_carry_stands_at_the_times_that_the_lags_say)
 }
 END_TEST
 
+/* -------------------------------------------------------------- stability */
+
+/* Measured by case G1, which holds its measurements against all rows. Where it has no such method:
+ * the least of shape with order, and of each further choice. */
+static const struct {
+    const char *settings[4];
+    bool measured;
+    double small, large;
+} known[] = {
+    {{"method={shape: ugimp, stress_update: usl}"}, true, 0.567, 0.823},
+    {{"method={shape: ugimp, stress_update: musl}"}, true, 1.668, 1.173},
+    {{"method={shape: classic, stress_update: usl}"}, true, 0.748, 0.0},
+    {{"method={shape: bspline3, stress_update: usf}"}, true, 2.364, 0.535},
+    {{"method={shape: ugimp, stress_update: usavg, extrapolate: false}"}, true, 0.787, 1.121},
+    {{"method={shape: ugimp, stress_update: musl, transfer: {kind: fmpm, order: 4}}"},
+     true,
+     1.095,
+     0.285},
+    {{"method={shape: ugimp, stress_update: musl, form: momentum}"}, true, 1.574, 0.141},
+    {{"method={shape: cpdi, stress_update: usl, transfer: {kind: apic}}"}, false, 0.761, 0.712},
+    {{"method={shape: ugimp, stress_update: musl, transfer: {kind: fmpm, order: 3}}"},
+     false,
+     1.095,
+     0.285},
+    {{"method={shape: cpdi, stress_update: usavg, transfer: {kind: flip, fraction: 0.5}}"},
+     false,
+     1.448,
+     1.023},
+    {{"method={shape: ugimp, stress_update: musl, position_update: midpoint, form: momentum}"},
+     false,
+     1.574,
+     0.141},
+    {{"method={shape: bspline2, stress_update: usavg, extrapolate: false}"}, false, 0.787, 0.0},
+};
+enum { KNOWN = sizeof known / sizeof known[0] };
+
+START_TEST(a_method_has_the_limits_that_were_measured_or_the_least_of_its_parts)
+{
+    struct test_run run = test_run_open(PLUG, known[_i].settings, 1);
+    const struct mpm_stability found = mpm_scene_stability(run.scene);
+    ck_assert(found.measured == known[_i].measured);
+    ck_assert_double_eq(found.small, known[_i].small);
+    ck_assert_double_eq(found.large, known[_i].large);
+    test_run_close(&run);
+}
+END_TEST
+
+/* A fixed step has a Courant number too: here 0.3 c over 1. */
+START_TEST(advice_is_given_beyond_the_limits_alone)
+{
+    static const struct {
+        const char *settings[3], *says;
+    } cases[] = {
+        {{"method={shape: ugimp, stress_update: usl}", "time={end: 1, courant: 0.55}"}, ""},
+        {{"method={shape: ugimp, stress_update: usl}", "time={end: 1, courant: 0.6}"},
+         "Courant number 0.6 is above the largest one, 0.567, at which this method kept small "
+         "motions bounded (case G1)"},
+        {{"method={shape: ugimp, stress_update: usf}", "time={end: 1, courant: 0.6}"},
+         "Courant number 0.6 is above the largest one, 0.48, at which this method kept motions at "
+         "0.3 of the wave speed bounded (case G1)"},
+        {{"method={shape: classic, stress_update: usl}", "time={end: 1, courant: 0.1}"},
+         "above any from 0.1 on"},
+        {{"method={shape: ugimp, stress_update: usl}", "time={end: 1, step: 0.05}"},
+         "Courant number 0.6 is above"},
+    };
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        struct test_run run = test_run_open(PLUG, cases[k].settings, 1);
+        const char *const advice = mpm_simulation_advice(run.simulation);
+        ck_assert_msg(strstr(advice, cases[k].says) != NULL, "%zu: %s", k, advice);
+        ck_assert((advice[0] == '\0') == (cases[k].says[0] == '\0'));
+        test_run_close(&run);
+    }
+}
+END_TEST
+
 Suite *suite_time_step(void)
 {
     Suite *suite = suite_create("time_step");
@@ -170,6 +245,9 @@ Suite *suite_time_step(void)
     TCase *lags = tcase_create("lags");
     tcase_add_loop_test(lags, what_particles_carry_stands_at_the_times_that_the_lags_say, 0,
                         sizeof LAGS / sizeof LAGS[0]);
+    tcase_add_loop_test(state, a_method_has_the_limits_that_were_measured_or_the_least_of_its_parts,
+                        0, KNOWN);
+    tcase_add_test(state, advice_is_given_beyond_the_limits_alone);
     suite_add_tcase(suite, lags);
     suite_add_tcase(suite, state);
     return suite;

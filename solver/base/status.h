@@ -12,6 +12,10 @@
 enum mpm_status mpm_error_set(struct mpm_error *error, enum mpm_status status, const char *format,
                               ...) __attribute__((format(printf, 3, 4)));
 
+/* The same for MPM_RUN_FAILED with its cause. */
+enum mpm_status mpm_error_fail(struct mpm_error *error, enum mpm_cause cause, const char *format,
+                               ...) __attribute__((format(printf, 3, 4)));
+
 /* "out of memory: N bytes for WHAT" */
 enum mpm_status mpm_error_memory(struct mpm_error *error, size_t bytes, const char *what);
 

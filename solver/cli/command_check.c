@@ -7,6 +7,27 @@
 
 #include <stdio.h>
 
+/* 0 where the least number tried was too large. */
+static void print_limit(double limit, const char *what)
+{
+    if (limit > 0.0)
+        (void)printf("%s %.3g", what, limit);
+    else
+        (void)printf("%s below 0.1", what);
+}
+
+static void print_stability(const struct mpm_scene *scene, const struct mpm_plan *plan)
+{
+    const struct mpm_stability stability = mpm_scene_stability(scene);
+    (void)printf("stability  Courant number %.3g; case G1 has limits of", plan->courant);
+    print_limit(stability.small, "");
+    print_limit(stability.large, " in small motions,");
+    (void)printf(" in large ones%s\n",
+                 stability.measured ? "" : " (of methods with one of its choices each)");
+    if (plan->stability_advice[0] != '\0')
+        (void)printf("warning    %s\n", plan->stability_advice);
+}
+
 static void print_plan(const struct mpm_scene *scene, const struct mpm_plan *plan)
 {
     char unit[MPM_UNIT_SIZE];
@@ -18,6 +39,7 @@ static void print_plan(const struct mpm_scene *scene, const struct mpm_plan *pla
         (void)printf(" (%.0f bytes a particle)", (double)plan->bytes / (double)plan->particles);
     (void)printf("\ntime step  %.6g %s\n", plan->time_step, unit);
     (void)printf("steps      about %.0f\n", plan->expected_steps);
+    print_stability(scene, plan);
     (void)printf("kernels    %s (%s)\n", plan->kernels, plan->kernels_reason);
     (void)printf("simd       %s\n", plan->simd);
 }

@@ -115,6 +115,7 @@ static int run_scene(struct run_arguments *arguments)
         .overwrite = arguments->overwrite,
         .scene_path = arguments->scene,
         .progress = cli_progress_step,
+        .warn = cli_progress_warn,
         .progress_context = &progress,
     };
     struct mpm_error error = {.status = MPM_OK};

@@ -11,7 +11,6 @@ enum {
     BAR_WIDTH = 30,
     REDRAW_MICROSECONDS = 100000, /* ten times a second */
     CLOCK_TEXT_SIZE = 32,
-    REST_TEXT_SIZE = 64,
 };
 
 void cli_progress_start(struct cli_progress *progress, bool quiet)
@@ -40,22 +39,29 @@ static const char *time_to_go(const struct cli_progress *progress, double fracti
     return text;
 }
 
-/* ", residual 2.1e-03, kinetic 4.0e-05" where the scene asks for rest; "" elsewhere */
-static const char *way_to_rest(const struct mpm_simulation *simulation, char text[REST_TEXT_SIZE])
+enum { NOTES_TEXT_SIZE = 128 };
+
+/* "  residual 2.1e-03  kinetic energy 4.0e-05" where the scene asks for rest, "  energy x 1.62"
+ * once it has grown; else "". */
+static const char *notes_text(const struct mpm_simulation *simulation, char text[NOTES_TEXT_SIZE])
 {
     struct mpm_rest rest;
-    (void)mpm_simulation_at_rest(simulation, &rest);
+    struct mpm_energy_growth growth;
+    size_t length = 0;
     text[0] = '\0';
+    (void)mpm_simulation_at_rest(simulation, &rest);
     if (rest.asked)
-        g_snprintf(text, REST_TEXT_SIZE, "  residual %.1e  kinetic energy %.1e", rest.residual,
-                   rest.kinetic_energy);
+        length = (size_t)g_snprintf(text, NOTES_TEXT_SIZE, "  residual %.1e  kinetic energy %.1e",
+                                    rest.residual, rest.kinetic_energy);
+    if (mpm_simulation_energy_growth(simulation, &growth))
+        g_snprintf(text + length, NOTES_TEXT_SIZE - length, "  energy x %.3g", growth.factor);
     return text;
 }
 
 static void draw_bar(struct cli_progress *progress, double fraction,
                      const struct mpm_simulation *simulation, gint64 now)
 {
-    char clock[CLOCK_TEXT_SIZE], bar[BAR_WIDTH + 1], rest[REST_TEXT_SIZE];
+    char clock[CLOCK_TEXT_SIZE], bar[BAR_WIDTH + 1], notes[NOTES_TEXT_SIZE];
     const int filled = (int)(fraction * BAR_WIDTH);
     for (int i = 0; i < BAR_WIDTH; i++)
         bar[i] = i < filled ? '#' : '.';
@@ -63,7 +69,7 @@ static void draw_bar(struct cli_progress *progress, double fraction,
     /* the blanks at the end wipe out what a longer line has left */
     (void)fprintf(stderr, "\r[%s] %3.0f %%  t %.4g  step %" PRIu64 "%s  %s to go    ", bar,
                   100.0 * fraction, mpm_simulation_time(simulation), progress->step,
-                  way_to_rest(simulation, rest), time_to_go(progress, fraction, now, clock));
+                  notes_text(simulation, notes), time_to_go(progress, fraction, now, clock));
     progress->line_open = true;
     progress->next_draw = now + REDRAW_MICROSECONDS;
 }
@@ -71,10 +77,10 @@ static void draw_bar(struct cli_progress *progress, double fraction,
 static void print_tenth(struct cli_progress *progress, double fraction,
                         const struct mpm_simulation *simulation, gint64 now)
 {
-    char clock[CLOCK_TEXT_SIZE], rest[REST_TEXT_SIZE];
+    char clock[CLOCK_TEXT_SIZE], notes[NOTES_TEXT_SIZE];
     progress->tenths = (int)(fraction * 10.0);
     (void)fprintf(stderr, "%3d %%  t %.4g  step %" PRIu64 "%s  %s to go\n", 10 * progress->tenths,
-                  mpm_simulation_time(simulation), progress->step, way_to_rest(simulation, rest),
+                  mpm_simulation_time(simulation), progress->step, notes_text(simulation, notes),
                   time_to_go(progress, fraction, now, clock));
 }
 
@@ -101,6 +107,15 @@ void cli_progress_step(void *context, double fraction, const struct mpm_simulati
         draw_bar(progress, fraction, simulation, now);
     else if (!progress->terminal && (int)(fraction * 10.0) > progress->tenths)
         print_tenth(progress, fraction, simulation, now);
+}
+
+void cli_progress_warn(void *context, const char *warning)
+{
+    struct cli_progress *progress = context;
+    if (progress->quiet)
+        return;
+    cli_progress_end(progress);
+    (void)fprintf(stderr, "mpm: warning: %s\n", warning);
 }
 
 void cli_progress_end(struct cli_progress *progress)

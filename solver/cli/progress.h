@@ -25,6 +25,9 @@ void cli_progress_start(struct cli_progress *progress, bool quiet);
 /* For struct mpm_run_options: `progress` is a struct cli_progress. */
 void cli_progress_step(void *progress, double fraction, const struct mpm_simulation *simulation);
 
+/* The same: prints a warning on a line of its own. */
+void cli_progress_warn(void *progress, const char *warning);
+
 /* Ends the terminal's line, so that what follows starts on one of its own. */
 void cli_progress_end(struct cli_progress *progress);
 

@@ -23,6 +23,7 @@ struct run {
     struct mpm_series *series;
     double history_instant, snapshot_instant; /* number of the last one passed */
     struct mpm_run_record record;
+    char *growth_warning; /* NULL until it was given */
 };
 
 static double seconds_now(void)
@@ -70,6 +71,25 @@ static const char *end_reason(const struct run *run)
 }
 
 /* ------------------------------------------------------------------ output */
+
+static void warn(const struct run *run, const char *warning)
+{
+    if (run->options->warn != NULL)
+        run->options->warn(run->options->progress_context, warning);
+}
+
+/* Once, when it is first seen. */
+static void warn_of_growth(struct run *run)
+{
+    struct mpm_energy_growth growth;
+    if (run->growth_warning != NULL || !mpm_simulation_energy_growth(run->simulation, &growth))
+        return;
+    run->growth_warning = g_strdup_printf(
+        "growing energy, first seen at step %" PRIu64 ", time %g: %.3g times what the start and "
+        "the work since have put in; the run goes on up to 10 times",
+        growth.step, growth.time, growth.factor);
+    warn(run, run->growth_warning);
+}
 
 static enum mpm_status write_history(struct run *run, struct mpm_error *error)
 {
@@ -119,16 +139,20 @@ static enum mpm_status write_due_results(struct run *run, struct mpm_error *erro
     const double snapshot = instant_reached(time, run->scene->snapshot_interval);
     const bool history_due = history > run->history_instant;
     const bool snapshot_due = snapshot > run->snapshot_instant;
+    const bool finished = is_finished(run);
     run->history_instant = history;
     run->snapshot_instant = snapshot;
-    return write_results(run, history_due || is_finished(run), snapshot_due || is_finished(run),
-                         error);
+    if (!(history_due || snapshot_due || finished))
+        return MPM_OK;
+    MPM_TRY(mpm_simulation_judge(run->simulation, error));
+    return write_results(run, history_due || finished, snapshot_due || finished, error);
 }
 
 /* The simulation still shows the last good step; the first failure stays the reason. */
 static enum mpm_status keep_last_good_state(struct run *run, enum mpm_status failed,
                                             struct mpm_error *error)
 {
+    const enum mpm_cause cause = error->cause;
     struct mpm_error second = {.status = MPM_OK};
     const enum mpm_status status = write_results(run, true, true, &second);
     if (status == MPM_OK || status == MPM_RUN_FAILED)
@@ -136,6 +160,7 @@ static enum mpm_status keep_last_good_state(struct run *run, enum mpm_status fai
     char *message = g_strdup(error->message);
     (void)mpm_error_set(error, failed, "%s; and the last good state cannot be written: %s", message,
                         second.message);
+    error->cause = cause;
     g_free(message);
     return failed;
 }
@@ -183,19 +208,22 @@ static enum mpm_status check_rest(const struct run *run, struct mpm_error *error
     struct mpm_rest rest;
     if (mpm_simulation_at_rest(run->simulation, &rest) || !rest.asked)
         return MPM_OK;
-    return mpm_error_set(error, MPM_RUN_FAILED,
-                         "not at rest when %s, at step %" PRIu64
-                         ", time %g: residual %g, kinetic energy %g; allowed: below %g and %g for "
-                         "%" PRId64 " steps; the residual was lowest at time %g, %g; %s",
-                         end_reason(run), mpm_simulation_step(run->simulation),
-                         mpm_simulation_time(run->simulation), rest.residual, rest.kinetic_energy,
-                         asked->residual, asked->kinetic_energy, asked->steps, rest.lowest_time,
-                         rest.lowest_residual,
-                         rest_advice(&rest, asked, mpm_simulation_time(run->simulation)));
+    return mpm_error_fail(error, MPM_CAUSE_NOT_AT_REST,
+                          "not at rest when %s, at step %" PRIu64
+                          ", time %g: residual %g, kinetic energy %g; allowed: below %g and %g for "
+                          "%" PRId64 " steps; the residual was lowest at time %g, %g; %s",
+                          end_reason(run), mpm_simulation_step(run->simulation),
+                          mpm_simulation_time(run->simulation), rest.residual, rest.kinetic_energy,
+                          asked->residual, asked->kinetic_energy, asked->steps, rest.lowest_time,
+                          rest.lowest_residual,
+                          rest_advice(&rest, asked, mpm_simulation_time(run->simulation)));
 }
 
 static enum mpm_status march(struct run *run, struct mpm_error *error)
 {
+    const char *const advice = mpm_simulation_advice(run->simulation);
+    if (advice[0] != '\0')
+        warn(run, advice);
     MPM_TRY(write_results(run, true, true, error));
     while (!is_finished(run)) {
         const double start = seconds_now();
@@ -208,6 +236,7 @@ static enum mpm_status march(struct run *run, struct mpm_error *error)
         if (written == MPM_RUN_FAILED)
             return keep_last_good_state(run, written, error);
         MPM_TRY(written);
+        warn_of_growth(run);
         report_progress(run);
     }
     return check_rest(run, error);
@@ -241,6 +270,11 @@ static enum mpm_status write_record(struct run *run, enum mpm_status status,
         return status;
     struct mpm_run_record *record = &run->record;
     record->status = status;
+    const char *const advice = mpm_simulation_advice(run->simulation);
+    record->cause = status == MPM_OK ? MPM_CAUSE_NONE : error->cause;
+    record->warnings[0] = advice[0] != '\0' ? advice : NULL;
+    record->warnings[1] = run->growth_warning;
+    (void)mpm_simulation_energy_growth(run->simulation, &record->growth);
     record->reason = status != MPM_OK ? error->message : end_reason(run);
     record->scene_path = run->options->scene_path;
     record->kernels = mpm_simulation_kernels(run->simulation);
@@ -278,6 +312,7 @@ enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_ru
         status = set_up(&run, &failure);
     if (status == MPM_OK)
         status = write_record(&run, march(&run, &failure), &failure);
+    g_free(run.growth_warning);
     mpm_history_free(run.history);
     mpm_series_free(run.series);
     mpm_simulation_free(run.simulation);

@@ -79,14 +79,38 @@ static json_t *counters_object(const struct mpm_run_record *record)
                      "bytes", "total", (json_int_t)record->bytes, "per_particle", per_particle);
 }
 
+static json_t *cause_text(enum mpm_cause cause)
+{
+    return cause == MPM_CAUSE_NONE ? json_null() : json_string(mpm_cause_describe(cause)->name);
+}
+
+static json_t *warnings_array(const struct mpm_run_record *record)
+{
+    json_t *array = json_array();
+    for (size_t i = 0; i < G_N_ELEMENTS(record->warnings); i++)
+        if (record->warnings[i] != NULL)
+            json_array_append_new(array, text(record->warnings[i]));
+    return array;
+}
+
+static json_t *growth_object(const struct mpm_energy_growth *growth)
+{
+    if (!growth->seen)
+        return json_null();
+    return json_pack("{s:I, s:f, s:f, s:f}", "step", (json_int_t)growth->step, "time", growth->time,
+                     "largest_factor", growth->largest, "last_factor", growth->factor);
+}
+
 enum mpm_status mpm_run_record_write(const char *folder, const struct mpm_scene *scene,
                                      const struct mpm_run_record *record, struct mpm_error *error)
 {
-    json_t *root = json_pack("{s:s, s:o, s:i, s:o, s:o, s:o, s:o}", "outcome",
-                             record->status == MPM_OK ? "done" : "failed", "reason",
-                             text(record->reason), "exit_status", (int)record->status, "counters",
-                             counters_object(record), "kernels", text(record->kernels), "simd",
-                             text(record->simd), "provenance", provenance_object(scene, record));
+    json_t *root =
+        json_pack("{s:s, s:o, s:o, s:i, s:o, s:o, s:o, s:o, s:o, s:o}", "outcome",
+                  record->status == MPM_OK ? "done" : "failed", "cause", cause_text(record->cause),
+                  "reason", text(record->reason), "exit_status", (int)record->status, "warnings",
+                  warnings_array(record), "energy_growth", growth_object(&record->growth),
+                  "counters", counters_object(record), "kernels", text(record->kernels), "simd",
+                  text(record->simd), "provenance", provenance_object(scene, record));
     char *written = root != NULL ? json_dumps(root, JSON_INDENT(2)) : NULL;
     json_decref(root);
     if (written == NULL)

@@ -10,7 +10,10 @@
 
 struct mpm_run_record {
     enum mpm_status status;
-    const char *reason;     /* why the run ended */
+    enum mpm_cause cause;    /* of a failed run */
+    const char *reason;      /* why the run ended */
+    const char *warnings[2]; /* of a run that went on; NULL where there is none */
+    struct mpm_energy_growth growth;
     const char *scene_path; /* NULL: as the scene names itself */
     const char *kernels;    /* name of the set, */
     const char *simd;       /* and the instructions that it uses */
@@ -23,7 +26,8 @@ struct mpm_run_record {
 };
 
 /* Writes run.json into `folder`, whole or not at all. `outcome` is "done" for MPM_OK
- * and "failed" otherwise. MPM_ENVIRONMENT_FAILED names the file and the reason. */
+ * and "failed" otherwise; `cause` is null unless the run has failed with one, `energy_growth` null
+ * unless it was seen. MPM_ENVIRONMENT_FAILED names the file and the reason. */
 enum mpm_status mpm_run_record_write(const char *folder, const struct mpm_scene *scene,
                                      const struct mpm_run_record *record, struct mpm_error *error);
 

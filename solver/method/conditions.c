@@ -10,9 +10,9 @@
 static enum mpm_status not_finite(const char *what, const double position[2], double time,
                                   double value, struct mpm_error *error)
 {
-    return mpm_error_set(error, MPM_RUN_FAILED,
-                         "the velocity prescribed by %s at (%g, %g), time %g is %g: not finite",
-                         what, position[0], position[1], time, value);
+    return mpm_error_fail(error, MPM_CAUSE_CONDITION,
+                          "the velocity prescribed by %s at (%g, %g), time %g is %g: not finite",
+                          what, position[0], position[1], time, value);
 }
 
 static bool any_field_has_mass(const struct mpm_state *state, int64_t node)
@@ -141,12 +141,12 @@ static enum mpm_status drive_node(struct mpm_state *state, size_t first_rigid, u
         if (other == NULL)
             append(state, active);
         else if (other->start != active.start || other->end != active.end)
-            return mpm_error_set(error, MPM_RUN_FAILED,
-                                 "rigid bodies '%s' and '%s' both drive the node at (%g, %g), with "
-                                 "different velocities %g and %g",
-                                 state->scene->bodies[other->source].name,
-                                 state->scene->bodies[body].name, position[0], position[1],
-                                 other->start, active.start);
+            return mpm_error_fail(
+                error, MPM_CAUSE_RIGID,
+                "rigid bodies '%s' and '%s' both drive the node at (%g, %g), with "
+                "different velocities %g and %g",
+                state->scene->bodies[other->source].name, state->scene->bodies[body].name,
+                position[0], position[1], other->start, active.start);
     }
     return MPM_OK;
 }
@@ -243,12 +243,12 @@ enum mpm_status mpm_rigid_advance(struct mpm_state *state, struct mpm_error *err
             const bool past_axis = axis == 0 && state->shape_grid.axisymmetric && !(x > 0.0);
             if (x >= low && x < high && !past_axis)
                 continue;
-            return mpm_error_set(error, MPM_RUN_FAILED,
-                                 "particle %u of rigid body '%s' left the grid: %s = %g; allowed: "
-                                 "%g to %g",
-                                 rigid->id[p], state->scene->bodies[rigid->body[p]].name,
-                                 axis == 0 ? "first coordinate" : "second coordinate", x,
-                                 past_axis ? 0.0 : low, high);
+            return mpm_error_fail(error, MPM_CAUSE_LEFT_GRID,
+                                  "particle %u of rigid body '%s' left the grid: %s = %g; allowed: "
+                                  "%g to %g",
+                                  rigid->id[p], state->scene->bodies[rigid->body[p]].name,
+                                  axis == 0 ? "first coordinate" : "second coordinate", x,
+                                  past_axis ? 0.0 : low, high);
         }
     }
     return MPM_OK;

@@ -262,11 +262,11 @@ static enum mpm_status advance_point(const struct mpm_state *state, size_t crack
         const double moved = place[axis] + (held ? 0.0 : state->time_step * v[axis]);
         const double slack = MPM_CRACK_EDGE_SLACK * state->grid.cell[axis];
         if (!(moved >= low - slack && moved <= high + slack))
-            return mpm_error_set(error, MPM_RUN_FAILED,
-                                 "a point of cracks.%zu left the grid from (%g, %g): %s coordinate "
-                                 "%g; allowed: %g to %g",
-                                 crack, place[0], place[1], axis == 0 ? "first" : "second", moved,
-                                 low, high);
+            return mpm_error_fail(
+                error, MPM_CAUSE_LEFT_GRID,
+                "a point of cracks.%zu left the grid from (%g, %g): %s coordinate "
+                "%g; allowed: %g to %g",
+                crack, place[0], place[1], axis == 0 ? "first" : "second", moved, low, high);
         cracks->position[axis][k] = moved;
     }
     return MPM_OK;
@@ -282,8 +282,8 @@ static enum mpm_status check_lengths(const struct mpm_state *state, size_t crack
         const double along[2] = {chain->x[k + 1] - chain->x[k], chain->y[k + 1] - chain->y[k]};
         const double square = along[0] * along[0] + along[1] * along[1];
         if (!(square <= longest * longest))
-            return mpm_error_set(
-                error, MPM_RUN_FAILED,
+            return mpm_error_fail(
+                error, MPM_CAUSE_CRACK,
                 "a segment of cracks.%zu was stretched, from (%g, %g) to (%g, %g): "
                 "length %g shorter cell sides; allowed: up to %d",
                 crack, chain->x[k], chain->y[k], chain->x[k + 1], chain->y[k + 1],

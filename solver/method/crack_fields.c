@@ -258,8 +258,8 @@ static enum mpm_status no_room(struct mpm_state *state, const char *what, size_t
                                struct mpm_error *error)
 {
     memset(state->cracks.wanted, 0, (size_t)(state->grid.columns * state->grid.rows));
-    return mpm_error_set(
-        error, MPM_RUN_FAILED,
+    return mpm_error_fail(
+        error, MPM_CAUSE_CRACK,
         "there are more %s near cracks than the %zu that there is room for: cracks "
         "have grown or stretched, or bodies are compressed there",
         what, capacity);

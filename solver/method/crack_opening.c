@@ -200,10 +200,10 @@ static enum mpm_status check_place(const struct mpm_state *state, size_t crack, 
         const double middle = state->cracks.position[axis][k];
         const double away = 0.5 * fabs(state->cracks.openings.vector[axis][k]);
         if (!(middle - away >= low && middle + away <= high))
-            return mpm_error_set(error, MPM_RUN_FAILED,
-                                 "a surface of cracks.%zu left the grid by more than a cell: %s "
-                                 "coordinate %g +- %g; allowed: %g to %g",
-                                 crack, axis == 0 ? "first" : "second", middle, away, low, high);
+            return mpm_error_fail(error, MPM_CAUSE_LEFT_GRID,
+                                  "a surface of cracks.%zu left the grid by more than a cell: %s "
+                                  "coordinate %g +- %g; allowed: %g to %g",
+                                  crack, axis == 0 ? "first" : "second", middle, away, low, high);
     }
     return MPM_OK;
 }

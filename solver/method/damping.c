@@ -26,9 +26,9 @@ static bool is_varying(const struct mpm_expression *rate)
 static enum mpm_status refuse_rate(const struct mpm_state *state, const char *what, double rate,
                                    struct mpm_error *error)
 {
-    return mpm_error_set(error, MPM_RUN_FAILED,
-                         "%s is %g; allowed: at least 0 and below %g, 1 over the time step", what,
-                         rate, 1.0 / state->time_step);
+    return mpm_error_fail(error, MPM_CAUSE_DAMPING,
+                          "%s is %g; allowed: at least 0 and below %g, 1 over the time step", what,
+                          rate, 1.0 / state->time_step);
 }
 
 /* The rate of all places, or 0. */
@@ -50,8 +50,8 @@ static enum mpm_status find_pic_rate(struct mpm_state *state, struct mpm_error *
         return MPM_OK;
     const double beta = value_of(state->damping.pic, state, anywhere, 0);
     if (!(beta >= 0.0 && beta <= 1.0))
-        return mpm_error_set(error, MPM_RUN_FAILED, "damping.pic is %g; allowed: from 0 to 1",
-                             beta);
+        return mpm_error_fail(error, MPM_CAUSE_DAMPING, "damping.pic is %g; allowed: from 0 to 1",
+                              beta);
     state->damping.pic_rate = (1.0 - beta) / state->time_step; /* Notes (44) */
     return MPM_OK;
 }

@@ -58,6 +58,7 @@ struct mpm_strip {
     int64_t column_low, column_high; /* box of the nodes that they reach; empty if low > high */
     int64_t row_low, row_high;
     double kinetic_energy;
+    double strain_energy;      /* when it was last asked for */
     double wave_speed_squared; /* largest */
     double external_work;      /* of body forces, or of loads on edges, in the step */
     double dissipated;         /* by damping at the particles, in a part of the step */

@@ -12,35 +12,51 @@ double mpm_kinetic_energy(const struct mpm_state *state)
     return sum;
 }
 
-/* Keeps the message for good and goes back to the last good state. */
-static enum mpm_status fail(struct mpm_simulation *simulation, uint64_t good_step,
+void mpm_simulation_count_step(struct mpm_simulation *simulation)
+{
+    simulation->largest_work = fmax(simulation->largest_work, simulation->state.external_work);
+    simulation->step++;
+}
+
+/* Keeps the message for good and goes back to the last good state: that after `step`, unless the
+ * energy of one of the steps before, which nobody has looked at, is unsound already. */
+static enum mpm_status fail(struct mpm_simulation *simulation, uint64_t step,
                             struct mpm_error *error)
 {
+    const uint64_t judged = simulation->judged_step, saved = simulation->backup.step;
     simulation->failure = *error;
-    mpm_backup_restore(simulation, good_step);
+    mpm_backup_restore(simulation, judged > saved ? judged : saved);
+    while (simulation->step < step) {
+        mpm_backup_repeat(simulation);
+        if (mpm_energy_judge(simulation, &simulation->failure) == MPM_OK)
+            continue;
+        *error = simulation->failure;
+        mpm_backup_restore(simulation, simulation->step - 1);
+        break;
+    }
     return MPM_RUN_FAILED;
 }
 
-/* Puts step and time in front of a failure's reason. */
+/* Puts the cause in words, step and time in front of a failure's reason. */
 static enum mpm_status tell_when(const struct mpm_simulation *simulation, enum mpm_status status,
                                  struct mpm_error *error)
 {
     const struct mpm_state *const state = &simulation->state;
-    const struct mpm_error cause = *error;
-    return mpm_error_set(error, status, "step %llu, time %g: %s",
-                         (unsigned long long)simulation->step + 1, state->time + state->time_step,
-                         cause.message);
+    const struct mpm_error why = *error;
+    (void)mpm_error_set(
+        error, status, "%s at step %llu, time %g: %s", mpm_cause_describe(why.cause)->words,
+        (unsigned long long)simulation->step + 1, state->time + state->time_step, why.message);
+    error->cause = why.cause;
+    return status;
 }
 
 static enum mpm_status take_step(struct mpm_simulation *simulation, struct mpm_error *error)
 {
     struct mpm_state *const state = &simulation->state;
-    const double work = state->external_work;
     enum mpm_status status = mpm_step_advance(state, simulation->seconds, error);
     if (status != MPM_OK && state->failure.kind == MPM_NO_FAILURE)
         return tell_when(simulation, status, error);
-    simulation->work_scale += fabs(state->external_work - work);
-    MPM_TRY(mpm_health_check(simulation, mpm_kinetic_energy(state), error));
+    MPM_TRY(mpm_health_check(simulation, error));
     status = mpm_cracks_grow(simulation, error);
     return status == MPM_OK ? MPM_OK : tell_when(simulation, status, error);
 }
@@ -59,6 +75,7 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
         return mpm_error_set(error, MPM_BAD_INPUT, "time limit %g; allowed: after the time %g",
                              time_limit, state->time);
     if (mpm_step_wants_sort(state)) {
+        MPM_TRY(mpm_simulation_judge(simulation, error));
         mpm_step_sort(state, simulation->backup.arrays, simulation->seconds);
         mpm_backup_save(simulation);
     }
@@ -71,10 +88,22 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
     simulation->backup.time_steps[since] = state->time_step;
     simulation->backup.times[since] = state->time;
     mpm_speeds_update(simulation);
-    simulation->step++;
+    mpm_simulation_count_step(simulation);
     if (simulation->scene->rest.asked)
         mpm_rest_judge(simulation);
-    return MPM_OK;
+    return mpm_energy_is_in_doubt(simulation) ? mpm_simulation_judge(simulation, error) : MPM_OK;
+}
+
+enum mpm_status mpm_simulation_judge(struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    struct mpm_error why = {0};
+    if (simulation->failure.status != MPM_OK)
+        why = simulation->failure;
+    else if (mpm_energy_judge(simulation, &why) != MPM_OK)
+        (void)fail(simulation, simulation->step - 1, &why);
+    if (error != NULL && why.status != MPM_OK)
+        *error = why;
+    return why.status;
 }
 
 double mpm_simulation_time(const struct mpm_simulation *simulation)

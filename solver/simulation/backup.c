@@ -64,7 +64,7 @@ void mpm_backup_save(struct mpm_simulation *simulation)
     mpm_growth_save(simulation);
     backup->time = state->time;
     backup->external_work = state->external_work;
-    backup->work_scale = simulation->work_scale;
+    backup->largest_work = simulation->largest_work;
     backup->damping = state->damping.books;
     backup->energy = state->energy;
     backup->wave_speed = simulation->wave_speed;
@@ -97,29 +97,35 @@ static void copy_back(struct mpm_simulation *simulation)
     mpm_growth_restore(simulation);
     state->time = backup->time;
     state->external_work = backup->external_work;
-    simulation->work_scale = backup->work_scale;
+    simulation->largest_work = backup->largest_work;
     state->damping.books = backup->damping;
     state->energy = backup->energy;
     simulation->wave_speed = backup->wave_speed;
     simulation->step = backup->step;
 }
 
+void mpm_backup_repeat(struct mpm_simulation *simulation)
+{
+    struct mpm_state *const state = &simulation->state;
+    const uint64_t k = simulation->step - simulation->backup.step;
+    state->time_step = simulation->backup.time_steps[k];
+    (void)mpm_step_advance(state, simulation->seconds, NULL); /* it has succeeded before, */
+    (void)mpm_cracks_grow(simulation, NULL);                  /* and so has this */
+    state->time = simulation->backup.times[k];
+    mpm_simulation_count_step(simulation);
+}
+
 void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step)
 {
     struct mpm_state *const state = &simulation->state;
     const struct mpm_backup *const backup = &simulation->backup;
-    assert(step >= backup->step && step - backup->step < MPM_STEPS_BETWEEN_SORTS);
+    assert(step >= backup->step && step - backup->step <= MPM_STEPS_BETWEEN_SORTS);
     copy_back(simulation);
     state->failure = (struct mpm_failure){0};
     for (int64_t s = 0; s < state->strip_count; s++)
         state->strips[s].failure = (struct mpm_failure){0};
     mpm_step_recompute(state);
     copy_particles_back(simulation); /* stress, where it is kept: not from F by the one kernel */
-    for (; simulation->step < step; simulation->step++) {
-        const uint64_t k = simulation->step - backup->step;
-        state->time_step = backup->time_steps[k];
-        (void)mpm_step_advance(state, simulation->seconds, NULL); /* it has succeeded before, */
-        (void)mpm_cracks_grow(simulation, NULL);                  /* and so has this */
-        state->time = backup->times[k];
-    }
+    while (simulation->step < step)
+        mpm_backup_repeat(simulation);
 }

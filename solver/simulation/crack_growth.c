@@ -120,12 +120,12 @@ static enum mpm_status check_way(const struct mpm_state *state,
                                               {chain->x[k + 1], chain->y[k + 1]}};
             if ((crack == spec->crack && k == own) || !mpm_segments_meet(added, &there, near))
                 continue;
-            return mpm_error_set(error, MPM_RUN_FAILED,
-                                 "%s: the tip at (%g, %g) would grow to (%g, %g), and meet "
-                                 "cracks.%zu there; allowed: cracks that meet neither themselves "
-                                 "nor each other",
-                                 spec->key, added->a[0], added->a[1], added->b[0], added->b[1],
-                                 crack);
+            return mpm_error_fail(error, MPM_CAUSE_CRACK,
+                                  "%s: the tip at (%g, %g) would grow to (%g, %g), and meet "
+                                  "cracks.%zu there; allowed: cracks that meet neither themselves "
+                                  "nor each other",
+                                  spec->key, added->a[0], added->a[1], added->b[0], added->b[1],
+                                  crack);
         }
     }
     return MPM_OK;
@@ -145,11 +145,11 @@ static enum mpm_status grow(struct mpm_simulation *simulation, size_t index,
     mpm_j_tip_place(state, spec, added.a);
     if (rint(simulation->tips[index].grown / increment) + 1.0 >
         (double)increments_of(scene, &spec->growth))
-        return mpm_error_set(error, MPM_RUN_FAILED,
-                             "%s: the tip at (%g, %g) has grown by %g and would grow further; "
-                             "allowed: up to propagation.longest, %g",
-                             spec->key, added.a[0], added.a[1], simulation->tips[index].grown,
-                             spec->growth.longest);
+        return mpm_error_fail(error, MPM_CAUSE_CRACK,
+                              "%s: the tip at (%g, %g) has grown by %g and would grow further; "
+                              "allowed: up to propagation.longest, %g",
+                              spec->key, added.a[0], added.a[1], simulation->tips[index].grown,
+                              spec->growth.longest);
     tip_direction(chain, spec->at_start, direction);
     turn(tangent, direction);
     for (int axis = 0; axis < 2; axis++)
@@ -169,8 +169,7 @@ enum mpm_status mpm_cracks_grow(struct mpm_simulation *simulation, struct mpm_er
         if (!(spec->growth.toughness > 0.0) ||
             (simulation->step + 1) % (uint64_t)spec->growth.every != 0)
             continue;
-        MPM_TRY(mpm_j_evaluate(&simulation->state, spec, &simulation->tips[k].undeformed,
-                               &simulation->j_scratch, &value, error));
+        MPM_TRY(mpm_j_integral_evaluate(simulation, k, &value, error));
         if (value.j[0] >= spec->growth.toughness)
             MPM_TRY(grow(simulation, k, &value, error));
     }

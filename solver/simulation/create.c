@@ -5,6 +5,7 @@
 #include "model/fill.h"
 #include "simulation/simulation.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -303,10 +304,31 @@ static void describe_method(struct mpm_simulation *simulation, int threads)
         state->mirror_column = axis_column;
 }
 
-static void open_books(struct mpm_simulation *simulation)
+/* Numbers that are finite one by one may have sums that are not. */
+static enum mpm_status open_books(struct mpm_simulation *simulation, struct mpm_error *error)
 {
     struct mpm_ledger ledger;
     mpm_simulation_ledger(simulation, &ledger);
+    const struct {
+        const char *name;
+        double value;
+    } sums[] = {
+        {"speed of waves", simulation->wave_speed},
+        {"mass", ledger.mass},
+        {"momentum", ledger.momentum[0]},
+        {"momentum", ledger.momentum[1]},
+        {"angular momentum", ledger.angular_momentum},
+        {"kinetic energy", ledger.kinetic_energy},
+        {"strain energy", ledger.strain_energy},
+        {"energy of all mass at the speed of waves",
+         ledger.mass * simulation->wave_speed * simulation->wave_speed},
+    };
+    for (size_t k = 0; k < sizeof sums / sizeof sums[0]; k++)
+        if (!isfinite(sums[k].value))
+            return mpm_error_set(error, MPM_BAD_INPUT,
+                                 "start: %s is %g; allowed: finite. Densities, moduli, velocities "
+                                 "or coordinates are too large for numbers of 64 bits",
+                                 sums[k].name, sums[k].value);
     simulation->mass = ledger.mass;
     simulation->rest.largest_energy = ledger.kinetic_energy + fabs(ledger.strain_energy);
     simulation->strain_start = ledger.strain_energy;
@@ -315,6 +337,7 @@ static void open_books(struct mpm_simulation *simulation)
         .particles = ledger.kinetic_energy,
     };
     simulation->energy_start = ledger.kinetic_energy + fabs(ledger.strain_energy);
+    return MPM_OK;
 }
 
 /* A few particles are done before a second worker has woken up. */
@@ -335,10 +358,11 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
     simulation->wave_speed_start = wave_speed;
     simulation->particle_speed = mpm_particle_speed(&state->particles, 0, state->particles.count);
     simulation->lightest = lightest_particle(&state->particles);
+    MPM_TRY(open_books(simulation, error));
     MPM_TRY(mpm_time_step_check(simulation, error));
     MPM_TRY(mpm_damping_check_start(simulation, error));
     MPM_TRY(mpm_openings_check_start(simulation, error));
-    open_books(simulation);
+    mpm_stability_advise(simulation);
     double unused[MPM_PHASE_COUNT] = {0.0}; /* part of the set-up */
     mpm_step_sort(state, simulation->backup.arrays, unused);
     if (mpm_step_collect(state) != MPM_OK)

@@ -36,12 +36,15 @@ static struct mpm_j_tip tip_of(const struct mpm_scene *scene,
     };
 }
 
-static enum mpm_status evaluate(const struct mpm_simulation *simulation, size_t index,
-                                struct mpm_j_value *value, struct mpm_error *error)
+enum mpm_status mpm_j_integral_evaluate(const struct mpm_simulation *simulation, size_t index,
+                                        struct mpm_j_value *value, struct mpm_error *error)
 {
-    return mpm_j_evaluate(&simulation->state, &simulation->scene->j_integrals[index],
-                          &simulation->tips[index].undeformed, &simulation->j_scratch, value,
-                          error);
+    const enum mpm_status status =
+        mpm_j_evaluate(&simulation->state, &simulation->scene->j_integrals[index],
+                       &simulation->tips[index].undeformed, &simulation->j_scratch, value, error);
+    if (status == MPM_RUN_FAILED && error != NULL)
+        error->cause = MPM_CAUSE_J_INTEGRAL;
+    return status;
 }
 
 enum mpm_status mpm_j_integrals_fill(struct mpm_simulation *simulation, struct mpm_error *error)
@@ -52,7 +55,7 @@ enum mpm_status mpm_j_integrals_fill(struct mpm_simulation *simulation, struct m
         struct mpm_j_value value;
         struct mpm_error why = {.status = MPM_OK};
         simulation->tips[k].undeformed = tip_of(scene, spec);
-        if (evaluate(simulation, k, &value, &why) != MPM_OK)
+        if (mpm_j_integral_evaluate(simulation, k, &value, &why) != MPM_OK)
             return mpm_error_set(error, MPM_BAD_INPUT, "%s:%d: %s", scene->path, spec->line,
                                  why.message);
     }
@@ -68,7 +71,7 @@ enum mpm_status mpm_simulation_j_integral(const struct mpm_simulation *simulatio
                              simulation->scene->j_integral_count);
     const struct mpm_j_integral_spec *const spec = &simulation->scene->j_integrals[index];
     const struct mpm_crack_tip *const tip = &simulation->tips[index];
-    MPM_TRY(evaluate(simulation, index, &found, error));
+    MPM_TRY(mpm_j_integral_evaluate(simulation, index, &found, error));
     *value = (struct mpm_j_integral){
         .crack = spec->crack,
         .at_start = spec->at_start,

@@ -2,6 +2,7 @@
 #include "simulation/simulation.h"
 
 #include <math.h>
+#include <stdio.h>
 
 enum mpm_status mpm_scene_plan(const struct mpm_scene *scene,
                                const struct mpm_simulation_options *options, struct mpm_plan *plan,
@@ -20,7 +21,10 @@ enum mpm_status mpm_scene_plan(const struct mpm_scene *scene,
         .kernels = mpm_simulation_kernels(simulation),
         .kernels_reason = simulation->state.kernels.reason,
         .simd = mpm_simulation_simd(simulation),
+        .courant = mpm_time_step_courant(simulation),
     };
+    (void)snprintf(plan->stability_advice, sizeof plan->stability_advice, "%s",
+                   mpm_simulation_advice(simulation));
     plan->expected_steps = ceil(scene->end / plan->time_step * (1.0 - 1e-9));
     if (scene->steps > 0)
         plan->expected_steps = fmin(plan->expected_steps, (double)scene->steps);

@@ -30,7 +30,7 @@ struct mpm_backup {
     double *crack_opening[2], *largest_opening;
     struct mpm_crack_tip *tips; /* these and the extents of chains: with J integrals */
     struct mpm_chain_extent *extents;
-    double time, external_work, work_scale, wave_speed;
+    double time, external_work, largest_work, wave_speed;
     struct mpm_damping_books damping;
     struct mpm_energy_balance energy;
     uint64_t step;
@@ -61,9 +61,12 @@ struct mpm_simulation {
     double mass, lightest; /* of all particles, of the lightest one */
     double strain_start;   /* strain energy at t = 0 */
     double energy_start;   /* kinetic and strain energy at t = 0 */
-    double work_scale;     /* sum of |external work| of the steps */
+    double largest_work;   /* external work since t = 0 at its largest so far, at least 0 */
+    struct mpm_energy_growth growth;
+    uint64_t judged_step; /* the last one whose energy has been judged */
     struct mpm_rest_watch rest;
     double seconds[MPM_PHASE_COUNT];
+    char advice[MPM_MESSAGE_SIZE];
     struct mpm_error failure; /* status MPM_OK while the run is sound */
 };
 
@@ -76,17 +79,33 @@ double mpm_particle_speed(const struct mpm_particles *particles, size_t first, s
 /* Sets wave_speed and particle_speed to those after the step just taken; the latter in each step
  * if it was above half the former, else in one of 32. */
 void mpm_speeds_update(struct mpm_simulation *simulation);
-/* Refuses a fixed step beyond the stability limit unless the scene allows it. */
+/* Refuses a first step that is not a number above 0, more of them than can be taken before
+ * time.end, and a fixed one beyond the stability limit unless the scene allows it. */
 enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,
                                     struct mpm_error *error);
+
+/* advance.c: the step just taken, or repeated, is over. */
+void mpm_simulation_count_step(struct mpm_simulation *simulation);
+
+/* Courant number of the first step: the scene's, or what its fixed step comes to. */
+double mpm_time_step_courant(const struct mpm_simulation *simulation);
+/* stability.c: writes what mpm_simulation_advice returns. */
+void mpm_stability_advise(struct mpm_simulation *simulation);
 
 /* Kinetic energy of the deformable particles after the last step. */
 double mpm_kinetic_energy(const struct mpm_state *state);
 
-/* health.c: judges the step just taken. MPM_RUN_FAILED names step, time, particle and
+/* health.c: judges the step just taken. MPM_RUN_FAILED names cause, step, time, particle and
  * value. */
-enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, double kinetic_energy,
-                                 struct mpm_error *error);
+enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, struct mpm_error *error);
+/* Name of the body that the particle with that id belongs to. */
+const char *mpm_body_of_particle(const struct mpm_simulation *simulation, uint32_t id);
+
+/* energy.c: judges the total energy after the last step, once. MPM_RUN_FAILED: it is above the
+ * limit, or not finite. Cost: one pass over the particles, with a logarithm for each. */
+enum mpm_status mpm_energy_judge(struct mpm_simulation *simulation, struct mpm_error *error);
+/* Are the parts of it that each step finds above the limit? Cost: one sum over the strips. */
+bool mpm_energy_is_in_doubt(const struct mpm_simulation *simulation);
 
 /* A failure before the first step, such as a domain too long for the grid: MPM_BAD_INPUT. */
 enum mpm_status mpm_health_refuse_start(const struct mpm_simulation *simulation,
@@ -120,6 +139,9 @@ enum mpm_status mpm_cracks_fill(struct mpm_simulation *simulation, struct mpm_er
  * is not one. */
 void mpm_j_integrals_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);
 enum mpm_status mpm_j_integrals_fill(struct mpm_simulation *simulation, struct mpm_error *error);
+/* The value of one now; MPM_RUN_FAILED with MPM_CAUSE_J_INTEGRAL where it has none. */
+enum mpm_status mpm_j_integral_evaluate(const struct mpm_simulation *simulation, size_t index,
+                                        struct mpm_j_value *value, struct mpm_error *error);
 
 /* openings.c: points of which surfaces are kept: all of the scene's cracks, or none. */
 size_t mpm_openings_points(const struct mpm_state *state);
@@ -168,5 +190,7 @@ void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *aren
 void mpm_backup_save(struct mpm_simulation *simulation);
 /* Goes back to the state after step `step`, which the backup must cover. */
 void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step);
+/* Takes the step after that again. */
+void mpm_backup_repeat(struct mpm_simulation *simulation);
 
 #endif

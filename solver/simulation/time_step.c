@@ -72,12 +72,41 @@ double mpm_time_step_next(const struct mpm_simulation *simulation, double limit,
     return rest < step * (2.0 - LANDING_SLACK) ? 0.5 * rest : step;
 }
 
+double mpm_time_step_courant(const struct mpm_simulation *simulation)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    return scene->step > 0.0 ? scene->step / crossing_time(simulation) : scene->courant;
+}
+
+/* A clock of 53 binary digits does not go on by less than 2^-53 of the time that it shows. */
+static const double STEPS_MAX = 9007199254740992.0;
+
+/* Can time.end be reached in steps like the first one? */
+static enum mpm_status check_count(const struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    const double step =
+        scene->step > 0.0 ? scene->step : scene->courant * crossing_time(simulation);
+    if (!(step > 0.0) || !isfinite(step))
+        return mpm_scene_error(error, scene, scene->line_time, "time",
+                               "the first time step is %g, with waves of speed %g and particles "
+                               "of up to %g; allowed: finite and above 0",
+                               step, simulation->wave_speed, simulation->particle_speed);
+    if (scene->steps > 0 || scene->end / STEPS_MAX <= step)
+        return MPM_OK;
+    return mpm_scene_error(error, scene, scene->line_time, "time.end",
+                           "%g takes more than %.3g time steps of %g, and the clock cannot count "
+                           "them; allowed: up to %g, or a number of steps, time.steps",
+                           scene->end, STEPS_MAX, step, STEPS_MAX * step);
+}
+
 enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,
                                     struct mpm_error *error)
 {
     const struct mpm_scene *const scene = simulation->scene;
     const double limit = crossing_time(simulation);
     const bool particles = simulation->particle_speed > simulation->wave_speed;
+    MPM_TRY(check_count(simulation, error));
     if (scene->step <= limit || scene->allow_unstable)
         return MPM_OK;
     return mpm_scene_error(error, scene, scene->line_time, "time.step",

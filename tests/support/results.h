@@ -34,7 +34,12 @@ json_t *test_results_series(json_t **files);
 /* Reads a listed snapshot, which must be of the time in the list. */
 struct test_snapshot test_results_listed(const json_t *files, size_t index);
 
-enum { TEST_HISTORY_COLUMNS = 12, TEST_HISTORY_TIME = 0, TEST_HISTORY_STEP = 1 };
+enum {
+    TEST_HISTORY_COLUMNS = 12,
+    TEST_HISTORY_TIME = 0,
+    TEST_HISTORY_STEP = 1,
+    TEST_HISTORY_TOTAL = 9
+};
 
 /* Rows of the history in `folder` as numbers, after a look at its two first lines;
  * g_free. */

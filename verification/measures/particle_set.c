@@ -8,7 +8,8 @@ enum { POSITION = 2, GRADIENT = 5, STRESS = 4 };
 static enum mpm_status no_memory(struct mpm_error *error)
 {
     if (error != NULL)
-        *error = (struct mpm_error){MPM_ENVIRONMENT_FAILED, "out of memory for particle fields"};
+        *error = (struct mpm_error){.status = MPM_ENVIRONMENT_FAILED,
+                                    .message = "out of memory for particle fields"};
     return MPM_ENVIRONMENT_FAILED;
 }
 

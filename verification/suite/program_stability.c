@@ -209,6 +209,30 @@ static enum mpm_status report_theory(const struct study *study, double limit,
     return measurement_series(study->measurement, "theory", "predicted found", 2, 1, pair, error);
 }
 
+/* `known`: 1 and what the solver's table of limits has too much for this method, in problems up to
+ * that amplitude and beyond. */
+static enum mpm_status report_known(const struct study *study, struct mpm_error *error)
+{
+    struct mpm_scene *scene = NULL;
+    double border, small = HUGE_VAL, large = HUGE_VAL;
+    TRY(measurement_number(study->measurement, "known", &border, error));
+    for (size_t k = 0; k < study->problem_count; k++) {
+        const double limit = study->limits[COLUMNS * k + 2];
+        if (study->problems[k].amplitude <= border)
+            small = fmin(small, limit);
+        else
+            large = fmin(large, limit);
+    }
+    TRY(measurement_scene_file(study->measurement, study->problems[0].scene, NULL, 0, &scene,
+                               error));
+    const struct mpm_stability known = mpm_scene_stability(scene);
+    mpm_scene_free(scene);
+    measurement_report(study->measurement, "table_small", 1.0 + (known.small - small));
+    measurement_report(study->measurement, "table_large", 1.0 + (known.large - large));
+    measurement_report(study->measurement, "table_measured", known.measured ? 1.0 : 0.0);
+    return MPM_OK;
+}
+
 static enum mpm_status map(struct study *study, struct mpm_error *error)
 {
     struct measurement *const m = study->measurement;
@@ -237,6 +261,8 @@ static enum mpm_status map(struct study *study, struct mpm_error *error)
     measurement_report(m, "stray", (double)stray);
     if (measurement_has(m, "theory"))
         TRY(report_theory(study, first, error));
+    if (measurement_has(m, "known"))
+        TRY(report_known(study, error));
     TRY(measurement_series(m, "limits", "problem amplitude stable unstable", COLUMNS,
                            study->problem_count, study->limits, error));
     return measurement_series(m, "ladder", "courant problems", 2, study->rung_count, study->ladder,

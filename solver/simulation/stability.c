@@ -1,0 +1,225 @@
+/* Up to which Courant number a method is known to be stable.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/simulation.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* What a method has beyond shape functions and order. */
+enum feature {
+    PLAIN, /* FLIP, velocity form, positions by grid velocities, two terms of the series for dF */
+    FLIP_99,
+    PIC,
+    XPIC_2,
+    XPIC_5,
+    FMPM_2,
+    FMPM_4,
+    APIC,
+    MOMENTUM,
+    MIDPOINT,
+    ONE_TERM,
+    FEATURE_COUNT
+};
+
+/* Case G1 of the suite, which holds its measurements against this table: the least of bar, block
+ * and spin in small motion, and at large amplitude, each by bisection to 2 %. */
+static const struct row {
+    enum mpm_shape shape;
+    enum mpm_stress_update order;
+    enum feature feature;
+    double small, large;
+} rows[] = {
+    {MPM_CLASSIC, MPM_USL, PLAIN, 0.748, 0.000},
+    {MPM_CLASSIC, MPM_MUSL, PLAIN, 1.668, 0.687},
+    {MPM_CLASSIC, MPM_USF, PLAIN, 1.668, 0.192},
+    {MPM_CLASSIC, MPM_USAVG, PLAIN, 1.668, 1.186},
+    {MPM_CLASSIC, MPM_USAVG_ONCE, PLAIN, 1.000, 0.000},
+    {MPM_UGIMP, MPM_USL, PLAIN, 0.567, 0.823},
+    {MPM_UGIMP, MPM_MUSL, PLAIN, 1.668, 1.173},
+    {MPM_UGIMP, MPM_USF, PLAIN, 1.668, 0.480},
+    {MPM_UGIMP, MPM_USAVG, PLAIN, 1.668, 1.448},
+    {MPM_UGIMP, MPM_USAVG_ONCE, PLAIN, 0.787, 1.121},
+    {MPM_CPDI, MPM_USL, PLAIN, 0.761, 0.933},
+    {MPM_CPDI, MPM_MUSL, PLAIN, 1.692, 1.186},
+    {MPM_CPDI, MPM_USF, PLAIN, 1.692, 0.411},
+    {MPM_CPDI, MPM_USAVG, PLAIN, 1.692, 1.023},
+    {MPM_CPDI, MPM_USAVG_ONCE, PLAIN, 1.000, 1.223},
+    {MPM_BSPLINE2, MPM_USL, PLAIN, 0.834, 0.959},
+    {MPM_BSPLINE2, MPM_MUSL, PLAIN, 2.115, 1.497},
+    {MPM_BSPLINE2, MPM_USF, PLAIN, 2.115, 0.453},
+    {MPM_BSPLINE2, MPM_USAVG, PLAIN, 2.115, 1.891},
+    {MPM_BSPLINE3, MPM_USL, PLAIN, 1.047, 1.121},
+    {MPM_BSPLINE3, MPM_MUSL, PLAIN, 2.364, 1.574},
+    {MPM_BSPLINE3, MPM_USF, PLAIN, 2.364, 0.535},
+    {MPM_BSPLINE3, MPM_USAVG, PLAIN, 2.364, 1.574},
+    {MPM_UGIMP, MPM_MUSL, PIC, 1.448, 1.716},
+    {MPM_UGIMP, MPM_USAVG, PIC, 1.448, 1.692},
+    {MPM_CPDI, MPM_USAVG, PIC, 1.448, 1.740},
+    {MPM_UGIMP, MPM_MUSL, XPIC_2, 1.547, 1.574},
+    {MPM_UGIMP, MPM_USAVG, XPIC_2, 1.547, 1.668},
+    {MPM_CPDI, MPM_USAVG, XPIC_2, 1.547, 1.716},
+    {MPM_UGIMP, MPM_MUSL, XPIC_5, 1.668, 1.173},
+    {MPM_UGIMP, MPM_USAVG, XPIC_5, 1.668, 1.668},
+    {MPM_UGIMP, MPM_MUSL, FMPM_2, 1.223, 0.624},
+    {MPM_UGIMP, MPM_USAVG, FMPM_2, 1.223, 1.424},
+    {MPM_CPDI, MPM_USAVG, FMPM_2, 1.223, 0.811},
+    {MPM_UGIMP, MPM_MUSL, FMPM_4, 1.095, 0.285},
+    {MPM_UGIMP, MPM_USAVG, FMPM_4, 1.095, 0.480},
+    {MPM_UGIMP, MPM_MUSL, APIC, 1.000, 0.712},
+    {MPM_UGIMP, MPM_USAVG, APIC, 1.000, 1.059},
+    {MPM_CPDI, MPM_USAVG, APIC, 1.000, 1.200},
+    {MPM_BSPLINE2, MPM_USAVG, APIC, 1.271, 1.296},
+    {MPM_UGIMP, MPM_MUSL, MOMENTUM, 1.574, 0.141},
+    {MPM_UGIMP, MPM_USAVG, MOMENTUM, 1.574, 0.178},
+    {MPM_UGIMP, MPM_MUSL, MIDPOINT, 1.668, 0.512},
+    {MPM_UGIMP, MPM_USAVG, MIDPOINT, 1.668, 1.692},
+    {MPM_CPDI, MPM_MUSL, MIDPOINT, 1.692, 0.724},
+    {MPM_UGIMP, MPM_MUSL, ONE_TERM, 1.668, 1.200},
+    {MPM_UGIMP, MPM_USAVG, ONE_TERM, 1.668, 1.011},
+    {MPM_CPDI, MPM_MUSL, ONE_TERM, 1.692, 1.095},
+    {MPM_CPDI, MPM_USAVG, ONE_TERM, 1.692, 0.712},
+    {MPM_UGIMP, MPM_MUSL, FLIP_99, 1.668, 1.271},
+    {MPM_UGIMP, MPM_USAVG, FLIP_99, 1.668, 1.472},
+    {MPM_CPDI, MPM_MUSL, FLIP_99, 1.692, 1.223},
+    {MPM_CPDI, MPM_USAVG, FLIP_99, 1.692, 1.108},
+};
+enum { ROWS = sizeof rows / sizeof rows[0] };
+
+/* The features that stand for a scene's choices, as bits. */
+struct features {
+    unsigned bits;
+    bool exact; /* the choice itself has been measured, not only its neighbours */
+};
+
+static void add(struct features *features, enum feature feature)
+{
+    features->bits |= 1u << feature;
+}
+
+/* Two orders have been measured; the others lie beside them or between. */
+static void add_ordered(struct features *features, int order, int low, enum feature at_low,
+                        int high, enum feature at_high)
+{
+    if (order < high)
+        add(features, order < low ? PIC : at_low); /* order 1 is PIC */
+    if (order > low)
+        add(features, at_high);
+    features->exact = features->exact && (order == 1 || order == low || order == high);
+}
+
+static void add_transfer(struct features *features, const struct mpm_scene *scene)
+{
+    switch (scene->transfer) {
+    case MPM_TRANSFER_FLIP:
+        if (scene->flip_fraction < 1.0)
+            add(features, FLIP_99);
+        if (scene->flip_fraction < 0.99)
+            add(features, PIC);
+        features->exact = scene->flip_fraction >= 0.99;
+        return;
+    case MPM_TRANSFER_PIC:
+        add(features, PIC);
+        return;
+    case MPM_TRANSFER_XPIC:
+        add_ordered(features, scene->transfer_order, 2, XPIC_2, 5, XPIC_5);
+        return;
+    case MPM_TRANSFER_FMPM:
+        add_ordered(features, scene->transfer_order, 2, FMPM_2, 4, FMPM_4);
+        return;
+    case MPM_TRANSFER_APIC:
+        add(features, APIC);
+        return;
+    }
+}
+
+static struct features features_of(const struct mpm_scene *scene)
+{
+    struct features features = {.bits = 0, .exact = true};
+    add_transfer(&features, scene);
+    if (scene->form == MPM_FORM_MOMENTUM)
+        add(&features, MOMENTUM);
+    if (scene->position_update == MPM_MIDPOINT)
+        add(&features, MIDPOINT);
+    if (scene->deformation_terms == 1)
+        add(&features, ONE_TERM);
+    return features;
+}
+
+static void take_less(struct mpm_stability *stability, const struct row *row)
+{
+    stability->small = fmin(stability->small, row->small);
+    stability->large = fmin(stability->large, row->large);
+}
+
+/* The row of that method, or NULL. */
+static const struct row *find(enum mpm_shape shape, enum mpm_stress_update order,
+                              enum feature feature)
+{
+    for (size_t k = 0; k < ROWS; k++)
+        if (rows[k].shape == shape && rows[k].order == order && rows[k].feature == feature)
+            return &rows[k];
+    return NULL;
+}
+
+struct mpm_stability mpm_scene_stability(const struct mpm_scene *scene)
+{
+    struct mpm_stability found = {.small = HUGE_VAL, .large = HUGE_VAL};
+    const struct features features = features_of(scene);
+    enum feature only = PLAIN;
+    int count = 0;
+    for (int f = 0; f < FEATURE_COUNT; f++)
+        if (features.bits >> f & 1u) {
+            only = (enum feature)f;
+            count++;
+        }
+    const struct row *const row = find(scene->shape, scene->stress_update, only);
+    if (row != NULL && count <= 1 && features.exact) {
+        take_less(&found, row);
+        found.measured = true;
+        return found;
+    }
+    const struct row *const plain = find(scene->shape, scene->stress_update, PLAIN);
+    for (size_t k = 0; k < ROWS; k++) {
+        const bool has_shape = rows[k].shape == scene->shape && rows[k].feature == PLAIN;
+        const bool has_order = rows[k].order == scene->stress_update && rows[k].feature == PLAIN;
+        const bool has_both = plain != NULL ? &rows[k] == plain : has_shape || has_order;
+        if (has_both || (rows[k].feature != PLAIN && features.bits >> rows[k].feature & 1u))
+            take_less(&found, &rows[k]);
+    }
+    return found;
+}
+
+/* "0.57", or in words where the least number tried was too large. */
+static void describe_limit(double limit, char *text, size_t size)
+{
+    if (limit > 0.0)
+        (void)snprintf(text, size, "the largest one, %.3g,", limit);
+    else
+        (void)snprintf(text, size, "any from 0.1 on");
+}
+
+void mpm_stability_advise(struct mpm_simulation *simulation)
+{
+    const struct mpm_stability stability = mpm_scene_stability(simulation->scene);
+    const double courant = mpm_time_step_courant(simulation);
+    const bool is_small = courant > stability.small;
+    char limit[64];
+    simulation->advice[0] = '\0';
+    if (!is_small && !(courant > stability.large))
+        return;
+    describe_limit(is_small ? stability.small : stability.large, limit, sizeof limit);
+    (void)snprintf(
+        simulation->advice, sizeof simulation->advice,
+        "Courant number %.3g is above %s at which %s kept %s bounded (case G1): %s; take a smaller "
+        "time.courant or time.step, or another method",
+        courant, limit,
+        stability.measured ? "this method" : "a method with one of the choices of this one",
+        is_small ? "small motions" : "motions at 0.3 of the wave speed",
+        is_small ? "the run may become unstable" : "large strains may feed its energy");
+}
+
+const char *mpm_simulation_advice(const struct mpm_simulation *simulation)
+{
+    return simulation->advice;
+}
