@@ -40,38 +40,39 @@ const struct mpm_cause_info *mpm_cause_describe(enum mpm_cause cause)
     return &causes[cause];
 }
 
-static enum mpm_status __attribute__((format(printf, 4, 0)))
-set(struct mpm_error *error, enum mpm_status status, enum mpm_cause cause, const char *format,
-    va_list arguments)
+/* The rest of an error whose message is there: one line, status and cause. */
+static void finish(struct mpm_error *error, enum mpm_status status, enum mpm_cause cause)
 {
-    if (error == NULL)
-        return status;
-    (void)vsnprintf(error->message, sizeof error->message, format, arguments);
     for (char *c = error->message; *c != '\0'; c++)
         if ((unsigned char)*c < 0x20 || *c == 0x7f)
             *c = '?';
     error->status = status;
     error->cause = cause;
-    return status;
 }
 
 enum mpm_status mpm_error_set(struct mpm_error *error, enum mpm_status status, const char *format,
                               ...)
 {
+    if (error == NULL)
+        return status;
     va_list arguments;
     va_start(arguments, format);
-    (void)set(error, status, MPM_CAUSE_NONE, format, arguments);
+    (void)vsnprintf(error->message, sizeof error->message, format, arguments);
     va_end(arguments);
+    finish(error, status, MPM_CAUSE_NONE);
     return status;
 }
 
 enum mpm_status mpm_error_fail(struct mpm_error *error, enum mpm_cause cause, const char *format,
                                ...)
 {
+    if (error == NULL)
+        return MPM_RUN_FAILED;
     va_list arguments;
     va_start(arguments, format);
-    (void)set(error, MPM_RUN_FAILED, cause, format, arguments);
+    (void)vsnprintf(error->message, sizeof error->message, format, arguments);
     va_end(arguments);
+    finish(error, MPM_RUN_FAILED, cause);
     return MPM_RUN_FAILED;
 }
 

@@ -95,7 +95,15 @@ static enum mpm_status write_history(struct run *run, struct mpm_error *error)
 {
     struct mpm_ledger ledger;
     mpm_simulation_ledger(run->simulation, &ledger);
-    return mpm_history_write(run->history, &ledger, run->simulation, error);
+    const enum mpm_status status = mpm_history_write(run->history, &ledger, run->simulation, error);
+    if (status != MPM_RUN_FAILED)
+        return status;
+    const enum mpm_cause cause = error->cause;
+    char *message = g_strdup(error->message);
+    (void)mpm_error_fail(error, cause, "%s at step %" PRIu64 ", time %g: %s",
+                         mpm_cause_describe(cause)->words, ledger.step, ledger.time, message);
+    g_free(message);
+    return status;
 }
 
 /* A failure to write says at which state of the run that was and what there is. */
