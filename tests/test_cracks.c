@@ -142,12 +142,22 @@ static void assert_carried(struct settings *settings)
     test_run_close(&run);
 }
 
+/* The transfers that cracks have, each with both ways to move particles. */
+enum { TRANSFERS = 4, WAYS = 2, EXCHANGES = TRANSFERS * WAYS };
+
+static void add_exchange(struct settings *settings, int index)
+{
+    static const char *const transfers[TRANSFERS] = {"{kind: flip}", "{kind: flip, fraction: 0.95}",
+                                                     "{kind: flip, fraction: 0.5}", "{kind: pic}"};
+    settings_add_formatted(settings, "method.transfer=%s", transfers[index / WAYS]);
+    settings_add_formatted(settings, "method.position_update=%s",
+                           index % WAYS == 0 ? "grid_velocity" : "midpoint");
+}
+
 START_TEST(a_crack_moves_at_the_velocity_of_its_body)
 {
-    static const char *const transfers[] = {"{kind: flip}", "{kind: pic}",
-                                            "{kind: flip, fraction: 0.8}"};
     struct settings settings = crack_block_method(_i % CRACK_BLOCK_METHODS);
-    settings_add_formatted(&settings, "method.transfer=%s", transfers[_i / CRACK_BLOCK_METHODS]);
+    add_exchange(&settings, _i / CRACK_BLOCK_METHODS);
     settings_add(&settings, "cracks=[{points: [[4, 4], [6, 5.6], [8, 7]]}]");
     assert_carried(&settings);
 }
@@ -390,6 +400,42 @@ START_TEST(fast_and_reference_kernels_agree_beside_cracks)
 }
 END_TEST
 
+/* For a fraction below 1 the fast kernels change the nodes' velocities before particles read them:
+ * cracks must not move with those. */
+static void assert_same_cracks(const struct kernel_pair *pair)
+{
+    const size_t count = mpm_simulation_crack_point_count(pair->simulation[0]);
+    ck_assert_uint_eq(mpm_simulation_crack_point_count(pair->simulation[1]), count);
+    for (size_t k = 0; k < count; k++)
+        for (int axis = 0; axis < AXES; axis++)
+            ck_assert_near(mpm_simulation_crack_point(pair->simulation[1], k).position[axis],
+                           mpm_simulation_crack_point(pair->simulation[0], k).position[axis],
+                           10.0 * KERNEL_PAIR_BOUND);
+}
+
+START_TEST(fast_and_reference_kernels_agree_beside_cracks_for_every_transfer)
+{
+    static const char *const hiding[] = {"fields", "visibility"};
+    for (int k = 0; k < EXCHANGES; k++) {
+        struct settings settings = crack_block_method(_i % CRACK_BLOCK_METHODS);
+        add_exchange(&settings, k);
+        settings_add_formatted(&settings, "method.cracks=%s", hiding[_i / CRACK_BLOCK_METHODS]);
+        settings_add(&settings, "cracks=[{points: [[4, 4.1], [7.3, 7]], contact: none}]");
+        settings_add(&settings, "bodies.block.velocity=['0.2*(x-6)', '-0.3*(y-6)']");
+        const struct kernel_side sides[2] = {
+            {settings.texts, {.kernels = MPM_KERNELS_REFERENCE, .threads = 1}},
+            {settings.texts, {.kernels = MPM_KERNELS_FAST, .threads = 1}},
+        };
+        struct kernel_pair pair = kernel_pair_open_text(CRACK_BLOCK, sides);
+        kernel_pair_assert_alike(&pair, 10);
+        assert_same_cracks(&pair);
+        ck_assert_uint_gt(mpm_simulation_general_particles(pair.simulation[1]), 0);
+        kernel_pair_close(&pair);
+        settings_clear(&settings);
+    }
+}
+END_TEST
+
 /* Everything goes back to the last good step, the cracks too. */
 START_TEST(a_run_that_cannot_go_on_says_why_and_goes_back_with_its_cracks)
 {
@@ -453,7 +499,7 @@ Suite *suite_cracks(void)
     tcase_add_loop_test(fields, sides_of_a_penny_crack_are_free_with_mirrored_nodes, 0,
                         2 * TEST_ORDERS);
     tcase_add_loop_test(fields, a_crack_moves_at_the_velocity_of_its_body, 0,
-                        3 * CRACK_BLOCK_METHODS);
+                        EXCHANGES * CRACK_BLOCK_METHODS);
     tcase_add_loop_test(fields, a_crack_that_is_wide_open_moves_as_a_whole, 0, CRACK_BLOCK_METHODS);
     suite_add_tcase(suite, fields);
     TCase *contact = tcase_create("contact");
@@ -470,6 +516,8 @@ Suite *suite_cracks(void)
     tcase_add_loop_test(runs, cracks_that_find_no_room_end_the_run_with_a_message, 0, 3);
     tcase_add_loop_test(runs, fast_and_reference_kernels_agree_beside_cracks, 0,
                         G_N_ELEMENTS(BESIDE) * CRACK_BLOCK_METHODS);
+    tcase_add_loop_test(runs, fast_and_reference_kernels_agree_beside_cracks_for_every_transfer, 0,
+                        2 * CRACK_BLOCK_METHODS);
     tcase_add_loop_test(runs, steps_beside_cracks_are_repeated_with_the_same_bits, 0,
                         2 * CRACK_BLOCK_FAMILIES);
     tcase_add_loop_test(runs, a_run_that_cannot_go_on_says_why_and_goes_back_with_its_cracks, 0,

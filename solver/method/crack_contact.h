@@ -30,15 +30,16 @@ size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack);
 /* Points of a crack so little outside of the grid, in parts of a cell, count as on its edge. */
 #define MPM_CRACK_EDGE_SLACK 1e-9
 
-/* Task 7: cracks move with the centre-of-mass velocity at the end of the step, (32), by the linear
- * functions of the nodes that have mass: at least a thousandth of the lightest particle's. Nodes
- * that a body hardly reaches have velocities without bounds, which particles take no part of, and
- * points outside of the body would; below a quarter of that particle's mass a node's velocity at
- * the start of the step is taken, which is a mean of particles'. Points that no such node reaches
- * are in the gap of a crack that is wide open, if the crack has others on both sides of them: they
- * go with these, by linear interpolation; else they stay where they are. MPM_RUN_FAILED: a point
- * leaves the grid, or a segment has grown longer than MPM_CRACK_LONGEST shorter cell sides: it
- * would no longer follow the material between. */
+/* Task 7, after task 4: cracks move with the centre-of-mass velocity at the end of the step, (32),
+ * whatever method.position_update is: call it before a transfer replaces that velocity. By the
+ * linear functions of the nodes that have mass: at least a thousandth of the lightest particle's.
+ * Nodes that a body hardly reaches have velocities without bounds, which particles take no part of,
+ * and points outside of the body would; below a quarter of that particle's mass a node's velocity
+ * at the start of the step is taken, which is a mean of particles'. Points that no such node
+ * reaches are in the gap of a crack that is wide open, if the crack has others on both sides of
+ * them: they go with these, by linear interpolation; else they stay where they are. MPM_RUN_FAILED:
+ * a point leaves the grid, or a segment has grown longer than MPM_CRACK_LONGEST shorter cell sides:
+ * it would no longer follow the material between. */
 enum { MPM_CRACK_LONGEST = 4 };
 enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *error);
 
