@@ -57,6 +57,8 @@
     SUITE(j_integral)                                                                              \
     SUITE(crack_growth)                                                                            \
     SUITE(cracks)                                                                                  \
+    SUITE(contact_conditions)                                                                      \
+    SUITE(crack_detection)                                                                         \
     SUITE(cohesive)                                                                                \
     SUITE(cohesive_laws)                                                                           \
     SUITE(symmetry)                                                                                \

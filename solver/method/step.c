@@ -204,6 +204,7 @@ static void finish_extrapolation(struct mpm_state *state)
     mpm_grid_rows_run(state, mpm_row_extrapolated_velocity);
     mpm_conditions_apply_extrapolated(state);
     mpm_crack_contact_extrapolated(state);
+    mpm_mirrors_apply_extrapolated(state);
 }
 
 /* Task 4: momentum update (29), damping of the nodes, conditions */
@@ -215,6 +216,7 @@ static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_for
     MPM_TRY(mpm_damping_apply_nodes(state, error));
     mpm_conditions_apply_end(state);
     mpm_crack_contact_end(state);
+    mpm_mirrors_apply_end(state);
     if (uniform_force)
         state->external_work += uniform_work(state);
     state->external_work += mpm_given_force_work(state);
@@ -260,6 +262,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     MPM_TRY(mpm_conditions_gather(state, error));
     mpm_conditions_apply_start(state);
     mpm_crack_contact_start(state);
+    mpm_mirrors_apply_start(state);
     mpm_crack_openings_find(state);
     MPM_TRY(mpm_crack_openings_advance(state, state->order->before, error));
     charge(seconds, MPM_PHASE_GRID, &mark);
