@@ -59,6 +59,8 @@
     SUITE(cracks)                                                                                  \
     SUITE(contact_conditions)                                                                      \
     SUITE(crack_detection)                                                                         \
+    SUITE(crack_kernels)                                                                           \
+    SUITE(crack_mouths)                                                                            \
     SUITE(cohesive)                                                                                \
     SUITE(cohesive_laws)                                                                           \
     SUITE(symmetry)                                                                                \

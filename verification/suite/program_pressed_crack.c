@@ -135,7 +135,7 @@ static double difference(const struct study *study)
         if (model->body[p] != 0.0)
             continue;
         if (q < 0)
-            return NAN;
+            return (double)NAN;
         for (size_t axis = 0; axis < AXES; axis++) {
             const double moved = model->now[AXES * p + axis] - model->start[AXES * p + axis];
             const double there =
