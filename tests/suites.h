@@ -59,6 +59,10 @@
     SUITE(j_integral)                                                                              \
     SUITE(crack_growth)                                                                            \
     SUITE(cracks)                                                                                  \
+    SUITE(contact_conditions)                                                                      \
+    SUITE(crack_detection)                                                                         \
+    SUITE(crack_kernels)                                                                           \
+    SUITE(crack_mouths)                                                                            \
     SUITE(cohesive)                                                                                \
     SUITE(cohesive_laws)                                                                           \
     SUITE(symmetry)                                                                                \

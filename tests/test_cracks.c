@@ -6,7 +6,6 @@
 #include "method/grid_update.h"
 #include "suites.h"
 #include "support/crack_block.h"
-#include "support/kernel_pair.h"
 #include "support/near.h"
 #include "support/transfer_block.h"
 
@@ -144,10 +143,8 @@ static void assert_carried(struct settings *settings)
 
 START_TEST(a_crack_moves_at_the_velocity_of_its_body)
 {
-    static const char *const transfers[] = {"{kind: flip}", "{kind: pic}",
-                                            "{kind: flip, fraction: 0.8}"};
     struct settings settings = crack_block_method(_i % CRACK_BLOCK_METHODS);
-    settings_add_formatted(&settings, "method.transfer=%s", transfers[_i / CRACK_BLOCK_METHODS]);
+    crack_block_add_exchange(&settings, _i / CRACK_BLOCK_METHODS);
     settings_add(&settings, "cracks=[{points: [[4, 4], [6, 5.6], [8, 7]]}]");
     assert_carried(&settings);
 }
@@ -358,38 +355,6 @@ START_TEST(cracks_that_find_no_room_end_the_run_with_a_message)
 }
 END_TEST
 
-/* What particles with several fields meet in a step: contact, nodes that they do not see, edges. */
-static const char *const BESIDE[] = {
-    "cracks=[{points: [[2, 5.6], [10, 5.6]], contact: none}]",
-    "cracks=[{points: [[2, 5.6], [6, 5.7], [10, 5.6]], contact: friction, friction: 0.3}]",
-    "cracks=[{points: [[4, 4], [7.3, 7.1]], contact: stick}]",
-    "cracks=[{points: [[4, 4], [7.3, 7.1]], contact: none}] method.cracks=visibility",
-    ("cracks=[{points: [[2, 5.6], [6, 5.7]], contact: none}] "
-     "loads.tractions=[{body: block, edge: all, frame: edge, value: [-0.1, 0]}]"),
-};
-
-START_TEST(fast_and_reference_kernels_agree_beside_cracks)
-{
-    struct settings settings = crack_block_method(_i % CRACK_BLOCK_METHODS);
-    gchar **const words = g_strsplit(BESIDE[_i / CRACK_BLOCK_METHODS], "] ", 2);
-    for (int k = 0; words[k] != NULL; k++)
-        settings_add_formatted(&settings, "%s%s", words[k], k == 0 && words[1] != NULL ? "]" : "");
-    settings_add(&settings, "bodies.block.velocity=['0.1*sin(y)', '0.1*cos(x)']");
-    const struct kernel_side sides[2] = {
-        {settings.texts, {.kernels = MPM_KERNELS_REFERENCE, .threads = 1}},
-        {settings.texts, {.kernels = MPM_KERNELS_FAST, .threads = 1}},
-    };
-    struct kernel_pair pair = kernel_pair_open_text(CRACK_BLOCK, sides);
-    kernel_pair_assert_alike(&pair, 10);
-    const size_t general = mpm_simulation_general_particles(pair.simulation[1]);
-    ck_assert_uint_eq(mpm_simulation_general_particles(pair.simulation[0]), 0);
-    ck_assert(general > 0 && general < mpm_simulation_particle_count(pair.simulation[1]));
-    kernel_pair_close(&pair);
-    g_strfreev(words);
-    settings_clear(&settings);
-}
-END_TEST
-
 /* Everything goes back to the last good step, the cracks too. */
 START_TEST(a_run_that_cannot_go_on_says_why_and_goes_back_with_its_cracks)
 {
@@ -453,7 +418,7 @@ Suite *suite_cracks(void)
     tcase_add_loop_test(fields, sides_of_a_penny_crack_are_free_with_mirrored_nodes, 0,
                         2 * TEST_ORDERS);
     tcase_add_loop_test(fields, a_crack_moves_at_the_velocity_of_its_body, 0,
-                        3 * CRACK_BLOCK_METHODS);
+                        CRACK_BLOCK_EXCHANGES * CRACK_BLOCK_METHODS);
     tcase_add_loop_test(fields, a_crack_that_is_wide_open_moves_as_a_whole, 0, CRACK_BLOCK_METHODS);
     suite_add_tcase(suite, fields);
     TCase *contact = tcase_create("contact");
@@ -468,8 +433,6 @@ Suite *suite_cracks(void)
     tcase_add_loop_test(runs, results_are_the_same_bits_for_any_number_of_threads, 0, 2);
     tcase_add_test(runs, a_scene_without_cracks_has_nothing_of_them);
     tcase_add_loop_test(runs, cracks_that_find_no_room_end_the_run_with_a_message, 0, 3);
-    tcase_add_loop_test(runs, fast_and_reference_kernels_agree_beside_cracks, 0,
-                        G_N_ELEMENTS(BESIDE) * CRACK_BLOCK_METHODS);
     tcase_add_loop_test(runs, steps_beside_cracks_are_repeated_with_the_same_bits, 0,
                         2 * CRACK_BLOCK_FAMILIES);
     tcase_add_loop_test(runs, a_run_that_cannot_go_on_says_why_and_goes_back_with_its_cracks, 0,

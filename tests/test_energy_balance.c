@@ -68,7 +68,8 @@ static const struct feature {
                   "loads={body_force: [0.1, 0]}"}},
     {.name = "a wall that goes on past a plane of symmetry, damped",
      .settings = {"boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, symmetry: true}, "
-                  "{region: {line: {from: [8, 0], to: [8, 12]}}, velocity: ['-0.1*cos(t)', '0.1*(@B-3.2)']}]",
+                  "{region: {line: {from: [8, 0], to: [8, 12]}}, velocity: ['-0.1*cos(t)', "
+                  "'0.1*(@B-3.2)']}]",
                   "damping={grid: '0.1*@B'}"}},
     {.name = "a crack open",
      .settings = {"cracks=[{points: [[2.7, 5.3], [6.1, 5.9]], contact: none}]"}},
@@ -80,6 +81,19 @@ static const struct feature {
      .settings = {"cracks=[{points: [[2.7, 5.3], [6.1, 5.9]], contact: stick, detection: cell}]",
                   "loads={tractions: [{body: block, edge: top, value: [0, -0.2]}], "
                   "body_force: [0, -0.1]}"}},
+    {.name = "an oblique crack at a wall that presses",
+     .settings =
+         {"cracks=[{points: [[2.9, 4.9], [5.1, 6.9]], contact: friction, friction: 0.2, "
+          "detection: cell}]",
+          "boundary=[{region: {line: {from: [3, 0], to: [3, 12]}}, velocity: ['0.1*cos(t)', "
+          "'-0.05*cos(t)']}]"}},
+    {.name = "an oblique crack at a plane of symmetry",
+     .settings = {"cracks=[{points: [[4.1, 3.9], [6.1, 5.9]], contact: stick, detection: cell}]",
+                  "boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, symmetry: true}]"}},
+    {.name = "two cracks beside each other",
+     .settings = {"cracks=[{points: [[3.3, 3.7], [7.1, 4.0]], contact: frictionless, detection: "
+                  "cell}, {points: [[3.3, 6.5], [7.1, 6.7]], contact: friction, friction: 0.3}]",
+                  "loads={tractions: [{body: block, edge: top, value: [0, -0.3]}]}"}},
     {.name = "a cohesive crack",
      .settings = {"cracks=[{points: [[2.3, 5.3], [8.7, 5.4]], contact: none, cohesive: {law: "
                   "linear, strength: 0.1, toughness: 0.02, stiffness: 1}}]",

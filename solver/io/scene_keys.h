@@ -343,7 +343,7 @@
     X(S, CHOICE, contact, contact, ANYWHERE, OPTIONAL, "", "frictionless", ANY,                    \
       "what its surfaces do where they meet; with method.cracks: fields")                          \
     X(S, CHOICE, detection, detection, ANYWHERE, OPTIONAL, "", "volume", ANY,                      \
-      "relative volume at a node: areas over those with the crack closed (volume), 1 - distance of the surfaces over the cell's size (displacement), areas over a cell (cell: CRAMP)") \
+      "relative volume at a node: areas over those with the crack closed (volume), 1 - distance of the surfaces over the cell's size (displacement), areas over what the node can see of the grid, mostly a cell (cell: CRAMP)") \
     X(S, ONE, friction, NUMBER, ANYWHERE, OPTIONAL, "", NULL, AT_LEAST(0),                         \
       "coefficient of friction; with contact: friction, and only there")                           \
     X(S, ONE, separated, NUMBER, ANYWHERE, OPTIONAL, "", "0.9", BETWEEN(0, 1),                     \
@@ -353,7 +353,7 @@
     X(S, ONE, spacing, NUMBER, ANYWHERE, OPTIONAL, "", "0.5", FROM_TO(0.05, 1),                    \
       "longest distance of the massless points that carry it, in parts of the shorter cell side") \
     X(S, ONE, opening, BOOLEAN, ANYWHERE, OPTIONAL, "", "false", ANY,                              \
-      "follow both surfaces, and write how far they have opened and slid to history.csv; with cohesive they always are") \
+      "follow both surfaces, and write how far they have opened and slid to history.csv, at an end outside of bodies where the chain enters one; with cohesive they always are") \
     X(S, GROUP, cohesive, cohesive, ANYWHERE, OPTIONAL, "", NULL, ANY,                             \
       "traction between its surfaces; without it there is none") \
     X(S, LIST, j_integral, j_integral, ANYWHERE, OPTIONAL, "", "[]", ANY,                          \

@@ -30,26 +30,25 @@ static inline bool has_mass(const struct mpm_state *state, int64_t node)
            (state->cracks.node_of != NULL && any_field_has_mass(state, node));
 }
 
-/* For all velocity fields of the node that have mass. */
-static void append_fields(struct mpm_state *state, struct mpm_active_condition condition)
+/* For one velocity field of a node near cracks, if it has mass. */
+static void append_field(struct mpm_state *state, struct mpm_crack_node *crack, int field,
+                         struct mpm_active_condition condition)
 {
-    const struct mpm_crack_node *const crack = mpm_crack_node_at(state, condition.node);
-    if (state->grid.mass[condition.node] != 0.0)
-        state->active[state->active_count++] = condition;
-    for (int k = 1; crack != NULL && k < 3; k++) {
-        condition.node = crack->field[k];
-        if (condition.node >= 0 && state->grid.mass[condition.node] != 0.0)
-            state->active[state->active_count++] = condition;
-    }
+    condition.node = crack->field[field];
+    if (condition.node < 0 || state->grid.mass[condition.node] == 0.0)
+        return;
+    crack->held[field] |= (uint8_t)(1u << condition.component);
+    state->active[state->active_count++] = condition;
 }
 
-/* Of a node that has mass */
+/* Of a node that has mass: for all of its velocity fields */
 static inline void append(struct mpm_state *state, struct mpm_active_condition condition)
 {
-    if (state->cracks.node_of == NULL)
+    struct mpm_crack_node *const crack = mpm_crack_node_at(state, condition.node);
+    if (crack == NULL)
         state->active[state->active_count++] = condition;
-    else
-        append_fields(state, condition);
+    for (int k = 0; crack != NULL && k < 3; k++)
+        append_field(state, crack, k, condition);
 }
 
 /* -------------------------------------------------------------- boundaries */
@@ -62,15 +61,31 @@ static inline bool is_reflected(const struct mpm_state *state,
            state->scene->boundaries[condition->boundary].symmetry;
 }
 
+/* The plane holds the node's own field, and this the others, except those on a free surface. */
+static void hold_on_plane(struct mpm_state *state, struct mpm_active_condition condition)
+{
+    struct mpm_crack_node *const crack = mpm_crack_node_at(state, condition.node);
+    const unsigned bit = 1u << condition.component;
+    if (crack == NULL)
+        return;
+    crack->held[0] |= (uint8_t)bit;
+    for (int k = 1; k < 3; k++)
+        if ((crack->on_plane[k] & bit) == 0)
+            append_field(state, crack, k, condition);
+}
+
 static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_error *error)
 {
     for (size_t k = 0; k < state->condition_count; k++) {
         const struct mpm_condition *const condition = &state->conditions[k];
-        if (!mpm_node_is_active(state, condition->node) || !has_mass(state, condition->node) ||
-            is_reflected(state, condition))
+        if (!mpm_node_is_active(state, condition->node) || !has_mass(state, condition->node))
             continue;
         struct mpm_active_condition active = {condition->node, condition->component,
                                               MPM_FROM_BOUNDARY, 0.0, 0.0};
+        if (is_reflected(state, condition)) {
+            hold_on_plane(state, active);
+            continue;
+        }
         if (condition->boundary != MPM_AXIS_CONDITION) {
             const struct mpm_expression *const velocity =
                 state->boundary_velocity[condition->boundary].component[condition->component];
@@ -273,6 +288,10 @@ void mpm_conditions_apply_start(struct mpm_state *state)
 {
     for (size_t k = 0; k < state->first_mirror; k++)
         apply_start(state, &state->active[k]);
+}
+
+void mpm_mirrors_apply_start(struct mpm_state *state)
+{
     for (size_t k = state->first_mirror; k < state->active_count; k++) {
         struct mpm_active_condition *const mirror = &state->active[k];
         mirror->start = -state->grid.start[mirror_image(state, mirror->node)][0];
@@ -299,6 +318,10 @@ void mpm_conditions_apply_end(struct mpm_state *state)
 {
     for (size_t k = 0; k < state->first_mirror; k++)
         apply_end(state, &state->active[k]);
+}
+
+void mpm_mirrors_apply_end(struct mpm_state *state)
+{
     for (size_t k = state->first_mirror; k < state->active_count; k++) {
         struct mpm_active_condition *const mirror = &state->active[k];
         mirror->end = -state->grid.motion[mirror_image(state, mirror->node)].end[0];
@@ -310,6 +333,10 @@ void mpm_conditions_apply_extrapolated(struct mpm_state *state)
 {
     for (size_t k = 0; k < state->first_mirror; k++)
         set_gradient(state, &state->active[k], state->active[k].end);
+}
+
+void mpm_mirrors_apply_extrapolated(struct mpm_state *state)
+{
     for (size_t k = state->first_mirror; k < state->active_count; k++) {
         const struct mpm_active_condition *const mirror = &state->active[k];
         set_gradient(state, mirror, -state->grid.gradient[mirror_image(state, mirror->node)][0][0]);

@@ -16,6 +16,9 @@
  * prescribe different velocities for one node. */
 enum mpm_status mpm_conditions_gather(struct mpm_state *state, struct mpm_error *error);
 
+/* Each of the next three is followed by contact of cracks, which leaves held components as they are
+ * (held of mpm_crack_node), and then by the mirrors of the same velocities. */
+
 /* Start velocities. */
 void mpm_conditions_apply_start(struct mpm_state *state);
 /* End velocities and accelerations; adds the conditions' work to external_work: reaction times the
@@ -24,6 +27,11 @@ void mpm_conditions_apply_start(struct mpm_state *state);
 void mpm_conditions_apply_end(struct mpm_state *state);
 /* End velocities over the re-extrapolated ones. */
 void mpm_conditions_apply_extrapolated(struct mpm_state *state);
+
+/* Velocities of the nodes that mirror others. */
+void mpm_mirrors_apply_start(struct mpm_state *state);
+void mpm_mirrors_apply_end(struct mpm_state *state);
+void mpm_mirrors_apply_extrapolated(struct mpm_state *state);
 
 /* Velocities on their way through the orders of XPIC and FMPM: those that they began as. */
 void mpm_conditions_apply_smoothed(struct mpm_state *state);

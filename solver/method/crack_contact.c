@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/crack_contact.h"
 
+#include "method/contact_impulse.h"
 #include "method/crack_detection.h"
 #include "method/crack_fields.h"
 #include "method/grid_update.h"
+#include "method/symmetry.h"
 #include "method/transfer.h"
 
 #include <math.h>
@@ -11,20 +13,37 @@
 
 /* ------------------------------------------------------------------ contact */
 
-/* The fields that have mass, the one above first, and how many they are: one, two, or three, as a
- * bent crack may ask for. Only a pair may be in contact. */
-static int find_massive(const struct mpm_state *state, const struct mpm_crack_node *node,
-                        enum mpm_crack_side massive[3])
+static bool has_mass(const struct mpm_state *state, const struct mpm_crack_node *node,
+                     enum mpm_crack_side side)
 {
-    static const enum mpm_crack_side order[3] = {MPM_CRACK_ABOVE, MPM_CRACK_SAME_SIDE,
-                                                 MPM_CRACK_BELOW};
-    int count = 0;
-    for (int k = 0; k < 3; k++) {
-        const int64_t field = node->field[order[k]];
-        if (field >= 0 && state->grid.mass[field] != 0.0)
-            massive[count++] = order[k];
-    }
-    return count;
+    return node->field[side] >= 0 && state->grid.mass[node->field[side]] != 0.0;
+}
+
+/* Do particles beyond different cracks share a field that has mass? */
+static bool is_shared(const struct mpm_state *state, const struct mpm_crack_node *node,
+                      enum mpm_crack_side side)
+{
+    return has_mass(state, node, side) && node->face[side].crack != node->face[side].last;
+}
+
+/* Do the fields not tell which surfaces they have? Also where three have mass of which two lie
+ * beyond one crack, as it may ask for that bends within a node's reach. */
+static bool is_crowded(const struct mpm_state *state, const struct mpm_crack_node *node)
+{
+    const struct mpm_crack_face *const face = node->face;
+    return is_shared(state, node, MPM_CRACK_ABOVE) || is_shared(state, node, MPM_CRACK_BELOW) ||
+           (has_mass(state, node, MPM_CRACK_SAME_SIDE) && has_mass(state, node, MPM_CRACK_ABOVE) &&
+            has_mass(state, node, MPM_CRACK_BELOW) &&
+            face[MPM_CRACK_ABOVE].crack == face[MPM_CRACK_BELOW].crack);
+}
+
+static bool is_beside(const struct mpm_crack_node *node, size_t crack)
+{
+    for (int side = MPM_CRACK_ABOVE; side <= MPM_CRACK_BELOW; side++)
+        if (node->field[side] >= 0 &&
+            (node->face[side].crack == crack || node->face[side].last == crack))
+            return true;
+    return false;
 }
 
 size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack)
@@ -32,84 +51,133 @@ size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack)
     size_t count = 0;
     for (size_t k = 0; k < state->cracks.node_count; k++) {
         const struct mpm_crack_node *const node = &state->cracks.nodes[k];
-        enum mpm_crack_side massive[3];
-        count += node->crack == crack && find_massive(state, node, massive) > 2;
+        count += is_beside(node, crack) && is_crowded(state, node);
     }
     return count;
 }
 
-static bool unit_normal(const struct mpm_crack_node *node, double normal[2])
+/* The pairs of fields of a node that may touch: none, one, or two, with cracks on both sides. */
+enum { PAIRS = 2 };
+static int find_pairs(const struct mpm_state *state, const struct mpm_crack_node *node,
+                      struct mpm_crack_pair pairs[PAIRS])
 {
-    const double length =
-        sqrt(node->normal[0] * node->normal[0] + node->normal[1] * node->normal[1]);
-    if (!(length > 0.0))
-        return false;
-    normal[0] = node->normal[0] / length;
-    normal[1] = node->normal[1] / length;
-    return true;
+    static const enum mpm_crack_side order[3] = {MPM_CRACK_ABOVE, MPM_CRACK_SAME_SIDE,
+                                                 MPM_CRACK_BELOW};
+    enum mpm_crack_side massive[3];
+    int fields = 0, count = 0;
+    if (is_crowded(state, node))
+        return 0;
+    for (int k = 0; k < 3; k++)
+        if (has_mass(state, node, order[k]))
+            massive[fields++] = order[k];
+    for (int k = 0; k + 1 < fields; k++)
+        if (mpm_crack_pair_find(node, massive[k], massive[k + 1], &pairs[count]))
+            count++;
+    return count;
 }
 
-/* What the field above gets, below with the opposite sign: momentum, (13), (17)-(19). `to_common`
- * is what would make both velocities one, along the normal and along the crack. */
-static void limit_exchange(const struct mpm_crack_spec *spec, double to_common[2])
+/* A pair of fields, the one above first, as their exchange sees them. */
+static struct mpm_contact_side side_of(const struct mpm_state *state,
+                                       const struct mpm_crack_node *node, enum mpm_crack_side field,
+                                       const double velocity[2])
 {
-    const double pressed = fabs(to_common[0]), dragged = fabs(to_common[1]);
-    if (spec->contact == MPM_CONTACT_STICK ||
-        (spec->contact == MPM_CONTACT_FRICTION && dragged <= spec->friction * pressed))
-        return;
-    to_common[1] = spec->contact == MPM_CONTACT_FRICTION
-                       ? copysign(spec->friction * pressed, to_common[1])
-                       : 0.0;
+    const double mobility = 1.0 / state->grid.mass[node->field[field]];
+    struct mpm_contact_side side = {{velocity[0], velocity[1]}, {mobility, mobility}};
+    for (int axis = 0; axis < 2; axis++)
+        if ((node->held[field] >> axis & 1) != 0)
+            side.mobility[axis] = 0.0;
+    return side;
 }
 
-/* The exchange of momentum that contact asks for, given the velocities above and below; false if
+/* The impulse that contact gives to the field above, and the opposite to the one below; false if
  * they do not touch. */
-static bool find_exchange(const struct mpm_state *state, const struct mpm_crack_node *node,
-                          const enum mpm_crack_side pair[2], const double above[2],
-                          const double below[2], double exchange[2])
+static bool find_impulse(const struct mpm_state *state, const struct mpm_crack_node *node,
+                         const struct mpm_crack_pair *pair, const struct mpm_contact_side sides[2],
+                         double impulse[2])
 {
-    const struct mpm_crack_spec *const spec = &state->scene->cracks[node->crack];
-    double n[2];
-    if (spec->contact == MPM_CONTACT_NONE || !unit_normal(node, n))
+    const struct mpm_crack_spec *const spec = &state->scene->cracks[pair->crack];
+    if (spec->contact == MPM_CONTACT_NONE)
         return false;
-    const struct mpm_crack_volume volume = mpm_crack_volume_at(state, node, pair, n);
+    const struct mpm_crack_volume volume = mpm_crack_volume_at(state, node, pair);
     if (volume.found < spec->separated * volume.closed)
         return false;
-    const double difference[2] = {above[0] - below[0], above[1] - below[1]};
-    const double approach = difference[0] * n[0] + difference[1] * n[1];
-    if (volume.found <= spec->touching * volume.closed && approach <= 0.0)
+    if (volume.found <= spec->touching * volume.closed &&
+        mpm_contact_approach(sides, pair->normal) <= 0.0)
         return false;
-    const double ma = state->grid.mass[node->field[pair[0]]],
-                 mb = state->grid.mass[node->field[pair[1]]];
-    const double reduced = ma * mb / (ma + mb);
-    const double sliding = difference[1] * n[0] - difference[0] * n[1];
-    double to_common[2] = {-reduced * approach, -reduced * sliding};
-    limit_exchange(spec, to_common);
-    exchange[0] = to_common[0] * n[0] - to_common[1] * n[1];
-    exchange[1] = to_common[0] * n[1] + to_common[1] * n[0];
+    mpm_contact_impulse(spec->contact, spec->friction, sides, pair->normal, impulse);
     return true;
 }
 
+/* How one of the velocities of a node is read, and changed. */
+struct velocities {
+    void (*read)(const struct mpm_state *, int64_t, double[2]);
+    void (*change)(const struct mpm_state *, int64_t, const double[2]);
+    bool moves; /* particles: what conditions bear does work */
+};
+
+/* A node of the grid changes together with its images beyond planes of symmetry. */
+static void change_field(const struct mpm_state *state, const struct velocities *velocities,
+                         int64_t field, const double by[2])
+{
+    struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES];
+    velocities->change(state, field, by);
+    if (state->symmetry_count == 0 || field >= state->grid.columns * state->grid.rows)
+        return;
+    const int count = mpm_symmetry_images(state, field, images);
+    for (int k = 0; k < count; k++)
+        velocities->change(state, images[k].node,
+                           (const double[2]){images[k].sign[0] * by[0], images[k].sign[1] * by[1]});
+}
+
+/* A condition that holds a component gives the opposite of the impulse there, and works along its
+ * velocity. */
+static void add_reaction_work(struct mpm_state *state, int64_t field,
+                              const struct mpm_contact_side *side, double sign,
+                              const double impulse[2])
+{
+    if (!mpm_node_is_inside(state, field))
+        return;
+    for (int axis = 0; axis < 2; axis++)
+        if (side->mobility[axis] == 0.0)
+            state->external_work -=
+                sign * impulse[axis] * 0.5 *
+                (state->grid.start[field][axis] + state->grid.motion[field].end[axis]);
+}
+
+static void resolve_pair(struct mpm_state *state, const struct velocities *velocities,
+                         const struct mpm_crack_node *node, const struct mpm_crack_pair *pair)
+{
+    struct mpm_contact_side sides[2];
+    double v[2], impulse[2];
+    for (int k = 0; k < 2; k++) {
+        velocities->read(state, node->field[pair->side[k]], v);
+        sides[k] = side_of(state, node, pair->side[k], v);
+    }
+    if (!find_impulse(state, node, pair, sides, impulse))
+        return;
+    for (int k = 0; k < 2; k++) {
+        const double sign = k == 0 ? 1.0 : -1.0, *const mobility = sides[k].mobility;
+        change_field(
+            state, velocities, node->field[pair->side[k]],
+            (const double[2]){sign * mobility[0] * impulse[0], sign * mobility[1] * impulse[1]});
+        if (velocities->moves)
+            add_reaction_work(state, node->field[pair->side[k]], &sides[k], sign, impulse);
+    }
+}
+
+/* A field between two cracks takes part in two exchanges: each undoes a part of the other, and what
+ * is left becomes less by a factor m_1 m_3 / ((m_1 + m_2)(m_2 + m_3)) or so each time. */
+enum { EXCHANGES = 24 };
+
 /* Changes the velocities of all fields in contact. */
-static void resolve(struct mpm_state *state,
-                    void (*read)(const struct mpm_state *, int64_t, double[2]),
-                    void (*change)(const struct mpm_state *, int64_t, const double[2]))
+static void resolve(struct mpm_state *state, const struct velocities *velocities)
 {
     for (size_t k = 0; k < state->cracks.node_count; k++) {
         const struct mpm_crack_node *const node = &state->cracks.nodes[k];
-        enum mpm_crack_side pair[3];
-        double v[2][2], exchange[2];
-        if (node->crack == SIZE_MAX || find_massive(state, node, pair) != 2)
-            continue;
-        const int64_t field[2] = {node->field[pair[0]], node->field[pair[1]]};
-        read(state, field[0], v[0]);
-        read(state, field[1], v[1]);
-        if (!find_exchange(state, node, pair, v[0], v[1], exchange))
-            continue;
-        for (int side = 0; side < 2; side++) {
-            const double scale = (side == 0 ? 1.0 : -1.0) / state->grid.mass[field[side]];
-            change(state, field[side], (const double[2]){scale * exchange[0], scale * exchange[1]});
-        }
+        struct mpm_crack_pair pairs[PAIRS];
+        const int count = find_pairs(state, node, pairs);
+        for (int i = 0; count > 0 && i < (count == 1 ? 1 : count * EXCHANGES); i++)
+            resolve_pair(state, velocities, node, &pairs[i % count]);
     }
 }
 
@@ -159,17 +227,21 @@ static void change_extrapolated(const struct mpm_state *state, int64_t node, con
 
 void mpm_crack_contact_start(struct mpm_state *state)
 {
-    resolve(state, read_start, change_start);
+    static const struct velocities at_start = {read_start, change_start, false};
+    resolve(state, &at_start);
 }
 
 void mpm_crack_contact_end(struct mpm_state *state)
 {
-    resolve(state, read_end, change_end);
+    static const struct velocities at_end = {read_end, change_end, true};
+    resolve(state, &at_end);
 }
 
 void mpm_crack_contact_extrapolated(struct mpm_state *state)
 {
-    resolve(state, read_extrapolated, change_extrapolated);
+    static const struct velocities at_extrapolated = {read_extrapolated, change_extrapolated,
+                                                      false};
+    resolve(state, &at_extrapolated);
 }
 
 /* ------------------------------------------------------------------- motion */

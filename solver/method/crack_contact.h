@@ -3,7 +3,9 @@
  * Whenever nodal velocities change, two fields of a node that are found in contact exchange
  * momentum, CRAMP (12)-(19): no more than stops their approach along the crack's normal
  * (frictionless), with it no more than Coulomb's law allows along the crack (friction), or all of
- * what they differ by (stick). Momentum is kept: one normal serves both sides.
+ * what they differ by (stick). Momentum is kept: one normal serves both sides. A component that a
+ * velocity condition holds stays as it is: what the exchange would change of it, the condition
+ * bears (contact_impulse.h). A node between two cracks has three fields and two exchanges.
  *
  * In contact are fields whose relative volume V_rel, see crack_detection.h, is above `touching`;
  * none whose is below `separated`; between the two, those that approach each other.
@@ -20,8 +22,9 @@ void mpm_crack_contact_start(struct mpm_state *state);
 void mpm_crack_contact_end(struct mpm_state *state);
 void mpm_crack_contact_extrapolated(struct mpm_state *state);
 
-/* Nodes of the last step that this crack is the first at and that have three fields with mass, as a
- * crack may ask for that bends within a node's reach: they have no contact. */
+/* Nodes of the last step beside this crack whose fields contact leaves alone: a crack that bends
+ * within a node's reach may ask for three fields with mass, and particles beyond two cracks share a
+ * field if they see the node from the same side (above, or below) of both. */
 size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack);
 
 /* Cracks that come this near to themselves or each other meet, in parts of the shorter cell side.
@@ -30,15 +33,16 @@ size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack);
 /* Points of a crack so little outside of the grid, in parts of a cell, count as on its edge. */
 #define MPM_CRACK_EDGE_SLACK 1e-9
 
-/* Task 7: cracks move with the centre-of-mass velocity at the end of the step, (32), by the linear
- * functions of the nodes that have mass: at least a thousandth of the lightest particle's. Nodes
- * that a body hardly reaches have velocities without bounds, which particles take no part of, and
- * points outside of the body would; below a quarter of that particle's mass a node's velocity at
- * the start of the step is taken, which is a mean of particles'. Points that no such node reaches
- * are in the gap of a crack that is wide open, if the crack has others on both sides of them: they
- * go with these, by linear interpolation; else they stay where they are. MPM_RUN_FAILED: a point
- * leaves the grid, or a segment has grown longer than MPM_CRACK_LONGEST shorter cell sides: it
- * would no longer follow the material between. */
+/* Task 7, after task 4: cracks move with the centre-of-mass velocity at the end of the step, (32),
+ * whatever method.position_update is: call it before a transfer replaces that velocity. By the
+ * linear functions of the nodes that have mass: at least a thousandth of the lightest particle's.
+ * Nodes that a body hardly reaches have velocities without bounds, which particles take no part of,
+ * and points outside of the body would; below a quarter of that particle's mass a node's velocity
+ * at the start of the step is taken, which is a mean of particles'. Points that no such node
+ * reaches are in the gap of a crack that is wide open, if the crack has others on both sides of
+ * them: they go with these, by linear interpolation; else they stay where they are. MPM_RUN_FAILED:
+ * a point leaves the grid, or a segment has grown longer than MPM_CRACK_LONGEST shorter cell sides:
+ * it would no longer follow the material between. */
 enum { MPM_CRACK_LONGEST = 4 };
 enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *error);
 

@@ -32,11 +32,21 @@ static struct lattice_place place_in_block(const struct mpm_state *state,
     return place;
 }
 
-/* Strips of one colour have no row of nodes in common: the bits of a node are set by one worker. */
-static void ask_for_field(const struct mpm_cracks *cracks, int64_t node,
-                          const struct lattice_place *place, enum mpm_crack_side side)
+/* Bits of `wanted` from here on: the axes across which a crack that asks for this side lies on a
+ * plane of symmetry. */
+static inline int plane_bits(enum mpm_crack_side side)
 {
-    cracks->wanted[node] |= (uint8_t)(1u << side);
+    return 1 + 2 * (int)side;
+}
+
+/* Strips of one colour have no row of nodes in common: the bits of a node are set by one worker. */
+static void ask_for_field(const struct mpm_state *state, int64_t node,
+                          const struct lattice_place *place, size_t crack, enum mpm_crack_side side)
+{
+    const struct mpm_cracks *const cracks = &state->cracks;
+    /* a crack lies on a plane as a whole, or not at all */
+    const unsigned planes = cracks->held[mpm_crack_first_point(state, crack)];
+    cracks->wanted[node] |= (uint8_t)(1u << side | planes << plane_bits(side));
     mpm_crack_bands_mark(&cracks->map->wanted, place->column, place->row);
 }
 
@@ -65,7 +75,7 @@ static uint32_t code_of(const struct mpm_state *state, const struct mpm_crack_si
             continue;
         code |= (uint32_t)side << (2 * k);
         made->crossing[k] = (struct mpm_crack_crossing){site->crack, (uint32_t)segment};
-        ask_for_field(&state->cracks, node, &at, side);
+        ask_for_field(state, node, &at, site->crack, side);
     }
     return code;
 }
@@ -175,13 +185,16 @@ static bool add_node(struct mpm_state *state, int64_t node)
 {
     struct mpm_cracks *const cracks = &state->cracks;
     const int64_t first = state->grid.columns * state->grid.rows;
-    struct mpm_crack_node made = {.field = {node, -1, -1}, .crack = SIZE_MAX};
+    struct mpm_crack_node made = {.field = {node, -1, -1}};
     if (cracks->node_count == cracks->node_capacity)
         return false;
     for (int side = MPM_CRACK_ABOVE; side <= MPM_CRACK_BELOW; side++)
         if ((cracks->wanted[node] & (1u << side)) != 0) {
             cracks->homes[cracks->field_count] = node;
             made.field[side] = first + cracks->field_count++;
+            made.face[side].crack = MPM_NO_CRACK;
+            made.on_plane[side] =
+                cracks->wanted[node] >> plane_bits((enum mpm_crack_side)side) & 3u;
         }
     cracks->nodes[cracks->node_count++] = made;
     mark_cells(state, node);
@@ -235,6 +248,23 @@ static inline int64_t diverted(const struct mpm_state *state, int64_t offset, ui
     return node->field[side] - state->node_zero;
 }
 
+/* Tells the particle's nodes which crack is before its field. The first and the last one do not
+ * depend on the order of the particles. */
+static void name_cracks(const struct mpm_state *state, const struct mpm_crack_kept *kept)
+{
+    uint32_t code = kept->code;
+    for (int k = 0; k < kept->stencil.count; k++, code >>= 2) {
+        if ((code & 3u) == 0)
+            continue;
+        struct mpm_crack_node *const node =
+            mpm_crack_node_at(state, state->node_zero + kept->stencil.node[k].node);
+        struct mpm_crack_face *const face = &node->face[code & 3u];
+        const uint32_t crack = kept->crossing[k].crack;
+        face->last = face->crack == MPM_NO_CRACK || crack > face->last ? crack : face->last;
+        face->crack = crack < face->crack ? crack : face->crack;
+    }
+}
+
 /* Puts the particle's fields into its stencil. */
 static void divert(const struct mpm_state *state, struct mpm_crack_kept *kept)
 {
@@ -280,8 +310,10 @@ enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
     if (!list_nodes(state))
         return no_room(state, "nodes", cracks->node_capacity, error);
     set_rows(state);
-    for (size_t k = 0; k < cracks->kept_count; k++)
+    for (size_t k = 0; k < cracks->kept_count; k++) {
+        name_cracks(state, &cracks->kept[k]);
         divert(state, &cracks->kept[k]);
+    }
     return MPM_OK;
 }
 

@@ -25,6 +25,36 @@
 enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
                                        struct mpm_error *error);
 
+/* Sums over the particles of one field, for contact; see crack_detection.h. */
+struct mpm_crack_sums {
+    double area; /* A_p S_ip: CRAMP (27) */
+    double seen; /* the same with the mean of N_i over the domain for S_ip, in axisymmetry too */
+    double gradient[2]; /* A_p G_ip: what the area gains if they all move */
+};
+
+/* The crack between a further field of a node and the node's own field. */
+#define MPM_NO_CRACK UINT32_MAX
+struct mpm_crack_face {
+    uint32_t crack;   /* the first one that lines from particles of the field cross */
+    uint32_t last;    /* the last one: the same, unless particles beyond several share the field */
+    double normal[2]; /* sum of the normals of the segments that they cross */
+    /* A_p S_ip times the place of this crack's surface, from the node, as each particle of the
+     * further field has it, and each of the node's own */
+    double beyond[2], own[2];
+};
+
+/* A node with several velocity fields. */
+struct mpm_crack_node {
+    /* index of the field of each mpm_crack_side, the first the node itself; -1: none */
+    int64_t field[3];
+    uint8_t held[3]; /* per field: bits of the components that conditions hold */
+    /* per field: bits of the axes across which a crack that asks for it lies on a plane of
+     * symmetry: the field is on a free surface there */
+    uint8_t on_plane[3];
+    struct mpm_crack_sums sums[3]; /* of the particles of each field */
+    struct mpm_crack_face face[3]; /* of each further field; the first has none */
+};
+
 /* Where the step's spans of a strip stand: those with particles that have further fields, and with
  * the particles between them where those are fewer than MPM_CRACK_GAP. */
 enum { MPM_CRACK_GAP = 16 };
@@ -72,8 +102,7 @@ static inline int64_t mpm_crack_home(const struct mpm_state *state, int64_t node
 }
 
 /* The entry of a node of the grid that has further fields, or NULL. */
-static inline const struct mpm_crack_node *mpm_crack_node_at(const struct mpm_state *state,
-                                                             int64_t node)
+static inline struct mpm_crack_node *mpm_crack_node_at(const struct mpm_state *state, int64_t node)
 {
     if (state->cracks.node_of == NULL || state->cracks.node_of[node] == 0)
         return NULL;

@@ -34,13 +34,14 @@ void mpm_crack_point_normal(const struct mpm_crack_chain *chain, size_t k, doubl
     normal[1] = along[0] / length;
 }
 
-struct mpm_crack_gap mpm_crack_gap_at(const struct mpm_state *state, size_t crack, size_t first,
+struct mpm_crack_gap mpm_crack_gap_at(const struct mpm_state *state,
+                                      const struct mpm_crack_chain *chain, size_t first,
                                       size_t point)
 {
     double n[2];
     const double x = state->cracks.openings.vector[0][first + point];
     const double y = state->cracks.openings.vector[1][first + point];
-    mpm_crack_point_normal(&state->cracks.chains[crack], point, n);
+    mpm_crack_point_normal(chain, point, n);
     return (struct mpm_crack_gap){.opening = x * n[0] + y * n[1], .sliding = x * n[1] - y * n[0]};
 }
 

@@ -48,12 +48,13 @@ enum mpm_status mpm_crack_openings_advance(struct mpm_state *state, double part,
 void mpm_crack_point_normal(const struct mpm_crack_chain *chain, size_t k, double normal[2]);
 
 /* The opening of a point: along the normal, positive if apart, and along the crack, positive if the
- * surface above has slid towards its last point. `point` counts from the chain's first, `first` is
- * that one's place among the points of all cracks. */
+ * surface above has slid towards its last point. `point` counts from the first of the chain, or of
+ * a piece of it, `first` is that one's place among the points of all cracks. */
 struct mpm_crack_gap {
     double opening, sliding;
 };
-struct mpm_crack_gap mpm_crack_gap_at(const struct mpm_state *state, size_t crack, size_t first,
+struct mpm_crack_gap mpm_crack_gap_at(const struct mpm_state *state,
+                                      const struct mpm_crack_chain *chain, size_t first,
                                       size_t point);
 
 #endif

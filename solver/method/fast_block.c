@@ -79,7 +79,7 @@ static void view_values(struct fast_tail *tail, const struct mpm_particles *part
     for (int k = 0; k < 4; k++)
         view->domain[k] = particles->domain[0] != NULL ? tail->values[n++] : NULL;
     for (int axis = 0; axis < 2; axis++)
-        view->surface[axis] = particles->surface[0] != NULL ? tail->values[n++] : NULL;
+        view->origin[axis] = particles->origin[0] != NULL ? tail->values[n++] : NULL;
     for (int axis = 0; axis < 2; axis++)
         view->carried[axis] = tail->values[n++];
     view->id = tail->id;

@@ -144,22 +144,6 @@ struct mpm_damping {
     struct mpm_damping_books books;
 };
 
-/* Sums over the particles of one field, for telling whether two are in contact. */
-struct mpm_crack_sums {
-    double area;        /* A_p S_ip: CRAMP (27) */
-    double gradient[2]; /* A_p G_ip: what the area gains if they all move */
-    double surface[2]; /* A_p S_ip times the place of the surface, from the node, that each tells */
-};
-
-/* A node with several velocity fields; see crack_fields.h. */
-struct mpm_crack_node {
-    /* index of the field of each mpm_crack_side, the first the node itself; -1: none */
-    int64_t field[3];
-    double normal[2];              /* sum of the normals of the segments that lines to it cross */
-    struct mpm_crack_sums sums[3]; /* of the particles on each mpm_crack_side */
-    size_t crack;                  /* the first one that is crossed */
-};
-
 /* A plane of symmetry: a line of nodes; see symmetry.h. */
 struct mpm_symmetry {
     int axis;       /* of its normal */
@@ -186,6 +170,9 @@ struct mpm_crack_openings {
     double *largest;   /* per point, cohesive: the largest effective opening so far */
     double *area;      /* per point, cohesive: undeformed area, for the thickness or per radian */
     bool (*cuts)[2];   /* per crack: does it cut its body's edge at its first point, at its last? */
+    /* per crack: its points, among those of all, where it enters a body from outside, seen from its
+     * first point and from its last; SIZE_MAX: that point is no mouth, or in a body itself */
+    size_t (*mouths)[2];
     /* Of the step, per point: the surface above, and that below */
     struct mpm_crack_surface (*surfaces)[2];
 };
@@ -205,9 +192,10 @@ struct mpm_cracks {
     size_t kept_count, kept_capacity;
     uint32_t *kept_of;            /* per particle: one more than its place in `kept`, or 0 */
     struct mpm_crack_span *spans; /* see mpm_crack_spans */
-    uint8_t *wanted;              /* per node: bits of the sides that some particle asks for */
-    uint32_t *node_of;            /* per node: one more than its place in `nodes`, or 0 */
-    struct mpm_crack_node *nodes; /* in the order of the grid */
+    uint8_t *wanted;   /* per node: bits of the sides that some particle asks for, and more of
+                        * mpm_crack_node's on_plane */
+    uint32_t *node_of; /* per node: one more than its place in `nodes`, or 0 */
+    struct mpm_crack_node *nodes; /* in the order of the grid; see crack_fields.h */
     size_t node_count, node_capacity;
     int64_t *homes; /* per further field: the node that it belongs to */
     int64_t field_count;

@@ -205,6 +205,7 @@ static void finish_extrapolation(struct mpm_state *state)
     mpm_grid_rows_run(state, mpm_row_extrapolated_velocity);
     mpm_conditions_apply_extrapolated(state);
     mpm_crack_contact_extrapolated(state);
+    mpm_mirrors_apply_extrapolated(state);
 }
 
 /* Task 4: momentum update (29), damping of the nodes, conditions */
@@ -217,6 +218,7 @@ static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_for
     mpm_conditions_apply_end(state);
     mpm_energy_before_contact(state);
     mpm_crack_contact_end(state);
+    mpm_mirrors_apply_end(state);
     mpm_energy_after_contact(state);
     if (uniform_force)
         state->external_work += uniform_work(state);
@@ -225,10 +227,13 @@ static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_for
 }
 
 /* Task 5: particle velocities (30), with the drag of v_p^n, Notes (43); Task 6 for MUSL and
- * USAVG: extrapolate them (31) */
-static void update_velocities(struct mpm_state *state, int workers)
+ * USAVG: extrapolate them (31). Task 7 comes first: a transfer may put other values into the place
+ * of the nodes' velocities, and nothing after this needs to know where cracks were. */
+static enum mpm_status update_velocities(struct mpm_state *state, int workers,
+                                         struct mpm_error *error)
 {
     const struct mpm_kernel_choice *const kernels = &state->kernels;
+    MPM_TRY(mpm_cracks_advance(state, error));
     mpm_damping_find_drag(state); /* before a transfer changes v_p^n */
     if (kernels->smooth != NULL)
         kernels->smooth(state, workers);
@@ -237,6 +242,7 @@ static void update_velocities(struct mpm_state *state, int workers)
     run_particles(state, workers, kernels->flip_particles);
     mpm_damping_take_drag(state);
     run_particles(state, workers, kernels->passes->to_particles);
+    return MPM_OK;
 }
 
 enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHASE_COUNT],
@@ -259,6 +265,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     MPM_TRY(mpm_conditions_gather(state, error));
     mpm_conditions_apply_start(state);
     mpm_crack_contact_start(state);
+    mpm_mirrors_apply_start(state);
     mpm_crack_openings_find(state);
     MPM_TRY(mpm_crack_openings_advance(state, state->order->before, error));
     charge(seconds, MPM_PHASE_GRID, &mark);
@@ -281,7 +288,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     if (varying_force)
         state->external_work += varying_work(state, workers);
     state->external_work += mpm_edge_loads_work(state, state->workers);
-    update_velocities(state, workers);
+    MPM_TRY(update_velocities(state, workers, error));
     charge(seconds, MPM_PHASE_TO_PARTICLES, &mark);
     if (state->order->extrapolate)
         finish_extrapolation(state);
@@ -296,7 +303,6 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     mpm_thermostat_advance(state);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
-    MPM_TRY(mpm_cracks_advance(state, error));
     MPM_TRY(mpm_rigid_advance(state, error));
     state->steps_since_sort++;
     return mpm_step_collect(state);

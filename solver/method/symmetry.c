@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/symmetry.h"
 
+#include "method/grid_update.h"
+
 /* Adds to both values of a pair of images what the other has, with the sign of the image. */
 static inline void fold(double *inside, double *beyond, double sign)
 {
@@ -113,4 +115,38 @@ void mpm_symmetries_reflect_force(struct mpm_state *state)
 void mpm_symmetries_reflect_extrapolated(struct mpm_state *state)
 {
     reflect(state, &(struct reflection){fold_extrapolated, hold_extrapolated});
+}
+
+/* ------------------------------------------------------------------- images */
+
+/* The image of an image across one plane; false if it is the node itself, or not active. */
+static bool find_image(const struct mpm_state *state, const struct mpm_symmetry *plane,
+                       const struct mpm_symmetry_image *of, struct mpm_symmetry_image *image)
+{
+    const int64_t columns = state->grid.columns;
+    int64_t place[2] = {of->node % columns, of->node / columns};
+    if (place[plane->axis] == plane->line)
+        return false;
+    place[plane->axis] = 2 * plane->line - place[plane->axis];
+    if (place[0] < 0 || place[0] >= columns || place[1] < 0 || place[1] >= state->grid.rows)
+        return false;
+    *image = *of;
+    image->node = place[1] * columns + place[0];
+    image->sign[plane->axis] = -of->sign[plane->axis];
+    return mpm_node_is_active(state, image->node);
+}
+
+int mpm_symmetry_images(const struct mpm_state *state, int64_t node,
+                        struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES])
+{
+    const struct mpm_symmetry_image itself = {node, {1.0, 1.0}};
+    int count = 0;
+    for (size_t k = 0; k < state->symmetry_count; k++) {
+        const int before = count;
+        for (int of = -1; of < before && count < MPM_SYMMETRY_IMAGES; of++)
+            if (find_image(state, &state->symmetries[k], of < 0 ? &itself : &images[of],
+                           &images[count]))
+                count++;
+    }
+    return count;
 }

@@ -6,9 +6,10 @@
  * the plane do not move along its normal. A half model then gives what the whole one does, to
  * round-off, for functions that reach beyond the plane too.
  *
- * Further velocity fields of nodes near a crack are left as they are: a particle whose line to a
- * node beyond the plane crosses a crack is on a free surface there. Points of cracks that lie on
- * the plane stay on it.
+ * Further velocity fields of nodes near a crack are not folded: a particle whose line to a node
+ * beyond the plane crosses a crack is on a free surface there, and so is one at a node on the plane
+ * if the crack lies on the plane. Fields at nodes on the plane that other cracks ask for are held
+ * by conditions.c. Points of cracks that lie on the plane stay on it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_SYMMETRY_H
@@ -27,5 +28,15 @@ void mpm_symmetries_reflect_momentum(struct mpm_state *state);
 void mpm_symmetries_reflect_force(struct mpm_state *state);
 /* After the re-extrapolation of momenta. */
 void mpm_symmetries_reflect_extrapolated(struct mpm_state *state);
+
+/* The images of a node of the grid across all planes, those that are active, with the signs of
+ * their velocities. Returns how many they are: 0 of a node on a plane or far from all. */
+enum { MPM_SYMMETRY_IMAGES = 16 };
+struct mpm_symmetry_image {
+    int64_t node;
+    double sign[2];
+};
+int mpm_symmetry_images(const struct mpm_state *state, int64_t node,
+                        struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES]);
 
 #endif

@@ -24,8 +24,8 @@ void mpm_particles_layout(struct mpm_particles *particles, size_t count,
         particles->affine[k] = MPM_TAKE(arena, double, count);
     for (int k = 0; extras.domains && k < 4; k++)
         particles->domain[k] = MPM_TAKE(arena, double, count);
-    for (int axis = 0; extras.surfaces && axis < 2; axis++)
-        particles->surface[axis] = MPM_TAKE(arena, double, count);
+    for (int axis = 0; extras.origins && axis < 2; axis++)
+        particles->origin[axis] = MPM_TAKE(arena, double, count);
     particles->id = MPM_TAKE(arena, uint32_t, count);
     particles->body = MPM_TAKE(arena, uint32_t, count);
     particles->scratch = MPM_TAKE(arena, double, count);
@@ -64,8 +64,8 @@ size_t mpm_particles_arrays(const struct mpm_particles *particles,
     arrays[n++] = particles->mass;
     for (int k = 0; particles->domain[0] != NULL && k < 4; k++)
         arrays[n++] = particles->domain[k];
-    for (int axis = 0; particles->surface[0] != NULL && axis < 2; axis++)
-        arrays[n++] = particles->surface[axis];
+    for (int axis = 0; particles->origin[0] != NULL && axis < 2; axis++)
+        arrays[n++] = particles->origin[axis];
     return n;
 }
 

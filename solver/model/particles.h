@@ -18,7 +18,7 @@ struct mpm_particles {
     double *mass;                       /* for the thickness, or per radian */
     double *affine[4];                  /* APIC, else NULL: xx xy yx yy; see method/affine.h */
     double *domain[4];  /* half edges d1x d1y d2x d2y, where F does not tell them; else NULL */
-    double *surface[2]; /* at t = 0, from it to the nearest crack; else NULL: crack_detection.h */
+    double *origin[2];  /* places at t = 0, else NULL; see crack_detection.h */
     uint32_t *id;       /* creation order over all bodies */
     uint32_t *body;     /* index in the scene */
     size_t kept;        /* so many of mpm_particles_arrays, the first, cannot be recomputed */
@@ -41,7 +41,7 @@ struct mpm_rigid_particles {
 
 /* Arrays that only some methods need; `stress`: is it from more than one set of kernels? */
 struct mpm_particle_extras {
-    bool domains, affine, surfaces, stress;
+    bool domains, affine, origins, stress;
 };
 
 void mpm_particles_layout(struct mpm_particles *particles, size_t count,

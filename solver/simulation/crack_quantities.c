@@ -22,7 +22,8 @@ static struct mpm_crack_gap gap_at(const struct mpm_simulation *simulation, size
                                    size_t point)
 {
     const struct mpm_state *const state = &simulation->state;
-    return mpm_crack_gap_at(state, crack, mpm_crack_first_point(state, crack), point);
+    return mpm_crack_gap_at(state, &state->cracks.chains[crack],
+                            mpm_crack_first_point(state, crack), point);
 }
 
 static size_t last_of(const struct mpm_simulation *simulation, size_t crack)
@@ -30,24 +31,44 @@ static size_t last_of(const struct mpm_simulation *simulation, size_t crack)
     return simulation->state.cracks.chains[crack].count - 1;
 }
 
+/* That of its mouth, or of the end that it has now. The piece outside of the body does not follow
+ * its surfaces, and has no say in the mouth's normal. */
+static struct mpm_crack_gap gap_at_end(const struct mpm_simulation *simulation, size_t crack,
+                                       int end)
+{
+    const struct mpm_state *const state = &simulation->state;
+    const size_t mouth = state->cracks.openings.mouths[crack][end];
+    struct mpm_crack_chain piece = state->cracks.chains[crack];
+    size_t first = mpm_crack_first_point(state, crack);
+    if (mouth != SIZE_MAX && end == 0) {
+        piece.x += mouth - first;
+        piece.y += mouth - first;
+        piece.count -= mouth - first;
+        first = mouth;
+    } else if (mouth != SIZE_MAX) {
+        piece.count = mouth - first + 1;
+    }
+    return mpm_crack_gap_at(state, &piece, first, end == 0 ? 0 : piece.count - 1);
+}
+
 static double opening_first(const struct mpm_simulation *simulation, size_t crack)
 {
-    return gap_at(simulation, crack, 0).opening;
+    return gap_at_end(simulation, crack, 0).opening;
 }
 
 static double sliding_first(const struct mpm_simulation *simulation, size_t crack)
 {
-    return gap_at(simulation, crack, 0).sliding;
+    return gap_at_end(simulation, crack, 0).sliding;
 }
 
 static double opening_last(const struct mpm_simulation *simulation, size_t crack)
 {
-    return gap_at(simulation, crack, last_of(simulation, crack)).opening;
+    return gap_at_end(simulation, crack, 1).opening;
 }
 
 static double sliding_last(const struct mpm_simulation *simulation, size_t crack)
 {
-    return gap_at(simulation, crack, last_of(simulation, crack)).sliding;
+    return gap_at_end(simulation, crack, 1).sliding;
 }
 
 static double opening_largest(const struct mpm_simulation *simulation, size_t crack)
@@ -83,7 +104,7 @@ static double opening_mean(const struct mpm_simulation *simulation, size_t crack
     double sum = 0.0, area = 0.0;
     for (size_t k = 0; k <= last_of(simulation, crack); k++) {
         sum += state->cracks.openings.area[first + k] *
-               mpm_crack_gap_at(state, crack, first, k).opening;
+               mpm_crack_gap_at(state, &state->cracks.chains[crack], first, k).opening;
         area += state->cracks.openings.area[first + k];
     }
     return area > 0.0 ? sum / area : 0.0;
@@ -105,17 +126,21 @@ static const struct quantity {
     bool (*asked)(const struct mpm_scene *scene, size_t crack);
     double (*value)(const struct mpm_simulation *simulation, size_t crack);
 } quantities[] = {
-    {"opening_first", 1, 0, 0, "normal opening at its first point", is_followed, opening_first},
-    {"sliding_first", 1, 0, 0, "tangential opening at its first point", is_followed, sliding_first},
-    {"opening_last", 1, 0, 0, "normal opening at its last point", is_followed, opening_last},
-    {"sliding_last", 1, 0, 0, "tangential opening at its last point", is_followed, sliding_last},
+    {"opening_first", 1, 0, 0,
+     "normal opening at its first point, or where it enters a body behind that", is_followed,
+     opening_first},
+    {"sliding_first", 1, 0, 0, "tangential opening there", is_followed, sliding_first},
+    {"opening_last", 1, 0, 0,
+     "normal opening at its last point, or where it leaves a body before that", is_followed,
+     opening_last},
+    {"sliding_last", 1, 0, 0, "tangential opening there", is_followed, sliding_last},
     {"opening_largest", 1, 0, 0, "largest normal opening", is_followed, opening_largest},
     {"sliding_largest", 1, 0, 0, "tangential opening, where it is largest in magnitude",
      is_followed, sliding_largest},
     {"opening_mean", 1, 0, 0, "mean of the normal opening over its cohesive area", is_cohesive,
      opening_mean},
     {"nodes_without_contact", 0, 0, 0,
-     "nodes with three velocity fields in the last step, which contact leaves alone",
+     "nodes beside it in the last step whose velocity fields contact leaves alone",
      mpm_crack_has_contact, nodes_without_contact},
 };
 enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };

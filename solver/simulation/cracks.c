@@ -1,39 +1,23 @@
 /* Cracks and planes of symmetry: settled when the simulation is created.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/segment.h"
 #include "method/crack_fields.h"
 #include "method/crack_map.h"
+#include "simulation/crack_points.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* ------------------------------------------------------------------- cracks */
-
-/* Parts that a segment of a scene is cut into. */
-static size_t parts_of(const struct mpm_scene *scene, const struct mpm_crack_spec *spec, size_t k)
-{
-    const double longest = spec->spacing * fmin(scene->cell[0], scene->cell[1]);
-    const double length = hypot(spec->points[k + 1][0] - spec->points[k][0],
-                                spec->points[k + 1][1] - spec->points[k][1]);
-    return (size_t)fmax(ceil(length / longest * (1.0 - 1e-9)), 1.0);
-}
-
-static size_t count_points(const struct mpm_scene *scene, const struct mpm_crack_spec *spec)
-{
-    size_t count = 1;
-    for (size_t k = 0; k + 1 < spec->point_count; k++)
-        count += parts_of(scene, spec, k);
-    return count;
-}
 
 /* With what it may grow to. */
 static size_t count_with_room(const struct mpm_scene *scene, size_t crack)
 {
-    return count_points(scene, &scene->cracks[crack]) + mpm_crack_room(scene, crack, true) +
-           mpm_crack_room(scene, crack, false);
+    return mpm_crack_points_count(scene, &scene->cracks[crack]) +
+           mpm_crack_room(scene, crack, true) + mpm_crack_room(scene, crack, false);
 }
 
 /* Nodes around each segment, twice of it for what cracks grow, and no more than there are of them
@@ -60,22 +44,6 @@ static size_t particles_kept(const struct mpm_state *state)
     return estimate < state->particles.count ? estimate : state->particles.count;
 }
 
-static void place_chain(const struct mpm_scene *scene, const struct mpm_crack_spec *spec, double *x,
-                        double *y)
-{
-    size_t n = 0;
-    for (size_t k = 0; k + 1 < spec->point_count; k++) {
-        const size_t parts = parts_of(scene, spec, k);
-        for (size_t i = 0; i < parts; i++, n++) {
-            const double part = (double)i / (double)parts;
-            x[n] = spec->points[k][0] + part * (spec->points[k + 1][0] - spec->points[k][0]);
-            y[n] = spec->points[k][1] + part * (spec->points[k + 1][1] - spec->points[k][1]);
-        }
-    }
-    x[n] = spec->points[spec->point_count - 1][0];
-    y[n] = spec->points[spec->point_count - 1][1];
-}
-
 static void place_cracks(struct mpm_state *state)
 {
     struct mpm_cracks *const cracks = &state->cracks;
@@ -92,10 +60,10 @@ static void place_cracks(struct mpm_state *state)
         const size_t before = mpm_crack_room(state->scene, k, true);
         double *const x = cracks->position[0] + first + before;
         double *const y = cracks->position[1] + first + before;
-        place_chain(state->scene, spec, x, y);
+        mpm_crack_points_place(state->scene, spec, x, y);
         cracks->chains[k].x = x;
         cracks->chains[k].y = y;
-        cracks->chains[k].count = count_points(state->scene, spec);
+        cracks->chains[k].count = mpm_crack_points_count(state->scene, spec);
         first += count_with_room(state->scene, k);
     }
 }
@@ -119,38 +87,12 @@ struct mpm_crack_point mpm_simulation_crack_point(const struct mpm_simulation *s
                                     .position = {chains[k].x[point], chains[k].y[point]}};
 }
 
-/* ---------------------------------------------------------------- surfaces */
-
-/* To the nearest point of the cracks. */
-static void find_way(const struct mpm_scene *scene, const double place[2], double way[2])
-{
-    double least = HUGE_VAL;
-    for (size_t k = 0; k < scene->crack_count; k++)
-        for (size_t i = 0; i + 1 < scene->cracks[k].point_count; i++) {
-            const double *const a = scene->cracks[k].points[i];
-            const double *const b = scene->cracks[k].points[i + 1];
-            const struct mpm_segment segment = {{a[0], a[1]}, {b[0], b[1]}};
-            double other[2];
-            mpm_segment_find_way(&segment, place, other);
-            const double square = other[0] * other[0] + other[1] * other[1];
-            if (square >= least)
-                continue;
-            least = square;
-            way[0] = other[0];
-            way[1] = other[1];
-        }
-}
-
-static void place_surfaces(struct mpm_state *state)
+static void keep_origins(struct mpm_state *state)
 {
     struct mpm_particles *const particles = &state->particles;
-    for (size_t p = 0; particles->surface[0] != NULL && p < particles->count; p++) {
-        double way[2] = {0.0, 0.0};
-        find_way(state->scene,
-                 (const double[2]){particles->position[0][p], particles->position[1][p]}, way);
-        particles->surface[0][p] = way[0];
-        particles->surface[1][p] = way[1];
-    }
+    for (int axis = 0; axis < 2 && particles->origin[0] != NULL; axis++)
+        memcpy(particles->origin[axis], particles->position[axis],
+               particles->count * sizeof(double));
 }
 
 /* ----------------------------------------------------------------- symmetry */
@@ -297,7 +239,7 @@ enum mpm_status mpm_cracks_fill(struct mpm_simulation *simulation, struct mpm_er
         place_cracks(state);
         state->cracks.least_mass = 1e-3 * lightest(&state->particles);
     }
-    place_surfaces(state);
+    keep_origins(state);
     for (size_t k = 0; k < state->symmetry_count; k++) {
         MPM_TRY(find_inside(simulation, &state->symmetries[k], error));
         MPM_TRY(hold_points(simulation, &state->symmetries[k], error));

@@ -100,7 +100,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     const struct mpm_particle_extras extras = {
         .domains = keeps_domains(state),
         .affine = simulation->scene->transfer == MPM_TRANSFER_APIC,
-        .surfaces = mpm_crack_detection_needs_surfaces(simulation->scene),
+        .origins = mpm_crack_detection_needs_surfaces(simulation->scene),
         .stress = simulation->scene->crack_count > 0, /* see method/split.h */
     };
     mpm_particles_layout(&state->particles, counts->deformable, extras, arena);
@@ -121,8 +121,8 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     const size_t driven =
         counts->rigid * MPM_STENCIL_MAX < nodes ? counts->rigid * MPM_STENCIL_MAX : nodes;
     state->active_capacity =
-        (state->condition_count + 2 * driven) * (grid->field_rows > 0 ? 3 : 1) +
-        rows * (size_t)state->mirror_column;
+        (state->condition_count + 2 * driven + rows * (size_t)state->mirror_column) *
+        (grid->field_rows > 0 ? 3 : 1);
     state->active = MPM_TAKE(arena, struct mpm_active_condition, state->active_capacity);
     if (counts->rigid > 0) {
         state->rigid_owner = MPM_TAKE(arena, uint32_t, nodes);

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/crack_fields.h"
 #include "method/crack_opening.h"
-#include "model/region.h"
+#include "simulation/crack_points.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -25,6 +25,7 @@ void mpm_openings_layout(struct mpm_state *state, struct mpm_arena *arena)
     for (int axis = 0; axis < 2; axis++)
         openings->vector[axis] = MPM_TAKE(arena, double, points);
     openings->cuts = mpm_arena_take(arena, state->scene->crack_count, sizeof *openings->cuts);
+    openings->mouths = mpm_arena_take(arena, state->scene->crack_count, sizeof *openings->mouths);
     openings->surfaces = mpm_arena_take(arena, points, sizeof *openings->surfaces);
     if (!mpm_scene_is_cohesive(state->scene))
         return;
@@ -33,21 +34,6 @@ void mpm_openings_layout(struct mpm_state *state, struct mpm_arena *arena)
 }
 
 /* -------------------------------------------------------------------- areas */
-
-/* One of the places around it is: edges count, whichever side of a body they are on. */
-static bool is_in_a_body(const struct mpm_scene *scene, const double place[2])
-{
-    static const double around[4][2] = {{-1.0, -1.0}, {1.0, -1.0}, {-1.0, 1.0}, {1.0, 1.0}};
-    const double aside = 1e-6 * fmin(scene->cell[0], scene->cell[1]);
-    for (size_t k = 0; k < scene->body_count; k++)
-        for (int i = 0; i < 4 && !scene->bodies[k].rigid; i++) {
-            const double near[2] = {place[0] + aside * around[i][0],
-                                    place[1] + aside * around[i][1]};
-            if (mpm_region_contains(&scene->bodies[k].region, near, 0.1 * aside))
-                return true;
-        }
-    return false;
-}
 
 /* A segment gives its length to its two ends; in axisymmetry the integral of r with the linear
  * function of each end. */
@@ -76,7 +62,7 @@ static enum mpm_status add_segment(const struct mpm_state *state, size_t crack, 
         const double part = (double)i / (LOOKS - 1);
         const double place[2] = {from[0] + part * (to[0] - from[0]),
                                  from[1] + part * (to[1] - from[1])};
-        const bool is_inside = is_in_a_body(scene, place);
+        const bool is_inside = mpm_crack_point_is_in_a_body(scene, place);
         inside += is_inside;
         between += is_inside && i > 0 && i < LOOKS - 1;
     }
@@ -114,8 +100,16 @@ static void find_cuts(const struct mpm_state *state, const struct mpm_crack_chai
         const double y = chain->y[end[k]] - chain->y[next[k]];
         const double scale = BEYOND * fmin(state->grid.cell[0], state->grid.cell[1]) / hypot(x, y);
         const double place[2] = {chain->x[end[k]] + scale * x, chain->y[end[k]] + scale * y};
-        cuts[k] = !is_in_a_body(state->scene, place);
+        cuts[k] = !mpm_crack_point_is_in_a_body(state->scene, place);
     }
+}
+
+static void find_mouths(const struct mpm_scene *scene, size_t crack, size_t first, size_t mouths[2])
+{
+    mpm_crack_points_mouths(scene, &scene->cracks[crack], mouths);
+    for (int end = 0; end < 2; end++)
+        if (mouths[end] != SIZE_MAX)
+            mouths[end] += first;
 }
 
 static enum mpm_status check_planes(const struct mpm_state *state, size_t crack, size_t first,
@@ -140,6 +134,7 @@ enum mpm_status mpm_openings_fill(struct mpm_simulation *simulation, struct mpm_
         if (mpm_crack_is_followed(&scene->cracks[crack])) {
             MPM_TRY(check_planes(state, crack, first, error));
             find_cuts(state, chain, state->cracks.openings.cuts[crack]);
+            find_mouths(scene, crack, first, state->cracks.openings.mouths[crack]);
         }
         if (scene->cracks[crack].cohesive.law != NULL)
             MPM_TRY(add_areas(state, crack, state->cracks.openings.area + first, error));

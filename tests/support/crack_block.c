@@ -20,6 +20,16 @@ struct settings crack_block_method(int index)
     return settings;
 }
 
+void crack_block_add_exchange(struct settings *settings, int index)
+{
+    enum { WAYS = 2, TRANSFERS = CRACK_BLOCK_EXCHANGES / WAYS };
+    static const char *const transfers[TRANSFERS] = {"{kind: flip}", "{kind: flip, fraction: 0.95}",
+                                                     "{kind: flip, fraction: 0.5}", "{kind: pic}"};
+    settings_add_formatted(settings, "method.transfer=%s", transfers[index / WAYS]);
+    settings_add_formatted(settings, "method.position_update=%s",
+                           index % WAYS == 0 ? "grid_velocity" : "midpoint");
+}
+
 bool crack_block_amplifies(int index)
 {
     return index % CRACK_BLOCK_METHODS == 0;

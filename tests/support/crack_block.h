@@ -18,6 +18,11 @@ enum { CRACK_BLOCK_FAMILIES = 4, CRACK_BLOCK_METHODS = CRACK_BLOCK_FAMILIES * TE
 /* Families first, then orders, then all over again. */
 struct settings crack_block_method(int index);
 
+/* The transfers that cracks have, each with both ways to move particles, added as keys of the
+ * method. */
+enum { CRACK_BLOCK_EXCHANGES = 8 };
+void crack_block_add_exchange(struct settings *settings, int index);
+
 /* Nodes of little mass at the edges make round-off grow without bound. */
 bool crack_block_amplifies(int index);
 

@@ -21,6 +21,7 @@
     PROGRAM(crack_overhead)                                                                        \
     PROGRAM(crack_patch)                                                                           \
     PROGRAM(sliding)                                                                               \
+    PROGRAM(pressed_crack)                                                                         \
     PROGRAM(cohesive)                                                                              \
     PROGRAM(crack_wave)                                                                            \
     PROGRAM(fracture)                                                                              \
