@@ -253,7 +253,7 @@ static inline int64_t diverted(const struct mpm_state *state, int64_t offset, ui
 static void name_cracks(const struct mpm_state *state, const struct mpm_crack_kept *kept)
 {
     uint32_t code = kept->code;
-    for (int k = 0; k < kept->stencil.count; k++, code >>= 2) {
+    for (int k = 0; code != 0; k++, code >>= 2) {
         if ((code & 3u) == 0)
             continue;
         struct mpm_crack_node *const node =
