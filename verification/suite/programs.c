@@ -27,6 +27,7 @@
     PROGRAM(cantilever)                                                                            \
     PROGRAM(carried)                                                                               \
     PROGRAM(manufactured)                                                                          \
+    PROGRAM(stretch)                                                                               \
     PROGRAM(stability)                                                                             \
     PROGRAM(extremes)                                                                              \
     PROGRAM(statics)                                                                               \
