@@ -16,7 +16,7 @@
 
 /* -------------------------------------------------------------------------- bundles */
 
-static const char *const exported[] = {"D5",  "E3", "M1", "M2", "M3", "M4",
+static const char *const exported[] = {"D5",  "E3",  "M1", "M2", "M3", "M4",
                                        "R1b", "T1b", "T3", "T4", "W1", "W2"};
 enum { EXPORTED = 12 };
 
