@@ -1,8 +1,9 @@
 /* Tests of what long runs are measured by: books of energy and momentum, the fit of an
- * oscillation.
+ * oscillation, what a curve of energies shows.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/books.h"
+#include "verification/measures/energy_curve.h"
 #include "verification/measures/oscillation.h"
 
 #include <check.h>
@@ -140,6 +141,77 @@ START_TEST(what_is_no_oscillation_is_not_fitted)
 }
 END_TEST
 
+/* ------------------------------------------------------------ energy curves */
+
+enum { ROWS = 400, ROW = 3 };
+
+static struct energy_curve curve_of(const double (*rows)[ROW], size_t count)
+{
+    return (struct energy_curve){count, ROW, &rows[0][0], &rows[0][1], &rows[0][2]};
+}
+
+/* A mass on a spring, angular frequency 1, by symplectic Euler with the new velocity in the place
+ * (`ahead`) or the old place in the velocity's mirror image; a drift of `slope` t is added. */
+static void swing_of_spring(bool ahead, double slope, double dt, double (*rows)[ROW])
+{
+    double x = 1.0, v = 0.0;
+    for (size_t k = 0; k < ROWS; k++) {
+        const double time = (double)k * dt;
+        rows[k][0] = time;
+        rows[k][1] = x * x + v * v + slope * time;
+        rows[k][2] = x * x;
+        if (ahead) {
+            v -= dt * x;
+            x += dt * v;
+        } else {
+            x += dt * v;
+            v -= dt * x;
+        }
+    }
+}
+
+START_TEST(the_swing_of_symplectic_euler_has_its_sign_and_size_beside_a_drift)
+{
+    static const double DT = 0.05, SECOND_ORDER = 4.0 * 0.05 * 0.05;
+    double rows[ROWS][ROW];
+    const struct energy_curve curve = curve_of((const double(*)[ROW])rows, ROWS);
+    for (int drifts = 0; drifts < 2; drifts++) {
+        swing_of_spring(true, 0.1 * drifts, DT, rows);
+        ck_assert_double_eq_tol(energy_curve_swing(&curve, DT), 1.0, SECOND_ORDER);
+        swing_of_spring(false, 0.1 * drifts, DT, rows);
+        ck_assert_double_eq_tol(energy_curve_swing(&curve, DT), -1.0, SECOND_ORDER);
+    }
+}
+END_TEST
+
+START_TEST(an_energy_curve_shows_sign_mean_and_time_of_its_change)
+{
+    static const double ROWS_OF[][ROW] = {
+        {0, 1, 0}, {1, 1.25, 0}, {2, 0.5, 0}, {3, 1.125, 0}, {4, 1.375, 0}};
+    const struct energy_curve curve = curve_of(ROWS_OF, 5), none = curve_of(ROWS_OF, 0);
+    ck_assert_double_eq(energy_curve_extreme(&curve), -0.5);
+    ck_assert_double_eq(energy_curve_mean(&curve, 3, 4), 0.25);
+    ck_assert_double_eq(energy_curve_mean(&curve, 0.5, 1.5), 0.25);
+    ck_assert_double_nan(energy_curve_mean(&curve, 5, 6));
+    ck_assert_double_eq(energy_curve_time_off(&curve, 0.25), 2);
+    ck_assert_double_nan(energy_curve_time_off(&curve, 0.5));
+    ck_assert_double_nan(energy_curve_extreme(&none));
+    ck_assert_double_nan(energy_curve_swing(&none, 1));
+    ck_assert_double_nan(energy_curve_swing(&curve, 1)); /* strain energy without change */
+}
+END_TEST
+
+START_TEST(a_nan_stays_in_what_an_energy_curve_shows)
+{
+    double rows[][ROW] = {{0, 1, 0}, {1, (double)NAN, 1}, {2, 0.5, 2}, {3, 1, 0}, {4, 1, 1}};
+    const struct energy_curve curve = curve_of((const double(*)[ROW])rows, 5);
+    ck_assert_double_nan(energy_curve_extreme(&curve));
+    ck_assert_double_nan(energy_curve_mean(&curve, 0, 4));
+    ck_assert_double_eq(energy_curve_time_off(&curve, 0.9), 1);
+    ck_assert_double_nan(energy_curve_swing(&curve, 1));
+}
+END_TEST
+
 Suite *suite_measures(void)
 {
     Suite *suite = suite_create("measures");
@@ -152,5 +224,10 @@ Suite *suite_measures(void)
     tcase_add_test(fits, what_is_no_oscillation_is_not_fitted);
     suite_add_tcase(suite, books);
     suite_add_tcase(suite, fits);
+    TCase *curves = tcase_create("energy curves");
+    tcase_add_test(curves, the_swing_of_symplectic_euler_has_its_sign_and_size_beside_a_drift);
+    tcase_add_test(curves, an_energy_curve_shows_sign_mean_and_time_of_its_change);
+    tcase_add_test(curves, a_nan_stays_in_what_an_energy_curve_shows);
+    suite_add_tcase(suite, curves);
     return suite;
 }

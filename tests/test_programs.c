@@ -69,8 +69,9 @@ static char *run(const char *program, const char *folder, const char *parameters
     "field=axis_aligned law=neo_hookean geometry=plane_strain density=1 bulk=1 shear=1 cell_x=1 "  \
     "cell_y=1 "                                                                                    \
     "length=1 refine=1 particles=2 steps=8 looks=1 refine_time=1 refine_particles=1 "
-#define WAVE "modulus=1 poisson=0 density=1 stress=1 rise=1 distance=1 from=1 interval=1 contours="
-#define BAR  "family=bar length=1 modulus=1 density=1 modes="
+#define WAVE    "modulus=1 poisson=0 density=1 stress=1 rise=1 distance=1 from=1 interval=1 contours="
+#define STRETCH "hold=1 interval=1 from=1 to=1 modulus=1 density=1 fraction=1 position=midpoint "
+#define BAR     "family=bar length=1 modulus=1 density=1 modes="
 
 static const struct {
     const char *program, *folder, *parameters, *message;
@@ -87,7 +88,10 @@ static const struct {
     {"manufactured", "M/M0", MANUFACTURED "levels=2 refine_space=3",
      "\"refine_space\" is 3; allowed: whole numbers from 1 to 2"},
     {"manufactured", "M/M0", "geometry=round", "\"field\" is missing"},
-    {"energy", "E/E1", "interval=0", "samples every 0; allowed: above 0"},
+    {"energy", "E/E1", "interval=0 from=4 to=6 limit=5", "samples every 0; allowed: above 0"},
+    {"stretch", "G/G4", STRETCH "careful=1 order=first",
+     "is \"first\"; allowed: usl, musl, usf, usavg"},
+    {"stretch", "G/G4", STRETCH "order=usl careful=0", "steps of 0, looks every 1; allowed: above"},
     {"crack_wave", "D/D6b", WAVE "4+6x", "\"contours\": \"4 6x\"; allowed: 1 to 4 numbers"},
     {"crack_wave", "D/D6b", WAVE "4+5+6+7+8", "allowed: 1 to 4 numbers"},
     {"crack_wave", "D/D6b", WAVE "+", "allowed: 1 to 4 numbers"},

@@ -5,6 +5,7 @@
 #include "suites.h"
 
 #include "verification/exact/linear_step.h"
+#include "verification/exact/stretched_column.h"
 #include "verification/measures/bisection.h"
 
 #include <math.h>
@@ -143,6 +144,77 @@ START_TEST(below_its_limit_the_linear_step_does_not_grow_and_above_it_does)
 }
 END_TEST
 
+/* -------------------------------------------------------- a stretched column */
+
+/* A column of 24 particles, two to a cell unstretched, of a material whose stress is its stretch
+ * less one. */
+static struct stretched_column column_at(double stretch, enum stretched_order order)
+{
+    return (struct stretched_column){.order = order,
+                                     .position = STRETCHED_GRID_VELOCITY,
+                                     .fraction = 1.0,
+                                     .particles = 24,
+                                     .length = 0.5 * stretch,
+                                     .stress = stretch - 1.0,
+                                     .tangent = stretch,
+                                     .density = 1.0 / stretch};
+}
+
+static const double STRETCHES[] = {0.83, 1.05, 1.15, 1.27, 1.35, 1.45};
+enum { STRETCH_COUNT = sizeof STRETCHES / sizeof *STRETCHES };
+
+/* Eigenvalues on the unit circle are known to half the digits: 1e-7 a step of 0.28. */
+static const double NO_RATE = 4e-7;
+
+START_TEST(a_stretched_column_with_strains_from_the_grid_velocity_does_not_grow)
+{
+    const double stretch = STRETCHES[_i];
+    const struct stretched_column usl = column_at(stretch, STRETCHED_USL);
+    ck_assert_double_lt(fabs(stretched_column_rate(&usl, 0.4 / stretch)), NO_RATE);
+}
+END_TEST
+
+/* What re-extrapolation does with tension, and positions that strains follow do not. (USF and USAVG
+ * have strains ahead of such positions when forces are taken, which grows under compression.) */
+START_TEST(a_stretched_column_grows_only_where_positions_and_strains_part_and_under_tension)
+{
+    static const enum stretched_order ORDERS[] = {STRETCHED_MUSL, STRETCHED_USF, STRETCHED_USAVG};
+    const double stretch = STRETCHES[_i], step = 0.4 / stretch;
+    for (size_t k = 0; k < sizeof ORDERS / sizeof *ORDERS; k++) {
+        struct stretched_column column = column_at(stretch, ORDERS[k]);
+        const double rate = stretched_column_rate(&column, step);
+        if (stretch > 1.0)
+            ck_assert_double_gt(rate, 0.3 * (stretch - 1.0) * step / 0.4);
+        else
+            ck_assert_double_lt(rate, NO_RATE);
+        column.position = STRETCHED_STRAIN_VELOCITY;
+        if (stretch > 1.0 || ORDERS[k] == STRETCHED_MUSL)
+            ck_assert_double_lt(fabs(stretched_column_rate(&column, step)), NO_RATE);
+    }
+}
+END_TEST
+
+START_TEST(the_rate_of_a_stretched_column_is_proportional_to_the_step)
+{
+    const struct stretched_column column = column_at(STRETCHES[_i], STRETCHED_USAVG);
+    const double step = 0.1 / STRETCHES[_i];
+    const double ratio =
+        stretched_column_rate(&column, step) / stretched_column_rate(&column, 0.5 * step);
+    ck_assert_double_eq_tol(ratio, 2.0, 0.02);
+}
+END_TEST
+
+START_TEST(a_column_outside_of_the_range_has_no_rate)
+{
+    struct stretched_column column = column_at(1.45, STRETCHED_MUSL);
+    ck_assert_double_nan(stretched_column_rate(&column, 0.0));
+    column.particles = 1;
+    ck_assert_double_nan(stretched_column_rate(&column, 0.1));
+    column.particles = STRETCHED_PARTICLES_MAX + 1;
+    ck_assert_double_nan(stretched_column_rate(&column, 0.1));
+}
+END_TEST
+
 Suite *suite_stability(void)
 {
     Suite *suite = suite_create("stability");
@@ -156,5 +228,16 @@ Suite *suite_stability(void)
     tcase_add_loop_test(theory, the_linear_step_has_the_limits_done_by_hand, 0, LIMIT_COUNT);
     tcase_add_test(theory, below_its_limit_the_linear_step_does_not_grow_and_above_it_does);
     suite_add_tcase(suite, theory);
+    TCase *column = tcase_create("stretched column");
+    tcase_add_loop_test(column,
+                        a_stretched_column_with_strains_from_the_grid_velocity_does_not_grow, 0,
+                        STRETCH_COUNT);
+    tcase_add_loop_test(
+        column, a_stretched_column_grows_only_where_positions_and_strains_part_and_under_tension, 0,
+        STRETCH_COUNT);
+    tcase_add_loop_test(column, the_rate_of_a_stretched_column_is_proportional_to_the_step, 1,
+                        STRETCH_COUNT);
+    tcase_add_test(column, a_column_outside_of_the_range_has_no_rate);
+    suite_add_tcase(suite, column);
     return suite;
 }

@@ -37,6 +37,8 @@ START_TEST(whatever_a_program_does_each_declared_check_gets_its_status)
     ck_assert_int_eq(said.exit_status, 1);
     ck_assert_str_eq(test_last_line(said.out), "2 passed, 8 failed, 1 skipped");
     ck_assert_ptr_nonnull(strstr(said.out, "1 known weakness shows"));
+    ck_assert_ptr_nonnull(
+        strstr(said.out, "\nmeasured, and checked or compared by no case (1): omit another\n"));
     ck_assert_int_eq(records_read(output, &records, &error), MPM_OK);
     ck_assert_uint_eq(json_array_size(records.checks), (size_t)TEST_BEHAVIOURS);
     for (size_t i = 0; i < (size_t)TEST_BEHAVIOURS; i++) {

@@ -4,6 +4,7 @@
 #include "verification/score/references.h"
 
 #include "verification/exact/compression.h"
+#include "verification/exact/homogeneous_load.h"
 #include "verification/exact/lame_cylinder.h"
 #include "verification/exact/radial_mode.h"
 #include "verification/exact/self_weight.h"
@@ -78,6 +79,23 @@ static void self_weight(const struct reference_problem *problem, const double pl
     values[SCORE_STRESS_YY] = self_weight_stress(&column, place[1]);
 }
 
+/* A body under a traction on its end, its foot held along the axis; at rest. */
+static void end_load(const struct reference_problem *problem, const double place[2], double time,
+                     double values[SCORE_COLUMNS])
+{
+    (void)time;
+    const double *n = problem->number;
+    const struct compression_material material = {n[0], n[1]};
+    struct homogeneous_state state;
+    /* outside of the range of the stretches: NaN, which no result meets */
+    if (!homogeneous_end_load(&material, n[2], n[3], &state))
+        state = (struct homogeneous_state){.radial = (double)NAN, .axial = (double)NAN};
+    values[SCORE_DISPLACEMENT_X] = (state.radial - 1.0) * place[0];
+    values[SCORE_DISPLACEMENT_Y] = (state.axial - 1.0) * place[1];
+    values[SCORE_RELATIVE_VOLUME] = state.radial * state.radial * state.axial;
+    set_stress(values, state.stress.rr, state.stress.zz, state.stress.tt);
+}
+
 /* The first breathing mode; `speed` is the velocity of the rim at t = 0. */
 static void radial_mode(const struct reference_problem *problem, const double place[2], double time,
                         double values[SCORE_COLUMNS])
@@ -131,6 +149,12 @@ static const struct reference references[] = {
      {SCORE_DISPLACEMENT_Y, SCORE_STRESS_YY},
      NULL,
      self_weight},
+    {"end_load",
+     {"bulk", "shear", "traction", "power"},
+     {SCORE_DISPLACEMENT_X, SCORE_DISPLACEMENT_Y, SCORE_RELATIVE_VOLUME, SCORE_STRESS_XX,
+      SCORE_STRESS_YY, SCORE_STRESS_ZZ},
+     NULL,
+     end_load},
     {"radial_mode",
      {"radius", "young", "poisson", "density", "speed"},
      {SCORE_DISPLACEMENT_X, SCORE_VELOCITY_X},

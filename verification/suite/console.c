@@ -132,6 +132,18 @@ static void print_failures(const struct console *console, const struct records *
     }
 }
 
+void console_unchecked(const struct console *console, const GPtrArray *quantities)
+{
+    if (quantities->len == 0)
+        return;
+    clear_progress(console);
+    fprintf(console->out, "\nmeasured, and checked or compared by no case (%u):", quantities->len);
+    for (unsigned i = 0; i < quantities->len; i++)
+        fprintf(console->out, "%s %s", i == 0 ? "" : ",",
+                (const char *)g_ptr_array_index(quantities, i));
+    fputc('\n', console->out);
+}
+
 void console_end(struct console *console, const struct records *records, const char *output)
 {
     const struct record_counts counts = records_count(records, NULL, NULL);

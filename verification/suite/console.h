@@ -23,6 +23,9 @@ void console_begin(struct console *console, const struct plan *plan);
 void console_progress(void *context, size_t done, size_t total);
 void console_finished(void *context, size_t job, const struct job_result *result);
 
+/* Says which quantities were measured that no case checks or compares (unchecked.h), if any. */
+void console_unchecked(const struct console *console, const GPtrArray *quantities);
+
 /* Failures, expected failures, where the report is (`output` NULL: there is none whole),
  * and the last line `N passed, N failed, N skipped`. */
 void console_end(struct console *console, const struct records *records, const char *output);

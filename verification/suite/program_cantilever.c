@@ -257,18 +257,26 @@ static void add_nodes(struct beyond *beyond, const struct study *study, double d
     }
 }
 
-static void report_norm(struct measurement *m, const char *what, double distance,
-                        const struct norm *norm)
+static void report_value(struct measurement *m, const char *what, double distance, double value)
+{
+    char *const name = g_strdup_printf("%s_%g", what, distance);
+    measurement_report(m, name, value);
+    g_free(name);
+}
+
+/* What does not depend on the run: the finite elements that its errors are held against. */
+static void note_elements(struct measurement *m, double distance, const struct beyond *beyond)
 {
     const struct {
-        const char *kind;
-        double value;
-    } table[] = {{"l2", norm_l2(norm)}, {"worst", norm->largest}, {"worst_x", norm->at}};
-    for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
-        char *const name = g_strdup_printf("%s_%s_%g", what, table[k].kind, distance);
-        measurement_report(m, name, table[k].value);
-        g_free(name);
-    }
+        const char *what;
+        const struct norm *norm;
+    } table[] = {{"four-node elements at particles", &beyond->elements},
+                 {"the same on the mid-plane", &beyond->curve_elements},
+                 {"the same, smoothed at nodes", &beyond->curve_smoothed}};
+    for (size_t k = 0; k < sizeof table / sizeof *table; k++)
+        measurement_note(m, "beyond %g mm, %s: %.2f %%, at most %.2f %% at x = %g", distance,
+                         table[k].what, norm_l2(table[k].norm), table[k].norm->largest,
+                         table[k].norm->at);
 }
 
 static void report_beyond(struct measurement *m, const struct study *study, double distance)
@@ -276,12 +284,16 @@ static void report_beyond(struct measurement *m, const struct study *study, doub
     struct beyond beyond = {0};
     add_points(&beyond, study, distance);
     add_nodes(&beyond, study, distance);
-    report_norm(m, "points", distance, &beyond.points);
-    report_norm(m, "elements", distance, &beyond.elements);
-    report_norm(m, "integrated", distance, &beyond.integrated);
-    report_norm(m, "curve", distance, &beyond.curve);
-    report_norm(m, "curve_elements", distance, &beyond.curve_elements);
-    report_norm(m, "curve_smoothed", distance, &beyond.curve_smoothed);
+    report_value(m, "points_l2", distance, norm_l2(&beyond.points));
+    report_value(m, "points_worst", distance, beyond.points.largest);
+    report_value(m, "integrated_l2", distance, norm_l2(&beyond.integrated));
+    report_value(m, "curve_l2", distance, norm_l2(&beyond.curve));
+    report_value(m, "curve_worst", distance, beyond.curve.largest);
+    measurement_note(m,
+                     "beyond %g mm, the largest differences are at x = %g and, on the mid-plane, "
+                     "at x = %g",
+                     distance, beyond.points.at, beyond.curve.at);
+    note_elements(m, distance, &beyond);
 }
 
 /* Largest stress on the mid-plane, for the whole load. */
@@ -293,7 +305,7 @@ static void report_peaks(struct measurement *m, const struct study *study)
         reference = field_larger(reference, study->nodes[k].reference);
     }
     measurement_report(m, "peak", stress / study->factor);
-    measurement_report(m, "peak_reference", reference / study->factor);
+    measurement_note(m, "peak of the reference: %.5g", reference / study->factor);
 }
 
 static void report(struct measurement *m, const struct study *study)
@@ -301,7 +313,7 @@ static void report(struct measurement *m, const struct study *study)
     report_beyond(m, study, 2.0);
     report_beyond(m, study, 5.0);
     report_peaks(m, study);
-    measurement_report(m, "opening", study->opening);
+    measurement_note(m, "the face has risen by %.6g", study->opening);
     measurement_report(m, "opening_difference",
                        100.0 * (study->opening / (study->factor * study->rise) - 1.0));
 }

@@ -3,9 +3,8 @@
  * One grip of the scene moves at the velocity that the parameter `speed` gives (of what carries the
  * load; with two grips that move apart, of both together), in time as `ramp` says: speed t/ramp,
  * from `ramp` on the speed. All that the program knows comes out of the history: the force on the
- * grip is the change of external work over its way. Three figures for the work of the tractions:
+ * grip is the change of external work over its way. Two figures for the work of the tractions:
  *
- *     law       cohesive energies of the ledger, stored and dissipated
  *     balance   external work - kinetic - strain energy - what damping took
  *     force     the integral of the force over the opening (uniform openings only)
  *
@@ -131,7 +130,6 @@ static void report(const struct study *study, struct measurement *m, bool finish
     measurement_report(m, "balance_over_law", balance / work);
     if (study->area > 0.0) {
         const double full = study->law.toughness * study->area;
-        measurement_report(m, "law_work", work / full);
         measurement_report(m, "balance_work", balance / full);
         if (study->uniform > 0.0) {
             measurement_report(m, "force_work", study->force_work / full);

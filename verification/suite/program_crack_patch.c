@@ -163,7 +163,7 @@ static void report(const struct study *study, struct measurement *m, bool finish
 {
     measurement_report(m, "finished", finished ? 1.0 : 0.0);
     measurement_report(m, "opening", study->opening);
-    measurement_report(m, "largest_stress", study->largest[FIELD_COUNT - 1]);
+    measurement_note(m, "largest stress %.5g", study->largest[FIELD_COUNT - 1]);
     for (int k = 0; k < FIELD_COUNT; k++) {
         if (finished)
             measurement_report(m, FIELDS[k].quantity, study->difference[k]);

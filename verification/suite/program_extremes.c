@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/follow.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
@@ -102,7 +103,7 @@ static enum mpm_status report(struct measurement *m, const struct mpm_simulation
 {
     measurement_report(m, "ending", ending);
     measurement_report(m, "progress", 100.0 * record->now.time / record->end);
-    measurement_report(m, "steps", (double)mpm_simulation_step(simulation));
+    measurement_note(m, "%" PRIu64 " steps", mpm_simulation_step(simulation));
     measurement_report(m, "j_min", record->j_min);
     measurement_report(m, "j_max", record->j_max);
     measurement_report(m, "j_min_end", record->now.j_min);

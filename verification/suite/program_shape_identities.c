@@ -36,7 +36,7 @@ static void report_identities(struct measurement *measurement, struct shape_samp
             measurement_report(measurement, QUANTITY[i], residuals.residual[i]);
         }
     }
-    measurement_report(measurement, "samples", (double)residuals.samples);
+    measurement_note(measurement, "%.0f samples", (double)residuals.samples);
     measurement_work(measurement, residuals.samples);
 }
 

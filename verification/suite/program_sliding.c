@@ -137,14 +137,13 @@ static void report(const struct study *study, struct measurement *m, bool finish
     const double exact = study->parameters.acceleration, found = slope(&study->line);
     measurement_report(m, "finished", finished ? 1.0 : 0.0);
     measurement_report(m, "distance", study->cracked.displacement[0]);
-    measurement_report(m, "sunk", -study->cracked.displacement[1]);
+    measurement_note(m, "the block has sunk by %.5g", -study->cracked.displacement[1]);
     if (!finished) {
         measurement_inconclusive(m, exact > 0.0 ? "acceleration_ratio" : "slip",
                                  "the run did not reach its end");
         return;
     }
     if (exact > 0.0) {
-        measurement_report(m, "acceleration", found);
         measurement_report(m, "acceleration_ratio", found / exact);
         return;
     }

@@ -132,10 +132,11 @@ static void report(struct measurement *m, const struct follow_rows *rows,
     measurement_report(m, "turns", turns);
     measurement_report(m, "growth", 100.0 * growth);
     measurement_report(m, "growth_factor", growth_factor(rows, from, result->time_step));
-    measurement_report(m, "strain", 100.0 * strain);
     measurement_report(m, "mismatch", 100.0 * (growth - strain));
-    measurement_report(m, "spread", 100.0 * spread);
-    measurement_report(m, "radius_growth", 100.0 * (exp(radius_growth) - 1.0));
+    measurement_note(m,
+                     "strain of F %.4g %% a turn; at the end the radius has grown by %.4g %%, and "
+                     "F spreads by %.4g %%",
+                     100.0 * strain, 100.0 * (exp(radius_growth) - 1.0), 100.0 * spread);
     follow_report(m, result, radius / sqrt(2.0)); /* L(0) of a disk */
 }
 

@@ -28,6 +28,7 @@
     PROGRAM(cantilever)                                                                            \
     PROGRAM(carried)                                                                               \
     PROGRAM(manufactured)                                                                          \
+    PROGRAM(stretch)                                                                               \
     PROGRAM(stability)                                                                             \
     PROGRAM(extremes)                                                                              \
     PROGRAM(statics)                                                                               \

@@ -8,6 +8,7 @@
 #include "verification/suite/report.h"
 #include "verification/suite/report_kept.h"
 #include "verification/suite/schedule.h"
+#include "verification/suite/unchecked.h"
 
 #include <glib.h>
 
@@ -39,8 +40,17 @@ static enum mpm_status check_baseline(const struct run_options *options, struct 
     return MPM_OK;
 }
 
+static void say_unchecked(struct console *console, const struct catalogue *catalogue,
+                          const struct plan *plan, const struct records *records)
+{
+    GPtrArray *const quantities = unchecked_quantities(catalogue, plan, records->measurements);
+    console_unchecked(console, quantities);
+    g_ptr_array_unref(quantities);
+}
+
 /* Records and reports what the jobs left. */
-static enum mpm_status conclude(const struct run_options *options, const struct plan *plan,
+static enum mpm_status conclude(const struct run_options *options,
+                                const struct catalogue *catalogue, const struct plan *plan,
                                 const struct job_result *results, const char *started,
                                 double seconds, struct console *console,
                                 struct record_counts *counts, struct mpm_error *error)
@@ -62,13 +72,15 @@ static enum mpm_status conclude(const struct run_options *options, const struct 
         status = report_keep(options->output, &additions, error);
     if (status == MPM_OK)
         status = report_render(options->output, options->reports, error);
+    say_unchecked(console, catalogue, plan, &records);
     /* said on any outcome: the counts are known even if they could not be written */
     console_end(console, &records, status == MPM_OK ? options->output : NULL);
     records_clear(&records);
     return status;
 }
 
-static enum mpm_status run_plan(const struct run_options *options, const struct plan *plan,
+static enum mpm_status run_plan(const struct run_options *options,
+                                const struct catalogue *catalogue, const struct plan *plan,
                                 struct console *console, struct record_counts *counts,
                                 struct mpm_error *error)
 {
@@ -89,7 +101,8 @@ static enum mpm_status run_plan(const struct run_options *options, const struct 
     enum mpm_status status = schedule_run(plan, &schedule, results, error);
     const double seconds = (double)(g_get_monotonic_time() - start) * 1e-6;
     if (status == MPM_OK)
-        status = conclude(options, plan, results, started, seconds, console, counts, error);
+        status =
+            conclude(options, catalogue, plan, results, started, seconds, console, counts, error);
     schedule_clear(results, plan->job_count);
     g_free(results);
     g_free(started);
@@ -112,7 +125,7 @@ enum mpm_status suite_run(const struct run_options *options, struct program_tabl
         if (status == MPM_OK)
             status = output_prepare(options->output, options->reports, &plan, &lock, error);
         if (status == MPM_OK)
-            status = run_plan(options, &plan, console, counts, error);
+            status = run_plan(options, catalogue, &plan, console, counts, error);
         output_release(lock);
         plan_clear(&plan);
     }
