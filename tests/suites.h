@@ -25,6 +25,7 @@
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
     SUITE(time_step)                                                                               \
+    SUITE(fill)                                                                                    \
     SUITE(edges)                                                                                   \
     SUITE(tractions)                                                                               \
     SUITE(shapes)                                                                                  \

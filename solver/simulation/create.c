@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/memory.h"
 #include "base/strips.h"
 #include "method/crack_detection.h"
 #include "method/transfer.h"
@@ -341,6 +342,16 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
     return MPM_OK;
 }
 
+/* Refuses a scene that is too large before loads, cracks and conditions look at its particles and
+ * nodes; what these take is not in the estimate. */
+static enum mpm_status check_memory(struct mpm_simulation *simulation,
+                                    const struct mpm_fill_counts *counts, struct mpm_error *error)
+{
+    struct mpm_arena measure = {.base = NULL};
+    layout(simulation, counts, &measure);
+    return mpm_memory_check(measure.used, error);
+}
+
 static enum mpm_status build(struct mpm_simulation *simulation,
                              const struct mpm_simulation_options *options, struct mpm_error *error)
 {
@@ -351,6 +362,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     MPM_TRY(mpm_kernels_choose(scene, options, &state->kernels, error));
     MPM_TRY(create_expressions(simulation, error));
     MPM_TRY(mpm_bodies_count(scene, &state->grid, &counts, error));
+    MPM_TRY(check_memory(simulation, &counts, error));
     MPM_TRY(mpm_edge_loads_create(simulation, error));
     MPM_TRY(mpm_cracks_create(simulation, error));
     limit_workers(state, counts.deformable);
@@ -366,8 +378,8 @@ static enum mpm_status build(struct mpm_simulation *simulation,
         state->row_high[row] = -1;
     }
     describe_bodies(simulation);
-    mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid);
-    mpm_edge_loads_fill(simulation);
+    MPM_TRY(mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid, error));
+    MPM_TRY(mpm_edge_loads_fill(simulation, error));
     MPM_TRY(mpm_cracks_fill(simulation, error));
     MPM_TRY(mpm_openings_fill(simulation, error));
     MPM_TRY(set_velocities(simulation, error));

@@ -95,7 +95,7 @@ void mpm_damping_free(struct mpm_damping *damping);
  * finds none; their memory; which edges they are; values at t = 0 must be finite. */
 enum mpm_status mpm_edge_loads_create(struct mpm_simulation *simulation, struct mpm_error *error);
 void mpm_edge_loads_layout(struct mpm_state *state, struct mpm_arena *arena);
-void mpm_edge_loads_fill(struct mpm_simulation *simulation);
+enum mpm_status mpm_edge_loads_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulation,
                                            struct mpm_error *error);
 void mpm_edge_loads_free(struct mpm_state *state);
