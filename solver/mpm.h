@@ -91,10 +91,12 @@ enum mpm_status mpm_kernels_find(const char *name, enum mpm_kernels *kernels,
 enum mpm_status mpm_simd_find(const char *name, enum mpm_simd *simd, struct mpm_error *error);
 
 struct mpm_simulation_options {
-    int threads; /* >= 1; results do not depend on it */
+    int threads; /* at most so many, >= 1; results do not depend on it */
     enum mpm_kernels kernels;
     enum mpm_simd simd;
 };
+
+enum { MPM_REASON_SIZE = 128 };
 
 /* What a scene will cost: printed by `mpm check`. */
 struct mpm_plan {
@@ -107,6 +109,8 @@ struct mpm_plan {
     const char *kernels;   /* name of the kernel set chosen: "fast" or "reference" */
     const char *kernels_reason;
     const char *simd; /* the instructions that it uses */
+    int threads;      /* that a run uses, of those that the options allow */
+    char threads_reason[MPM_REASON_SIZE];
 };
 
 /* Validates all that needs geometry (bodies, boundaries, memory) and estimates the
@@ -323,6 +327,8 @@ const char *mpm_simulation_kernels(const struct mpm_simulation *simulation); /* 
  * both sides of a crack, and few between them. 0 where all particles take one set. */
 size_t mpm_simulation_general_particles(const struct mpm_simulation *simulation);
 const char *mpm_simulation_simd(const struct mpm_simulation *simulation); /* "x86-64-v3", ... */
+/* Threads that steps use: as many as the options allow and there is work for at the start. */
+int mpm_simulation_threads(const struct mpm_simulation *simulation);
 
 /* --------------------------------------------------------------------- run */
 

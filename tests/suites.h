@@ -11,6 +11,7 @@
     SUITE(support)                                                                                 \
     SUITE(status)                                                                                  \
     SUITE(base)                                                                                    \
+    SUITE(workers)                                                                                 \
     SUITE(expression)                                                                              \
     SUITE(material)                                                                                \
     SUITE(scene)                                                                                   \

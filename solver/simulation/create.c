@@ -312,16 +312,6 @@ static void open_books(struct mpm_simulation *simulation)
     simulation->energy_start = ledger.kinetic_energy + fabs(ledger.strain_energy);
 }
 
-/* A few particles are done before a second worker has woken up. */
-enum { PARTICLES_PER_WORKER = 4096 };
-
-static void limit_workers(struct mpm_state *state, size_t particles)
-{
-    const size_t useful = particles / PARTICLES_PER_WORKER + 1;
-    if ((size_t)state->workers > useful)
-        state->workers = (int)useful;
-}
-
 enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wave_speed,
                                     struct mpm_error *error)
 {
@@ -336,6 +326,7 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
     open_books(simulation);
     double unused[MPM_PHASE_COUNT] = {0.0}; /* part of the set-up */
     mpm_step_sort(state, simulation->backup.arrays, unused);
+    state->workers = mpm_threads_choose(state, state->workers, NULL);
     if (mpm_step_collect(state) != MPM_OK)
         return mpm_health_refuse_start(simulation, error);
     mpm_backup_save(simulation);
@@ -365,7 +356,6 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     MPM_TRY(check_memory(simulation, &counts, error));
     MPM_TRY(mpm_edge_loads_create(simulation, error));
     MPM_TRY(mpm_cracks_create(simulation, error));
-    limit_workers(state, counts.deformable);
     MPM_TRY(mpm_conditions_list(scene, &state->grid, boundary_value, state, &state->conditions,
                                 &state->condition_count, error));
     layout(simulation, &counts, &simulation->arena);

@@ -21,6 +21,7 @@ enum mpm_status mpm_scene_plan(const struct mpm_scene *scene,
         .kernels_reason = simulation->state.kernels.reason,
         .simd = mpm_simulation_simd(simulation),
     };
+    plan->threads = mpm_threads_choose(&simulation->state, options->threads, plan->threads_reason);
     plan->expected_steps = ceil(scene->end / plan->time_step * (1.0 - 1e-9));
     if (scene->steps > 0)
         plan->expected_steps = fmin(plan->expected_steps, (double)scene->steps);

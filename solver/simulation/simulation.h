@@ -149,6 +149,10 @@ enum mpm_status mpm_vector_field_check(const struct mpm_simulation *simulation,
 enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wave_speed,
                                     struct mpm_error *error);
 
+/* threads.c: how many of the threads that are allowed have work, by the particles and the strips
+ * that hold them; why, if `reason` is not NULL. For particles that are sorted. */
+int mpm_threads_choose(const struct mpm_state *state, int allowed, char reason[MPM_REASON_SIZE]);
+
 /* rest.c: judges the step just taken. */
 void mpm_rest_judge(struct mpm_simulation *simulation);
 
