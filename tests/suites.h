@@ -41,6 +41,7 @@
     SUITE(catalogue)                                                                               \
     SUITE(methods)                                                                                 \
     SUITE(comparison)                                                                              \
+    SUITE(labels)                                                                                  \
     SUITE(comparison_page)                                                                         \
     SUITE(judge)                                                                                   \
     SUITE(report)                                                                                  \
