@@ -79,6 +79,24 @@ START_TEST(helpers_that_went_to_sleep_are_woken)
 }
 END_TEST
 
+static void work_slowly(void *context, int64_t item, int worker)
+{
+    const struct timespec pause = {.tv_nsec = worker == 0 ? 200000 : 5000000};
+    (void)item;
+    (void)nanosleep(&pause, NULL);
+    ++*(_Atomic int *)context;
+}
+
+START_TEST(a_job_is_over_when_its_slowest_item_is_done)
+{
+    for (int turn = 0; turn < 10; turn++) {
+        _Atomic int done = 0;
+        mpm_workers_run(12, WORKERS_MAX, work_slowly, &done);
+        ck_assert_int_eq(done, 12);
+    }
+}
+END_TEST
+
 static double processor_seconds(void)
 {
     struct timespec now;
@@ -209,6 +227,7 @@ Suite *suite_workers(void)
     TCase *workers = tcase_create("workers");
     tcase_add_test(workers, each_item_runs_once_and_each_worker_does_one_at_a_time);
     tcase_add_test(workers, helpers_that_went_to_sleep_are_woken);
+    tcase_add_test(workers, a_job_is_over_when_its_slowest_item_is_done);
     tcase_add_test(workers, helpers_without_work_use_no_processor_time);
     tcase_add_test(workers, threads_that_call_at_the_same_time_have_helpers_of_their_own);
     tcase_add_test(workers, a_child_of_fork_has_helpers_of_its_own);
