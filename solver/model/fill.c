@@ -56,11 +56,9 @@ static enum mpm_status visit_rows(const struct mpm_scene *scene, const struct mp
                                   void *context)
 {
     const struct mpm_body_spec *const spec = &scene->bodies[body];
-    double low[2], high[2];
-    mpm_region_bounds(&spec->region, low, high);
     int64_t columns[2], rows[2];
-    site_range(grid, 0, spec->particles_per_cell[0], low[0], high[0], columns);
-    site_range(grid, 1, spec->particles_per_cell[1], low[1], high[1], rows);
+    site_range(grid, 0, spec->particles_per_cell[0], region->low[0], region->high[0], columns);
+    site_range(grid, 1, spec->particles_per_cell[1], region->low[1], region->high[1], rows);
     struct mpm_site_row row = {.origin = grid->origin[0],
                                .step = grid->cell[0] / spec->particles_per_cell[0],
                                .first = columns[0],
@@ -183,14 +181,13 @@ static enum mpm_status count_row(void *context, size_t body, const struct mpm_si
 static void list_near(struct counter *counter, size_t body)
 {
     const double room = 4.0 * site_slack(counter->grid);
-    double low[2], high[2];
-    mpm_region_bounds(&counter->scene->bodies[body].region, low, high);
+    const struct mpm_region_rows *const own = &counter->regions[body];
     counter->near_count = 0;
     for (size_t other = 0; other < counter->scene->body_count; other++) {
-        double from[2], to[2];
-        mpm_region_bounds(&counter->scene->bodies[other].region, from, to);
-        if (other != body && from[0] <= high[0] + room && low[0] <= to[0] + room &&
-            from[1] <= high[1] + room && low[1] <= to[1] + room)
+        const struct mpm_region_rows *const its = &counter->regions[other];
+        if (other != body && its->low[0] <= own->high[0] + room &&
+            own->low[0] <= its->high[0] + room && its->low[1] <= own->high[1] + room &&
+            own->low[1] <= its->high[1] + room)
             counter->near[counter->near_count++] = other;
     }
 }

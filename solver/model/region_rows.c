@@ -163,6 +163,7 @@ enum mpm_status mpm_region_rows_open(const struct mpm_region *region, double sla
     enum { BREAKS_OF_ANNULUS = 4 };
     const size_t edges = region->kind == MPM_REGION_POLYGON ? region->point_count : 0;
     *rows = (struct mpm_region_rows){.region = region, .slack = slack, .last_y = -HUGE_VAL};
+    mpm_region_bounds(region, rows->low, rows->high);
     rows->breaks = calloc(edges + BREAKS_OF_ANNULUS, sizeof *rows->breaks);
     rows->edges = calloc(edges + 1, sizeof *rows->edges);
     rows->crossed = calloc(edges + 1, sizeof *rows->crossed);

@@ -25,6 +25,7 @@ static inline double mpm_site_place(const struct mpm_site_row *row, int64_t colu
 struct mpm_region_rows {
     const struct mpm_region *region;
     double slack;
+    double low[2], high[2]; /* the smallest box around the region */
     int64_t *breaks;
     struct mpm_polygon_edge *edges; /* polygons only: by their lower end */
     size_t edge_count, edges_begun;
