@@ -20,14 +20,14 @@ static const int64_t PATIENCE = 50000; /* nanoseconds */
  * the job is. */
 struct team {
     _Alignas(CACHE_LINE) _Atomic uint64_t ticket;
-    _Alignas(CACHE_LINE) _Atomic int64_t pending; /* items that are not done */
-    _Alignas(CACHE_LINE) void (*work)(void *context, int64_t item, int worker);
+    _Atomic int64_t pending; /* items that are not done */
+    _Alignas(CACHE_LINE) int64_t count;
+    void (*work)(void *context, int64_t item, int worker);
     void *context;
-    int64_t count;
     int helpers;
-    _Alignas(CACHE_LINE) _Atomic int sleeping; /* helpers */
+    _Atomic int sleeping; /* of the helpers */
+    _Atomic int members;  /* the last one to leave frees the team */
     _Atomic bool owner_sleeps, ended;
-    _Atomic int members; /* the last one to leave frees the team */
     pthread_mutex_t mutex;
     pthread_cond_t wake_helpers, wake_owner;
 };
@@ -267,23 +267,31 @@ static void wait_for_helpers(struct team *team)
         }
 }
 
+static void share(struct team *team, int64_t count, int workers,
+                  void (*work)(void *context, int64_t item, int worker), void *context)
+{
+    team->work = work;
+    team->context = context;
+    team->count = count;
+    atomic_store(&team->pending, count);
+    atomic_store(&team->ticket, (uint64_t)workers << TICKET_BITS | (uint64_t)count);
+    wake_helpers(team);
+    work_items(team, 0);
+    wait_for_helpers(team);
+}
+
 void mpm_workers_run(int64_t count, int workers,
                      void (*work)(void *context, int64_t item, int worker), void *context)
 {
     const int useful = (int64_t)workers < count ? workers : (int)count;
     const int allowed = useful < WORKERS_MAX ? useful : WORKERS_MAX;
-    struct team *const team = allowed > 1 ? find_team(allowed) : NULL;
-    if (team == NULL) {
-        for (int64_t item = 0; item < count; item++)
-            work(context, item, 0);
+    struct team *team = NULL;
+    if (allowed > 1)
+        team = find_team(allowed);
+    if (team != NULL) {
+        share(team, count, allowed, work, context);
         return;
     }
-    team->work = work;
-    team->context = context;
-    team->count = count;
-    atomic_store(&team->pending, count);
-    atomic_store(&team->ticket, (uint64_t)allowed << TICKET_BITS | (uint64_t)count);
-    wake_helpers(team);
-    work_items(team, 0);
-    wait_for_helpers(team);
+    for (int64_t item = 0; item < count; item++)
+        work(context, item, 0);
 }

@@ -6,7 +6,6 @@
 #include "method/transfer.h"
 
 #include <stdatomic.h>
-#include <stdatomic.h>
 #include <string.h>
 
 _Static_assert(2 * MPM_STENCIL_MAX <= 32, "a particle's fields are two bits a node");
