@@ -26,14 +26,9 @@ one-by-one:
 else
 
 # ---------------------------------------------------------------- toolchain
-# macOS calls clang gcc, without OpenMP: there, Homebrew's newest.
+# macOS calls clang gcc: there, Homebrew's newest.
 DEFAULT_CC := $(or $(notdir $(lastword $(sort $(wildcard /opt/homebrew/bin/gcc-[0-9][0-9] \
                 /usr/local/Cellar/gcc/*/bin/gcc-[0-9][0-9])))),gcc)
-# gcc's OpenMP run time is not built for the thread sanitizer and reports races of its own;
-# clang's tells the sanitizer about its barriers through the tool archer.
-ifeq ($(VARIANT),tsan)
-DEFAULT_CC := clang
-endif
 ifeq ($(origin CC),default)
 CC := $(DEFAULT_CC)
 endif
@@ -54,7 +49,7 @@ $(error VARIANT=$(VARIANT): allowed are release debug asan ubsan san tsan cov)
 endif
 
 # Contraction is off so that every compiler and SIMD level gives the same bits.
-CODE_FLAGS := -std=c11 -D_POSIX_C_SOURCE=200809L $(FLAGS_$(VARIANT)) -ffp-contract=off -fopenmp \
+CODE_FLAGS := -std=c11 -D_POSIX_C_SOURCE=200809L $(FLAGS_$(VARIANT)) -ffp-contract=off -pthread \
               $(EXTRA_FLAGS)
 
 # pkg-config is asked when a recipe first needs the answer, and once.
@@ -199,10 +194,10 @@ FORCE:
 
 # -------------------------------------------------------------------- tests
 # Sanitizers slow a test down: Check's time-out is multiplied.
-# libomp itself is not built for the thread sanitizer: archer speaks for it.
+# GLib is not built for the thread sanitizer, and tests fork.
 TEST_ENVIRONMENT_asan := CK_TIMEOUT_MULTIPLIER=5 ASAN_OPTIONS=detect_leaks=1:$(ASAN_OPTIONS)
 TEST_ENVIRONMENT_san  := $(TEST_ENVIRONMENT_asan)
-TEST_ENVIRONMENT_tsan := CK_TIMEOUT_MULTIPLIER=10 TSAN_OPTIONS=ignore_noninstrumented_modules=1:$(TSAN_OPTIONS)
+TEST_ENVIRONMENT_tsan := CK_TIMEOUT_MULTIPLIER=10 TSAN_OPTIONS=ignore_noninstrumented_modules=1:die_after_fork=0:$(TSAN_OPTIONS)
 TEST_ENVIRONMENT_cov  := CK_TIMEOUT_MULTIPLIER=5
 
 .PHONY: test

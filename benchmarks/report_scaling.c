@@ -19,7 +19,7 @@ static const struct study {
     const char *where; /* in the name of its points, or "" */
     const char *settings, *title, *caption;
 } studies[] = {
-    {"threads", "scaling", "threads", " thread", "label='threads'; logarithmic=0", "Threads",
+    {"threads", "scaling", "threads", " thread", "label='threads'; logarithmic=2", "Threads",
      "Rate by the wall clock against threads, one line for each number of particles; lines "
      "through the points are 95 % intervals."},
     {"sizes", "throughput", "particles", "10^", "label='particles'; logarithmic=1",
@@ -153,6 +153,21 @@ static void add_limits(struct report *report, const GPtrArray *lines)
     }
 }
 
+/* More threads than there is work for change nothing. */
+static void add_unused(struct report *report, const GPtrArray *lines)
+{
+    for (unsigned i = 0; i < lines->len; i++) {
+        const json_t *line = lines->pdata[i];
+        const double used = report_number(line, "threads_used");
+        const double allowed = report_number(line, "threads");
+        if (used < allowed)
+            document_paragraph(report->document,
+                               "%s: there is work for %.0f of the %.0f threads, and the run used "
+                               "no more.",
+                               record_text(line, "point"), used, allowed);
+    }
+}
+
 static void add_study(struct report *report, const struct study *study)
 {
     GPtrArray *lines = report_lines(report, "result", study->group, rate);
@@ -169,6 +184,7 @@ static void add_study(struct report *report, const struct study *study)
                                                           data, study->title, study->caption});
         if (strcmp(study->group, "scaling") == 0) /* the others stand in a table above */
             add_table(report, lines);
+        add_unused(report, lines);
         add_limits(report, lines);
         g_free(data);
     }

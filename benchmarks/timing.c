@@ -134,6 +134,7 @@ static void note_facts(struct course *course, const struct mpm_simulation *simul
     course->particles = deformable(simulation);
     bench_point_number(point, "particles", (double)course->particles);
     bench_point_number(point, "threads", point->simulation.threads);
+    bench_point_number(point, "threads_used", mpm_simulation_threads(simulation));
     bench_point_text(point, "kernels", mpm_simulation_kernels(simulation));
     bench_point_text(point, "simd", mpm_simulation_simd(simulation));
     course->bytes = mpm_simulation_bytes(simulation);

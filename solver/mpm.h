@@ -119,10 +119,12 @@ enum mpm_status mpm_kernels_find(const char *name, enum mpm_kernels *kernels,
 enum mpm_status mpm_simd_find(const char *name, enum mpm_simd *simd, struct mpm_error *error);
 
 struct mpm_simulation_options {
-    int threads; /* >= 1; results do not depend on it */
+    int threads; /* at most so many, >= 1; results do not depend on it */
     enum mpm_kernels kernels;
     enum mpm_simd simd;
 };
+
+enum { MPM_REASON_SIZE = 128 };
 
 /* What a scene will cost: printed by `mpm check`. */
 struct mpm_plan {
@@ -137,6 +139,8 @@ struct mpm_plan {
     const char *simd;                        /* the instructions that it uses */
     double courant;                          /* of the first step */
     char stability_advice[MPM_MESSAGE_SIZE]; /* see mpm_simulation_advice */
+    int threads;                             /* that a run uses, of those that the options allow */
+    char threads_reason[MPM_REASON_SIZE];
 };
 
 /* Largest Courant numbers at which a scene's method kept motions bounded in case G1 of the suite: 2
@@ -326,8 +330,8 @@ bool mpm_scene_is_damped(const struct mpm_scene *scene);
 /* Has one of its cracks a cohesive law: has its history the columns of cohesive energies? */
 bool mpm_scene_is_cohesive(const struct mpm_scene *scene);
 
-/* Does it ask for output.energy_balance: has its history the column transfer_loss? And, with contact
- * of cracks, contact_loss? */
+/* Does it ask for output.energy_balance: has its history the column transfer_loss? And, with
+ * contact of cracks, contact_loss? */
 bool mpm_scene_has_energy_balance(const struct mpm_scene *scene);
 bool mpm_scene_has_contact_loss(const struct mpm_scene *scene);
 
@@ -351,12 +355,12 @@ struct mpm_rest {
     /* sum of |f_x| + |f_y| over the free components of nodes, damping left out, over the same of
      * the internal forces of all nodes (or the former, if larger): 0 to 1 */
     double residual;
-    /* of the particles, over the largest sum of kinetic and strain energy so far, which is looked at
-     * in one of 32 steps; 0 if the former is 0. Not over the external work: it goes on at rest,
+    /* of the particles, over the largest sum of kinetic and strain energy so far, which is looked
+     * at in one of 32 steps; 0 if the former is 0. Not over the external work: it goes on at rest,
      * where forces of nodes are out of balance (output.energy_balance) */
     double kinetic_energy;
-    /* The lowest residual since time.rest.after, and when it was reached; a value within 10 % of it is no
-     * lower one. 1 and 0 before. */
+    /* The lowest residual since time.rest.after, and when it was reached; a value within 10 % of it
+     * is no lower one. 1 and 0 before. */
     double lowest_residual, lowest_time;
 };
 /* Have both been below the scene's bounds for as many steps as it says, not counting those
@@ -405,6 +409,8 @@ const char *mpm_simulation_kernels(const struct mpm_simulation *simulation); /* 
  * both sides of a crack, and few between them. 0 where all particles take one set. */
 size_t mpm_simulation_general_particles(const struct mpm_simulation *simulation);
 const char *mpm_simulation_simd(const struct mpm_simulation *simulation); /* "x86-64-v3", ... */
+/* Threads that steps use: as many as the options allow and there is work for at the start. */
+int mpm_simulation_threads(const struct mpm_simulation *simulation);
 
 /* --------------------------------------------------------------------- run */
 

@@ -11,6 +11,7 @@
     SUITE(support)                                                                                 \
     SUITE(status)                                                                                  \
     SUITE(base)                                                                                    \
+    SUITE(workers)                                                                                 \
     SUITE(expression)                                                                              \
     SUITE(material)                                                                                \
     SUITE(scene)                                                                                   \
@@ -27,6 +28,7 @@
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
     SUITE(time_step)                                                                               \
+    SUITE(fill)                                                                                    \
     SUITE(edges)                                                                                   \
     SUITE(tractions)                                                                               \
     SUITE(shapes)                                                                                  \
@@ -41,6 +43,7 @@
     SUITE(catalogue)                                                                               \
     SUITE(methods)                                                                                 \
     SUITE(comparison)                                                                              \
+    SUITE(labels)                                                                                  \
     SUITE(comparison_page)                                                                         \
     SUITE(judge)                                                                                   \
     SUITE(report)                                                                                  \

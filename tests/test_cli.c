@@ -76,7 +76,8 @@ static const struct bad_line {
     {{"info", "more"}, "unexpected argument more"},
     {{"schema", "more"}, "unexpected argument more"},
     {{"run", "--bogus", "SCENE"}, "--bogus"},
-    {{"check", "--threads", "1", "SCENE"}, "--threads"},
+    {{"info", "--threads", "1"}, "--threads"},
+    {{"check", "SCENE", "--threads", "0"}, "'0' is not a whole number from 1 to 1024"},
     {{"info", "--set", "a=1"}, "--set"},
     {{"run", "SCENE", "--output"}, "--output"},
     {{"run", "SCENE", "--threads"}, "--threads"},
@@ -185,10 +186,16 @@ END_TEST
 START_TEST(check_prints_the_cost_and_writes_nothing)
 {
     static const char *const names[] = {
-        "particles  60", "cells      96",          "memory",         "time step  0.0219089 ms",
-        "steps",         "kernels    reference (", "simd       none"};
-    struct test_command command =
-        test_command_run("mpm", "check", "--kernels", "reference", fixture.scene, NULL);
+        "particles  60",
+        "cells      96",
+        "memory",
+        "time step  0.0219089 ms",
+        "steps",
+        "kernels    reference (",
+        "simd       none",
+        "threads    1 (of 3 allowed: 60 particles, one more thread for each 4096)\n"};
+    struct test_command command = test_command_run("mpm", "check", "--kernels", "reference",
+                                                   "--threads", "3", fixture.scene, NULL);
     ck_assert_int_eq(command.exit_status, MPM_OK);
     ck_assert_str_eq(command.errors, "");
     for (size_t i = 0; i < G_N_ELEMENTS(names); i++)

@@ -2,10 +2,12 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/expression.h"
+#include "base/strips.h"
 #include "suites.h"
 
 #include <locale.h>
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -140,23 +142,29 @@ START_TEST(an_expression_may_be_not_finite)
 }
 END_TEST
 
+struct own_places {
+    struct mpm_expression *expression;
+    atomic_int wrong;
+};
+
+static void evaluate_row(void *context, int64_t row, int worker)
+{
+    struct own_places *const places = context;
+    const double place[2] = {worker, (double)row}; /* whole numbers: exact */
+    const double value = mpm_expression_value(places->expression, worker, place, 2.0);
+    places->wrong += value != worker + 10.0 * (double)row + 200.0;
+}
+
 START_TEST(each_worker_evaluates_at_its_own_place)
 {
-    enum { WORKERS = 4, REPEATS = 1000 };
-    struct mpm_expression *expression = NULL;
-    int wrong = 0;
-    ck_assert_int_eq(
-        mpm_expression_create("r+10*z+100*t", AXISYMMETRIC, true, WORKERS, &expression, NULL),
-        MPM_OK);
-#pragma omp parallel for num_threads(WORKERS) schedule(static, 1) reduction(+ : wrong)
-    for (int worker = 0; worker < WORKERS; worker++)
-        for (int i = 0; i < REPEATS; i++) {
-            const double place[2] = {worker, i}; /* whole numbers: exact */
-            const double value = mpm_expression_value(expression, worker, place, 2.0);
-            wrong += value != worker + 10.0 * i + 200.0;
-        }
-    ck_assert_int_eq(wrong, 0);
-    mpm_expression_free(expression);
+    enum { WORKERS = 4, ROWS = 4000 };
+    struct own_places places = {0};
+    ck_assert_int_eq(mpm_expression_create("r+10*z+100*t", AXISYMMETRIC, true, WORKERS,
+                                           &places.expression, NULL),
+                     MPM_OK);
+    mpm_rows_run(0, ROWS - 1, WORKERS, evaluate_row, &places);
+    ck_assert_int_eq(places.wrong, 0);
+    mpm_expression_free(places.expression);
 }
 END_TEST
 

@@ -167,6 +167,18 @@ START_TEST(markdown_loses_raw_html_and_its_first_heading)
 }
 END_TEST
 
+START_TEST(markdown_without_a_text_below_its_title_is_an_empty_page)
+{
+    static const char *const texts[] = {"", "\n", "# Title", "# Title\n", "<b></b>"};
+    for (size_t i = 0; i < G_N_ELEMENTS(texts); i++) {
+        char *html = markdown_html(texts[i]);
+        ck_assert_msg(strstr(html, "Title") == NULL && strstr(html, "table") == NULL, "'%s': '%s'",
+                      texts[i], html);
+        g_free(html);
+    }
+}
+END_TEST
+
 Suite *suite_report(void)
 {
     Suite *suite = suite_create("report");
@@ -174,6 +186,7 @@ Suite *suite_report(void)
     tcase_add_test(reports, reports_are_well_formed_and_rendered_again_to_the_same_bytes);
     tcase_add_test(reports, result_lines_alone_are_enough_for_a_report);
     tcase_add_test(reports, markdown_loses_raw_html_and_its_first_heading);
+    tcase_add_test(reports, markdown_without_a_text_below_its_title_is_an_empty_page);
     suite_add_tcase(suite, reports);
     TCase *figures = tcase_create("figures");
     tcase_add_test(figures, a_figure_that_cannot_be_drawn_is_an_error_of_the_report);

@@ -117,12 +117,16 @@ START_TEST(every_scene_that_only_its_geometry_spoils_is_refused_at_creation)
 }
 END_TEST
 
-START_TEST(a_grid_that_no_memory_holds_is_a_failure_of_the_environment)
+START_TEST(a_scene_that_no_memory_holds_is_a_failure_of_the_environment)
 {
-    const double needed = 1e11; /* bytes: 2^31 nodes of some 100 */
-    if ((double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE) > needed)
+    static const struct {
+        const char *path;
+        double needed; /* bytes: 100 a node, 200 a particle */
+    } scenes[] = {{"tests/scenes/too_big/huge_grid.yaml", 1e11},
+                  {"tests/scenes/too_big/huge_bodies.yaml", 8e11}};
+    if ((double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE) > scenes[_i].needed)
         TEST_SKIP("this machine might hold it");
-    check_spoiled("tests/scenes/too_big/huge_grid.yaml", MPM_ENVIRONMENT_FAILED);
+    check_spoiled(scenes[_i].path, MPM_ENVIRONMENT_FAILED);
 }
 END_TEST
 
@@ -457,7 +461,8 @@ Suite *suite_scene(void)
     tcase_add_test(folders, every_malformed_scene_is_refused_with_its_message_and_line);
     tcase_add_test(folders, every_good_scene_is_read);
     tcase_add_test(folders, every_scene_that_only_its_geometry_spoils_is_refused_at_creation);
-    tcase_add_test(folders, a_grid_that_no_memory_holds_is_a_failure_of_the_environment);
+    tcase_add_loop_test(folders, a_scene_that_no_memory_holds_is_a_failure_of_the_environment, 0,
+                        2);
     suite_add_tcase(suite, folders);
     TCase *content = tcase_create("content");
     tcase_add_test(content, a_scene_says_what_its_file_says);

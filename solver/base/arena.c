@@ -3,9 +3,10 @@
 #define _DEFAULT_SOURCE /* NOLINT */
 #include "base/arena.h"
 
+#include "base/memory.h"
+
 #include <stdlib.h>
 #include <sys/mman.h>
-#include <unistd.h>
 
 enum { CACHE_LINE = 64 };
 
@@ -41,12 +42,7 @@ void *mpm_arena_take(struct mpm_arena *arena, size_t count, size_t size)
 
 enum mpm_status mpm_arena_allocate(struct mpm_arena *arena, struct mpm_error *error)
 {
-    const double bytes = (double)arena->used;
-    const double machine = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
-    if (bytes > machine)
-        return mpm_error_set(error, MPM_ENVIRONMENT_FAILED,
-                             "memory: the scene needs %.3g GB, the machine has %.3g GB",
-                             bytes * 1e-9, machine * 1e-9);
+    MPM_TRY(mpm_memory_check(arena->used, error));
     /* calloc of a large block hands out untouched pages: a part of the grid that no
      * particle reaches costs address space only. The slack aligns the first array. */
     arena->capacity = arena->used + CACHE_LINE;

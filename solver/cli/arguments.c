@@ -40,12 +40,14 @@ static enum cli_outcome take_scene(const struct cli_command *command, char **ope
     return CLI_GO_ON;
 }
 
-/* --kernels and --simd as given; NULL where not. */
-struct kernel_texts {
-    char *kernels, *simd;
+enum { THREADS_MAX = 1024 };
+
+/* --kernels, --simd and --threads as given; NULL where not. */
+struct simulation_texts {
+    char *kernels, *simd, *threads;
 };
 
-static void add_kernel_options(GOptionContext *context, struct kernel_texts *given)
+static void add_simulation_options(GOptionContext *context, struct simulation_texts *given)
 {
     const GOptionEntry options[] = {
         {"kernels", 0, 0, G_OPTION_ARG_FILENAME, &given->kernels,
@@ -54,26 +56,56 @@ static void add_kernel_options(GOptionContext *context, struct kernel_texts *giv
          "Instructions of the fast kernels: auto (the default: the widest of this machine), "
          "baseline or x86-64-v3",
          "LEVEL"},
+        {"threads", 0, 0, G_OPTION_ARG_FILENAME, &given->threads,
+         "Compute with at most so many threads (OMP_NUM_THREADS, or all processors)", "N"},
         {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
     };
     g_option_context_add_main_entries(context, options, NULL);
 }
 
-static enum cli_outcome take_kernels(const struct cli_command *command,
-                                     const struct kernel_texts *given,
+/* OMP_NUM_THREADS may be a list: the first number of it. */
+static int default_threads(void)
+{
+    const char *text = g_getenv("OMP_NUM_THREADS");
+    const guint64 number = text != NULL ? g_ascii_strtoull(text, NULL, 10) : 0;
+    return (int)MIN(number > 0 ? number : g_get_num_processors(), (guint64)THREADS_MAX);
+}
+
+static enum cli_outcome take_threads(const struct cli_command *command, const char *text,
                                      struct mpm_simulation_options *simulation)
 {
+    guint64 number = 0;
+    simulation->threads = default_threads();
+    if (text == NULL)
+        return CLI_GO_ON;
+    if (!g_ascii_string_to_unsigned(text, 10, 1, THREADS_MAX, &number, NULL)) {
+        (void)cli_fail(
+            MPM_BAD_INPUT,
+            "%s: --threads: '%s' is not a whole number from 1 to %d; see 'mpm %s --help'",
+            command->name, text, THREADS_MAX, command->name);
+        return CLI_BAD_USAGE;
+    }
+    simulation->threads = (int)number;
+    return CLI_GO_ON;
+}
+
+static enum cli_outcome take_simulation(const struct cli_command *command,
+                                        const struct simulation_texts *given,
+                                        struct mpm_simulation_options *simulation)
+{
     struct mpm_error error = {.status = MPM_OK};
+    if (simulation == NULL)
+        return CLI_GO_ON;
     if (given->kernels != NULL &&
         mpm_kernels_find(given->kernels, &simulation->kernels, &error) != MPM_OK)
         return bad_usage(command, "--kernels: ", error.message);
     if (given->simd != NULL && mpm_simd_find(given->simd, &simulation->simd, &error) != MPM_OK)
         return bad_usage(command, "--simd: ", error.message);
-    return CLI_GO_ON;
+    return take_threads(command, given->threads, simulation);
 }
 
 static GOptionContext *describe(const struct cli_arguments *arguments, const GOptionEntry *common,
-                                struct kernel_texts *kernels)
+                                struct simulation_texts *simulation)
 {
     GOptionContext *context = g_option_context_new(arguments->command->operands);
     g_option_context_set_help_enabled(context, FALSE); /* GLib's own would exit */
@@ -82,7 +114,7 @@ static GOptionContext *describe(const struct cli_arguments *arguments, const GOp
     if (arguments->options != NULL)
         g_option_context_add_main_entries(context, arguments->options, NULL);
     if (arguments->simulation != NULL)
-        add_kernel_options(context, kernels);
+        add_simulation_options(context, simulation);
     g_option_context_add_main_entries(context, common, NULL);
     return context;
 }
@@ -91,7 +123,7 @@ enum cli_outcome cli_arguments_read(const struct cli_arguments *arguments, int a
                                     char **scene)
 {
     const struct cli_command *command = arguments->command;
-    struct kernel_texts kernels = {NULL, NULL};
+    struct simulation_texts simulation = {NULL, NULL, NULL};
     gboolean help = FALSE;
     char **operands = NULL;
     const GOptionEntry common[] = {
@@ -101,7 +133,7 @@ enum cli_outcome cli_arguments_read(const struct cli_arguments *arguments, int a
     };
     char *program = g_strdup_printf("mpm %s", command->name);
     g_set_prgname(program);
-    GOptionContext *context = describe(arguments, common, &kernels);
+    GOptionContext *context = describe(arguments, common, &simulation);
 
     GError *failure = NULL;
     enum cli_outcome outcome = CLI_HELP_SHOWN;
@@ -112,14 +144,15 @@ enum cli_outcome cli_arguments_read(const struct cli_arguments *arguments, int a
         (void)fputs(text, stdout);
         g_free(text);
     } else {
-        outcome = take_kernels(command, &kernels, arguments->simulation);
+        outcome = take_simulation(command, &simulation, arguments->simulation);
         if (outcome == CLI_GO_ON)
             outcome = take_scene(command, operands, scene);
     }
     g_clear_error(&failure);
     g_strfreev(operands);
-    g_free(kernels.kernels);
-    g_free(kernels.simd);
+    g_free(simulation.kernels);
+    g_free(simulation.simd);
+    g_free(simulation.threads);
     g_option_context_free(context);
     g_free(program);
     return outcome;

@@ -30,7 +30,7 @@ struct cli_arguments {
     const struct cli_command *command;
     const GOptionEntry *options;               /* ends with {NULL}; NULL for none */
     const char *description;                   /* end of the help text; may be NULL */
-    struct mpm_simulation_options *simulation; /* of --kernels and --simd; NULL: neither is taken */
+    struct mpm_simulation_options *simulation; /* of --kernels, --simd, --threads; NULL: none */
 };
 
 enum cli_outcome { CLI_GO_ON, CLI_HELP_SHOWN, CLI_BAD_USAGE };

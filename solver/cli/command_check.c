@@ -42,6 +42,7 @@ static void print_plan(const struct mpm_scene *scene, const struct mpm_plan *pla
     print_stability(scene, plan);
     (void)printf("kernels    %s (%s)\n", plan->kernels, plan->kernels_reason);
     (void)printf("simd       %s\n", plan->simd);
+    (void)printf("threads    %d (%s)\n", plan->threads, plan->threads_reason);
 }
 
 static int print_check(const struct mpm_scene *scene,
@@ -65,7 +66,7 @@ int cli_check(const struct cli_command *command, int argc, char **argv)
          "Set a value of the scene; the last one wins", "PATH=VALUE"},
         {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
     };
-    struct mpm_simulation_options simulation = {.threads = 1};
+    struct mpm_simulation_options simulation = {.kernels = MPM_KERNELS_AUTO};
     const struct cli_arguments arguments = {
         .command = command, .options = options, .simulation = &simulation};
     const enum cli_outcome outcome = cli_arguments_read(&arguments, argc, argv, &path);

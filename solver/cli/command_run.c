@@ -5,24 +5,21 @@
 #include "cli/progress.h"
 
 #include <inttypes.h>
-#include <omp.h>
 #include <stdio.h>
 #include <string.h>
-
-enum { THREADS_MAX = 1024 };
 
 static const char description[] =
     "The results go to the folder DIR, or to NAME-results in the current folder for\n"
     "a scene NAME.yaml: run.json, history.csv, particles-NNNNNN.hdf and\n"
     "particles.hdf.series, which ParaView opens. A folder that holds results is\n"
     "refused unless --overwrite is given, which removes them first.\n"
-    "The default of --threads is OMP_NUM_THREADS, or all processors; results are the\n"
-    "same for any number, and for any LEVEL of SIMD. 'mpm check' tells which kernels a\n"
-    "scene gets, and why. PATH is a place in the scene, such as grid.refine,\n"
+    "Results are the same for any number of threads, and for any LEVEL of SIMD. 'mpm\n"
+    "check' says which kernels and how many threads a scene gets, and why. PATH is a place in the "
+    "scene, such as grid.refine,\n"
     "materials.polymer.bulk or bodies.0.velocity.1; VALUE is YAML.";
 
 struct run_arguments {
-    char *scene, *output, *threads;
+    char *scene, *output;
     char **settings;
     struct mpm_simulation_options simulation;
     gboolean resume, overwrite, quiet;
@@ -39,7 +36,6 @@ static enum cli_outcome read_arguments(const struct cli_command *command, int ar
          NULL},
         {"set", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &read->settings,
          "Set a value of the scene; the last one wins", "PATH=VALUE"},
-        {"threads", 0, 0, G_OPTION_ARG_FILENAME, &read->threads, "Threads to compute with", "N"},
         {"quiet", 'q', 0, G_OPTION_ARG_NONE, &read->quiet, "Print nothing but errors", NULL},
         {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
     };
@@ -64,20 +60,6 @@ static char *default_output(const char *scene)
     return output;
 }
 
-static int read_threads(const char *text, int *threads)
-{
-    guint64 number = 0;
-    if (text == NULL) {
-        *threads = MIN(omp_get_max_threads(), THREADS_MAX);
-        return MPM_OK;
-    }
-    if (!g_ascii_string_to_unsigned(text, 10, 1, THREADS_MAX, &number, NULL))
-        return cli_fail(MPM_BAD_INPUT, "--threads: '%s' is not a whole number from 1 to %d", text,
-                        THREADS_MAX);
-    *threads = (int)number;
-    return MPM_OK;
-}
-
 static int refuse_resume(const struct run_arguments *arguments)
 {
     return cli_fail(MPM_BAD_INPUT,
@@ -98,9 +80,7 @@ static void print_summary(const struct cli_progress *progress, const char *outpu
 static int run_scene(struct run_arguments *arguments)
 {
     struct mpm_scene *scene = NULL;
-    int status = read_threads(arguments->threads, &arguments->simulation.threads);
-    if (status == MPM_OK && arguments->resume)
-        status = refuse_resume(arguments);
+    int status = arguments->resume ? refuse_resume(arguments) : MPM_OK;
     if (status == MPM_OK)
         status = cli_scene_read(arguments->scene, arguments->settings, &scene);
     if (status != MPM_OK)
@@ -141,7 +121,6 @@ int cli_run(const struct cli_command *command, int argc, char **argv)
     }
     g_free(arguments.scene);
     g_free(arguments.output);
-    g_free(arguments.threads);
     g_strfreev(arguments.settings);
     return status;
 }

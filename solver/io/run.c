@@ -287,7 +287,7 @@ static enum mpm_status write_record(struct run *run, enum mpm_status status,
     record->scene_path = run->options->scene_path;
     record->kernels = mpm_simulation_kernels(run->simulation);
     record->simd = mpm_simulation_simd(run->simulation);
-    record->threads = run->options->simulation.threads;
+    record->threads = mpm_simulation_threads(run->simulation);
     record->steps = mpm_simulation_step(run->simulation);
     record->particles = mpm_simulation_particle_count(run->simulation);
     record->bytes = mpm_simulation_bytes(run->simulation) + mpm_series_bytes(run->series);

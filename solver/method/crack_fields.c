@@ -5,6 +5,7 @@
 #include "method/crack_map.h"
 #include "method/transfer.h"
 
+#include <stdatomic.h>
 #include <string.h>
 
 _Static_assert(2 * MPM_STENCIL_MAX <= 32, "a particle's fields are two bits a node");
@@ -116,9 +117,7 @@ static void add_to_spans(const struct mpm_state *state, int64_t index, size_t p)
 static void keep(const struct search *search, const struct mpm_crack_kept *made)
 {
     struct mpm_cracks *const cracks = &search->state->cracks;
-    size_t place;
-#pragma omp atomic capture
-    place = cracks->kept_count++;
+    const size_t place = atomic_fetch_add_explicit(&cracks->kept_count, 1, memory_order_relaxed);
     if (place >= cracks->kept_capacity)
         return;
     struct mpm_crack_kept *const kept = &cracks->kept[place];

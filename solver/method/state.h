@@ -189,7 +189,8 @@ struct mpm_cracks {
     /* Of the step */
     struct mpm_crack_map *map;   /* cells near cracks; see crack_map.h */
     struct mpm_crack_kept *kept; /* particles with further fields; see crack_fields.h */
-    size_t kept_count, kept_capacity;
+    _Atomic size_t kept_count;
+    size_t kept_capacity;
     uint32_t *kept_of;            /* per particle: one more than its place in `kept`, or 0 */
     struct mpm_crack_span *spans; /* see mpm_crack_spans */
     uint8_t *wanted;   /* per node: bits of the sides that some particle asks for, and more of

@@ -11,8 +11,7 @@ static bool polygon_contains(const struct mpm_region *region, double x, double y
         const double *const b = region->points[last];
         if ((a[1] > y) == (b[1] > y))
             continue;
-        const double crossing = a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
-        if (x < crossing)
+        if (x < mpm_polygon_crossing(a, b, y))
             inside = !inside;
     }
     return inside;

@@ -11,6 +11,13 @@
  * (a small fraction of a cell) keeps round-off from deciding. */
 bool mpm_region_contains(const struct mpm_region *region, const double point[2], double slack);
 
+/* The x at which an edge of a polygon from b to a crosses the height y; b[1] != a[1]. A point is
+ * inside if it has an odd number of crossings beyond it. */
+static inline double mpm_polygon_crossing(const double a[2], const double b[2], double y)
+{
+    return a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+}
+
 /* Is a node on it (to `slack` along each axis)? For lines (parallel to an axis or not),
  * rectangles and `all`. */
 bool mpm_region_touches(const struct mpm_region *region, const double point[2],

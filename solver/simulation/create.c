@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/memory.h"
 #include "base/strips.h"
 #include "method/crack_detection.h"
 #include "method/transfer.h"
@@ -340,16 +341,6 @@ static enum mpm_status open_books(struct mpm_simulation *simulation, struct mpm_
     return MPM_OK;
 }
 
-/* A few particles are done before a second worker has woken up. */
-enum { PARTICLES_PER_WORKER = 4096 };
-
-static void limit_workers(struct mpm_state *state, size_t particles)
-{
-    const size_t useful = particles / PARTICLES_PER_WORKER + 1;
-    if ((size_t)state->workers > useful)
-        state->workers = (int)useful;
-}
-
 enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wave_speed,
                                     struct mpm_error *error)
 {
@@ -365,10 +356,21 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
     mpm_stability_advise(simulation);
     double unused[MPM_PHASE_COUNT] = {0.0}; /* part of the set-up */
     mpm_step_sort(state, simulation->backup.arrays, unused);
+    state->workers = mpm_threads_choose(state, state->workers, NULL);
     if (mpm_step_collect(state) != MPM_OK)
         return mpm_health_refuse_start(simulation, error);
     mpm_backup_save(simulation);
     return MPM_OK;
+}
+
+/* Refuses a scene that is too large before loads, cracks and conditions look at its particles and
+ * nodes; what these take is not in the estimate. */
+static enum mpm_status check_memory(struct mpm_simulation *simulation,
+                                    const struct mpm_fill_counts *counts, struct mpm_error *error)
+{
+    struct mpm_arena measure = {.base = NULL};
+    layout(simulation, counts, &measure);
+    return mpm_memory_check(measure.used, error);
 }
 
 static enum mpm_status build(struct mpm_simulation *simulation,
@@ -381,9 +383,9 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     MPM_TRY(mpm_kernels_choose(scene, options, &state->kernels, error));
     MPM_TRY(create_expressions(simulation, error));
     MPM_TRY(mpm_bodies_count(scene, &state->grid, &counts, error));
+    MPM_TRY(check_memory(simulation, &counts, error));
     MPM_TRY(mpm_edge_loads_create(simulation, error));
     MPM_TRY(mpm_cracks_create(simulation, error));
-    limit_workers(state, counts.deformable);
     MPM_TRY(mpm_conditions_list(scene, &state->grid, boundary_value, state, &state->conditions,
                                 &state->condition_count, error));
     layout(simulation, &counts, &simulation->arena);
@@ -396,8 +398,8 @@ static enum mpm_status build(struct mpm_simulation *simulation,
         state->row_high[row] = -1;
     }
     describe_bodies(simulation);
-    mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid);
-    mpm_edge_loads_fill(simulation);
+    MPM_TRY(mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid, error));
+    MPM_TRY(mpm_edge_loads_fill(simulation, error));
     MPM_TRY(mpm_cracks_fill(simulation, error));
     MPM_TRY(mpm_openings_fill(simulation, error));
     MPM_TRY(set_velocities(simulation, error));

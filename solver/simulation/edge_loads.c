@@ -113,7 +113,7 @@ static enum mpm_status count_edges(struct mpm_simulation *simulation, size_t loa
     struct finder finder = {.state = &simulation->state, .load = load};
     char key[KEY_SIZE];
     mpm_body_half_size(scene, &simulation->state.grid, spec->body, finder.half);
-    MPM_TRY(mpm_body_sites(scene, &simulation->state.grid, spec->body, count_site, &finder));
+    MPM_TRY(mpm_body_sites(scene, &simulation->state.grid, spec->body, count_site, &finder, error));
     simulation->state.edge_loads.count += finder.count;
     if (finder.count > 0)
         return MPM_OK;
@@ -154,17 +154,18 @@ void mpm_edge_loads_layout(struct mpm_state *state, struct mpm_arena *arena)
 }
 
 /* Ids are given out as bodies are filled: in this order. */
-void mpm_edge_loads_fill(struct mpm_simulation *simulation)
+enum mpm_status mpm_edge_loads_fill(struct mpm_simulation *simulation, struct mpm_error *error)
 {
     const struct mpm_scene *const scene = simulation->scene;
     struct mpm_state *const state = &simulation->state;
     struct finder finder = {.state = state, .sites = state->edge_loads.sites};
     if (state->edge_loads.count == 0)
-        return;
+        return MPM_OK;
     for (size_t body = 0; body < scene->body_count; body++) {
         mpm_body_half_size(scene, &state->grid, body, finder.half);
-        (void)mpm_body_sites(scene, &state->grid, body, fill_site, &finder);
+        MPM_TRY(mpm_body_sites(scene, &state->grid, body, fill_site, &finder, error));
     }
+    return MPM_OK;
 }
 
 /* Values at t = 0 must be finite. Particles still stand in creation order, as the sites do. */

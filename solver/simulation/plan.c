@@ -25,6 +25,7 @@ enum mpm_status mpm_scene_plan(const struct mpm_scene *scene,
     };
     (void)snprintf(plan->stability_advice, sizeof plan->stability_advice, "%s",
                    mpm_simulation_advice(simulation));
+    plan->threads = mpm_threads_choose(&simulation->state, options->threads, plan->threads_reason);
     plan->expected_steps = ceil(scene->end / plan->time_step * (1.0 - 1e-9));
     if (scene->steps > 0)
         plan->expected_steps = fmin(plan->expected_steps, (double)scene->steps);

@@ -124,7 +124,7 @@ void mpm_damping_free(struct mpm_damping *damping);
  * finds none; their memory; which edges they are; values at t = 0 must be finite. */
 enum mpm_status mpm_edge_loads_create(struct mpm_simulation *simulation, struct mpm_error *error);
 void mpm_edge_loads_layout(struct mpm_state *state, struct mpm_arena *arena);
-void mpm_edge_loads_fill(struct mpm_simulation *simulation);
+enum mpm_status mpm_edge_loads_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulation,
                                            struct mpm_error *error);
 void mpm_edge_loads_free(struct mpm_state *state);
@@ -180,6 +180,10 @@ enum mpm_status mpm_vector_field_check(const struct mpm_simulation *simulation,
  * backup. */
 enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wave_speed,
                                     struct mpm_error *error);
+
+/* threads.c: how many of the threads that are allowed have work, by the particles and the strips
+ * that hold them; why, if `reason` is not NULL. For particles that are sorted. */
+int mpm_threads_choose(const struct mpm_state *state, int allowed, char reason[MPM_REASON_SIZE]);
 
 /* rest.c: judges the step just taken. */
 void mpm_rest_judge(struct mpm_simulation *simulation);

@@ -3,6 +3,7 @@
  *
  *     node run.js REPORT AXE PICTURES     the test; screenshots go to the folder PICTURES
  *     node run.js --top REPORT AXE PICTURES   of the pages in the top folder alone
+ *     node run.js --labels FOLDER AXE     of the labels of all pictures in the folder alone
  *     node run.js --self-test REPORT AXE  each fault, put into a copy, turns the test red
  *
  * The last line is `N passed, N failed, N skipped`; exit status 1 if one failed.
@@ -150,6 +151,14 @@ async function testReport(browser, folder, axe, pictures, top) {
   return test;
 }
 
+async function testLabels(browser, folder, axe) {
+  const test = new Test(folder, axe), tab = await browser.tab(), pictures = filesOf(folder, ".svg", 4);
+  await tab.width(WIDTHS[2]);
+  test.judge("pictures", pictures.length > 0 ? [] : [`none in ${folder}`]);
+  for (const file of pictures) await test.labels(tab, file);
+  return test;
+}
+
 /* A fault that the test does not see is a failure, and so is one that it calls by another name. */
 async function testItself(browser, folder, axe) {
   const test = new Test(folder, axe), tab = await browser.tab();
@@ -176,6 +185,7 @@ async function main(args) {
   const browser = new Browser(process.env.CHROMIUM || "chromium");
   try {
     const test = option === "--self-test" ? await testItself(browser, folder, axe)
+      : option === "--labels" ? await testLabels(browser, folder, axe)
       : await testReport(browser, folder, axe, pictures, option === "--top");
     test.say();
     console.log(`${test.passed} passed, ${test.failures.length} failed, 0 skipped`);

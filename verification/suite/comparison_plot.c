@@ -3,27 +3,28 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/comparison_plot.h"
 
+#include "verification/measures/axis_tics.h"
 #include "verification/measures/label_places.h"
 #include "verification/suite/output.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-/* The inside of the picture in pixels, as reports/comparison.gp has it, and its letters. */
+enum { NAME_FONT = 12, NUMBER_FONT = 10, TIC_FONT = 14, NUMBERS_SHOWN = 3 };
+
+/* The inside of the picture in pixels, as reports/comparison.gp has it, its letters, and what is
+ * left for labels of tics: beyond both ends of x, and before y and its title. */
 static const struct label_frame frame = {0.86 * 760, 0.71 * 520, 6.0};
-enum { NAME_LETTER = 7, NUMBER_LETTER = 6, LINE = 13, NUMBERS_SHOWN = 3 };
+static const struct axis_room room_across = {
+    .length = 0.86 * 760, .along = true, .beyond = 0.02 * 760 - 1, .font = TIC_FONT};
+static const struct axis_room room_up = {.length = 0.71 * 520, .across = 60, .font = TIC_FONT};
+static const double LINE = 1.2; /* height of a line in sizes of its font */
 
 struct point {
     double x, y;
     size_t row;
     bool front;
     unsigned order, shape; /* of the stress update and the functions, 0 if there is none */
-};
-
-struct axis {
-    double low, high;
-    bool logarithmic;
 };
 
 static double drawn(const struct comparison_column *column, double value)
@@ -77,33 +78,15 @@ static int compare_points(const void *a, const void *b)
     return (one->row > other->row) - (one->row < other->row);
 }
 
-/* Logarithmic over more than a decade of positive numbers, and a margin on either side. */
-static struct axis axis_of(const GArray *points, bool vertical)
+static struct axis_range range_of(const GArray *points, bool vertical)
 {
-    struct axis axis = {HUGE_VAL, -HUGE_VAL, false};
+    double low = HUGE_VAL, high = -HUGE_VAL;
     for (unsigned i = 0; i < points->len; i++) {
         const struct point *point = &g_array_index(points, struct point, i);
-        axis.low = fmin(axis.low, vertical ? point->y : point->x);
-        axis.high = fmax(axis.high, vertical ? point->y : point->x);
+        low = fmin(low, vertical ? point->y : point->x);
+        high = fmax(high, vertical ? point->y : point->x);
     }
-    axis.logarithmic = axis.low > 0 && axis.high > 10 * axis.low;
-    if (axis.logarithmic) {
-        const double margin = pow(axis.high / axis.low, 0.08);
-        axis.low /= margin;
-        axis.high *= margin;
-    } else {
-        const double span = axis.high - axis.low;
-        const double margin = span > 0 ? 0.08 * span : fmax(0.1 * fabs(axis.high), 1e-12);
-        axis.low -= margin;
-        axis.high += margin;
-    }
-    return axis;
-}
-
-static double place_on(const struct axis *axis, double value)
-{
-    return axis->logarithmic ? log(value / axis->low) / log(axis->high / axis->low)
-                             : (value - axis->low) / (axis->high - axis->low);
+    return axis_range_of(low, high);
 }
 
 static void add_number(GString *text, const char *format, double value)
@@ -112,47 +95,34 @@ static void add_number(GString *text, const char *format, double value)
     g_string_append(text, g_ascii_formatd(digits, sizeof digits, format, value));
 }
 
-static void add_tic(GString *axes, double step, int power)
+static void add_tics(GString *axes, char name, const struct axis_range *range,
+                     const struct axis_room *room)
 {
-    if (abs(power) <= 3)
-        add_number(axes, "%g", step * pow(10, power));
-    else
-        g_string_append_printf(axes, "%s10^{%d}", step > 3 ? "5·" : step > 1 ? "2·" : "", power);
-}
-
-/* Decades; over fewer than three of them 1, 2, 5. */
-static void add_tics(GString *axes, char name, const struct axis *axis)
-{
-    static const double steps[] = {1, 2, 5};
-    const double decades = log10(axis->high / axis->low);
-    const int every = (int)ceil(decades / 8);
-    bool first = true;
+    struct axis_tic tics[AXIS_TICS_MAX];
+    const size_t count = axis_tics(range, room, tics);
+    if (count == 0) {
+        g_string_append_printf(axes, "unset %ctics\n", name);
+        return;
+    }
     g_string_append_printf(axes, "set %ctics (", name);
-    for (int power = (int)floor(log10(axis->low)); power <= (int)log10(axis->high) + 1; power++)
-        for (unsigned i = 0; i < (decades < 3 ? G_N_ELEMENTS(steps) : 1); i++) {
-            const double value = steps[i] * pow(10, power);
-            if (value < axis->low || value > axis->high || power % every != 0)
-                continue;
-            g_string_append(axes, first ? "'" : ", '");
-            add_tic(axes, steps[i], power);
-            g_string_append(axes, "' ");
-            add_number(axes, "%.9g", value);
-            first = false;
-        }
+    for (size_t i = 0; i < count; i++) {
+        g_string_append_printf(axes, "%s'%s' ", i == 0 ? "" : ", ", tics[i].text);
+        add_number(axes, "%.15g", tics[i].value);
+    }
     g_string_append(axes, ")\n");
 }
 
-static void add_range(GString *axes, char name, const struct axis *range)
+static void add_axis(GString *axes, char name, const struct axis_range *range,
+                     const struct axis_room *room)
 {
     g_string_append_printf(axes, "set %crange [", name);
-    add_number(axes, "%.9g", range->low);
+    add_number(axes, "%.15g", range->low);
     g_string_append_c(axes, ':');
-    add_number(axes, "%.9g", range->high);
+    add_number(axes, "%.15g", range->high);
     g_string_append(axes, "]\n");
-    if (!range->logarithmic)
-        return;
-    g_string_append_printf(axes, "set logscale %c\n", name);
-    add_tics(axes, name, range);
+    if (range->logarithmic)
+        g_string_append_printf(axes, "set logscale %c\n", name);
+    add_tics(axes, name, range, room);
 }
 
 /* -------------------------------------------------------------------- labels */
@@ -191,7 +161,7 @@ static void add_label(GString *axes, const char *text, const struct label_place 
 {
     char *quoted = figure_quoted(text);
     g_string_append_printf(axes, "set label %s left noenhanced font ',%d' at graph ", quoted,
-                           front ? 12 : 10);
+                           front ? NAME_FONT : NUMBER_FONT);
     add_number(axes, "%.5f", label->left / frame.width);
     g_string_append(axes, ", graph ");
     add_number(axes, "%.5f", (label->low + 0.5 * label->height) / frame.height);
@@ -200,21 +170,21 @@ static void add_label(GString *axes, const char *text, const struct label_place 
 }
 
 static void add_labels(GString *axes, const struct comparison_view *view, const GArray *points,
-                       const struct axis *x, const struct axis *y)
+                       const struct axis_range *x, const struct axis_range *y)
 {
     struct label_place *labels = g_new0(struct label_place, points->len + 1);
     GPtrArray *texts = g_ptr_array_new_with_free_func(g_free);
     for (unsigned i = 0; i < points->len; i++) {
         const struct point *point = &g_array_index(points, struct point, i);
-        labels[i].x = frame.width * place_on(x, point->x);
-        labels[i].y = frame.height * place_on(y, point->y);
+        labels[i].x = frame.width * axis_place(x, point->x);
+        labels[i].y = frame.height * axis_place(y, point->y);
     }
     for (unsigned i = 0; i < points->len; i++) {
         char *text = label_text(view, points, labels, i);
         g_ptr_array_add(texts, text);
-        const bool front = g_array_index(points, struct point, i).front;
-        labels[i].width = (double)strlen(text) * (front ? NAME_LETTER : NUMBER_LETTER);
-        labels[i].height = LINE;
+        const double font = g_array_index(points, struct point, i).front ? NAME_FONT : NUMBER_FONT;
+        labels[i].width = axis_text_width(text, font);
+        labels[i].height = LINE * font;
     }
     label_places_find(labels, points->len, &frame);
     for (unsigned i = 0; i < points->len; i++)
@@ -261,16 +231,16 @@ char *comparison_plot_data(const struct comparison_view *view, size_t x, size_t 
     GString *data = g_string_new(NULL);
     g_array_sort(points, compare_points);
     if (points->len >= 2) {
-        const struct axis across = axis_of(points, false), up = axis_of(points, true);
+        const struct axis_range across = range_of(points, false), up = range_of(points, true);
         for (unsigned i = 0; i < points->len; i++) {
             const struct point *point = &g_array_index(points, struct point, i);
-            add_number(data, "%.9g", point->x);
+            add_number(data, "%.15g", point->x);
             g_string_append_c(data, ' ');
-            add_number(data, "%.9g", point->y);
+            add_number(data, "%.15g", point->y);
             g_string_append_printf(data, " %u %u %d\n", point->order, point->shape, point->front);
         }
-        add_range(axes, 'x', &across);
-        add_range(axes, 'y', &up);
+        add_axis(axes, 'x', &across, &room_across);
+        add_axis(axes, 'y', &up, &room_up);
         add_names(axes, view, points, "order");
         add_names(axes, view, points, "shape");
         add_labels(axes, view, points, &across, &up);

@@ -36,8 +36,9 @@ static char *replace(char *text, const char *from, const char *to)
 static char *with_boxes(const char *html)
 {
     char **parts = g_strsplit(html, "<table>", -1);
+    const unsigned count = g_strv_length(parts); /* 0 for an empty text */
     GString *result = g_string_new(parts[0]);
-    for (unsigned i = 1; parts[i] != NULL; i++)
+    for (unsigned i = 1; i < count; i++)
         g_string_append_printf(result,
                                "<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
                                "aria-label=\"Table %u of the text\"><table>%s",
