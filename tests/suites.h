@@ -61,6 +61,7 @@
     SUITE(cohesive_laws)                                                                           \
     SUITE(symmetry)                                                                                \
     SUITE(scene_settings)                                                                          \
+    SUITE(schema)                                                                                  \
     SUITE(suite)                                                                                   \
     SUITE(bench)                                                                                   \
     SUITE(timing)                                                                                  \
