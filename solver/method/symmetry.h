@@ -20,7 +20,8 @@
 void mpm_symmetries_reflect_momentum(struct mpm_state *state);
 /* Once all forces are. */
 void mpm_symmetries_reflect_force(struct mpm_state *state);
-/* After the re-extrapolation of momenta. */
+/* After each pass that sums momenta up in grid.gradient: the re-extrapolation, and those of XPIC
+ * and FMPM. */
 void mpm_symmetries_reflect_extrapolated(struct mpm_state *state);
 
 #endif
