@@ -70,6 +70,7 @@
     SUITE(cohesive_laws)                                                                           \
     SUITE(symmetry)                                                                                \
     SUITE(scene_settings)                                                                          \
+    SUITE(schema)                                                                                  \
     SUITE(suite)                                                                                   \
     SUITE(bench)                                                                                   \
     SUITE(timing)                                                                                  \

@@ -82,16 +82,18 @@ static void assert_half_of(const struct test_run *whole, const struct test_run *
     ck_assert_near(2.0 * part.damping_dissipation, all.damping_dissipation, HALF_ROUND_OFF);
 }
 
-START_TEST(half_a_block_with_its_plane_of_symmetry_is_half_of_the_whole)
+static void assert_half_is_half(int index, const char *setting)
 {
-    const int pair = _i / CRACK_BLOCK_METHODS;
+    const int pair = index / CRACK_BLOCK_METHODS;
     struct test_run runs[2];
     for (int k = 0; k < 2; k++) {
-        struct settings settings = crack_block_method(_i);
+        struct settings settings = crack_block_method(index);
         settings_add_formatted(&settings, "bodies.block.velocity=%s", HALVES[pair].whole);
         settings_add_formatted(&settings, "loads={body_force: %s}", HALVES[pair].rest);
         settings_add(&settings, "damping={grid: 0.3}");
         settings_add(&settings, "time={end: 1000, step: 0.02}");
+        if (setting != NULL)
+            settings_add(&settings, setting);
         if (k == 1) {
             settings_add_formatted(&settings, "grid=%s", HALVES[pair].grid);
             settings_add_formatted(&settings, "bodies.block.region.rectangle=%s",
@@ -104,11 +106,30 @@ START_TEST(half_a_block_with_its_plane_of_symmetry_is_half_of_the_whole)
     struct crack_block_start start = crack_block_start(&runs[0]);
     for (int k = 0; k < 2; k++)
         test_run_steps(&runs[k], 30);
-    if (!crack_block_amplifies(_i) && !differs_at_edge(_i))
+    if (!crack_block_amplifies(index) && !differs_at_edge(index))
         assert_half_of(&runs[0], &runs[1], &start, HALVES[pair].axis, HALVES[pair].place);
     crack_block_start_free(&start);
     for (int k = 0; k < 2; k++)
         test_run_close(&runs[k]);
+}
+
+START_TEST(half_a_block_with_its_plane_of_symmetry_is_half_of_the_whole)
+{
+    assert_half_is_half(_i, NULL);
+}
+END_TEST
+
+/* Transfers that pass velocities through the nodes once more must reflect those too. */
+static const char *const TRANSFERS[] = {
+    "method.transfer={kind: xpic, order: 3}",
+    "method.transfer={kind: fmpm, order: 3}",
+    "method.transfer={kind: apic}",
+};
+enum { TRANSFERS_COUNT = G_N_ELEMENTS(TRANSFERS) };
+
+START_TEST(half_a_block_is_half_of_the_whole_with_every_transfer)
+{
+    assert_half_is_half(_i / TRANSFERS_COUNT, TRANSFERS[_i % TRANSFERS_COUNT]);
 }
 END_TEST
 
@@ -149,6 +170,8 @@ Suite *suite_symmetry(void)
     TCase *halves = tcase_create("halves");
     tcase_add_loop_test(halves, half_a_block_with_its_plane_of_symmetry_is_half_of_the_whole, 0,
                         HALVES_COUNT * CRACK_BLOCK_METHODS);
+    tcase_add_loop_test(halves, half_a_block_is_half_of_the_whole_with_every_transfer, 0,
+                        HALVES_COUNT * CRACK_BLOCK_METHODS * TRANSFERS_COUNT);
     suite_add_tcase(suite, halves);
     TCase *refusals = tcase_create("refusals");
     tcase_add_loop_test(refusals, a_plane_with_a_load_across_it_or_bodies_on_both_sides_is_refused,

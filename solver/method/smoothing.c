@@ -5,6 +5,7 @@
 #include "method/conditions.h"
 #include "method/grid_update.h"
 #include "method/particle_updates.h"
+#include "method/symmetry.h"
 
 /* ---------------------------------------------------------------- iteration */
 
@@ -59,6 +60,7 @@ void mpm_smoothing_run(struct mpm_state *state, int workers)
     mpm_grid_rows_run(state, after_update ? begin_with_end : begin_with_start);
     for (int order = 1; order < state->scene->transfer_order; order++) {
         mpm_strips_run(state->strip_count, workers, state->kernels.passes->smooth, state);
+        mpm_symmetries_reflect_extrapolated(state);
         mpm_grid_rows_run(state, next_order);
         mpm_conditions_apply_smoothed(state);
     }

@@ -20,7 +20,8 @@
  *   the re-extrapolated momentum of MUSL and USAVG are of lumped velocities (the latter those of
  *   particles that have taken S w_k).
  *
- * Conditions: nodes that are held keep that velocity in every w_r; mirrors at the axis mirror w_r.
+ * Conditions: nodes that are held keep that velocity in every w_r; mirrors at the axis mirror w_r,
+ * and planes of symmetry reflect the sums S^T m_p S w_r.
  *
  * Positions: as for every transfer, `position_update` is of the grid's velocities. grid_velocity
  * moves particles with S v^{n+1} (XPIC) and S w_k (FMPM); midpoint with dt/2 S a less. The

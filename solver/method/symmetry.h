@@ -26,7 +26,8 @@ int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, doubl
 void mpm_symmetries_reflect_momentum(struct mpm_state *state);
 /* Once all forces are. */
 void mpm_symmetries_reflect_force(struct mpm_state *state);
-/* After the re-extrapolation of momenta. */
+/* After each pass that sums momenta up in grid.gradient: the re-extrapolation, and those of XPIC
+ * and FMPM. */
 void mpm_symmetries_reflect_extrapolated(struct mpm_state *state);
 
 /* The images of a node of the grid across all planes, those that are active, with the signs of

@@ -1,0 +1,97 @@
+/* The schema as JSON, for programs.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/schema.h"
+#include "suites.h"
+
+#include <glib.h>
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The objects of the JSON, by their `key`. */
+static json_t *schema_objects(void)
+{
+    char *text = mpm_schema_json();
+    json_t *schema = json_loads(text, 0, NULL);
+    ck_assert_ptr_nonnull(schema);
+    free(text);
+    const json_t *keys = json_object_get(schema, "keys");
+    json_t *objects = json_object();
+    for (size_t i = 0; i < json_array_size(keys); i++) {
+        json_t *key = json_array_get(keys, i);
+        const char *path = json_string_value(json_object_get(key, "key"));
+        ck_assert_int_eq(json_object_set(objects, path, key), 0);
+    }
+    ck_assert_uint_eq(json_object_size(objects), json_array_size(keys));
+    json_decref(schema);
+    return objects;
+}
+
+START_TEST(the_schema_as_json_has_every_key_of_the_table)
+{
+    json_t *objects = schema_objects();
+    char *text = mpm_schema_text();
+    char **rows = g_strsplit(g_strchomp(text), "\n", -1);
+    ck_assert_uint_eq(json_object_size(objects), g_strv_length(rows) - 1);
+    for (size_t i = 1; rows[i] != NULL; i++) {
+        char *key = g_strndup(rows[i], strcspn(rows[i], " "));
+        ck_assert_msg(json_object_get(objects, key) != NULL, "%s", key);
+        g_free(key);
+    }
+    g_strfreev(rows);
+    free(text);
+    json_decref(objects);
+}
+END_TEST
+
+START_TEST(the_schema_as_json_says_kind_range_choices_and_default)
+{
+    static const char *const expected[][2] = {
+        {"geometry", "{'shape': 'choice', 'value': null, 'required': true, 'default': null, "
+                     "'choices': ['plane_strain', 'plane_stress', 'axisymmetric']}"},
+        {"thickness", "{'shape': 'one', 'value': 'number', 'geometry': 'planar', 'unit': 'length', "
+                      "'default': '1', 'low': 0.0, 'low_open': true, 'high': null}"},
+        {"grid.cells", "{'shape': 'pair', 'value': 'integer', 'low': 1.0, 'high': 2147483648.0, "
+                       "'low_open': false, 'high_open': false, 'choices': null}"},
+        {"method.axis", "{'geometry': 'axisymmetric', 'default': 'truncated'}"},
+        {"materials[].law",
+         "{'shape': 'one', 'value': 'law', 'choices': ['neo_hookean', 'linear_elastic']}"},
+        {"materials[].poisson", "{'low': -1.0, 'high': 0.5, 'low_open': true, 'high_open': true}"},
+        {"bodies[].rigid", "{'shape': 'group', 'value': null, 'geometry': null}"},
+        {"boundary[].velocity", "{'shape': 'pair', 'value': 'drive', 'unit': 'length/time'}"},
+        {"boundary", "{'shape': 'list', 'default': '[]', 'required': false}"},
+        {"cracks[].points", "{'shape': 'points', 'value': 'number', 'low': 2.0, 'high': 10000.0}"},
+        {"damping.pic", "{'value': 'expression'}"},
+        {"time.allow_unstable", "{'value': 'boolean'}"},
+        {"title", "{'value': 'text'}"},
+        {"units.length", "{'value': 'name', 'help': 'name of the unit of length'}"},
+    };
+    json_t *objects = schema_objects();
+    for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
+        char *text = g_strdelimit(g_strdup(expected[i][1]), "'", '"');
+        json_t *members = json_loads(text, 0, NULL);
+        const json_t *key = json_object_get(objects, expected[i][0]);
+        ck_assert_ptr_nonnull(members);
+        for (void *at = json_object_iter(members); at != NULL;
+             at = json_object_iter_next(members, at)) {
+            const char *name = json_object_iter_key(at);
+            ck_assert_msg(json_equal(json_object_get(key, name), json_object_iter_value(at)),
+                          "%s: %s", expected[i][0], name);
+        }
+        json_decref(members);
+        g_free(text);
+    }
+    json_decref(objects);
+}
+END_TEST
+
+Suite *suite_schema(void)
+{
+    Suite *suite = suite_create("schema");
+    TCase *json = tcase_create("JSON");
+    tcase_add_test(json, the_schema_as_json_has_every_key_of_the_table);
+    tcase_add_test(json, the_schema_as_json_says_kind_range_choices_and_default);
+    suite_add_tcase(suite, json);
+    return suite;
+}
