@@ -95,8 +95,9 @@ VERIFY_SOURCES := $(filter-out $(VERIFY_MAIN),$(sort $(wildcard verification/*/*
 BENCH_MAIN     := $(wildcard benchmarks/main.c)
 BENCH_SOURCES  := $(filter-out $(BENCH_MAIN),$(sort $(wildcard benchmarks/*.c)))
 TEST_SOURCES   := $(sort $(wildcard tests/*.c tests/support/*.c))
+PROBE_MAIN     := tests/scene_generator/nodes.c
 SOURCES := $(SOLVER_SOURCES) $(FAST_SOURCE) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) \
-           $(BENCH_SOURCES) $(BENCH_MAIN) $(TEST_SOURCES)
+           $(BENCH_SOURCES) $(BENCH_MAIN) $(TEST_SOURCES) $(PROBE_MAIN)
 HEADERS := $(sort $(wildcard solver/*.h solver/*/*.h verification/*/*.h benchmarks/*.h reports/*.h \
              tests/*.h tests/*/*.h))
 objects  = $(patsubst %.c,$(BUILD)/objects/%.o,$(1))
@@ -137,6 +138,7 @@ LIBRARY  := $(BUILD)/libmpm.a
 PROGRAMS := $(if $(CLI_SOURCES),$(BUILD)/bin/mpm) $(if $(VERIFY_MAIN),$(BUILD)/bin/mpm-verify) \
             $(if $(BENCH_MAIN),$(BUILD)/bin/mpm-bench)
 TESTER   := $(BUILD)/bin/mpm-tests
+PROBE    := $(BUILD)/bin/mpm-nodes
 
 # Commands are shown in short; V=1 shows them whole.
 short = $(if $(V),,@echo '  $(1) $(2)';)
@@ -155,6 +157,8 @@ $(BUILD)/bin/mpm-verify: $(call objects,$(VERIFY_MAIN)) $(VERIFY_OBJECTS) $(LIBR
 	$(link) $(LIBS_SUITE) $(LIBS_SOLVER)
 $(BUILD)/bin/mpm-bench: $(call objects,$(BENCH_MAIN) $(BENCH_SOURCES)) $(VERIFY_OBJECTS) $(LIBRARY)
 	$(link) $(LIBS_SUITE) $(LIBS_SOLVER)
+$(PROBE): $(call objects,$(PROBE_MAIN)) $(LIBRARY)
+	$(link) $(LIBS_SOLVER)
 $(TESTER): $(call objects,$(TEST_SOURCES) $(BENCH_SOURCES)) $(VERIFY_OBJECTS) $(LIBRARY)
 	$(link) $(LIBS_TESTS) $(LIBS_SUITE) $(LIBS_SOLVER)
 
@@ -190,7 +194,7 @@ $(BUILD)/generated/build_facts.h: FORCE
 	@printf '#define BUILD_%s "%s"\n' VERSION '$(VERSION)' REVISION '$(REVISION)' \
 	  FLAGS '$(CODE_FLAGS)' $(replace_if_changed)
 # A source that goes away must leave the library and the programs too.
-$(LIBRARY) $(PROGRAMS) $(TESTER): $(BUILD)/generated/sources.txt
+$(LIBRARY) $(PROGRAMS) $(TESTER) $(PROBE): $(BUILD)/generated/sources.txt
 $(BUILD)/generated/sources.txt: FORCE
 	@mkdir -p $(@D)
 	@echo '$(SOURCES)' $(replace_if_changed)
@@ -215,6 +219,13 @@ test: $(FAST_OBJECTS) $(TESTER) $(PROGRAMS) ## unit tests; also VARIANT=debug|as
 test-kernels: $(TESTER) $(PROGRAMS) ## fast kernels against reference: whole runs, all combinations
 	@MPM_TEST_LONG=1 CK_RUN_SUITE=kernels $(TEST_ENVIRONMENT_$(VARIANT)) $(TESTER)
 	@MPM_TEST_LONG=1 CK_RUN_SUITE=kernel_table $(TEST_ENVIRONMENT_$(VARIANT)) $(TESTER)
+
+# Python of the system: that is what the packages of `make deps` are for.
+.PHONY: test-scenes
+SECONDS_OF_SCENES ?= 60
+test-scenes: $(BUILD)/bin/mpm $(PROBE) ## random scenes against invariants, for SECONDS_OF_SCENES (60)
+	@/usr/bin/python3 -B tests/scene_generator/search.py --programs $(BUILD)/bin --seconds \
+	  $(SECONDS_OF_SCENES) --jobs $(JOBS) $(if $(SEED),--seed $(SEED)) --output $(BUILD)/scenes
 
 .PHONY: coverage
 coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gcovr

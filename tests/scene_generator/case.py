@@ -1,0 +1,129 @@
+"""A scene that is judged: its runs, and what invariants ask about it.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+
+import copy
+import math
+
+import compare
+from draw import wave_speed
+
+BALANCE = "energy_balance"  # key of output: history has the losses that close the ledger
+
+
+class Violation(Exception):
+    """An invariant does not hold: what was seen, what is allowed."""
+
+
+class Discarded(Exception):
+    """A scene that `mpm check` refuses."""
+
+
+class Case:
+    """A scene, its runs as they are needed, and what invariants ask about it."""
+
+    def __init__(self, runner, schema, scene):
+        self.runner, self.schema, self.scene = runner, schema, copy.deepcopy(scene)
+        self.kept = {}
+        if self.measures_losses:
+            self.scene.setdefault("output", {}).setdefault(BALANCE, True)
+
+    def once(self, name, make):
+        """What `make` returns, made when it is first asked for."""
+        if name not in self.kept:
+            self.kept[name] = make()
+        return self.kept[name]
+
+    # ------------------------------------------------------------------------- runs
+    @property
+    def base(self):
+        """The run of the scene as it is."""
+        return self.once("base", lambda: self.runner.run(self.scene))
+
+    @property
+    def brief(self):
+        """The scene with so few steps that round-off stays round-off."""
+        scene = copy.deepcopy(self.scene)
+        scene["time"]["steps"] = min(compare.STEPS, scene["time"].get("steps", compare.STEPS))
+        scene["time"].pop("rest", None)
+        return scene
+
+    @property
+    def plain(self):
+        """The run of the brief scene."""
+        if self.brief == self.scene:
+            return self.base
+        return self.once("plain", lambda: self.runner.run(self.brief))
+
+    # -------------------------------------------------------------------- questions
+    @property
+    def measures_losses(self):
+        """Can a scene ask for what is lost between particles and nodes?"""
+        return self.schema.child("output").child(BALANCE) is not None
+
+    @property
+    def hides_losses(self):
+        """Has the scene been drawn not to ask for them?"""
+        return self.measures_losses and not self.scene["output"][BALANCE]
+
+    @property
+    def axisymmetric(self):
+        """Is the scene axisymmetric?"""
+        return self.scene["geometry"] == "axisymmetric"
+
+    @property
+    def cell(self):
+        """The size of a cell of the refined grid."""
+        grid = self.scene["grid"]
+        return [side / grid.get("refine", 1) for side in grid["cell"]]
+
+    @property
+    def wave(self):
+        """Speed of waves in the stiffest material."""
+        return max(map(wave_speed, self.scene["materials"]))
+
+    @property
+    def method(self):
+        """The method, with the defaults that matter here."""
+        given = self.scene.get("method", {})
+        transfer = given.get("transfer", {})
+        return {"shape": given.get("shape", "ugimp"), "form": given.get("form", "velocity"),
+                "axis": given.get("axis", "truncated"), "cracks": given.get("cracks", "fields"),
+                "kind": transfer.get("kind", "flip"),
+                "fraction": transfer.get("fraction", 1), "order": transfer.get("order", 1)}
+
+    @property
+    def cracks(self):
+        """The cracks of the scene."""
+        return self.scene.get("cracks", [])
+
+    @property
+    def touching(self):
+        """Has a crack contact?"""
+        return any(crack.get("contact", "frictionless") != "none" for crack in self.cracks)
+
+    @property
+    def loads(self):
+        """The loads of the scene."""
+        return self.scene.get("loads", {})
+
+    @property
+    def rigid(self):
+        """Has the scene rigid bodies?"""
+        return any("rigid" in body for body in self.scene["bodies"])
+
+
+def evaluate(expression, **names):
+    """The value of an expression of a scene."""
+    if not isinstance(expression, str):
+        return float(expression)
+    functions = {"sin": math.sin, "min": min, "max": max, "pi": math.pi}
+    return float(eval(expression.replace("^", "**"),  # our own text: numbers, names, operators
+                      {"__builtins__": {}}, functions | names))
+
+
+def require(holds, text):
+    """Raises Violation with the text unless it holds."""
+    if not holds:
+        raise Violation(text)

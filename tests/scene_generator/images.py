@@ -1,0 +1,168 @@
+"""Invariants: the same scene, seen another way, has the same answer. Functions as in balance.py.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+
+import math
+
+import numpy
+
+import compare
+import transform
+from case import require
+from transform import Motion
+
+
+# ------------------------------------------------- the same scene, seen another way
+def same_answer(case, scene, motion=Motion(), options=(), what="the other run"):
+    """The answer to the brief scene, moved, is that to the other scene, to round-off."""
+    one = case.plain
+    if one.status != 0:
+        return False
+    other = case.runner.run(scene, *options)
+    require(other.status == 0, f"{what}: exit {other.status}: {other.message}")
+    order = transform.matched(one.start, other.start, motion)
+    require(order is not None, f"{what}: other particles at t = 0")
+    off = compare.difference(one, other, order, motion, case.cell, case.wave)
+    if off.size <= compare.ROUND_OFF:
+        return True
+    response = case.once("response", lambda: shaken_response(case))
+    if case.touching and response >= 0.1 * off.size:
+        return False  # a decision of contact hangs by a thread
+    require(off.size <= compare.allowed(response), f"{what} differs: {off}; allowed: "
+            f"{compare.allowed(response):.2g} (a shake of 1e-9 moves the answer by {response:.2g})")
+    return True
+
+
+def shaken_response(case):
+    """How far the answer moves when the scene is shaken; nothing is known where it fails then."""
+    one, other = case.plain, case.runner.run(compare.shaken(case.brief))
+    if other.status != 0 or len(other.start.id) != len(one.start.id):
+        return math.inf
+    order = numpy.arange(len(one.start.id))
+    return compare.difference(one, other, order, Motion(), case.cell, case.wave).size
+
+
+def moved_by_whole_cells(case):
+    """A scene that lies elsewhere has the same answer there; in axisymmetry along z."""
+    grid = case.scene["grid"]
+    shift = [0 if case.axisymmetric else 3 * grid["cell"][0], -5 * grid["cell"][1]]
+    motion = Motion(shift=shift)
+    return same_answer(case, transform.moved(case.schema, case.brief, motion), motion,
+                       what="the scene moved by whole cells")
+
+
+def mirrored_along_x(case):
+    """The mirror image of a planar scene has the mirror image of its answer."""
+    if case.axisymmetric:
+        return False
+    motion = Motion(matrix=[[-1, 0], [0, 1]])
+    return same_answer(case, transform.moved(case.schema, case.brief, motion), motion,
+                       what="the mirror image in x")
+
+
+def mirrored_along_y(case):
+    """The same along y or z."""
+    motion = Motion(matrix=[[1, 0], [0, -1]])
+    return same_answer(case, transform.moved(case.schema, case.brief, motion), motion,
+                       what="the mirror image in y or z")
+
+
+def turned_by_a_right_angle(case):
+    """A planar scene turned by 90 degrees has the turned answer."""
+    if case.axisymmetric:
+        return False
+    motion = Motion(matrix=[[0, -1], [1, 0]])
+    return same_answer(case, transform.moved(case.schema, case.brief, motion), motion,
+                       what="the scene turned by 90 degrees")
+
+
+def bodies_in_another_order(case):
+    """The order of bodies in the scene does not matter."""
+    if len(case.scene["bodies"]) < 2:
+        return False
+    return same_answer(case, transform.with_bodies_reversed(case.schema, case.brief),
+                       what="the scene with its bodies in the other order")
+
+
+def cracks_in_another_order(case):
+    """Neither does that of cracks, nor the direction in which their points are given."""
+    if not case.cracks or any("propagation" in integral for crack in case.cracks
+                              for integral in crack.get("j_integral", [])):
+        return False
+    return same_answer(case, transform.with_cracks_reversed(case.schema, case.brief),
+                       what="the scene with its cracks in the other order and direction")
+
+
+def fast_kernels_are_the_reference(case):
+    """Both sets of kernels give the same answer to round-off."""
+    if case.plain.status != 0 or case.plain.kernels != "fast":
+        return False
+    return same_answer(case, case.brief, options=("--kernels", "reference"),
+                       what="the run with reference kernels")
+
+
+# ----------------------------------------------------------------------- same bits
+def same_bits(one, other, scales, what):
+    """Fields of the last states, those of the other one over their scales, are the same bits."""
+    require(other.status == one.status, f"{what}: exit {other.status}: {other.message}")
+    for name, scale in scales.items():
+        mine, theirs = one.end.fields[name], other.end.fields[name] / scale
+        size = compare.largest(mine) or 1.0
+        require(mine.shape == theirs.shape and (mine == theirs).all(),
+                f"{what}: {name} differs by {compare.largest(mine - theirs) / size:.2g} of the largest"
+                if mine.shape == theirs.shape else f"{what}: other particles")
+    require(one.end.step == other.end.step, f"{what}: {other.end.step} steps, not {one.end.step}")
+
+
+def other_units_change_no_digit(case):
+    """Units of which one is so many powers of two of the other: the same bits, scaled."""
+    if case.plain.status != 0:
+        return False
+    length, mass, time = 2.0 ** -3, 2.0 ** 5, 2.0 ** 4
+    other = case.runner.run(transform.in_units(case.schema, case.brief, length, mass, time))
+    same_bits(case.plain, other, {"position": length, "velocity": length / time,
+                                  "deformation_gradient": 1.0, "mass": mass,
+                                  "stress": mass / (length * time ** 2)}, "in other units")
+    return True
+
+
+def thickness_scales_sums_alone(case):
+    """Twice the thickness: the same motion to the last bit. A thermostat knows energies, a sum."""
+    if case.plain.status != 0 or case.axisymmetric or "thermostat" in case.scene.get("damping", {}):
+        return False
+    scene = case.brief
+    scene["thickness"] = 2 * scene.get("thickness", 1)
+    same_bits(case.plain, case.runner.run(scene),
+              {"position": 1, "velocity": 1, "deformation_gradient": 1, "stress": 1, "mass": 2},
+              "twice as thick")
+    return True
+
+
+def refinement_is_a_finer_grid(case):
+    """A grid of larger cells that are divided is the grid of smaller ones."""
+    grid = case.scene["grid"]
+    if case.plain.status != 0 or any(count % 2 for count in grid["cells"]):
+        return False
+    scene = case.brief
+    scene["grid"] = dict(grid, cell=[2 * side for side in grid["cell"]],
+                         cells=[count // 2 for count in grid["cells"]],
+                         refine=2 * grid.get("refine", 1))
+    same_bits(case.plain, case.runner.run(scene),
+              {"position": 1, "velocity": 1, "deformation_gradient": 1}, "as a refined grid")
+    return True
+
+
+def threads_and_instructions_change_no_bit(case):
+    """1, 2 and 3 threads, all levels of SIMD: the same files."""
+    if case.plain.status != 0:
+        return False
+    first = case.runner.run(case.brief, keep_bytes=True)
+    for options in (("--threads", "2"), ("--threads", "3", "--simd", "baseline")):
+        if case.plain.kernels != "fast":
+            options = options[:2]
+        other = case.runner.run(case.brief, *options, keep_bytes=True)
+        require(other.status == 0, f"{' '.join(options)}: exit {other.status}: {other.message}")
+        for name, content in first.files.items():
+            require(other.files.get(name) == content, f"{' '.join(options)}: {name} differs")
+    return True

@@ -1,0 +1,127 @@
+"""What a scene's keys mean where their kind does not tell: tables for `draw.py`.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+
+from draw import ABSENT
+import draw_bodies as bodies
+import draw_cracks as cracks
+import draw_loads as loads
+import draw_method as method
+
+# ------------------------------------------------------------------- left out
+LEFT_OUT = {
+    "time.allow_unstable": "beyond the stability limit nothing is promised",
+    "output.checkpoint": "reserved: this version writes none",
+    "output.snapshots": "the first state and the last are compared; more would land steps on them",
+    "output.fringe": "a field for pictures; its values follow from the stress",
+}
+
+# Drawn by the function of a group or list in MEANING: all keys within must be named.
+COVERED = {
+    "time.end", "time.courant", "time.step", "time.steps", "time.rest", "bodies[].region.rectangle",
+    "bodies[].region.rectangle.from", "bodies[].region.rectangle.to", "bodies[].region.disk",
+    "bodies[].region.disk.center", "bodies[].region.disk.radius", "bodies[].region.annulus",
+    "bodies[].region.annulus.center", "bodies[].region.annulus.inner",
+    "bodies[].region.annulus.outer", "bodies[].region.polygon", "bodies[].region.polygon.points",
+    "boundary[].region", "boundary[].region.line", "boundary[].region.line.from",
+    "boundary[].region.line.to", "boundary[].region.rectangle",
+    "boundary[].region.rectangle.from", "boundary[].region.rectangle.to", "boundary[].region.all",
+    "boundary[].velocity", "boundary[].symmetry", "cracks[].cohesive.law",
+    "cracks[].cohesive.strength", "cracks[].cohesive.toughness", "cracks[].cohesive.stiffness",
+    "cracks[].cohesive.knee_opening", "cracks[].cohesive.knee_traction",
+    "cracks[].j_integral[].propagation.toughness", "cracks[].j_integral[].propagation.longest",
+    "cracks[].j_integral[].propagation.increment", "cracks[].j_integral[].propagation.direction",
+    "cracks[].j_integral[].propagation.every", "loads.tractions[].body", "loads.tractions[].edge",
+    "loads.tractions[].value", "loads.tractions[].frame", "loads.particle_forces[].body",
+    "loads.particle_forces[].edge", "loads.particle_forces[].value",
+    "loads.particle_forces[].frame", "bodies[].rigid.velocity", "damping.thermostat.gain",
+    "damping.thermostat.target", "damping.thermostat.scale", "method.transfer.kind",
+    "method.transfer.fraction", "method.transfer.order",
+}
+
+# Groups within those of which keys that the function does not know are drawn by their kind.
+OPEN = ("time.rest.",)
+
+# Children that are drawn before the others, in this order.
+FIRST = {
+    "": ("format", "geometry", "units", "grid", "materials", "bodies", "boundary", "cracks"),
+    "grid": ("cell",),
+    "materials": ("young", "poisson"),
+    "cracks": ("points", "contact", "j_integral"),
+    "method": ("shape", "axis", "stress_update", "form", "transfer"),
+    "loads": ("tractions", "particle_forces"),
+}
+ALWAYS = {"method", "output", "loads", "damping"}  # groups that are left out only where empty
+
+
+def prepare(canvas):
+    """Settles what several sections must agree on."""
+    notes = canvas.notes
+    notes["cracked"] = canvas.situation == "pressed" or \
+        canvas.situation == "any" and canvas.chance(40)
+    notes["fracture"] = notes["cracked"] and canvas.situation == "any" and canvas.chance(15)
+    notes["rigid"] = canvas.situation == "any" and canvas.chance(15)
+    notes["bodies"] = (2 if canvas.situation == "any" and not notes["fracture"] and
+                       canvas.chance(25) else 1)
+    # Bodies as most scenes have them: filled with whole cells, in the middle of the grid.
+    notes["plain"] = canvas.situation != "any" or notes["cracked"] or canvas.chance(70)
+
+
+MEANING = {
+    "format": lambda canvas, key: int(key.low),
+    "thickness": lambda canvas, key: canvas.pick([2, 0.5]) if canvas.chance(20) else ABSENT,
+    "grid.origin": bodies.draw_origin,
+    "grid.cell": bodies.draw_cell,
+    "grid.cells": bodies.draw_cells,
+    "grid.refine": lambda canvas, key: 2 if canvas.situation == "any" and canvas.chance(10)
+                   else ABSENT,
+    "time": method.draw_time,
+    "method.shape": method.draw_always,
+    "method.stress_update": method.draw_always,
+    "method.position_update": lambda canvas, key: canvas.pick(key.choices),
+    "method.axis": lambda canvas, key: canvas.pick(key.choices),
+    "method.axis_nodes": method.draw_axis_nodes,
+    "method.extrapolate": method.draw_extrapolate,
+    "method.radius_update": method.draw_radius_update,
+    "method.form": method.draw_form,
+    "method.transfer": method.draw_transfer,
+    "method.cracks": method.draw_crack_method,
+    "materials[].name": bodies.draw_name,
+    "materials[].density": bodies.draw_density,
+    "materials[].young": bodies.draw_young,
+    "materials[].poisson": bodies.draw_poisson,
+    "materials[].bulk": bodies.draw_modulus,
+    "materials[].shear": bodies.draw_modulus,
+    "bodies[].name": bodies.draw_body_name,
+    "bodies[].material": bodies.draw_material,
+    "bodies[].rigid": bodies.draw_rigid,
+    "bodies[].region": bodies.draw_body_region,
+    "bodies[].particles_per_cell": bodies.draw_lattice,
+    "bodies[].velocity": bodies.draw_body_velocity,
+    "boundary": loads.draw_boundaries,
+    "loads.body_force": loads.draw_body_force,
+    "loads.tractions": loads.draw_tractions,
+    "loads.particle_forces": loads.draw_particle_forces,
+    "cracks[].points": cracks.draw_crack_points,
+    "cracks[].contact": cracks.draw_contact,
+    "cracks[].friction": cracks.draw_friction,
+    "cracks[].separated": cracks.draw_separated,
+    "cracks[].touching": cracks.draw_touching,
+    "cracks[].opening": cracks.draw_opening,
+    "cracks[].cohesive": cracks.draw_cohesive,
+    "cracks[].j_integral[].tip": cracks.draw_tip,
+    "cracks[].j_integral[].contour": cracks.draw_contour,
+    "cracks[].j_integral[].propagation": cracks.draw_propagation,
+    "damping.grid": method.draw_grid_damping,
+    "damping.particle": method.draw_particle_damping,
+    "damping.pic": method.draw_pic_damping,
+    "damping.thermostat": method.draw_thermostat,
+    "output.history": method.draw_history,
+}
+COUNT = {
+    "materials": bodies.draw_material_count,
+    "bodies": bodies.draw_body_count,
+    "cracks": cracks.draw_crack_count,
+    "cracks[].j_integral": cracks.draw_integral_count,
+}

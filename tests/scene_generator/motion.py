@@ -1,0 +1,147 @@
+"""Invariants: conditions at the nodes, rest, the time step. Functions as in balance.py.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+
+import copy
+import math
+
+import numpy
+
+import compare
+import transform
+from case import Violation, evaluate, require
+from transform import Motion
+
+
+# ----------------------------------------------------------------------- conditions
+LAST_DIGITS = 1e-14
+
+
+def nodes_of(region, positions, cell):
+    """Which nodes a boundary takes."""
+    if "all" in region:
+        return numpy.ones(len(positions), dtype=bool)
+    ends = region.get("line") or region["rectangle"]
+    corners = numpy.array([ends["from"], ends["to"]], dtype=float)
+    slack = 1e-6 * numpy.array(cell)
+    return ((positions >= corners.min(axis=0) - slack) &
+            (positions <= corners.max(axis=0) + slack)).all(axis=1)
+
+
+def prescribed(case):
+    """Conditions of the scene: region, component, expression."""
+    found = []
+    if case.axisymmetric and case.method["axis"] == "truncated":
+        found.append(({"line": {"from": [0, -math.inf], "to": [0, math.inf]}}, 0, 0))
+    for boundary in case.scene.get("boundary", []):
+        drives = boundary.get("velocity")
+        if drives is None and not case.cracks:
+            ends = boundary["region"]["line"]
+            normal = int(ends["from"][0] != ends["to"][0])
+            drives = [0 if k == normal else "free" for k in range(2)]
+        found += [(boundary["region"], k, drive) for k, drive in enumerate(drives or [])
+                  if drive != "free"]
+    return found
+
+
+def conditions_hold_at_every_node(case):
+    """In every step nodes with mass, in each of their velocity fields, move particles with the velocity that
+    a boundary gives them, at the end of the step or, with midpoint, in the mean; none goes across a plane of
+    symmetry, in scenes without cracks, whose further fields are free there (symmetry.h); v_r = 0
+    at r = 0 with functions that are cut off there. Some units of the last digit of velocities and of
+    accelerations times the step are left."""
+    conditions = prescribed(case)
+    if not conditions or case.plain.status != 0:
+        return False
+    status, message, rows = case.runner.nodes(case.brief)
+    require(status == 0, f"mpm-nodes: exit {status}: {message}")
+    names = transform.names_of(case.scene)
+    midpoint = case.scene.get("method", {}).get("position_update") == "midpoint"
+    judged = False
+    for region, component, drive in conditions:
+        for row in rows[nodes_of(region, rows[:, 3:5], case.cell)]:
+            place = {names[0]: row[3], names[1]: row[4]}
+            wanted = evaluate(drive, t=row[1], **place)
+            if midpoint:
+                wanted = 0.5 * (wanted + evaluate(drive, t=row[1] - row[2], **place))
+            judged = True
+            require(abs(row[5 + component] - wanted) <= LAST_DIGITS * (abs(wanted) + case.wave),
+                    f"step {row[0]:.0f}: node ({row[3]:g}, {row[4]:g}) moves with v_{names[component]} = "
+                    f"{row[5 + component]:.6g}, not {wanted:.6g}")
+    return judged
+
+
+def still(scene):
+    """The scene without motion and loads."""
+    new = copy.deepcopy(scene)
+    new.pop("loads", None)
+    new["time"].pop("rest", None)
+    for body in new["bodies"]:
+        body.pop("velocity", None)
+        if "rigid" in body:
+            body["rigid"]["velocity"] = ["free" if part == "free" else 0
+                                         for part in body["rigid"]["velocity"]]
+    for boundary in new.get("boundary", []):
+        if "velocity" in boundary:
+            boundary["velocity"] = ["free" if part == "free" else 0
+                                    for part in boundary["velocity"]]
+    return new
+
+
+def an_unloaded_body_stays_at_rest(case):
+    """Without motion and loads nothing happens, to the last bit."""
+    if case.plain.status != 0:
+        return False
+    result = case.runner.run(still(case.brief))
+    require(result.status in (0, 2), f"at rest: exit {result.status}: {result.message}")
+    if result.status == 2:
+        return False
+    start, end = result.start, result.end
+    require((end.velocity == 0).all(),
+            f"velocity {compare.largest(end.velocity):.3g} of a body at rest")
+    require((end.position == start.position).all(), "particles of a body at rest have moved")
+    require((end.deformation_gradient == start.deformation_gradient).all(),
+            "F of a body at rest has changed")
+    return True
+
+
+# ------------------------------------------------------------------------ time step
+def smooth(scene):
+    """The scene without what is not smooth in the time step: cracks, which a line from a particle to a
+    node crosses or not, and mixtures of velocities, which take out energy in each step."""
+    new = copy.deepcopy(scene)
+    new.pop("cracks", None)
+    for name in ("cracks", "transfer", "form"):
+        new["method"].pop(name, None)
+    new.get("damping", {}).pop("pic", None)
+    return new
+
+
+def half_the_step_halves_the_error(case):
+    """Fixed steps dt, dt/2, dt/4 to one time: the second change of the answer is half the first or less.
+    Three quarters are allowed, since terms of another order bend that, changes below 1e-7, and once
+    more, where two terms cancel, the next halving. What is added once a step instead of once a time
+    changes as much again, or more. Without classic functions, which feel every cell border."""
+    if case.plain.status != 0 or case.method["shape"] == "classic":
+        return False
+    speed = case.wave + compare.largest(case.base.start.velocity)
+    changes, answer = [], None
+    for parts in (1, 2, 4, 8, 16):
+        scene = smooth(case.brief)
+        scene["time"] = {"end": scene["time"]["end"], "steps": 4 * parts,
+                         "step": 0.1 * min(case.cell) / speed / parts}
+        next_answer = case.runner.run(scene)
+        if next_answer.status != 0:
+            return False
+        if answer is not None:
+            order = numpy.arange(len(answer.start.id))
+            changes.append(compare.difference(answer, next_answer, order, Motion(), case.cell,
+                                              case.wave).parts)
+        answer = next_answer
+        if len(changes) > 1 and all(changes[-1][name] <= max(0.75 * changes[-2][name], 1e-7)
+                                    for name in ("position", "velocity", "F")):
+            return True
+    raise Violation("changes of the answer as the step is halved again and again: " + "; ".join(
+        f"{name} " + ", ".join(f"{change[name]:.3g}" for change in changes)
+        for name in ("position", "velocity", "F")))
