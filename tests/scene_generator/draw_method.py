@@ -3,7 +3,7 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 
-from draw import ABSENT, short
+from draw import ABSENT, draw_value, short
 
 
 # ------------------------------------------------------------------------- method
@@ -122,8 +122,12 @@ def draw_time(canvas, key):
         else:
             time.update(courant=canvas.pick([0.4, 0.1, 0.5, 0.8, 1]), steps=steps)
         if canvas.chance(4):
-            time["rest"] = {"residual": 0.5, "kinetic_energy": 0.5,
-                            "steps": canvas.integer(1, 3), "after": short(wave)}
+            rest = {"residual": 0.5, "kinetic_energy": 0.5, "steps": canvas.integer(1, 3),
+                    "after": short(wave)}
+            for child in key.child("rest").children:
+                if child.name not in rest and canvas.chance(50):
+                    rest[child.name] = draw_value(canvas, child)
+            time["rest"] = rest
     return {name: time[name] for name in (child.name for child in key.children) if name in time}
 
 
