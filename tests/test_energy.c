@@ -172,6 +172,13 @@ static const struct {
     {"a load on a block at rest",
      {"bodies.b.velocity=[0, 0]", "loads={body_force: [0.05, 0]}",
       "boundary=[{region: {line: {from: [4, 0], to: [4, 14]}}, velocity: [0, free]}]"}},
+#define SUDDEN_WALL                                                                                \
+    "bodies.b.velocity=[0, 0]",                                                                    \
+        "boundary=[{region: {line: {from: [4, 0], to: [4, 14]}}, velocity: [0.1, free]}]"
+    {"a wall that starts at once", {SUDDEN_WALL}},
+    {"a wall that starts at once, USL", {SUDDEN_WALL, "method.stress_update=usl"}},
+    {"a wall that starts at once, MUSL", {SUDDEN_WALL, "method.stress_update=musl"}},
+    {"a wall that starts at once, USF", {SUDDEN_WALL, "method.stress_update=usf"}},
     {"a damped block", {"damping={grid: 0.5}"}},
     {"a block at rest", {"bodies.b.velocity=[0, 0]"}},
 };

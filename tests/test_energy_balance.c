@@ -71,6 +71,13 @@ static const struct feature {
                   "{region: {line: {from: [8, 0], to: [8, 12]}}, velocity: ['-0.1*cos(t)', "
                   "'0.1*(@B-3.2)']}]",
                   "damping={grid: '0.1*@B'}"}},
+    {.name = "a rigid wall beside a plane of symmetry that it moves along and towards",
+     .settings = {"boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, symmetry: true}]"},
+     .wall = true},
+    {.name = "a wall that ends at a plane of symmetry",
+     .settings = {"boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, symmetry: true}, "
+                  "{region: {line: {from: [8, 4], to: [8, 12]}}, velocity: ['-0.1*cos(t)', "
+                  "'0.1*(@B-3.2)']}]"}},
     {.name = "a crack open",
      .settings = {"cracks=[{points: [[2.7, 5.3], [6.1, 5.9]], contact: none}]"}},
     {.name = "a crack with friction",

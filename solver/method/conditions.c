@@ -51,6 +51,24 @@ static inline void append(struct mpm_state *state, struct mpm_active_condition c
         append_field(state, crack, k, condition);
 }
 
+/* For the node's images beyond planes of symmetry too, so that they stay images. Conditions that
+ * are given for nodes beyond are not looked at. */
+static inline void append_with_images(struct mpm_state *state,
+                                      struct mpm_active_condition condition)
+{
+    struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES];
+    append(state, condition);
+    const int count =
+        state->symmetry_count == 0 ? 0 : mpm_symmetry_images(state, condition.node, images);
+    for (int k = 0; k < count; k++) {
+        const double sign = images[k].sign[condition.component];
+        if (has_mass(state, images[k].node))
+            append(state, (struct mpm_active_condition){images[k].node, condition.component,
+                                                        condition.source, sign * condition.start,
+                                                        sign * condition.end});
+    }
+}
+
 /* -------------------------------------------------------------- boundaries */
 
 /* Planes of symmetry hold their nodes themselves, but fields on free surfaces: symmetry.h. */
@@ -86,21 +104,21 @@ static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_err
             hold_on_plane(state, active);
             continue;
         }
+        if (!mpm_node_is_inside(state, condition->node))
+            continue;
         if (condition->boundary != MPM_AXIS_CONDITION) {
             const struct mpm_expression *const velocity =
                 state->boundary_velocity[condition->boundary].component[condition->component];
-            double position[2], signs[2];
-            mpm_grid_edge_position(&state->grid,
-                                   mpm_symmetry_original(state, condition->node, signs), position);
+            double position[2];
+            mpm_grid_edge_position(&state->grid, condition->node, position);
             const double end = state->time + state->time_step;
-            const double sign = signs[condition->component];
-            active.start = sign * mpm_expression_value(velocity, 0, position, state->time);
-            active.end = sign * mpm_expression_value(velocity, 0, position, end);
+            active.start = mpm_expression_value(velocity, 0, position, state->time);
+            active.end = mpm_expression_value(velocity, 0, position, end);
             if (!isfinite(active.start) || !isfinite(active.end))
                 return not_finite("a boundary", position, state->time,
                                   isfinite(active.start) ? active.end : active.start, error);
         }
-        append(state, active);
+        append_with_images(state, active);
     }
     return MPM_OK;
 }
@@ -154,7 +172,7 @@ static enum mpm_status drive_node(struct mpm_state *state, size_t first_rigid, u
         const struct mpm_active_condition *const other =
             contested ? find_rigid(state, first_rigid, node, axis) : NULL;
         if (other == NULL)
-            append(state, active);
+            append_with_images(state, active);
         else if (other->start != active.start || other->end != active.end)
             return mpm_error_fail(
                 error, MPM_CAUSE_RIGID,
@@ -190,7 +208,7 @@ static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *e
                 continue;
             const int64_t node = state->node_zero + stencil.node[k].node;
             if (!mpm_node_is_active(state, node) || !has_mass(state, node) ||
-                state->rigid_owner[node] == body + 1)
+                state->rigid_owner[node] == body + 1 || !mpm_node_is_inside(state, node))
                 continue;
             MPM_TRY(drive_node(state, first_rigid, body, node, error));
         }
@@ -314,8 +332,21 @@ static void apply_end(struct mpm_state *state, const struct mpm_active_condition
         set_gradient(state, active, active->end);
 }
 
+/* Kinetic energy of what the conditions move, where they move it faster. */
+static double driven_energy(const struct mpm_state *state)
+{
+    double energy = 0.0;
+    for (size_t k = 0; k < state->first_mirror; k++) {
+        const struct mpm_active_condition *const active = &state->active[k];
+        const double speed = fmax(fabs(active->start), fabs(active->end));
+        energy += 0.5 * state->grid.mass[active->node] * speed * speed;
+    }
+    return energy;
+}
+
 void mpm_conditions_apply_end(struct mpm_state *state)
 {
+    state->driven_energy = fmax(state->driven_energy, driven_energy(state));
     for (size_t k = 0; k < state->first_mirror; k++)
         apply_end(state, &state->active[k]);
 }

@@ -14,7 +14,8 @@ double mpm_kinetic_energy(const struct mpm_state *state)
 
 void mpm_simulation_count_step(struct mpm_simulation *simulation)
 {
-    simulation->largest_work = fmax(simulation->largest_work, simulation->state.external_work);
+    simulation->largest_work =
+        fmax(simulation->largest_work, fabs(simulation->state.external_work));
     simulation->step++;
 }
 

@@ -119,8 +119,10 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     mpm_j_integrals_layout(simulation, arena);
     mpm_openings_layout(state, arena);
     state->sort_counts = MPM_TAKE(arena, uint32_t, longest + 1);
-    const size_t driven =
-        counts->rigid * MPM_STENCIL_MAX < nodes ? counts->rigid * MPM_STENCIL_MAX : nodes;
+    const bool has_images = state->symmetry_count > 0; /* of nodes, which are driven with them */
+    const size_t driven = !has_images && counts->rigid * MPM_STENCIL_MAX < nodes
+                              ? counts->rigid * MPM_STENCIL_MAX
+                              : nodes;
     state->active_capacity =
         (state->condition_count + 2 * driven + rows * (size_t)state->mirror_column) *
         (grid->field_rows > 0 ? 3 : 1);

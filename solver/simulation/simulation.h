@@ -30,7 +30,7 @@ struct mpm_backup {
     double *crack_opening[2], *largest_opening;
     struct mpm_crack_tip *tips; /* these and the extents of chains: with J integrals */
     struct mpm_chain_extent *extents;
-    double time, external_work, largest_work, wave_speed;
+    double time, external_work, largest_work, driven_energy, wave_speed;
     struct mpm_damping_books damping;
     struct mpm_energy_balance energy;
     uint64_t step;
@@ -61,7 +61,7 @@ struct mpm_simulation {
     double mass, lightest; /* of all particles, of the lightest one */
     double strain_start;   /* strain energy at t = 0 */
     double energy_start;   /* kinetic and strain energy at t = 0 */
-    double largest_work;   /* external work since t = 0 at its largest so far, at least 0 */
+    double largest_work;   /* |external work| since t = 0 at its largest so far */
     struct mpm_energy_growth growth;
     uint64_t judged_step; /* the last one whose energy has been judged */
     struct mpm_rest_watch rest;
