@@ -11,15 +11,15 @@
  *     stress update         W_int  ->  change of the strain energy E
  *     cohesive laws         W_coh  ->  change of their stored and dissipated energy E_c
  *
- * W_ext: work of loads and conditions; W_int = dt sum_p m_p (tau_p / rho_0) : grad v and W_coh: what
- * internal and cohesive forces take from the nodes; D_i: damping of nodes; C: what contact of cracks
- * takes in the momentum update. What does not arrive is the transfer loss of the step,
+ * W_ext: work of loads and conditions; W_int = dt sum_p m_p (tau_p / rho_0) : grad v and W_coh:
+ * what internal and cohesive forces take from the nodes; D_i: damping of nodes; C: what contact of
+ * cracks takes in the momentum update. What does not arrive is the transfer loss of the step,
  *
  *     (K_p^n - K_i^n) + (K_i^{n+1} - K_p^{n+1} - D_p) + (W_int - dE) + (W_coh - dE_c),
  *
- * of either sign, and d(K_p + E + E_c) + D_i + D_p + C + transfer loss = W_ext holds to round-off. All
- * terms are measured where they arise, none as what is left of the others: the sum is a check of
- * every term, and of every change of a nodal velocity that has no term.
+ * of either sign, and d(K_p + E + E_c) + D_i + D_p + C + transfer loss = W_ext holds to round-off.
+ * All terms are measured where they arise, none as what is left of the others: the sum is a check
+ * of every term, and of every change of a nodal velocity that has no term.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_ENERGY_BALANCE_H

@@ -215,8 +215,8 @@ struct mpm_row_sums {
     double dissipated;
     struct mpm_balance balance;
     double kinetic[2]; /* energy of the nodes at both ends of the step */
-    int64_t refused; /* the first node with a rate that is not allowed, or -1 */
-    double rate;     /* there */
+    int64_t refused;   /* the first node with a rate that is not allowed, or -1 */
+    double rate;       /* there */
 };
 
 /* Energy between particles and nodes since t = 0, where a scene measures it; see

@@ -17,9 +17,9 @@
 
 #include "method/state.h"
 
-/* The node that this one of the grid is an image of; itself if it is none. *sign[axis] is -1 where the
- * component changes its sign. What depends on a node's place is taken at the former, so that images stay
- * images. */
+/* The node that this one of the grid is an image of; itself if it is none. *sign[axis] is -1 where
+ * the component changes its sign. What depends on a node's place is taken at the former, so that
+ * images stay images. */
 int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, double sign[2]);
 
 /* After masses and momenta are spread. */

@@ -17,11 +17,11 @@ struct mpm_particles {
     double *stress[MPM_SYMMETRIC_SIZE]; /* Kirchhoff over initial density */
     double *mass;                       /* for the thickness, or per radian */
     double *affine[4];                  /* APIC, else NULL: xx xy yx yy; see method/affine.h */
-    double *domain[4];  /* half edges d1x d1y d2x d2y, where F does not tell them; else NULL */
-    double *origin[2];  /* places at t = 0, else NULL; see crack_detection.h */
-    uint32_t *id;       /* creation order over all bodies */
-    uint32_t *body;     /* index in the scene */
-    size_t kept;        /* so many of mpm_particles_arrays, the first, cannot be recomputed */
+    double *domain[4]; /* half edges d1x d1y d2x d2y, where F does not tell them; else NULL */
+    double *origin[2]; /* places at t = 0, else NULL; see crack_detection.h */
+    uint32_t *id;      /* creation order over all bodies */
+    uint32_t *body;    /* index in the scene */
+    size_t kept;       /* so many of mpm_particles_arrays, the first, cannot be recomputed */
     /* scratch of the sort */
     uint32_t *order, *order_scratch;
     double *scratch;

@@ -250,7 +250,7 @@ struct mpm_scene {
 
     double history_interval, snapshot_interval; /* 0: only first and last */
     double checkpoint_interval;                 /* 0: none asked for */
-    bool energy_balance;        /* transfer_loss in the history */
+    bool energy_balance;                        /* transfer_loss in the history */
     double fringe; /* k_f of CRAMP (23), 1/stress; 0: no fringes asked for */
     int line_grid, line_time, line_body_force, line_damping; /* in the file, for messages */
     unsigned char sha256[32];                                /* of the file's bytes */
