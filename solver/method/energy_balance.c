@@ -3,6 +3,7 @@
 
 #include "base/strips.h"
 #include "method/cohesive_traction.h"
+#include "method/crack_fields.h"
 #include "method/grid_update.h"
 #include "method/transfer.h"
 
@@ -36,19 +37,23 @@ static void nodal_kinetic(struct mpm_state *state, double kinetic[2])
 }
 
 /* Contact changes v_i^{n+1} alone, by d: K_i by m (v_i^{n+1} + d/2) . d, of which dt f_i . d/2 is
- * work of the forces, which is measured with the changed velocity. */
+ * work of the forces, which is measured with the changed velocity. Mirror nodes get theirs after
+ * contact, whatever it did to them. */
 static void row_free_energy(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
     const struct mpm_row_span span = mpm_row_span_inside(state, row);
     double sum = 0.0;
     (void)worker;
-    for (int64_t node = span.first; node < span.end; node++)
+    for (int64_t node = span.first; node < span.end; node++) {
+        if (mpm_crack_home(state, node) % state->grid.columns < state->mirror_column)
+            continue;
         for (int axis = 0; axis < 2; axis++) {
             const double e = state->grid.motion[node].end[axis];
             const double f = state->grid.sum[node][axis].force;
             sum += 0.5 * e * (state->grid.mass[node] * e - state->time_step * f);
         }
+    }
     state->row_sums[row].kinetic[1] = sum;
 }
 

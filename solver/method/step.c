@@ -218,8 +218,8 @@ static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_for
     mpm_conditions_apply_end(state);
     mpm_energy_before_contact(state);
     mpm_crack_contact_end(state);
-    mpm_mirrors_apply_end(state);
     mpm_energy_after_contact(state);
+    mpm_mirrors_apply_end(state);
     if (uniform_force)
         state->external_work += uniform_work(state);
     state->external_work += mpm_given_force_work(state);

@@ -45,11 +45,26 @@ def prescribed(case):
     return found
 
 
+def inside_planes(case, places):
+    """Which places are on the bodies' side of all planes of symmetry, or on them: others are images."""
+    inside = numpy.ones(len(places), dtype=bool)
+    middle = case.plain.start.position.mean(axis=0)
+    for boundary in case.scene.get("boundary", []):
+        line = boundary["region"].get("line")
+        if not boundary.get("symmetry") or line is None:
+            continue
+        axis = 0 if line["from"][0] == line["to"][0] else 1
+        plane = line["from"][axis]
+        inside &= (places[:, axis] - plane) * (middle[axis] - plane) >= -1e-9
+    return inside
+
+
 def conditions_hold_at_every_node(case):
     """In every step nodes with mass, in each of their velocity fields, move particles with the velocity that
     a boundary gives them, at the end of the step or, with midpoint, in the mean; none goes across a plane of
     symmetry, in scenes without cracks, whose further fields are free there (symmetry.h); v_r = 0
-    at r = 0 with functions that are cut off there. Some units of the last digit of velocities and of
+    at r = 0 with functions that are cut off there. Nodes beyond a plane follow those they are images
+    of. Some units of the last digit of velocities and of
     accelerations times the step are left."""
     conditions = prescribed(case)
     if not conditions or case.plain.status != 0:
@@ -60,7 +75,8 @@ def conditions_hold_at_every_node(case):
     midpoint = case.scene.get("method", {}).get("position_update") == "midpoint"
     judged = False
     for region, component, drive in conditions:
-        for row in rows[nodes_of(region, rows[:, 3:5], case.cell)]:
+        for row in rows[nodes_of(region, rows[:, 3:5], case.cell) &
+                        inside_planes(case, rows[:, 3:5])]:
             place = {names[0]: row[3], names[1]: row[4]}
             wanted = evaluate(drive, t=row[1], **place)
             if midpoint:
