@@ -48,11 +48,17 @@ static void say_unchecked(struct console *console, const struct catalogue *catal
     g_ptr_array_unref(quantities);
 }
 
-/* Records and reports what the jobs left. */
+/* What the jobs left, when they started and how long they took. */
+struct outcome {
+    const struct job_result *results;
+    const char *started;
+    double seconds;
+};
+
+/* Records and reports it. */
 static enum mpm_status conclude(const struct run_options *options,
                                 const struct catalogue *catalogue, const struct plan *plan,
-                                const struct job_result *results, const char *started,
-                                double seconds, struct console *console,
+                                const struct outcome *outcome, struct console *console,
                                 struct record_counts *counts, struct mpm_error *error)
 {
     const struct record_context context = {
@@ -61,10 +67,10 @@ static enum mpm_status conclude(const struct run_options *options,
         .selection = &options->selection,
         .kernels = options->kernels,
         .jobs = options->jobs,
-        .started = started,
-        .seconds = seconds,
+        .started = outcome->started,
+        .seconds = outcome->seconds,
     };
-    struct records records = records_make(plan, results, &context);
+    struct records records = records_make(plan, outcome->results, &context);
     *counts = records_count(&records, NULL, NULL);
     enum mpm_status status = records_write(options->output, &records, error);
     const struct report_additions additions = {.baseline = options->baseline};
@@ -99,10 +105,13 @@ static enum mpm_status run_plan(const struct run_options *options,
     const gint64 start = g_get_monotonic_time();
     console_begin(console, plan);
     enum mpm_status status = schedule_run(plan, &schedule, results, error);
-    const double seconds = (double)(g_get_monotonic_time() - start) * 1e-6;
+    const struct outcome outcome = {
+        .results = results,
+        .started = started,
+        .seconds = (double)(g_get_monotonic_time() - start) * 1e-6,
+    };
     if (status == MPM_OK)
-        status =
-            conclude(options, catalogue, plan, results, started, seconds, console, counts, error);
+        status = conclude(options, catalogue, plan, &outcome, console, counts, error);
     schedule_clear(results, plan->job_count);
     g_free(results);
     g_free(started);
