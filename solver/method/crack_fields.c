@@ -193,7 +193,7 @@ static bool add_node(struct mpm_state *state, int64_t node)
             made.field[side] = first + cracks->field_count++;
             made.face[side].crack = MPM_NO_CRACK;
             made.on_plane[side] =
-                cracks->wanted[node] >> plane_bits((enum mpm_crack_side)side) & 3u;
+                (unsigned)cracks->wanted[node] >> plane_bits((enum mpm_crack_side)side) & 3u;
         }
     cracks->nodes[cracks->node_count++] = made;
     mark_cells(state, node);
