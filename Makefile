@@ -81,9 +81,10 @@ includes = $(INCLUDES_$(call room,$(1))) -I$(BUILD)/generated $(PACKAGE_FLAGS)
 
 # ------------------------------------------------------------------ sources
 # One file of fast kernels is compiled for each shape family and level of SIMD.
-FAST_SOURCE    := solver/method/fast_kernels.c
+FAST_SOURCE    := solver/method/fast/fast_kernels.c
 SOLVER_SOURCES := $(filter-out $(FAST_SOURCE),\
-                    $(sort $(wildcard $(patsubst %,solver/%/*.c,base model method simulation io))))
+                    $(sort $(wildcard $(foreach room,base model method simulation io,\
+                      solver/$(room)/*.c solver/$(room)/*/*.c))))
 CLI_SOURCES    := $(sort $(wildcard solver/cli/*.c))
 VERIFY_MAIN    := $(wildcard verification/suite/main.c)
 VERIFY_SOURCES := $(filter-out $(VERIFY_MAIN),$(sort $(wildcard verification/*/*.c reports/*.c)))
@@ -93,8 +94,8 @@ TEST_SOURCES   := $(sort $(wildcard tests/*.c tests/support/*.c))
 PROBE_MAIN     := tests/scene_generator/nodes.c
 SOURCES := $(SOLVER_SOURCES) $(FAST_SOURCE) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) \
            $(BENCH_SOURCES) $(BENCH_MAIN) $(TEST_SOURCES) $(PROBE_MAIN)
-HEADERS := $(sort $(wildcard solver/*.h solver/*/*.h verification/*/*.h benchmarks/*.h reports/*.h \
-             tests/*.h tests/*/*.h))
+HEADERS := $(sort $(wildcard $(foreach depth,* */* */*/*,$(patsubst %,%/$(depth).h,\
+             solver verification benchmarks reports tests))))
 objects  = $(patsubst %.c,$(BUILD)/objects/%.o,$(1))
 
 # Levels of SIMD differ in instructions, not in what is written: builds that look for faults or for
@@ -125,7 +126,7 @@ WIDE_OBJECTS := $(if $(filter v3,$(FAST_LEVELS)),$(patsubst verification/exact/%
 VERIFY_OBJECTS = $(call objects,$(VERIFY_SOURCES)) $(WIDE_OBJECTS)
 
 ifneq ($(filter v3,$(FAST_LEVELS)),)
-$(BUILD)/objects/solver/method/fast.o $(BUILD)/objects/verification/exact/manufactured.o: \
+$(BUILD)/objects/solver/method/fast/fast.o $(BUILD)/objects/verification/exact/manufactured.o: \
   CODE_FLAGS += -DMPM_FAST_V3
 endif
 

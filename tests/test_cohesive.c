@@ -1,8 +1,8 @@
 /* Openings and cohesive tractions of cracks, at their points and in whole steps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/cohesive_traction.h"
-#include "method/crack_opening.h"
+#include "method/cracks/cohesive_traction.h"
+#include "method/cracks/crack_opening.h"
 #include "suites.h"
 #include "support/crack_block.h"
 #include "support/near.h"

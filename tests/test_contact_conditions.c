@@ -1,10 +1,10 @@
 /* Contact of cracks at nodes that velocity conditions hold.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/contact_impulse.h"
-#include "method/crack_fields.h"
-#include "method/grid_update.h"
-#include "method/symmetry.h"
+#include "method/cracks/contact_impulse.h"
+#include "method/fields/crack_fields.h"
+#include "method/grid/grid_update.h"
+#include "method/grid/symmetry.h"
 #include "suites.h"
 #include "support/crack_block.h"
 #include "support/near.h"

@@ -1,9 +1,9 @@
 /* Velocity fields, contact and motion of cracks in whole steps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/crack_fields.h"
-#include "method/crack_map.h"
-#include "method/grid_update.h"
+#include "method/cracks/crack_map.h"
+#include "method/fields/crack_fields.h"
+#include "method/grid/grid_update.h"
 #include "suites.h"
 #include "support/crack_block.h"
 #include "support/near.h"

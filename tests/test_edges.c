@@ -1,7 +1,7 @@
 /* Integrals over the edges of particles' domains against quadrature.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/edge.h"
+#include "method/shape/edge.h"
 #include "suites.h"
 #include "support/near.h"
 

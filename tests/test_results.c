@@ -1,8 +1,8 @@
 /* The files of results one by one, read back: snapshots, history, units.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/history.h"
-#include "io/snapshot.h"
+#include "io/results/history.h"
+#include "io/results/snapshot.h"
 #include "io/units.h"
 #include "suites.h"
 #include "support/blocks.h"

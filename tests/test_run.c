@@ -1,7 +1,7 @@
 /* A run from outside the solver: instants, outcome, refusals, a disk that fills up.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/history.h"
+#include "io/results/history.h"
 #include "suites.h"
 #include "support/blocks.h"
 #include "support/folder.h"

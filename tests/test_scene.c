@@ -4,7 +4,7 @@
  * the second `# line: N` if the message names a line.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/schema.h"
+#include "io/scene/schema.h"
 #include "model/scene.h"
 #include "suites.h"
 #include "support/folder.h"

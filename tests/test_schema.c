@@ -1,7 +1,7 @@
 /* The schema as JSON, for programs.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/schema.h"
+#include "io/scene/schema.h"
 #include "suites.h"
 
 #include <glib.h>

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"
 
-#include "io/schema.h"
+#include "io/scene/schema.h"
 
 #include <stdio.h>
 #include <stdlib.h>

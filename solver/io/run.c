@@ -1,10 +1,10 @@
 /* A scene run to its end, with its result files: mpm_scene_run.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/history.h"
-#include "io/results_folder.h"
-#include "io/run_record.h"
-#include "io/series.h"
+#include "io/results/history.h"
+#include "io/results/results_folder.h"
+#include "io/results/run_record.h"
+#include "io/results/series.h"
 
 #include <glib.h>
 #include <inttypes.h>

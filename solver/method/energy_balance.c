@@ -2,10 +2,10 @@
 #include "method/energy_balance.h"
 
 #include "base/strips.h"
-#include "method/cohesive_traction.h"
-#include "method/crack_fields.h"
-#include "method/grid_update.h"
-#include "method/transfer.h"
+#include "method/cracks/cohesive_traction.h"
+#include "method/fields/crack_fields.h"
+#include "method/grid/grid_update.h"
+#include "method/transfer/transfer.h"
 
 /* ------------------------------------------------------------------- nodes */
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/kernels.h"
 
-#include "method/affine.h"
-#include "method/fast.h"
-#include "method/grid_update.h"
-#include "method/smoothing.h"
-#include "method/split.h"
-#include "method/transfer.h"
+#include "method/fast/fast.h"
+#include "method/fields/split.h"
+#include "method/grid/grid_update.h"
+#include "method/transfer/affine.h"
+#include "method/transfer/smoothing.h"
+#include "method/transfer/transfer.h"
 
 /* The steps of one way to exchange: to the grid, with the stress at hand or without; what
  * reads back from it. */

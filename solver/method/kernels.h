@@ -17,7 +17,7 @@ struct mpm_passes {
     mpm_pass *to_particles;  /* Task 5, velocities; with (31) for MUSL and USAVG */
     mpm_pass *finish;        /* Task 6 of USL, MUSL and USAVG; positions */
     mpm_pass *recompute;     /* not part of a step: stress and domain of the F at hand */
-    mpm_pass *smooth;        /* XPIC and FMPM: see method/smoothing.h */
+    mpm_pass *smooth;        /* XPIC and FMPM: see method/transfer/smoothing.h */
 };
 
 struct mpm_state;

@@ -6,9 +6,9 @@
 #define MPM_METHOD_STATE_H
 
 #include "base/expression.h"
-#include "method/edge.h"
 #include "method/kernels.h"
-#include "method/shape.h"
+#include "method/shape/edge.h"
+#include "method/shape/shape.h"
 #include "model/boundary.h"
 #include "model/crack.h"
 #include "model/grid.h"

@@ -38,7 +38,7 @@ struct mpm_grid {
      * momentum; each component twice, to meet both parts of a gradient. */
     double (*gradient)[2][2];
     /* For XPIC and FMPM, else NULL: a velocity in the place of the acceleration, and at its
-     * `end` the one that it began as; see method/smoothing.h. */
+     * `end` the one that it began as; see method/transfer/smoothing.h. */
     struct mpm_node_motion *smoothed;
 };
 

@@ -16,7 +16,7 @@ struct mpm_particles {
     double *deformation[MPM_GRADIENT_SIZE];
     double *stress[MPM_SYMMETRIC_SIZE]; /* Kirchhoff over initial density */
     double *mass;                       /* for the thickness, or per radian */
-    double *affine[4];                  /* APIC, else NULL: xx xy yx yy; see method/affine.h */
+    double *affine[4]; /* APIC, else NULL: xx xy yx yy; see method/transfer/affine.h */
     double *domain[4]; /* half edges d1x d1y d2x d2y, where F does not tell them; else NULL */
     double *origin[2]; /* places at t = 0, else NULL; see crack_detection.h */
     uint32_t *id;      /* creation order over all bodies */

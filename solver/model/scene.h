@@ -119,7 +119,8 @@ enum mpm_crack_contact {
     MPM_CONTACT_NONE,
 };
 
-/* By what it is told whether the surfaces of a crack meet at a node; see method/crack_detection.h.
+/* By what it is told whether the surfaces of a crack meet at a node; see
+ * method/cracks/crack_detection.h.
  */
 enum mpm_crack_detection {
     MPM_DETECT_VOLUME,       /* areas there, over those with the crack closed */
@@ -148,7 +149,7 @@ struct mpm_crack_spec {
     int line;
 };
 
-/* The J integral around an axisymmetric crack tip; see method/j_integral.h. */
+/* The J integral around an axisymmetric crack tip; see method/cracks/j_integral.h. */
 enum mpm_j_form {
     MPM_J_BERGKVIST_HUONG, /* weighted with the radius */
     MPM_J_BROBERG,         /* not weighted */

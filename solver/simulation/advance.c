@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/crack_fields.h"
+#include "method/fields/crack_fields.h"
 #include "simulation/simulation.h"
 
 #include <math.h>

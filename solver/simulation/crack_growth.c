@@ -8,8 +8,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/segment.h"
-#include "method/crack_contact.h"
-#include "method/crack_fields.h"
+#include "method/cracks/crack_contact.h"
+#include "method/fields/crack_fields.h"
 #include "simulation/simulation.h"
 
 #include <math.h>

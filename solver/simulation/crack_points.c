@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/crack_points.h"
 
-#include "method/crack_opening.h"
+#include "method/cracks/crack_opening.h"
 #include "model/region.h"
 
 #include <math.h>

@@ -2,10 +2,10 @@
  * for it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/crack_contact.h"
-#include "method/crack_detection.h"
-#include "method/crack_fields.h"
-#include "method/crack_opening.h"
+#include "method/cracks/crack_contact.h"
+#include "method/cracks/crack_detection.h"
+#include "method/cracks/crack_opening.h"
+#include "method/fields/crack_fields.h"
 #include "simulation/simulation.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/memory.h"
 #include "base/strips.h"
-#include "method/crack_detection.h"
-#include "method/transfer.h"
+#include "method/cracks/crack_detection.h"
+#include "method/transfer/transfer.h"
 #include "model/fill.h"
 #include "simulation/simulation.h"
 
@@ -102,7 +102,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
         .domains = keeps_domains(state),
         .affine = simulation->scene->transfer == MPM_TRANSFER_APIC,
         .origins = mpm_crack_detection_needs_surfaces(simulation->scene),
-        .stress = simulation->scene->crack_count > 0, /* see method/split.h */
+        .stress = simulation->scene->crack_count > 0, /* see method/fields/split.h */
     };
     mpm_particles_layout(&state->particles, counts->deformable, extras, arena);
     mpm_rigid_particles_layout(&state->rigid, counts->rigid, arena);

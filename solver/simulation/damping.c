@@ -1,7 +1,7 @@
 /* What a scene damps: made when the simulation is created.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/damping.h"
+#include "method/loads/damping.h"
 
 #include "simulation/simulation.h"
 

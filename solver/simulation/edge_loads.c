@@ -5,7 +5,7 @@
  * as created. Faces that do not follow the lattice become stairs. The axis r = 0 is no face.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/edge_loads.h"
+#include "method/loads/edge_loads.h"
 
 #include "model/fill.h"
 #include "simulation/simulation.h"

@@ -14,7 +14,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/strips.h"
-#include "method/cohesive_traction.h"
+#include "method/cracks/cohesive_traction.h"
 #include "model/energy_bound.h"
 #include "simulation/simulation.h"
 

@@ -1,7 +1,7 @@
 /* What a caller gives that a scene cannot state: a body force, a start.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/given_force.h"
+#include "method/loads/given_force.h"
 #include "simulation/simulation.h"
 
 #include <math.h>

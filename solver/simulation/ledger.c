@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/affine.h"
-#include "method/cohesive_traction.h"
+#include "method/cracks/cohesive_traction.h"
+#include "method/transfer/affine.h"
 #include "simulation/simulation.h"
 
 #include <math.h>

@@ -6,7 +6,7 @@
 #define MPM_SIMULATION_SIMULATION_H
 
 #include "base/arena.h"
-#include "method/j_integral.h"
+#include "method/cracks/j_integral.h"
 #include "method/state.h"
 #include "method/step.h"
 

@@ -10,8 +10,8 @@
  * status: that of a run of the scene.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/crack_fields.h"
-#include "method/grid_update.h"
+#include "method/fields/crack_fields.h"
+#include "method/grid/grid_update.h"
 #include "simulation/simulation.h"
 
 #include <stdio.h>

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "support/results.h"
 
-#include "io/history.h"
+#include "io/results/history.h"
 #include "support/blocks.h"
 #include "support/folder.h"
 

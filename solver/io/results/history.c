@@ -1,0 +1,262 @@
+/* history.csv: the sums over all particles, one row per sample.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/results/history.h"
+
+#include "io/results/file_write.h"
+#include "io/units.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <glib.h>
+#include <math.h>
+#include <stddef.h>
+#include <unistd.h>
+
+static const struct column {
+    const char *name;
+    size_t offset;                             /* in struct mpm_ledger */
+    bool counts;                               /* uint64_t instead of double */
+    int length, mass, time;                    /* exponents of the unit */
+    bool (*belongs)(const struct mpm_scene *); /* NULL: to all scenes */
+} columns[] = {
+    {"time", offsetof(struct mpm_ledger, time), false, 0, 0, 1, NULL},
+    {"step", offsetof(struct mpm_ledger, step), true, 0, 0, 0, NULL},
+    {"mass", offsetof(struct mpm_ledger, mass), false, 0, 1, 0, NULL},
+    {"momentum_x", offsetof(struct mpm_ledger, momentum[0]), false, 1, 1, -1, NULL},
+    {"momentum_y", offsetof(struct mpm_ledger, momentum[1]), false, 1, 1, -1, NULL},
+    {"angular_momentum", offsetof(struct mpm_ledger, angular_momentum), false, 2, 1, -1, NULL},
+    {"kinetic_energy", offsetof(struct mpm_ledger, kinetic_energy), false, 2, 1, -2, NULL},
+    {"strain_energy", offsetof(struct mpm_ledger, strain_energy), false, 2, 1, -2, NULL},
+    {"external_work", offsetof(struct mpm_ledger, external_work), false, 2, 1, -2, NULL},
+    {"total_energy", offsetof(struct mpm_ledger, total_energy), false, 2, 1, -2, NULL},
+    {"j_min", offsetof(struct mpm_ledger, j_min), false, 0, 0, 0, NULL},
+    {"j_max", offsetof(struct mpm_ledger, j_max), false, 0, 0, 0, NULL},
+    {"damping_dissipation", offsetof(struct mpm_ledger, damping_dissipation), false, 2, 1, -2,
+     mpm_scene_is_damped},
+    {"cohesive_stored", offsetof(struct mpm_ledger, cohesive_stored), false, 2, 1, -2,
+     mpm_scene_is_cohesive},
+    {"cohesive_dissipated", offsetof(struct mpm_ledger, cohesive_dissipated), false, 2, 1, -2,
+     mpm_scene_is_cohesive},
+    {"transfer_loss", offsetof(struct mpm_ledger, transfer_loss), false, 2, 1, -2,
+     mpm_scene_has_energy_balance},
+    {"contact_loss", offsetof(struct mpm_ledger, contact_loss), false, 2, 1, -2,
+     mpm_scene_has_contact_loss},
+};
+
+struct mpm_history {
+    char *path;
+    int file;
+    off_t size;                                          /* of the complete rows */
+    const struct column *columns[G_N_ELEMENTS(columns)]; /* of this scene */
+    size_t column_count, quantity_count;                 /* of columns, then of cracks, */
+    size_t integral_count;                               /* then of J integrals */
+    bool *growing;                                       /* per integral */
+    bool has_row;
+    uint64_t last_step;
+};
+
+static void append_number(GString *row, double value)
+{
+    char text[G_ASCII_DTOSTR_BUF_SIZE]; /* a decimal point in every locale */
+    g_string_append(row, g_ascii_formatd(text, sizeof text, "%.17g", value));
+}
+
+static void append_value(GString *row, const struct column *column, const struct mpm_ledger *ledger)
+{
+    const char *value = (const char *)ledger + column->offset;
+    if (column->counts)
+        g_string_append_printf(row, "%" G_GUINT64_FORMAT, *(const uint64_t *)(const void *)value);
+    else
+        append_number(row, *(const double *)(const void *)value);
+}
+
+static enum mpm_status append_line(struct mpm_history *history, const GString *line,
+                                   struct mpm_error *error)
+{
+    const int failure = mpm_file_write_at(history->file, line->str, line->len, history->size);
+    if (failure == 0) {
+        history->size += (off_t)line->len;
+        return MPM_OK;
+    }
+    const int kept = ftruncate(history->file, history->size);
+    (void)kept; /* the failure to report is the first one */
+    return mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be written: %s", history->path,
+                         g_strerror(failure));
+}
+
+static void append_head(GString *names, GString *units, const struct mpm_scene *scene,
+                        const char *name, const int exponents[3])
+{
+    char unit[MPM_UNIT_SIZE];
+    mpm_unit_text(scene, exponents[0], exponents[1], exponents[2], unit);
+    g_string_append_printf(names, "%s%s", names->len == 0 ? "" : ",", name);
+    g_string_append_printf(units, "%s%s", units->len == 0 ? "# " : ",", unit);
+}
+
+/* K: stress times the root of length. */
+static void append_intensity_unit(GString *units, const struct mpm_scene *scene)
+{
+    char stress[MPM_UNIT_SIZE];
+    const char *const length = scene->units_length[0] != '\0' ? scene->units_length : "length";
+    mpm_unit_text(scene, 0, 1, -2, stress);
+    g_string_append_printf(units, ",%s %s^-0.5", stress, length);
+}
+
+static bool grows(const struct mpm_scene *scene, size_t integral)
+{
+    return scene->j_integrals[integral].growth.toughness > 0.0;
+}
+
+static void append_growth_head(GString *names, GString *units, const struct mpm_scene *scene,
+                               size_t place, size_t integral)
+{
+    const size_t crack = scene->j_integrals[integral].crack;
+    if (!grows(scene, integral))
+        return;
+    char *const grown = g_strdup_printf("crack_%zu_contour_%zu_grown", crack, place);
+    char *const dissipated = g_strdup_printf("crack_%zu_contour_%zu_dissipated", crack, place);
+    append_head(names, units, scene, grown, (const int[3]){1, 0, 0});
+    append_head(names, units, scene, dissipated, (const int[3]){2, 1, -2});
+    g_free(grown);
+    g_free(dissipated);
+}
+
+/* "crack_0_contour_1_j1": of cracks.0.j_integral.1 */
+static void append_integrals_head(GString *names, GString *units, const struct mpm_scene *scene)
+{
+    static const char *const columns_of_one[] = {"j1", "j2", "k1", "k2"};
+    size_t place = 0;
+    for (size_t i = 0; i < scene->j_integral_count; i++) {
+        const size_t crack = scene->j_integrals[i].crack;
+        place = i > 0 && scene->j_integrals[i - 1].crack == crack ? place + 1 : 0;
+        for (size_t k = 0; k < G_N_ELEMENTS(columns_of_one); k++) {
+            char *const name =
+                g_strdup_printf("crack_%zu_contour_%zu_%s", crack, place, columns_of_one[k]);
+            if (k < 2) {
+                append_head(names, units, scene, name, (const int[3]){0, 1, -2});
+            } else {
+                g_string_append_printf(names, ",%s", name);
+                append_intensity_unit(units, scene);
+            }
+            g_free(name);
+        }
+        append_growth_head(names, units, scene, place, i);
+    }
+}
+
+static enum mpm_status write_head(struct mpm_history *history, const struct mpm_scene *scene,
+                                  struct mpm_error *error)
+{
+    GString *head = g_string_new(NULL), *units = g_string_new(NULL);
+    for (size_t i = 0; i < history->column_count; i++) {
+        const struct column *const c = history->columns[i];
+        append_head(head, units, scene, c->name, (const int[3]){c->length, c->mass, c->time});
+    }
+    for (size_t i = 0; i < history->quantity_count; i++) {
+        const struct mpm_quantity_info q = mpm_scene_crack_quantity(scene, i);
+        append_head(head, units, scene, q.name, (const int[3]){q.length, q.mass, q.time});
+    }
+    append_integrals_head(head, units, scene);
+    g_string_append_printf(head, "\n%s\n", units->str);
+    const enum mpm_status status = append_line(history, head, error);
+    g_string_free(units, TRUE);
+    g_string_free(head, TRUE);
+    return status;
+}
+
+static void choose_columns(struct mpm_history *history, const struct mpm_scene *scene)
+{
+    for (size_t i = 0; i < G_N_ELEMENTS(columns); i++)
+        if (columns[i].belongs == NULL || columns[i].belongs(scene))
+            history->columns[history->column_count++] = &columns[i];
+    history->quantity_count = mpm_scene_crack_quantity_count(scene);
+    history->integral_count = mpm_scene_j_integral_count(scene);
+    history->growing = g_new0(bool, history->integral_count + 1);
+    for (size_t i = 0; i < history->integral_count; i++)
+        history->growing[i] = grows(scene, i);
+}
+
+enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *scene,
+                                   struct mpm_history **history, struct mpm_error *error)
+{
+    struct mpm_history *created = g_new0(struct mpm_history, 1);
+    *history = NULL;
+    created->path = g_build_filename(folder, MPM_HISTORY_NAME, NULL);
+    choose_columns(created, scene);
+    created->file = open(created->path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    const enum mpm_status status =
+        created->file < 0
+            ? mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be written: %s",
+                            created->path, g_strerror(errno))
+            : write_head(created, scene, error);
+    if (status != MPM_OK)
+        mpm_history_free(created);
+    else
+        *history = created;
+    return status;
+}
+
+void mpm_history_free(struct mpm_history *history)
+{
+    if (history == NULL)
+        return;
+    if (history->file >= 0)
+        (void)close(history->file);
+    g_free(history->path);
+    g_free(history->growing);
+    g_free(history);
+}
+
+/* One without a value, nan: the first such one is the failure. */
+static enum mpm_status append_integrals(const struct mpm_history *history, GString *row,
+                                        const struct mpm_simulation *simulation,
+                                        struct mpm_error *error)
+{
+    const double none = (double)NAN;
+    enum mpm_status status = MPM_OK;
+    for (size_t i = 0; i < history->integral_count; i++) {
+        struct mpm_j_integral found = {.grown = none, .dissipated = none};
+        struct mpm_error second = {.status = MPM_OK};
+        const enum mpm_status one =
+            mpm_simulation_j_integral(simulation, i, &found, status == MPM_OK ? error : &second);
+        if (one != MPM_OK)
+            found.j[0] = found.j[1] = found.stress_intensity[0] = found.stress_intensity[1] = none;
+        status = status == MPM_OK ? one : status;
+        const double values[] = {
+            found.j[0],  found.j[1],      found.stress_intensity[0], found.stress_intensity[1],
+            found.grown, found.dissipated};
+        const size_t count = G_N_ELEMENTS(values) - (history->growing[i] ? 0 : 2);
+        for (size_t k = 0; k < count; k++) {
+            g_string_append_c(row, ',');
+            append_number(row, values[k]);
+        }
+    }
+    return status;
+}
+
+enum mpm_status mpm_history_write(struct mpm_history *history, const struct mpm_ledger *ledger,
+                                  const struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    if (history->has_row && history->last_step == ledger->step)
+        return MPM_OK;
+    GString *row = g_string_new(NULL);
+    for (size_t i = 0; i < history->column_count; i++) {
+        if (i > 0)
+            g_string_append_c(row, ',');
+        append_value(row, history->columns[i], ledger);
+    }
+    for (size_t i = 0; i < history->quantity_count && simulation != NULL; i++) {
+        g_string_append_c(row, ',');
+        append_number(row, mpm_simulation_crack_quantity(simulation, i));
+    }
+    const enum mpm_status found = append_integrals(history, row, simulation, error);
+    g_string_append_c(row, '\n');
+    const enum mpm_status status = append_line(history, row, error);
+    g_string_free(row, TRUE);
+    if (status == MPM_OK) {
+        history->has_row = true;
+        history->last_step = ledger->step;
+    }
+    return status != MPM_OK ? status : found;
+}

@@ -1,0 +1,111 @@
+/* From libcyaml's structs to struct mpm_scene, with the checks that need more than one key.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_IO_SCENE_BUILD_H
+#define MPM_IO_SCENE_BUILD_H
+
+#include "io/scene/scene_names.h"
+#include "io/scene/scene_schema.h"
+#include "io/scene/scene_tree.h"
+
+enum { MPM_PATH_SIZE = 256 };
+
+/* What the building of a scene needs to know. */
+struct mpm_reading {
+    struct mpm_scene *scene;
+    const struct mpm_tree_node *root; /* checked, with defaults: knows the lines */
+    const struct mpm_raw_scene *raw;
+    struct mpm_error *error;
+};
+
+/* Each fills its part of reading->scene, in this order; what a failure leaves behind is
+ * freed with the scene. */
+enum mpm_status mpm_build_general(const struct mpm_reading *reading);
+/* A part of it: stress update, form and transfer. */
+enum mpm_status mpm_build_transfer(const struct mpm_reading *reading);
+enum mpm_status mpm_build_materials(const struct mpm_reading *reading);
+enum mpm_status mpm_build_bodies(const struct mpm_reading *reading);
+enum mpm_status mpm_build_boundaries(const struct mpm_reading *reading);
+/* A part of it: a plane of symmetry instead of a velocity; `path` is that of the boundary. */
+enum mpm_status mpm_build_symmetry(const struct mpm_reading *reading, const char *path,
+                                   const struct mpm_raw_boundary *raw,
+                                   struct mpm_boundary_spec *boundary);
+enum mpm_status mpm_build_loads(const struct mpm_reading *reading);
+/* A part of it: tractions and particle forces. */
+enum mpm_status mpm_build_edge_loads(const struct mpm_reading *reading);
+/* Cracks, and whether the method takes them. */
+enum mpm_status mpm_build_cracks(const struct mpm_reading *reading);
+/* A part of it: what holds its surfaces together, once its points are known. */
+enum mpm_status mpm_build_cohesive(const struct mpm_reading *reading, const char *path,
+                                   const struct mpm_raw_crack *raw, struct mpm_crack_spec *crack);
+/* Damping, and when a run is at rest. */
+enum mpm_status mpm_build_damping(const struct mpm_reading *reading);
+
+/* Their J integrals. */
+enum mpm_status mpm_build_j_integrals(const struct mpm_reading *reading);
+
+/* Regions; `path` is that of the key `region`. */
+enum mpm_status mpm_build_body_region(const struct mpm_reading *reading, const char *path,
+                                      const struct mpm_raw_body_region *raw,
+                                      struct mpm_region *region);
+enum mpm_status mpm_build_boundary_region(const struct mpm_reading *reading, const char *path,
+                                          const struct mpm_raw_boundary_region *raw,
+                                          struct mpm_region *region);
+
+/* The names of the coordinates: x and y, or r and z. */
+const char *const *mpm_coordinate_names(const struct mpm_scene *scene);
+
+/* A place in a region, off its centre, where formulas such as x/sqrt(x^2+y^2) have values. */
+void mpm_region_sample(const struct mpm_scene *scene, const struct mpm_region *region,
+                       double place[2]);
+
+/* Checks and copies a pair of expressions: they parse and are finite at `place` and t = 0.
+ * `free` becomes NULL. */
+enum mpm_status mpm_build_expressions(const struct mpm_reading *reading, const char *path,
+                                      char *const texts[2], bool has_time, const double place[2],
+                                      struct mpm_vector_expression *vector);
+
+/* A component of a load that is 0 costs a step nothing: becomes NULL. */
+void mpm_drop_zero(char **text);
+
+/* The same for one text; *value at `place` and t = 0. */
+enum mpm_status mpm_build_expression(const struct mpm_reading *reading, const char *path,
+                                     const char *text, bool has_time, const double place[2],
+                                     char **copy, double *value);
+
+/* ------------------------------------------------------------------- tools */
+
+/* MPM_BAD_INPUT with the place of the key at `path`, or of the nearest around it; with the
+ * --set, if one gave a part of it. */
+enum mpm_status mpm_reading_fault(const struct mpm_reading *reading, const char *path,
+                                  const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* Does the scene or a --set give this key, not only a default? */
+bool mpm_reading_given(const struct mpm_reading *reading, const char *path);
+
+/* Line of the key in the file; 0 if it is not from there. */
+int mpm_reading_line(const struct mpm_reading *reading, const char *path);
+
+/* Appends ".key" to a path. */
+const char *mpm_path_join(const char *path, const char *key, char buffer[MPM_PATH_SIZE]);
+
+/* Path of an entry: "bodies.3". */
+const char *mpm_path_entry(const char *list, size_t position, char buffer[MPM_PATH_SIZE]);
+
+/* The number that the checks found in a text; 0 for NULL. */
+double mpm_raw_double(const char *text);
+
+/* calloc; NULL with the error (MPM_ENVIRONMENT_FAILED) filled in. */
+void *mpm_reading_allocate(const struct mpm_reading *reading, size_t count, size_t size,
+                           const char *what);
+
+/* Sorts the names of a list's entries, which stand `stride` bytes apart from `first` on;
+ * refuses repeats. The caller frees *names. */
+enum mpm_status mpm_reading_index(const struct mpm_reading *reading, const char *list, size_t count,
+                                  const char *first, size_t stride,
+                                  struct mpm_indexed_name **names);
+
+/* A copy of a text. */
+enum mpm_status mpm_reading_copy(const struct mpm_reading *reading, const char *text, char **copy);
+
+#endif

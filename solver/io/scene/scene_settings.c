@@ -1,0 +1,186 @@
+/* `--set PATH=VALUE`: edits of a scene's tree before it is checked.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/scene/scene_settings.h"
+
+#include "io/scene/scene_check.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PATH_SIZE = 512 };
+
+struct setting {
+    const struct mpm_scene *scene;
+    struct mpm_error *error;
+    struct mpm_origin origin;
+    char path[PATH_SIZE];
+    char *segments; /* what is left of the path, in `path` */
+};
+
+static enum mpm_status no_memory(const struct setting *setting)
+{
+    return mpm_error_memory(setting->error, sizeof(struct mpm_tree_node), "a --set");
+}
+
+/* The next segment of the path, or NULL at its end. */
+static char *next_segment(struct setting *setting)
+{
+    char *segment = setting->segments;
+    if (segment == NULL)
+        return NULL;
+    char *point = strchr(segment, '.');
+    setting->segments = point != NULL ? point + 1 : NULL;
+    if (point != NULL)
+        *point = '\0';
+    return segment;
+}
+
+/* The key of a list's entry: a group in a LIST, a pair in POINTS, one value in a PAIR. */
+static struct mpm_key entry_key(const struct mpm_key *list)
+{
+    struct mpm_key entry = *list;
+    entry.shape = list->shape == MPM_KEY_LIST     ? MPM_KEY_GROUP
+                  : list->shape == MPM_KEY_POINTS ? MPM_KEY_PAIR
+                                                  : MPM_KEY_ONE;
+    return entry;
+}
+
+static bool has_name(const struct mpm_tree_node *node, const char *name)
+{
+    const struct mpm_tree_entry *entry = mpm_tree_entry(node, "name");
+    return entry != NULL && entry->value->kind == MPM_TREE_SCALAR &&
+           strcmp(entry->value->text, name) == 0;
+}
+
+/* The slot of a list's entry, or NULL. */
+static struct mpm_tree_node **entry_slot(const struct mpm_tree_node *list, const char *segment)
+{
+    const size_t digits = strspn(segment, "0123456789");
+    if (digits > 0 && digits < 10 && segment[digits] == '\0') {
+        const size_t position = (size_t)strtoul(segment, NULL, 10);
+        if (position < list->count)
+            return &list->entries[position].value;
+    }
+    for (size_t i = 0; i < list->count; i++)
+        if (has_name(list->entries[i].value, segment))
+            return &list->entries[i].value;
+    return NULL;
+}
+
+static enum mpm_status find_entry(const struct setting *setting, const struct mpm_tree_node *list,
+                                  const char *segment, struct mpm_tree_node ***slot)
+{
+    char name[MPM_EXCERPT_SIZE];
+    if (list->kind != MPM_TREE_LIST)
+        return mpm_tree_fault(setting->error, setting->scene, setting->origin, "",
+                              "%s names an entry, but the scene has no list there",
+                              mpm_excerpt(segment, name));
+    *slot = entry_slot(list, segment);
+    if (*slot != NULL)
+        return MPM_OK;
+    return mpm_tree_fault(setting->error, setting->scene, setting->origin, "",
+                          "no entry %s in the list of %zu; allowed: a position from 0 or the "
+                          "`name` of an entry",
+                          mpm_excerpt(segment, name), list->count);
+}
+
+/* A key that the scene does not have is made: the last of the path by the value itself,
+ * others from their default, or as an empty mapping. */
+static enum mpm_status add_missing(const struct setting *setting, const struct mpm_key *key,
+                                   struct mpm_tree_node *group)
+{
+    struct mpm_tree_node *value = NULL;
+    if (setting->segments == NULL || key->shape == MPM_KEY_GROUP)
+        value = mpm_tree_new(MPM_TREE_MAPPING, setting->origin);
+    else if (key->fallback != NULL)
+        MPM_TRY(mpm_tree_default(setting->scene, key, &value, setting->error));
+    else
+        return mpm_tree_fault(setting->error, setting->scene, setting->origin, "",
+                              "the scene has no %s whose part could be set; allowed: setting it "
+                              "as a whole",
+                              key->name);
+    return mpm_tree_append(group, key->name, value) ? MPM_OK : no_memory(setting);
+}
+
+static enum mpm_status find_key(const struct setting *setting, const struct mpm_key *group,
+                                struct mpm_tree_node *node, const char *segment,
+                                const struct mpm_key **key, struct mpm_tree_node ***slot)
+{
+    char name[MPM_EXCERPT_SIZE], allowed[MPM_ALLOWED_SIZE];
+    *key = mpm_key_find(group, segment);
+    if (*key == NULL)
+        return mpm_tree_fault(setting->error, setting->scene, setting->origin, "",
+                              "unknown key %s; allowed: %s", mpm_excerpt(segment, name),
+                              mpm_key_children(group, allowed));
+    if (node->kind != MPM_TREE_MAPPING)
+        return mpm_tree_fault(setting->error, setting->scene, setting->origin, "",
+                              "%s names a key, but the scene has no mapping there",
+                              mpm_excerpt(segment, name));
+    if (mpm_tree_entry(node, segment) == NULL)
+        MPM_TRY(add_missing(setting, *key, node));
+    *slot = &mpm_tree_entry(node, segment)->value;
+    return MPM_OK;
+}
+
+/* Walks the path down to the slot that the value goes to. */
+static enum mpm_status find_slot(struct setting *setting, struct mpm_tree_node **slot,
+                                 struct mpm_tree_node ***found)
+{
+    struct mpm_key key = mpm_scene_root;
+    for (char *segment = next_segment(setting); segment != NULL; segment = next_segment(setting)) {
+        if (key.shape == MPM_KEY_GROUP) {
+            const struct mpm_key *next = NULL;
+            MPM_TRY(find_key(setting, &key, *slot, segment, &next, &slot));
+            key = *next;
+        } else if (key.shape == MPM_KEY_ONE || key.shape == MPM_KEY_CHOICE) {
+            char name[MPM_EXCERPT_SIZE];
+            return mpm_tree_fault(setting->error, setting->scene, setting->origin, "",
+                                  "%s is one value and has no part %s", key.name,
+                                  mpm_excerpt(segment, name));
+        } else {
+            MPM_TRY(find_entry(setting, *slot, segment, &slot));
+            key = entry_key(&key);
+        }
+    }
+    *found = slot;
+    return MPM_OK;
+}
+
+static enum mpm_status apply(struct setting *setting, const char *text, struct mpm_tree_node **root)
+{
+    const char *equals = strchr(text, '=');
+    const size_t length = equals != NULL ? (size_t)(equals - text) : 0;
+    if (length == 0 || length >= PATH_SIZE)
+        return mpm_tree_fault(setting->error, setting->scene, setting->origin, "",
+                              "not a setting; allowed: PATH=VALUE with a path of up to %d "
+                              "characters, such as grid.refine=2",
+                              PATH_SIZE - 1);
+    memcpy(setting->path, text, length);
+    setting->path[length] = '\0';
+    setting->segments = setting->path;
+    struct mpm_tree_node **slot = root;
+    struct mpm_tree_node *value = NULL;
+    MPM_TRY(mpm_tree_parse(setting->scene, setting->origin, equals + 1, strlen(equals + 1), &value,
+                           setting->error));
+    const enum mpm_status status = find_slot(setting, slot, &slot);
+    if (status != MPM_OK) {
+        mpm_tree_free(value);
+        return status;
+    }
+    mpm_tree_free(*slot);
+    *slot = value;
+    return MPM_OK;
+}
+
+enum mpm_status mpm_tree_apply_settings(const struct mpm_scene *scene, struct mpm_tree_node *root,
+                                        struct mpm_error *error)
+{
+    for (size_t i = 0; i < scene->setting_count; i++) {
+        struct setting setting = {
+            .scene = scene, .error = error, .origin = {.setting = (int)i + 1}};
+        MPM_TRY(apply(&setting, scene->settings[i], &root));
+    }
+    return MPM_OK;
+}

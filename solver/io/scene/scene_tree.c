@@ -1,0 +1,142 @@
+/* A scene's YAML as a tree: building and searching.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/scene/scene_tree.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ------------------------------------------------------------------- nodes */
+
+struct mpm_tree_node *mpm_tree_new(enum mpm_tree_kind kind, struct mpm_origin origin)
+{
+    struct mpm_tree_node *node = calloc(1, sizeof *node);
+    if (node == NULL)
+        return NULL;
+    node->kind = kind;
+    node->origin = origin;
+    return node;
+}
+
+void mpm_tree_free(struct mpm_tree_node *node)
+{
+    if (node == NULL)
+        return;
+    for (size_t i = 0; i < node->count; i++) { /* nesting is limited, so this ends */
+        free(node->entries[i].key);
+        mpm_tree_free(node->entries[i].value);
+    }
+    free(node->entries);
+    free(node->text);
+    free(node);
+}
+
+static bool grow(struct mpm_tree_node *parent)
+{
+    if (parent->count < parent->capacity)
+        return true;
+    const size_t capacity = parent->capacity == 0 ? 4 : 2 * parent->capacity;
+    struct mpm_tree_entry *entries = realloc(parent->entries, capacity * sizeof *entries);
+    if (entries == NULL)
+        return false;
+    parent->entries = entries;
+    parent->capacity = capacity;
+    return true;
+}
+
+bool mpm_tree_append(struct mpm_tree_node *parent, const char *key, struct mpm_tree_node *value)
+{
+    char *copy = key != NULL ? strdup(key) : NULL;
+    if (value == NULL || (key != NULL && copy == NULL) || !grow(parent)) {
+        free(copy);
+        mpm_tree_free(value);
+        return false;
+    }
+    parent->entries[parent->count++] = (struct mpm_tree_entry){.key = copy, .value = value};
+    return true;
+}
+
+/* ------------------------------------------------------------------ search */
+
+struct mpm_tree_entry *mpm_tree_entry(const struct mpm_tree_node *mapping, const char *key)
+{
+    if (mapping->kind == MPM_TREE_MAPPING)
+        for (size_t i = 0; i < mapping->count; i++)
+            if (strcmp(mapping->entries[i].key, key) == 0)
+                return &mapping->entries[i];
+    return NULL;
+}
+
+static const struct mpm_tree_node *child(const struct mpm_tree_node *node, const char *segment)
+{
+    if (node->kind == MPM_TREE_LIST) {
+        const size_t position = (size_t)strtoul(segment, NULL, 10);
+        return position < node->count ? node->entries[position].value : NULL;
+    }
+    const struct mpm_tree_entry *entry = mpm_tree_entry(node, segment);
+    return entry != NULL ? entry->value : NULL;
+}
+
+const struct mpm_tree_node *mpm_tree_find(const struct mpm_tree_node *root, const char *path,
+                                          const struct mpm_tree_node **nearest)
+{
+    const struct mpm_tree_node *node = root;
+    while (node != NULL && *path != '\0') {
+        if (nearest != NULL)
+            *nearest = node;
+        char segment[MPM_EXCERPT_SIZE];
+        const size_t length = strcspn(path, ".");
+        (void)snprintf(segment, sizeof segment, "%.*s", (int)length, path);
+        node = child(node, segment);
+        path += length + (path[length] == '.');
+    }
+    if (nearest != NULL && node != NULL)
+        *nearest = node;
+    return node;
+}
+
+/* ---------------------------------------------------------------- messages */
+
+enum mpm_status mpm_tree_fault(struct mpm_error *error, const struct mpm_scene *scene,
+                               struct mpm_origin origin, const char *key, const char *format, ...)
+{
+    char message[MPM_MESSAGE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    (void)vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    if (origin.setting <= 0)
+        return mpm_scene_error(error, scene, origin.line, key, "%s", message);
+    char setting[MPM_EXCERPT_SIZE + 8];
+    char quoted[MPM_EXCERPT_SIZE];
+    (void)snprintf(setting, sizeof setting, "--set %s",
+                   mpm_excerpt(scene->settings[origin.setting - 1], quoted));
+    return mpm_scene_error(error, scene, 0, setting, "%s%s%s", key, *key != '\0' ? ": " : "",
+                           message);
+}
+
+const char *mpm_excerpt(const char *text, char buffer[MPM_EXCERPT_SIZE])
+{
+    const size_t room = MPM_EXCERPT_SIZE - 6; /* two quotes, three dots, the end */
+    size_t length = strlen(text);
+    const bool cut = length > room;
+    if (cut)
+        for (length = room; length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80;)
+            length--;
+    (void)snprintf(buffer, MPM_EXCERPT_SIZE, "\"%.*s%s\"", (int)length, text, cut ? "..." : "");
+    return buffer;
+}
+
+const char *mpm_tree_excerpt(const struct mpm_tree_node *node, char buffer[MPM_EXCERPT_SIZE])
+{
+    if (node->kind == MPM_TREE_SCALAR) {
+        if (node->text[0] == '\0' && !node->quoted)
+            return "nothing";
+        return mpm_excerpt(node->text, buffer);
+    }
+    (void)snprintf(buffer, MPM_EXCERPT_SIZE, "%s of %zu",
+                   node->kind == MPM_TREE_LIST ? "a list" : "a mapping", node->count);
+    return buffer;
+}

@@ -1,0 +1,179 @@
+/* The table and the list behind `mpm schema`, from the same descriptors that the checks use.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/scene/schema.h"
+
+#include "io/scene/scene_schema.h"
+#include "model/material.h"
+
+#include <jansson.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { COLUMNS = 6, ROWS_MAX = 256, CELL_SIZE = 256 };
+
+struct table {
+    size_t rows;
+    char cells[ROWS_MAX][COLUMNS][CELL_SIZE];
+};
+
+static void add_row(struct table *table, const char *const cells[COLUMNS])
+{
+    if (table->rows == ROWS_MAX)
+        return; /* a test holds the table complete */
+    for (size_t i = 0; i < COLUMNS; i++)
+        (void)snprintf(table->cells[table->rows][i], CELL_SIZE, "%s", cells[i]);
+    table->rows++;
+}
+
+static const char *default_text(const struct mpm_key *key)
+{
+    if (key->required)
+        return "required";
+    return key->fallback != NULL ? key->fallback : "-";
+}
+
+static void add_keys(struct table *table, const struct mpm_key *group, const char *prefix)
+{
+    static const char *const places[] = {
+        [MPM_ANYWHERE] = "",
+        [MPM_ONLY_PLANAR] = " (planar scenes only)",
+        [MPM_ONLY_AXISYMMETRIC] = " (axisymmetric scenes only)",
+    };
+    for (const struct mpm_key *key = group->children; key->name != NULL; key++) {
+        char path[CELL_SIZE], help[CELL_SIZE], range[MPM_ALLOWED_SIZE];
+        (void)snprintf(path, sizeof path, "%s%s", prefix, key->name);
+        (void)snprintf(help, sizeof help, "%s%s", key->help, places[key->where]);
+        add_row(table,
+                (const char *const[COLUMNS]){path, mpm_key_type(key), key->unit, default_text(key),
+                                             mpm_key_range(key, range), help});
+        if (key->children == NULL)
+            continue;
+        char inner[CELL_SIZE];
+        (void)snprintf(inner, sizeof inner, "%.200s%s.", path,
+                       key->shape == MPM_KEY_LIST ? "[]" : "");
+        add_keys(table, key, inner);
+    }
+}
+
+/* Writes the table to `text`, or only counts its characters if that is NULL. */
+static size_t write_rows(const struct table *table, const size_t width[COLUMNS], char *text)
+{
+    size_t used = 0;
+    for (size_t row = 0; row < table->rows; row++)
+        for (size_t i = 0; i < COLUMNS; i++) {
+            const char *cell = table->cells[row][i];
+            const bool last = i + 1 == COLUMNS;
+            const size_t length = last ? strlen(cell) : width[i] + 2;
+            if (text != NULL)
+                (void)sprintf(text + used, "%-*s%s", (int)length, cell, last ? "\n" : "");
+            used += length + last;
+        }
+    return used;
+}
+
+char *mpm_schema_text(void)
+{
+    struct table *table = calloc(1, sizeof *table);
+    if (table == NULL)
+        return NULL;
+    add_row(table,
+            (const char *const[COLUMNS]){"KEY", "TYPE", "UNIT", "DEFAULT", "RANGE", "MEANING"});
+    add_keys(table, &mpm_scene_root, "");
+    size_t width[COLUMNS] = {0};
+    for (size_t row = 0; row < table->rows; row++)
+        for (size_t i = 0; i < COLUMNS; i++)
+            if (strlen(table->cells[row][i]) > width[i])
+                width[i] = strlen(table->cells[row][i]);
+    char *text = malloc(write_rows(table, width, NULL) + 1);
+    if (text != NULL)
+        (void)write_rows(table, width, text);
+    free(table);
+    return text;
+}
+
+/* --------------------------------------------------------------------- JSON */
+
+enum { JSON_FORMAT = 1 };
+
+static json_t *end_of_range(double value)
+{
+    return isfinite(value) ? json_real(value) : json_null();
+}
+
+/* Laws are a list of their own: "neo_hookean, linear_elastic". */
+static json_t *law_choices(void)
+{
+    json_t *choices = json_array();
+    for (const char *name = mpm_material_law_names(); *name != '\0';) {
+        const size_t length = strcspn(name, ",");
+        (void)json_array_append_new(choices, json_stringn(name, length));
+        name += length;
+        name += strspn(name, ", ");
+    }
+    return choices;
+}
+
+static json_t *choices_of(const struct mpm_key *key)
+{
+    if (key->value == MPM_VALUE_LAW)
+        return law_choices();
+    if (key->shape != MPM_KEY_CHOICE)
+        return json_null();
+    json_t *choices = json_array();
+    for (size_t i = 0; i < key->choice_count; i++)
+        (void)json_array_append_new(choices, json_string(key->choices[i].name));
+    return choices;
+}
+
+static json_t *describe_key(const struct mpm_key *key, const char *path)
+{
+    static const char *const shapes[] = {
+        [MPM_KEY_ONE] = "one",       [MPM_KEY_PAIR] = "pair",   [MPM_KEY_POINTS] = "points",
+        [MPM_KEY_CHOICE] = "choice", [MPM_KEY_GROUP] = "group", [MPM_KEY_LIST] = "list",
+    };
+    static const char *const values[] = {
+        [MPM_VALUE_NUMBER] = "number",   [MPM_VALUE_EXPRESSION] = "expression",
+        [MPM_VALUE_DRIVE] = "drive",     [MPM_VALUE_TEXT] = "text",
+        [MPM_VALUE_NAME] = "name",       [MPM_VALUE_LAW] = "law",
+        [MPM_VALUE_INTEGER] = "integer", [MPM_VALUE_BOOLEAN] = "boolean",
+        [MPM_VALUE_NONE] = NULL,
+    };
+    static const char *const places[] = {
+        [MPM_ANYWHERE] = NULL,
+        [MPM_ONLY_PLANAR] = "planar",
+        [MPM_ONLY_AXISYMMETRIC] = "axisymmetric",
+    };
+    return json_pack(
+        "{ss ss ss? ss? sb ss ss? so so sb sb so ss}", "key", path, "shape", shapes[key->shape],
+        "value", values[key->value], "geometry", places[key->where], "required", (int)key->required,
+        "unit", key->unit, "default", key->fallback, "low", end_of_range(key->range.low), "high",
+        end_of_range(key->range.high), "low_open", (int)key->range.low_open, "high_open",
+        (int)key->range.high_open, "choices", choices_of(key), "help", key->help);
+}
+
+static void append_keys(json_t *list, const struct mpm_key *group, const char *prefix)
+{
+    for (const struct mpm_key *key = group->children; key->name != NULL; key++) {
+        char path[CELL_SIZE], inner[CELL_SIZE];
+        (void)snprintf(path, sizeof path, "%s%s", prefix, key->name);
+        (void)json_array_append_new(list, describe_key(key, path));
+        if (key->children == NULL)
+            continue;
+        (void)snprintf(inner, sizeof inner, "%.200s%s.", path,
+                       key->shape == MPM_KEY_LIST ? "[]" : "");
+        append_keys(list, key, inner);
+    }
+}
+
+char *mpm_schema_json(void)
+{
+    json_t *list = json_array();
+    append_keys(list, &mpm_scene_root, "");
+    json_t *schema = json_pack("{si so}", "format", (int)JSON_FORMAT, "keys", list);
+    char *text = json_dumps(schema, JSON_INDENT(1));
+    json_decref(schema);
+    return text;
+}

@@ -1,0 +1,268 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/cracks/crack_detection.h"
+
+#include "base/segment.h"
+#include "base/strips.h"
+#include "method/cracks/crack_map.h"
+#include "method/fields/crack_fields.h"
+#include "method/transfer/transfer.h"
+
+#include <math.h>
+
+/* ---------------------------------------------------------------- measuring */
+
+static bool is_asked(const struct mpm_scene *scene)
+{
+    for (size_t k = 0; k < scene->crack_count; k++)
+        if (mpm_crack_has_contact(scene, k))
+            return true;
+    return false;
+}
+
+bool mpm_crack_detection_needs_surfaces(const struct mpm_scene *scene)
+{
+    for (size_t k = 0; k < scene->crack_count; k++)
+        if (mpm_crack_has_contact(scene, k) && scene->cracks[k].detection != MPM_DETECT_CELL)
+            return true;
+    return false;
+}
+
+/* What a particle adds to the sums of its nodes. */
+struct contribution {
+    size_t particle;
+    double place[2];
+    double area;       /* A_p = 4 l_1 l_2 (F_xx F_yy - F_xy F_yx): CRAMP (9) at finite strain */
+    double per_hoop;   /* A_p / sum_i T_ip in axisymmetry, since sum_i N_i is 1; else 0 */
+    uint32_t crack;    /* that `surface` is along, or MPM_NO_CRACK */
+    double surface[2]; /* x_p + F_p w_p */
+};
+
+static struct contribution contribution_of(const struct mpm_state *state, size_t p,
+                                           const struct mpm_stencil *stencil)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const double *const half = state->bodies[particles->body[p]].half_size;
+    double *const *const f = particles->deformation;
+    struct contribution made = {
+        .particle = p,
+        .place = {particles->position[0][p], particles->position[1][p]},
+        .area =
+            4.0 * half[0] * half[1] * (f[MPM_XX][p] * f[MPM_YY][p] - f[MPM_XY][p] * f[MPM_YX][p]),
+        .crack = MPM_NO_CRACK,
+    };
+    double hoop = 0.0;
+    for (int k = 0; k < stencil->count; k++)
+        hoop += stencil->node[k].t;
+    made.per_hoop = hoop > 0.0 ? made.area / hoop : 0.0;
+    return made;
+}
+
+/* From a place at t = 0 to the nearest point of a crack as the scene has it. */
+static void find_way(const struct mpm_crack_spec *spec, const double place[2], double way[2])
+{
+    double least = HUGE_VAL;
+    for (size_t i = 0; i + 1 < spec->point_count; i++) {
+        const double *const a = spec->points[i], *const b = spec->points[i + 1];
+        const struct mpm_segment segment = {{a[0], a[1]}, {b[0], b[1]}};
+        double other[2];
+        mpm_segment_find_way(&segment, place, other);
+        const double square = other[0] * other[0] + other[1] * other[1];
+        if (square >= least)
+            continue;
+        least = square;
+        way[0] = other[0];
+        way[1] = other[1];
+    }
+}
+
+/* The particle's surface along a crack: at the next node it is mostly along the same one. */
+static void find_surface(const struct mpm_state *state, uint32_t crack, struct contribution *made)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    double *const *const f = particles->deformation;
+    const size_t p = made->particle;
+    double way[2] = {0.0, 0.0};
+    if (made->crack == crack)
+        return;
+    find_way(&state->scene->cracks[crack],
+             (const double[2]){particles->origin[0][p], particles->origin[1][p]}, way);
+    made->crack = crack;
+    made->surface[0] = made->place[0] + f[MPM_XX][p] * way[0] + f[MPM_XY][p] * way[1];
+    made->surface[1] = made->place[1] + f[MPM_YX][p] * way[0] + f[MPM_YY][p] * way[1];
+}
+
+static void add_surface(const struct mpm_state *state, uint32_t crack, double weight,
+                        const double place[2], struct contribution *made, double sum[2])
+{
+    if (crack == MPM_NO_CRACK || state->particles.origin[0] == NULL)
+        return;
+    find_surface(state, crack, made);
+    for (int axis = 0; axis < 2; axis++)
+        sum[axis] += weight * (made->surface[axis] - place[axis]);
+}
+
+static void add_normal(const struct mpm_state *state, const struct mpm_crack_crossing *crossing,
+                       struct mpm_crack_face *face)
+{
+    double normal[2];
+    mpm_crack_segment_normal(&state->cracks.chains[crossing->crack], crossing->segment, normal);
+    face->normal[0] += normal[0];
+    face->normal[1] += normal[1];
+}
+
+/* To the sums of the node that are of all particles of the side. */
+static void add_sums(const struct mpm_state *state, const struct mpm_stencil_node *entry,
+                     enum mpm_crack_side side, struct contribution *made,
+                     struct mpm_crack_node *node)
+{
+    const double weight = made->area * entry->s;
+    double place[2];
+    mpm_grid_position(&state->grid, node->field[0], place);
+    node->sums[side].area += weight;
+    node->sums[side].seen += made->per_hoop > 0.0 ? made->per_hoop * entry->t : weight;
+    for (int axis = 0; axis < 2; axis++)
+        node->sums[side].gradient[axis] += made->area * entry->g[axis];
+    if (side != MPM_CRACK_SAME_SIDE)
+        add_surface(state, node->face[side].crack, weight, place, made, node->face[side].beyond);
+    else
+        for (int k = MPM_CRACK_ABOVE; k <= MPM_CRACK_BELOW; k++)
+            add_surface(state, node->face[k].crack, weight, place, made, node->face[k].own);
+}
+
+/* Has one of the particle's nodes further fields? */
+static bool reaches_fields(const struct mpm_state *state, const struct mpm_cell_block *block)
+{
+    for (int64_t row = block->low[1]; row <= block->high[1] + 1; row++)
+        for (int64_t column = block->low[0]; column <= block->high[0] + 1; column++)
+            if (state->cracks.node_of[row * state->grid.columns + column] != 0)
+                return true;
+    return false;
+}
+
+static void measure(void *context, size_t p, const struct mpm_cell_block *block)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_crack_kept *const kept = mpm_crack_kept_of(state, p);
+    uint32_t code = kept == NULL ? 0 : kept->code;
+    struct mpm_stencil room;
+    if (kept == NULL && !reaches_fields(state, block))
+        return;
+    const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+    struct contribution made = contribution_of(state, p, stencil);
+    for (int k = 0; k < stencil->count; k++, code >>= 2) {
+        const int64_t home = mpm_crack_home(state, state->node_zero + stencil->node[k].node);
+        struct mpm_crack_node *const node = mpm_crack_node_at(state, home);
+        const enum mpm_crack_side side = (enum mpm_crack_side)(code & 3u);
+        if (node == NULL)
+            continue;
+        add_sums(state, &stencil->node[k], side, &made, node);
+        if (side != MPM_CRACK_SAME_SIDE)
+            add_normal(state, &kept->crossing[k], &node->face[side]);
+    }
+}
+
+/* Strips of one colour have no node in common. */
+static void measure_strip(void *context, int64_t index, int worker)
+{
+    const struct mpm_state *const state = context;
+    (void)worker;
+    mpm_crack_bands_visit(state, &state->strips[index], &state->cracks.map->beside, measure,
+                          context);
+}
+
+void mpm_crack_detection_measure(struct mpm_state *state, int workers)
+{
+    if (state->cracks.node_count > 0 && is_asked(state->scene))
+        mpm_strips_run(state->strip_count, workers, measure_strip, state);
+}
+
+/* ------------------------------------------------------------------ deciding */
+
+bool mpm_crack_pair_find(const struct mpm_crack_node *node, enum mpm_crack_side above,
+                         enum mpm_crack_side below, struct mpm_crack_pair *pair)
+{
+    const struct mpm_crack_face *const upper = &node->face[above], *const lower =
+                                                                       &node->face[below];
+    const bool first = above != MPM_CRACK_SAME_SIDE, second = below != MPM_CRACK_SAME_SIDE;
+    double normal[2], length = 0.0;
+    for (int axis = 0; axis < 2; axis++) {
+        normal[axis] = (first ? upper->normal[axis] : 0.0) + (second ? lower->normal[axis] : 0.0);
+        length += normal[axis] * normal[axis];
+    }
+    length = sqrt(length);
+    if (!(length > 0.0))
+        return false;
+    *pair = (struct mpm_crack_pair){
+        .side = {above, below},
+        .crack = first && (!second || upper->crack < lower->crack) ? upper->crack : lower->crack,
+        .normal = {normal[0] / length, normal[1] / length},
+        .surface = {first ? upper->beyond : lower->own, second ? lower->beyond : upper->own},
+    };
+    return true;
+}
+
+/* Of the surface of the field below beyond that of the field above, along the normal. */
+static double gap_of(const struct mpm_crack_node *node, const struct mpm_crack_pair *pair)
+{
+    const double above = node->sums[pair->side[0]].area, below = node->sums[pair->side[1]].area;
+    double gap = 0.0;
+    for (int axis = 0; axis < 2; axis++)
+        gap +=
+            pair->normal[axis] * (pair->surface[1][axis] / below - pair->surface[0][axis] / above);
+    return gap;
+}
+
+/* The part of a node's function that lies past the node beside it. */
+static double overlap(enum mpm_shape shape)
+{
+    return shape == MPM_BSPLINE2 ? 1.0 / 48.0 : shape == MPM_BSPLINE3 ? 1.0 / 24.0 : 0.0;
+}
+
+/* The length that a node can see along an axis, in cells: integrals of its function over the grid,
+ * and up to a plane of symmetry. B-splines are adapted to edges: that of the node beyond is folded
+ * onto the two inside. */
+static double seen_length(const struct mpm_state *state, int64_t home, int axis)
+{
+    const struct mpm_grid *const grid = &state->grid;
+    const int64_t columns = grid->columns;
+    const int64_t place = axis == 0 ? home % columns : home / columns;
+    const int64_t first = MPM_GHOST_ROWS, last = MPM_GHOST_ROWS + grid->cells[axis];
+    const int64_t zero = axis == 0 && state->shape_grid.axisymmetric
+                             ? llround(-grid->origin[0] * grid->inverse_cell[0]) + first
+                             : first;
+    const int64_t low = zero > first ? zero : first;
+    const double past = overlap(state->scene->shape);
+    for (size_t k = 0; k < state->symmetry_count; k++)
+        if (state->symmetries[k].axis == axis && state->symmetries[k].line == place)
+            return 0.5;
+    if (place <= low || place >= last)
+        return 0.5 + 2.0 * past;
+    return place == low + 1 || place == last - 1 ? 1.0 - 2.0 * past : 1.0;
+}
+
+struct mpm_crack_volume mpm_crack_volume_at(const struct mpm_state *state,
+                                            const struct mpm_crack_node *node,
+                                            const struct mpm_crack_pair *pair)
+{
+    const struct mpm_crack_sums *const above = &node->sums[pair->side[0]];
+    const struct mpm_crack_sums *const below = &node->sums[pair->side[1]];
+    const double *const cell = state->grid.cell, *const normal = pair->normal;
+    const double area = above->area + below->area;
+    const enum mpm_crack_detection detection = state->scene->cracks[pair->crack].detection;
+    if (detection == MPM_DETECT_CELL)
+        return (struct mpm_crack_volume){above->seen + below->seen,
+                                         cell[0] * seen_length(state, node->field[0], 0) * cell[1] *
+                                             seen_length(state, node->field[0], 1)};
+    const double gap = gap_of(node, pair);
+    if (detection == MPM_DETECT_DISPLACEMENT) {
+        const double along[2] = {cell[0] * normal[0], cell[1] * normal[1]};
+        const double size = sqrt(along[0] * along[0] + along[1] * along[1]);
+        return (struct mpm_crack_volume){size - gap, size};
+    }
+    double gain = 0.0;
+    for (int axis = 0; axis < 2; axis++)
+        gain += 0.5 * gap * normal[axis] * (above->gradient[axis] - below->gradient[axis]);
+    /* what a node sees of a body's far side it would lose: that is no part of the gap */
+    gain = gap > 0.0 ? fmax(gain, 0.0) : fmin(gain, 0.0);
+    return (struct mpm_crack_volume){area, area + gain};
+}

@@ -1,0 +1,55 @@
+/* The contour of a J integral: what its nodes hold and the integral along it. See j_integral.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_J_CONTOUR_H
+#define MPM_METHOD_J_CONTOUR_H
+
+#include "method/cracks/j_integral.h"
+
+/* Nodes kept around the rectangle: those of particles that reach it. */
+enum { MPM_J_MARGIN = 4 };
+
+struct mpm_j_contour {
+    const struct mpm_state *state;
+    const struct mpm_j_integral_spec *spec;
+    const struct mpm_j_tip *tip;
+    struct mpm_j_node *nodes;     /* of the rectangle and its margin, row by row */
+    struct mpm_crack_part *parts; /* per crack; first == end: nothing of it is near */
+    int64_t low[2], high[2];      /* columns and rows of the rectangle, ghosts counted */
+    int64_t width;                /* nodes of a row, margin included */
+    double common[4];             /* C of j_integral.h, less the unit tensor: xx xy yx yy */
+};
+
+/* Is this column or row within so many of the rectangle? */
+static inline bool mpm_j_is_within(const struct mpm_j_contour *contour, const int64_t at[2],
+                                   int64_t margin)
+{
+    return at[0] >= contour->low[0] - margin && at[0] <= contour->high[0] + margin &&
+           at[1] >= contour->low[1] - margin && at[1] <= contour->high[1] + margin;
+}
+
+static inline struct mpm_j_node *mpm_j_node_at(const struct mpm_j_contour *contour,
+                                               const int64_t at[2])
+{
+    return &contour->nodes[(at[1] - contour->low[1] + MPM_J_MARGIN) * contour->width +
+                           (at[0] - contour->low[0] + MPM_J_MARGIN)];
+}
+
+/* From which side, of the first crack that tells, is the place `to` seen from `from`? `crack`,
+ * unless NULL, gets that crack. */
+enum mpm_crack_side mpm_j_side(const struct mpm_j_contour *contour, const double from[2],
+                               const double to[2], size_t *crack);
+
+/* Sets `common` once the nodes are filled. */
+void mpm_j_contour_find_common(struct mpm_j_contour *contour);
+
+/* Integral of [...] dS in both directions of the axes, and K_I and K_II over the root of E' J_1, up
+ * to a common factor: the jumps of the opening's slope. */
+struct mpm_j_flux {
+    double j[2];
+    double opening[2];
+};
+enum mpm_status mpm_j_contour_integrate(const struct mpm_j_contour *contour,
+                                        struct mpm_j_flux *flux, struct mpm_error *error);
+
+#endif

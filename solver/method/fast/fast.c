@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/fast/fast.h"
+
+#include "method/shape/shape.h"
+
+#define FAMILIES(level)                                                                            \
+    {                                                                                              \
+        [MPM_CLASSIC] = &mpm_fast_classic_##level, [MPM_UGIMP] = &mpm_fast_ugimp_##level,          \
+        [MPM_CPDI] = &mpm_fast_cpdi_##level, [MPM_BSPLINE2] = &mpm_fast_bspline2_##level,          \
+        [MPM_BSPLINE3] = &mpm_fast_bspline3_##level,                                               \
+    }
+
+static mpm_fast_family *const families[MPM_SIMD_COUNT][MPM_SHAPE_COUNT] = {
+    [MPM_SIMD_BASELINE] = FAMILIES(baseline),
+#ifdef MPM_FAST_V3 /* of the makefile: this build has that level */
+    [MPM_SIMD_X86_64_V3] = FAMILIES(v3),
+#endif
+};
+
+/* The level's AVX2, BMI and FMA stand for the whole of it: no processor has them alone. */
+static bool runs_v3(void)
+{
+#ifdef MPM_FAST_V3
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
+           __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
+#else
+    return false;
+#endif
+}
+
+enum mpm_simd mpm_fast_widest(void)
+{
+    return runs_v3() ? MPM_SIMD_X86_64_V3 : MPM_SIMD_BASELINE;
+}
+
+static enum mpm_fast_geometry geometry_of(const struct mpm_scene *scene)
+{
+    if (scene->geometry == MPM_PLANE_STRAIN)
+        return MPM_FAST_PLANE_STRAIN;
+    if (scene->geometry == MPM_PLANE_STRESS)
+        return MPM_FAST_PLANE_STRESS;
+    return scene->radius_update == MPM_RADIUS_HOOP ? MPM_FAST_HOOP_RADIUS : MPM_FAST_AXISYMMETRIC;
+}
+
+const char *mpm_fast_lacks(const struct mpm_scene *scene)
+{
+    if (scene->axis == MPM_PLANAR && !mpm_shape_family(scene->shape)->point)
+        return "there are no fast kernels for method.axis: planar";
+    if (scene->transfer == MPM_TRANSFER_APIC)
+        return "there are no fast kernels for method.transfer: apic";
+    if (scene->form == MPM_FORM_MOMENTUM)
+        return "there are no fast kernels for method.form: momentum";
+    return NULL;
+}
+
+const struct mpm_passes *mpm_fast_passes(const struct mpm_scene *scene, enum mpm_simd simd)
+{
+    mpm_fast_family *const family = families[simd][scene->shape];
+    if (family == NULL || (simd == MPM_SIMD_X86_64_V3 && !runs_v3()))
+        return NULL;
+    return &(*family)[geometry_of(scene)][scene->stress_update];
+}

@@ -1,0 +1,52 @@
+/* Fast kernels: a strip in blocks of particles, and what a strip sums up. Functions
+ * here are compiled once; vectors stay out of their arguments.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_FAST_BLOCK_H
+#define MPM_METHOD_FAST_BLOCK_H
+
+#include "method/fast/fast_constants.h"
+
+#include <float.h>
+
+/* Vectors that go through the stages of a pass together. */
+enum { MPM_BLOCK_VECTORS = 4 };
+
+struct fast_sums {
+    mpm_vector kinetic, wave;
+    mpm_vector low[2], high[2]; /* hull of the domains */
+    const struct mpm_state *state;
+    struct mpm_strip *strip;
+};
+
+/* Constants of the particles of `body`; `part` of the time step for the stress update. */
+void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double part,
+                        struct fast_constants *constants);
+
+/* The end of the run of particles of one body that begins at `begin`. */
+size_t mpm_fast_run_end(const struct mpm_state *state, size_t begin, size_t end);
+
+/* The last particles of a run, fewer than a vector: copies that fill one, its free
+ * places taken by the first one again with mass zero, which adds nothing. */
+struct fast_tail {
+    struct mpm_particles particles;
+    double values[MPM_PARTICLE_ARRAYS + 2][MPM_VECTOR_SIZE];
+    uint32_t id[MPM_VECTOR_SIZE];
+};
+void mpm_fast_tail_fill(struct fast_tail *tail, const struct mpm_particles *particles, size_t first,
+                        size_t count);
+void mpm_fast_tail_write(const struct fast_tail *tail, const struct mpm_particles *particles,
+                         size_t first, size_t count);
+
+/* Four particles of which some failed: finds and records it. */
+void mpm_fast_report_velocity(struct mpm_strip *strip, const struct mpm_particles *particles,
+                              size_t p);
+void mpm_fast_report_stress(struct mpm_strip *strip, const struct mpm_particles *particles,
+                            size_t p, const double j[MPM_VECTOR_SIZE],
+                            const double wave_speed_squared[MPM_VECTOR_SIZE]);
+/* position, step and reach along both axes */
+void mpm_fast_report_position(const struct mpm_state *state, struct mpm_strip *strip,
+                              const struct mpm_particles *particles, size_t p,
+                              const double placement[6][MPM_VECTOR_SIZE]);
+
+#endif

@@ -1,0 +1,206 @@
+/* The fast kernels of one shape family and one level of SIMD: this file is compiled for each
+ * pair, with FAST_FAMILY (a name of method.shape), FAST_SHAPE (the same in capitals) and
+ * FAST_LEVEL (baseline, v3), FAST_KEEPS_DOMAINS (1 where they change within a step).
+ *
+ * A kernel is one of the bodies in fast_passes.h with constants. Planar kernels of plane
+ * strain and plane stress differ in the stress update only; the axisymmetric ones move r
+ * with S or with T.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/fast/fast.h"
+#include "method/fast/fast_passes.h"
+
+enum { BLOCK = MPM_BLOCK_VECTORS * MPM_VECTOR_SIZE };
+
+typedef void fast_work(const struct fast_spec *spec, enum fast_law law,
+                       const struct fast_block *block);
+
+/* A run of particles of one body, block by block; the last particles, fewer than a vector,
+ * as copies. */
+MPM_INLINE void run_blocks(const struct fast_spec *spec, enum fast_law law,
+                           struct fast_block *block, size_t begin, size_t end, fast_work *work)
+{
+    const struct mpm_particles *const particles = block->particles;
+    struct fast_tail tail;
+    while (begin < end) {
+        const size_t whole = (end - begin) / MPM_VECTOR_SIZE * MPM_VECTOR_SIZE;
+        const size_t count = whole == 0 ? end - begin : whole < BLOCK ? whole : BLOCK;
+        block->first = whole == 0 ? 0 : begin;
+        block->end = block->first + count;
+        block->particles = whole == 0 ? &tail.particles : particles;
+        if (whole == 0)
+            mpm_fast_tail_fill(&tail, particles, begin, count);
+        work(spec, law, block);
+        if (whole == 0)
+            mpm_fast_tail_write(&tail, particles, begin, count);
+        begin += count;
+    }
+    block->particles = particles;
+}
+
+MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state, int64_t index,
+                          double part, bool needs_law, struct fast_sums *sums, fast_work *work)
+{
+    struct mpm_strip *const strip = &state->strips[index];
+    const mpm_vector zero = mpm_splat(0.0), most = mpm_splat(DBL_MAX);
+    *sums = (struct fast_sums){zero, zero, {most, most}, {-most, -most}, state, strip};
+    for (size_t begin = strip->begin, end; begin < strip->end; begin = end) {
+        struct fast_constants k;
+        struct fast_block block = {.k = &k, .particles = &state->particles, .sums = sums};
+        const uint32_t body = state->particles.body[begin];
+        end = mpm_fast_run_end(state, begin, strip->end);
+        mpm_fast_constants(state, body, part, &k);
+        if (!needs_law) {
+            run_blocks(spec, (enum fast_law)0, &block, begin, end, work);
+            continue;
+        }
+#define RUN(name)                                                                                  \
+    if (k.material.law == &mpm_##name)                                                             \
+        run_blocks(spec, FAST_##name, &block, begin, end, work);
+        MPM_MATERIAL_LAWS(RUN)
+#undef RUN
+    }
+}
+
+static void recompute(void *state, int64_t strip, int worker)
+{
+    static const struct fast_spec spec = {.shape = FAST_SHAPE};
+    struct fast_sums sums;
+    (void)worker;
+    run_strip(&spec, state, strip, 0.0, true, &sums, block_recompute);
+}
+
+static void set_box(struct mpm_state *state, const struct fast_sums *sums)
+{
+    struct mpm_extent extent;
+    for (int axis = 0; axis < 2; axis++) {
+        extent.low[axis] = mpm_smallest_lane(sums->low[axis]);
+        extent.high[axis] = mpm_largest_lane(sums->high[axis]);
+    }
+    if (sums->strip->failure.kind == MPM_NO_FAILURE)
+        mpm_strip_set_box(state, sums->strip, &extent);
+}
+
+/* --------------------------------------------------------------- the passes */
+
+MPM_INLINE void pass_to_grid(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
+{
+    struct fast_sums sums;
+    run_strip(spec, state, strip, 0.0, false, &sums, block_to_grid);
+}
+
+MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_state *state,
+                                   int64_t strip)
+{
+    struct fast_sums sums;
+    run_strip(spec, state, strip, state->order->before, true, &sums, block_stress_before);
+    sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
+}
+
+MPM_INLINE void pass_smooth(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
+{
+    struct fast_sums sums;
+    struct mpm_state view = *state; /* of the same strips, particles and sums */
+    view.grid.motion = state->grid.smoothed;
+    run_strip(spec, &view, strip, 0.0, false, &sums, block_smooth);
+}
+
+MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state *state,
+                                  int64_t strip)
+{
+    struct fast_sums sums;
+    run_strip(spec, state, strip, 0.0, false, &sums, block_to_particles);
+    sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
+}
+
+MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
+{
+    struct fast_sums sums;
+    run_strip(spec, state, strip, state->order->after, spec->stress, &sums, block_finish);
+    if (spec->velocity)
+        sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
+    if (spec->stress)
+        sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
+    set_box(state, &sums);
+}
+
+/* ------------------------------------------------------------- the instances */
+
+#define KERNEL(body, name, ...)                                                                    \
+    static void name(void *state, int64_t strip, int worker)                                       \
+    {                                                                                              \
+        static const struct fast_spec spec = {.shape = FAST_SHAPE, __VA_ARGS__};                   \
+        (void)worker;                                                                              \
+        body(&spec, state, strip);                                                                 \
+    }
+
+/* Only the domains of CPDI change between two passes of a step, so only they may have to be kept:
+ * for other families a pass and its twin for kept domains are one. */
+#if FAST_KEEPS_DOMAINS
+#define KEPT(name)            name##_kept
+#define TWIN(body, name, ...) KERNEL(body, name##_kept, .kept_domain = true, __VA_ARGS__)
+#else
+#define KEPT(name) name
+#define TWIN(body, name, ...)
+#endif
+
+/* Passes that know of axisymmetry only */
+#define SPREAD(plane, ...)                                                                         \
+    KERNEL(pass_to_grid, plane##_momentum_force, .momentum = true, .force = true, __VA_ARGS__)     \
+    KERNEL(pass_to_grid, plane##_momentum, .momentum = true, .kept_domain = true, __VA_ARGS__)     \
+    KERNEL(pass_smooth, plane##_smooth, __VA_ARGS__)                                               \
+    TWIN(pass_smooth, plane##_smooth, __VA_ARGS__)
+
+/* Passes that know how r moves */
+#define EXTRAPOLATE(way, ...)                                                                      \
+    KERNEL(pass_to_particles, way##_extrapolate, __VA_ARGS__)                                      \
+    TWIN(pass_to_particles, way##_extrapolate, __VA_ARGS__)
+
+/* Passes that know the whole geometry */
+#define UPDATE(geometry, ...)                                                                      \
+    KERNEL(pass_stress_before, geometry##_stress_force, .force = true, .kept_domain = true,        \
+           __VA_ARGS__)                                                                            \
+    KERNEL(pass_finish, geometry##_velocity_stress, .velocity = true, .stress = true, __VA_ARGS__) \
+    TWIN(pass_finish, geometry##_velocity_stress, .velocity = true, .stress = true, __VA_ARGS__)   \
+    KERNEL(pass_finish, geometry##_stress, .stress = true, __VA_ARGS__)                            \
+    TWIN(pass_finish, geometry##_stress, .stress = true, __VA_ARGS__)                              \
+    KERNEL(pass_finish, geometry##_velocity, .velocity = true, .kept_domain = true, __VA_ARGS__)
+
+#define STEP(first, before, back, last, smooth)                                                    \
+    {                                                                                              \
+        first, before, back, last, recompute, smooth                                               \
+    }
+
+#define ORDERS(plane, way, geometry)                                                               \
+    {                                                                                              \
+        [MPM_USL] =                                                                                \
+            STEP(plane##_momentum_force, NULL, NULL, geometry##_velocity_stress, plane##_smooth),  \
+        [MPM_MUSL] = STEP(plane##_momentum_force, NULL, way##_extrapolate, geometry##_stress,      \
+                          plane##_smooth),                                                         \
+        [MPM_USF] = STEP(plane##_momentum, geometry##_stress_force, NULL, geometry##_velocity,     \
+                         KEPT(plane##_smooth)),                                                    \
+        [MPM_USAVG] = STEP(plane##_momentum, geometry##_stress_force, KEPT(way##_extrapolate),     \
+                           KEPT(geometry##_stress), KEPT(plane##_smooth)),                         \
+        [MPM_USAVG_ONCE] = STEP(plane##_momentum, geometry##_stress_force, NULL,                   \
+                                KEPT(geometry##_velocity_stress), KEPT(plane##_smooth)),           \
+    }
+
+SPREAD(planar, .axisymmetric = false)
+SPREAD(axisymmetric, .axisymmetric = true)
+EXTRAPOLATE(planar, .axisymmetric = false)
+EXTRAPOLATE(radial, .axisymmetric = true)
+EXTRAPOLATE(hoop, .axisymmetric = true, .hoop_radius = true)
+UPDATE(strain, .axisymmetric = false)
+UPDATE(stress, .plane_stress = true)
+UPDATE(radial, .axisymmetric = true)
+UPDATE(hoop, .axisymmetric = true, .hoop_radius = true)
+
+#define NAME_OF(family, level) mpm_fast_##family##_##level
+#define NAME(family, level)    NAME_OF(family, level)
+
+const struct mpm_passes NAME(FAST_FAMILY, FAST_LEVEL)[MPM_FAST_GEOMETRIES][MPM_ORDER_COUNT] = {
+    [MPM_FAST_PLANE_STRAIN] = ORDERS(planar, planar, strain),
+    [MPM_FAST_PLANE_STRESS] = ORDERS(planar, planar, stress),
+    [MPM_FAST_AXISYMMETRIC] = ORDERS(axisymmetric, radial, radial),
+    [MPM_FAST_HOOP_RADIUS] = ORDERS(axisymmetric, hoop, hoop),
+};

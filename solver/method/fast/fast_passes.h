@@ -1,0 +1,397 @@
+/* Fast kernels: what a pass does with a block of particles, vector by vector. Compare
+ * transfer.c, which does the same one particle at a time.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_FAST_PASSES_H
+#define MPM_METHOD_FAST_PASSES_H
+
+#include "method/fast/fast_block.h"
+#include "method/fast/fast_cpdi.h"
+#include "method/fast/fast_lines.h"
+#include "method/fast/fast_stress.h"
+#include "method/transfer/extent.h"
+
+/* ----------------------------------------------------------- either stencil */
+
+union fast_stencil {
+    struct fast_lines lines;
+    struct fast_cpdi cpdi;
+};
+
+/* Half edges of CPDI domains: kept where F changes within a step, else of F. */
+MPM_INLINE void edges_of(const struct fast_constants *k, const mpm_vector f[MPM_GRADIENT_SIZE],
+                         mpm_vector edge[4])
+{
+    edge[0] = f[MPM_XX] * k->half[0];
+    edge[1] = f[MPM_YX] * k->half[0];
+    edge[2] = f[MPM_XY] * k->half[1];
+    edge[3] = f[MPM_YY] * k->half[1];
+}
+
+MPM_INLINE void load_deformation(const struct mpm_particles *particles, size_t p,
+                                 mpm_vector f[MPM_GRADIENT_SIZE])
+{
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        f[i] = mpm_load(particles->deformation[i] + p);
+}
+
+MPM_INLINE void evaluate(const struct fast_spec *spec, const struct fast_constants *k,
+                         const struct mpm_particles *particles, size_t p,
+                         union fast_stencil *stencil)
+{
+    const mpm_vector position[2] = {mpm_load(particles->position[0] + p),
+                                    mpm_load(particles->position[1] + p)};
+    if (spec->shape != MPM_CPDI) {
+        fast_lines_evaluate(spec, k, position, &stencil->lines);
+        return;
+    }
+    mpm_vector f[MPM_GRADIENT_SIZE], edge[4];
+    if (spec->kept_domain) {
+        for (int i = 0; i < 4; i++)
+            edge[i] = mpm_load(particles->domain[i] + p);
+    } else {
+        load_deformation(particles, p, f);
+        edges_of(k, f, edge);
+    }
+    fast_cpdi_evaluate(spec, k, position, edge, &stencil->cpdi);
+}
+
+/* Forces, and with them momentum and mass. */
+MPM_INLINE void spread(const struct fast_spec *spec, const struct fast_constants *k,
+                       const union fast_stencil *stencil, const struct fast_load *load)
+{
+    if (spec->shape == MPM_CPDI)
+        fast_cpdi_spread(spec, k, &stencil->cpdi, load);
+    else
+        fast_lines_spread(spec, k, &stencil->lines, load);
+}
+
+/* Values that go with S only, to the nodal vectors of an array. */
+MPM_INLINE void spread_values(const struct fast_spec *spec, const struct fast_constants *k,
+                              const union fast_stencil *stencil, void *array,
+                              const mpm_vector values[4])
+{
+    if (spec->shape == MPM_CPDI)
+        fast_cpdi_spread_values(k, &stencil->cpdi, array, values);
+    else
+        fast_lines_spread_values(spec, k, &stencil->lines, array, values);
+}
+
+/* (p_x, p_x, p_y, p_y), to make a velocity of which a gradient can be taken */
+MPM_INLINE void spread_momentum(const struct fast_spec *spec, const struct fast_constants *k,
+                                const union fast_stencil *stencil, const mpm_vector momentum[2])
+{
+    const mpm_vector values[4] = {momentum[0], momentum[0], momentum[1], momentum[1]};
+    spread_values(spec, k, stencil, k->gradient, values);
+}
+
+/* sum S and sum T of (a_x, a_y, v_x, v_y) */
+MPM_INLINE void gather_motion(const struct fast_spec *spec, const struct fast_constants *k,
+                              const union fast_stencil *stencil, bool wants_hoop,
+                              mpm_vector motion[4], mpm_vector hoop[4])
+{
+    if (spec->shape == MPM_CPDI)
+        fast_cpdi_motion(spec, k, &stencil->cpdi, wants_hoop, motion, hoop);
+    else
+        fast_lines_motion(spec, k, &stencil->lines, wants_hoop, motion, hoop);
+}
+
+MPM_INLINE void gather_gradient(const struct fast_spec *spec, const struct fast_constants *k,
+                                const union fast_stencil *stencil,
+                                mpm_vector gradient[MPM_GRADIENT_SIZE])
+{
+    if (spec->shape == MPM_CPDI)
+        fast_cpdi_gradient(spec, k, &stencil->cpdi, gradient);
+    else
+        fast_lines_gradient(spec, k, &stencil->lines, gradient);
+}
+
+/* ------------------------------------------------------- parts of the passes */
+
+MPM_INLINE void load_stress(const struct mpm_particles *particles, size_t p, struct fast_load *load)
+{
+    for (int i = 0; i < MPM_SYMMETRIC_SIZE; i++)
+        load->stress[i] = -load->mass * mpm_load(particles->stress[i] + p);
+}
+
+MPM_INLINE void update_velocity_vector(const struct fast_constants *k,
+                                       const struct mpm_particles *particles, size_t p,
+                                       const mpm_vector motion[4], struct fast_sums *sums,
+                                       mpm_vector momentum[2])
+{
+    const mpm_vector mass = mpm_load(particles->mass + p);
+    mpm_vector v[2];
+    for (int axis = 0; axis < 2; axis++) {
+        v[axis] = mpm_load(particles->velocity[axis] + p) + k->time_step * motion[axis];
+        mpm_store(particles->velocity[axis] + p, v[axis]);
+        momentum[axis] = mass * v[axis];
+    }
+    const mpm_vector square = v[0] * v[0] + v[1] * v[1];
+    sums->kinetic += 0.5 * mass * square;
+    if (mpm_any(~mpm_at_most(square, mpm_splat(DBL_MAX))))
+        mpm_fast_report_velocity(sums->strip, particles, p);
+}
+
+/* F := dF F */
+MPM_INLINE void update_deformation(const struct fast_spec *spec, enum fast_law law,
+                                   const struct fast_constants *k,
+                                   const struct mpm_particles *particles, size_t p,
+                                   const mpm_vector gradient[MPM_GRADIENT_SIZE])
+{
+    mpm_vector f[MPM_GRADIENT_SIZE], h[MPM_GRADIENT_SIZE];
+    load_deformation(particles, p, f);
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        h[i] = k->stress_step * gradient[i];
+    deform_vector(h, k->deformation_terms, spec->axisymmetric, f);
+    if (spec->plane_stress)
+        f[MPM_ZZ] = mpm_select(mpm_less(mpm_splat(0.0), determinant_vector(f)),
+                               fast_law_thickness(law, &k->material, f), f[MPM_ZZ]);
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        if (i != MPM_ZZ || spec->axisymmetric || spec->plane_stress)
+            mpm_store(particles->deformation[i] + p, f[i]);
+}
+
+/* The stress of the new F. */
+MPM_INLINE void update_stress_vector(enum fast_law law, const struct fast_constants *k,
+                                     const struct mpm_particles *particles, size_t p,
+                                     struct fast_sums *sums)
+{
+    mpm_vector f[MPM_GRADIENT_SIZE], tau[MPM_SYMMETRIC_SIZE], wave;
+    load_deformation(particles, p, f);
+    fast_law_stress(law, &k->material, f, tau, &wave);
+    for (int i = 0; i < MPM_SYMMETRIC_SIZE; i++)
+        mpm_store(particles->stress[i] + p, tau[i]);
+    sums->wave = mpm_larger(wave, sums->wave);
+    const mpm_vector j = determinant_vector(f);
+    const mpm_mask sound = mpm_less(mpm_splat(0.0), j) & mpm_at_most(wave, mpm_splat(DBL_MAX));
+    if (mpm_any(~sound)) {
+        double values[2][MPM_VECTOR_SIZE];
+        mpm_store(values[0], j);
+        mpm_store(values[1], wave);
+        mpm_fast_report_stress(sums->strip, particles, p, values[0], values[1]);
+    }
+}
+
+/* x + dt v */
+MPM_INLINE void next_position(const struct fast_spec *spec, const struct fast_constants *k,
+                              const struct mpm_particles *particles, size_t p,
+                              const mpm_vector motion[4], const mpm_vector hoop[4],
+                              mpm_vector next[2])
+{
+    for (int axis = 0; axis < 2; axis++) {
+        const mpm_vector position = mpm_load(particles->position[axis] + p);
+        mpm_vector rate = motion[2 + axis] - k->back * motion[axis];
+        if (spec->hoop_radius && axis == 0)
+            rate = position * (hoop[2] - k->back * hoop[0]);
+        next[axis] = position + k->time_step * rate;
+    }
+}
+
+/* Goes there; the box of the next step. */
+MPM_INLINE void update_position_vector(const struct fast_spec *spec, const struct fast_constants *k,
+                                       const struct mpm_particles *particles, size_t p,
+                                       struct fast_sums *sums)
+{
+    mpm_vector position[2], step[2], reach[2];
+    for (int axis = 0; axis < 2; axis++) {
+        position[axis] = mpm_load(particles->carried[axis] + p);
+        step[axis] = position[axis] - mpm_load(particles->position[axis] + p);
+        mpm_store(particles->position[axis] + p, position[axis]);
+        reach[axis] = mpm_splat(spec->shape == MPM_CLASSIC ? 0.0 : k->half[axis]);
+    }
+    if (spec->shape == MPM_CPDI) {
+        mpm_vector f[MPM_GRADIENT_SIZE], edge[4];
+        load_deformation(particles, p, f);
+        edges_of(k, f, edge);
+        for (int i = 0; spec->kept_domain && i < 4; i++)
+            mpm_store(particles->domain[i] + p, edge[i]);
+        for (int axis = 0; axis < 2; axis++)
+            reach[axis] = mpm_absolute(edge[axis]) + mpm_absolute(edge[2 + axis]);
+    }
+    if (spec->axisymmetric && k->truncated)
+        reach[0] = mpm_smaller(position[0], reach[0]);
+    mpm_mask sound = {-1, -1, -1, -1};
+    for (int axis = 0; axis < 2; axis++) {
+        const mpm_vector low = position[axis] - reach[axis], high = position[axis] + reach[axis];
+        sums->low[axis] = mpm_smaller(low, sums->low[axis]);
+        sums->high[axis] = mpm_larger(high, sums->high[axis]);
+        sound &= mpm_at_most(mpm_splat(k->lowest[axis]), position[axis]);
+        sound &= mpm_less(position[axis], mpm_splat(k->highest[axis]));
+        if (spec->shape == MPM_CPDI) { /* others reach a cell at most */
+            sound &= mpm_less(mpm_splat(k->lowest_reach[axis]), low);
+            sound &= mpm_less(high, mpm_splat(k->highest_reach[axis]));
+        }
+        sound &= mpm_at_most(mpm_absolute(step[axis]), mpm_splat(k->longest_step[axis]));
+    }
+    if (spec->axisymmetric)
+        sound &= mpm_less(mpm_splat(0.0), position[0]);
+    if (mpm_any(~sound)) {
+        double values[6][MPM_VECTOR_SIZE];
+        for (int axis = 0; axis < 2; axis++) {
+            mpm_store(values[axis], position[axis]);
+            mpm_store(values[2 + axis], step[axis]);
+            mpm_store(values[4 + axis], reach[axis]);
+        }
+        mpm_fast_report_position(sums->state, sums->strip, particles, p,
+                                 (const double(*)[MPM_VECTOR_SIZE])values);
+    }
+}
+
+/* --------------------------------------------------------------- the passes
+ *
+ * A pass takes a block of particles stage by stage, each stage a loop over its vectors:
+ * what follows one vector's long chains of operations is the same stage of the next one,
+ * which does not depend on it. */
+
+/* All that is known of one block. */
+struct fast_block {
+    const struct fast_constants *k;
+    const struct mpm_particles *particles;
+    size_t first; /* particle, */
+    size_t end;   /* the vectors after it stop there */
+    struct fast_sums *sums;
+};
+
+/* NOLINTBEGIN(bugprone-macro-parentheses): p and v are names that the loop declares. */
+#define FOR_VECTORS(block, p, v)                                                                   \
+    for (size_t p = (block)->first, v = 0; p < (block)->end; p += MPM_VECTOR_SIZE, v++)
+/* NOLINTEND(bugprone-macro-parentheses) */
+
+MPM_INLINE void evaluate_block(const struct fast_spec *spec, const struct fast_block *block,
+                               union fast_stencil stencil[MPM_BLOCK_VECTORS])
+{
+    FOR_VECTORS(block, p, v)
+    evaluate(spec, block->k, block->particles, p, &stencil[v]);
+    mpm_keep_in_memory(stencil);
+}
+
+MPM_INLINE void update_stress_block(const struct fast_spec *spec, enum fast_law law,
+                                    const struct fast_block *block,
+                                    const union fast_stencil stencil[MPM_BLOCK_VECTORS])
+{
+    mpm_vector gradient[MPM_BLOCK_VECTORS][MPM_GRADIENT_SIZE];
+    FOR_VECTORS(block, p, v)
+    gather_gradient(spec, block->k, &stencil[v], gradient[v]);
+    FOR_VECTORS(block, p, v)
+    update_deformation(spec, law, block->k, block->particles, p, gradient[v]);
+    FOR_VECTORS(block, p, v)
+    update_stress_vector(law, block->k, block->particles, p, block->sums);
+}
+
+/* Task 1, with the stress at hand also Task 3 */
+MPM_INLINE void block_to_grid(const struct fast_spec *spec, enum fast_law law,
+                              const struct fast_block *block)
+{
+    union fast_stencil stencil[MPM_BLOCK_VECTORS];
+    (void)law;
+    evaluate_block(spec, block, stencil);
+    FOR_VECTORS(block, p, v)
+    {
+        struct fast_load load = {.mass = mpm_load(block->particles->mass + p)};
+        for (int axis = 0; axis < 2; axis++)
+            load.momentum[axis] = load.mass * mpm_load(block->particles->velocity[axis] + p);
+        if (spec->force) {
+            load_stress(block->particles, p, &load);
+            spread(spec, block->k, &stencil[v], &load);
+        } else { /* no forces yet: masses take their place, see mpm_row_start_from_sums */
+            const mpm_vector values[4] = {load.momentum[0], load.mass, load.momentum[1]};
+            spread_values(spec, block->k, &stencil[v], block->k->sum, values);
+        }
+    }
+}
+
+/* Tasks 2 and 3 of USF and USAVG */
+MPM_INLINE void block_stress_before(const struct fast_spec *spec, enum fast_law law,
+                                    const struct fast_block *block)
+{
+    union fast_stencil stencil[MPM_BLOCK_VECTORS];
+    evaluate_block(spec, block, stencil);
+    update_stress_block(spec, law, block, stencil);
+    FOR_VECTORS(block, p, v)
+    {
+        struct fast_load load = {.mass = mpm_load(block->particles->mass + p)};
+        load_stress(block->particles, p, &load);
+        spread(spec, block->k, &stencil[v], &load);
+    }
+}
+
+/* Velocities and, for later, positions; *momentum of the former */
+MPM_INLINE void move_vector(const struct fast_spec *spec, const struct fast_block *block, size_t p,
+                            const union fast_stencil *stencil, mpm_vector momentum[2])
+{
+    mpm_vector motion[4], hoop[4], next[2];
+    gather_motion(spec, block->k, stencil, spec->hoop_radius, motion, hoop);
+    update_velocity_vector(block->k, block->particles, p, motion, block->sums, momentum);
+    next_position(spec, block->k, block->particles, p, motion, hoop, next);
+    for (int axis = 0; axis < 2; axis++)
+        mpm_store(block->particles->carried[axis] + p, next[axis]);
+}
+
+/* m_p S w, for w in the place of the motion; see smoothing.h */
+MPM_INLINE void block_smooth(const struct fast_spec *spec, enum fast_law law,
+                             const struct fast_block *block)
+{
+    union fast_stencil stencil[MPM_BLOCK_VECTORS];
+    mpm_vector momentum[MPM_BLOCK_VECTORS][2];
+    (void)law;
+    evaluate_block(spec, block, stencil);
+    FOR_VECTORS(block, p, v)
+    {
+        const mpm_vector mass = mpm_load(block->particles->mass + p);
+        mpm_vector motion[4], hoop[4];
+        gather_motion(spec, block->k, &stencil[v], false, motion, hoop);
+        for (int axis = 0; axis < 2; axis++)
+            momentum[v][axis] = mass * motion[axis];
+    }
+    FOR_VECTORS(block, p, v)
+    spread_momentum(spec, block->k, &stencil[v], momentum[v]);
+}
+
+/* Task 5, velocities, and (31) */
+MPM_INLINE void block_to_particles(const struct fast_spec *spec, enum fast_law law,
+                                   const struct fast_block *block)
+{
+    union fast_stencil stencil[MPM_BLOCK_VECTORS];
+    mpm_vector momentum[MPM_BLOCK_VECTORS][2];
+    (void)law;
+    evaluate_block(spec, block, stencil);
+    FOR_VECTORS(block, p, v)
+    move_vector(spec, block, p, &stencil[v], momentum[v]);
+    FOR_VECTORS(block, p, v)
+    spread_momentum(spec, block->k, &stencil[v], momentum[v]);
+}
+
+/* The rest of the step, with the velocities where (31) is not asked for. */
+MPM_INLINE void block_finish(const struct fast_spec *spec, enum fast_law law,
+                             const struct fast_block *block)
+{
+    union fast_stencil stencil[MPM_BLOCK_VECTORS];
+    mpm_vector momentum[2];
+    evaluate_block(spec, block, stencil);
+    FOR_VECTORS(block, p, v)
+    if (spec->velocity)
+        move_vector(spec, block, p, &stencil[v], momentum);
+    if (spec->stress)
+        update_stress_block(spec, law, block, stencil);
+    FOR_VECTORS(block, p, v)
+    update_position_vector(spec, block->k, block->particles, p, block->sums);
+}
+
+/* Not part of a step: stress and domain of F. */
+MPM_INLINE void block_recompute(const struct fast_spec *spec, enum fast_law law,
+                                const struct fast_block *block)
+{
+    const struct mpm_particles *const particles = block->particles;
+    (void)spec;
+    FOR_VECTORS(block, p, v)
+    {
+        mpm_vector f[MPM_GRADIENT_SIZE], edge[4];
+        update_stress_vector(law, block->k, particles, p, block->sums);
+        load_deformation(particles, p, f);
+        edges_of(block->k, f, edge);
+        for (int i = 0; particles->domain[0] != NULL && i < 4; i++)
+            mpm_store(particles->domain[i] + p, edge[i]);
+    }
+}
+
+#endif

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/grid/grid_update.h"
+
+#include "base/strips.h"
+
+#include <string.h>
+
+void mpm_grid_rows_run(struct mpm_state *state, mpm_pass *pass)
+{
+    const int64_t further = state->grid.rows;
+    mpm_rows_run(state->first_row, state->last_row, state->workers, pass, state);
+    if (state->cracks.rows > 0)
+        mpm_rows_run(further, further + state->cracks.rows - 1, state->workers, pass, state);
+}
+
+void mpm_grid_find_active(struct mpm_state *state)
+{
+    for (int64_t row = state->first_row; row <= state->last_row; row++) {
+        state->row_low[row] = state->grid.columns;
+        state->row_high[row] = -1;
+    }
+    state->first_row = state->grid.rows;
+    state->last_row = -1;
+    for (int64_t s = 0; s < state->strip_count; s++) {
+        const struct mpm_strip *const strip = &state->strips[s];
+        if (strip->begin == strip->end)
+            continue;
+        const int64_t first = strip->row_low + MPM_GHOST_ROWS;
+        const int64_t last = strip->row_high + MPM_GHOST_ROWS;
+        const int64_t low = strip->column_low + MPM_GHOST_ROWS;
+        const int64_t high = strip->column_high + MPM_GHOST_ROWS;
+        for (int64_t row = first; row <= last; row++) {
+            state->row_low[row] = low < state->row_low[row] ? low : state->row_low[row];
+            state->row_high[row] = high > state->row_high[row] ? high : state->row_high[row];
+        }
+        state->first_row = first < state->first_row ? first : state->first_row;
+        state->last_row = last > state->last_row ? last : state->last_row;
+    }
+}
+
+void mpm_row_clear(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    const size_t count = (size_t)(span.end - span.first);
+    (void)worker;
+    memset(state->grid.mass + span.first, 0, count * sizeof *state->grid.mass);
+    memset(state->grid.sum + span.first, 0, count * sizeof *state->grid.sum);
+}
+
+void mpm_row_gather_mass(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++) {
+        state->grid.mass[node] += state->grid.sum[node][0].force;
+        state->grid.sum[node][0].force = 0.0;
+    }
+}
+
+static inline void start_row(const struct mpm_state *state, int64_t row, bool mass_in_sums)
+{
+    const struct mpm_grid *const grid = &state->grid;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    const bool stress_before = state->order->before > 0.0; /* else nobody asks yet */
+    for (int64_t node = span.first; node < span.end; node++) {
+        if (mass_in_sums) {
+            grid->mass[node] = grid->sum[node][0].force;
+            grid->sum[node][0].force = 0.0;
+        }
+        const double inverse = mpm_inverse_mass(grid->mass[node]);
+        for (int axis = 0; axis < 2; axis++)
+            grid->start[node][axis] = grid->sum[node][axis].momentum * inverse;
+        if (stress_before)
+            mpm_node_set_gradient(grid, node, grid->start[node]);
+    }
+}
+
+void mpm_row_start_velocity(void *context, int64_t row, int worker)
+{
+    (void)worker;
+    start_row(context, row, false);
+}
+
+void mpm_row_start_from_sums(void *context, int64_t row, int worker)
+{
+    (void)worker;
+    start_row(context, row, true);
+}
+
+static inline void update_row(const struct mpm_state *state, int64_t row, bool body_force)
+{
+    static const double nothing_yet[2] = {0.0, 0.0};
+    const struct mpm_grid *const grid = &state->grid;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    const bool extrapolate = state->order->extrapolate;
+    const bool stress_after = state->order->after > 0.0; /* else nobody asks any more */
+    for (int64_t node = span.first; node < span.end; node++) {
+        const double inverse = mpm_inverse_mass(grid->mass[node]);
+        struct mpm_node_motion *const motion = &grid->motion[node];
+        for (int axis = 0; axis < 2; axis++) {
+            if (body_force) /* stays in the sum: reactions at conditions are told from it */
+                grid->sum[node][axis].force += grid->mass[node] * state->uniform_force[axis];
+            motion->acceleration[axis] = grid->sum[node][axis].force * inverse;
+            motion->end[axis] =
+                grid->start[node][axis] + state->time_step * motion->acceleration[axis];
+        }
+        if (stress_after)
+            mpm_node_set_gradient(grid, node, extrapolate ? nothing_yet : motion->end);
+    }
+}
+
+void mpm_row_update(void *context, int64_t row, int worker)
+{
+    (void)worker;
+    update_row(context, row, false);
+}
+
+void mpm_row_update_with_body_force(void *context, int64_t row, int worker)
+{
+    (void)worker;
+    update_row(context, row, true);
+}
+
+void mpm_row_flip_fraction(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_grid *const grid = &state->grid;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    const double rate = (1.0 - state->scene->flip_fraction) / state->time_step;
+    const double back =
+        state->scene->position_update == MPM_MIDPOINT ? 0.5 * state->time_step : 0.0;
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++)
+        for (int axis = 0; axis < 2; axis++) {
+            const double change = rate * grid->start[node][axis];
+            grid->motion[node].acceleration[axis] += change;
+            grid->motion[node].end[axis] += back * change;
+        }
+}
+
+void mpm_row_momentum(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_grid *const grid = &state->grid;
+    const struct mpm_row_span span = mpm_row_span_inside(state, row);
+    double sum[2] = {0.0, 0.0};
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++)
+        for (int axis = 0; axis < 2; axis++)
+            sum[axis] +=
+                grid->mass[node] * (grid->start[node][axis] + grid->motion[node].end[axis]);
+    for (int axis = 0; axis < 2; axis++)
+        state->row_momentum[row][axis] = sum[axis];
+}
+
+void mpm_row_extrapolated_velocity(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_grid *const grid = &state->grid;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++) {
+        const double inverse = mpm_inverse_mass(grid->mass[node]);
+        const double velocity[2] = {grid->gradient[node][0][0] * inverse,
+                                    grid->gradient[node][1][0] * inverse};
+        mpm_node_set_gradient(grid, node, velocity);
+    }
+}

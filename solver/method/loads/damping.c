@@ -1,0 +1,385 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/loads/damping.h"
+
+#include "base/strips.h"
+#include "method/fields/crack_fields.h"
+#include "method/grid/grid_update.h"
+#include "method/grid/symmetry.h"
+#include "method/transfer/transfer.h"
+
+#include <float.h>
+#include <stdio.h>
+
+static double value_of(const struct mpm_expression *expression, const struct mpm_state *state,
+                       const double place[2], int worker)
+{
+    return mpm_expression_value(expression, worker, place, state->time);
+}
+
+static bool is_varying(const struct mpm_expression *rate)
+{
+    return rate != NULL && !mpm_expression_is_uniform(rate);
+}
+
+/* ----------------------------------------------------------------- uniform */
+
+static enum mpm_status refuse_rate(const struct mpm_state *state, const char *what, double rate,
+                                   struct mpm_error *error)
+{
+    return mpm_error_fail(error, MPM_CAUSE_DAMPING,
+                          "%s is %g; allowed: at least 0 and below %g, 1 over the time step", what,
+                          rate, 1.0 / state->time_step);
+}
+
+/* The rate of all places, or 0. */
+static enum mpm_status uniform_rate(const struct mpm_state *state, const char *what,
+                                    const struct mpm_expression *expression, double *rate,
+                                    struct mpm_error *error)
+{
+    static const double anywhere[2] = {0.0, 0.0};
+    *rate = expression == NULL || is_varying(expression) ? 0.0
+                                                         : value_of(expression, state, anywhere, 0);
+    return mpm_rate_is_allowed(*rate, state->time_step) ? MPM_OK
+                                                        : refuse_rate(state, what, *rate, error);
+}
+
+static enum mpm_status find_pic_rate(struct mpm_state *state, struct mpm_error *error)
+{
+    static const double anywhere[2] = {0.0, 0.0};
+    if (state->damping.pic == NULL)
+        return MPM_OK;
+    const double beta = value_of(state->damping.pic, state, anywhere, 0);
+    if (!(beta >= 0.0 && beta <= 1.0))
+        return mpm_error_fail(error, MPM_CAUSE_DAMPING, "damping.pic is %g; allowed: from 0 to 1",
+                              beta);
+    state->damping.pic_rate = (1.0 - beta) / state->time_step; /* Notes (44) */
+    return MPM_OK;
+}
+
+enum mpm_status mpm_damping_begin(struct mpm_state *state, struct mpm_error *error)
+{
+    struct mpm_damping *const damping = &state->damping;
+    if (!damping->nodes && !damping->particles)
+        return MPM_OK;
+    MPM_TRY(uniform_rate(state, "damping.grid", damping->grid, &damping->grid_rate, error));
+    MPM_TRY(
+        uniform_rate(state, "damping.particle", damping->particle, &damping->particle_rate, error));
+    MPM_TRY(find_pic_rate(state, error));
+    damping->grid_rate += damping->books.rate;
+    return mpm_rate_is_allowed(damping->grid_rate, state->time_step)
+               ? MPM_OK
+               : refuse_rate(state, "damping.grid with the thermostat's rate", damping->grid_rate,
+                             error);
+}
+
+/* ------------------------------------------------------------------- nodes */
+
+/* alpha_g(t, x_i) without the uniform part */
+static double varying_rate(const struct mpm_state *state, int64_t node, int worker)
+{
+    double place[2], sign[2];
+    const int64_t home = mpm_crack_home(state, node);
+    mpm_grid_edge_position(&state->grid, mpm_symmetry_original(state, home, sign), place);
+    return value_of(state->damping.grid, state, place, worker);
+}
+
+/* What alpha takes out of a node's motion along one axis in the step. */
+static inline double taken(const struct mpm_state *state, int64_t node, int axis, double rate)
+{
+    const double start = state->grid.start[node][axis], end = state->grid.motion[node].end[axis];
+    return rate * state->grid.mass[node] * start * (0.5 * state->time_step * (start + end));
+}
+
+static inline void damp_row(const struct mpm_state *state, int64_t row, int worker, bool varying)
+{
+    const struct mpm_grid *const grid = &state->grid;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    const bool extrapolate = state->order->extrapolate;
+    const struct mpm_row_span inside = mpm_row_span_inside(state, row);
+    struct mpm_row_sums *const sums = &state->row_sums[row];
+    double dissipated = 0.0;
+    sums->refused = -1;
+    for (int64_t node = span.first; node < span.end; node++) {
+        const double place_rate =
+            varying && grid->mass[node] != 0.0 ? varying_rate(state, node, worker) : 0.0;
+        const double rate = state->damping.grid_rate + place_rate;
+        struct mpm_node_motion *const motion = &grid->motion[node];
+        if (varying && !(place_rate >= 0.0 && mpm_rate_is_allowed(rate, state->time_step))) {
+            sums->refused = node;
+            sums->rate = rate;
+            return;
+        }
+        for (int axis = 0; axis < 2; axis++) {
+            const double change = rate * grid->start[node][axis]; /* Notes (30), (105) */
+            motion->acceleration[axis] -= change;
+            motion->end[axis] -= state->time_step * change;
+            if (node >= inside.first && node < inside.end)
+                dissipated += taken(state, node, axis, rate);
+        }
+        if (!extrapolate)
+            mpm_node_set_gradient(grid, node, motion->end);
+    }
+    sums->dissipated = dissipated;
+}
+
+static void row_damp(void *context, int64_t row, int worker)
+{
+    damp_row(context, row, worker, false);
+}
+
+static void row_damp_by_place(void *context, int64_t row, int worker)
+{
+    damp_row(context, row, worker, true);
+}
+
+static enum mpm_status collect_rows(struct mpm_state *state, struct mpm_error *error)
+{
+    for (int64_t row = state->first_row; row >= 0; row = mpm_grid_next_row(state, row)) {
+        const struct mpm_row_sums *const sums = &state->row_sums[row];
+        if (sums->refused >= 0) {
+            double place[2];
+            char what[96];
+            mpm_grid_edge_position(&state->grid, mpm_crack_home(state, sums->refused), place);
+            (void)snprintf(what, sizeof what, "damping.grid at the node (%g, %g)", place[0],
+                           place[1]);
+            return refuse_rate(state, what, sums->rate, error);
+        }
+        state->damping.books.dissipated += sums->dissipated;
+    }
+    return MPM_OK;
+}
+
+enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_error *error)
+{
+    const bool varying = is_varying(state->damping.grid);
+    if (!state->damping.nodes)
+        return MPM_OK;
+    mpm_grid_rows_run(state, varying ? row_damp_by_place : row_damp);
+    MPM_TRY(collect_rows(state, error));
+    for (size_t k = 0; k < state->active_count; k++) { /* held: not damped */
+        const struct mpm_active_condition *const active = &state->active[k];
+        const double place_rate = varying ? varying_rate(state, active->node, 0) : 0.0;
+        if (!mpm_node_is_inside(state, active->node))
+            continue;
+        state->damping.books.dissipated -=
+            taken(state, active->node, active->component, state->damping.grid_rate + place_rate);
+    }
+    return MPM_OK;
+}
+
+/* --------------------------------------------------------------- particles */
+
+static void grid_velocity(const struct mpm_state *state, size_t p, double v[2])
+{
+    struct mpm_stencil room, weights;
+    const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+    const struct mpm_stencil *const read = mpm_particle_read_weights(state, stencil, &weights);
+    v[0] = v[1] = 0.0;
+    for (int k = 0; k < read->count; k++) {
+        const double *const start = state->grid.start[state->node_zero + read->node[k].node];
+        v[0] += read->node[k].s * start[0];
+        v[1] += read->node[k].s * start[1];
+    }
+}
+
+/* alpha_p(t, x_p); 0, with a record, if it is not allowed */
+static double particle_rate(const struct mpm_state *state, size_t p, int worker,
+                            struct mpm_strip *strip)
+{
+    const double place[2] = {state->particles.position[0][p], state->particles.position[1][p]};
+    const double rate = value_of(state->damping.particle, state, place, worker);
+    if (mpm_rate_is_allowed(rate, state->time_step))
+        return rate;
+    mpm_strip_record(strip, MPM_RATE_REFUSED, state->particles.id[p], 0, rate);
+    return 0.0;
+}
+
+static inline void find_drag(struct mpm_state *state, int64_t index, int worker, bool varying,
+                             bool pic)
+{
+    const struct mpm_damping *const damping = &state->damping;
+    const struct mpm_particles *const particles = &state->particles;
+    struct mpm_strip *const strip = &state->strips[index];
+    double power = 0.0;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        const double rate =
+            varying ? particle_rate(state, p, worker, strip) : damping->particle_rate;
+        double grid[2] = {0.0, 0.0};
+        if (pic)
+            grid_velocity(state, p, grid);
+        for (int axis = 0; axis < 2; axis++) {
+            const double v = particles->velocity[axis][p];
+            const double q = rate * v + (pic ? damping->pic_rate * (v - grid[axis]) : 0.0);
+            damping->drag[axis][p] = q;
+            power += particles->mass[p] * q * v;
+        }
+    }
+    strip->dissipated = 0.5 * state->time_step * power;
+}
+
+static void pass_drag(void *context, int64_t index, int worker)
+{
+    find_drag(context, index, worker, false, false);
+}
+
+static void pass_drag_by_place(void *context, int64_t index, int worker)
+{
+    find_drag(context, index, worker, true, false);
+}
+
+static void pass_drag_pic(void *context, int64_t index, int worker)
+{
+    find_drag(context, index, worker, false, true);
+}
+
+static void pass_drag_pic_by_place(void *context, int64_t index, int worker)
+{
+    find_drag(context, index, worker, true, true);
+}
+
+/* What the drag spares a body force of its work, m_p b . q_p dt^2/2; two passes. */
+static inline void spare_work(struct mpm_state *state, int64_t index, int worker, bool varying)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const double half = 0.5 * state->time_step * state->time_step;
+    double *const *const given = state->given_force.value;
+    struct mpm_strip *const strip = &state->strips[index];
+    strip->external_work = 0.0;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        double b[2] = {state->uniform_force[0], state->uniform_force[1]};
+        if (varying && !mpm_particle_body_force(state, p, worker, strip, b))
+            continue;
+        for (int axis = 0; axis < 2 && given[axis] != NULL; axis++)
+            b[axis] += given[axis][p];
+        strip->external_work -=
+            half * particles->mass[p] *
+            (b[0] * state->damping.drag[0][p] + b[1] * state->damping.drag[1][p]);
+    }
+}
+
+static void pass_spare_work(void *context, int64_t index, int worker)
+{
+    spare_work(context, index, worker, false);
+}
+
+static void pass_spare_work_by_place(void *context, int64_t index, int worker)
+{
+    spare_work(context, index, worker, true);
+}
+
+static void run_particles(struct mpm_state *state, mpm_pass *pass)
+{
+    mpm_strips_run(state->strip_count, state->workers, pass, state); /* strips share nothing */
+}
+
+void mpm_damping_find_drag(struct mpm_state *state)
+{
+    static mpm_pass *const drags[2][2] = {{pass_drag, pass_drag_by_place},
+                                          {pass_drag_pic, pass_drag_pic_by_place}};
+    static mpm_pass *const works[] = {
+        [MPM_NO_BODY_FORCE] = NULL,
+        [MPM_UNIFORM_BODY_FORCE] = pass_spare_work,
+        [MPM_VARYING_BODY_FORCE] = pass_spare_work_by_place,
+    };
+    const bool given = state->given_force.caller.evaluate != NULL;
+    mpm_pass *const work =
+        works[given && state->body_force_kind == MPM_NO_BODY_FORCE ? MPM_UNIFORM_BODY_FORCE
+                                                                   : state->body_force_kind];
+    if (!state->damping.particles)
+        return;
+    run_particles(state, drags[state->damping.pic != NULL][is_varying(state->damping.particle)]);
+    if (work == NULL)
+        return;
+    run_particles(state, work);
+    for (int64_t s = 0; s < state->strip_count; s++) {
+        state->external_work += state->strips[s].external_work;
+        state->energy.lost += state->strips[s].external_work; /* that nodes do not know of */
+    }
+}
+
+static void pass_take_drag(void *context, int64_t index, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_strip *const strip = &state->strips[index];
+    (void)worker;
+    for (int axis = 0; axis < 2; axis++) {
+        double *const velocity = state->particles.velocity[axis];
+        const double *const drag = state->damping.drag[axis];
+        for (size_t p = strip->begin; p < strip->end; p++)
+            velocity[p] -= state->time_step * drag[p];
+    }
+}
+
+void mpm_damping_take_drag(struct mpm_state *state)
+{
+    if (state->damping.particles)
+        run_particles(state, pass_take_drag);
+}
+
+static void pass_settle(void *context, int64_t index, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_particles *const particles = &state->particles;
+    struct mpm_strip *const strip = &state->strips[index];
+    double power = 0.0;
+    (void)worker;
+    for (size_t p = strip->begin; p < strip->end; p++)
+        power += particles->mass[p] * (state->damping.drag[0][p] * particles->velocity[0][p] +
+                                       state->damping.drag[1][p] * particles->velocity[1][p]);
+    strip->dissipated += 0.5 * state->time_step * power;
+}
+
+/* The midpoint's way, Notes (42), as the last task has left it without the particle's own
+ * damping; its box anew. */
+static void pass_settle_midpoint(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    struct mpm_strip *const strip = &state->strips[index];
+    const double back = 0.5 * state->time_step * state->time_step;
+    struct mpm_extent extent = MPM_NO_EXTENT;
+    pass_settle(context, index, worker);
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        double step[2];
+        for (int axis = 0; axis < 2; axis++) {
+            step[axis] = -back * state->damping.drag[axis][p];
+            state->particles.position[axis][p] += step[axis];
+        }
+        struct mpm_placement placement = mpm_particle_placement(state, p);
+        placement.step[0] = step[0];
+        placement.step[1] = step[1];
+        if (mpm_placement_check(state, &placement, state->particles.id[p], strip))
+            mpm_extent_add(&extent, &placement);
+    }
+    if (strip->failure.kind == MPM_NO_FAILURE)
+        mpm_strip_set_box(state, strip, &extent);
+}
+
+void mpm_damping_settle(struct mpm_state *state)
+{
+    const bool midpoint = state->scene->position_update == MPM_MIDPOINT;
+    if (!state->damping.particles)
+        return;
+    run_particles(state, midpoint ? pass_settle_midpoint : pass_settle);
+    for (int64_t s = 0; s < state->strip_count; s++)
+        state->damping.books.dissipated += state->strips[s].dissipated;
+}
+
+/* -------------------------------------------------------------- thermostat */
+
+void mpm_thermostat_advance(struct mpm_state *state)
+{
+    const struct mpm_damping_spec *const spec = &state->scene->damping;
+    struct mpm_damping_books *const books = &state->damping.books;
+    double kinetic = 0.0;
+    if (!spec->thermostat)
+        return;
+    for (int64_t s = 0; s < state->strip_count; s++)
+        kinetic += state->strips[s].kinetic_energy;
+    if (kinetic > books->largest_kinetic)
+        books->largest_kinetic = kinetic;
+    const double scale = spec->scale > 0.0 ? spec->scale : books->largest_kinetic;
+    if (scale > 0.0)
+        books->rate += state->time_step * spec->gain * (kinetic - spec->target) / scale;
+    if (books->rate < 0.0)
+        books->rate = 0.0;
+}

@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/loads/given_force.h"
+
+#include "base/strips.h"
+#include "method/grid/grid_update.h"
+#include "method/transfer/extent.h"
+
+#include <math.h>
+
+void mpm_given_force_layout(struct mpm_state *state, struct mpm_arena *arena)
+{
+    struct mpm_given_force *const given = &state->given_force;
+    const size_t nodes = (size_t)mpm_grid_nodes(&state->grid) + MPM_ROW_PADDING;
+    for (int axis = 0; axis < 2; axis++)
+        given->value[axis] = MPM_TAKE(arena, double, state->particles.count);
+    given->mass = MPM_TAKE(arena, double, nodes);
+    given->sum = mpm_arena_take(arena, nodes, sizeof *given->sum);
+    given->row_work = MPM_TAKE(arena, double, (size_t)(state->grid.rows + state->grid.field_rows));
+}
+
+static void evaluate_strip(const struct mpm_state *state, struct mpm_strip *strip)
+{
+    const struct mpm_given_force *const given = &state->given_force;
+    const uint32_t *const id = state->particles.id;
+    for (size_t p = strip->begin; p < strip->end; p += MPM_BODY_FORCE_BLOCK) {
+        const size_t left = strip->end - p;
+        const size_t count = left < MPM_BODY_FORCE_BLOCK ? left : MPM_BODY_FORCE_BLOCK;
+        double *const block[2] = {given->value[0] + p, given->value[1] + p};
+        given->caller.evaluate(given->caller.context, state->time, count, id + p, block);
+    }
+    for (int axis = 0; axis < 2; axis++)
+        for (size_t p = strip->begin; p < strip->end; p++)
+            if (!isfinite(given->value[axis][p])) {
+                mpm_strip_record(strip, MPM_GIVEN_FORCE_NOT_FINITE, id[p], axis,
+                                 given->value[axis][p]);
+                given->value[axis][p] = 0.0; /* the step goes on to its end before it fails */
+            }
+}
+
+/* With a view of the state, see mpm_given_force_spread. */
+static void pass_spread(void *context, int64_t index, int worker)
+{
+    const struct mpm_state *const view = context;
+    evaluate_strip(view, &view->strips[index]);
+    view->kernels.spread_velocity(context, index, worker);
+}
+
+void mpm_given_force_spread(struct mpm_state *state, int workers)
+{
+    const struct mpm_given_force *const given = &state->given_force;
+    if (given->caller.evaluate == NULL)
+        return;
+    struct mpm_state view = *state;
+    view.grid.mass = given->mass;
+    view.grid.sum = given->sum;
+    for (int axis = 0; axis < 2; axis++)
+        view.particles.velocity[axis] = given->value[axis];
+    mpm_grid_rows_run(&view, mpm_row_clear);
+    mpm_strips_run(state->strip_count, workers, pass_spread, &view);
+}
+
+static void row_add(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++)
+        for (int axis = 0; axis < 2; axis++)
+            state->grid.sum[node][axis].force += state->given_force.sum[node][axis].momentum;
+}
+
+void mpm_given_force_add(struct mpm_state *state)
+{
+    if (state->given_force.caller.evaluate != NULL)
+        mpm_grid_rows_run(state, row_add);
+}
+
+static void row_work(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    double power = 0.0;
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++)
+        for (int axis = 0; axis < 2; axis++)
+            power += state->given_force.sum[node][axis].momentum *
+                     (state->grid.start[node][axis] + state->grid.motion[node].end[axis]);
+    state->given_force.row_work[row] = 0.5 * state->time_step * power;
+}
+
+double mpm_given_force_work(struct mpm_state *state)
+{
+    double work = 0.0;
+    if (state->given_force.caller.evaluate == NULL)
+        return work;
+    mpm_grid_rows_run(state, row_work);
+    for (int64_t row = state->first_row; row >= 0; row = mpm_grid_next_row(state, row))
+        work += state->given_force.row_work[row];
+    return work;
+}

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/transfer/extent.h"
+
+void mpm_strip_record(struct mpm_strip *strip, enum mpm_failure_kind kind, uint32_t particle,
+                      int axis, double value)
+{
+    const struct mpm_failure failure = {
+        .kind = kind, .particle = particle, .axis = axis, .value = value};
+    mpm_failure_merge(&strip->failure, &failure);
+}
+
+static double end_of(const struct mpm_grid *grid, int axis)
+{
+    return grid->origin[axis] + (double)grid->cells[axis] * grid->cell[axis];
+}
+
+static bool check_way(const struct mpm_state *state, const struct mpm_placement *placement,
+                      uint32_t particle, struct mpm_strip *strip)
+{
+    const struct mpm_grid *const grid = &state->grid;
+    if (state->shape_grid.axisymmetric && !(placement->position[0] > 0.0)) {
+        mpm_strip_record(strip, MPM_PAST_AXIS, particle, 0, placement->position[0]);
+        return false;
+    }
+    for (int axis = 0; axis < 2; axis++) {
+        const double x = placement->position[axis];
+        if (!(x >= grid->origin[axis] && x < end_of(grid, axis))) {
+            mpm_strip_record(strip, isfinite(x) ? MPM_LEFT_GRID : MPM_NOT_FINITE, particle, axis,
+                             x);
+            return false;
+        }
+        const double cells = fabs(placement->step[axis]) * grid->inverse_cell[axis];
+        if (!(cells <= 1.0)) {
+            mpm_strip_record(strip, MPM_OUTRAN_CELL, particle, axis, cells);
+            return false;
+        }
+    }
+    return true;
+}
+
+bool mpm_domain_check(const struct mpm_state *state, const struct mpm_placement *placement,
+                      uint32_t particle, struct mpm_strip *strip)
+{
+    const struct mpm_grid *const grid = &state->grid;
+    for (int axis = 0; axis < 2; axis++) {
+        const double ghost = mpm_ghost_reach(grid, axis);
+        const double low = placement->position[axis] - placement->reach[axis];
+        const double high = placement->position[axis] + placement->reach[axis];
+        if (!(low > grid->origin[axis] - ghost && high < end_of(grid, axis) + ghost)) {
+            mpm_strip_record(strip, MPM_DOMAIN_TOO_BIG, particle, axis,
+                             placement->reach[axis] * grid->inverse_cell[axis]);
+            return false;
+        }
+    }
+    return true;
+}
+
+bool mpm_placement_check(const struct mpm_state *state, const struct mpm_placement *placement,
+                         uint32_t particle, struct mpm_strip *strip)
+{
+    return check_way(state, placement, particle, strip) &&
+           mpm_domain_check(state, placement, particle, strip);
+}
+
+void mpm_extent_add(struct mpm_extent *extent, const struct mpm_placement *placement)
+{
+    for (int axis = 0; axis < 2; axis++) {
+        const double low = placement->position[axis] - placement->reach[axis];
+        const double high = placement->position[axis] + placement->reach[axis];
+        extent->low[axis] = low < extent->low[axis] ? low : extent->low[axis];
+        extent->high[axis] = high > extent->high[axis] ? high : extent->high[axis];
+    }
+}
+
+/* Node positions beyond the extremes, in cells: round-off must not decide. */
+static const double BOX_SLACK = 1e-9;
+
+void mpm_strip_set_box(const struct mpm_state *state, struct mpm_strip *strip,
+                       const struct mpm_extent *extent)
+{
+    const struct mpm_grid *const grid = &state->grid;
+    int64_t low[2] = {0, 0}, high[2] = {-1, -1};
+    for (int axis = 0; axis < 2 && strip->begin < strip->end; axis++) {
+        const double scale = grid->inverse_cell[axis], origin = grid->origin[axis];
+        low[axis] = (int64_t)floor((extent->low[axis] - origin) * scale - BOX_SLACK);
+        high[axis] = (int64_t)floor((extent->high[axis] - origin) * scale + BOX_SLACK) +
+                     state->family->nodes_past_end;
+        /* no domain reaches beyond the ghost rows, so no node there is visited */
+        if (high[axis] > grid->cells[axis] + MPM_GHOST_ROWS)
+            high[axis] = grid->cells[axis] + MPM_GHOST_ROWS;
+        if (low[axis] < -MPM_GHOST_ROWS)
+            low[axis] = -MPM_GHOST_ROWS;
+    }
+    strip->column_low = low[0];
+    strip->column_high = high[0];
+    strip->row_low = low[1];
+    strip->row_high = high[1];
+}

@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/transfer/smoothing.h"
+
+#include "base/strips.h"
+#include "method/grid/conditions.h"
+#include "method/grid/grid_update.h"
+#include "method/grid/symmetry.h"
+#include "method/transfer/particle_updates.h"
+
+/* ---------------------------------------------------------------- iteration */
+
+/* w_1 = v; no sum yet */
+static inline void begin_row(const struct mpm_state *state, int64_t row, bool after_update)
+{
+    static const double nothing_yet[2] = {0.0, 0.0};
+    const struct mpm_grid *const grid = &state->grid;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    for (int64_t node = span.first; node < span.end; node++) {
+        const double *const v = after_update ? grid->motion[node].end : grid->start[node];
+        for (int axis = 0; axis < 2; axis++)
+            grid->smoothed[node].acceleration[axis] = grid->smoothed[node].end[axis] = v[axis];
+        mpm_node_set_gradient(grid, node, nothing_yet);
+    }
+}
+
+static void begin_with_start(void *context, int64_t row, int worker)
+{
+    (void)worker;
+    begin_row(context, row, false);
+}
+
+static void begin_with_end(void *context, int64_t row, int worker)
+{
+    (void)worker;
+    begin_row(context, row, true);
+}
+
+/* w_{r+1} = v + w_r - S+ S w_r */
+static void next_order(void *context, int64_t row, int worker)
+{
+    static const double nothing_yet[2] = {0.0, 0.0};
+    const struct mpm_state *const state = context;
+    const struct mpm_grid *const grid = &state->grid;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++) {
+        struct mpm_node_motion *const smoothed = &grid->smoothed[node];
+        const double inverse = mpm_inverse_mass(grid->mass[node]);
+        for (int axis = 0; axis < 2; axis++) {
+            const double filtered = grid->gradient[node][axis][0] * inverse;
+            smoothed->acceleration[axis] += smoothed->end[axis] - filtered;
+        }
+        mpm_node_set_gradient(grid, node, nothing_yet);
+    }
+}
+
+void mpm_smoothing_run(struct mpm_state *state, int workers)
+{
+    const bool after_update = state->scene->transfer == MPM_TRANSFER_FMPM;
+    mpm_grid_rows_run(state, after_update ? begin_with_end : begin_with_start);
+    for (int order = 1; order < state->scene->transfer_order; order++) {
+        mpm_strips_run(state->strip_count, workers, state->kernels.passes->smooth, state);
+        mpm_symmetries_reflect_extrapolated(state);
+        mpm_grid_rows_run(state, next_order);
+        mpm_conditions_apply_smoothed(state);
+    }
+}
+
+void mpm_pass_smooth(void *context, int64_t index, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_strip *const strip = &state->strips[index];
+    (void)worker;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil room;
+        double momentum[2] = {0.0, 0.0};
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        for (int k = 0; k < stencil->count; k++) {
+            const int64_t node = state->node_zero + stencil->node[k].node;
+            for (int axis = 0; axis < 2; axis++)
+                momentum[axis] +=
+                    stencil->node[k].s * state->grid.smoothed[node].acceleration[axis];
+        }
+        for (int axis = 0; axis < 2; axis++)
+            momentum[axis] *= state->particles.mass[p];
+        mpm_particle_add_extrapolated(state, stencil, momentum);
+    }
+}
+
+/* ---------------------------------------------------------------- to the motion */
+
+/* What particles read back becomes: velocity over dt for the acceleration, since they have
+ * none, and for the end that from which the position update gets what `moves` says. */
+struct read_back {
+    double velocity;
+    double moves; /* velocity at the end of the step, as position and strain see it */
+};
+
+static inline void set_motion(const struct mpm_state *state, int64_t node,
+                              const struct read_back back[2])
+{
+    const double midpoint =
+        state->scene->position_update == MPM_MIDPOINT ? 0.5 * state->time_step : 0.0;
+    struct mpm_node_motion *const motion = &state->grid.motion[node];
+    for (int axis = 0; axis < 2; axis++) {
+        const double acceleration = back[axis].velocity / state->time_step;
+        const double change = acceleration - motion->acceleration[axis];
+        motion->acceleration[axis] = acceleration;
+        motion->end[axis] = back[axis].moves + midpoint * change;
+    }
+    if (!state->order->extrapolate) {
+        const double gradient[2] = {back[0].moves, back[1].moves};
+        mpm_node_set_gradient(&state->grid, node, gradient);
+    }
+}
+
+void mpm_row_xpic(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++) {
+        const struct mpm_node_motion *const motion = &state->grid.motion[node];
+        struct read_back back[2];
+        for (int axis = 0; axis < 2; axis++)
+            back[axis] = (struct read_back){
+                .velocity = state->grid.smoothed[node].acceleration[axis] +
+                            state->time_step * motion->acceleration[axis],
+                .moves = motion->end[axis],
+            };
+        set_motion(state, node, back);
+    }
+}
+
+void mpm_row_fmpm(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++) {
+        struct read_back back[2];
+        for (int axis = 0; axis < 2; axis++) {
+            const double w = state->grid.smoothed[node].acceleration[axis];
+            back[axis] = (struct read_back){.velocity = w, .moves = w};
+        }
+        set_motion(state, node, back);
+    }
+}

@@ -1,0 +1,477 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/fields/crack_fields.h"
+#include "method/transfer/particle_updates.h"
+
+#include <float.h>
+
+/* ------------------------------------------------------------ the particle */
+
+static void edges_of(const struct mpm_state *state, size_t p, double edge[4])
+{
+    const struct mpm_particles *const particles = &state->particles;
+    double f[MPM_GRADIENT_SIZE];
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        f[k] = particles->deformation[k][p];
+    mpm_shape_push_forward(f, state->bodies[particles->body[p]].half_size, edge);
+}
+
+static struct mpm_shape_domain undeformed_domain(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const struct mpm_body *const body = &state->bodies[particles->body[p]];
+    return (struct mpm_shape_domain){
+        .position = {particles->position[0][p], particles->position[1][p]},
+        .half_size = {body->half_size[0], body->half_size[1]},
+    };
+}
+
+struct mpm_shape_domain mpm_particle_carried_domain(const struct mpm_state *state, size_t p)
+{
+    struct mpm_shape_domain domain = undeformed_domain(state, p);
+    edges_of(state, p, domain.edge);
+    return domain;
+}
+
+static struct mpm_shape_domain domain_of(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    struct mpm_shape_domain domain = undeformed_domain(state, p);
+    if (particles->domain[0] != NULL)
+        for (int k = 0; k < 4; k++)
+            domain.edge[k] = particles->domain[k][p];
+    else if (state->family->convected)
+        edges_of(state, p, domain.edge);
+    return domain;
+}
+
+void mpm_particle_set_domain(const struct mpm_state *state, size_t p)
+{
+    double edge[4];
+    if (state->particles.domain[0] == NULL)
+        return;
+    edges_of(state, p, edge);
+    for (int k = 0; k < 4; k++)
+        state->particles.domain[k][p] = edge[k];
+}
+
+void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
+                                struct mpm_stencil *stencil)
+{
+    const struct mpm_shape_domain domain = domain_of(state, p);
+    state->family->evaluate(&state->shape_grid, &domain, stencil);
+}
+
+const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, size_t p,
+                                               struct mpm_stencil *room)
+{
+    const struct mpm_crack_kept *const kept =
+        state->cracks.kept_of == NULL ? NULL : mpm_crack_kept_of(state, p);
+    if (kept != NULL)
+        return &kept->stencil;
+    mpm_particle_plain_stencil(state, p, room);
+    return room;
+}
+
+MPM_INLINE const struct mpm_stencil *read_back_weights(const struct mpm_state *state,
+                                                       const struct mpm_stencil *stencil,
+                                                       bool by_momentum,
+                                                       struct mpm_stencil *weights)
+{
+    double mass = 0.0;
+    if (!by_momentum)
+        return stencil;
+    for (int k = 0; k < stencil->count; k++)
+        mass += stencil->node[k].s * state->grid.mass[state->node_zero + stencil->node[k].node];
+    weights->count = stencil->count;
+    for (int k = 0; k < stencil->count; k++) {
+        const struct mpm_stencil_node *const entry = &stencil->node[k];
+        const double part = state->grid.mass[state->node_zero + entry->node] / mass;
+        weights->node[k] = (struct mpm_stencil_node){
+            .node = entry->node,
+            .s = part * entry->s,
+            .g = {part * entry->g[0], part * entry->g[1]},
+            .t = part * entry->t,
+        };
+    }
+    return weights;
+}
+
+const struct mpm_stencil *mpm_particle_read_weights(const struct mpm_state *state,
+                                                    const struct mpm_stencil *stencil,
+                                                    struct mpm_stencil *weights)
+{
+    return read_back_weights(state, stencil, state->scene->form == MPM_FORM_MOMENTUM, weights);
+}
+
+/* A pass that reads back, in both forms. */
+#define BOTH_FORMS(pass)                                                                           \
+    void mpm_pass_##pass(void *state, int64_t strip, int worker)                                   \
+    {                                                                                              \
+        (void)worker;                                                                              \
+        (pass)(state, strip, false);                                                               \
+    }                                                                                              \
+    void mpm_pass_##pass##_by_momentum(void *state, int64_t strip, int worker)                     \
+    {                                                                                              \
+        (void)worker;                                                                              \
+        (pass)(state, strip, true);                                                                \
+    }
+
+/* ------------------------------------------------------ particles to grid */
+
+static void add_momentum(const struct mpm_state *state, size_t p, const struct mpm_stencil *stencil)
+{
+    const double mass = state->particles.mass[p];
+    const double px = mass * state->particles.velocity[0][p];
+    const double py = mass * state->particles.velocity[1][p];
+    for (int k = 0; k < stencil->count; k++) {
+        const struct mpm_stencil_node *const entry = &stencil->node[k];
+        const int64_t node = state->node_zero + entry->node;
+        state->grid.mass[node] += mass * entry->s;
+        state->grid.sum[node][0].momentum += px * entry->s;
+        state->grid.sum[node][1].momentum += py * entry->s;
+    }
+}
+
+void mpm_pass_momentum(void *context, int64_t strip, int worker)
+{
+    struct mpm_state *const state = context;
+    (void)worker;
+    for (size_t p = state->strips[strip].begin; p < state->strips[strip].end; p++) {
+        struct mpm_stencil room;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        add_momentum(state, p, stencil);
+    }
+}
+
+void mpm_pass_momentum_and_force(void *context, int64_t strip, int worker)
+{
+    struct mpm_state *const state = context;
+    (void)worker;
+    for (size_t p = state->strips[strip].begin; p < state->strips[strip].end; p++) {
+        struct mpm_stencil room;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        add_momentum(state, p, stencil);
+        mpm_particle_add_internal_force(state, p, stencil);
+    }
+}
+
+/* ------------------------------------------------------------ body forces */
+
+bool mpm_particle_body_force(const struct mpm_state *state, size_t p, int worker,
+                             struct mpm_strip *strip, double b[2])
+{
+    const double position[2] = {state->particles.position[0][p], state->particles.position[1][p]};
+    for (int axis = 0; axis < 2; axis++) {
+        const struct mpm_expression *const force = state->body_force.component[axis];
+        b[axis] = force == NULL ? 0.0 : mpm_expression_value(force, worker, position, state->time);
+        if (!isfinite(b[axis])) {
+            mpm_strip_record(strip, MPM_LOAD_NOT_FINITE, state->particles.id[p], axis, b[axis]);
+            return false;
+        }
+    }
+    return true;
+}
+
+void mpm_pass_body_force(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    struct mpm_strip *const strip = &state->strips[index];
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil room;
+        double b[2];
+        if (!mpm_particle_body_force(state, p, worker, strip, b))
+            continue;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        for (int k = 0; k < stencil->count; k++) {
+            struct mpm_node_sum *const sum =
+                state->grid.sum[state->node_zero + stencil->node[k].node];
+            const double weight = state->particles.mass[p] * stencil->node[k].s;
+            sum[0].force += weight * b[0];
+            sum[1].force += weight * b[1];
+        }
+    }
+}
+
+void mpm_pass_body_work(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    struct mpm_strip *const strip = &state->strips[index];
+    strip->external_work = 0.0;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil room;
+        double b[2], power = 0.0;
+        if (!mpm_particle_body_force(state, p, worker, strip, b))
+            continue;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        for (int k = 0; k < stencil->count; k++) {
+            const int64_t node = state->node_zero + stencil->node[k].node;
+            const double *const start = state->grid.start[node];
+            const double *const end = state->grid.motion[node].end;
+            power += stencil->node[k].s * (b[0] * (start[0] + end[0]) + b[1] * (start[1] + end[1]));
+        }
+        strip->external_work += 0.5 * state->time_step * state->particles.mass[p] * power;
+    }
+}
+
+/* -------------------------------------------------------- velocity update */
+
+MPM_INLINE void flip_fraction(struct mpm_state *state, int64_t index, bool by_momentum)
+{
+    const struct mpm_strip *const strip = &state->strips[index];
+    const double part = 1.0 - state->scene->flip_fraction;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil room, weights;
+        double grid[2] = {0.0, 0.0};
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        const struct mpm_stencil *const read =
+            read_back_weights(state, stencil, by_momentum, &weights);
+        for (int k = 0; k < read->count; k++) {
+            const double *const start = state->grid.start[state->node_zero + read->node[k].node];
+            grid[0] += read->node[k].s * start[0];
+            grid[1] += read->node[k].s * start[1];
+        }
+        for (int axis = 0; axis < 2; axis++) {
+            double *const v = &state->particles.velocity[axis][p];
+            *v -= part * (*v - grid[axis]);
+        }
+    }
+}
+
+BOTH_FORMS(flip_fraction)
+
+void mpm_pass_keep_fraction(void *context, int64_t index, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_strip *const strip = &state->strips[index];
+    const double kept = state->scene->flip_fraction;
+    (void)worker;
+    for (int axis = 0; axis < 2; axis++) {
+        double *const velocity = state->particles.velocity[axis];
+        for (size_t p = strip->begin; p < strip->end; p++)
+            velocity[p] *= kept;
+    }
+}
+
+MPM_INLINE void velocity(struct mpm_state *state, int64_t index, bool by_momentum)
+{
+    struct mpm_strip *const strip = &state->strips[index];
+    strip->kinetic_energy = 0.0;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil room, weights;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        const struct mpm_stencil *const read =
+            read_back_weights(state, stencil, by_momentum, &weights);
+        mpm_particle_update_velocity(state, p, read, strip);
+    }
+}
+
+BOTH_FORMS(velocity)
+
+MPM_INLINE void velocity_and_momentum(struct mpm_state *state, int64_t index, bool by_momentum)
+{
+    struct mpm_strip *const strip = &state->strips[index];
+    strip->kinetic_energy = 0.0;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil room, weights;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        const struct mpm_stencil *const read =
+            read_back_weights(state, stencil, by_momentum, &weights);
+        mpm_particle_update_velocity(state, p, read, strip);
+        const double px = state->particles.mass[p] * state->particles.velocity[0][p];
+        const double py = state->particles.mass[p] * state->particles.velocity[1][p];
+        mpm_particle_add_extrapolated(state, stencil, (const double[2]){px, py});
+    }
+}
+
+BOTH_FORMS(velocity_and_momentum)
+
+/* ---------------------------------------------------------- stress update */
+
+/* dt grad v at the particle, N&G (10), (12)-(14) */
+static void displacement_gradient(const struct mpm_state *state, const struct mpm_stencil *stencil,
+                                  double dt, double h[MPM_GRADIENT_SIZE])
+{
+    double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0, zz = 0.0;
+    for (int k = 0; k < stencil->count; k++) {
+        const struct mpm_stencil_node *const entry = &stencil->node[k];
+        const double(*const v)[2] =
+            (const double(*)[2])state->grid.gradient[state->node_zero + entry->node];
+        xx += v[0][0] * entry->g[0];
+        xy += v[0][0] * entry->g[1];
+        yx += v[1][0] * entry->g[0];
+        yy += v[1][0] * entry->g[1];
+        zz += v[0][0] * entry->t;
+    }
+    h[MPM_XX] = dt * xx;
+    h[MPM_XY] = dt * xy;
+    h[MPM_YX] = dt * yx;
+    h[MPM_YY] = dt * yy;
+    h[MPM_ZZ] = dt * zz;
+}
+
+/* F := dF F, N&G (9), and the stress of the new F. */
+static void update_stress(const struct mpm_state *state, size_t p,
+                          const struct mpm_stencil *stencil, double part, struct mpm_strip *strip)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
+    double h[MPM_GRADIENT_SIZE], df[MPM_GRADIENT_SIZE], f[MPM_GRADIENT_SIZE];
+    displacement_gradient(state, stencil, part * state->time_step, h);
+    mpm_deformation_increment(h, state->scene->deformation_terms, df);
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        f[k] = particles->deformation[k][p];
+    mpm_deformation_compose(df, f);
+    double j = mpm_determinant(f);
+    if (j > 0.0 && state->scene->geometry == MPM_PLANE_STRESS) {
+        f[MPM_ZZ] = material->law->thickness_stretch(material, f);
+        j = mpm_determinant(f);
+    }
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        particles->deformation[k][p] = f[k];
+    if (!(j > 0.0)) {
+        mpm_strip_record(strip, MPM_INVERTED, particles->id[p], 0, j);
+        return;
+    }
+    double stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
+    material->law->stress(material, f, stress, &wave_speed_squared);
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        particles->stress[k][p] = stress[k];
+    if (!(wave_speed_squared <= DBL_MAX))
+        mpm_strip_record(strip, MPM_NOT_FINITE, particles->id[p], 0, wave_speed_squared);
+    if (wave_speed_squared > strip->wave_speed_squared)
+        strip->wave_speed_squared = wave_speed_squared;
+}
+
+MPM_INLINE void stress_and_force(struct mpm_state *state, int64_t index, bool by_momentum)
+{
+    struct mpm_strip *const strip = &state->strips[index];
+    strip->wave_speed_squared = 0.0;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil room, weights;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        const struct mpm_stencil *const read =
+            read_back_weights(state, stencil, by_momentum, &weights);
+        update_stress(state, p, read, state->order->before, strip);
+        mpm_particle_add_internal_force(state, p, stencil);
+    }
+}
+
+BOTH_FORMS(stress_and_force)
+
+/* -------------------------------------------------------- position update */
+
+static struct mpm_placement placement_of(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_shape_domain domain = domain_of(state, p);
+    struct mpm_placement placement = {.position = {domain.position[0], domain.position[1]}};
+    state->family->reach(&state->shape_grid, &domain, placement.reach);
+    if (state->shape_grid.axisymmetric && state->shape_grid.truncated && !state->family->point &&
+        placement.reach[0] > domain.position[0])
+        placement.reach[0] = domain.position[0];
+    return placement;
+}
+
+/* The grid's velocity at the particle over the step: v^{n+1}, or the mean of start and
+ * end for the midpoint update (Notes (37), without damping). */
+static void update_position(const struct mpm_state *state, size_t p,
+                            const struct mpm_stencil *stencil, struct mpm_strip *strip,
+                            struct mpm_extent *extent)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const double back =
+        state->scene->position_update == MPM_MIDPOINT ? 0.5 * state->time_step : 0.0;
+    const bool hoop = state->scene->radius_update == MPM_RADIUS_HOOP;
+    double v[2] = {0.0, 0.0}, hoop_rate = 0.0;
+    for (int k = 0; k < stencil->count; k++) {
+        const struct mpm_stencil_node *const entry = &stencil->node[k];
+        const struct mpm_node_motion *const motion =
+            &state->grid.motion[state->node_zero + entry->node];
+        const double vx = motion->end[0] - back * motion->acceleration[0];
+        v[0] += entry->s * vx;
+        v[1] += entry->s * (motion->end[1] - back * motion->acceleration[1]);
+        hoop_rate += entry->t * vx;
+    }
+    const double rate = hoop ? particles->position[0][p] * hoop_rate : v[0];
+    const double step[2] = {state->time_step * rate, state->time_step * v[1]};
+    particles->position[0][p] += step[0];
+    particles->position[1][p] += step[1];
+    mpm_particle_set_domain(state, p);
+    struct mpm_placement placement = placement_of(state, p);
+    placement.step[0] = step[0];
+    placement.step[1] = step[1];
+    if (mpm_placement_check(state, &placement, particles->id[p], strip))
+        mpm_extent_add(extent, &placement);
+}
+
+struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p)
+{
+    return placement_of(state, p);
+}
+
+MPM_INLINE void position(struct mpm_state *state, int64_t index, bool by_momentum)
+{
+    struct mpm_strip *const strip = &state->strips[index];
+    struct mpm_extent extent = MPM_NO_EXTENT;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil room, weights;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        const struct mpm_stencil *const read =
+            read_back_weights(state, stencil, by_momentum, &weights);
+        update_position(state, p, read, strip, &extent);
+    }
+    if (strip->failure.kind == MPM_NO_FAILURE)
+        mpm_strip_set_box(state, strip, &extent);
+}
+
+BOTH_FORMS(position)
+
+MPM_INLINE void stress_and_position(struct mpm_state *state, int64_t index, bool by_momentum)
+{
+    struct mpm_strip *const strip = &state->strips[index];
+    struct mpm_extent extent = MPM_NO_EXTENT;
+    strip->wave_speed_squared = 0.0;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil room, weights;
+        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+        const struct mpm_stencil *const read =
+            read_back_weights(state, stencil, by_momentum, &weights);
+        update_stress(state, p, read, state->order->after, strip);
+        update_position(state, p, read, strip, &extent);
+    }
+    if (strip->failure.kind == MPM_NO_FAILURE)
+        mpm_strip_set_box(state, strip, &extent);
+}
+
+BOTH_FORMS(stress_and_position)
+
+void mpm_pass_recompute(void *context, int64_t index, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_particles *const particles = &state->particles;
+    (void)worker;
+    for (size_t p = state->strips[index].begin; p < state->strips[index].end; p++) {
+        const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
+        double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
+        for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+            f[k] = particles->deformation[k][p];
+        material->law->stress(material, f, stress, &wave_speed_squared);
+        for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+            particles->stress[k][p] = stress[k];
+        mpm_particle_set_domain(state, p);
+    }
+}
+
+void mpm_pass_measure(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    struct mpm_strip *const strip = &state->strips[index];
+    struct mpm_extent extent = MPM_NO_EXTENT;
+    (void)worker;
+    for (size_t p = strip->begin; p < strip->end; p++) {
+        const struct mpm_placement placement = placement_of(state, p);
+        if (mpm_domain_check(state, &placement, state->particles.id[p], strip))
+            mpm_extent_add(&extent, &placement);
+    }
+    if (strip->failure.kind == MPM_NO_FAILURE)
+        mpm_strip_set_box(state, strip, &extent);
+}
