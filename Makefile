@@ -80,9 +80,10 @@ room     = $(firstword $(subst /, ,$(1)))
 includes = $(INCLUDES_$(call room,$(1))) -I$(BUILD)/generated $(PACKAGE_FLAGS)
 
 # ------------------------------------------------------------------ sources
-# One file of fast kernels is compiled for each shape family and level of SIMD.
+# Fast kernels are compiled for each shape family and level of SIMD, their laws for each level.
 FAST_SOURCE    := solver/method/fast/fast_kernels.c
-SOLVER_SOURCES := $(filter-out $(FAST_SOURCE),\
+FAST_LAWS      := solver/method/fast/fast_laws.c
+SOLVER_SOURCES := $(filter-out $(FAST_SOURCE) $(FAST_LAWS),\
                     $(sort $(wildcard $(foreach room,base model method simulation io,\
                       solver/$(room)/*.c solver/$(room)/*/*.c))))
 CLI_SOURCES    := $(sort $(wildcard solver/cli/*.c))
@@ -92,7 +93,7 @@ BENCH_MAIN     := $(wildcard benchmarks/main.c)
 BENCH_SOURCES  := $(filter-out $(BENCH_MAIN),$(sort $(wildcard benchmarks/*.c)))
 TEST_SOURCES   := $(sort $(wildcard tests/*.c tests/support/*.c))
 PROBE_MAIN     := tests/scene_generator/nodes.c
-SOURCES := $(SOLVER_SOURCES) $(FAST_SOURCE) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) \
+SOURCES := $(SOLVER_SOURCES) $(FAST_SOURCE) $(FAST_LAWS) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) \
            $(BENCH_SOURCES) $(BENCH_MAIN) $(TEST_SOURCES) $(PROBE_MAIN)
 HEADERS := $(sort $(wildcard $(foreach depth,* */* */*/*,$(patsubst %,%/$(depth).h,\
              solver verification benchmarks reports tests))))
@@ -105,14 +106,15 @@ FAST_LEVELS  := baseline $(if $(filter release,$(VARIANT)),$(if $(findstring x86
 # They take longest to compile: first in every list, and the longest of them before the others.
 FAST_OBJECTS := $(foreach family,cpdi bspline3 ugimp bspline2 classic,$(foreach level,$(FAST_LEVELS),\
                   $(BUILD)/objects/fast/$(family).$(level).o))
+LAW_OBJECTS  := $(foreach level,$(FAST_LEVELS),$(BUILD)/objects/fast/laws.$(level).o)
 # Square roots never set errno here: without that, lanes would be taken one by one. No vector
 # crosses a call, so its convention is nothing to be told of: gcc's note heeds this flag alone.
 # gcc looks for predictive commoning for a quarter of its time; with -g (sanitizers), it follows
 # variables through these long functions for minutes. Neither is worth it.
 FAST_FLAGS    = -fno-math-errno -Wno-psabi \
                 $(if $(findstring clang,$(CC)),,-fno-predictive-commoning -fno-var-tracking) \
-                $(FAST_FLAGS_$(2)) $(call FAST_NAMES,$(1),$(2))
-FAST_NAMES    = -DFAST_FAMILY=$(1) -DFAST_LEVEL=$(2) \
+                $(FAST_FLAGS_$(1)) -DFAST_LEVEL=$(1)
+FAST_NAMES    = -DFAST_FAMILY=$(1) \
                 -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z) \
                 -DFAST_KEEPS_DOMAINS=$(if $(filter cpdi,$(1)),1,0)
 # Where there is another level, the baseline is for old machines: a quarter less to compile counts
@@ -142,7 +144,7 @@ short = $(if $(V),,@echo '  $(1) $(2)';)
 .PHONY: all
 all: $(FAST_OBJECTS) $(PROGRAMS) $(LIBRARY) ## build the programs and libmpm.a in build/release (the default)
 
-$(LIBRARY): $(call objects,$(SOLVER_SOURCES)) $(FAST_OBJECTS)
+$(LIBRARY): $(call objects,$(SOLVER_SOURCES)) $(FAST_OBJECTS) $(LAW_OBJECTS)
 	@rm -f $@
 	$(call short,AR,$@)ar rcs $@ $(filter %.o,$^)
 
@@ -159,7 +161,8 @@ $(TESTER): $(call objects,$(TEST_SOURCES) $(BENCH_SOURCES)) $(VERIFY_OBJECTS) $(
 	$(link) $(LIBS_TESTS) $(LIBS_SUITE) $(LIBS_SOLVER)
 
 .PHONY: objects
-objects: $(FAST_OBJECTS) $(WIDE_OBJECTS) $(call objects,$(filter-out $(FAST_SOURCE),$(SOURCES)))
+objects: $(FAST_OBJECTS) $(LAW_OBJECTS) $(WIDE_OBJECTS) \
+         $(call objects,$(filter-out $(FAST_SOURCE) $(FAST_LAWS),$(SOURCES)))
 $(BUILD)/objects/%.o: %.c $(BUILD)/generated/flags.txt | $(BUILD)/generated/build_facts.h
 	@mkdir -p $(@D)
 	$(call short,CC,$<)$(CC) $(CODE_FLAGS) $(WARNINGS) $(call includes,$<) -MMD -MP -c -o $@ $<
@@ -167,14 +170,20 @@ $(BUILD)/objects/%.o: %.c $(BUILD)/generated/flags.txt | $(BUILD)/generated/buil
 $(FAST_OBJECTS): $(BUILD)/objects/fast/%.o: $(FAST_SOURCE) $(BUILD)/generated/flags.txt
 	@mkdir -p $(@D)
 	$(call short,CC,$< ($*))$(CC) $(CODE_FLAGS) $(WARNINGS) \
-	  $(call FAST_FLAGS,$(basename $*),$(patsubst .%,%,$(suffix $*))) -Isolver -MMD -MP -c -o $@ $<
+	  $(call FAST_FLAGS,$(patsubst .%,%,$(suffix $*))) $(call FAST_NAMES,$(basename $*)) -Isolver \
+	  -MMD -MP -c -o $@ $<
+
+$(LAW_OBJECTS): $(BUILD)/objects/fast/laws.%.o: $(FAST_LAWS) $(BUILD)/generated/flags.txt
+	@mkdir -p $(@D)
+	$(call short,CC,$< ($*))$(CC) $(CODE_FLAGS) $(WARNINGS) $(call FAST_FLAGS,$*) -Isolver \
+	  -MMD -MP -c -o $@ $<
 
 $(WIDE_OBJECTS): $(BUILD)/objects/wide/%.o: verification/exact/%.c $(BUILD)/generated/flags.txt
 	@mkdir -p $(@D)
 	$(call short,CC,$< (v3))$(CC) $(CODE_FLAGS) $(WARNINGS) -fno-math-errno $(FAST_FLAGS_v3) \
 	  -DMANUFACTURED_LEVEL=v3 -Isolver -I. -MMD -MP -c -o $@ $<
 
--include $(patsubst %.o,%.d,$(call objects,$(SOURCES)) $(FAST_OBJECTS) $(WIDE_OBJECTS))
+-include $(patsubst %.o,%.d,$(call objects,$(SOURCES)) $(FAST_OBJECTS) $(LAW_OBJECTS) $(WIDE_OBJECTS))
 
 # Facts recorded in the binary: rewritten only when they change; never a date. The
 # revision is this tree's own, not that of a repository that it was unpacked into.
@@ -311,7 +320,7 @@ check-gcc:
 check-warnings: check-gcc
 	+@$(MAKE) VARIANT=release BUILD=build/check/clang CC=clang WERROR=1 objects
 # The file of fast kernels is read as one of those that it stands for.
-LINT_FLAGS = -D_POSIX_C_SOURCE=200809L $(call FAST_NAMES,ugimp,baseline)
+LINT_FLAGS = -D_POSIX_C_SOURCE=200809L -DFAST_LEVEL=baseline $(call FAST_NAMES,ugimp)
 # POSIX makes NULL a void pointer, so it may end a list of arguments: no varFuncNullUB.
 check-cppcheck:
 	@mkdir -p build/check/cppcheck

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/fast/fast.h"
 
+#include "method/fast/fast_laws.h"
 #include "method/shape/shape.h"
 
 #define FAMILIES(level)                                                                            \
@@ -35,11 +36,17 @@ enum mpm_simd mpm_fast_widest(void)
 
 static enum mpm_fast_geometry geometry_of(const struct mpm_scene *scene)
 {
-    if (scene->geometry == MPM_PLANE_STRAIN)
-        return MPM_FAST_PLANE_STRAIN;
-    if (scene->geometry == MPM_PLANE_STRESS)
-        return MPM_FAST_PLANE_STRESS;
+    if (scene->geometry != MPM_AXISYMMETRIC)
+        return MPM_FAST_PLANAR;
     return scene->radius_update == MPM_RADIUS_HOOP ? MPM_FAST_HOOP_RADIUS : MPM_FAST_AXISYMMETRIC;
+}
+
+static bool has_vectors(const struct mpm_material_law *law)
+{
+    const struct mpm_fast_law *row = mpm_fast_laws_baseline;
+    while (row->law != NULL && row->law != law)
+        row++;
+    return row->law != NULL;
 }
 
 const char *mpm_fast_lacks(const struct mpm_scene *scene)
@@ -48,6 +55,9 @@ const char *mpm_fast_lacks(const struct mpm_scene *scene)
         return "there are no fast kernels for method.axis: planar";
     if (scene->transfer == MPM_TRANSFER_APIC)
         return "there are no fast kernels for method.transfer: apic";
+    for (size_t k = 0; k < scene->material_count; k++)
+        if (!has_vectors(mpm_material_law_find(scene->materials[k].law)))
+            return "there are no fast kernels for the law of a material";
     if (scene->form == MPM_FORM_MOMENTUM)
         return "there are no fast kernels for method.form: momentum";
     return NULL;

@@ -6,6 +6,7 @@
 #define MPM_METHOD_FAST_BLOCK_H
 
 #include "method/fast/fast_constants.h"
+#include "method/fast/fast_laws.h"
 
 #include <float.h>
 
@@ -18,6 +19,28 @@ struct fast_sums {
     const struct mpm_state *state;
     struct mpm_strip *strip;
 };
+
+/* All that is known of one block of particles of one body. */
+struct fast_block {
+    const struct fast_constants *k;
+    const struct mpm_particles *particles;
+    size_t first; /* particle, */
+    size_t end;   /* the vectors after it stop there */
+    struct fast_sums *sums;
+    mpm_fast_update *update; /* of their law; NULL in passes without a stress update */
+};
+
+/* NOLINTBEGIN(bugprone-macro-parentheses): p and v are names that the loop declares. */
+#define FOR_VECTORS(block, p, v)                                                                   \
+    for (size_t p = (block)->first, v = 0; p < (block)->end; p += MPM_VECTOR_SIZE, v++)
+/* NOLINTEND(bugprone-macro-parentheses) */
+
+MPM_INLINE void load_deformation(const struct mpm_particles *particles, size_t p,
+                                 mpm_vector f[MPM_GRADIENT_SIZE])
+{
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        f[i] = mpm_load(particles->deformation[i] + p);
+}
 
 /* Constants of the particles of `body`; `part` of the time step for the stress update. */
 void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double part,

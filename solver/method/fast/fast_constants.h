@@ -11,7 +11,7 @@
 /* Which kernel: constants of an instance, so that what is off leaves no trace. */
 struct fast_spec {
     enum mpm_shape shape;
-    bool axisymmetric, plane_stress;
+    bool axisymmetric;
     bool hoop_radius; /* r moves with r_p sum T v_r */
     bool kept_domain; /* CPDI: half edges are read, not recomputed from F */
     bool momentum;    /* spread mass and momentum */

@@ -2,23 +2,30 @@
  * pair, with FAST_FAMILY (a name of method.shape), FAST_SHAPE (the same in capitals) and
  * FAST_LEVEL (baseline, v3), FAST_KEEPS_DOMAINS (1 where they change within a step).
  *
- * A kernel is one of the bodies in fast_passes.h with constants. Planar kernels of plane
- * strain and plane stress differ in the stress update only; the axisymmetric ones move r
- * with S or with T.
+ * A kernel is one of the bodies in fast_passes.h with constants. The axisymmetric ones move r
+ * with S or with T. Laws are not part of them: see fast_laws.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/fast/fast.h"
 #include "method/fast/fast_passes.h"
 
-enum { BLOCK = MPM_BLOCK_VECTORS * MPM_VECTOR_SIZE };
+enum { BLOCK = MPM_BLOCK_VECTORS * MPM_VECTOR_SIZE, NO_UPDATE = -1 };
 
-typedef void fast_work(const struct fast_spec *spec, enum fast_law law,
-                       const struct fast_block *block);
+/* The stress update of a body's law; `kind`: a geometry, or MPM_FAST_RECOMPUTE. */
+MPM_INLINE mpm_fast_update *update_of(const struct mpm_material *material, int kind)
+{
+    const struct mpm_fast_law *row = FAST_NAME(laws);
+    while (row->law != material->law)
+        row++;
+    return row->update[kind];
+}
+
+typedef void fast_work(const struct fast_spec *spec, const struct fast_block *block);
 
 /* A run of particles of one body, block by block; the last particles, fewer than a vector,
  * as copies. */
-MPM_INLINE void run_blocks(const struct fast_spec *spec, enum fast_law law,
-                           struct fast_block *block, size_t begin, size_t end, fast_work *work)
+MPM_INLINE void run_blocks(const struct fast_spec *spec, struct fast_block *block, size_t begin,
+                           size_t end, fast_work *work)
 {
     const struct mpm_particles *const particles = block->particles;
     struct fast_tail tail;
@@ -30,7 +37,7 @@ MPM_INLINE void run_blocks(const struct fast_spec *spec, enum fast_law law,
         block->particles = whole == 0 ? &tail.particles : particles;
         if (whole == 0)
             mpm_fast_tail_fill(&tail, particles, begin, count);
-        work(spec, law, block);
+        work(spec, block);
         if (whole == 0)
             mpm_fast_tail_write(&tail, particles, begin, count);
         begin += count;
@@ -39,7 +46,7 @@ MPM_INLINE void run_blocks(const struct fast_spec *spec, enum fast_law law,
 }
 
 MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state, int64_t index,
-                          double part, bool needs_law, struct fast_sums *sums, fast_work *work)
+                          double part, int kind, struct fast_sums *sums, fast_work *work)
 {
     struct mpm_strip *const strip = &state->strips[index];
     const mpm_vector zero = mpm_splat(0.0), most = mpm_splat(DBL_MAX);
@@ -50,15 +57,9 @@ MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state,
         const uint32_t body = state->particles.body[begin];
         end = mpm_fast_run_end(state, begin, strip->end);
         mpm_fast_constants(state, body, part, &k);
-        if (!needs_law) {
-            run_blocks(spec, (enum fast_law)0, &block, begin, end, work);
-            continue;
-        }
-#define RUN(name)                                                                                  \
-    if (k.material.law == &mpm_##name)                                                             \
-        run_blocks(spec, FAST_##name, &block, begin, end, work);
-        MPM_MATERIAL_LAWS(RUN)
-#undef RUN
+        if (kind != NO_UPDATE)
+            block.update = update_of(&k.material, kind);
+        run_blocks(spec, &block, begin, end, work);
     }
 }
 
@@ -67,7 +68,7 @@ static void recompute(void *state, int64_t strip, int worker)
     static const struct fast_spec spec = {.shape = FAST_SHAPE};
     struct fast_sums sums;
     (void)worker;
-    run_strip(&spec, state, strip, 0.0, true, &sums, block_recompute);
+    run_strip(&spec, state, strip, 0.0, MPM_FAST_RECOMPUTE, &sums, block_recompute);
 }
 
 static void set_box(struct mpm_state *state, const struct fast_sums *sums)
@@ -86,14 +87,15 @@ static void set_box(struct mpm_state *state, const struct fast_sums *sums)
 MPM_INLINE void pass_to_grid(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
 {
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, false, &sums, block_to_grid);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &sums, block_to_grid);
 }
 
 MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_state *state,
                                    int64_t strip)
 {
     struct fast_sums sums;
-    run_strip(spec, state, strip, state->order->before, true, &sums, block_stress_before);
+    run_strip(spec, state, strip, state->order->before, (int)state->scene->geometry, &sums,
+              block_stress_before);
     sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
 }
 
@@ -102,21 +104,22 @@ MPM_INLINE void pass_smooth(const struct fast_spec *spec, struct mpm_state *stat
     struct fast_sums sums;
     struct mpm_state view = *state; /* of the same strips, particles and sums */
     view.grid.motion = state->grid.smoothed;
-    run_strip(spec, &view, strip, 0.0, false, &sums, block_smooth);
+    run_strip(spec, &view, strip, 0.0, NO_UPDATE, &sums, block_smooth);
 }
 
 MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state *state,
                                   int64_t strip)
 {
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, false, &sums, block_to_particles);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &sums, block_to_particles);
     sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
 }
 
 MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
 {
     struct fast_sums sums;
-    run_strip(spec, state, strip, state->order->after, spec->stress, &sums, block_finish);
+    run_strip(spec, state, strip, state->order->after,
+              spec->stress ? (int)state->scene->geometry : NO_UPDATE, &sums, block_finish);
     if (spec->velocity)
         sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
     if (spec->stress)
@@ -190,17 +193,12 @@ SPREAD(axisymmetric, .axisymmetric = true)
 EXTRAPOLATE(planar, .axisymmetric = false)
 EXTRAPOLATE(radial, .axisymmetric = true)
 EXTRAPOLATE(hoop, .axisymmetric = true, .hoop_radius = true)
-UPDATE(strain, .axisymmetric = false)
-UPDATE(stress, .plane_stress = true)
+UPDATE(planar, .axisymmetric = false)
 UPDATE(radial, .axisymmetric = true)
 UPDATE(hoop, .axisymmetric = true, .hoop_radius = true)
 
-#define NAME_OF(family, level) mpm_fast_##family##_##level
-#define NAME(family, level)    NAME_OF(family, level)
-
-const struct mpm_passes NAME(FAST_FAMILY, FAST_LEVEL)[MPM_FAST_GEOMETRIES][MPM_ORDER_COUNT] = {
-    [MPM_FAST_PLANE_STRAIN] = ORDERS(planar, planar, strain),
-    [MPM_FAST_PLANE_STRESS] = ORDERS(planar, planar, stress),
+const struct mpm_passes FAST_NAME(FAST_FAMILY)[MPM_FAST_GEOMETRIES][MPM_ORDER_COUNT] = {
+    [MPM_FAST_PLANAR] = ORDERS(planar, planar, planar),
     [MPM_FAST_AXISYMMETRIC] = ORDERS(axisymmetric, radial, radial),
     [MPM_FAST_HOOP_RADIUS] = ORDERS(axisymmetric, hoop, hoop),
 };

@@ -8,7 +8,6 @@
 #include "method/fast/fast_block.h"
 #include "method/fast/fast_cpdi.h"
 #include "method/fast/fast_lines.h"
-#include "method/fast/fast_stress.h"
 #include "method/transfer/extent.h"
 
 /* ----------------------------------------------------------- either stencil */
@@ -26,13 +25,6 @@ MPM_INLINE void edges_of(const struct fast_constants *k, const mpm_vector f[MPM_
     edge[1] = f[MPM_YX] * k->half[0];
     edge[2] = f[MPM_XY] * k->half[1];
     edge[3] = f[MPM_YY] * k->half[1];
-}
-
-MPM_INLINE void load_deformation(const struct mpm_particles *particles, size_t p,
-                                 mpm_vector f[MPM_GRADIENT_SIZE])
-{
-    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
-        f[i] = mpm_load(particles->deformation[i] + p);
 }
 
 MPM_INLINE void evaluate(const struct fast_spec *spec, const struct fast_constants *k,
@@ -132,46 +124,6 @@ MPM_INLINE void update_velocity_vector(const struct fast_constants *k,
         mpm_fast_report_velocity(sums->strip, particles, p);
 }
 
-/* F := dF F */
-MPM_INLINE void update_deformation(const struct fast_spec *spec, enum fast_law law,
-                                   const struct fast_constants *k,
-                                   const struct mpm_particles *particles, size_t p,
-                                   const mpm_vector gradient[MPM_GRADIENT_SIZE])
-{
-    mpm_vector f[MPM_GRADIENT_SIZE], h[MPM_GRADIENT_SIZE];
-    load_deformation(particles, p, f);
-    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
-        h[i] = k->stress_step * gradient[i];
-    deform_vector(h, k->deformation_terms, spec->axisymmetric, f);
-    if (spec->plane_stress)
-        f[MPM_ZZ] = mpm_select(mpm_less(mpm_splat(0.0), determinant_vector(f)),
-                               fast_law_thickness(law, &k->material, f), f[MPM_ZZ]);
-    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
-        if (i != MPM_ZZ || spec->axisymmetric || spec->plane_stress)
-            mpm_store(particles->deformation[i] + p, f[i]);
-}
-
-/* The stress of the new F. */
-MPM_INLINE void update_stress_vector(enum fast_law law, const struct fast_constants *k,
-                                     const struct mpm_particles *particles, size_t p,
-                                     struct fast_sums *sums)
-{
-    mpm_vector f[MPM_GRADIENT_SIZE], tau[MPM_SYMMETRIC_SIZE], wave;
-    load_deformation(particles, p, f);
-    fast_law_stress(law, &k->material, f, tau, &wave);
-    for (int i = 0; i < MPM_SYMMETRIC_SIZE; i++)
-        mpm_store(particles->stress[i] + p, tau[i]);
-    sums->wave = mpm_larger(wave, sums->wave);
-    const mpm_vector j = determinant_vector(f);
-    const mpm_mask sound = mpm_less(mpm_splat(0.0), j) & mpm_at_most(wave, mpm_splat(DBL_MAX));
-    if (mpm_any(~sound)) {
-        double values[2][MPM_VECTOR_SIZE];
-        mpm_store(values[0], j);
-        mpm_store(values[1], wave);
-        mpm_fast_report_stress(sums->strip, particles, p, values[0], values[1]);
-    }
-}
-
 /* x + dt v */
 MPM_INLINE void next_position(const struct fast_spec *spec, const struct fast_constants *k,
                               const struct mpm_particles *particles, size_t p,
@@ -243,20 +195,6 @@ MPM_INLINE void update_position_vector(const struct fast_spec *spec, const struc
  * what follows one vector's long chains of operations is the same stage of the next one,
  * which does not depend on it. */
 
-/* All that is known of one block. */
-struct fast_block {
-    const struct fast_constants *k;
-    const struct mpm_particles *particles;
-    size_t first; /* particle, */
-    size_t end;   /* the vectors after it stop there */
-    struct fast_sums *sums;
-};
-
-/* NOLINTBEGIN(bugprone-macro-parentheses): p and v are names that the loop declares. */
-#define FOR_VECTORS(block, p, v)                                                                   \
-    for (size_t p = (block)->first, v = 0; p < (block)->end; p += MPM_VECTOR_SIZE, v++)
-/* NOLINTEND(bugprone-macro-parentheses) */
-
 MPM_INLINE void evaluate_block(const struct fast_spec *spec, const struct fast_block *block,
                                union fast_stencil stencil[MPM_BLOCK_VECTORS])
 {
@@ -265,25 +203,20 @@ MPM_INLINE void evaluate_block(const struct fast_spec *spec, const struct fast_b
     mpm_keep_in_memory(stencil);
 }
 
-MPM_INLINE void update_stress_block(const struct fast_spec *spec, enum fast_law law,
-                                    const struct fast_block *block,
+MPM_INLINE void update_stress_block(const struct fast_spec *spec, const struct fast_block *block,
                                     const union fast_stencil stencil[MPM_BLOCK_VECTORS])
 {
     mpm_vector gradient[MPM_BLOCK_VECTORS][MPM_GRADIENT_SIZE];
     FOR_VECTORS(block, p, v)
     gather_gradient(spec, block->k, &stencil[v], gradient[v]);
-    FOR_VECTORS(block, p, v)
-    update_deformation(spec, law, block->k, block->particles, p, gradient[v]);
-    FOR_VECTORS(block, p, v)
-    update_stress_vector(law, block->k, block->particles, p, block->sums);
+    block->update(block->k, block->particles, block->first, block->end, block->sums,
+                  (const mpm_vector(*)[MPM_GRADIENT_SIZE])gradient);
 }
 
 /* Task 1, with the stress at hand also Task 3 */
-MPM_INLINE void block_to_grid(const struct fast_spec *spec, enum fast_law law,
-                              const struct fast_block *block)
+MPM_INLINE void block_to_grid(const struct fast_spec *spec, const struct fast_block *block)
 {
     union fast_stencil stencil[MPM_BLOCK_VECTORS];
-    (void)law;
     evaluate_block(spec, block, stencil);
     FOR_VECTORS(block, p, v)
     {
@@ -301,12 +234,11 @@ MPM_INLINE void block_to_grid(const struct fast_spec *spec, enum fast_law law,
 }
 
 /* Tasks 2 and 3 of USF and USAVG */
-MPM_INLINE void block_stress_before(const struct fast_spec *spec, enum fast_law law,
-                                    const struct fast_block *block)
+MPM_INLINE void block_stress_before(const struct fast_spec *spec, const struct fast_block *block)
 {
     union fast_stencil stencil[MPM_BLOCK_VECTORS];
     evaluate_block(spec, block, stencil);
-    update_stress_block(spec, law, block, stencil);
+    update_stress_block(spec, block, stencil);
     FOR_VECTORS(block, p, v)
     {
         struct fast_load load = {.mass = mpm_load(block->particles->mass + p)};
@@ -328,12 +260,10 @@ MPM_INLINE void move_vector(const struct fast_spec *spec, const struct fast_bloc
 }
 
 /* m_p S w, for w in the place of the motion; see smoothing.h */
-MPM_INLINE void block_smooth(const struct fast_spec *spec, enum fast_law law,
-                             const struct fast_block *block)
+MPM_INLINE void block_smooth(const struct fast_spec *spec, const struct fast_block *block)
 {
     union fast_stencil stencil[MPM_BLOCK_VECTORS];
     mpm_vector momentum[MPM_BLOCK_VECTORS][2];
-    (void)law;
     evaluate_block(spec, block, stencil);
     FOR_VECTORS(block, p, v)
     {
@@ -348,12 +278,10 @@ MPM_INLINE void block_smooth(const struct fast_spec *spec, enum fast_law law,
 }
 
 /* Task 5, velocities, and (31) */
-MPM_INLINE void block_to_particles(const struct fast_spec *spec, enum fast_law law,
-                                   const struct fast_block *block)
+MPM_INLINE void block_to_particles(const struct fast_spec *spec, const struct fast_block *block)
 {
     union fast_stencil stencil[MPM_BLOCK_VECTORS];
     mpm_vector momentum[MPM_BLOCK_VECTORS][2];
-    (void)law;
     evaluate_block(spec, block, stencil);
     FOR_VECTORS(block, p, v)
     move_vector(spec, block, p, &stencil[v], momentum[v]);
@@ -362,8 +290,7 @@ MPM_INLINE void block_to_particles(const struct fast_spec *spec, enum fast_law l
 }
 
 /* The rest of the step, with the velocities where (31) is not asked for. */
-MPM_INLINE void block_finish(const struct fast_spec *spec, enum fast_law law,
-                             const struct fast_block *block)
+MPM_INLINE void block_finish(const struct fast_spec *spec, const struct fast_block *block)
 {
     union fast_stencil stencil[MPM_BLOCK_VECTORS];
     mpm_vector momentum[2];
@@ -372,21 +299,20 @@ MPM_INLINE void block_finish(const struct fast_spec *spec, enum fast_law law,
     if (spec->velocity)
         move_vector(spec, block, p, &stencil[v], momentum);
     if (spec->stress)
-        update_stress_block(spec, law, block, stencil);
+        update_stress_block(spec, block, stencil);
     FOR_VECTORS(block, p, v)
     update_position_vector(spec, block->k, block->particles, p, block->sums);
 }
 
 /* Not part of a step: stress and domain of F. */
-MPM_INLINE void block_recompute(const struct fast_spec *spec, enum fast_law law,
-                                const struct fast_block *block)
+MPM_INLINE void block_recompute(const struct fast_spec *spec, const struct fast_block *block)
 {
     const struct mpm_particles *const particles = block->particles;
     (void)spec;
+    block->update(block->k, particles, block->first, block->end, block->sums, NULL);
     FOR_VECTORS(block, p, v)
     {
         mpm_vector f[MPM_GRADIENT_SIZE], edge[4];
-        update_stress_vector(law, block->k, particles, p, block->sums);
         load_deformation(particles, p, f);
         edges_of(block->k, f, edge);
         for (int i = 0; particles->domain[0] != NULL && i < 4; i++)

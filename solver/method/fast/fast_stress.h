@@ -161,40 +161,9 @@ MPM_INLINE mpm_vector linear_elastic_thickness_vector(const struct mpm_material 
     return 1.0 - m->lame / (m->lame + 2.0 * m->shear) * (trace - 2.0);
 }
 
-/* -------------------------------------------------------------- any of them */
-
-/* `law` is a constant of each instance of a kernel. */
-enum fast_law {
-#define FAST_LAW(name) FAST_##name,
-    MPM_MATERIAL_LAWS(FAST_LAW)
-#undef FAST_LAW
-};
-
-MPM_INLINE void fast_law_stress(enum fast_law law, const struct mpm_material *m,
-                                const mpm_vector f[MPM_GRADIENT_SIZE],
-                                mpm_vector tau[MPM_SYMMETRIC_SIZE], mpm_vector *wave_speed_squared)
-{
-    switch (law) {
-#define FAST_LAW(name)                                                                             \
-    case FAST_##name:                                                                              \
-        name##_stress_vector(m, f, tau, wave_speed_squared);                                       \
-        return;
-        MPM_MATERIAL_LAWS(FAST_LAW)
-#undef FAST_LAW
-    }
-}
-
-MPM_INLINE mpm_vector fast_law_thickness(enum fast_law law, const struct mpm_material *m,
-                                         const mpm_vector f[MPM_GRADIENT_SIZE])
-{
-    switch (law) {
-#define FAST_LAW(name)                                                                             \
-    case FAST_##name:                                                                              \
-        return name##_thickness_vector(m, f);
-        MPM_MATERIAL_LAWS(FAST_LAW)
-#undef FAST_LAW
-    }
-    return f[MPM_ZZ];
-}
+/* The laws that have these equations on vectors; scenes with others have reference kernels. */
+#define MPM_VECTOR_LAWS(LAW)                                                                       \
+    LAW(neo_hookean)                                                                               \
+    LAW(linear_elastic)
 
 #endif

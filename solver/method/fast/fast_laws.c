@@ -1,0 +1,111 @@
+/* The stress updates of fast kernels for one level of SIMD: this file is compiled for each, with
+ * FAST_LEVEL (baseline, v3).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/fast/fast_laws.h"
+
+#include "method/fast/fast_block.h"
+#include "method/fast/fast_stress.h"
+
+typedef void stress_of(const struct mpm_material *material, const mpm_vector f[MPM_GRADIENT_SIZE],
+                       mpm_vector tau[MPM_SYMMETRIC_SIZE], mpm_vector *wave_speed_squared);
+typedef mpm_vector thickness_of(const struct mpm_material *material,
+                                const mpm_vector f[MPM_GRADIENT_SIZE]);
+
+/* F := dF F */
+MPM_INLINE void update_deformation(enum mpm_geometry geometry, thickness_of *thickness,
+                                   const struct fast_constants *k, double *const deformation[],
+                                   size_t p, const mpm_vector gradient[MPM_GRADIENT_SIZE])
+{
+    mpm_vector f[MPM_GRADIENT_SIZE], h[MPM_GRADIENT_SIZE];
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        f[i] = mpm_load(deformation[i] + p);
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        h[i] = k->stress_step * gradient[i];
+    deform_vector(h, k->deformation_terms, geometry == MPM_AXISYMMETRIC, f);
+    if (geometry == MPM_PLANE_STRESS)
+        f[MPM_ZZ] = mpm_select(mpm_less(mpm_splat(0.0), determinant_vector(f)),
+                               thickness(&k->material, f), f[MPM_ZZ]);
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        if (i != MPM_ZZ || geometry != MPM_PLANE_STRAIN)
+            mpm_store(deformation[i] + p, f[i]);
+}
+
+MPM_INLINE void update_deformations(enum mpm_geometry geometry, thickness_of *thickness,
+                                    const struct fast_constants *k,
+                                    const struct mpm_particles *particles, size_t first, size_t end,
+                                    const mpm_vector (*gradient)[MPM_GRADIENT_SIZE])
+{
+    double *deformation[MPM_GRADIENT_SIZE]; /* copies: stores may not change them */
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        deformation[i] = particles->deformation[i];
+    for (size_t p = first; p < end; p += MPM_VECTOR_SIZE)
+        update_deformation(geometry, thickness, k, deformation, p, *gradient++);
+}
+
+/* The stress of the F at hand. */
+MPM_INLINE void update_stresses(stress_of *stress, const struct fast_constants *k,
+                                const struct mpm_particles *particles, size_t first, size_t end,
+                                struct fast_sums *sums)
+{
+    const struct mpm_material material = k->material;
+    double *deformation[MPM_GRADIENT_SIZE], *target[MPM_SYMMETRIC_SIZE];
+    mpm_vector largest = sums->wave;
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        deformation[i] = particles->deformation[i];
+    for (int i = 0; i < MPM_SYMMETRIC_SIZE; i++)
+        target[i] = particles->stress[i];
+    for (size_t p = first; p < end; p += MPM_VECTOR_SIZE) {
+        mpm_vector f[MPM_GRADIENT_SIZE], tau[MPM_SYMMETRIC_SIZE], wave;
+        for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+            f[i] = mpm_load(deformation[i] + p);
+        stress(&material, f, tau, &wave);
+        for (int i = 0; i < MPM_SYMMETRIC_SIZE; i++)
+            mpm_store(target[i] + p, tau[i]);
+        largest = mpm_larger(wave, largest);
+        const mpm_vector j = determinant_vector(f);
+        const mpm_mask sound = mpm_less(mpm_splat(0.0), j) & mpm_at_most(wave, mpm_splat(DBL_MAX));
+        if (mpm_any(~sound)) {
+            double values[2][MPM_VECTOR_SIZE];
+            mpm_store(values[0], j);
+            mpm_store(values[1], wave);
+            mpm_fast_report_stress(sums->strip, particles, p, values[0], values[1]);
+        }
+    }
+    sums->wave = largest;
+}
+
+/* ------------------------------------------------------------- the instances */
+
+#define FUNCTION(name)                                                                             \
+    static void name(const struct fast_constants *k, const struct mpm_particles *particles,        \
+                     size_t first, size_t end, struct fast_sums *sums,                             \
+                     const mpm_vector(*gradient)[MPM_GRADIENT_SIZE])
+
+#define UPDATE(law, geometry)                                                                      \
+    FUNCTION(law##_##geometry)                                                                     \
+    {                                                                                              \
+        update_deformations(geometry, law##_thickness_vector, k, particles, first, end, gradient); \
+        update_stresses(law##_stress_vector, k, particles, first, end, sums);                      \
+    }
+
+#define LAW(law)                                                                                   \
+    UPDATE(law, MPM_PLANE_STRAIN)                                                                  \
+    UPDATE(law, MPM_PLANE_STRESS)                                                                  \
+    UPDATE(law, MPM_AXISYMMETRIC)                                                                  \
+    FUNCTION(law##_recompute)                                                                      \
+    {                                                                                              \
+        (void)gradient;                                                                            \
+        update_stresses(law##_stress_vector, k, particles, first, end, sums);                      \
+    }
+MPM_VECTOR_LAWS(LAW)
+
+#define ROW(name)                                                                                  \
+    {                                                                                              \
+        .law = &mpm_##name,                                                                        \
+        .update = {[MPM_PLANE_STRAIN] = name##_MPM_PLANE_STRAIN,                                   \
+                   [MPM_PLANE_STRESS] = name##_MPM_PLANE_STRESS,                                   \
+                   [MPM_AXISYMMETRIC] = name##_MPM_AXISYMMETRIC,                                   \
+                   [MPM_FAST_RECOMPUTE] = name##_recompute},                                       \
+    },
+const struct mpm_fast_law FAST_NAME(laws)[] = {MPM_VECTOR_LAWS(ROW){.law = NULL}};

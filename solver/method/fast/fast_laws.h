@@ -1,0 +1,42 @@
+/* Fast kernels: the stress update of a block of particles, by law. A function each, which the
+ * kernels of all families call: a law costs little to compile, and nothing where a scene does not
+ * have it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_FAST_LAWS_H
+#define MPM_METHOD_FAST_LAWS_H
+
+#include "base/simd.h"
+#include "model/material.h"
+
+struct fast_constants;
+struct fast_sums;
+struct mpm_particles;
+
+/* Of particles first..end - 1: F := dF F of velocity gradients, one for each vector, and the stress
+ * of the new F. Without gradients (NULL): the stress of the F at hand. */
+typedef void mpm_fast_update(const struct fast_constants *k, const struct mpm_particles *particles,
+                             size_t first, size_t end, struct fast_sums *sums,
+                             const mpm_vector (*gradient)[MPM_GRADIENT_SIZE]);
+
+/* One for each geometry of a scene, and that without gradients. */
+enum { MPM_FAST_RECOMPUTE = MPM_AXISYMMETRIC + 1, MPM_FAST_UPDATES };
+
+/* The name of a table of this level: mpm_fast_<what>_<level>. */
+#define FAST_NAME_OF(what, level) mpm_fast_##what##_##level
+#define FAST_NAME_AT(what, level) FAST_NAME_OF(what, level)
+#define FAST_NAME(what)           FAST_NAME_AT(what, FAST_LEVEL)
+
+struct mpm_fast_law {
+    const struct mpm_material_law *law;
+    mpm_fast_update *update[MPM_FAST_UPDATES];
+};
+
+/* The laws that have equations on vectors; scenes with others have reference kernels. The last
+ * entry has no law. One table for each level of SIMD. */
+extern const struct mpm_fast_law mpm_fast_laws_baseline[];
+#ifdef __x86_64__
+extern const struct mpm_fast_law mpm_fast_laws_v3[];
+#endif
+
+#endif
