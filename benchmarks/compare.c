@@ -5,7 +5,7 @@
 
 #include "benchmarks/records.h"
 #include "verification/suite/failure.h"
-#include "verification/suite/records.h"
+#include "verification/suite/record.h"
 #include "verification/suite/text.h"
 
 #include <glib.h>

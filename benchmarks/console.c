@@ -4,6 +4,7 @@
 #include "benchmarks/console.h"
 
 #include "benchmarks/records.h"
+#include "verification/suite/record.h"
 #include "verification/suite/text.h"
 
 #include <glib.h>

@@ -6,7 +6,7 @@
 #include "verification/suite/failure.h"
 #include "verification/suite/machine.h"
 #include "verification/suite/output.h"
-#include "verification/suite/records.h"
+#include "verification/suite/record.h"
 #include "verification/suite/result_lines.h"
 
 #include <glib.h>

@@ -7,6 +7,7 @@
 #include "verification/suite/failure.h"
 #include "verification/suite/html.h"
 #include "verification/suite/output.h"
+#include "verification/suite/record.h"
 #include "verification/suite/resources.h"
 
 #include <errno.h>

@@ -5,7 +5,7 @@
 #include "benchmarks/report_sections.h"
 
 #include "verification/measures/pareto.h"
-#include "verification/suite/records.h"
+#include "verification/suite/record.h"
 
 #include <math.h>
 #include <string.h>

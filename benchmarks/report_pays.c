@@ -2,8 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/report_sections.h"
-
-#include "verification/suite/records.h"
+#include "verification/suite/record.h"
 
 #include <math.h>
 

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/report_sections.h"
 
-#include "verification/suite/records.h"
+#include "verification/suite/record.h"
 #include "verification/suite/text.h"
 
 #include <math.h>

@@ -3,10 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/report_sections.h"
 
-#include "verification/suite/figures.h"
+#include "verification/suite/figure.h"
 #include "verification/suite/output.h"
-#include "verification/suite/records.h"
-#include "verification/suite/text.h"
+#include "verification/suite/record.h"
 
 #include <math.h>
 #include <string.h>

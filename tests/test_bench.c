@@ -7,7 +7,7 @@
 
 #include "benchmarks/bench.h"
 #include "benchmarks/commands.h"
-#include "verification/suite/records.h"
+#include "verification/suite/record.h"
 
 #include <glib.h>
 #include <glib/gstdio.h>

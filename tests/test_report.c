@@ -7,7 +7,7 @@
 #include "support/folder.h"
 #include "support/verify.h"
 
-#include "verification/suite/figures.h"
+#include "verification/suite/figure.h"
 #include "verification/suite/markdown.h"
 
 #include <glib.h>

@@ -8,6 +8,7 @@
 #include "support/near.h"
 
 #include "verification/score/score.h"
+#include "verification/suite/judge.h"
 
 #include <glib.h>
 #include <glib/gstdio.h>

@@ -6,7 +6,7 @@
 #include "benchmarks/bench.h"
 #include "benchmarks/side_by_side.h"
 #include "benchmarks/timing.h"
-#include "verification/suite/records.h"
+#include "verification/suite/record.h"
 
 #include <glib.h>
 #include <math.h>

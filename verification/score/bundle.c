@@ -5,7 +5,8 @@
 
 #include "verification/score/readers.h"
 #include "verification/suite/failure.h"
-#include "verification/suite/records.h"
+#include "verification/suite/names.h"
+#include "verification/suite/record.h"
 
 #include <math.h>
 #include <string.h>

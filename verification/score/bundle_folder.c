@@ -5,7 +5,7 @@
 
 #include "verification/suite/failure.h"
 #include "verification/suite/output.h"
-#include "verification/suite/records.h"
+#include "verification/suite/record.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -6,7 +6,7 @@
 #include "verification/score/scene_json.h"
 #include "verification/suite/failure.h"
 #include "verification/suite/output.h"
-#include "verification/suite/records.h"
+#include "verification/suite/record.h"
 #include "verification/suite/resources.h"
 
 #include <string.h>

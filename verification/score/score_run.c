@@ -5,7 +5,9 @@
 #include "verification/score/results.h"
 #include "verification/score/score.h"
 #include "verification/suite/failure.h"
-#include "verification/suite/output.h"
+#include "verification/suite/names.h"
+#include "verification/suite/output_folder.h"
+#include "verification/suite/records_make.h"
 #include "verification/suite/report.h"
 
 #include <string.h>

@@ -5,6 +5,7 @@
 
 #include "verification/suite/case_file.h"
 #include "verification/suite/methods.h"
+#include "verification/suite/names.h"
 #include "verification/suite/yaml_place.h"
 
 #include <glib.h>
@@ -28,20 +29,6 @@ bool basis_find(const char *name, enum case_basis *basis)
     return false;
 }
 
-const char *evidence_name(enum case_evidence evidence)
-{
-    static const char *const names[EVIDENCE_COUNT] = {
-        [EVIDENCE_NOT_STATED] = "",
-        [EVIDENCE_QUADRATURE] = "quadrature",
-        [EVIDENCE_EXACT] = "exact",
-        [EVIDENCE_MANUFACTURED] = "manufactured",
-        [EVIDENCE_INVARIANT] = "invariant",
-        [EVIDENCE_CROSS_VARIANT] = "cross-variant",
-        [EVIDENCE_REFERENCE_DATA] = "reference-data",
-    };
-    return names[evidence];
-}
-
 enum case_evidence check_evidence(const struct case_file *file, const struct case_check *check)
 {
     return check->evidence != EVIDENCE_NOT_STATED ? check->evidence : file->evidence;
@@ -51,12 +38,6 @@ const char *tier_name(enum tier tier)
 {
     static const char *const names[] = {"ci", "full"};
     return names[tier];
-}
-
-const char *better_name(enum comparison_better better)
-{
-    static const char *const names[] = {"low", "high", "zero"};
-    return names[better];
 }
 
 bool comparison_has_variant(const struct case_comparison *comparison, const char *variant)

@@ -8,6 +8,7 @@
 
 #include "verification/measures/agreement.h"
 #include "verification/measures/comparison.h"
+#include "verification/measures/evidence.h"
 #include "verification/measures/verdict.h"
 #include "verification/suite/programs.h"
 
@@ -52,18 +53,6 @@ struct case_methods {
 
 enum case_basis { BASIS_THEORY, BASIS_ROUND_OFF, BASIS_LITERATURE, BASIS_MEASURED };
 enum case_outcome { OUTCOME_PASS, OUTCOME_FAIL };
-
-/* What a check rests on: what stands against the solver's number. */
-enum case_evidence {
-    EVIDENCE_NOT_STATED,
-    EVIDENCE_QUADRATURE,     /* the definition, integrated numerically */
-    EVIDENCE_EXACT,          /* a solution in closed form, or to all digits */
-    EVIDENCE_MANUFACTURED,   /* a chosen motion with the forces that it needs */
-    EVIDENCE_INVARIANT,      /* what must not change, or be the same from both sides */
-    EVIDENCE_CROSS_VARIANT,  /* the solver against itself: other method, order, path */
-    EVIDENCE_REFERENCE_DATA, /* numbers of a paper, or of another program */
-    EVIDENCE_COUNT
-};
 
 struct case_check {
     char *name, *title;
@@ -210,22 +199,11 @@ char *catalogue_scene_path(const struct catalogue_case *entry, const struct case
 
 const char *basis_name(enum case_basis basis);
 bool basis_find(const char *name, enum case_basis *basis); /* false: none has that name */
-const char *evidence_name(enum case_evidence evidence);    /* "" where none is stated */
 /* That of the check, or else of its case. */
 enum case_evidence check_evidence(const struct case_file *file, const struct case_check *check);
 const char *tier_name(enum tier tier);
-const char *better_name(enum comparison_better better);
 
 /* Whether the comparison of a case has a row for the variant. */
 bool comparison_has_variant(const struct case_comparison *comparison, const char *variant);
-
-/* Whether the shell pattern (*, ?, [...]) matches the whole name; whether any does. */
-bool glob_matches(const char *glob, const char *name);
-bool globs_match(char *const *globs, unsigned count, const char *name);
-
-/* Whether a text can be the name of a case, a variant, ...: part of file names, links and
- * globs; the rule for messages. */
-bool name_is_sound(const char *text);
-extern const char name_rule[];
 
 #endif

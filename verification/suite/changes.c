@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/changes.h"
 
+#include "verification/suite/check_text.h"
 #include "verification/suite/text.h"
 
 #include <math.h>

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/commands.h"
 #include "verification/suite/headroom_table.h"
+#include "verification/suite/records.h"
 #include "verification/suite/report_kept.h"
 #include "verification/suite/text.h"
 

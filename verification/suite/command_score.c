@@ -6,6 +6,7 @@
 #include "verification/suite/command_line.h"
 #include "verification/suite/commands.h"
 #include "verification/suite/failure.h"
+#include "verification/suite/names.h"
 #include "verification/suite/resources.h"
 
 #include <glib.h>

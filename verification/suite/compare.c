@@ -4,6 +4,7 @@
 #include "verification/suite/compare.h"
 
 #include "verification/suite/changes.h"
+#include "verification/suite/check_text.h"
 #include "verification/suite/text.h"
 
 #include <glib.h>

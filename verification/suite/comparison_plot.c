@@ -5,6 +5,7 @@
 
 #include "verification/measures/axis_tics.h"
 #include "verification/measures/label_places.h"
+#include "verification/suite/figure.h"
 #include "verification/suite/output.h"
 
 #include <math.h>

@@ -5,7 +5,7 @@
 #define VERIFICATION_SUITE_COMPARISON_PLOT_H
 
 #include "verification/suite/comparison_view.h"
-#include "verification/suite/figures.h"
+#include "verification/suite/figure.h"
 
 /* Draws <home>/figure-comparison.svg: one quantity over the other, a point for each row that takes
  * part, those on the table's front filled and named, the others numbered. WITHOUT_DATA if the case

@@ -4,6 +4,7 @@
 #include "verification/suite/comparison_view.h"
 
 #include "verification/suite/catalogue.h"
+#include "verification/suite/names.h"
 
 #include <math.h>
 #include <string.h>

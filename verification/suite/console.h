@@ -5,6 +5,8 @@
 #ifndef VERIFICATION_SUITE_CONSOLE_H
 #define VERIFICATION_SUITE_CONSOLE_H
 
+#include "verification/suite/judge.h"
+#include "verification/suite/plan.h"
 #include "verification/suite/records.h"
 
 #include <stdio.h>

@@ -1,8 +1,11 @@
 /* mpm-verify list and explain.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/suite/check_text.h"
 #include "verification/suite/commands.h"
 #include "verification/suite/methods.h"
+#include "verification/suite/names.h"
+#include "verification/suite/plan.h"
 #include "verification/suite/resources.h"
 #include "verification/suite/text.h"
 

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/headroom_table.h"
+#include "verification/suite/records.h"
 
 #include <math.h>
 #include <string.h>

@@ -5,7 +5,9 @@
 #define VERIFICATION_SUITE_HEADROOM_TABLE_H
 
 #include "verification/measures/headroom.h"
-#include "verification/suite/records.h"
+#include "verification/suite/record.h"
+
+#include <glib.h>
 
 /* What is wrong with a check's band or with the reason that is written for it. */
 enum headroom_fault {

@@ -18,7 +18,4 @@ struct measurement_setup {
  * is a row as well. */
 enum mpm_status measurement_run(const struct measurement_setup *setup, struct mpm_error *error);
 
-/* Whether `text` can be part of a data file's name. */
-bool measurement_is_name(const char *text);
-
 #endif

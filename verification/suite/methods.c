@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/methods.h"
 
+#include "verification/suite/names.h"
 #include "verification/suite/yaml_place.h"
 #include "verification/suite/yaml_read.h"
 

@@ -4,6 +4,7 @@
 #include "verification/suite/plan.h"
 
 #include "verification/suite/failure.h"
+#include "verification/suite/names.h"
 
 static bool matches(const char *glob, const char *name)
 {

@@ -15,38 +15,17 @@
 #ifndef VERIFICATION_SUITE_RECORDS_H
 #define VERIFICATION_SUITE_RECORDS_H
 
-#include "verification/suite/judge.h"
-#include "verification/suite/plan.h"
+#include "verification/measures/verdict.h"
+#include "verification/suite/failure.h"
+#include "verification/suite/record.h"
 
 #include <glib.h>
-#include <jansson.h>
 
 struct records {
     json_t *run;          /* object */
     json_t *checks;       /* array of objects */
     json_t *measurements; /* array of objects; NULL if the folder that was read has none */
 };
-
-struct record_context {
-    const char *output; /* folder: the ends of logs are read from it */
-    const char *command;
-    const struct plan_selection *selection;
-    enum mpm_kernels kernels; /* that were asked for */
-    unsigned jobs;
-    const char *started; /* UTC, ISO 8601 */
-    double seconds;
-};
-
-/* Builds the records of a finished run; results[i] belongs to plan->jobs[i]. */
-struct records records_make(const struct plan *plan, const struct job_result *results,
-                            const struct record_context *context);
-
-/* One check as an object; a missing or non-finite value is null. */
-json_t *record_check(const struct planned_job *job, const struct case_check *check,
-                     const struct check_verdict *judged, double seconds);
-
-/* The quantities of a finished run, as lines of measurements.jsonl. */
-json_t *measurement_records(const struct plan *plan, const struct job_result *results);
 
 void records_clear(struct records *records);
 
@@ -59,9 +38,7 @@ enum mpm_status records_read(const char *folder, struct records *records, struct
 
 /* ------------------------------------------------------------------- access */
 
-/* A text or number of an object; "" or NaN where it is null or missing. */
-const char *record_text(const json_t *object, const char *key);
-double record_number(const json_t *object, const char *key);
+/* VERDICT_STATUS_COUNT: no status has the name that the check gives. */
 enum verdict_status record_status(const json_t *check);
 
 /* "case/<what>/variant" of a line, for tables of lines; g_free. */
@@ -85,9 +62,6 @@ struct record_counts {
     size_t total;
     size_t mutations, mutations_red;
 };
-
-/* A text that may hold any bytes, as JSON; control characters become '?'. */
-json_t *record_text_of(const char *text);
 
 /* Counts the checks of a family and case (NULL: of all). */
 struct record_counts records_count(const struct records *records, const char *family,

@@ -1,7 +1,9 @@
 /* Records: the quantities of measurements.jsonl.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/suite/records.h"
+#include "verification/suite/records_make.h"
+
+#include "verification/suite/record.h"
 #include "verification/suite/rows.h"
 
 #include <glib.h>

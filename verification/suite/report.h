@@ -4,7 +4,7 @@
 #ifndef VERIFICATION_SUITE_REPORT_H
 #define VERIFICATION_SUITE_REPORT_H
 
-#include "verification/suite/figures.h"
+#include "verification/suite/figure.h"
 #include "verification/suite/records.h"
 
 #include <glib.h>
@@ -22,20 +22,6 @@ enum mpm_status report_render(const char *folder, const char *reports, struct mp
 char *report_markdown(const struct records *records);
 char *report_junit(const struct records *records);
 char *report_tap(const struct records *records);
-
-/* What a page is filled into. */
-struct report_style {
-    char *page; /* page.html, with {{title}}, {{style}}, ... */
-    char *css;
-    char *script;   /* of sortable tables */
-    char *glossary; /* Markdown */
-};
-
-/* Reads it from `style` in the folder of the results, or else from `reports` (may be NULL).
- * MPM_ENVIRONMENT_FAILED: in neither. */
-enum mpm_status report_style_read(const char *folder, const char *reports,
-                                  struct report_style *style, struct mpm_error *error);
-void report_style_clear(struct report_style *style);
 
 struct report_site; /* report_site.h */
 

@@ -1,9 +1,11 @@
 /* The page of a case: problem, pictures, checks, commands, runs.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/suite/check_text.h"
 #include "verification/suite/html.h"
 #include "verification/suite/markdown.h"
 #include "verification/suite/report_site.h"
+#include "verification/suite/verdict_html.h"
 
 #include <math.h>
 #include <string.h>

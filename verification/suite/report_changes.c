@@ -1,8 +1,9 @@
 /* The front page's part on what changed since a baseline.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/suite/html.h"
+#include "verification/suite/record.h"
 #include "verification/suite/report_site.h"
+#include "verification/suite/text.h"
 
 #include <string.h>
 

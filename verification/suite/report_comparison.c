@@ -7,6 +7,7 @@
 #include "verification/suite/comparison_view.h"
 #include "verification/suite/html.h"
 #include "verification/suite/report_site.h"
+#include "verification/suite/verdict_html.h"
 
 #include <string.h>
 

@@ -5,7 +5,10 @@
 #include "verification/measures/comparison_words.h"
 #include "verification/suite/comparison_view.h"
 #include "verification/suite/html.h"
+#include "verification/suite/record.h"
+#include "verification/suite/report.h"
 #include "verification/suite/report_table.h"
+#include "verification/suite/text.h"
 
 #include <math.h>
 #include <string.h>

@@ -4,8 +4,9 @@
 #include "verification/measures/comparison_guide.h"
 #include "verification/measures/comparison_words.h"
 #include "verification/suite/comparison_view.h"
-#include "verification/suite/html.h"
+#include "verification/suite/record.h"
 #include "verification/suite/report_site.h"
+#include "verification/suite/text.h"
 
 #include <string.h>
 

@@ -1,8 +1,9 @@
 /* The front page's grid: what is checked, by what kind of evidence, and where nothing is.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/measures/evidence.h"
 #include "verification/suite/comparison_view.h"
-#include "verification/suite/html.h"
+#include "verification/suite/record.h"
 #include "verification/suite/report_site.h"
 
 #include <string.h>

@@ -1,9 +1,9 @@
 /* The page of words and symbols: a text of the style's folder, and what the run itself explains.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/suite/html.h"
 #include "verification/suite/markdown.h"
 #include "verification/suite/report_site.h"
+#include "verification/suite/verdict_html.h"
 
 #include <string.h>
 

@@ -1,9 +1,11 @@
 /* The page of headroom: how far each check's values keep from its band's ends, over builds.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/suite/check_text.h"
 #include "verification/suite/headroom_table.h"
 #include "verification/suite/html.h"
 #include "verification/suite/report_site.h"
+#include "verification/suite/text.h"
 
 #include <math.h>
 #include <string.h>

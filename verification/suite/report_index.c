@@ -1,8 +1,10 @@
 /* The front page: verdict, counts, families and cases, worst margins.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/suite/check_text.h"
 #include "verification/suite/html.h"
 #include "verification/suite/report_site.h"
+#include "verification/suite/verdict_html.h"
 
 #include <math.h>
 #include <stdlib.h>

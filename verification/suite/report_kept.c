@@ -5,6 +5,7 @@
 
 #include "verification/suite/changes.h"
 #include "verification/suite/output.h"
+#include "verification/suite/record.h"
 
 #include <stdlib.h>
 #include <string.h>

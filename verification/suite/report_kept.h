@@ -9,7 +9,8 @@
 #ifndef VERIFICATION_SUITE_REPORT_KEPT_H
 #define VERIFICATION_SUITE_REPORT_KEPT_H
 
-#include "verification/suite/records.h"
+#include "verification/suite/failure.h"
+#include "verification/suite/record.h"
 
 /* What to keep; NULL keeps what the folder has. */
 struct report_additions {

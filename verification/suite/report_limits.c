@@ -6,6 +6,8 @@
 #include "verification/suite/report_site.h"
 
 #include "verification/measures/comparison_words.h"
+#include "verification/suite/check_text.h"
+#include "verification/suite/text.h"
 
 #include <string.h>
 

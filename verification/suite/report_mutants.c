@@ -2,8 +2,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/html.h"
+#include "verification/suite/record.h"
 #include "verification/suite/report_kept.h"
 #include "verification/suite/report_site.h"
+#include "verification/suite/text.h"
 
 #include <string.h>
 

@@ -2,8 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/report_site.h"
-
-#include "verification/suite/html.h"
+#include "verification/suite/verdict_html.h"
 
 #include <string.h>
 

@@ -5,6 +5,7 @@
 #define VERIFICATION_SUITE_REPORT_SITE_H
 
 #include "verification/suite/report.h"
+#include "verification/suite/report_style.h"
 #include "verification/suite/report_table.h"
 
 /* What a page is made from, and where it puts its files. */

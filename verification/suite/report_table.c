@@ -4,6 +4,7 @@
 #include "verification/suite/report_table.h"
 
 #include "verification/suite/html.h"
+#include "verification/suite/verdict_html.h"
 
 #include <math.h>
 #include <stdlib.h>

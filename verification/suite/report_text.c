@@ -1,6 +1,7 @@
 /* The reports that machines and terminals read: Markdown, JUnit XML, TAP.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/suite/check_text.h"
 #include "verification/suite/report.h"
 #include "verification/suite/text.h"
 

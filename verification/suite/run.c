@@ -4,7 +4,8 @@
 #include "verification/suite/run.h"
 
 #include "verification/suite/machine.h"
-#include "verification/suite/output.h"
+#include "verification/suite/output_folder.h"
+#include "verification/suite/records_make.h"
 #include "verification/suite/report.h"
 #include "verification/suite/report_kept.h"
 #include "verification/suite/schedule.h"

@@ -1,11 +1,11 @@
-/* Figures: gnuplot scripts of the cases, drawn as SVG that follows the reader's light or
+/* Figures: gnuplot scripts drawn as SVG that follows the reader's light or
  * dark ground.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef VERIFICATION_SUITE_FIGURES_H
-#define VERIFICATION_SUITE_FIGURES_H
+#ifndef VERIFICATION_SUITE_FIGURE_H
+#define VERIFICATION_SUITE_FIGURE_H
 
-#include "verification/suite/records.h"
+#include "verification/suite/failure.h"
 
 enum figure_state {
     FIGURE_DRAWN,
@@ -17,11 +17,6 @@ struct figure_result {
     enum figure_state state;
     char reason[MPM_MESSAGE_SIZE]; /* of anything but DRAWN */
 };
-
-/* Draws <folder>/cases/<case>/figure-<name>.svg from the data files beside it. `entry`
- * and `figure` are objects of the run's record. */
-struct figure_result figure_draw(const char *folder, const json_t *run, const json_t *entry,
-                                 const json_t *figure);
 
 /* Runs the gnuplot script at path `script` in the folder `home`, after `settings` (commands of
  * gnuplot: style, output and what else the script wants), and dresses the SVG file `output`
