@@ -5,9 +5,9 @@
 #ifndef VERIFICATION_SUITE_CONSOLE_H
 #define VERIFICATION_SUITE_CONSOLE_H
 
+#include "verification/records/records.h"
 #include "verification/suite/judge.h"
 #include "verification/suite/plan.h"
-#include "verification/suite/records.h"
 
 #include <stdio.h>
 

@@ -4,7 +4,7 @@
 #ifndef VERIFICATION_SUITE_MEASUREMENT_H
 #define VERIFICATION_SUITE_MEASUREMENT_H
 
-#include "verification/suite/catalogue.h"
+#include "verification/cases/catalogue.h"
 
 struct measurement_setup {
     const struct catalogue_case *entry;

@@ -3,10 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/records_make.h"
 
-#include "verification/suite/machine.h"
-#include "verification/suite/methods.h"
-#include "verification/suite/record.h"
-#include "verification/suite/rows.h"
+#include "verification/cases/methods.h"
+#include "verification/common/machine.h"
+#include "verification/common/record.h"
+#include "verification/common/rows.h"
 #include "verification/suite/schedule.h"
 
 #include <glib.h>

@@ -4,9 +4,9 @@
 #ifndef VERIFICATION_SUITE_RECORDS_MAKE_H
 #define VERIFICATION_SUITE_RECORDS_MAKE_H
 
+#include "verification/records/records.h"
 #include "verification/suite/judge.h"
 #include "verification/suite/plan.h"
-#include "verification/suite/records.h"
 
 struct record_context {
     const char *output; /* folder: the ends of logs are read from it */

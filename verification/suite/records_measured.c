@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/records_make.h"
 
-#include "verification/suite/record.h"
-#include "verification/suite/rows.h"
+#include "verification/common/record.h"
+#include "verification/common/rows.h"
 
 #include <glib.h>
 #include <math.h>
