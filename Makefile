@@ -87,11 +87,13 @@ SOLVER_SOURCES := $(filter-out $(FAST_SOURCE) $(FAST_LAWS),\
                     $(sort $(wildcard $(foreach room,base model method simulation io,\
                       solver/$(room)/*.c solver/$(room)/*/*.c))))
 CLI_SOURCES    := $(sort $(wildcard solver/cli/*.c))
-VERIFY_MAIN    := $(wildcard verification/suite/main.c)
-VERIFY_SOURCES := $(filter-out $(VERIFY_MAIN),$(sort $(wildcard verification/*/*.c reports/*.c)))
-BENCH_MAIN     := $(wildcard benchmarks/main.c)
-BENCH_SOURCES  := $(filter-out $(BENCH_MAIN),$(sort $(wildcard benchmarks/*.c)))
-TEST_SOURCES   := $(sort $(wildcard tests/*.c tests/support/*.c))
+VERIFY_MAIN    := $(wildcard verification/cli/main.c)
+VERIFY_SOURCES := $(filter-out $(VERIFY_MAIN),$(sort $(wildcard verification/*/*.c \
+                    verification/*/*/*.c reports/*.c)))
+BENCH_MAIN     := $(wildcard benchmarks/cli/main.c)
+BENCH_SOURCES  := $(filter-out $(BENCH_MAIN),$(sort $(wildcard benchmarks/*/*.c)))
+TEST_SOURCES   := $(sort $(wildcard tests/*.c $(foreach room,support benchmarks solver/* \
+                    verification/*,tests/$(room)/*.c)))
 PROBE_MAIN     := tests/scene_generator/nodes.c
 SOURCES := $(SOLVER_SOURCES) $(FAST_SOURCE) $(FAST_LAWS) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) \
            $(BENCH_SOURCES) $(BENCH_MAIN) $(TEST_SOURCES) $(PROBE_MAIN)

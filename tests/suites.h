@@ -1,4 +1,4 @@
-/* The test suites, in the order they run. A new file tests/test_<module>.c exports
+/* The test suites, in the order they run. A new file test_<module>.c exports
  * `Suite *suite_<module>(void)`, includes this header and is one line here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

@@ -14,8 +14,9 @@ import re
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 CURATED = HERE / "curated"
-ROOMS = ("base", "model", "method", "simulation", "io", "cli", "exact", "measures", "score",
-         "suite")
+ROOMS = ("solver/base", "solver/model", "solver/method", "solver/simulation", "solver/io",
+         "solver/cli", "verification/exact", "verification/measures", "verification/programs",
+         "verification/suite", "verification/score")
 FEWEST = 60
 KINDS = ("wrong sign", "lost term", "lost rule", "swapped index", "stale field", "wrong time level",
          "missing truncation", "missing condition", "unlocked race", "wrong norm", "oracle typo",
@@ -37,8 +38,8 @@ class Mutant:
 
     @property
     def room(self):
-        """The folder that holds the file: solver/<room>/ or verification/<room>/."""
-        return self.path.split("/")[1]
+        """solver/<room> or verification/<room>, whatever folders are below it."""
+        return "/".join(self.path.split("/")[:2])
 
 
 def read_header(name, text):

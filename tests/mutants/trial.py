@@ -51,7 +51,7 @@ def copy_sources(folder):
 
 def suites(folder):
     """By the names that Check knows them by."""
-    texts = [path.read_text(encoding="utf-8") for path in sorted((folder / "tests").glob("*.c"))]
+    texts = [path.read_text(encoding="utf-8") for path in sorted((folder / "tests").rglob("test_*.c"))]
     return [name for text in texts for name in re.findall(r'suite_create\("([\w ]+)"\)', text)]
 
 

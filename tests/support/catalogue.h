@@ -5,7 +5,7 @@
 #ifndef TESTS_SUPPORT_CATALOGUE_H
 #define TESTS_SUPPORT_CATALOGUE_H
 
-#include "verification/suite/programs.h"
+#include "verification/programs/programs.h"
 
 /* The programs quadrature, pass, fail, weak, crash, hang, omit, leave, refuse, spoil,
  * skip and undecided. */

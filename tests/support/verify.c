@@ -6,7 +6,7 @@
 #include "support/catalogue.h"
 #include "support/folder.h"
 
-#include "verification/suite/commands.h"
+#include "verification/cli/commands.h"
 
 #include <check.h>
 #include <glib.h>

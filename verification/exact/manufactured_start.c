@@ -1,8 +1,8 @@
 /* The start of a simulation on a manufactured solution.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/common/failure.h"
 #include "verification/exact/manufactured.h"
-#include "verification/suite/failure.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -5,6 +5,12 @@
 
 #include <math.h>
 
+const char *better_name(enum comparison_better better)
+{
+    static const char *const names[] = {"low", "high", "zero"};
+    return names[better];
+}
+
 const struct comparison_cell *comparison_cell(const struct comparison_table *table, size_t row,
                                               size_t column)
 {

@@ -15,6 +15,9 @@ enum comparison_better {
     COMPARISON_ZERO, /* the smallest magnitude */
 };
 
+/* The word of case.yaml and of records. */
+const char *better_name(enum comparison_better better);
+
 /* A number that there is not is worse than any (FAILED: the variant should have had one), or
  * says nothing (ABSENT: it was not measured). */
 enum comparison_state { COMPARISON_ABSENT, COMPARISON_FAILED, COMPARISON_NUMBER };

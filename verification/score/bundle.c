@@ -3,9 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/score/bundle.h"
 
+#include "verification/common/failure.h"
+#include "verification/common/names.h"
+#include "verification/common/record.h"
 #include "verification/score/readers.h"
-#include "verification/suite/failure.h"
-#include "verification/suite/records.h"
 
 #include <math.h>
 #include <string.h>

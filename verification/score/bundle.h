@@ -14,9 +14,9 @@
 #ifndef VERIFICATION_SCORE_BUNDLE_H
 #define VERIFICATION_SCORE_BUNDLE_H
 
+#include "verification/cases/catalogue.h"
 #include "verification/score/lattice.h"
 #include "verification/score/table.h"
-#include "verification/suite/catalogue.h"
 
 #include <jansson.h>
 

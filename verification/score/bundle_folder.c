@@ -3,9 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/score/bundle_folder.h"
 
-#include "verification/suite/failure.h"
-#include "verification/suite/output.h"
-#include "verification/suite/records.h"
+#include "verification/common/failure.h"
+#include "verification/common/output.h"
+#include "verification/common/record.h"
 
 #include <stdlib.h>
 #include <string.h>

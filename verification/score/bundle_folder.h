@@ -4,7 +4,7 @@
 #ifndef VERIFICATION_SCORE_BUNDLE_FOLDER_H
 #define VERIFICATION_SCORE_BUNDLE_FOLDER_H
 
-#include "verification/suite/catalogue.h"
+#include "verification/cases/catalogue.h"
 
 #include <glib.h>
 #include <jansson.h>

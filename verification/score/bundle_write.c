@@ -1,13 +1,13 @@
 /* A bundle, written.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/common/failure.h"
+#include "verification/common/output.h"
+#include "verification/common/record.h"
 #include "verification/score/bundle.h"
 #include "verification/score/bundle_folder.h"
 #include "verification/score/references.h"
 #include "verification/score/scene_json.h"
-#include "verification/suite/failure.h"
-#include "verification/suite/output.h"
-#include "verification/suite/records.h"
 
 #include <math.h>
 #include <stdlib.h>

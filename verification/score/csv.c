@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/score/csv.h"
 
-#include "verification/suite/failure.h"
+#include "verification/common/failure.h"
 
 #include <string.h>
 

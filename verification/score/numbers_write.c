@@ -1,13 +1,13 @@
 /* A bundle of numbers, written.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/common/failure.h"
+#include "verification/common/output.h"
+#include "verification/common/record.h"
+#include "verification/common/resources.h"
 #include "verification/score/bundle_folder.h"
 #include "verification/score/numbers.h"
 #include "verification/score/scene_json.h"
-#include "verification/suite/failure.h"
-#include "verification/suite/output.h"
-#include "verification/suite/records.h"
-#include "verification/suite/resources.h"
 
 #include <string.h>
 

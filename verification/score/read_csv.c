@@ -1,10 +1,10 @@
 /* Results as CSV.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/common/failure.h"
+#include "verification/common/rows.h"
 #include "verification/score/csv.h"
 #include "verification/score/readers.h"
-#include "verification/suite/failure.h"
-#include "verification/suite/rows.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /* Results as HDF5 snapshots in the layout of `mpm run`.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/common/failure.h"
 #include "verification/score/readers.h"
-#include "verification/suite/failure.h"
 
 #include <hdf5.h>
 

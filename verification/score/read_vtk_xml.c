@@ -1,9 +1,9 @@
 /* Results as VTK's XML files, .vtu and .vtp.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/common/failure.h"
+#include "verification/common/rows.h"
 #include "verification/score/readers.h"
-#include "verification/suite/failure.h"
-#include "verification/suite/rows.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /* Manufactured solutions as the references of bundles, with the body force that belongs to them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/common/rows.h"
 #include "verification/score/references.h"
-#include "verification/suite/rows.h"
 
 #include <glib.h>
 

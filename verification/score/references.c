@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/score/references.h"
 
+#include "verification/common/rows.h"
 #include "verification/exact/compression.h"
 #include "verification/exact/homogeneous_load.h"
 #include "verification/exact/lame_cylinder.h"
@@ -10,7 +11,6 @@
 #include "verification/exact/self_weight.h"
 #include "verification/exact/step_wave.h"
 #include "verification/exact/vibrating_bar.h"
-#include "verification/suite/rows.h"
 
 #include <glib.h>
 #include <math.h>

@@ -7,9 +7,9 @@
 #ifndef VERIFICATION_SCORE_REFERENCES_H
 #define VERIFICATION_SCORE_REFERENCES_H
 
+#include "verification/cases/catalogue.h"
 #include "verification/exact/manufactured.h"
 #include "verification/score/columns.h"
-#include "verification/suite/catalogue.h"
 
 enum { REFERENCE_NUMBERS = 8 };
 

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/score/scene_json.h"
 
-#include "verification/suite/failure.h"
-#include "verification/suite/rows.h"
+#include "verification/common/failure.h"
+#include "verification/common/rows.h"
 
 #include <math.h>
 #include <stdio.h>

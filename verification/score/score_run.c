@@ -1,12 +1,14 @@
 /* A score as a run of the suite with one case and one variant: the solver.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/common/failure.h"
+#include "verification/common/names.h"
+#include "verification/report/report.h"
 #include "verification/score/numbers.h"
 #include "verification/score/results.h"
 #include "verification/score/score.h"
-#include "verification/suite/failure.h"
-#include "verification/suite/output.h"
-#include "verification/suite/report.h"
+#include "verification/suite/output_folder.h"
+#include "verification/suite/records_make.h"
 
 #include <string.h>
 

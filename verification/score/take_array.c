@@ -1,8 +1,8 @@
 /* From named arrays of results, as VTK and HDF5 files have them, to columns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/common/failure.h"
 #include "verification/score/readers.h"
-#include "verification/suite/failure.h"
 
 #include <math.h>
 #include <string.h>

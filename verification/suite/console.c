@@ -3,7 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/console.h"
 
-#include "verification/suite/text.h"
+#include "verification/common/text.h"
+#include "verification/records/check_text.h"
+#include "verification/suite/records_make.h"
 
 #include <string.h>
 

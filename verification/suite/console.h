@@ -5,7 +5,9 @@
 #ifndef VERIFICATION_SUITE_CONSOLE_H
 #define VERIFICATION_SUITE_CONSOLE_H
 
-#include "verification/suite/records.h"
+#include "verification/records/records.h"
+#include "verification/suite/judge.h"
+#include "verification/suite/plan.h"
 
 #include <stdio.h>
 

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/judge.h"
 
-#include "verification/suite/rows.h"
+#include "verification/common/rows.h"
 
 #include <glib.h>
 #include <math.h>

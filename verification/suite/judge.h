@@ -5,7 +5,7 @@
 #ifndef VERIFICATION_SUITE_JUDGE_H
 #define VERIFICATION_SUITE_JUDGE_H
 
-#include "verification/suite/catalogue.h"
+#include "verification/cases/catalogue.h"
 
 enum job_outcome {
     JOB_RETURNED,  /* code: its exit status */

@@ -3,7 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/measurement.h"
 
-#include "verification/suite/rows.h"
+#include "verification/common/names.h"
+#include "verification/common/rows.h"
 
 #include <errno.h>
 #include <glib.h>
@@ -278,14 +279,6 @@ double measurement_processor_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-bool measurement_is_name(const char *text)
-{
-    for (const char *c = text; *c != '\0'; c++)
-        if (!g_ascii_isalnum(*c) && *c != '_' && *c != '-')
-            return false;
-    return *text != '\0';
-}
-
 static bool write_table(FILE *file, const char *columns, size_t column_count, size_t rows,
                         const double *values)
 {
@@ -302,7 +295,7 @@ enum mpm_status measurement_series(struct measurement *measurement, const char *
                                    const char *columns, size_t column_count, size_t rows,
                                    const double *values, struct mpm_error *error)
 {
-    if (!measurement_is_name(name) || column_count == 0)
+    if (!name_is_plain(name) || column_count == 0)
         return failure_set(error, MPM_BAD_INPUT,
                            "series \"%s\": allowed are letters, digits, '_' and '-', and at least "
                            "one column",

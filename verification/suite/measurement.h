@@ -4,7 +4,7 @@
 #ifndef VERIFICATION_SUITE_MEASUREMENT_H
 #define VERIFICATION_SUITE_MEASUREMENT_H
 
-#include "verification/suite/catalogue.h"
+#include "verification/cases/catalogue.h"
 
 struct measurement_setup {
     const struct catalogue_case *entry;
@@ -17,8 +17,5 @@ struct measurement_setup {
 /* Runs the program of the case for the variant and writes its rows. A failure's message
  * is a row as well. */
 enum mpm_status measurement_run(const struct measurement_setup *setup, struct mpm_error *error);
-
-/* Whether `text` can be part of a data file's name. */
-bool measurement_is_name(const char *text);
 
 #endif

@@ -3,7 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/plan.h"
 
-#include "verification/suite/failure.h"
+#include "verification/common/failure.h"
+#include "verification/common/names.h"
 
 static bool matches(const char *glob, const char *name)
 {

@@ -5,7 +5,7 @@
 #ifndef VERIFICATION_SUITE_PLAN_H
 #define VERIFICATION_SUITE_PLAN_H
 
-#include "verification/suite/catalogue.h"
+#include "verification/cases/catalogue.h"
 
 #include <glib.h>
 

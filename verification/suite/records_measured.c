@@ -1,8 +1,10 @@
 /* Records: the quantities of measurements.jsonl.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/suite/records.h"
-#include "verification/suite/rows.h"
+#include "verification/suite/records_make.h"
+
+#include "verification/common/record.h"
+#include "verification/common/rows.h"
 
 #include <glib.h>
 #include <math.h>

@@ -3,10 +3,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/run.h"
 
-#include "verification/suite/machine.h"
-#include "verification/suite/output.h"
-#include "verification/suite/report.h"
-#include "verification/suite/report_kept.h"
+#include "verification/common/machine.h"
+#include "verification/report/report.h"
+#include "verification/report/report_kept.h"
+#include "verification/suite/output_folder.h"
+#include "verification/suite/records_make.h"
 #include "verification/suite/schedule.h"
 #include "verification/suite/unchecked.h"
 

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/schedule.h"
 
+#include "verification/common/rows.h"
 #include "verification/suite/measurement.h"
-#include "verification/suite/rows.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/unchecked.h"
-
-#include "verification/suite/records.h"
+#include "verification/common/record.h"
 
 #include <string.h>
 

@@ -1,0 +1,62 @@
+/* The runs that have a budget.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "benchmarks/budget/budget_runs.h"
+
+/* One sort within them, beside the one at the start. */
+enum { STEPS = 40 };
+
+#define PLANAR       "block.yaml"
+#define AXISYMMETRIC "block_axisymmetric.yaml"
+
+/* Across the grid, through a quarter of the strips, with both tips inside. */
+#define CRACK(contact) "cracks=[{points: [[1.6, 2.1], [3.2, 2.9]], " contact "}]"
+
+/* Of 1600 particles, but for R1 with its 352. */
+const struct budget_run budget_runs[] = {
+    {"planar uGIMP MUSL", PLANAR, MPM_KERNELS_AUTO, {NULL}},
+    {"planar uGIMP USAVG", PLANAR, MPM_KERNELS_AUTO, {"method.stress_update=usavg"}},
+    {"planar classic MUSL", PLANAR, MPM_KERNELS_AUTO, {"method.shape=classic"}},
+    {"planar CPDI MUSL", PLANAR, MPM_KERNELS_AUTO, {"method.shape=cpdi"}},
+    {"axisymmetric uGIMP MUSL", AXISYMMETRIC, MPM_KERNELS_AUTO, {NULL}},
+    {"axisymmetric CPDI MUSL", AXISYMMETRIC, MPM_KERNELS_AUTO, {"method.shape=cpdi"}},
+    {"R1 with its ring", "R/R1", MPM_KERNELS_AUTO, {NULL}},
+    {"planar uGIMP MUSL, crack", PLANAR, MPM_KERNELS_AUTO, {CRACK("contact: none")}},
+    {"planar uGIMP MUSL, crack with friction",
+     PLANAR,
+     MPM_KERNELS_AUTO,
+     {CRACK("contact: friction, friction: 0.3")}},
+    {"axisymmetric CPDI USAVG, crack with friction",
+     AXISYMMETRIC,
+     MPM_KERNELS_AUTO,
+     {"method.shape=cpdi", "method.stress_update=usavg",
+      CRACK("contact: friction, friction: 0.3")}},
+    {"reference, planar uGIMP MUSL", PLANAR, MPM_KERNELS_REFERENCE, {NULL}},
+    {"reference, axisymmetric CPDI USAVG",
+     AXISYMMETRIC,
+     MPM_KERNELS_REFERENCE,
+     {"method.shape=cpdi", "method.stress_update=usavg"}},
+};
+const size_t budget_runs_count = G_N_ELEMENTS(budget_runs);
+
+enum mpm_status budget_run_count(const struct budget_run *run, const struct budget_places *places,
+                                 struct instructions *counted, struct mpm_error *error)
+{
+    const bool own = g_str_has_suffix(run->scene, ".yaml");
+    char *scene = own ? g_build_filename(places->benchmarks, "scenes", run->scene, NULL)
+                      : g_build_filename(places->catalogue, run->scene, "scene.yaml", NULL);
+    const char *settings[BUDGET_SETTINGS + 2] = {NULL};
+    size_t count = 0;
+    if (own)
+        settings[count++] = "grid.refine=4";
+    for (size_t i = 0; run->settings[i] != NULL; i++)
+        settings[count++] = run->settings[i];
+    const struct instructions_request request = {.program = places->program,
+                                                 .scene = scene,
+                                                 .settings = settings,
+                                                 .simulation = {.kernels = run->kernels},
+                                                 .steps = STEPS};
+    const enum mpm_status status = instructions_count(&request, counted, error);
+    g_free(scene);
+    return status;
+}

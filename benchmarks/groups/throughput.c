@@ -1,0 +1,85 @@
+/* Throughput: particle-steps a second of every variant, of sizes, and of small scenes.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "benchmarks/groups/blocks.h"
+#include "benchmarks/groups/variants.h"
+#include "benchmarks/measuring/timing.h"
+
+static const char *const geometries[] = {"plane_strain", "axisymmetric"};
+
+/* Seconds for each list, in the standard tier. */
+static const double VARIANTS = 60, SIZES = 50, OTHERS = 25;
+
+static unsigned usual_size(const struct bench_context *context)
+{
+    return context->tier == BENCH_STANDARD ? BENCH_BLOCK_1E5 : BENCH_BLOCK_1E4;
+}
+
+static void add_variants(struct bench_context *context, GArray *points)
+{
+    for (size_t g = 0; g < G_N_ELEMENTS(geometries); g++)
+        for (size_t v = 0; v < bench_variants_plain(); v++) {
+            const struct bench_variant variant = bench_variant(v);
+            const struct bench_block block = {geometries[g], variant.shape, variant.stress_update,
+                                              usual_size(context)};
+            bench_block_add(context, points, &block, NULL)->phases = true;
+        }
+}
+
+static void add_sizes(struct bench_context *context, GArray *points)
+{
+    static const struct {
+        unsigned refine;
+        const char *name;
+    } sizes[] = {{BENCH_BLOCK_1E4, "10^4"},
+                 {BENCH_BLOCK_1E5, "10^5"},
+                 {BENCH_BLOCK_1E6, "10^6"},
+                 {BENCH_BLOCK_4E6, "4 10^6"}};
+    for (size_t i = 0; i < (context->tier == BENCH_STANDARD ? G_N_ELEMENTS(sizes) : 2); i++) {
+        const struct bench_block block = bench_block_plain(sizes[i].refine);
+        struct bench_point *point = bench_block_add(context, points, &block, sizes[i].name);
+        point->phases = true;
+        if (i > 0)
+            point->against = g_strdup_printf("plane_strain ugimp musl, %s", sizes[0].name);
+    }
+}
+
+/* What the tables of variants and sizes leave out, each beside the plain block. */
+static void add_others(struct bench_context *context, GArray *points)
+{
+    static const char plain_name[] = "plane_strain ugimp musl, plain";
+    const struct bench_block plain = bench_block_plain(usual_size(context));
+    struct bench_block stressed = plain;
+    stressed.geometry = "plane_stress";
+    bench_block_add(context, points, &plain, "plain");
+    bench_block_add(context, points, &stressed, NULL)->against = g_strdup(plain_name);
+
+    struct bench_point *elastic = bench_block_add(context, points, &plain, "linear elastic");
+    bench_point_set(elastic, "materials.rubber.law=linear_elastic");
+    bench_point_text(elastic, "law", "linear_elastic");
+    elastic->against = g_strdup(plain_name);
+
+    struct bench_point *baseline =
+        bench_block_add(context, points, &plain, "baseline instructions");
+    baseline->simulation.simd = MPM_SIMD_BASELINE;
+    baseline->against = g_strdup(plain_name);
+
+    struct bench_point *reference = bench_block_add(context, points, &plain, "reference kernels");
+    reference->simulation.kernels = MPM_KERNELS_REFERENCE;
+    reference->against = g_strdup(plain_name);
+    if (context->simulation.kernels == MPM_KERNELS_REFERENCE)
+        g_array_set_size(points, points->len - 2); /* neither kernels nor instructions to compare */
+
+    char *scene = bench_case_scene(context, "R/R1");
+    struct bench_point *small =
+        bench_points_add(points, scene, &context->simulation, "R1: axisymmetric ugimp musl, rigid");
+    small->phases = true;
+    g_free(scene);
+}
+
+enum mpm_status bench_throughput(struct bench_context *context, struct mpm_error *error)
+{
+    const struct bench_list lists[] = {
+        {add_variants, VARIANTS}, {add_sizes, SIZES}, {add_others, OTHERS}};
+    return bench_measure_lists(context, "throughput", lists, G_N_ELEMENTS(lists), error);
+}

@@ -1,0 +1,240 @@
+/* The catalogue: what is read, and what is refused with which message.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "suites.h"
+#include "support/catalogue.h"
+#include "support/command.h"
+#include "support/folder.h"
+
+#include "verification/cases/catalogue.h"
+#include "verification/suite/plan.h"
+
+#include <glib.h>
+#include <string.h>
+
+START_TEST(a_case_is_read_as_declared)
+{
+    char *folder = test_folder_create();
+    test_case_write_quadrature(folder);
+    struct catalogue *catalogue;
+    struct mpm_error error = {.message = ""};
+    ck_assert_msg(catalogue_read(folder, test_programs(), &catalogue, &error) == MPM_OK, "%s",
+                  error.message);
+    ck_assert_uint_eq(catalogue->count, 1);
+    const struct case_file *file = catalogue->cases[0].file;
+    ck_assert_str_eq(file->name, "Q");
+    ck_assert_uint_eq(file->variants_count, 3);
+    ck_assert_int_eq(file->variants[2].tier, TIER_FULL);
+    ck_assert_double_eq(file->variants[0].timeout, 20);
+    ck_assert_double_eq(file->checks[1].band.fails_low, 0.99);
+    ck_assert(file->checks[1].band.weakness);
+    catalogue_free(catalogue);
+    test_folder_remove(folder);
+}
+END_TEST
+
+START_TEST(the_plan_owes_every_check_of_every_variant_of_the_size)
+{
+    const struct {
+        struct plan_selection selection;
+        size_t jobs, checks; /* 0: refused */
+    } table[] = {
+        {{.tier = TIER_CI}, 2, 2},
+        {{.tier = TIER_FULL}, 3, 3},
+        {{.tier = TIER_FULL, .case_glob = "Q", .variant_glob = "f*"}, 1, 1},
+        {{.tier = TIER_FULL, .case_glob = "[P-R]", .variant_glob = "?????"}, 2, 2},
+        {{.tier = TIER_CI, .variant_glob = "fine"}, 0, 0},
+        {{.tier = TIER_FULL, .case_glob = "X"}, 0, 0},
+    };
+    char *folder = test_folder_create();
+    test_case_write_quadrature(folder);
+    struct catalogue *catalogue;
+    struct mpm_error error;
+    ck_assert_int_eq(catalogue_read(folder, test_programs(), &catalogue, &error), MPM_OK);
+    for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
+        struct plan plan;
+        const enum mpm_status status = plan_make(catalogue, &table[i].selection, &plan, &error);
+        ck_assert_int_eq(status, table[i].checks == 0 ? MPM_BAD_INPUT : MPM_OK);
+        ck_assert_uint_eq(plan.job_count, table[i].jobs);
+        ck_assert_uint_eq(plan.check_count, table[i].checks);
+        plan_clear(&plan);
+    }
+    catalogue_free(catalogue);
+    test_folder_remove(folder);
+}
+END_TEST
+
+/* The message that the catalogue refuses this text of case A with; g_free. */
+static char *refusal(const char *text)
+{
+    char *folder = test_folder_create();
+    test_case_write(folder, "A", text);
+    struct catalogue *catalogue;
+    struct mpm_error error = {.message = "accepted"};
+    const enum mpm_status status = catalogue_read(folder, test_programs(), &catalogue, &error);
+    ck_assert_msg(status == MPM_BAD_INPUT, "%s:\n%s", error.message, text);
+    ck_assert_ptr_null(catalogue);
+    test_folder_remove(folder);
+    return g_strdup(error.message);
+}
+
+static const struct {
+    const char *from, *to; /* a change to the good text */
+    const char *message;   /* part of the refusal */
+} refusals[] = {
+    {"format: 1", "format: 2", "case.yaml:1: format: 2: allowed is 1"},
+    {"format: 1", "format: one", "case.yaml:1: Invalid INT value: 'one'"},
+    {"format: 1\n", "", "Missing required mapping field: format"},
+    {"family: T", "family: U", "must be the folder's: T/A"},
+    {"case: A", "case: B", "must be the folder's: T/A"},
+    {"case: A", "case: ../A", "case.yaml:3: case"},
+    {"tags: [small]", "tog: [small]", "case.yaml:6: Unexpected key: tog"},
+    {"tags: [small]", "title: again", "case.yaml:6: Mapping field already seen: title"},
+    {"program: pass", "program: pss", "case.yaml:7: program: \"pss\": allowed are quadrature"},
+    {"program: pass", "program: pass\nscene: none.yaml",
+     "case.yaml:8: scene: \"none.yaml\": no such"},
+    {"{name: speed, value: 1}", "{name: speed, value: 1}\n  - {name: speed, value: 2}",
+     "parameter \"speed\" is given twice"},
+    {"tier: ci", "tier: fast", "case.yaml:11: "},
+    {"timeout: 0.5", "timeout: 0", "case.yaml:11: variants.0: timeout 0: allowed are seconds > 0"},
+    {"timeout: 0.5", "timeout: 5 s", "\"5 s\" is not a finite number"},
+    {"timeout: 0.5", "timeout: 1, settings: [\"a=1\"]", "has no scene"},
+    {"tier: ci, timeout: 0.5}", "tier: ci, timeout: 1}\n  - {name: only, tier: ci, timeout: 1}",
+     "case.yaml:12: variants.1: name \"only\" is taken"},
+    {"name: only", "name: on/ly", "allowed are 1 to 64 letters"},
+    {"variants: [only]", "variants: [\"nly*\"]",
+     "case.yaml:13: checks.0: \"nly*\" matches no variant"},
+    {"variants: [only]", "variants: []", "case.yaml:15: "},
+    {"low: 0.5", "low: 0", "case.yaml:13: checks.0: check \"value\": the band holds zero"},
+    {"low: 0.5", "low: -1", "holds zero"},
+    {"low: 0.5", "low: 3", "low must be less than high"},
+    {"low: 0.5", "low: nan", "case.yaml:20: checks.0: low: \"nan\" is not a finite number"},
+    {"high: 2", "high: .inf", "\".inf\" is not a finite number"},
+    {"high: 2", "high: 2 %", "\"2 %\" is not a finite number"},
+    {"high: 2", "high: 0x2", "\"0x2\" is not a finite number"},
+    {"expected: 1", "expected: 9", "expected must lie"},
+    {"expected: 1", "expected: [1]", "case.yaml:19: "},
+    {"basis: theory", "basis: hope", "case.yaml:22: "},
+    {"basis: theory", "basis: theory\n    outcome: fail", "needs both"},
+    {"basis: theory", "basis: theory\n    fails_low: 3\n    fails_high: 4", "needs both"},
+    {"basis: theory", "basis: theory\n    outcome: fail\n    fails_low: -1\n    fails_high: 0.1",
+     "weakness holds zero"},
+    {"basis: theory", "basis: theory\n    initial: 1", "initial value"},
+    {"    unit: \"%\"\n", "", "Missing required mapping field: unit"},
+    {"checks:\n",
+     "checks:\n  - {check: value, title: t, variants: [\"*\"], quantity: q, unit: m, norm: n, "
+     "expected: 1, low: 0.5, high: 2, basis: measured, why: w}\n",
+     "case.yaml:14: checks.1: check \"value\" is declared twice for variant \"only\""},
+    {"why: it is <one> & only\n",
+     "why: w\nfigures:\n  - {name: f, script: no.gp, title: t, caption: c, reference: r}\n",
+     "case.yaml:25: figures.0: script \"no.gp\": no such file"},
+    {"why: it is <one> & only\n",
+     "why: w\nfigures:\n  - {name: f, script: ../x.gp, title: t, caption: c, reference: r}\n",
+     "allowed is a file *.gp beside case.yaml"},
+    {"title: the value", "title: [the", "case.yaml:"},
+#define BUNDLE(to, within)                                                                         \
+    "why: w\nbundle:\n  {reference: r, about: a, from: [0, 0], to: [" to                           \
+    "], points: [2, 1], end: 1, instants: 1, criteria: [{criterion: c, title: t, columns: [x], "   \
+    "norm: l2, within: " within ", why: w}]}\n"
+    {"why: it is <one> & only\n", BUNDLE("1, 1", "5"),
+     "case.yaml:25: bundle: states the case's scene"},
+    {"why: it is <one> & only\n", BUNDLE("1", "5"), "case.yaml:25: Insufficient entries"},
+    {"why: it is <one> & only\n", BUNDLE("1, q", "5"), "bundle: to: \"q\" is not a finite number"},
+    {"why: it is <one> & only\n", BUNDLE("1, 1", "5 %"),
+     "bundle.criteria.0: within: \"5 %\" is not a finite number"},
+    {"why: it is <one> & only\n", BUNDLE("1, 1", "5") "no_bundle: n\n",
+     "case.yaml:26: no_bundle: there is a bundle"},
+#define NUMBER(low)                                                                                \
+    "{number: n, title: t, quantity: q, unit: m, expected: 1, low: " low                           \
+    ", high: 2, basis: theory, why: w}"
+#define NUMBERS(file, numbers)                                                                     \
+    "why: w\nbundle_of_numbers:\n  {about: a, files: [" file "], list: [" numbers "]}\n"
+    {"why: it is <one> & only\n", NUMBERS("f", NUMBER("0.5")),
+     "case.yaml:25: bundle_of_numbers: states the case's scene"},
+    {"why: it is <one> & only\n", NUMBERS("/f", NUMBER("0.5")),
+     "file \"/f\": allowed is one within reference_data"},
+    {"why: it is <one> & only\n", NUMBERS("a..b.csv", NUMBER("0.5")),
+     "case.yaml:25: bundle_of_numbers: states the case's scene"},
+    {"why: it is <one> & only\n", NUMBERS("a/../../f", NUMBER("0.5")),
+     "file \"a/../../f\": allowed is one within reference_data"},
+    {"why: it is <one> & only\n", NUMBERS("f", NUMBER("q")),
+     "bundle_of_numbers.list.0: low: \"q\" is not a finite number"},
+    {"why: it is <one> & only\n", NUMBERS("f", NUMBER("-0.5")),
+     "bundle_of_numbers.list.0: number \"n\": the band holds zero"},
+    {"why: it is <one> & only\n", NUMBERS("f", NUMBER("0.5") ", " NUMBER("0.5")),
+     "bundle_of_numbers.list.1: number \"n\" is there twice"},
+    {"why: it is <one> & only\n", NUMBERS("f", NUMBER("0.5")) "no_bundle: n\n",
+     "bundle_of_numbers: there is a no_bundle as well"},
+};
+
+START_TEST(a_bad_case_is_refused_with_file_line_and_reason)
+{
+    char *good = test_case_text("A", "pass");
+    for (size_t i = 0; i < G_N_ELEMENTS(refusals); i++) {
+        char **parts = g_strsplit(good, refusals[i].from, 2);
+        ck_assert_msg(g_strv_length(parts) == 2, "row %zu changes nothing", i);
+        char *text = g_strconcat(parts[0], refusals[i].to, parts[1], NULL);
+        char *message = refusal(text);
+        ck_assert_msg(strstr(message, refusals[i].message) != NULL, "row %zu: %s", i, message);
+        g_free(message);
+        g_free(text);
+        g_strfreev(parts);
+    }
+    g_free(good);
+    g_free(refusal(""));
+}
+END_TEST
+
+START_TEST(a_folder_without_cases_or_without_a_readme_is_refused)
+{
+    char *folder = test_folder_create();
+    struct catalogue *catalogue;
+    struct mpm_error error;
+    ck_assert_int_eq(catalogue_read(folder, test_programs(), &catalogue, &error), MPM_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(error.message, "holds no case"));
+    char *text = test_case_text("A", "pass");
+    test_case_write(folder, "A", text);
+    g_free(test_folder_write(folder, "T/A/README.md", ""));
+    ck_assert_int_eq(catalogue_read(folder, test_programs(), &catalogue, &error), MPM_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(error.message, "README.md"));
+    char *none = test_folder_path(folder, "none");
+    ck_assert_int_eq(catalogue_read(none, test_programs(), &catalogue, &error), MPM_BAD_INPUT);
+    g_free(none);
+    g_free(text);
+    test_folder_remove(folder);
+}
+END_TEST
+
+START_TEST(the_catalogue_of_this_tree_is_sound)
+{
+    struct test_command list = test_command_run("mpm-verify", "list", NULL);
+    ck_assert_msg(list.exit_status == 0, "%s", list.errors);
+    ck_assert_ptr_nonnull(strstr(list.output, "R1b"));
+    test_command_free(&list);
+}
+END_TEST
+
+START_TEST(the_programs_of_the_suite_have_names_of_their_own)
+{
+    const struct program_table table = programs_all();
+    for (size_t i = 0; i < table.count; i++) {
+        ck_assert_ptr_eq(programs_find(table, table.programs[i]->name), table.programs[i]);
+        ck_assert_uint_gt(strlen(table.programs[i]->summary), 0);
+    }
+    ck_assert_ptr_null(programs_find(table, "no such program"));
+}
+END_TEST
+
+Suite *suite_catalogue(void)
+{
+    Suite *suite = suite_create("catalogue");
+    TCase *cases = tcase_create("cases");
+    tcase_add_test(cases, a_case_is_read_as_declared);
+    tcase_add_test(cases, the_plan_owes_every_check_of_every_variant_of_the_size);
+    tcase_add_test(cases, a_bad_case_is_refused_with_file_line_and_reason);
+    tcase_add_test(cases, a_folder_without_cases_or_without_a_readme_is_refused);
+    tcase_add_test(cases, the_catalogue_of_this_tree_is_sound);
+    tcase_add_test(cases, the_programs_of_the_suite_have_names_of_their_own);
+    suite_add_tcase(suite, cases);
+    return suite;
+}

@@ -1,0 +1,279 @@
+/* The commands of mpm-verify: arguments and exit statuses.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/cli/commands.h"
+
+#include "verification/cli/compare.h"
+#include "verification/common/command_line.h"
+#include "verification/common/failure.h"
+#include "verification/common/machine.h"
+#include "verification/common/resources.h"
+#include "verification/common/rows.h"
+#include "verification/report/report.h"
+#include "verification/report/report_kept.h"
+#include "verification/suite/run.h"
+
+#include <glib.h>
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+enum { CHECKS_FAILED = 1, JOBS_MAX = 1024, JOBS_DEFAULT = INT_MIN /* not given */ };
+
+#define NO_CATALOGUE "no verification/catalogue here: name one with --catalogue DIR"
+
+#define PROGRAM "mpm-verify"
+
+static const char usage[] =
+    "usage: " PROGRAM " COMMAND\n"
+    "\n"
+    "  list [--tag T]                         the cases, their variants and checks\n"
+    "  run [--tier ci|full] [--case GLOB] [--variant GLOB] [--only FILE] [--baseline DIR]\n"
+    "      [--kernels auto|reference|fast] [--jobs N] [--output DIR]\n"
+    "                                         run, judge, and write results and reports; --only: "
+    "those\n"
+    "                                         of the file's lines CASE/VARIANT; --baseline: what\n"
+    "                                         changed since that run, in the report\n"
+    "  explain CHECK [--output DIR]           what CASE[/CHECK[/VARIANT]] (globs) states, its "
+    "band\n"
+    "                                         and why, last values, the command to reproduce it\n"
+    "  report DIR [--baseline DIR]            render the reports of DIR again from its result "
+    "lines;\n"
+    "      [--mutants FILE]                   keeps there, and shows, what changed since a "
+    "baseline,\n"
+    "      [--headroom NAME=DIR]...           a run of mutants, the values of other builds' runs\n"
+    "  headroom DIR                           whether every check of DIR is within 1.5 to 100 "
+    "times\n"
+    "                                         its deviation from its band's end, over the builds "
+    "kept\n"
+    "                                         there, or says why not\n"
+    "  compare DIR DIR [--change X]           what changed from the first run to the second: "
+    "statuses,\n"
+    "                                         checks, values by more than X (relative, 0.001 "
+    "unless\n"
+    "                                         given), margins, times beyond noise\n"
+    "  export --output DIR [--case GLOB]      bundles for other solvers: problem, reference, "
+    "criteria\n"
+    "  score BUNDLE RESULTS [--name SOLVER] [--output DIR]\n"
+    "                                         judges another solver's results (CSV, HDF5, VTK) "
+    "against\n"
+    "                                         a bundle, and writes the same report\n"
+    "  help, --help, --version\n"
+    "\n"
+    "list, run, explain and export take --catalogue DIR. --tier is ci unless given; --kernels "
+    "auto, which "
+    "is\n"
+    "fast wherever a scene allows; --jobs the number of processors; --output\n"
+    "build/reports/verify in the repository and verify-report elsewhere (score: "
+    "build/reports/score\n"
+    "and score-report).\n"
+    "Exit status: 0 every check holds (or shows its known weakness); 1 one does not; 2 bad usage\n"
+    "or a bad catalogue; 4 the environment failed. headroom: 1 a band or its reason is at fault, "
+    "or\n"
+    "a value is missing. compare: 0 nothing got worse; 1 a status did,\n"
+    "a check failed that is new or vanished from the same selection, or a margin shrank by more\n"
+    "than 0.1. Time is shown, never judged: mpm-bench compares speed.\n";
+
+/* ----------------------------------------------------------------- arguments */
+
+static void options_clear(struct command_options *options)
+{
+    g_free(options->tier);
+    g_free(options->case_glob);
+    g_free(options->variant_glob);
+    g_free(options->only);
+    g_free(options->kernels);
+    g_free(options->output);
+    g_free(options->catalogue);
+    g_free(options->tag);
+    g_free(options->change);
+    g_free(options->name);
+    g_free(options->baseline);
+    g_free(options->mutants);
+    g_strfreev(options->headroom);
+    g_strfreev(options->rest);
+}
+
+/* Which options a command takes; bits of `takes` in the table of commands. */
+enum {
+    TAKES_SELECTION = 1,
+    TAKES_OUTPUT = 2,
+    TAKES_CATALOGUE = 4,
+    TAKES_TAG = 8,
+    TAKES_CHANGE = 16,
+    TAKES_CASE = 32,
+    TAKES_NAME = 64,
+    TAKES_BASELINE = 128,
+    TAKES_ADDITIONS = 256
+};
+
+enum mpm_status command_catalogue(const struct command *command, struct catalogue **catalogue,
+                                  struct mpm_error *error)
+{
+    char *folder = command->options.catalogue != NULL ? g_strdup(command->options.catalogue)
+                                                      : resources_catalogue(command->argv[0]);
+    const enum mpm_status status =
+        folder == NULL ? failure_set(error, MPM_BAD_INPUT, NO_CATALOGUE)
+                       : catalogue_read(folder, command->world->programs, catalogue, error);
+    g_free(folder);
+    return status;
+}
+
+/* ----------------------------------------------------------------------- run */
+
+static enum mpm_status read_tier(const char *text, enum tier *tier, struct mpm_error *error)
+{
+    *tier = TIER_CI;
+    if (text == NULL || strcmp(text, tier_name(TIER_CI)) == 0)
+        return MPM_OK;
+    *tier = TIER_FULL;
+    if (strcmp(text, tier_name(TIER_FULL)) == 0)
+        return MPM_OK;
+    return failure_set(error, MPM_BAD_INPUT, "--tier \"%s\": allowed are ci and full", text);
+}
+
+static enum mpm_status read_kernels(const char *text, enum mpm_kernels *kernels,
+                                    struct mpm_error *error)
+{
+    struct mpm_error cause;
+    *kernels = MPM_KERNELS_AUTO;
+    if (text == NULL || mpm_kernels_find(text, kernels, &cause) == MPM_OK)
+        return MPM_OK;
+    return failure_set(error, MPM_BAD_INPUT, "--kernels: %s", cause.message);
+}
+
+static enum mpm_status run_with(struct run_options *run, struct command *command,
+                                struct mpm_error *error)
+{
+    const struct command_options *options = &command->options;
+    struct console console = {.out = command->world->out, .terminal = command->world->terminal};
+    struct record_counts counts;
+    TRY(read_tier(options->tier, &run->selection.tier, error));
+    TRY(read_kernels(options->kernels, &run->kernels, error));
+    run->selection.only_file = options->only;
+    if (options->only != NULL)
+        TRY(plan_read_only(options->only, &run->selection.only, error));
+    if (options->jobs != JOBS_DEFAULT && (options->jobs < 1 || options->jobs > JOBS_MAX))
+        return failure_set(error, MPM_BAD_INPUT, "--jobs %d: allowed are 1 to %d", options->jobs,
+                           JOBS_MAX);
+    run->jobs = options->jobs == JOBS_DEFAULT ? machine_processor_count() : (unsigned)options->jobs;
+    if (run->catalogue == NULL)
+        return failure_set(error, MPM_BAD_INPUT, NO_CATALOGUE);
+    if (run->reports == NULL)
+        return failure_set(
+            error, MPM_ENVIRONMENT_FAILED,
+            "the report's style is found neither in reports/ nor beside the program");
+    const enum mpm_status status =
+        suite_run(run, command->world->programs, &console, &counts, error);
+    command->checks_failed = counts.failed > 0;
+    return status;
+}
+
+static enum mpm_status command_run(struct command *command, struct mpm_error *error)
+{
+    const struct command_options *options = &command->options;
+    char *catalogue = options->catalogue != NULL ? g_strdup(options->catalogue)
+                                                 : resources_catalogue(command->argv[0]);
+    char *reports = resources_reports(command->argv[0]);
+    char *typed = command_line_typed(PROGRAM, command->argc, command->argv);
+    char *output = options->output != NULL ? g_strdup(options->output) : resources_output();
+    struct run_options run = {
+        .catalogue = catalogue,
+        .reports = reports,
+        .output = output,
+        .command = typed,
+        .baseline = options->baseline,
+        .selection = {.case_glob = options->case_glob, .variant_glob = options->variant_glob},
+    };
+    const enum mpm_status status = run_with(&run, command, error);
+    if (run.selection.only != NULL)
+        g_hash_table_unref(run.selection.only);
+    g_free(catalogue);
+    g_free(reports);
+    g_free(output);
+    g_free(typed);
+    return status;
+}
+
+static enum mpm_status command_report(struct command *command, struct mpm_error *error)
+{
+    const char *folder = command->options.rest[0];
+    const struct report_additions additions = {
+        .baseline = command->options.baseline,
+        .mutants = command->options.mutants,
+        .headroom = (const char *const *)command->options.headroom,
+    };
+    TRY(report_keep(folder, &additions, error));
+    char *reports = resources_reports(command->argv[0]);
+    const enum mpm_status status = report_render(folder, reports, error);
+    g_free(reports);
+    if (status == MPM_OK)
+        fprintf(command->world->out, "report: %s/index.html\n", folder);
+    return status;
+}
+
+static enum mpm_status command_compare(struct command *command, struct mpm_error *error)
+{
+    const struct command_options *options = &command->options;
+    double change = 1e-3;
+    if (options->change != NULL &&
+        (!row_number(options->change, &change) || !(change >= 0) || !isfinite(change)))
+        return failure_set(error, MPM_BAD_INPUT,
+                           "--change \"%s\": allowed is a number of at least 0", options->change);
+    return suite_compare(options->rest[0], options->rest[1], change, command->world->out,
+                         &command->checks_failed, error);
+}
+
+/* --------------------------------------------------------------------- table */
+
+static const struct command_entry commands[] = {
+    {"list", TAKES_TAG | TAKES_CATALOGUE, 0, "", command_list},
+    {"run", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE, 0, "", command_run},
+    {"explain", TAKES_OUTPUT | TAKES_CATALOGUE, 1, "explain: CHECK", command_explain},
+    {"report", TAKES_BASELINE | TAKES_ADDITIONS, 1, "report: the folder DIR", command_report},
+    {"headroom", 0, 1, "headroom: the folder DIR", command_headroom},
+    {"compare", TAKES_CHANGE, 2, "compare: a folder DIR", command_compare},
+    {"export", TAKES_CASE | TAKES_OUTPUT | TAKES_CATALOGUE, 0, "", command_export},
+    {"score", TAKES_NAME | TAKES_OUTPUT, 2, "score: BUNDLE or RESULTS", command_score},
+};
+
+int suite_command(int argc, char **argv, const struct suite_world *world)
+{
+    struct command command = {
+        .argc = argc, .argv = argv, .world = world, .options = {.jobs = JOBS_DEFAULT}};
+    struct command_options *const given = &command.options;
+    const struct command_option options[] = {
+        {TAKES_SELECTION, {"tier", 0, 0, G_OPTION_ARG_STRING, &given->tier, NULL, NULL}},
+        {TAKES_SELECTION | TAKES_CASE,
+         {"case", 0, 0, G_OPTION_ARG_STRING, &given->case_glob, NULL, NULL}},
+        {TAKES_SELECTION, {"variant", 0, 0, G_OPTION_ARG_STRING, &given->variant_glob, NULL, NULL}},
+        {TAKES_SELECTION, {"only", 0, 0, G_OPTION_ARG_FILENAME, &given->only, NULL, NULL}},
+        {TAKES_SELECTION, {"kernels", 0, 0, G_OPTION_ARG_STRING, &given->kernels, NULL, NULL}},
+        {TAKES_SELECTION, {"jobs", 0, 0, G_OPTION_ARG_INT, &given->jobs, NULL, NULL}},
+        {TAKES_OUTPUT, {"output", 0, 0, G_OPTION_ARG_FILENAME, &given->output, NULL, NULL}},
+        {TAKES_CATALOGUE,
+         {"catalogue", 0, 0, G_OPTION_ARG_FILENAME, &given->catalogue, NULL, NULL}},
+        {TAKES_TAG, {"tag", 0, 0, G_OPTION_ARG_STRING, &given->tag, NULL, NULL}},
+        {TAKES_BASELINE, {"baseline", 0, 0, G_OPTION_ARG_FILENAME, &given->baseline, NULL, NULL}},
+        {TAKES_ADDITIONS, {"mutants", 0, 0, G_OPTION_ARG_FILENAME, &given->mutants, NULL, NULL}},
+        {TAKES_ADDITIONS,
+         {"headroom", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &given->headroom, NULL, NULL}},
+        {TAKES_CHANGE, {"change", 0, 0, G_OPTION_ARG_STRING, &given->change, NULL, NULL}},
+        {TAKES_NAME, {"name", 0, 0, G_OPTION_ARG_STRING, &given->name, NULL, NULL}},
+    };
+    const struct command_line line = {
+        .program = PROGRAM,
+        .usage = usage,
+        .commands = commands,
+        .command_count = G_N_ELEMENTS(commands),
+        .options = options,
+        .option_count = G_N_ELEMENTS(options),
+        .rest = &given->rest,
+        .out = world->out,
+        .err = world->err,
+    };
+    const enum mpm_status status = command_line_run(&line, argc, argv, &command);
+    options_clear(given);
+    /* results that could not be written or drawn come before what they would say */
+    return status == MPM_OK && command.checks_failed ? CHECKS_FAILED : (int)status;
+}

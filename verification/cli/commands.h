@@ -1,0 +1,53 @@
+/* The commands of mpm-verify.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_CLI_COMMANDS_H
+#define VERIFICATION_CLI_COMMANDS_H
+
+#include "verification/programs/programs.h"
+
+#include <stdio.h>
+
+/* What the commands see of the world; tests bring their own. */
+struct suite_world {
+    FILE *out, *err;
+    bool terminal; /* out is one */
+    struct program_table programs;
+};
+
+/* Runs the command of the arguments. Returns the exit status: 0 done and every check
+ * holds, 1 a check does not hold, 2 bad usage or a bad catalogue, 4 the environment
+ * failed (a file that cannot be written, gnuplot missing, interrupted). */
+int suite_command(int argc, char **argv, const struct suite_world *world);
+
+/* ------------------------------------------- shared by the files of commands */
+
+struct command_options {
+    char *tier, *case_glob, *variant_glob, *only, *kernels, *output, *catalogue, *tag, *change;
+    char *name; /* of a solver */
+    char *baseline, *mutants, **headroom;
+    int jobs;
+    char **rest; /* what stands beside the options */
+};
+
+struct command {
+    struct command_options options;
+    int argc;
+    char **argv; /* as given to the program */
+    const struct suite_world *world;
+    bool checks_failed;
+};
+
+enum mpm_status command_list(struct command *command, struct mpm_error *error);
+enum mpm_status command_explain(struct command *command, struct mpm_error *error);
+enum mpm_status command_headroom(struct command *command, struct mpm_error *error);
+enum mpm_status command_export(struct command *command, struct mpm_error *error);
+enum mpm_status command_score(struct command *command, struct mpm_error *error);
+
+struct catalogue;
+
+/* Reads the catalogue that the options name, or the suite's own. */
+enum mpm_status command_catalogue(const struct command *command, struct catalogue **catalogue,
+                                  struct mpm_error *error);
+
+#endif

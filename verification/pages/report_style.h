@@ -1,0 +1,22 @@
+/* The style of a report: what its pages are filled into.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_PAGES_REPORT_STYLE_H
+#define VERIFICATION_PAGES_REPORT_STYLE_H
+
+#include "verification/common/failure.h"
+
+struct report_style {
+    char *page; /* page.html, with {{title}}, {{style}}, ... */
+    char *css;
+    char *script;   /* of sortable tables */
+    char *glossary; /* Markdown */
+};
+
+/* Reads it from `style` in the folder of the results, or else from `reports` (may be NULL).
+ * MPM_ENVIRONMENT_FAILED: in neither. */
+enum mpm_status report_style_read(const char *folder, const char *reports,
+                                  struct report_style *style, struct mpm_error *error);
+void report_style_clear(struct report_style *style);
+
+#endif

@@ -1,0 +1,22 @@
+/* The Pareto picture of a comparison.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_REPORT_COMPARISON_PLOT_H
+#define VERIFICATION_REPORT_COMPARISON_PLOT_H
+
+#include "verification/pages/figure.h"
+#include "verification/report/comparison_view.h"
+
+/* Draws <home>/figure-comparison.svg: one quantity over the other, a point for each row that takes
+ * part, those on the table's front filled and named, the others numbered. WITHOUT_DATA if the case
+ * declares no such picture, fewer than two rows have both numbers, or the style is in neither
+ * folder. `folder` is the run's, `home` the case's in it; `reports` may be NULL. */
+struct figure_result comparison_plot(const struct comparison_view *view, const json_t *run,
+                                     const char *folder, const char *home, const char *reports);
+
+/* The data that is drawn, a line `x y order shape front` for each point, those on the front first;
+ * "" if there are fewer than two. *axes takes gnuplot's commands for ranges, tics and labels.
+ * g_free. */
+char *comparison_plot_data(const struct comparison_view *view, size_t x, size_t y, GString *axes);
+
+#endif

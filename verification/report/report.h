@@ -1,0 +1,40 @@
+/* The report: everything a person or a CI reads, rendered from an output folder.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VERIFICATION_REPORT_REPORT_H
+#define VERIFICATION_REPORT_REPORT_H
+
+#include "verification/pages/figure.h"
+#include "verification/records/records.h"
+
+#include <glib.h>
+
+/* Renders index.html, the cases' pages, comparisons and figures, summary.md, junit.xml and
+ * results.tap of `folder` from its checks.jsonl and
+ * measurements.jsonl. The figures' scripts and data are those
+ * in the folder, the style as well, or else that of `reports` (may be NULL). The same
+ * folder gives the same bytes. MPM_BAD_INPUT: no such results. MPM_ENVIRONMENT_FAILED:
+ * gnuplot is missing, a script failed, or a file cannot be written; all that can be
+ * rendered has been, and the place of a missing figure says why. */
+enum mpm_status report_render(const char *folder, const char *reports, struct mpm_error *error);
+
+/* The parts, each a whole file's text; g_free. */
+char *report_markdown(const struct records *records);
+char *report_junit(const struct records *records);
+char *report_tap(const struct records *records);
+
+struct report_site; /* report_site.h */
+
+/* The page of the comparison that `entry` declares, and its numbers as CSV. */
+struct comparison_view;
+char *comparison_page(const struct report_site *site, const json_t *entry,
+                      const struct comparison_view *view, const struct figure_result *picture);
+char *comparison_csv(const struct comparison_view *view);
+
+/* The page of `entry`, an object of the run's cases, whose figures `figures` belongs to; its tables
+ * go to checks.csv and runs.csv in the folder of the case. `files` are names in that folder that
+ * the page offers. */
+char *report_case(struct report_site *site, const json_t *entry,
+                  const struct figure_result *figures, const GPtrArray *files);
+
+#endif

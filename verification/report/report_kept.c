@@ -1,0 +1,172 @@
+/* What a report shows beside its own run.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/report/report_kept.h"
+
+#include "verification/common/output.h"
+#include "verification/common/record.h"
+#include "verification/records/changes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const char changes_name[] = "changes.json", headroom_name[] = "headroom.json",
+                  mutants_name[] = "mutants.json";
+
+/* Relative; as mpm-verify compare has it unless told. */
+static const double change_shown = 1e-3;
+
+static enum mpm_status write_json(const char *folder, const char *name, json_t *object,
+                                  struct mpm_error *error)
+{
+    char *text = json_dumps(object, JSON_INDENT(1) | JSON_PRESERVE_ORDER);
+    const enum mpm_status status = output_write(folder, name, text, error);
+    free(text);
+    json_decref(object);
+    return status;
+}
+
+static enum mpm_status keep_changes(const char *folder, const char *baseline,
+                                    struct mpm_error *error)
+{
+    struct records before, after;
+    TRY(records_read(baseline, &before, error));
+    enum mpm_status status = records_read(folder, &after, error);
+    if (status == MPM_OK) {
+        struct changes changes = changes_gather(&before, &after, change_shown);
+        status = write_json(folder, changes_name,
+                            changes_record(&changes, before.run, after.run, change_shown), error);
+        changes_clear(&changes);
+        records_clear(&after);
+    }
+    records_clear(&before);
+    return status;
+}
+
+/* ------------------------------------------------------------------- headroom */
+
+static json_t *build_record(const char *name, const struct records *records)
+{
+    static const char *const keys[] = {"revision", "compiler", "flags", "simd", "kernels"};
+    json_t *build = json_object(), *values = json_object();
+    json_object_set_new(build, "name", record_text_of(name));
+    for (size_t i = 0; i < G_N_ELEMENTS(keys); i++)
+        json_object_set_new(build, keys[i], json_string(record_text(records->run, keys[i])));
+    for (size_t i = 0; i < json_array_size(records->checks); i++) {
+        const json_t *check = json_array_get(records->checks, i);
+        if (record_status(check) == VERDICT_SKIP)
+            continue; /* not run, which is no value that is missing */
+        char *key = record_key(check, "check");
+        json_object_set(values, key, json_object_get(check, "value"));
+        g_free(key);
+    }
+    json_object_set_new(build, "values", values);
+    return build;
+}
+
+static enum mpm_status keep_headroom(const char *folder, const char *const *entries,
+                                     struct mpm_error *error)
+{
+    json_t *object = json_object(), *builds = json_array();
+    enum mpm_status status = MPM_OK;
+    json_object_set_new(object, "format", json_integer(1));
+    json_object_set_new(object, "builds", builds);
+    for (; status == MPM_OK && *entries != NULL; entries++) {
+        const char *is = strchr(*entries, '=');
+        struct records records;
+        if (is == NULL || is == *entries || is[1] == '\0') {
+            status = failure_set(error, MPM_BAD_INPUT, "--headroom \"%s\": allowed is NAME=DIR",
+                                 *entries);
+            break;
+        }
+        status = records_read(is + 1, &records, error);
+        if (status == MPM_OK) {
+            char *name = g_strndup(*entries, (gsize)(is - *entries));
+            json_array_append_new(builds, build_record(name, &records));
+            g_free(name);
+            records_clear(&records);
+        }
+    }
+    if (status == MPM_OK)
+        return write_json(folder, headroom_name, object, error);
+    json_decref(object);
+    return status;
+}
+
+/* ----------------------------------------------------------------------- files */
+
+static enum mpm_status read_object(const char *path, json_t **object, struct mpm_error *error)
+{
+    json_error_t cause;
+    *object = json_load_file(path, JSON_REJECT_DUPLICATES, &cause);
+    if (*object == NULL)
+        return failure_set(error, MPM_BAD_INPUT, "%s:%d: %s", path, cause.line, cause.text);
+    if (json_integer_value(json_object_get(*object, "format")) == 1)
+        return MPM_OK;
+    json_decref(*object);
+    *object = NULL;
+    return failure_set(error, MPM_BAD_INPUT, "%s: format: allowed is 1", path);
+}
+
+static enum mpm_status keep_mutants(const char *folder, const char *path, struct mpm_error *error)
+{
+    json_t *object;
+    TRY(read_object(path, &object, error));
+    const enum mpm_status status = mutants_check(object, path, error);
+    if (status == MPM_OK)
+        return write_json(folder, mutants_name, object, error);
+    json_decref(object);
+    return status;
+}
+
+enum mpm_status report_keep(const char *folder, const struct report_additions *additions,
+                            struct mpm_error *error)
+{
+    if (additions->baseline != NULL)
+        TRY(keep_changes(folder, additions->baseline, error));
+    if (additions->headroom != NULL)
+        TRY(keep_headroom(folder, additions->headroom, error));
+    if (additions->mutants != NULL)
+        TRY(keep_mutants(folder, additions->mutants, error));
+    return MPM_OK;
+}
+
+static enum mpm_status read_kept(const char *folder, const char *name, json_t **object,
+                                 struct mpm_error *error)
+{
+    char *path = g_build_filename(folder, name, NULL);
+    enum mpm_status status = MPM_OK;
+    *object = NULL;
+    if (g_file_test(path, G_FILE_TEST_EXISTS))
+        status = read_object(path, object, error);
+    if (status == MPM_OK && *object != NULL && name == mutants_name)
+        status = mutants_check(*object, path, error);
+    g_free(path);
+    return status;
+}
+
+enum mpm_status report_kept_read(const char *folder, struct report_kept *kept,
+                                 struct mpm_error *error)
+{
+    *kept = (struct report_kept){.changes = NULL};
+    const struct {
+        const char *name;
+        json_t **object;
+    } files[] = {{changes_name, &kept->changes},
+                 {headroom_name, &kept->headroom},
+                 {mutants_name, &kept->mutants}};
+    enum mpm_status status = MPM_OK;
+    for (size_t i = 0; status == MPM_OK && i < G_N_ELEMENTS(files); i++)
+        status = read_kept(folder, files[i].name, files[i].object, error);
+    if (status != MPM_OK)
+        report_kept_clear(kept);
+    return status;
+}
+
+void report_kept_clear(struct report_kept *kept)
+{
+    json_decref(kept->changes);
+    json_decref(kept->headroom);
+    json_decref(kept->mutants);
+    *kept = (struct report_kept){.changes = NULL};
+}
