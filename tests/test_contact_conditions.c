@@ -296,10 +296,10 @@ static size_t assert_conditions(const struct test_run *run)
 {
     const struct mpm_state *const state = crack_block_state(run);
     size_t met = 0;
-    for (size_t k = 0; k < state->first_mirror; k++)
-        assert_condition(state, &state->active[k]);
-    for (size_t k = state->first_mirror; k < state->active_count; k++)
-        assert_mirror(state, &state->active[k]);
+    for (size_t k = 0; k < state->conditions.first_mirror; k++)
+        assert_condition(state, &state->conditions.active[k]);
+    for (size_t k = state->conditions.first_mirror; k < state->conditions.active_count; k++)
+        assert_mirror(state, &state->conditions.active[k]);
     for (size_t k = 0; k < state->cracks.node_count; k++) {
         const struct mpm_crack_node *const node = &state->cracks.nodes[k];
         int massive = 0;

@@ -309,7 +309,7 @@ START_TEST(a_scene_without_cracks_has_nothing_of_them)
     ck_assert(cracks->point_count == 0 && cracks->node_capacity == 0 && cracks->rows == 0);
     ck_assert(cracks->chains == NULL && cracks->kept_of == NULL && cracks->node_of == NULL);
     ck_assert(cracks->wanted == NULL && cracks->nodes == NULL && cracks->homes == NULL);
-    ck_assert(crack_block_state(&without)->symmetry_count == 0);
+    ck_assert(crack_block_state(&without)->symmetries.count == 0);
     ck_assert_int_eq(crack_block_state(&without)->grid.field_rows, 0);
     ck_assert_uint_lt(mpm_simulation_bytes(without.simulation),
                       mpm_simulation_bytes(with.simulation));

@@ -46,7 +46,7 @@ static void row_free_energy(void *context, int64_t row, int worker)
     double sum = 0.0;
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++) {
-        if (mpm_crack_home(state, node) % state->grid.columns < state->mirror_column)
+        if (mpm_crack_home(state, node) % state->grid.columns < state->conditions.mirror_column)
             continue;
         for (int axis = 0; axis < 2; axis++) {
             const double e = state->grid.motion[node].end[axis];

@@ -130,7 +130,7 @@ size_t mpm_simulation_particle_count(const struct mpm_simulation *simulation)
 size_t mpm_simulation_bytes(const struct mpm_simulation *simulation)
 {
     return simulation->arena.capacity + simulation->given.capacity + sizeof *simulation +
-           simulation->state.condition_count * sizeof *simulation->state.conditions;
+           simulation->state.conditions.count * sizeof *simulation->state.conditions.list;
 }
 
 const char *mpm_simulation_kernels(const struct mpm_simulation *simulation)

@@ -100,7 +100,7 @@ static void keep_origins(struct mpm_state *state)
 static void describe_plane(struct mpm_state *state, const struct mpm_boundary_spec *spec)
 {
     const int axis = spec->normal;
-    state->symmetries[state->symmetry_count++] = (struct mpm_symmetry){
+    state->symmetries.planes[state->symmetries.count++] = (struct mpm_symmetry){
         .axis = axis,
         .line = llround((spec->region.a[axis] - state->grid.origin[axis]) *
                         state->grid.inverse_cell[axis]) +
@@ -112,9 +112,9 @@ static enum mpm_status create_planes(struct mpm_simulation *simulation, struct m
 {
     const struct mpm_scene *const scene = simulation->scene;
     struct mpm_state *const state = &simulation->state;
-    state->symmetries = calloc(scene->boundary_count + 1, sizeof *state->symmetries);
-    if (state->symmetries == NULL)
-        return mpm_error_memory(error, sizeof *state->symmetries, "the planes of symmetry");
+    state->symmetries.planes = calloc(scene->boundary_count + 1, sizeof *state->symmetries.planes);
+    if (state->symmetries.planes == NULL)
+        return mpm_error_memory(error, sizeof *state->symmetries.planes, "the planes of symmetry");
     for (size_t k = 0; k < scene->boundary_count; k++) {
         const struct mpm_boundary_spec *const spec = &scene->boundaries[k];
         if (!spec->symmetry)
@@ -240,9 +240,9 @@ enum mpm_status mpm_cracks_fill(struct mpm_simulation *simulation, struct mpm_er
         state->cracks.least_mass = 1e-3 * lightest(&state->particles);
     }
     keep_origins(state);
-    for (size_t k = 0; k < state->symmetry_count; k++) {
-        MPM_TRY(find_inside(simulation, &state->symmetries[k], error));
-        MPM_TRY(hold_points(simulation, &state->symmetries[k], error));
+    for (size_t k = 0; k < state->symmetries.count; k++) {
+        MPM_TRY(find_inside(simulation, &state->symmetries.planes[k], error));
+        MPM_TRY(hold_points(simulation, &state->symmetries.planes[k], error));
     }
     return MPM_OK;
 }

@@ -121,7 +121,7 @@ static void change_field(const struct mpm_state *state, const struct velocities 
 {
     struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES];
     velocities->change(state, field, by);
-    if (state->symmetry_count == 0 || field >= state->grid.columns * state->grid.rows)
+    if (state->symmetries.count == 0 || field >= state->grid.columns * state->grid.rows)
         return;
     const int count = mpm_symmetry_images(state, field, images);
     for (int k = 0; k < count; k++)

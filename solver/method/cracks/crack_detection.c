@@ -232,8 +232,8 @@ static double seen_length(const struct mpm_state *state, int64_t home, int axis)
                              : first;
     const int64_t low = zero > first ? zero : first;
     const double past = overlap(state->scene->shape);
-    for (size_t k = 0; k < state->symmetry_count; k++)
-        if (state->symmetries[k].axis == axis && state->symmetries[k].line == place)
+    for (size_t k = 0; k < state->symmetries.count; k++)
+        if (state->symmetries.planes[k].axis == axis && state->symmetries.planes[k].line == place)
             return 0.5;
     if (place <= low || place >= last)
         return 0.5 + 2.0 * past;

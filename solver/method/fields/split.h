@@ -9,7 +9,7 @@
 #ifndef MPM_METHOD_SPLIT_H
 #define MPM_METHOD_SPLIT_H
 
-#include "method/kernels.h"
+#include "method/passes.h"
 
 /* They run state->kernels.plain and .general. */
 extern const struct mpm_passes mpm_split_passes;

@@ -31,8 +31,8 @@ static inline bool mpm_node_is_active(const struct mpm_state *state, int64_t nod
 static inline struct mpm_row_span mpm_row_span_inside(const struct mpm_state *state, int64_t row)
 {
     struct mpm_row_span span = mpm_row_span(state, row);
-    for (size_t k = 0; k < state->symmetry_count && row < state->grid.rows; k++) {
-        const struct mpm_symmetry *const plane = &state->symmetries[k];
+    for (size_t k = 0; k < state->symmetries.count && row < state->grid.rows; k++) {
+        const struct mpm_symmetry *const plane = &state->symmetries.planes[k];
         const int64_t on_plane = row * state->grid.columns + plane->line;
         if (plane->axis == 1 && (row - plane->line) * plane->inside < 0)
             span.end = span.first;
@@ -48,7 +48,7 @@ static inline struct mpm_row_span mpm_row_span_inside(const struct mpm_state *st
 static inline bool mpm_node_is_inside(const struct mpm_state *state, int64_t node)
 {
     const struct mpm_row_span span = mpm_row_span_inside(state, node / state->grid.columns);
-    return state->symmetry_count == 0 || (node >= span.first && node < span.end);
+    return state->symmetries.count == 0 || (node >= span.first && node < span.end);
 }
 
 /* 1 / m_i; 0 for a node without mass, so that it has no motion. */

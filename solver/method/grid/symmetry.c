@@ -19,8 +19,8 @@ int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, doubl
 {
     const int64_t columns = state->grid.columns;
     sign[0] = sign[1] = 1.0;
-    for (size_t k = 0; k < state->symmetry_count; k++) {
-        const struct mpm_symmetry *const plane = &state->symmetries[k];
+    for (size_t k = 0; k < state->symmetries.count; k++) {
+        const struct mpm_symmetry *const plane = &state->symmetries.planes[k];
         const int64_t place[2] = {node % columns, node / columns};
         const int64_t depth = (plane->line - place[plane->axis]) * plane->inside;
         if (depth <= 0)
@@ -98,8 +98,8 @@ static void reflect_across(const struct mpm_state *state, const struct mpm_symme
 
 static void reflect(struct mpm_state *state, const struct reflection *reflection)
 {
-    for (size_t k = 0; k < state->symmetry_count; k++)
-        reflect_across(state, &state->symmetries[k], reflection);
+    for (size_t k = 0; k < state->symmetries.count; k++)
+        reflect_across(state, &state->symmetries.planes[k], reflection);
 }
 
 void mpm_symmetries_reflect_momentum(struct mpm_state *state)
@@ -141,10 +141,10 @@ int mpm_symmetry_images(const struct mpm_state *state, int64_t node,
 {
     const struct mpm_symmetry_image itself = {node, {1.0, 1.0}};
     int count = 0;
-    for (size_t k = 0; k < state->symmetry_count; k++) {
+    for (size_t k = 0; k < state->symmetries.count; k++) {
         const int before = count;
         for (int of = -1; of < before && count < MPM_SYMMETRY_IMAGES; of++)
-            if (find_image(state, &state->symmetries[k], of < 0 ? &itself : &images[of],
+            if (find_image(state, &state->symmetries.planes[k], of < 0 ? &itself : &images[of],
                            &images[count]))
                 count++;
     }

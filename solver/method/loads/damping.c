@@ -156,8 +156,8 @@ enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_erro
         return MPM_OK;
     mpm_grid_rows_run(state, varying ? row_damp_by_place : row_damp);
     MPM_TRY(collect_rows(state, error));
-    for (size_t k = 0; k < state->active_count; k++) { /* held: not damped */
-        const struct mpm_active_condition *const active = &state->active[k];
+    for (size_t k = 0; k < state->conditions.active_count; k++) { /* held: not damped */
+        const struct mpm_active_condition *const active = &state->conditions.active[k];
         const double place_rate = varying ? varying_rate(state, active->node, 0) : 0.0;
         if (!mpm_node_is_inside(state, active->node))
             continue;

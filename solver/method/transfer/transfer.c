@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/transfer/transfer.h"
+
 #include "method/fields/crack_fields.h"
 #include "method/transfer/particle_updates.h"
 
