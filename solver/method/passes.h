@@ -24,7 +24,7 @@ struct mpm_state;
 /* What a simulation was created with. */
 struct mpm_kernel_choice {
     const struct mpm_passes *passes;
-    /* Of scenes with cracks whose passes are mpm_split_passes; else NULL. */
+    /* Of scenes whose passes are mpm_split_passes; else NULL. */
     const struct mpm_passes *plain, *general;
     mpm_pass *gather_rows;     /* makes masses whole where to_grid leaves them in pieces; or NULL */
     mpm_pass *start_rows;      /* Task 2, velocities of the nodes from what to_grid leaves there */

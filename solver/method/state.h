@@ -8,6 +8,7 @@
 
 #include "method/cracks/cracks_state.h"
 #include "method/energy_balance_state.h"
+#include "method/fields/fields_state.h"
 #include "method/grid/conditions_state.h"
 #include "method/grid/symmetry_state.h"
 #include "method/loads/damping_state.h"
@@ -59,7 +60,7 @@ struct mpm_failure {
 
 struct mpm_strip {
     size_t begin, end;               /* its particles */
-    size_t span_count;               /* of those near cracks */
+    size_t span_count;               /* of those with additional velocity fields */
     int64_t column_low, column_high; /* box of the nodes that they reach; empty if low > high */
     int64_t row_low, row_high;
     double kinetic_energy;
@@ -73,6 +74,7 @@ struct mpm_strip {
 
 struct mpm_body {
     double half_size[2];
+    int64_t shift; /* from a node to its copy in the layer that the body moves in; see fields.h */
     struct mpm_material material;
 };
 
@@ -111,6 +113,7 @@ struct mpm_state {
     double (*row_momentum)[2]; /* per node row: sum m_i (v_i^n + v_i^{n+1}); for a uniform one */
 
     struct mpm_edge_loads edge_loads;
+    struct mpm_fields fields;
     struct mpm_cracks cracks;
     struct mpm_symmetries symmetries;
 

@@ -5,9 +5,10 @@
 #include "method/cracks/cohesive_traction.h"
 #include "method/cracks/crack_contact.h"
 #include "method/cracks/crack_detection.h"
+#include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_opening.h"
 #include "method/energy_balance.h"
-#include "method/fields/crack_fields.h"
+#include "method/fields/fields.h"
 #include "method/grid/conditions.h"
 #include "method/grid/grid_update.h"
 #include "method/grid/symmetry.h"
@@ -160,6 +161,7 @@ static enum mpm_status begin(struct mpm_state *state, int workers, bool uniform_
         MPM_TRY(evaluate_uniform_force(state));
     MPM_TRY(mpm_damping_begin(state, error));
     mpm_grid_find_active(state);
+    mpm_fields_begin(state);
     MPM_TRY(mpm_cracks_find_fields(state, workers, error));
     mpm_edge_loads_prepare(state);
     mpm_grid_rows_run(state, mpm_row_clear);
@@ -183,7 +185,7 @@ static void finish_extrapolation(struct mpm_state *state)
     mpm_symmetries_reflect_extrapolated(state);
     mpm_grid_rows_run(state, mpm_row_extrapolated_velocity);
     mpm_conditions_apply_extrapolated(state);
-    mpm_crack_contact_extrapolated(state);
+    mpm_crack_contact_resolve(state, MPM_EXCHANGE_EXTRAPOLATED);
     mpm_mirrors_apply_extrapolated(state);
 }
 
@@ -196,7 +198,7 @@ static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_for
     MPM_TRY(mpm_damping_apply_nodes(state, error));
     mpm_conditions_apply_end(state);
     mpm_energy_before_contact(state);
-    mpm_crack_contact_end(state);
+    mpm_crack_contact_resolve(state, MPM_EXCHANGE_END);
     mpm_energy_after_contact(state);
     mpm_mirrors_apply_end(state);
     if (uniform_force)
@@ -243,7 +245,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     mpm_grid_rows_run(state, state->kernels.start_rows);
     MPM_TRY(mpm_conditions_gather(state, error));
     mpm_conditions_apply_start(state);
-    mpm_crack_contact_start(state);
+    mpm_crack_contact_resolve(state, MPM_EXCHANGE_START);
     mpm_mirrors_apply_start(state);
     mpm_crack_openings_find(state);
     MPM_TRY(mpm_crack_openings_advance(state, state->order->before, error));

@@ -1,11 +1,12 @@
 /* Cracks and planes of symmetry: settled when the simulation is created.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_map.h"
-#include "method/fields/crack_fields.h"
 #include "simulation/crack_points.h"
 #include "simulation/simulation.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -40,7 +41,7 @@ static size_t particles_kept(const struct mpm_state *state)
         const int *const in_cell = state->scene->bodies[k].particles_per_cell;
         most = in_cell[0] * in_cell[1] > most ? in_cell[0] * in_cell[1] : most;
     }
-    const size_t estimate = 2 * state->cracks.node_capacity * (size_t)most;
+    const size_t estimate = 2 * state->fields.node_capacity * (size_t)most;
     return estimate < state->particles.count ? estimate : state->particles.count;
 }
 
@@ -194,9 +195,9 @@ enum mpm_status mpm_cracks_create(struct mpm_simulation *simulation, struct mpm_
     for (size_t k = 0; k < simulation->scene->crack_count; k++)
         cracks->point_count += count_with_room(simulation->scene, k);
     if (cracks->point_count > 0) {
-        cracks->node_capacity = nodes_around(state, 1);
-        state->grid.field_rows =
-            (2 * (int64_t)cracks->node_capacity + state->grid.columns - 1) / state->grid.columns;
+        const int first = mpm_fields_claim(state, 2, nodes_around(state, 1));
+        assert(first == MPM_CRACK_ABOVE); /* keys are sides */
+        (void)first;
     }
     return create_planes(simulation, error);
 }
@@ -204,7 +205,6 @@ enum mpm_status mpm_cracks_create(struct mpm_simulation *simulation, struct mpm_
 void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
 {
     struct mpm_cracks *const cracks = &state->cracks;
-    const size_t nodes = (size_t)(state->grid.columns * state->grid.rows);
     if (cracks->point_count == 0)
         return;
     cracks->chains = MPM_TAKE(arena, struct mpm_crack_chain, state->scene->crack_count);
@@ -212,16 +212,8 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
         cracks->position[axis] = MPM_TAKE(arena, double, cracks->point_count);
     cracks->held = MPM_TAKE(arena, uint8_t, cracks->point_count);
     mpm_crack_map_layout(state, nodes_around(state, state->scene->crack_count), arena);
-    cracks->kept_capacity = particles_kept(state);
-    cracks->kept = MPM_TAKE(arena, struct mpm_crack_kept, cracks->kept_capacity);
-    cracks->kept_of = MPM_TAKE(arena, uint32_t, state->particles.count);
-    cracks->spans =
-        MPM_TAKE(arena, struct mpm_crack_span,
-                 state->particles.count / MPM_CRACK_GAP + (size_t)state->strip_count + 1);
-    cracks->wanted = MPM_TAKE(arena, uint8_t, nodes);
-    cracks->node_of = MPM_TAKE(arena, uint32_t, nodes);
-    cracks->nodes = MPM_TAKE(arena, struct mpm_crack_node, cracks->node_capacity);
-    cracks->homes = MPM_TAKE(arena, int64_t, 2 * cracks->node_capacity);
+    state->fields.use_capacity = particles_kept(state);
+    mpm_crack_fields_layout(state, arena);
 }
 
 static double lightest(const struct mpm_particles *particles)

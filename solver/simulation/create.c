@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "base/strips.h"
 #include "method/cracks/crack_detection.h"
+#include "method/fields/fields.h"
 #include "method/kernels.h"
 #include "method/transfer/transfer.h"
 #include "model/fill.h"
@@ -120,6 +121,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     mpm_damping_layout(state, arena);
     mpm_edge_loads_layout(state, arena);
     mpm_cracks_layout(state, arena);
+    mpm_fields_layout(state, arena);
     mpm_j_integrals_layout(simulation, arena);
     mpm_openings_layout(state, arena);
     state->sort_counts = MPM_TAKE(arena, uint32_t, longest + 1);
@@ -129,7 +131,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
                               : nodes;
     state->conditions.active_capacity =
         (state->conditions.count + 2 * driven + rows * (size_t)state->conditions.mirror_column) *
-        (grid->field_rows > 0 ? 3 : 1);
+        (size_t)(1 + state->fields.keys + state->fields.layers);
     state->conditions.active =
         MPM_TAKE(arena, struct mpm_active_condition, state->conditions.active_capacity);
     if (counts->rigid > 0) {

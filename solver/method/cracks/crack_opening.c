@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/cracks/crack_opening.h"
 
+#include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_map.h"
-#include "method/fields/crack_fields.h"
 #include "method/grid/grid_update.h"
 
 #include <math.h>
@@ -81,14 +81,14 @@ static void find_sides(const struct mpm_state *state, const double from[2],
 }
 
 /* The field of a node for particles of that side, or -1 if it has no mass to speak of. */
-static int64_t field_of(const struct mpm_state *state, int64_t home, enum mpm_crack_side side)
+static int64_t field_of(const struct mpm_state *state, int64_t parent, enum mpm_crack_side side)
 {
-    int64_t field = home;
-    if (!mpm_node_is_active(state, home))
+    int64_t field = parent;
+    if (!mpm_node_is_active(state, parent))
         return -1;
     if (side != MPM_CRACK_SAME_SIDE) {
-        const struct mpm_crack_node *const node = mpm_crack_node_at(state, home);
-        field = node == NULL ? -1 : node->field[side];
+        const struct mpm_field_node *const node = mpm_field_node_at(state, parent);
+        field = node == NULL ? -1 : mpm_field_of(state, node, (int)side);
     }
     return field >= 0 && state->grid.mass[field] >= state->cracks.least_mass ? field : -1;
 }

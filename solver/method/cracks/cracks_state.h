@@ -4,15 +4,11 @@
 #ifndef MPM_METHOD_CRACKS_STATE_H
 #define MPM_METHOD_CRACKS_STATE_H
 
+#include "method/shape/shape.h"
 #include "model/crack.h"
-#include <stdatomic.h>
+
 #include <stdbool.h>
 #include <stdint.h>
-
-/* Particles begin..end - 1, near a crack. */
-struct mpm_crack_span {
-    size_t begin, end;
-};
 
 /* The fields that one surface of a crack moves with at one of its points: nodes of the corners of a
  * cell, weights of sum 1. None where no such field has mass. */
@@ -35,6 +31,11 @@ struct mpm_crack_openings {
     struct mpm_crack_surface (*surfaces)[2];
 };
 
+/* The segment that the line from a particle to a node crosses. */
+struct mpm_crack_crossing {
+    uint32_t crack, segment;
+};
+
 /* Cracks; all empty where a scene has none. */
 struct mpm_cracks {
     struct mpm_crack_chain *chains; /* per crack of the scene */
@@ -45,20 +46,12 @@ struct mpm_cracks {
     struct mpm_crack_openings openings;
     double widest[2]; /* reach of the largest undeformed domain */
     /* Of the step */
-    struct mpm_crack_map *map;   /* cells near cracks; see crack_map.h */
-    struct mpm_crack_kept *kept; /* particles with further fields; see crack_fields.h */
-    _Atomic size_t kept_count;
-    size_t kept_capacity;
-    uint32_t *kept_of;            /* per particle: one more than its place in `kept`, or 0 */
-    struct mpm_crack_span *spans; /* see mpm_crack_spans */
-    uint8_t *wanted;   /* per node: bits of the sides that some particle asks for, and more of
-                        * mpm_crack_node's on_plane */
-    uint32_t *node_of; /* per node: one more than its place in `nodes`, or 0 */
-    struct mpm_crack_node *nodes; /* in the order of the grid; see crack_fields.h */
-    size_t node_count, node_capacity;
-    int64_t *homes; /* per further field: the node that it belongs to */
-    int64_t field_count;
-    int64_t rows; /* that further fields fill, after those of the grid */
+    struct mpm_crack_map *map; /* cells near cracks; see crack_map.h */
+    /* For additional fields; see crack_fields.h. Per particle in `uses` of mpm_fields, per node of
+     * its stencil: */
+    struct mpm_crack_crossing (*crossings)[MPM_STENCIL_MAX];
+    struct mpm_crack_sums *sums;    /* per node in `nodes`: of its own field */
+    struct mpm_crack_field *fields; /* per field in `list` */
 };
 
 #endif

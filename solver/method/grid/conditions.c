@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/grid/conditions.h"
 
-#include "method/fields/crack_fields.h"
+#include "method/fields/fields.h"
 #include "method/grid/grid_update.h"
 #include "method/grid/symmetry.h"
 
@@ -17,9 +17,13 @@ static enum mpm_status not_finite(const char *what, const double position[2], do
 
 static bool any_field_has_mass(const struct mpm_state *state, int64_t node)
 {
-    const struct mpm_crack_node *const crack = mpm_crack_node_at(state, node);
-    for (int k = 1; crack != NULL && k < 3; k++)
-        if (crack->field[k] >= 0 && state->grid.mass[crack->field[k]] != 0.0)
+    const struct mpm_field_node *const several = mpm_field_node_at(state, node);
+    const int64_t first = mpm_fields_first(state);
+    for (int i = 0; several != NULL && i < several->count; i++)
+        if (state->grid.mass[first + several->first + i] != 0.0)
+            return true;
+    for (int64_t layer = 1; layer <= state->fields.layers; layer++)
+        if (state->grid.mass[node + mpm_layer_shift(state, layer)] != 0.0)
             return true;
     return false;
 }
@@ -27,28 +31,42 @@ static bool any_field_has_mass(const struct mpm_state *state, int64_t node)
 static inline bool has_mass(const struct mpm_state *state, int64_t node)
 {
     return state->grid.mass[node] != 0.0 ||
-           (state->cracks.node_of != NULL && any_field_has_mass(state, node));
+           (state->grid.field_rows > 0 && any_field_has_mass(state, node));
 }
 
-/* For one velocity field of a node near cracks, if it has mass. */
-static void append_field(struct mpm_state *state, struct mpm_crack_node *crack, int field,
+/* For one velocity field of a node, if it has mass. `held`: of the field, if its node is listed. */
+static void append_field(struct mpm_state *state, int64_t field, uint8_t *held,
                          struct mpm_active_condition condition)
 {
-    condition.node = crack->field[field];
-    if (condition.node < 0 || state->grid.mass[condition.node] == 0.0)
+    condition.node = field;
+    if (state->grid.mass[field] == 0.0)
         return;
-    crack->held[field] |= (uint8_t)(1u << condition.component);
+    if (held != NULL)
+        *held |= (uint8_t)(1u << condition.component);
     state->conditions.active[state->conditions.active_count++] = condition;
+}
+
+/* For the packed fields of a node that are not on a free surface along any of these axes. */
+static void append_packed(struct mpm_state *state, const struct mpm_field_node *several,
+                          unsigned axes, struct mpm_active_condition condition)
+{
+    struct mpm_additional_field *const list = state->fields.list + several->first;
+    const int64_t first = mpm_fields_first(state) + several->first;
+    for (int i = 0; i < several->count; i++)
+        if ((list[i].free & axes) == 0)
+            append_field(state, first + i, &list[i].held, condition);
 }
 
 /* Of a node that has mass: for all of its velocity fields */
 static inline void append(struct mpm_state *state, struct mpm_active_condition condition)
 {
-    struct mpm_crack_node *const crack = mpm_crack_node_at(state, condition.node);
-    if (crack == NULL)
-        state->conditions.active[state->conditions.active_count++] = condition;
-    for (int k = 0; crack != NULL && k < 3; k++)
-        append_field(state, crack, k, condition);
+    const int64_t node = condition.node;
+    struct mpm_field_node *const several = mpm_field_node_at(state, node);
+    append_field(state, node, several == NULL ? NULL : &several->held, condition);
+    if (several != NULL)
+        append_packed(state, several, 0, condition);
+    for (int64_t layer = 1; layer <= state->fields.layers; layer++)
+        append_field(state, node + mpm_layer_shift(state, layer), NULL, condition);
 }
 
 /* For the node's images beyond planes of symmetry too, so that they stay images. Conditions that
@@ -79,17 +97,16 @@ static inline bool is_reflected(const struct mpm_state *state,
            state->scene->boundaries[condition->boundary].symmetry;
 }
 
-/* The plane holds the node's own field, and this the others, except those on a free surface. */
+/* The plane holds the fields of the grid and of layers, and this the others, except those on a
+ * free surface. */
 static void hold_on_plane(struct mpm_state *state, struct mpm_active_condition condition)
 {
-    struct mpm_crack_node *const crack = mpm_crack_node_at(state, condition.node);
+    struct mpm_field_node *const several = mpm_field_node_at(state, condition.node);
     const unsigned bit = 1u << condition.component;
-    if (crack == NULL)
+    if (several == NULL)
         return;
-    crack->held[0] |= (uint8_t)bit;
-    for (int k = 1; k < 3; k++)
-        if ((crack->on_plane[k] & bit) == 0)
-            append_field(state, crack, k, condition);
+    several->held |= (uint8_t)bit;
+    append_packed(state, several, bit, condition);
 }
 
 static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_error *error)
@@ -151,7 +168,7 @@ static const struct mpm_active_condition *find_rigid(const struct mpm_state *sta
                                                      size_t first_rigid, int64_t node, int axis)
 {
     for (size_t k = first_rigid; k < state->conditions.active_count; k++)
-        if (mpm_crack_home(state, state->conditions.active[k].node) == node &&
+        if (mpm_field_parent(state, state->conditions.active[k].node) == node &&
             state->conditions.active[k].component == axis)
             return &state->conditions.active[k];
     return NULL;
@@ -215,7 +232,8 @@ static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *e
         }
     }
     for (size_t k = first_rigid; k < state->conditions.active_count; k++)
-        state->conditions.rigid_owner[mpm_crack_home(state, state->conditions.active[k].node)] = 0;
+        state->conditions.rigid_owner[mpm_field_parent(state, state->conditions.active[k].node)] =
+            0;
     return MPM_OK;
 }
 
@@ -232,18 +250,19 @@ static void gather_mirrors(struct mpm_state *state)
         }
 }
 
-/* The node at -r. Every domain that reaches r < 0 has its centre at r > 0 and reaches it. Of a
- * further velocity field, the same one there, if there is one. */
+/* The node at -r. Every domain that reaches r < 0 has its centre at r > 0 and reaches it. Of an
+ * additional velocity field, the same one there, if there is one. */
 static int64_t mirror_image(const struct mpm_state *state, int64_t node)
 {
-    const int64_t home = mpm_crack_home(state, node);
-    const int64_t image = home + 2 * (state->conditions.mirror_column - home % state->grid.columns);
-    const struct mpm_crack_node *const from = mpm_crack_node_at(state, home);
-    const struct mpm_crack_node *const to = mpm_crack_node_at(state, image);
-    for (int side = 1; from != NULL && to != NULL && side < 3; side++)
-        if (from->field[side] == node && to->field[side] >= 0)
-            return to->field[side];
-    return image;
+    const int64_t parent = mpm_field_parent(state, node), first = mpm_fields_first(state);
+    const int64_t image =
+        parent + 2 * (state->conditions.mirror_column - parent % state->grid.columns);
+    if (node < first)
+        return image + (node - parent);
+    const struct mpm_field_node *const there = mpm_field_node_at(state, image);
+    const int64_t field =
+        there == NULL ? -1 : mpm_field_of(state, there, state->fields.list[node - first].key);
+    return field >= 0 ? field : image;
 }
 
 enum mpm_status mpm_conditions_gather(struct mpm_state *state, struct mpm_error *error)

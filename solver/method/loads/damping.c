@@ -2,7 +2,7 @@
 #include "method/loads/damping.h"
 
 #include "base/strips.h"
-#include "method/fields/crack_fields.h"
+#include "method/fields/fields.h"
 #include "method/grid/grid_update.h"
 #include "method/grid/symmetry.h"
 #include "method/transfer/transfer.h"
@@ -78,8 +78,8 @@ enum mpm_status mpm_damping_begin(struct mpm_state *state, struct mpm_error *err
 static double varying_rate(const struct mpm_state *state, int64_t node, int worker)
 {
     double place[2], sign[2];
-    const int64_t home = mpm_crack_home(state, node);
-    mpm_grid_edge_position(&state->grid, mpm_symmetry_original(state, home, sign), place);
+    const int64_t parent = mpm_field_parent(state, node);
+    mpm_grid_edge_position(&state->grid, mpm_symmetry_original(state, parent, sign), place);
     return value_of(state->damping.grid, state, place, worker);
 }
 
@@ -139,7 +139,7 @@ static enum mpm_status collect_rows(struct mpm_state *state, struct mpm_error *e
         if (sums->refused >= 0) {
             double place[2];
             char what[96];
-            mpm_grid_edge_position(&state->grid, mpm_crack_home(state, sums->refused), place);
+            mpm_grid_edge_position(&state->grid, mpm_field_parent(state, sums->refused), place);
             (void)snprintf(what, sizeof what, "damping.grid at the node (%g, %g)", place[0],
                            place[1]);
             return refuse_rate(state, what, sums->rate, error);
