@@ -379,10 +379,10 @@ static void assert_images(const struct test_run *run)
 {
     const struct mpm_state *const state = crack_block_state(run);
     struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES];
-    for (size_t n = 0; n < state->cracks.node_count; n++) {
-        const int64_t node = state->cracks.nodes[n].field[0];
+    for (size_t n = 0; n < state->fields.node_count; n++) {
+        const int64_t node = state->fields.nodes[n].node;
         const int count =
-            state->cracks.nodes[n].held[0] == 0 ? mpm_symmetry_images(state, node, images) : 0;
+            state->fields.nodes[n].held == 0 ? mpm_symmetry_images(state, node, images) : 0;
         for (int k = 0; k < count; k++)
             for (int axis = 0; axis < AXES; axis++) {
                 const int64_t image = images[k].node;
