@@ -226,6 +226,28 @@ static enum mpm_status update_velocities(struct mpm_state *state, int workers,
     return MPM_OK;
 }
 
+/* Task 2: velocities of the nodes at the start, conditions, contact; the surfaces of cracks */
+static enum mpm_status start_velocities(struct mpm_state *state, struct mpm_error *error)
+{
+    mpm_grid_rows_run(state, state->kernels.start_rows);
+    MPM_TRY(mpm_conditions_gather(state, error));
+    mpm_conditions_apply_start(state);
+    mpm_crack_contact_resolve(state, MPM_EXCHANGE_START);
+    mpm_mirrors_apply_start(state);
+    return mpm_crack_openings_begin(state, error);
+}
+
+/* Task 3: the forces that are not of stresses (28) */
+static void add_loads(struct mpm_state *state, int workers, bool varying_force)
+{
+    if (varying_force)
+        run_particles(state, workers, mpm_pass_body_force);
+    mpm_edge_loads_spread(state, workers);
+    mpm_given_force_add(state);
+    mpm_cohesive_spread(state);
+    mpm_symmetries_reflect_force(state);
+}
+
 enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHASE_COUNT],
                                  struct mpm_error *error)
 {
@@ -241,25 +263,13 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     spread(state, workers);
     charge(seconds, MPM_PHASE_TO_GRID, &mark);
 
-    /* Task 2: velocities at the start, conditions */
-    mpm_grid_rows_run(state, state->kernels.start_rows);
-    MPM_TRY(mpm_conditions_gather(state, error));
-    mpm_conditions_apply_start(state);
-    mpm_crack_contact_resolve(state, MPM_EXCHANGE_START);
-    mpm_mirrors_apply_start(state);
-    mpm_crack_openings_find(state);
-    MPM_TRY(mpm_crack_openings_advance(state, state->order->before, error));
+    MPM_TRY(start_velocities(state, error));
     charge(seconds, MPM_PHASE_GRID, &mark);
 
     /* Task 2 for USF and USAVG: stress update (35), (36); Task 3: forces (28) */
     run_particles(state, workers, passes->stress_before);
     mpm_rest_measure_internal(state);
-    if (varying_force)
-        run_particles(state, workers, mpm_pass_body_force);
-    mpm_edge_loads_spread(state, workers);
-    mpm_given_force_add(state);
-    mpm_cohesive_spread(state);
-    mpm_symmetries_reflect_force(state);
+    add_loads(state, workers, varying_force);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
     MPM_TRY(update_momentum(state, uniform_force, error));
@@ -273,15 +283,14 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     charge(seconds, MPM_PHASE_TO_PARTICLES, &mark);
     if (state->order->extrapolate)
         finish_extrapolation(state);
-    MPM_TRY(mpm_crack_openings_advance(state, state->order->after, error));
+    MPM_TRY(mpm_crack_openings_finish(state, error));
     charge(seconds, MPM_PHASE_GRID, &mark);
 
     /* Task 6: stress update of USL, MUSL, USAVG; Task 5: positions, last, since every
      * task uses the shape functions of the positions at the start */
     run_particles(state, workers, passes->finish);
-    mpm_damping_settle(state);
+    mpm_damping_finish(state);
     mpm_energy_measure_particles(state);
-    mpm_thermostat_advance(state);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
     MPM_TRY(mpm_rigid_advance(state, error));

@@ -396,7 +396,8 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     MPM_TRY(mpm_bodies_count(scene, &state->grid, &counts, error));
     MPM_TRY(check_memory(simulation, &counts, error));
     MPM_TRY(mpm_edge_loads_create(simulation, error));
-    MPM_TRY(mpm_cracks_create(simulation, error));
+    mpm_cracks_create(state);
+    MPM_TRY(mpm_symmetries_create(simulation, error));
     MPM_TRY(mpm_conditions_list(scene, &state->grid, boundary_value, state, &state->conditions.list,
                                 &state->conditions.count, error));
     layout(simulation, &counts, &simulation->arena);
@@ -411,7 +412,8 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     describe_bodies(simulation);
     MPM_TRY(mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid, error));
     MPM_TRY(mpm_edge_loads_fill(simulation, error));
-    MPM_TRY(mpm_cracks_fill(simulation, error));
+    mpm_cracks_fill(state);
+    MPM_TRY(mpm_symmetries_fill(simulation, error));
     MPM_TRY(mpm_openings_fill(simulation, error));
     MPM_TRY(set_velocities(simulation, error));
     for (size_t p = 0; p < state->particles.count; p++)

@@ -164,11 +164,9 @@ static void find_point(const struct mpm_state *state, size_t crack, size_t first
     }
 }
 
-void mpm_crack_openings_find(struct mpm_state *state)
+static void find_surfaces(struct mpm_state *state)
 {
     const struct mpm_scene *const scene = state->scene;
-    if (state->cracks.openings.surfaces == NULL)
-        return;
     for (size_t crack = 0; crack < scene->crack_count; crack++) {
         const size_t first = mpm_crack_first_point(state, crack);
         if (!mpm_crack_is_followed(&scene->cracks[crack]))
@@ -224,13 +222,10 @@ static enum mpm_status advance_point(const struct mpm_state *state, size_t crack
     return check_place(state, crack, k, error);
 }
 
-enum mpm_status mpm_crack_openings_advance(struct mpm_state *state, double part,
-                                           struct mpm_error *error)
+static enum mpm_status advance(struct mpm_state *state, double part, struct mpm_error *error)
 {
     const struct mpm_scene *const scene = state->scene;
-    if (state->cracks.openings.surfaces == NULL || part == 0.0)
-        return MPM_OK;
-    for (size_t crack = 0; crack < scene->crack_count; crack++) {
+    for (size_t crack = 0; crack < scene->crack_count && part > 0.0; crack++) {
         const size_t first = mpm_crack_first_point(state, crack);
         if (!mpm_crack_is_followed(&scene->cracks[crack]))
             continue;
@@ -238,4 +233,18 @@ enum mpm_status mpm_crack_openings_advance(struct mpm_state *state, double part,
             MPM_TRY(advance_point(state, crack, first + k, part * state->time_step, error));
     }
     return MPM_OK;
+}
+
+enum mpm_status mpm_crack_openings_begin(struct mpm_state *state, struct mpm_error *error)
+{
+    if (state->cracks.openings.surfaces == NULL)
+        return MPM_OK;
+    find_surfaces(state);
+    return advance(state, state->order->before, error);
+}
+
+enum mpm_status mpm_crack_openings_finish(struct mpm_state *state, struct mpm_error *error)
+{
+    return state->cracks.openings.surfaces == NULL ? MPM_OK
+                                                   : advance(state, state->order->after, error);
 }

@@ -354,7 +354,7 @@ static void pass_settle_midpoint(void *context, int64_t index, int worker)
         mpm_strip_set_box(state, strip, &extent);
 }
 
-void mpm_damping_settle(struct mpm_state *state)
+static void settle(struct mpm_state *state)
 {
     const bool midpoint = state->scene->position_update == MPM_MIDPOINT;
     if (!state->damping.particles)
@@ -366,7 +366,7 @@ void mpm_damping_settle(struct mpm_state *state)
 
 /* -------------------------------------------------------------- thermostat */
 
-void mpm_thermostat_advance(struct mpm_state *state)
+static void advance_thermostat(struct mpm_state *state)
 {
     const struct mpm_damping_spec *const spec = &state->scene->damping;
     struct mpm_damping_books *const books = &state->damping.books;
@@ -382,4 +382,10 @@ void mpm_thermostat_advance(struct mpm_state *state)
         books->rate += state->time_step * spec->gain * (kinetic - spec->target) / scale;
     if (books->rate < 0.0)
         books->rate = 0.0;
+}
+
+void mpm_damping_finish(struct mpm_state *state)
+{
+    settle(state);
+    advance_thermostat(state);
 }
