@@ -21,7 +21,7 @@
 
 enum { AXES = 2, BODIES = 3, STEPS = 30 };
 
-/* Bodies that share cells, move against each other and stand on one floor; wave speed 1.5. */
+/* Bodies that touch, move into each other and stand on one floor; wave speed 1.5. */
 #define SCENE(bodies)                                                                              \
     TEST_BLOCK_SCENE("{end: 1000, step: 0.1}",                                                     \
                      "{name: soft, law: neo_hookean, density: 1, bulk: 1.25, shear: 0.75}",        \
@@ -30,9 +30,9 @@ enum { AXES = 2, BODIES = 3, STEPS = 30 };
 #define BODY(name, from, to, velocity)                                                             \
     "  - {name: " name ", material: soft, particles_per_cell: [2, 2], velocity: " velocity         \
     ", region: {rectangle: {from: " from ", to: " to "}}}\n"
-#define LEFT   BODY("left", "[2, 3.2]", "[5, 6.4]", "[0.5, 0.1]")
-#define MIDDLE BODY("middle", "[4, 3.2]", "[7, 5.6]", "[0, 0]")
-#define RIGHT  BODY("right", "[6, 3.2]", "[9, 6.4]", "[-0.5, 0]")
+#define LEFT   BODY("left", "[2, 3.2]", "[5, 6.4]", "[0.4721, 0.1]")
+#define MIDDLE BODY("middle", "[5, 3.2]", "[7, 5.6]", "[0, 0]")
+#define RIGHT  BODY("right", "[7, 3.2]", "[10, 6.4]", "[-0.5317, 0]")
 static const char TOGETHER[] = SCENE(LEFT MIDDLE RIGHT);
 static const char *const alone[BODIES] = {SCENE(LEFT), SCENE(MIDDLE), SCENE(RIGHT)};
 static const char *const names[BODIES] = {"left", "middle", "right"};
@@ -125,15 +125,34 @@ static const struct {
       "method.transfer={kind: xpic, order: 2}"},
      false},
     {{"damping={grid: '0.1+0.01*x', particle: 0.05}", "method.position_update=midpoint"}, false},
-    {{"geometry=axisymmetric", "method.axis_nodes=mirrored", "method.axis=untruncated"}, false},
+    {{"geometry=axisymmetric", "method.axis=untruncated"}, false},
+    {{"geometry=axisymmetric", "method.axis=planar", "method.axis_nodes=mirrored"}, false},
 };
 
-/* Shapes, orders and surroundings, with both sets of kernels. */
+/* Shapes, orders and surroundings, with both sets of kernels; the last row has the first two shapes
+ * and reference kernels alone. */
 enum {
-    AROUND = G_N_ELEMENTS(around),
     SHAPES = 4,
-    LAYER_RUNS = AROUND * SHAPES * TEST_ORDERS * 2,
+    MIRRORED = G_N_ELEMENTS(around) - 1,
+    METHODS = SHAPES * TEST_ORDERS,
+    SLOW = METHODS * MIRRORED, /* the first run with reference kernels */
+    MIRROR_RUNS = 2 * TEST_ORDERS,
+    LAYER_RUNS = 2 * SLOW + MIRROR_RUNS,
 };
+
+struct layer_run {
+    int shape, order, place;
+    bool fast;
+};
+
+static struct layer_run layer_run(int index)
+{
+    const int mirrored = index - 2 * SLOW;
+    if (mirrored >= 0)
+        return (struct layer_run){mirrored % 2, mirrored / 2, MIRRORED, false};
+    return (struct layer_run){index % SHAPES, index / SHAPES % TEST_ORDERS,
+                              index / METHODS % MIRRORED, index < SLOW};
+}
 
 static void add_loads(struct settings *settings, int first, int end)
 {
@@ -160,18 +179,17 @@ static void choose_kernels(struct test_run *run, enum mpm_kernels kernels)
 static struct test_run open_run(int index, int body)
 {
     static const char *const shapes[SHAPES] = {"ugimp", "cpdi", "bspline2", "classic"};
-    const int place = index / (SHAPES * TEST_ORDERS) % AROUND;
-    const bool fast = index < LAYER_RUNS / 2;
+    const struct layer_run of = layer_run(index);
     struct settings settings = {.count = 0};
-    settings_add_formatted(&settings, "method={shape: %s, stress_update: %s}",
-                           shapes[index % SHAPES], test_orders[index / SHAPES % TEST_ORDERS]);
-    for (int k = 0; k < 3 && around[place].settings[k] != NULL; k++)
-        settings_add(&settings, around[place].settings[k]);
-    if (around[place].loaded)
+    settings_add_formatted(&settings, "method={shape: %s, stress_update: %s}", shapes[of.shape],
+                           test_orders[of.order]);
+    for (int k = 0; k < 3 && around[of.place].settings[k] != NULL; k++)
+        settings_add(&settings, around[of.place].settings[k]);
+    if (around[of.place].loaded)
         add_loads(&settings, body == BODIES ? 0 : body, body == BODIES ? BODIES : body + 1);
     struct test_run run = test_run_open(body == BODIES ? TOGETHER : alone[body], settings.texts, 1);
     settings_clear(&settings);
-    choose_kernels(&run, fast ? MPM_KERNELS_FAST : MPM_KERNELS_REFERENCE);
+    choose_kernels(&run, of.fast ? MPM_KERNELS_FAST : MPM_KERNELS_REFERENCE);
     return run;
 }
 
@@ -298,7 +316,7 @@ static void take_steps(const struct test_run *run, bool with_fields)
 
 /* With the fast kernels: the orders that have whole masses before the stress update, USL and MUSL.
  */
-enum { KEY_RUNS = SHAPES * TEST_ORDERS, FAST_KEY_RUNS = SHAPES * 2 };
+enum { KEY_RUNS = METHODS, FAST_KEY_RUNS = SHAPES * 2 };
 
 /* Fast kernels, and reference ones where particles have additional fields. */
 static void split_kernels(struct mpm_kernel_choice *kernels, const struct test_run *reference)
@@ -312,7 +330,7 @@ static void split_kernels(struct mpm_kernel_choice *kernels, const struct test_r
 START_TEST(bodies_with_keys_of_their_own_pass_through_each_other)
 {
     const bool fast = _i >= KEY_RUNS;
-    const int index = _i % KEY_RUNS, slow = index + LAYER_RUNS / 2;
+    const int index = _i % KEY_RUNS, slow = index + SLOW;
     struct test_run together = open_run(fast ? index : slow, BODIES);
     struct test_run reference = open_run(slow, BODIES);
     struct mpm_state *const state = state_of(&together);
@@ -361,7 +379,7 @@ START_TEST(two_bodies_that_stick_at_a_node_leave_it_with_one_velocity)
 {
     static const struct mpm_contact_law stick = {MPM_CONTACT_STICK, 0.0, false};
     static const double normal[AXES] = {0.6, 0.8};
-    struct test_run run = open_run(LAYER_RUNS / 2, BODIES);
+    struct test_run run = open_run(SLOW, BODIES);
     struct mpm_state *const state = state_of(&run);
     (void)mpm_fields_claim(state, BODIES - 1, (size_t)mpm_layer_size(state));
     struct mpm_arena arena = make_room(state);
@@ -397,7 +415,7 @@ END_TEST
 /* As many keys as there may be, by the particles' ids: nearly every node has all of them. */
 START_TEST(a_node_with_every_key_has_the_mass_of_its_particles_in_its_fields)
 {
-    struct test_run run = open_run(LAYER_RUNS / 2, BODIES);
+    struct test_run run = open_run(SLOW, BODIES);
     struct mpm_state *const state = state_of(&run);
     const int64_t size = mpm_layer_size(state);
     (void)mpm_fields_claim(state, MPM_FIELD_KEYS, (size_t)size);

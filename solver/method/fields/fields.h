@@ -109,10 +109,10 @@ static inline int64_t mpm_fields_first(const struct mpm_state *state)
 /* The node of the grid that a node is, or is a field of. */
 static inline int64_t mpm_field_parent(const struct mpm_state *state, int64_t node)
 {
-    const int64_t size = mpm_layer_size(state), first = mpm_fields_first(state);
-    if (node < size)
+    if (node < mpm_layer_size(state))
         return node;
-    return node < first ? node % size
+    const int64_t first = mpm_fields_first(state);
+    return node < first ? node % mpm_layer_size(state)
                         : state->fields.nodes[state->fields.list[node - first].node].node;
 }
 

@@ -57,8 +57,7 @@ static void append_packed(struct mpm_state *state, const struct mpm_field_node *
             append_field(state, first + i, &list[i].held, condition);
 }
 
-/* Of a node that has mass: for all of its velocity fields */
-static inline void append(struct mpm_state *state, struct mpm_active_condition condition)
+static void append_to_fields(struct mpm_state *state, struct mpm_active_condition condition)
 {
     const int64_t node = condition.node;
     struct mpm_field_node *const several = mpm_field_node_at(state, node);
@@ -67,6 +66,15 @@ static inline void append(struct mpm_state *state, struct mpm_active_condition c
         append_packed(state, several, 0, condition);
     for (int64_t layer = 1; layer <= state->fields.layers; layer++)
         append_field(state, node + mpm_layer_shift(state, layer), NULL, condition);
+}
+
+/* Of a node that has mass: for all of its velocity fields */
+static inline void append(struct mpm_state *state, struct mpm_active_condition condition)
+{
+    if (state->grid.field_rows == 0)
+        state->conditions.active[state->conditions.active_count++] = condition;
+    else
+        append_to_fields(state, condition);
 }
 
 /* For the node's images beyond planes of symmetry too, so that they stay images. Conditions that

@@ -56,14 +56,20 @@ void mpm_particle_set_domain(const struct mpm_state *state, size_t p)
         state->particles.domain[k][p] = edge[k];
 }
 
+static void shift_to_layer(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+{
+    const int64_t shift = state->bodies[state->particles.body[p]].shift;
+    for (int k = 0; k < stencil->count; k++)
+        stencil->node[k].node += shift;
+}
+
 void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
                                 struct mpm_stencil *stencil)
 {
     const struct mpm_shape_domain domain = domain_of(state, p);
-    const int64_t shift = state->bodies[state->particles.body[p]].shift;
     state->family->evaluate(&state->shape_grid, &domain, stencil);
-    for (int k = 0; shift != 0 && k < stencil->count; k++)
-        stencil->node[k].node += shift;
+    if (state->fields.layers > 0)
+        shift_to_layer(state, p, stencil);
 }
 
 const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, size_t p,
