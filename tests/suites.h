@@ -65,6 +65,7 @@
     SUITE(contact_conditions)                                                                      \
     SUITE(crack_detection)                                                                         \
     SUITE(crack_kernels)                                                                           \
+    SUITE(fields)                                                                                  \
     SUITE(crack_mouths)                                                                            \
     SUITE(cohesive)                                                                                \
     SUITE(cohesive_laws)                                                                           \

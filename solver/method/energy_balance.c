@@ -3,7 +3,7 @@
 
 #include "base/strips.h"
 #include "method/cracks/cohesive_traction.h"
-#include "method/fields/crack_fields.h"
+#include "method/fields/fields.h"
 #include "method/grid/grid_update.h"
 #include "method/transfer/transfer.h"
 
@@ -46,7 +46,7 @@ static void row_free_energy(void *context, int64_t row, int worker)
     double sum = 0.0;
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++) {
-        if (mpm_crack_home(state, node) % state->grid.columns < state->mirror_column)
+        if (mpm_field_parent(state, node) % state->grid.columns < state->conditions.mirror_column)
             continue;
         for (int axis = 0; axis < 2; axis++) {
             const double e = state->grid.motion[node].end[axis];
@@ -69,7 +69,7 @@ static double before_less_after(struct mpm_state *state)
 
 static bool measures_contact(const struct mpm_state *state)
 {
-    return state->energy.measured && state->cracks.node_count > 0;
+    return state->energy.measured && state->fields.node_count > 0;
 }
 
 void mpm_energy_before_contact(struct mpm_state *state)

@@ -5,9 +5,10 @@
 #include "method/cracks/cohesive_traction.h"
 #include "method/cracks/crack_contact.h"
 #include "method/cracks/crack_detection.h"
+#include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_opening.h"
 #include "method/energy_balance.h"
-#include "method/fields/crack_fields.h"
+#include "method/fields/fields.h"
 #include "method/grid/conditions.h"
 #include "method/grid/grid_update.h"
 #include "method/grid/symmetry.h"
@@ -20,19 +21,6 @@
 #include <math.h>
 #include <time.h>
 
-static const struct mpm_stress_order orders[] = {
-    [MPM_USL] = {.name = "usl", .before = 0.0, .after = 1.0, .extrapolate = false},
-    [MPM_MUSL] = {.name = "musl", .before = 0.0, .after = 1.0, .extrapolate = true},
-    [MPM_USF] = {.name = "usf", .before = 1.0, .after = 0.0, .extrapolate = false},
-    [MPM_USAVG] = {.name = "usavg", .before = 0.5, .after = 0.5, .extrapolate = true},
-    [MPM_USAVG_ONCE] = {.name = "usavg once", .before = 0.5, .after = 0.5, .extrapolate = false},
-};
-
-const struct mpm_stress_order *mpm_stress_order(enum mpm_stress_update update)
-{
-    return &orders[update];
-}
-
 const char *const mpm_phase_names[MPM_PHASE_COUNT] = {
     [MPM_PHASE_TO_GRID] = "particles_to_grid",
     [MPM_PHASE_GRID] = "grid",
@@ -40,14 +28,6 @@ const char *const mpm_phase_names[MPM_PHASE_COUNT] = {
     [MPM_PHASE_STRESS] = "stress_and_position",
     [MPM_PHASE_SORT] = "sort",
 };
-
-void mpm_failure_merge(struct mpm_failure *into, const struct mpm_failure *failure)
-{
-    if (failure->kind == MPM_NO_FAILURE)
-        return;
-    if (into->kind == MPM_NO_FAILURE || failure->particle < into->particle)
-        *into = *failure;
-}
 
 /* ------------------------------------------------------------------ running */
 
@@ -181,6 +161,7 @@ static enum mpm_status begin(struct mpm_state *state, int workers, bool uniform_
         MPM_TRY(evaluate_uniform_force(state));
     MPM_TRY(mpm_damping_begin(state, error));
     mpm_grid_find_active(state);
+    mpm_fields_begin(state);
     MPM_TRY(mpm_cracks_find_fields(state, workers, error));
     mpm_edge_loads_prepare(state);
     mpm_grid_rows_run(state, mpm_row_clear);
@@ -204,7 +185,7 @@ static void finish_extrapolation(struct mpm_state *state)
     mpm_symmetries_reflect_extrapolated(state);
     mpm_grid_rows_run(state, mpm_row_extrapolated_velocity);
     mpm_conditions_apply_extrapolated(state);
-    mpm_crack_contact_extrapolated(state);
+    mpm_crack_contact_resolve(state, MPM_EXCHANGE_EXTRAPOLATED);
     mpm_mirrors_apply_extrapolated(state);
 }
 
@@ -217,7 +198,7 @@ static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_for
     MPM_TRY(mpm_damping_apply_nodes(state, error));
     mpm_conditions_apply_end(state);
     mpm_energy_before_contact(state);
-    mpm_crack_contact_end(state);
+    mpm_crack_contact_resolve(state, MPM_EXCHANGE_END);
     mpm_energy_after_contact(state);
     mpm_mirrors_apply_end(state);
     if (uniform_force)
@@ -245,6 +226,28 @@ static enum mpm_status update_velocities(struct mpm_state *state, int workers,
     return MPM_OK;
 }
 
+/* Task 2: velocities of the nodes at the start, conditions, contact; the surfaces of cracks */
+static enum mpm_status start_velocities(struct mpm_state *state, struct mpm_error *error)
+{
+    mpm_grid_rows_run(state, state->kernels.start_rows);
+    MPM_TRY(mpm_conditions_gather(state, error));
+    mpm_conditions_apply_start(state);
+    mpm_crack_contact_resolve(state, MPM_EXCHANGE_START);
+    mpm_mirrors_apply_start(state);
+    return mpm_crack_openings_begin(state, error);
+}
+
+/* Task 3: the forces that are not of stresses (28) */
+static void add_loads(struct mpm_state *state, int workers, bool varying_force)
+{
+    if (varying_force)
+        run_particles(state, workers, mpm_pass_body_force);
+    mpm_edge_loads_spread(state, workers);
+    mpm_given_force_add(state);
+    mpm_cohesive_spread(state);
+    mpm_symmetries_reflect_force(state);
+}
+
 enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHASE_COUNT],
                                  struct mpm_error *error)
 {
@@ -260,25 +263,13 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     spread(state, workers);
     charge(seconds, MPM_PHASE_TO_GRID, &mark);
 
-    /* Task 2: velocities at the start, conditions */
-    mpm_grid_rows_run(state, state->kernels.start_rows);
-    MPM_TRY(mpm_conditions_gather(state, error));
-    mpm_conditions_apply_start(state);
-    mpm_crack_contact_start(state);
-    mpm_mirrors_apply_start(state);
-    mpm_crack_openings_find(state);
-    MPM_TRY(mpm_crack_openings_advance(state, state->order->before, error));
+    MPM_TRY(start_velocities(state, error));
     charge(seconds, MPM_PHASE_GRID, &mark);
 
     /* Task 2 for USF and USAVG: stress update (35), (36); Task 3: forces (28) */
     run_particles(state, workers, passes->stress_before);
     mpm_rest_measure_internal(state);
-    if (varying_force)
-        run_particles(state, workers, mpm_pass_body_force);
-    mpm_edge_loads_spread(state, workers);
-    mpm_given_force_add(state);
-    mpm_cohesive_spread(state);
-    mpm_symmetries_reflect_force(state);
+    add_loads(state, workers, varying_force);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
     MPM_TRY(update_momentum(state, uniform_force, error));
@@ -292,15 +283,14 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     charge(seconds, MPM_PHASE_TO_PARTICLES, &mark);
     if (state->order->extrapolate)
         finish_extrapolation(state);
-    MPM_TRY(mpm_crack_openings_advance(state, state->order->after, error));
+    MPM_TRY(mpm_crack_openings_finish(state, error));
     charge(seconds, MPM_PHASE_GRID, &mark);
 
     /* Task 6: stress update of USL, MUSL, USAVG; Task 5: positions, last, since every
      * task uses the shape functions of the positions at the start */
     run_particles(state, workers, passes->finish);
-    mpm_damping_settle(state);
+    mpm_damping_finish(state);
     mpm_energy_measure_particles(state);
-    mpm_thermostat_advance(state);
     charge(seconds, MPM_PHASE_STRESS, &mark);
 
     MPM_TRY(mpm_rigid_advance(state, error));

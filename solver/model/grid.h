@@ -27,7 +27,7 @@ struct mpm_grid {
     double inverse_cell[2];
     int64_t cells[2];
     int64_t columns, rows; /* of nodes, ghost rows included */
-    int64_t field_rows;    /* as long: room for further velocity fields of nodes near cracks */
+    int64_t field_rows;    /* as long: room for additional velocity fields, see method/fields */
     /* Per node, one array for what one pass uses; valid within one step only, and where
      * particles reach. A node without mass has no motion: all zero. */
     double *mass;
@@ -47,7 +47,7 @@ struct mpm_grid mpm_grid_describe(const struct mpm_scene *scene);
 /* Takes the nodes' arrays from the arena. */
 void mpm_grid_layout(struct mpm_grid *grid, bool smooths, struct mpm_arena *arena);
 
-/* Nodes that there is room for, further fields included. */
+/* Nodes that there is room for, additional fields included. */
 static inline int64_t mpm_grid_nodes(const struct mpm_grid *grid)
 {
     return grid->columns * (grid->rows + grid->field_rows);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/fields/crack_fields.h"
+#include "method/cracks/crack_fields.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -130,7 +130,7 @@ size_t mpm_simulation_particle_count(const struct mpm_simulation *simulation)
 size_t mpm_simulation_bytes(const struct mpm_simulation *simulation)
 {
     return simulation->arena.capacity + simulation->given.capacity + sizeof *simulation +
-           simulation->state.condition_count * sizeof *simulation->state.conditions;
+           simulation->state.conditions.count * sizeof *simulation->state.conditions.list;
 }
 
 const char *mpm_simulation_kernels(const struct mpm_simulation *simulation)
@@ -143,7 +143,7 @@ size_t mpm_simulation_general_particles(const struct mpm_simulation *simulation)
     const struct mpm_state *const state = &simulation->state;
     size_t count = 0;
     for (int64_t s = 0; state->kernels.plain != NULL && s < state->strip_count; s++) {
-        const struct mpm_crack_span *const spans = mpm_crack_spans(state, s);
+        const struct mpm_span *const spans = mpm_field_spans(state, s);
         for (size_t k = 0; k < state->strips[s].span_count; k++)
             count += spans[k].end - spans[k].begin;
     }

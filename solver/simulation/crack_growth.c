@@ -9,7 +9,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/segment.h"
 #include "method/cracks/crack_contact.h"
-#include "method/fields/crack_fields.h"
+#include "method/cracks/crack_fields.h"
 #include "simulation/simulation.h"
 
 #include <math.h>

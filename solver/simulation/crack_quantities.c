@@ -4,8 +4,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/cracks/crack_contact.h"
 #include "method/cracks/crack_detection.h"
+#include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_opening.h"
-#include "method/fields/crack_fields.h"
 #include "simulation/simulation.h"
 
 #include <math.h>

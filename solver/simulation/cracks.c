@@ -1,14 +1,13 @@
-/* Cracks and planes of symmetry: settled when the simulation is created.
+/* Cracks: settled when the simulation is created.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_map.h"
-#include "method/fields/crack_fields.h"
 #include "simulation/crack_points.h"
 #include "simulation/simulation.h"
 
+#include <assert.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ------------------------------------------------------------------- cracks */
@@ -40,7 +39,7 @@ static size_t particles_kept(const struct mpm_state *state)
         const int *const in_cell = state->scene->bodies[k].particles_per_cell;
         most = in_cell[0] * in_cell[1] > most ? in_cell[0] * in_cell[1] : most;
     }
-    const size_t estimate = 2 * state->cracks.node_capacity * (size_t)most;
+    const size_t estimate = 2 * state->fields.node_capacity * (size_t)most;
     return estimate < state->particles.count ? estimate : state->particles.count;
 }
 
@@ -95,116 +94,23 @@ static void keep_origins(struct mpm_state *state)
                particles->count * sizeof(double));
 }
 
-/* ----------------------------------------------------------------- symmetry */
-
-static void describe_plane(struct mpm_state *state, const struct mpm_boundary_spec *spec)
-{
-    const int axis = spec->normal;
-    state->symmetries[state->symmetry_count++] = (struct mpm_symmetry){
-        .axis = axis,
-        .line = llround((spec->region.a[axis] - state->grid.origin[axis]) *
-                        state->grid.inverse_cell[axis]) +
-                MPM_GHOST_ROWS,
-    };
-}
-
-static enum mpm_status create_planes(struct mpm_simulation *simulation, struct mpm_error *error)
-{
-    const struct mpm_scene *const scene = simulation->scene;
-    struct mpm_state *const state = &simulation->state;
-    state->symmetries = calloc(scene->boundary_count + 1, sizeof *state->symmetries);
-    if (state->symmetries == NULL)
-        return mpm_error_memory(error, sizeof *state->symmetries, "the planes of symmetry");
-    for (size_t k = 0; k < scene->boundary_count; k++) {
-        const struct mpm_boundary_spec *const spec = &scene->boundaries[k];
-        if (!spec->symmetry)
-            continue;
-        if (scene->body_force.text[spec->normal] != NULL)
-            return mpm_scene_error(error, scene, scene->line_body_force, "loads.body_force",
-                                   "acts across a plane of symmetry, got '%s'; allowed: 0 there",
-                                   scene->body_force.text[spec->normal]);
-        describe_plane(state, spec);
-    }
-    return MPM_OK;
-}
-
-static double place_of_plane(const struct mpm_state *state, const struct mpm_symmetry *plane)
-{
-    return state->grid.origin[plane->axis] +
-           state->grid.cell[plane->axis] * (double)(plane->line - MPM_GHOST_ROWS);
-}
-
-/* All bodies must be on one side, which is then the inside. */
-static enum mpm_status find_inside(const struct mpm_simulation *simulation,
-                                   struct mpm_symmetry *plane, struct mpm_error *error)
-{
-    const struct mpm_state *const state = &simulation->state;
-    const double place = place_of_plane(state, plane);
-    const double *const position = state->particles.position[plane->axis];
-    for (size_t p = 0; p < state->particles.count; p++) {
-        const int64_t side = position[p] > place ? 1 : -1;
-        if (plane->inside == 0)
-            plane->inside = side;
-        if (side != plane->inside)
-            return mpm_error_set(error, MPM_BAD_INPUT,
-                                 "%s: boundary: symmetry: bodies on both sides of the plane at %g; "
-                                 "allowed: on one",
-                                 simulation->scene->path, place);
-    }
-    return MPM_OK;
-}
-
-/* Points on a plane stay there. A crack lies on it as a whole or not at all: fields of nodes
- * beyond, of one that meets it at an angle, would have to be images of each other. */
-static enum mpm_status hold_points(const struct mpm_simulation *simulation,
-                                   const struct mpm_symmetry *plane, struct mpm_error *error)
-{
-    const struct mpm_scene *const scene = simulation->scene;
-    const struct mpm_state *const state = &simulation->state;
-    const double place = place_of_plane(state, plane);
-    const double slack = 1e-6 * state->grid.cell[plane->axis];
-    for (size_t crack = 0; crack < scene->crack_count; crack++) {
-        const size_t count = state->cracks.chains[crack].count;
-        size_t k = mpm_crack_first_point(state, crack);
-        size_t held = 0, inside = 0;
-        for (size_t i = 0; i < count; i++, k++) {
-            const double depth =
-                (state->cracks.position[plane->axis][k] - place) * (double)plane->inside;
-            inside += depth > slack;
-            if (fabs(depth) > slack)
-                continue;
-            held++;
-            state->cracks.held[k] |= (uint8_t)(1u << plane->axis);
-        }
-        if (held != count && inside != count)
-            return mpm_scene_error(error, scene, scene->cracks[crack].line, "cracks.points",
-                                   "a crack that meets the plane of symmetry at %g, or passes it; "
-                                   "allowed: on it as a whole, or inside",
-                                   place);
-    }
-    return MPM_OK;
-}
-
 /* ----------------------------------------------------------------- creating */
 
-enum mpm_status mpm_cracks_create(struct mpm_simulation *simulation, struct mpm_error *error)
+void mpm_cracks_create(struct mpm_state *state)
 {
-    struct mpm_state *const state = &simulation->state;
     struct mpm_cracks *const cracks = &state->cracks;
-    for (size_t k = 0; k < simulation->scene->crack_count; k++)
-        cracks->point_count += count_with_room(simulation->scene, k);
+    for (size_t k = 0; k < state->scene->crack_count; k++)
+        cracks->point_count += count_with_room(state->scene, k);
     if (cracks->point_count > 0) {
-        cracks->node_capacity = nodes_around(state, 1);
-        state->grid.field_rows =
-            (2 * (int64_t)cracks->node_capacity + state->grid.columns - 1) / state->grid.columns;
+        const int first = mpm_fields_claim(state, 2, nodes_around(state, 1));
+        assert(first == MPM_CRACK_ABOVE); /* keys are sides */
+        (void)first;
     }
-    return create_planes(simulation, error);
 }
 
 void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
 {
     struct mpm_cracks *const cracks = &state->cracks;
-    const size_t nodes = (size_t)(state->grid.columns * state->grid.rows);
     if (cracks->point_count == 0)
         return;
     cracks->chains = MPM_TAKE(arena, struct mpm_crack_chain, state->scene->crack_count);
@@ -212,16 +118,8 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
         cracks->position[axis] = MPM_TAKE(arena, double, cracks->point_count);
     cracks->held = MPM_TAKE(arena, uint8_t, cracks->point_count);
     mpm_crack_map_layout(state, nodes_around(state, state->scene->crack_count), arena);
-    cracks->kept_capacity = particles_kept(state);
-    cracks->kept = MPM_TAKE(arena, struct mpm_crack_kept, cracks->kept_capacity);
-    cracks->kept_of = MPM_TAKE(arena, uint32_t, state->particles.count);
-    cracks->spans =
-        MPM_TAKE(arena, struct mpm_crack_span,
-                 state->particles.count / MPM_CRACK_GAP + (size_t)state->strip_count + 1);
-    cracks->wanted = MPM_TAKE(arena, uint8_t, nodes);
-    cracks->node_of = MPM_TAKE(arena, uint32_t, nodes);
-    cracks->nodes = MPM_TAKE(arena, struct mpm_crack_node, cracks->node_capacity);
-    cracks->homes = MPM_TAKE(arena, int64_t, 2 * cracks->node_capacity);
+    state->fields.use_capacity = particles_kept(state);
+    mpm_crack_fields_layout(state, arena);
 }
 
 static double lightest(const struct mpm_particles *particles)
@@ -232,17 +130,11 @@ static double lightest(const struct mpm_particles *particles)
     return least;
 }
 
-enum mpm_status mpm_cracks_fill(struct mpm_simulation *simulation, struct mpm_error *error)
+void mpm_cracks_fill(struct mpm_state *state)
 {
-    struct mpm_state *const state = &simulation->state;
     if (state->cracks.point_count > 0) {
         place_cracks(state);
         state->cracks.least_mass = 1e-3 * lightest(&state->particles);
     }
     keep_origins(state);
-    for (size_t k = 0; k < state->symmetry_count; k++) {
-        MPM_TRY(find_inside(simulation, &state->symmetries[k], error));
-        MPM_TRY(hold_points(simulation, &state->symmetries[k], error));
-    }
-    return MPM_OK;
 }

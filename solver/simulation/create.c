@@ -2,6 +2,8 @@
 #include "base/memory.h"
 #include "base/strips.h"
 #include "method/cracks/crack_detection.h"
+#include "method/fields/fields.h"
+#include "method/kernels.h"
 #include "method/transfer/transfer.h"
 #include "model/fill.h"
 #include "simulation/simulation.h"
@@ -56,17 +58,20 @@ static enum mpm_status create_expressions(struct mpm_simulation *simulation,
 {
     const struct mpm_scene *const scene = simulation->scene;
     struct mpm_state *const state = &simulation->state;
-    state->boundary_velocity = calloc(scene->boundary_count + 1, sizeof *state->boundary_velocity);
-    state->body_velocity = calloc(scene->body_count, sizeof *state->body_velocity);
-    if (state->boundary_velocity == NULL || state->body_velocity == NULL)
-        return mpm_error_memory(error, sizeof *state->boundary_velocity, "the expressions");
+    state->conditions.boundary_velocity =
+        calloc(scene->boundary_count + 1, sizeof *state->conditions.boundary_velocity);
+    state->conditions.body_velocity =
+        calloc(scene->body_count, sizeof *state->conditions.body_velocity);
+    if (state->conditions.boundary_velocity == NULL || state->conditions.body_velocity == NULL)
+        return mpm_error_memory(error, sizeof *state->conditions.boundary_velocity,
+                                "the expressions");
     for (size_t k = 0; k < scene->boundary_count; k++)
         MPM_TRY(mpm_vector_field_create(scene, &scene->boundaries[k].velocity, true, 1,
-                                        &state->boundary_velocity[k], error));
+                                        &state->conditions.boundary_velocity[k], error));
     for (size_t k = 0; k < scene->body_count; k++)
         if (scene->bodies[k].rigid)
             MPM_TRY(mpm_vector_field_create(scene, &scene->bodies[k].velocity, true, 1,
-                                            &state->body_velocity[k], error));
+                                            &state->conditions.body_velocity[k], error));
     MPM_TRY(mpm_vector_field_create(scene, &scene->body_force, true, state->workers,
                                     &state->body_force, error));
     state->body_force_kind = body_force_kind(&state->body_force);
@@ -77,8 +82,8 @@ static double boundary_value(const void *context, int32_t boundary, int32_t comp
                              const double position[2], double time)
 {
     const struct mpm_state *const state = context;
-    return mpm_expression_value(state->boundary_velocity[boundary].component[component], 0,
-                                position, time);
+    return mpm_expression_value(state->conditions.boundary_velocity[boundary].component[component],
+                                0, position, time);
 }
 
 /* ------------------------------------------------------------------- memory */
@@ -116,20 +121,22 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     mpm_damping_layout(state, arena);
     mpm_edge_loads_layout(state, arena);
     mpm_cracks_layout(state, arena);
+    mpm_fields_layout(state, arena);
     mpm_j_integrals_layout(simulation, arena);
     mpm_openings_layout(state, arena);
     state->sort_counts = MPM_TAKE(arena, uint32_t, longest + 1);
-    const bool has_images = state->symmetry_count > 0; /* of nodes, which are driven with them */
+    const bool has_images = state->symmetries.count > 0; /* of nodes, which are driven with them */
     const size_t driven = !has_images && counts->rigid * MPM_STENCIL_MAX < nodes
                               ? counts->rigid * MPM_STENCIL_MAX
                               : nodes;
-    state->active_capacity =
-        (state->condition_count + 2 * driven + rows * (size_t)state->mirror_column) *
-        (grid->field_rows > 0 ? 3 : 1);
-    state->active = MPM_TAKE(arena, struct mpm_active_condition, state->active_capacity);
+    state->conditions.active_capacity =
+        (state->conditions.count + 2 * driven + rows * (size_t)state->conditions.mirror_column) *
+        (size_t)(1 + state->fields.keys + state->fields.layers);
+    state->conditions.active =
+        MPM_TAKE(arena, struct mpm_active_condition, state->conditions.active_capacity);
     if (counts->rigid > 0) {
-        state->rigid_owner = MPM_TAKE(arena, uint32_t, nodes);
-        state->fixed = MPM_TAKE(arena, uint8_t, nodes);
+        state->conditions.rigid_owner = MPM_TAKE(arena, uint32_t, nodes);
+        state->conditions.fixed = MPM_TAKE(arena, uint8_t, nodes);
     }
     mpm_backup_layout(simulation, arena);
 }
@@ -197,7 +204,8 @@ static void set_rigid_velocities(struct mpm_state *state)
     for (size_t p = 0; p < rigid->count; p++) {
         const double position[2] = {rigid->position[0][p], rigid->position[1][p]};
         for (int axis = 0; axis < 2; axis++) {
-            struct mpm_expression *const e = state->body_velocity[rigid->body[p]].component[axis];
+            struct mpm_expression *const e =
+                state->conditions.body_velocity[rigid->body[p]].component[axis];
             rigid->velocity[axis][p] = e == NULL ? 0.0 : mpm_expression_value(e, 0, position, 0.0);
         }
     }
@@ -209,11 +217,12 @@ static void set_fixed(struct mpm_state *state)
     const struct mpm_grid *const grid = &state->grid;
     if (state->rigid.count == 0)
         return;
-    for (size_t k = 0; k < state->condition_count; k++)
-        state->fixed[state->conditions[k].node] |= (uint8_t)(1u << state->conditions[k].component);
+    for (size_t k = 0; k < state->conditions.count; k++)
+        state->conditions.fixed[state->conditions.list[k].node] |=
+            (uint8_t)(1u << state->conditions.list[k].component);
     for (int64_t row = 0; row < grid->rows; row++)
-        for (int64_t column = 0; column < state->mirror_column; column++)
-            state->fixed[row * grid->columns + column] |= 1u;
+        for (int64_t column = 0; column < state->conditions.mirror_column; column++)
+            state->conditions.fixed[row * grid->columns + column] |= 1u;
 }
 
 enum mpm_status mpm_vector_field_check(const struct mpm_simulation *simulation,
@@ -241,21 +250,21 @@ static enum mpm_status check_start(const struct mpm_simulation *simulation, stru
     const struct mpm_state *const state = &simulation->state;
     const struct mpm_particles *const particles = &state->particles;
     const struct mpm_rigid_particles *const rigid = &state->rigid;
-    for (size_t k = 0; k < state->condition_count; k++) {
-        const struct mpm_condition *const condition = &state->conditions[k];
+    for (size_t k = 0; k < state->conditions.count; k++) {
+        const struct mpm_condition *const condition = &state->conditions.list[k];
         double position[2];
         mpm_grid_position(&state->grid, condition->node, position);
         if (condition->boundary != MPM_AXIS_CONDITION &&
             !mpm_grid_is_ghost(&state->grid, condition->node))
             MPM_TRY(mpm_vector_field_check(
-                simulation, &state->boundary_velocity[condition->boundary], position,
+                simulation, &state->conditions.boundary_velocity[condition->boundary], position,
                 scene->boundaries[condition->boundary].line, "boundary.velocity", error));
     }
     for (size_t p = 0; p < rigid->count; p++) {
         const double position[2] = {rigid->position[0][p], rigid->position[1][p]};
-        MPM_TRY(mpm_vector_field_check(simulation, &state->body_velocity[rigid->body[p]], position,
-                                       scene->bodies[rigid->body[p]].line, "bodies.rigid.velocity",
-                                       error));
+        MPM_TRY(mpm_vector_field_check(simulation, &state->conditions.body_velocity[rigid->body[p]],
+                                       position, scene->bodies[rigid->body[p]].line,
+                                       "bodies.rigid.velocity", error));
     }
     for (size_t p = 0; p < particles->count; p++) {
         const double position[2] = {particles->position[0][p], particles->position[1][p]};
@@ -304,7 +313,7 @@ static void describe_method(struct mpm_simulation *simulation, int threads)
     state->shape_grid.columns = state->grid.columns;
     const int64_t axis_column = MPM_GHOST_ROWS - llround(scene->origin[0] / scene->cell[0]);
     if (scene->axis_nodes == MPM_AXIS_NODES_MIRRORED && axis_column > 0)
-        state->mirror_column = axis_column;
+        state->conditions.mirror_column = axis_column;
 }
 
 /* Numbers that are finite one by one may have sums that are not. */
@@ -387,9 +396,10 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     MPM_TRY(mpm_bodies_count(scene, &state->grid, &counts, error));
     MPM_TRY(check_memory(simulation, &counts, error));
     MPM_TRY(mpm_edge_loads_create(simulation, error));
-    MPM_TRY(mpm_cracks_create(simulation, error));
-    MPM_TRY(mpm_conditions_list(scene, &state->grid, boundary_value, state, &state->conditions,
-                                &state->condition_count, error));
+    mpm_cracks_create(state);
+    MPM_TRY(mpm_symmetries_create(simulation, error));
+    MPM_TRY(mpm_conditions_list(scene, &state->grid, boundary_value, state, &state->conditions.list,
+                                &state->conditions.count, error));
     layout(simulation, &counts, &simulation->arena);
     MPM_TRY(mpm_arena_allocate(&simulation->arena, error));
     layout(simulation, &counts, &simulation->arena);
@@ -402,7 +412,8 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     describe_bodies(simulation);
     MPM_TRY(mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid, error));
     MPM_TRY(mpm_edge_loads_fill(simulation, error));
-    MPM_TRY(mpm_cracks_fill(simulation, error));
+    mpm_cracks_fill(state);
+    MPM_TRY(mpm_symmetries_fill(simulation, error));
     MPM_TRY(mpm_openings_fill(simulation, error));
     MPM_TRY(set_velocities(simulation, error));
     for (size_t p = 0; p < state->particles.count; p++)
@@ -440,18 +451,19 @@ void mpm_simulation_free(struct mpm_simulation *simulation)
     if (simulation == NULL)
         return;
     struct mpm_state *const state = &simulation->state;
-    for (size_t k = 0; state->boundary_velocity != NULL && k < simulation->scene->boundary_count;
+    for (size_t k = 0;
+         state->conditions.boundary_velocity != NULL && k < simulation->scene->boundary_count; k++)
+        mpm_vector_field_free(&state->conditions.boundary_velocity[k]);
+    for (size_t k = 0; state->conditions.body_velocity != NULL && k < simulation->scene->body_count;
          k++)
-        mpm_vector_field_free(&state->boundary_velocity[k]);
-    for (size_t k = 0; state->body_velocity != NULL && k < simulation->scene->body_count; k++)
-        mpm_vector_field_free(&state->body_velocity[k]);
+        mpm_vector_field_free(&state->conditions.body_velocity[k]);
     mpm_vector_field_free(&state->body_force);
     mpm_edge_loads_free(state);
-    free(state->symmetries);
+    free(state->symmetries.planes);
     mpm_damping_free(&state->damping);
-    free(state->boundary_velocity);
-    free(state->body_velocity);
-    free(state->conditions);
+    free(state->conditions.boundary_velocity);
+    free(state->conditions.body_velocity);
+    free(state->conditions.list);
     mpm_arena_free(&simulation->given);
     mpm_arena_free(&simulation->arena);
     free(simulation);

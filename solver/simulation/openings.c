@@ -1,8 +1,8 @@
 /* Surfaces of cracks and their cohesive laws: settled when the simulation is created.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_opening.h"
-#include "method/fields/crack_fields.h"
 #include "simulation/crack_points.h"
 #include "simulation/simulation.h"
 

@@ -129,11 +129,16 @@ enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulati
                                            struct mpm_error *error);
 void mpm_edge_loads_free(struct mpm_state *state);
 
-/* cracks.c: how many points cracks get, planes of symmetry; their memory; where they are.
- * MPM_BAD_INPUT: bodies on both sides of a plane, a body force across it. */
-enum mpm_status mpm_cracks_create(struct mpm_simulation *simulation, struct mpm_error *error);
+/* cracks.c: how many points cracks get; their memory; where they are. */
+void mpm_cracks_create(struct mpm_state *state);
 void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena);
-enum mpm_status mpm_cracks_fill(struct mpm_simulation *simulation, struct mpm_error *error);
+void mpm_cracks_fill(struct mpm_state *state);
+
+/* symmetries.c: planes of symmetry, MPM_BAD_INPUT where a body force acts across one; their inner
+ * sides and the cracks on them, once particles and cracks stand: MPM_BAD_INPUT where bodies are on
+ * both sides, or a crack meets a plane. */
+enum mpm_status mpm_symmetries_create(struct mpm_simulation *simulation, struct mpm_error *error);
+enum mpm_status mpm_symmetries_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 
 /* j_integrals.c: their memory; their tips, once the particles stand: MPM_BAD_INPUT where a contour
  * is not one. */

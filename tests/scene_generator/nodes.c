@@ -1,5 +1,5 @@
 /* mpm-nodes SCENE: the velocities with which nodes move particles, as text on standard output, one
- * line for each node with mass in every step, further velocity fields of nodes near cracks
+ * line for each node with mass in every step, additional velocity fields of nodes near cracks
  * included:
  *
  *     step time time_step x y v_x v_y
@@ -10,7 +10,7 @@
  * status: that of a run of the scene.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/fields/crack_fields.h"
+#include "method/cracks/crack_fields.h"
 #include "method/grid/grid_update.h"
 #include "simulation/simulation.h"
 
@@ -19,13 +19,13 @@
 static void print_node(const struct mpm_simulation *simulation, int64_t node)
 {
     const struct mpm_grid *const grid = &simulation->state.grid;
-    const int64_t home = mpm_crack_home(&simulation->state, node);
-    if (mpm_grid_is_ghost(grid, home) || !(grid->mass[node] > 0.0))
+    const int64_t parent = mpm_field_parent(&simulation->state, node);
+    if (mpm_grid_is_ghost(grid, parent) || !(grid->mass[node] > 0.0))
         return;
     const double step = simulation->state.time_step;
     const bool midpoint = simulation->scene->position_update == MPM_MIDPOINT;
     double position[2], velocity[2];
-    mpm_grid_position(grid, home, position);
+    mpm_grid_position(grid, parent, position);
     for (int axis = 0; axis < 2; axis++)
         velocity[axis] = grid->motion[node].end[axis] -
                          (midpoint ? 0.5 * step * grid->motion[node].acceleration[axis] : 0.0);
@@ -33,8 +33,8 @@ static void print_node(const struct mpm_simulation *simulation, int64_t node)
                  simulation->state.time, step, position[0], position[1], velocity[0], velocity[1]);
 }
 
-/* Nodes of active rows, in their order, rows of further fields after those of the grid; what lies
- * beyond the active columns is of an earlier step. */
+/* Nodes of active rows, in their order, rows of additional fields after those of the grid; what
+ * lies beyond the active columns is of an earlier step. */
 static void print_nodes(const struct mpm_simulation *simulation)
 {
     const struct mpm_state *const state = &simulation->state;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/cracks/cohesive_traction.h"
 
+#include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_opening.h"
-#include "method/fields/crack_fields.h"
 
 #include <math.h>
 

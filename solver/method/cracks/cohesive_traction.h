@@ -15,7 +15,7 @@
 #include "method/state.h"
 
 /* Keeps the largest openings, and adds the tractions of the openings at the start of the step to
- * the forces of the nodes. After mpm_crack_openings_find; nothing without cohesive cracks. */
+ * the forces of the nodes. After mpm_crack_openings_begin; nothing without cohesive cracks. */
 void mpm_cohesive_spread(struct mpm_state *state);
 
 /* What the tractions of the step took from the nodes, by the mean velocity of the step: after the

@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/cracks/crack_contact.h"
 
-#include "method/cracks/contact_impulse.h"
 #include "method/cracks/crack_detection.h"
-#include "method/fields/crack_fields.h"
+#include "method/cracks/crack_fields.h"
 #include "method/grid/grid_update.h"
-#include "method/grid/symmetry.h"
-#include "method/transfer/transfer.h"
 
 #include <math.h>
 #include <string.h>
@@ -23,25 +20,24 @@ static bool has_mass(const struct mpm_state *state, const struct mpm_crack_node 
 static bool is_shared(const struct mpm_state *state, const struct mpm_crack_node *node,
                       enum mpm_crack_side side)
 {
-    return has_mass(state, node, side) && node->face[side].crack != node->face[side].last;
+    return has_mass(state, node, side) && node->face[side]->crack != node->face[side]->last;
 }
 
 /* Do the fields not tell which surfaces they have? Also where three have mass of which two lie
  * beyond one crack, as it may ask for that bends within a node's reach. */
 static bool is_crowded(const struct mpm_state *state, const struct mpm_crack_node *node)
 {
-    const struct mpm_crack_face *const face = node->face;
     return is_shared(state, node, MPM_CRACK_ABOVE) || is_shared(state, node, MPM_CRACK_BELOW) ||
            (has_mass(state, node, MPM_CRACK_SAME_SIDE) && has_mass(state, node, MPM_CRACK_ABOVE) &&
             has_mass(state, node, MPM_CRACK_BELOW) &&
-            face[MPM_CRACK_ABOVE].crack == face[MPM_CRACK_BELOW].crack);
+            node->face[MPM_CRACK_ABOVE]->crack == node->face[MPM_CRACK_BELOW]->crack);
 }
 
 static bool is_beside(const struct mpm_crack_node *node, size_t crack)
 {
     for (int side = MPM_CRACK_ABOVE; side <= MPM_CRACK_BELOW; side++)
         if (node->field[side] >= 0 &&
-            (node->face[side].crack == crack || node->face[side].last == crack))
+            (node->face[side]->crack == crack || node->face[side]->last == crack))
             return true;
     return false;
 }
@@ -49,9 +45,9 @@ static bool is_beside(const struct mpm_crack_node *node, size_t crack)
 size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack)
 {
     size_t count = 0;
-    for (size_t k = 0; k < state->cracks.node_count; k++) {
-        const struct mpm_crack_node *const node = &state->cracks.nodes[k];
-        count += is_beside(node, crack) && is_crowded(state, node);
+    for (size_t k = 0; k < state->fields.node_count; k++) {
+        const struct mpm_crack_node node = mpm_crack_node_of(state, k);
+        count += is_beside(&node, crack) && is_crowded(state, &node);
     }
     return count;
 }
@@ -76,24 +72,9 @@ static int find_pairs(const struct mpm_state *state, const struct mpm_crack_node
     return count;
 }
 
-/* A pair of fields, the one above first, as their exchange sees them. */
-static struct mpm_contact_side side_of(const struct mpm_state *state,
-                                       const struct mpm_crack_node *node, enum mpm_crack_side field,
-                                       const double velocity[2])
-{
-    const double mobility = 1.0 / state->grid.mass[node->field[field]];
-    struct mpm_contact_side side = {{velocity[0], velocity[1]}, {mobility, mobility}};
-    for (int axis = 0; axis < 2; axis++)
-        if ((node->held[field] >> axis & 1) != 0)
-            side.mobility[axis] = 0.0;
-    return side;
-}
-
-/* The impulse that contact gives to the field above, and the opposite to the one below; false if
- * they do not touch. */
-static bool find_impulse(const struct mpm_state *state, const struct mpm_crack_node *node,
-                         const struct mpm_crack_pair *pair, const struct mpm_contact_side sides[2],
-                         double impulse[2])
+/* The law by which a pair of fields exchanges momentum; false if they do not touch. */
+static bool find_law(const struct mpm_state *state, const struct mpm_crack_node *node,
+                     const struct mpm_crack_pair *pair, struct mpm_contact_law *law)
 {
     const struct mpm_crack_spec *const spec = &state->scene->cracks[pair->crack];
     if (spec->contact == MPM_CONTACT_NONE)
@@ -101,147 +82,38 @@ static bool find_impulse(const struct mpm_state *state, const struct mpm_crack_n
     const struct mpm_crack_volume volume = mpm_crack_volume_at(state, node, pair);
     if (volume.found < spec->separated * volume.closed)
         return false;
-    if (volume.found <= spec->touching * volume.closed &&
-        mpm_contact_approach(sides, pair->normal) <= 0.0)
-        return false;
-    mpm_contact_impulse(spec->contact, spec->friction, sides, pair->normal, impulse);
+    *law =
+        (struct mpm_contact_law){.kind = spec->contact,
+                                 .friction = spec->friction,
+                                 .if_approaching = volume.found <= spec->touching * volume.closed};
     return true;
 }
 
-/* How one of the velocities of a node is read, and changed. */
-struct velocities {
-    void (*read)(const struct mpm_state *, int64_t, double[2]);
-    void (*change)(const struct mpm_state *, int64_t, const double[2]);
-    bool moves; /* particles: what conditions bear does work */
-};
-
-/* A node of the grid changes together with its images beyond planes of symmetry. */
-static void change_field(const struct mpm_state *state, const struct velocities *velocities,
-                         int64_t field, const double by[2])
-{
-    struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES];
-    velocities->change(state, field, by);
-    if (state->symmetry_count == 0 || field >= state->grid.columns * state->grid.rows)
-        return;
-    const int count = mpm_symmetry_images(state, field, images);
-    for (int k = 0; k < count; k++)
-        velocities->change(state, images[k].node,
-                           (const double[2]){images[k].sign[0] * by[0], images[k].sign[1] * by[1]});
-}
-
-/* A condition that holds a component gives the opposite of the impulse there, and works along its
- * velocity. */
-static void add_reaction_work(struct mpm_state *state, int64_t field,
-                              const struct mpm_contact_side *side, double sign,
-                              const double impulse[2])
-{
-    if (!mpm_node_is_inside(state, field))
-        return;
-    for (int axis = 0; axis < 2; axis++)
-        if (side->mobility[axis] == 0.0)
-            state->external_work -=
-                sign * impulse[axis] * 0.5 *
-                (state->grid.start[field][axis] + state->grid.motion[field].end[axis]);
-}
-
-static void resolve_pair(struct mpm_state *state, const struct velocities *velocities,
+static void resolve_pair(struct mpm_state *state, enum mpm_exchange_when when,
                          const struct mpm_crack_node *node, const struct mpm_crack_pair *pair)
 {
-    struct mpm_contact_side sides[2];
-    double v[2], impulse[2];
-    for (int k = 0; k < 2; k++) {
-        velocities->read(state, node->field[pair->side[k]], v);
-        sides[k] = side_of(state, node, pair->side[k], v);
-    }
-    if (!find_impulse(state, node, pair, sides, impulse))
-        return;
-    for (int k = 0; k < 2; k++) {
-        const double sign = k == 0 ? 1.0 : -1.0, *const mobility = sides[k].mobility;
-        change_field(
-            state, velocities, node->field[pair->side[k]],
-            (const double[2]){sign * mobility[0] * impulse[0], sign * mobility[1] * impulse[1]});
-        if (velocities->moves)
-            add_reaction_work(state, node->field[pair->side[k]], &sides[k], sign, impulse);
-    }
+    struct mpm_exchange_field fields[2];
+    struct mpm_contact_law law;
+    for (int k = 0; k < 2; k++)
+        fields[k] =
+            (struct mpm_exchange_field){node->field[pair->side[k]], node->held[pair->side[k]]};
+    if (find_law(state, node, pair, &law))
+        mpm_exchange(state, when, fields, pair->normal, &law);
 }
 
 /* A field between two cracks takes part in two exchanges: each undoes a part of the other, and what
  * is left becomes less by a factor m_1 m_3 / ((m_1 + m_2)(m_2 + m_3)) or so each time. */
 enum { EXCHANGES = 24 };
 
-/* Changes the velocities of all fields in contact. */
-static void resolve(struct mpm_state *state, const struct velocities *velocities)
+void mpm_crack_contact_resolve(struct mpm_state *state, enum mpm_exchange_when when)
 {
-    for (size_t k = 0; k < state->cracks.node_count; k++) {
-        const struct mpm_crack_node *const node = &state->cracks.nodes[k];
+    for (size_t k = 0; k < state->fields.node_count; k++) {
+        const struct mpm_crack_node node = mpm_crack_node_of(state, k);
         struct mpm_crack_pair pairs[PAIRS];
-        const int count = find_pairs(state, node, pairs);
+        const int count = find_pairs(state, &node, pairs);
         for (int i = 0; count > 0 && i < (count == 1 ? 1 : count * EXCHANGES); i++)
-            resolve_pair(state, velocities, node, &pairs[i % count]);
+            resolve_pair(state, when, &node, &pairs[i % count]);
     }
-}
-
-static void read_start(const struct mpm_state *state, int64_t node, double v[2])
-{
-    v[0] = state->grid.start[node][0];
-    v[1] = state->grid.start[node][1];
-}
-
-static void change_start(const struct mpm_state *state, int64_t node, const double by[2])
-{
-    for (int axis = 0; axis < 2; axis++)
-        state->grid.start[node][axis] += by[axis];
-    if (state->order->before > 0.0)
-        mpm_node_set_gradient(&state->grid, node, state->grid.start[node]);
-}
-
-static void read_end(const struct mpm_state *state, int64_t node, double v[2])
-{
-    v[0] = state->grid.motion[node].end[0];
-    v[1] = state->grid.motion[node].end[1];
-}
-
-static void change_end(const struct mpm_state *state, int64_t node, const double by[2])
-{
-    struct mpm_node_motion *const motion = &state->grid.motion[node];
-    for (int axis = 0; axis < 2; axis++) {
-        motion->end[axis] += by[axis];
-        motion->acceleration[axis] += by[axis] / state->time_step;
-    }
-    if (!state->order->extrapolate)
-        mpm_node_set_gradient(&state->grid, node, motion->end);
-}
-
-static void read_extrapolated(const struct mpm_state *state, int64_t node, double v[2])
-{
-    v[0] = state->grid.gradient[node][0][0];
-    v[1] = state->grid.gradient[node][1][0];
-}
-
-static void change_extrapolated(const struct mpm_state *state, int64_t node, const double by[2])
-{
-    double v[2];
-    read_extrapolated(state, node, v);
-    mpm_node_set_gradient(&state->grid, node, (const double[2]){v[0] + by[0], v[1] + by[1]});
-}
-
-void mpm_crack_contact_start(struct mpm_state *state)
-{
-    static const struct velocities at_start = {read_start, change_start, false};
-    resolve(state, &at_start);
-}
-
-void mpm_crack_contact_end(struct mpm_state *state)
-{
-    static const struct velocities at_end = {read_end, change_end, true};
-    resolve(state, &at_end);
-}
-
-void mpm_crack_contact_extrapolated(struct mpm_state *state)
-{
-    static const struct velocities at_extrapolated = {read_extrapolated, change_extrapolated,
-                                                      false};
-    resolve(state, &at_extrapolated);
 }
 
 /* ------------------------------------------------------------------- motion */
@@ -251,20 +123,18 @@ void mpm_crack_contact_extrapolated(struct mpm_state *state)
 static const double LIGHT = 250.0; /* of the least mass */
 
 /* Momentum and mass of all fields of a node. */
-static double node_momentum(const struct mpm_state *state, int64_t home, double momentum[2])
+static double node_momentum(const struct mpm_state *state, int64_t parent, double momentum[2])
 {
-    const struct mpm_crack_node *const node = mpm_crack_node_at(state, home);
-    const int64_t own[1] = {home};
-    const int64_t *const fields = node == NULL ? own : node->field;
+    const struct mpm_field_node *const node = mpm_field_node_at(state, parent);
+    const int64_t others = node == NULL ? 0 : mpm_fields_first(state) + node->first;
     double mass = 0.0;
     momentum[0] = momentum[1] = 0.0;
-    for (int k = 0; k < (node == NULL ? 1 : 3); k++) {
-        if (fields[k] < 0)
-            continue;
-        const double m = state->grid.mass[fields[k]];
+    for (int k = 0; k <= (node == NULL ? 0 : node->count); k++) {
+        const int64_t field = k == 0 ? parent : others + k - 1;
+        const double m = state->grid.mass[field];
         const double *const velocity = m < LIGHT * state->cracks.least_mass
-                                           ? state->grid.start[fields[k]]
-                                           : state->grid.motion[fields[k]].end;
+                                           ? state->grid.start[field]
+                                           : state->grid.motion[field].end;
         mass += m;
         for (int axis = 0; axis < 2; axis++)
             momentum[axis] += m * velocity[axis];

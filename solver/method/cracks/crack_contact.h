@@ -14,23 +14,22 @@
 #ifndef MPM_METHOD_CRACK_CONTACT_H
 #define MPM_METHOD_CRACK_CONTACT_H
 
+#include "method/contact/exchange.h"
 #include "method/state.h"
 
-/* Tasks 2, 4 and 6c: of the velocities at the start, at the end (with accelerations) and of the
- * re-extrapolated ones. */
-void mpm_crack_contact_start(struct mpm_state *state);
-void mpm_crack_contact_end(struct mpm_state *state);
-void mpm_crack_contact_extrapolated(struct mpm_state *state);
+/* Tasks 2, 4 and 6c: the fields in contact exchange momentum, in one of the nodes' velocities. */
+void mpm_crack_contact_resolve(struct mpm_state *state, enum mpm_exchange_when when);
 
 /* Nodes of the last step beside this crack whose fields contact leaves alone: a crack that bends
  * within a node's reach may ask for three fields with mass, and particles beyond two cracks share a
  * field if they see the node from the same side (above, or below) of both. */
 size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack);
 
-/* Cracks that come this near to themselves or each other meet, in parts of the shorter cell side.
- */
+/* Cracks that come this near to themselves or each other meet, as a fraction of the shorter cell
+ * side. */
 #define MPM_CRACK_NEAR 1e-6
-/* Points of a crack so little outside of the grid, in parts of a cell, count as on its edge. */
+/* Points of a crack so little outside of the grid, as a fraction of a cell, count as on its edge.
+ */
 #define MPM_CRACK_EDGE_SLACK 1e-9
 
 /* Task 7, after task 4: cracks move with the centre-of-mass velocity at the end of the step, (32),

@@ -4,7 +4,6 @@
 #include "base/segment.h"
 #include "base/strips.h"
 #include "method/cracks/crack_map.h"
-#include "method/fields/crack_fields.h"
 #include "method/transfer/transfer.h"
 
 #include <math.h>
@@ -110,31 +109,51 @@ static void add_normal(const struct mpm_state *state, const struct mpm_crack_cro
     face->normal[1] += normal[1];
 }
 
-/* To the sums of the node that are of all particles of the side. */
-static void add_sums(const struct mpm_state *state, const struct mpm_stencil_node *entry,
-                     enum mpm_crack_side side, struct contribution *made,
-                     struct mpm_crack_node *node)
+/* To the sums of one field. */
+static void add_sums(const struct mpm_stencil_node *entry, const struct contribution *made,
+                     struct mpm_crack_sums *sums)
 {
     const double weight = made->area * entry->s;
-    double place[2];
-    mpm_grid_position(&state->grid, node->field[0], place);
-    node->sums[side].area += weight;
-    node->sums[side].seen += made->per_hoop > 0.0 ? made->per_hoop * entry->t : weight;
+    sums->area += weight;
+    sums->seen += made->per_hoop > 0.0 ? made->per_hoop * entry->t : weight;
     for (int axis = 0; axis < 2; axis++)
-        node->sums[side].gradient[axis] += made->area * entry->g[axis];
-    if (side != MPM_CRACK_SAME_SIDE)
-        add_surface(state, node->face[side].crack, weight, place, made, node->face[side].beyond);
-    else
-        for (int k = MPM_CRACK_ABOVE; k <= MPM_CRACK_BELOW; k++)
-            add_surface(state, node->face[k].crack, weight, place, made, node->face[k].own);
+        sums->gradient[axis] += made->area * entry->g[axis];
 }
 
-/* Has one of the particle's nodes further fields? */
+/* To the sums of the node's own field, by a particle that is in it. */
+static void add_to_own(const struct mpm_state *state, const struct mpm_stencil_node *entry,
+                       const struct mpm_field_node *node, struct contribution *made)
+{
+    struct mpm_crack_field *const others = state->cracks.fields + node->first;
+    double place[2];
+    mpm_grid_position(&state->grid, node->node, place);
+    add_sums(entry, made, &state->cracks.sums[node - state->fields.nodes]);
+    for (int i = 0; i < node->count; i++)
+        add_surface(state, others[i].face.crack, made->area * entry->s, place, made,
+                    others[i].face.own);
+}
+
+/* To those of an additional field. */
+static void add_to_additional(const struct mpm_state *state, const struct mpm_stencil_node *entry,
+                              int64_t field, const struct mpm_crack_crossing *crossing,
+                              struct contribution *made)
+{
+    struct mpm_crack_field *const additional = &state->cracks.fields[field];
+    double place[2];
+    mpm_grid_position(&state->grid, state->fields.nodes[state->fields.list[field].node].node,
+                      place);
+    add_sums(entry, made, &additional->sums);
+    add_surface(state, additional->face.crack, made->area * entry->s, place, made,
+                additional->face.beyond);
+    add_normal(state, crossing, &additional->face);
+}
+
+/* Has one of the particle's nodes additional fields? */
 static bool reaches_fields(const struct mpm_state *state, const struct mpm_cell_block *block)
 {
     for (int64_t row = block->low[1]; row <= block->high[1] + 1; row++)
         for (int64_t column = block->low[0]; column <= block->high[0] + 1; column++)
-            if (state->cracks.node_of[row * state->grid.columns + column] != 0)
+            if (state->fields.node_of[row * state->grid.columns + column] != 0)
                 return true;
     return false;
 }
@@ -142,22 +161,22 @@ static bool reaches_fields(const struct mpm_state *state, const struct mpm_cell_
 static void measure(void *context, size_t p, const struct mpm_cell_block *block)
 {
     const struct mpm_state *const state = context;
-    const struct mpm_crack_kept *const kept = mpm_crack_kept_of(state, p);
-    uint32_t code = kept == NULL ? 0 : kept->code;
+    const struct mpm_field_use *const use = mpm_field_use_of(state, p);
+    const int64_t first = mpm_fields_first(state);
     struct mpm_stencil room;
-    if (kept == NULL && !reaches_fields(state, block))
+    if (use == NULL && !reaches_fields(state, block))
         return;
     const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+    const struct mpm_crack_crossing *const crossing =
+        use == NULL ? NULL : state->cracks.crossings[use - state->fields.uses];
     struct contribution made = contribution_of(state, p, stencil);
-    for (int k = 0; k < stencil->count; k++, code >>= 2) {
-        const int64_t home = mpm_crack_home(state, state->node_zero + stencil->node[k].node);
-        struct mpm_crack_node *const node = mpm_crack_node_at(state, home);
-        const enum mpm_crack_side side = (enum mpm_crack_side)(code & 3u);
-        if (node == NULL)
-            continue;
-        add_sums(state, &stencil->node[k], side, &made, node);
-        if (side != MPM_CRACK_SAME_SIDE)
-            add_normal(state, &kept->crossing[k], &node->face[side]);
+    for (int k = 0; k < stencil->count; k++) {
+        const struct mpm_stencil_node *const entry = &stencil->node[k];
+        const int64_t node = state->node_zero + entry->node;
+        if (node >= first)
+            add_to_additional(state, entry, node - first, &crossing[k], &made);
+        else if (state->fields.node_of[node] != 0)
+            add_to_own(state, entry, mpm_field_node_at(state, node), &made);
     }
 }
 
@@ -166,13 +185,12 @@ static void measure_strip(void *context, int64_t index, int worker)
 {
     const struct mpm_state *const state = context;
     (void)worker;
-    mpm_crack_bands_visit(state, &state->strips[index], &state->cracks.map->beside, measure,
-                          context);
+    mpm_crack_bands_visit(state, &state->strips[index], &state->fields.beside, measure, context);
 }
 
 void mpm_crack_detection_measure(struct mpm_state *state, int workers)
 {
-    if (state->cracks.node_count > 0 && is_asked(state->scene))
+    if (state->fields.node_count > 0 && is_asked(state->scene))
         mpm_strips_run(state->strip_count, workers, measure_strip, state);
 }
 
@@ -181,8 +199,7 @@ void mpm_crack_detection_measure(struct mpm_state *state, int workers)
 bool mpm_crack_pair_find(const struct mpm_crack_node *node, enum mpm_crack_side above,
                          enum mpm_crack_side below, struct mpm_crack_pair *pair)
 {
-    const struct mpm_crack_face *const upper = &node->face[above], *const lower =
-                                                                       &node->face[below];
+    const struct mpm_crack_face *const upper = node->face[above], *const lower = node->face[below];
     const bool first = above != MPM_CRACK_SAME_SIDE, second = below != MPM_CRACK_SAME_SIDE;
     double normal[2], length = 0.0;
     for (int axis = 0; axis < 2; axis++) {
@@ -204,7 +221,7 @@ bool mpm_crack_pair_find(const struct mpm_crack_node *node, enum mpm_crack_side 
 /* Of the surface of the field below beyond that of the field above, along the normal. */
 static double gap_of(const struct mpm_crack_node *node, const struct mpm_crack_pair *pair)
 {
-    const double above = node->sums[pair->side[0]].area, below = node->sums[pair->side[1]].area;
+    const double above = node->sums[pair->side[0]]->area, below = node->sums[pair->side[1]]->area;
     double gap = 0.0;
     for (int axis = 0; axis < 2; axis++)
         gap +=
@@ -221,19 +238,19 @@ static double overlap(enum mpm_shape shape)
 /* The length that a node can see along an axis, in cells: integrals of its function over the grid,
  * and up to a plane of symmetry. B-splines are adapted to edges: that of the node beyond is folded
  * onto the two inside. */
-static double seen_length(const struct mpm_state *state, int64_t home, int axis)
+static double seen_length(const struct mpm_state *state, int64_t node, int axis)
 {
     const struct mpm_grid *const grid = &state->grid;
     const int64_t columns = grid->columns;
-    const int64_t place = axis == 0 ? home % columns : home / columns;
+    const int64_t place = axis == 0 ? node % columns : node / columns;
     const int64_t first = MPM_GHOST_ROWS, last = MPM_GHOST_ROWS + grid->cells[axis];
     const int64_t zero = axis == 0 && state->shape_grid.axisymmetric
                              ? llround(-grid->origin[0] * grid->inverse_cell[0]) + first
                              : first;
     const int64_t low = zero > first ? zero : first;
     const double past = overlap(state->scene->shape);
-    for (size_t k = 0; k < state->symmetry_count; k++)
-        if (state->symmetries[k].axis == axis && state->symmetries[k].line == place)
+    for (size_t k = 0; k < state->symmetries.count; k++)
+        if (state->symmetries.planes[k].axis == axis && state->symmetries.planes[k].line == place)
             return 0.5;
     if (place <= low || place >= last)
         return 0.5 + 2.0 * past;
@@ -244,8 +261,8 @@ struct mpm_crack_volume mpm_crack_volume_at(const struct mpm_state *state,
                                             const struct mpm_crack_node *node,
                                             const struct mpm_crack_pair *pair)
 {
-    const struct mpm_crack_sums *const above = &node->sums[pair->side[0]];
-    const struct mpm_crack_sums *const below = &node->sums[pair->side[1]];
+    const struct mpm_crack_sums *const above = node->sums[pair->side[0]];
+    const struct mpm_crack_sums *const below = node->sums[pair->side[1]];
     const double *const cell = state->grid.cell, *const normal = pair->normal;
     const double area = above->area + below->area;
     const enum mpm_crack_detection detection = state->scene->cracks[pair->crack].detection;

@@ -27,8 +27,7 @@
 #ifndef MPM_METHOD_CRACK_DETECTION_H
 #define MPM_METHOD_CRACK_DETECTION_H
 
-#include "method/fields/crack_fields.h"
-#include "method/state.h"
+#include "method/cracks/crack_fields.h"
 
 /* May the surfaces of this crack come into contact? */
 static inline bool mpm_crack_has_contact(const struct mpm_scene *scene, size_t crack)

@@ -13,14 +13,6 @@ static const double PLACE_SLACK = 1e-12;
 
 /* ---------------------------------------------------------------------- layout */
 
-static struct mpm_crack_bands take_bands(const struct mpm_state *state, struct mpm_arena *arena)
-{
-    const size_t rows = (size_t)state->grid.rows;
-    int64_t *const low = MPM_TAKE(arena, int64_t, rows), *const high =
-                                                             MPM_TAKE(arena, int64_t, rows);
-    return (struct mpm_crack_bands){low, high};
-}
-
 void mpm_crack_map_layout(struct mpm_state *state, size_t capacity, struct mpm_arena *arena)
 {
     struct mpm_crack_map *const map = MPM_TAKE(arena, struct mpm_crack_map, 1);
@@ -28,9 +20,7 @@ void mpm_crack_map_layout(struct mpm_state *state, size_t capacity, struct mpm_a
         .first = MPM_TAKE(arena, uint32_t, (size_t)(state->grid.columns * state->grid.rows)),
         .sites = MPM_TAKE(arena, struct mpm_crack_site, capacity),
         .capacity = capacity,
-        .listed = take_bands(state, arena),
-        .wanted = take_bands(state, arena),
-        .beside = take_bands(state, arena),
+        .listed = mpm_bands_layout(state, arena),
     };
     if (map != NULL)
         *map = made;
@@ -59,22 +49,8 @@ void mpm_crack_map_fill(struct mpm_state *state)
 
 /* ----------------------------------------------------------------------- bands */
 
-static void clear_bands(const struct mpm_state *state, struct mpm_crack_bands *bands)
-{
-    for (int64_t row = 0; row < state->grid.rows; row++) {
-        bands->low[row] = state->grid.columns;
-        bands->high[row] = -1;
-    }
-}
-
-void mpm_crack_bands_mark(struct mpm_crack_bands *bands, int64_t column, int64_t row)
-{
-    bands->low[row] = column < bands->low[row] ? column : bands->low[row];
-    bands->high[row] = column > bands->high[row] ? column : bands->high[row];
-}
-
 /* May a block have marked cells? */
-static bool meet(const struct mpm_crack_bands *bands, const struct mpm_cell_block *block)
+static bool meet(const struct mpm_bands *bands, const struct mpm_cell_block *block)
 {
     for (int64_t row = block->low[1]; row <= block->high[1]; row++)
         if (bands->low[row] <= block->high[0] && bands->high[row] >= block->low[0])
@@ -210,7 +186,7 @@ struct columns {
     int64_t low, high;
 };
 
-static struct columns columns_of(const struct mpm_crack_bands *bands, int64_t first, int64_t last)
+static struct columns columns_of(const struct mpm_bands *bands, int64_t first, int64_t last)
 {
     struct columns columns = {INT64_MAX, -1};
     for (int64_t row = first; row <= last; row++) {
@@ -235,8 +211,7 @@ static struct interval interval_of(const struct mpm_state *state, const struct c
 }
 
 /* Columns of the rows that the chunk's own blocks are in. */
-static struct columns columns_of_chunk(const struct mpm_state *state,
-                                       const struct mpm_crack_bands *bands,
+static struct columns columns_of_chunk(const struct mpm_state *state, const struct mpm_bands *bands,
                                        const struct chunk *chunk)
 {
     const struct interval y = hull_of(state->particles.position[1] + chunk->begin, chunk->count);
@@ -247,7 +222,7 @@ static struct columns columns_of_chunk(const struct mpm_state *state,
     return columns_of(bands, block.low[1], block.high[1]);
 }
 
-static void visit_chunk(const struct mpm_state *state, const struct mpm_crack_bands *bands,
+static void visit_chunk(const struct mpm_state *state, const struct mpm_bands *bands,
                         const struct chunk *chunk, mpm_crack_visit *visit, void *context)
 {
     const double *const x = state->particles.position[0];
@@ -263,8 +238,7 @@ static void visit_chunk(const struct mpm_state *state, const struct mpm_crack_ba
 }
 
 void mpm_crack_bands_visit(const struct mpm_state *state, const struct mpm_strip *strip,
-                           const struct mpm_crack_bands *bands, mpm_crack_visit *visit,
-                           void *context)
+                           const struct mpm_bands *bands, mpm_crack_visit *visit, void *context)
 {
     const double *const x = state->particles.position[0];
     const struct mpm_cell_block all = strip_block(state, strip);
@@ -319,8 +293,8 @@ static bool list_segment(struct mpm_state *state, uint32_t crack, size_t k)
     const int64_t back = map->span - 1;
     for (int64_t row = within(met.low[1] - back, state->grid.rows); row <= met.high[1]; row++) {
         const int64_t first = within(met.low[0] - back, state->grid.columns);
-        mpm_crack_bands_mark(&map->listed, first, row);
-        mpm_crack_bands_mark(&map->listed, met.high[0], row);
+        mpm_bands_mark(&map->listed, first, row);
+        mpm_bands_mark(&map->listed, met.high[0], row);
         for (int64_t column = first; column <= met.high[0]; column++)
             if (!list_cell(map, row * state->grid.columns + column, crack, k))
                 return false;
@@ -339,9 +313,7 @@ bool mpm_crack_map_draw(struct mpm_state *state)
 {
     struct mpm_crack_map *const map = state->cracks.map;
     forget_sites(map);
-    clear_bands(state, &map->listed);
-    clear_bands(state, &map->wanted);
-    clear_bands(state, &map->beside);
+    mpm_bands_clear(state, &map->listed);
     for (uint32_t crack = 0; crack < state->scene->crack_count; crack++)
         for (size_t k = 0; k + 1 < state->cracks.chains[crack].count; k++)
             if (!list_segment(state, crack, k))

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/cracks/crack_opening.h"
 
+#include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_map.h"
-#include "method/fields/crack_fields.h"
 #include "method/grid/grid_update.h"
 
 #include <math.h>
@@ -81,14 +81,14 @@ static void find_sides(const struct mpm_state *state, const double from[2],
 }
 
 /* The field of a node for particles of that side, or -1 if it has no mass to speak of. */
-static int64_t field_of(const struct mpm_state *state, int64_t home, enum mpm_crack_side side)
+static int64_t field_of(const struct mpm_state *state, int64_t parent, enum mpm_crack_side side)
 {
-    int64_t field = home;
-    if (!mpm_node_is_active(state, home))
+    int64_t field = parent;
+    if (!mpm_node_is_active(state, parent))
         return -1;
     if (side != MPM_CRACK_SAME_SIDE) {
-        const struct mpm_crack_node *const node = mpm_crack_node_at(state, home);
-        field = node == NULL ? -1 : node->field[side];
+        const struct mpm_field_node *const node = mpm_field_node_at(state, parent);
+        field = node == NULL ? -1 : mpm_field_of(state, node, (int)side);
     }
     return field >= 0 && state->grid.mass[field] >= state->cracks.least_mass ? field : -1;
 }
@@ -164,11 +164,9 @@ static void find_point(const struct mpm_state *state, size_t crack, size_t first
     }
 }
 
-void mpm_crack_openings_find(struct mpm_state *state)
+static void find_surfaces(struct mpm_state *state)
 {
     const struct mpm_scene *const scene = state->scene;
-    if (state->cracks.openings.surfaces == NULL)
-        return;
     for (size_t crack = 0; crack < scene->crack_count; crack++) {
         const size_t first = mpm_crack_first_point(state, crack);
         if (!mpm_crack_is_followed(&scene->cracks[crack]))
@@ -224,13 +222,10 @@ static enum mpm_status advance_point(const struct mpm_state *state, size_t crack
     return check_place(state, crack, k, error);
 }
 
-enum mpm_status mpm_crack_openings_advance(struct mpm_state *state, double part,
-                                           struct mpm_error *error)
+static enum mpm_status advance(struct mpm_state *state, double part, struct mpm_error *error)
 {
     const struct mpm_scene *const scene = state->scene;
-    if (state->cracks.openings.surfaces == NULL || part == 0.0)
-        return MPM_OK;
-    for (size_t crack = 0; crack < scene->crack_count; crack++) {
+    for (size_t crack = 0; crack < scene->crack_count && part > 0.0; crack++) {
         const size_t first = mpm_crack_first_point(state, crack);
         if (!mpm_crack_is_followed(&scene->cracks[crack]))
             continue;
@@ -238,4 +233,18 @@ enum mpm_status mpm_crack_openings_advance(struct mpm_state *state, double part,
             MPM_TRY(advance_point(state, crack, first + k, part * state->time_step, error));
     }
     return MPM_OK;
+}
+
+enum mpm_status mpm_crack_openings_begin(struct mpm_state *state, struct mpm_error *error)
+{
+    if (state->cracks.openings.surfaces == NULL)
+        return MPM_OK;
+    find_surfaces(state);
+    return advance(state, state->order->before, error);
+}
+
+enum mpm_status mpm_crack_openings_finish(struct mpm_state *state, struct mpm_error *error)
+{
+    return state->cracks.openings.surfaces == NULL ? MPM_OK
+                                                   : advance(state, state->order->after, error);
 }

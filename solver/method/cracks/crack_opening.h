@@ -34,14 +34,14 @@ static inline bool mpm_crack_is_followed(const struct mpm_crack_spec *spec)
     return spec->opening || spec->cohesive.law != NULL;
 }
 
-/* Once nodes have their masses: the fields and weights of all surfaces. Cost: the segments of a
- * cell's crack, for each of 8 nodes a point. */
-void mpm_crack_openings_find(struct mpm_state *state);
+/* Once nodes have their velocities at the start of the step: the fields and weights of all
+ * surfaces, and their way with the first part of the stress update. A surface whose side has no
+ * mass there stays where it is, with the other one. Cost: the segments of a cell's crack, for each
+ * of 8 nodes a point. MPM_RUN_FAILED: a surface leaves the grid. */
+enum mpm_status mpm_crack_openings_begin(struct mpm_state *state, struct mpm_error *error);
 
-/* With each stress update, for its part of the time step. A surface whose side has no mass there
- * stays where it is, with the other one. MPM_RUN_FAILED: a surface leaves the grid. */
-enum mpm_status mpm_crack_openings_advance(struct mpm_state *state, double part,
-                                           struct mpm_error *error);
+/* Their way with the second part, with the velocities that update the stress then. */
+enum mpm_status mpm_crack_openings_finish(struct mpm_state *state, struct mpm_error *error);
 
 /* Unit normal of a chain at its point `k`, from below to above; along is on its right: from the
  * first point to the last. */

@@ -4,7 +4,26 @@
 #ifndef MPM_METHOD_J_CONTOUR_H
 #define MPM_METHOD_J_CONTOUR_H
 
-#include "method/cracks/j_integral.h"
+#include "method/state.h"
+
+/* Sums over the particles of one field of a node, with A_p S_ip, the last three with S_ip. */
+struct mpm_j_sums {
+    double area;
+    double stress[3];                   /* s: xx yy xy */
+    double gradient[MPM_GRADIENT_SIZE]; /* F - I */
+    double energy;                      /* e */
+    double mass, momentum[2], force[2];
+};
+
+/* A node: by mpm_crack_side. */
+struct mpm_j_node {
+    struct mpm_j_sums side[3];
+};
+
+/* Where a tip is in the undeformed body, and in which direction it points there. */
+struct mpm_j_tip {
+    double place[2], direction[2];
+};
 
 /* Nodes kept around the rectangle: those of particles that reach it. */
 enum { MPM_J_MARGIN = 4 };

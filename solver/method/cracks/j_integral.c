@@ -2,7 +2,6 @@
 #include "method/cracks/j_integral.h"
 
 #include "method/cracks/crack_map.h"
-#include "method/cracks/j_contour.h"
 #include "method/transfer/transfer.h"
 
 #include <math.h>

@@ -48,21 +48,8 @@
 #ifndef MPM_METHOD_J_INTEGRAL_H
 #define MPM_METHOD_J_INTEGRAL_H
 
+#include "method/cracks/j_contour.h"
 #include "method/state.h"
-
-/* Sums over the particles of one field of a node, with A_p S_ip, the last three with S_ip. */
-struct mpm_j_sums {
-    double area;
-    double stress[3];                   /* s: xx yy xy */
-    double gradient[MPM_GRADIENT_SIZE]; /* F - I */
-    double energy;                      /* e */
-    double mass, momentum[2], force[2];
-};
-
-/* A node: by mpm_crack_side. */
-struct mpm_j_node {
-    struct mpm_j_sums side[3];
-};
 
 /* Scratch memory. */
 struct mpm_j_scratch {
@@ -70,11 +57,6 @@ struct mpm_j_scratch {
     struct mpm_crack_part *parts; /* per crack */
 };
 size_t mpm_j_nodes(const struct mpm_j_integral_spec *spec);
-
-/* Where a tip is in the undeformed body, and in which direction it points there. */
-struct mpm_j_tip {
-    double place[2], direction[2];
-};
 
 struct mpm_j_value {
     double j[2];

@@ -7,7 +7,8 @@
 #ifndef MPM_METHOD_FAST_H
 #define MPM_METHOD_FAST_H
 
-#include "method/kernels.h"
+#include "method/passes.h"
+#include "model/scene.h"
 
 enum mpm_fast_geometry {
     MPM_FAST_PLANAR, /* plane strain and plane stress differ in the laws alone: fast_laws.h */

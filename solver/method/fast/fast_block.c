@@ -19,7 +19,7 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
         .columns = (double)grid->columns,
         .stride = grid->columns,
         .pitch = grid->columns * (int64_t)sizeof(mpm_vector),
-        .node_zero = state->node_zero,
+        .node_zero = state->node_zero + state->bodies[body].shift,
         .mass = grid->mass,
         .sum = grid->sum,
         .motion = grid->motion,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/fields/split.h"
 
-#include "method/fields/crack_fields.h"
+#include "method/fields/fields.h"
 
 /* What a pass leaves in its strip; a negative number: nothing yet. */
 struct sums {
@@ -31,7 +31,7 @@ static void add_box(struct sums *sums, const struct mpm_strip *strip)
 
 /* One pass over one piece of the strip. */
 static void run_piece(struct mpm_state *state, int64_t index, int worker, mpm_pass *pass,
-                      struct mpm_crack_span piece, struct sums *sums)
+                      struct mpm_span piece, struct sums *sums)
 {
     struct mpm_strip *const strip = &state->strips[index];
     if (pass == NULL || piece.begin == piece.end)
@@ -74,16 +74,16 @@ static void run_split(struct mpm_state *state, int64_t index, int worker, mpm_pa
 {
     struct mpm_strip *const strip = &state->strips[index];
     const struct mpm_strip before = *strip;
-    const struct mpm_crack_span *const spans = mpm_crack_spans(state, index);
+    const struct mpm_span *const spans = mpm_field_spans(state, index);
     struct sums sums = {.kinetic = -1.0, .wave = -1.0};
     size_t place = before.begin;
     for (size_t k = 0; k < before.span_count; k++) {
-        const struct mpm_crack_span between = {place, spans[k].begin};
+        const struct mpm_span between = {place, spans[k].begin};
         run_piece(state, index, worker, plain, between, &sums);
         run_piece(state, index, worker, general, spans[k], &sums);
         place = spans[k].end;
     }
-    run_piece(state, index, worker, plain, (struct mpm_crack_span){place, before.end}, &sums);
+    run_piece(state, index, worker, plain, (struct mpm_span){place, before.end}, &sums);
     finish_strip(strip, &before, &sums);
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/grid/conditions.h"
 
-#include "method/fields/crack_fields.h"
+#include "method/fields/fields.h"
 #include "method/grid/grid_update.h"
 #include "method/grid/symmetry.h"
 
@@ -17,9 +17,13 @@ static enum mpm_status not_finite(const char *what, const double position[2], do
 
 static bool any_field_has_mass(const struct mpm_state *state, int64_t node)
 {
-    const struct mpm_crack_node *const crack = mpm_crack_node_at(state, node);
-    for (int k = 1; crack != NULL && k < 3; k++)
-        if (crack->field[k] >= 0 && state->grid.mass[crack->field[k]] != 0.0)
+    const struct mpm_field_node *const several = mpm_field_node_at(state, node);
+    const int64_t first = mpm_fields_first(state);
+    for (int i = 0; several != NULL && i < several->count; i++)
+        if (state->grid.mass[first + several->first + i] != 0.0)
+            return true;
+    for (int64_t layer = 1; layer <= state->fields.layers; layer++)
+        if (state->grid.mass[node + mpm_layer_shift(state, layer)] != 0.0)
             return true;
     return false;
 }
@@ -27,28 +31,50 @@ static bool any_field_has_mass(const struct mpm_state *state, int64_t node)
 static inline bool has_mass(const struct mpm_state *state, int64_t node)
 {
     return state->grid.mass[node] != 0.0 ||
-           (state->cracks.node_of != NULL && any_field_has_mass(state, node));
+           (state->grid.field_rows > 0 && any_field_has_mass(state, node));
 }
 
-/* For one velocity field of a node near cracks, if it has mass. */
-static void append_field(struct mpm_state *state, struct mpm_crack_node *crack, int field,
+/* For one velocity field of a node, if it has mass. `held`: of the field, if its node is listed. */
+static void append_field(struct mpm_state *state, int64_t field, uint8_t *held,
                          struct mpm_active_condition condition)
 {
-    condition.node = crack->field[field];
-    if (condition.node < 0 || state->grid.mass[condition.node] == 0.0)
+    condition.node = field;
+    if (state->grid.mass[field] == 0.0)
         return;
-    crack->held[field] |= (uint8_t)(1u << condition.component);
-    state->active[state->active_count++] = condition;
+    if (held != NULL)
+        *held |= (uint8_t)(1u << condition.component);
+    state->conditions.active[state->conditions.active_count++] = condition;
+}
+
+/* For the packed fields of a node that are not on a free surface along any of these axes. */
+static void append_packed(struct mpm_state *state, const struct mpm_field_node *several,
+                          unsigned axes, struct mpm_active_condition condition)
+{
+    struct mpm_additional_field *const list = state->fields.list + several->first;
+    const int64_t first = mpm_fields_first(state) + several->first;
+    for (int i = 0; i < several->count; i++)
+        if ((list[i].free & axes) == 0)
+            append_field(state, first + i, &list[i].held, condition);
+}
+
+static void append_to_fields(struct mpm_state *state, struct mpm_active_condition condition)
+{
+    const int64_t node = condition.node;
+    struct mpm_field_node *const several = mpm_field_node_at(state, node);
+    append_field(state, node, several == NULL ? NULL : &several->held, condition);
+    if (several != NULL)
+        append_packed(state, several, 0, condition);
+    for (int64_t layer = 1; layer <= state->fields.layers; layer++)
+        append_field(state, node + mpm_layer_shift(state, layer), NULL, condition);
 }
 
 /* Of a node that has mass: for all of its velocity fields */
 static inline void append(struct mpm_state *state, struct mpm_active_condition condition)
 {
-    struct mpm_crack_node *const crack = mpm_crack_node_at(state, condition.node);
-    if (crack == NULL)
-        state->active[state->active_count++] = condition;
-    for (int k = 0; crack != NULL && k < 3; k++)
-        append_field(state, crack, k, condition);
+    if (state->grid.field_rows == 0)
+        state->conditions.active[state->conditions.active_count++] = condition;
+    else
+        append_to_fields(state, condition);
 }
 
 /* For the node's images beyond planes of symmetry too, so that they stay images. Conditions that
@@ -59,7 +85,7 @@ static inline void append_with_images(struct mpm_state *state,
     struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES];
     append(state, condition);
     const int count =
-        state->symmetry_count == 0 ? 0 : mpm_symmetry_images(state, condition.node, images);
+        state->symmetries.count == 0 ? 0 : mpm_symmetry_images(state, condition.node, images);
     for (int k = 0; k < count; k++) {
         const double sign = images[k].sign[condition.component];
         if (has_mass(state, images[k].node))
@@ -79,23 +105,22 @@ static inline bool is_reflected(const struct mpm_state *state,
            state->scene->boundaries[condition->boundary].symmetry;
 }
 
-/* The plane holds the node's own field, and this the others, except those on a free surface. */
+/* The plane holds the fields of the grid and of layers, and this the others, except those on a
+ * free surface. */
 static void hold_on_plane(struct mpm_state *state, struct mpm_active_condition condition)
 {
-    struct mpm_crack_node *const crack = mpm_crack_node_at(state, condition.node);
+    struct mpm_field_node *const several = mpm_field_node_at(state, condition.node);
     const unsigned bit = 1u << condition.component;
-    if (crack == NULL)
+    if (several == NULL)
         return;
-    crack->held[0] |= (uint8_t)bit;
-    for (int k = 1; k < 3; k++)
-        if ((crack->on_plane[k] & bit) == 0)
-            append_field(state, crack, k, condition);
+    several->held |= (uint8_t)bit;
+    append_packed(state, several, bit, condition);
 }
 
 static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_error *error)
 {
-    for (size_t k = 0; k < state->condition_count; k++) {
-        const struct mpm_condition *const condition = &state->conditions[k];
+    for (size_t k = 0; k < state->conditions.count; k++) {
+        const struct mpm_condition *const condition = &state->conditions.list[k];
         if (!mpm_node_is_active(state, condition->node) || !has_mass(state, condition->node))
             continue;
         struct mpm_active_condition active = {condition->node, condition->component,
@@ -108,7 +133,8 @@ static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_err
             continue;
         if (condition->boundary != MPM_AXIS_CONDITION) {
             const struct mpm_expression *const velocity =
-                state->boundary_velocity[condition->boundary].component[condition->component];
+                state->conditions.boundary_velocity[condition->boundary]
+                    .component[condition->component];
             double position[2];
             mpm_grid_edge_position(&state->grid, condition->node, position);
             const double end = state->time + state->time_step;
@@ -131,7 +157,7 @@ static enum mpm_status rigid_velocity(const struct mpm_state *state, uint32_t bo
                                       const double position[2], struct mpm_active_condition *active,
                                       struct mpm_error *error)
 {
-    const struct mpm_vector_field *const field = &state->body_velocity[body];
+    const struct mpm_vector_field *const field = &state->conditions.body_velocity[body];
     const double dt = state->time_step;
     double carried[2] = {position[0], position[1]};
     for (int k = 0; k < 2; k++)
@@ -149,21 +175,21 @@ static enum mpm_status rigid_velocity(const struct mpm_state *state, uint32_t bo
 static const struct mpm_active_condition *find_rigid(const struct mpm_state *state,
                                                      size_t first_rigid, int64_t node, int axis)
 {
-    for (size_t k = first_rigid; k < state->active_count; k++)
-        if (mpm_crack_home(state, state->active[k].node) == node &&
-            state->active[k].component == axis)
-            return &state->active[k];
+    for (size_t k = first_rigid; k < state->conditions.active_count; k++)
+        if (mpm_field_parent(state, state->conditions.active[k].node) == node &&
+            state->conditions.active[k].component == axis)
+            return &state->conditions.active[k];
     return NULL;
 }
 
 static enum mpm_status drive_node(struct mpm_state *state, size_t first_rigid, uint32_t body,
                                   int64_t node, struct mpm_error *error)
 {
-    const bool contested = state->rigid_owner[node] != 0;
-    state->rigid_owner[node] = body + 1;
+    const bool contested = state->conditions.rigid_owner[node] != 0;
+    state->conditions.rigid_owner[node] = body + 1;
     for (int axis = 0; axis < 2; axis++) {
-        if (state->body_velocity[body].component[axis] == NULL ||
-            (state->fixed[node] & (1u << axis)) != 0)
+        if (state->conditions.body_velocity[body].component[axis] == NULL ||
+            (state->conditions.fixed[node] & (1u << axis)) != 0)
             continue;
         struct mpm_active_condition active = {node, axis, body, 0.0, 0.0};
         double position[2];
@@ -198,7 +224,7 @@ static void rigid_stencil(const struct mpm_state *state, size_t p, struct mpm_st
 
 static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *error)
 {
-    const size_t first_rigid = state->active_count;
+    const size_t first_rigid = state->conditions.active_count;
     for (size_t p = 0; p < state->rigid.count; p++) {
         const uint32_t body = state->rigid.body[p];
         struct mpm_stencil stencil;
@@ -208,13 +234,14 @@ static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *e
                 continue;
             const int64_t node = state->node_zero + stencil.node[k].node;
             if (!mpm_node_is_active(state, node) || !has_mass(state, node) ||
-                state->rigid_owner[node] == body + 1 || !mpm_node_is_inside(state, node))
+                state->conditions.rigid_owner[node] == body + 1 || !mpm_node_is_inside(state, node))
                 continue;
             MPM_TRY(drive_node(state, first_rigid, body, node, error));
         }
     }
-    for (size_t k = first_rigid; k < state->active_count; k++)
-        state->rigid_owner[mpm_crack_home(state, state->active[k].node)] = 0;
+    for (size_t k = first_rigid; k < state->conditions.active_count; k++)
+        state->conditions.rigid_owner[mpm_field_parent(state, state->conditions.active[k].node)] =
+            0;
     return MPM_OK;
 }
 
@@ -226,33 +253,34 @@ static void gather_mirrors(struct mpm_state *state)
     for (int64_t row = state->first_row; row <= state->last_row; row++)
         for (int64_t column = state->row_low[row]; column <= state->row_high[row]; column++) {
             const int64_t node = row * state->grid.columns + column;
-            if (column < state->mirror_column && has_mass(state, node))
+            if (column < state->conditions.mirror_column && has_mass(state, node))
                 append(state, (struct mpm_active_condition){node, 0, MPM_FROM_MIRROR, 0.0, 0.0});
         }
 }
 
-/* The node at -r. Every domain that reaches r < 0 has its centre at r > 0 and reaches it. Of a
- * further velocity field, the same one there, if there is one. */
+/* The node at -r. Every domain that reaches r < 0 has its centre at r > 0 and reaches it. Of an
+ * additional velocity field, the same one there, if there is one. */
 static int64_t mirror_image(const struct mpm_state *state, int64_t node)
 {
-    const int64_t home = mpm_crack_home(state, node);
-    const int64_t image = home + 2 * (state->mirror_column - home % state->grid.columns);
-    const struct mpm_crack_node *const from = mpm_crack_node_at(state, home);
-    const struct mpm_crack_node *const to = mpm_crack_node_at(state, image);
-    for (int side = 1; from != NULL && to != NULL && side < 3; side++)
-        if (from->field[side] == node && to->field[side] >= 0)
-            return to->field[side];
-    return image;
+    const int64_t parent = mpm_field_parent(state, node), first = mpm_fields_first(state);
+    const int64_t image =
+        parent + 2 * (state->conditions.mirror_column - parent % state->grid.columns);
+    if (node < first)
+        return image + (node - parent);
+    const struct mpm_field_node *const there = mpm_field_node_at(state, image);
+    const int64_t field =
+        there == NULL ? -1 : mpm_field_of(state, there, state->fields.list[node - first].key);
+    return field >= 0 ? field : image;
 }
 
 enum mpm_status mpm_conditions_gather(struct mpm_state *state, struct mpm_error *error)
 {
-    state->active_count = 0;
+    state->conditions.active_count = 0;
     MPM_TRY(gather_boundaries(state, error));
     if (state->rigid.count > 0)
         MPM_TRY(gather_rigid(state, error));
-    state->first_mirror = state->active_count;
-    if (state->mirror_column > 0)
+    state->conditions.first_mirror = state->conditions.active_count;
+    if (state->conditions.mirror_column > 0)
         gather_mirrors(state);
     return MPM_OK;
 }
@@ -262,7 +290,8 @@ enum mpm_status mpm_rigid_advance(struct mpm_state *state, struct mpm_error *err
     struct mpm_rigid_particles *const rigid = &state->rigid;
     for (size_t p = 0; p < rigid->count; p++) {
         const double start[2] = {rigid->position[0][p], rigid->position[1][p]};
-        const struct mpm_vector_field *const field = &state->body_velocity[rigid->body[p]];
+        const struct mpm_vector_field *const field =
+            &state->conditions.body_velocity[rigid->body[p]];
         for (int axis = 0; axis < 2; axis++) {
             if (field->component[axis] == NULL)
                 continue;
@@ -304,14 +333,14 @@ static void apply_start(struct mpm_state *state, const struct mpm_active_conditi
 
 void mpm_conditions_apply_start(struct mpm_state *state)
 {
-    for (size_t k = 0; k < state->first_mirror; k++)
-        apply_start(state, &state->active[k]);
+    for (size_t k = 0; k < state->conditions.first_mirror; k++)
+        apply_start(state, &state->conditions.active[k]);
 }
 
 void mpm_mirrors_apply_start(struct mpm_state *state)
 {
-    for (size_t k = state->first_mirror; k < state->active_count; k++) {
-        struct mpm_active_condition *const mirror = &state->active[k];
+    for (size_t k = state->conditions.first_mirror; k < state->conditions.active_count; k++) {
+        struct mpm_active_condition *const mirror = &state->conditions.active[k];
         mirror->start = -state->grid.start[mirror_image(state, mirror->node)][0];
         apply_start(state, mirror);
     }
@@ -336,8 +365,8 @@ static void apply_end(struct mpm_state *state, const struct mpm_active_condition
 static double driven_energy(const struct mpm_state *state)
 {
     double energy = 0.0;
-    for (size_t k = 0; k < state->first_mirror; k++) {
-        const struct mpm_active_condition *const active = &state->active[k];
+    for (size_t k = 0; k < state->conditions.first_mirror; k++) {
+        const struct mpm_active_condition *const active = &state->conditions.active[k];
         const double speed = fmax(fabs(active->start), fabs(active->end));
         energy += 0.5 * state->grid.mass[active->node] * speed * speed;
     }
@@ -347,14 +376,14 @@ static double driven_energy(const struct mpm_state *state)
 void mpm_conditions_apply_end(struct mpm_state *state)
 {
     state->driven_energy = fmax(state->driven_energy, driven_energy(state));
-    for (size_t k = 0; k < state->first_mirror; k++)
-        apply_end(state, &state->active[k]);
+    for (size_t k = 0; k < state->conditions.first_mirror; k++)
+        apply_end(state, &state->conditions.active[k]);
 }
 
 void mpm_mirrors_apply_end(struct mpm_state *state)
 {
-    for (size_t k = state->first_mirror; k < state->active_count; k++) {
-        struct mpm_active_condition *const mirror = &state->active[k];
+    for (size_t k = state->conditions.first_mirror; k < state->conditions.active_count; k++) {
+        struct mpm_active_condition *const mirror = &state->conditions.active[k];
         mirror->end = -state->grid.motion[mirror_image(state, mirror->node)].end[0];
         apply_end(state, mirror);
     }
@@ -362,14 +391,14 @@ void mpm_mirrors_apply_end(struct mpm_state *state)
 
 void mpm_conditions_apply_extrapolated(struct mpm_state *state)
 {
-    for (size_t k = 0; k < state->first_mirror; k++)
-        set_gradient(state, &state->active[k], state->active[k].end);
+    for (size_t k = 0; k < state->conditions.first_mirror; k++)
+        set_gradient(state, &state->conditions.active[k], state->conditions.active[k].end);
 }
 
 void mpm_mirrors_apply_extrapolated(struct mpm_state *state)
 {
-    for (size_t k = state->first_mirror; k < state->active_count; k++) {
-        const struct mpm_active_condition *const mirror = &state->active[k];
+    for (size_t k = state->conditions.first_mirror; k < state->conditions.active_count; k++) {
+        const struct mpm_active_condition *const mirror = &state->conditions.active[k];
         set_gradient(state, mirror, -state->grid.gradient[mirror_image(state, mirror->node)][0][0]);
     }
 }
@@ -377,13 +406,13 @@ void mpm_mirrors_apply_extrapolated(struct mpm_state *state)
 void mpm_conditions_apply_smoothed(struct mpm_state *state)
 {
     struct mpm_node_motion *const smoothed = state->grid.smoothed;
-    for (size_t k = 0; k < state->first_mirror; k++) {
-        struct mpm_node_motion *const held = &smoothed[state->active[k].node];
-        const int axis = state->active[k].component;
+    for (size_t k = 0; k < state->conditions.first_mirror; k++) {
+        struct mpm_node_motion *const held = &smoothed[state->conditions.active[k].node];
+        const int axis = state->conditions.active[k].component;
         held->acceleration[axis] = held->end[axis];
     }
-    for (size_t k = state->first_mirror; k < state->active_count; k++) {
-        const int64_t node = state->active[k].node;
+    for (size_t k = state->conditions.first_mirror; k < state->conditions.active_count; k++) {
+        const int64_t node = state->conditions.active[k].node;
         smoothed[node].acceleration[0] = -smoothed[mirror_image(state, node)].acceleration[0];
     }
 }

@@ -17,7 +17,8 @@
 enum mpm_status mpm_conditions_gather(struct mpm_state *state, struct mpm_error *error);
 
 /* Each of the next three is followed by contact of cracks, which leaves held components as they are
- * (held of mpm_crack_node), and then by the mirrors of the same velocities. */
+ * (held of mpm_field_node and mpm_additional_field), and then by the mirrors of the same
+ * velocities. */
 
 /* Start velocities. */
 void mpm_conditions_apply_start(struct mpm_state *state);

@@ -7,10 +7,10 @@
 
 void mpm_grid_rows_run(struct mpm_state *state, mpm_pass *pass)
 {
-    const int64_t further = state->grid.rows;
+    const int64_t additional = state->grid.rows, count = state->fields.rows;
     mpm_rows_run(state->first_row, state->last_row, state->workers, pass, state);
-    if (state->cracks.rows > 0)
-        mpm_rows_run(further, further + state->cracks.rows - 1, state->workers, pass, state);
+    if (count > 0)
+        mpm_rows_run(additional, additional + count - 1, state->workers, pass, state);
 }
 
 void mpm_grid_find_active(struct mpm_state *state)

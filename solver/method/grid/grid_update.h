@@ -19,11 +19,18 @@ static inline struct mpm_row_span mpm_row_span(const struct mpm_state *state, in
     return (struct mpm_row_span){start + state->row_low[row], start + state->row_high[row] + 1};
 }
 
-/* Is a node of the grid in a span? Rows that are not active have none. */
+/* Is a node of the grid or a layer in a span? Rows that are not active have none. */
 static inline bool mpm_node_is_active(const struct mpm_state *state, int64_t node)
 {
     const int64_t row = node / state->grid.columns, column = node % state->grid.columns;
     return column >= state->row_low[row] && column <= state->row_high[row];
+}
+
+/* The row of the grid that a row is, or is a copy of in a layer; -1: packed fields. */
+static inline int64_t mpm_layer_row(const struct mpm_state *state, int64_t row)
+{
+    const int64_t rows = state->grid.rows;
+    return row < rows ? row : row < (1 + state->fields.layers) * rows ? row % rows : -1;
 }
 
 /* A span without the nodes beyond planes of symmetry, which are images of others: what sums over
@@ -31,10 +38,11 @@ static inline bool mpm_node_is_active(const struct mpm_state *state, int64_t nod
 static inline struct mpm_row_span mpm_row_span_inside(const struct mpm_state *state, int64_t row)
 {
     struct mpm_row_span span = mpm_row_span(state, row);
-    for (size_t k = 0; k < state->symmetry_count && row < state->grid.rows; k++) {
-        const struct mpm_symmetry *const plane = &state->symmetries[k];
+    const int64_t place = mpm_layer_row(state, row);
+    for (size_t k = 0; k < state->symmetries.count && place >= 0; k++) {
+        const struct mpm_symmetry *const plane = &state->symmetries.planes[k];
         const int64_t on_plane = row * state->grid.columns + plane->line;
-        if (plane->axis == 1 && (row - plane->line) * plane->inside < 0)
+        if (plane->axis == 1 && (place - plane->line) * plane->inside < 0)
             span.end = span.first;
         else if (plane->axis == 0 && plane->inside > 0)
             span.first = span.first > on_plane ? span.first : on_plane;
@@ -44,11 +52,11 @@ static inline struct mpm_row_span mpm_row_span_inside(const struct mpm_state *st
     return span;
 }
 
-/* Is a node none of those images? Further velocity fields are none. */
+/* Is a node none of those images? Packed fields are none. */
 static inline bool mpm_node_is_inside(const struct mpm_state *state, int64_t node)
 {
     const struct mpm_row_span span = mpm_row_span_inside(state, node / state->grid.columns);
-    return state->symmetry_count == 0 || (node >= span.first && node < span.end);
+    return state->symmetries.count == 0 || (node >= span.first && node < span.end);
 }
 
 /* 1 / m_i; 0 for a node without mass, so that it has no motion. */
@@ -64,7 +72,7 @@ static inline void mpm_node_set_gradient(const struct mpm_grid *grid, int64_t no
         grid->gradient[node][axis][0] = grid->gradient[node][axis][1] = v[axis];
 }
 
-/* Runs a pass over all active rows, those of further velocity fields last. */
+/* Runs a pass over all active rows, those of additional velocity fields last. */
 void mpm_grid_rows_run(struct mpm_state *state, mpm_pass *pass);
 
 /* The active row that comes after `row` there, or -1: `for (row = state->first_row; row >= 0; row =
@@ -72,7 +80,7 @@ void mpm_grid_rows_run(struct mpm_state *state, mpm_pass *pass);
 static inline int64_t mpm_grid_next_row(const struct mpm_state *state, int64_t row)
 {
     const int64_t next = row == state->last_row ? state->grid.rows : row + 1;
-    return next < state->grid.rows + state->cracks.rows ? next : -1;
+    return next < state->grid.rows + state->fields.rows ? next : -1;
 }
 
 /* From the strips' boxes: which columns of which node rows are active. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/grid/symmetry.h"
 
+#include "method/fields/fields.h"
 #include "method/grid/grid_update.h"
 
 /* Adds to both values of a pair of images what the other has, with the sign of the image. */
@@ -19,8 +20,8 @@ int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, doubl
 {
     const int64_t columns = state->grid.columns;
     sign[0] = sign[1] = 1.0;
-    for (size_t k = 0; k < state->symmetry_count; k++) {
-        const struct mpm_symmetry *const plane = &state->symmetries[k];
+    for (size_t k = 0; k < state->symmetries.count; k++) {
+        const struct mpm_symmetry *const plane = &state->symmetries.planes[k];
         const int64_t place[2] = {node % columns, node / columns};
         const int64_t depth = (plane->line - place[plane->axis]) * plane->inside;
         if (depth <= 0)
@@ -78,16 +79,17 @@ struct reflection {
     void (*hold)(const struct mpm_state *, int axis, int64_t node);
 };
 
-/* All nodes beyond the plane that are active; images inside are reached by the same particles. */
+/* All nodes of the grid or of a layer beyond the plane that are active; images inside are reached
+ * by the same particles. */
 static void reflect_across(const struct mpm_state *state, const struct mpm_symmetry *plane,
-                           const struct reflection *reflection)
+                           const struct reflection *reflection, int64_t shift)
 {
     const int64_t columns = state->grid.columns;
     for (int64_t row = state->first_row; row <= state->last_row; row++)
         for (int64_t column = state->row_low[row]; column <= state->row_high[row]; column++) {
             const int64_t place[2] = {column, row};
             const int64_t depth = (plane->line - place[plane->axis]) * plane->inside;
-            const int64_t node = row * columns + column;
+            const int64_t node = shift + row * columns + column;
             const int64_t stride = plane->axis == 0 ? 1 : columns;
             if (depth == 0)
                 reflection->hold(state, plane->axis, node);
@@ -98,8 +100,10 @@ static void reflect_across(const struct mpm_state *state, const struct mpm_symme
 
 static void reflect(struct mpm_state *state, const struct reflection *reflection)
 {
-    for (size_t k = 0; k < state->symmetry_count; k++)
-        reflect_across(state, &state->symmetries[k], reflection);
+    for (size_t k = 0; k < state->symmetries.count; k++)
+        for (int64_t layer = 0; layer <= state->fields.layers; layer++)
+            reflect_across(state, &state->symmetries.planes[k], reflection,
+                           mpm_layer_shift(state, layer));
 }
 
 void mpm_symmetries_reflect_momentum(struct mpm_state *state)
@@ -124,14 +128,15 @@ static bool find_image(const struct mpm_state *state, const struct mpm_symmetry 
                        const struct mpm_symmetry_image *of, struct mpm_symmetry_image *image)
 {
     const int64_t columns = state->grid.columns;
-    int64_t place[2] = {of->node % columns, of->node / columns};
+    const int64_t shift = of->node - mpm_field_parent(state, of->node);
+    int64_t place[2] = {of->node % columns, (of->node - shift) / columns};
     if (place[plane->axis] == plane->line)
         return false;
     place[plane->axis] = 2 * plane->line - place[plane->axis];
     if (place[0] < 0 || place[0] >= columns || place[1] < 0 || place[1] >= state->grid.rows)
         return false;
     *image = *of;
-    image->node = place[1] * columns + place[0];
+    image->node = shift + place[1] * columns + place[0];
     image->sign[plane->axis] = -of->sign[plane->axis];
     return mpm_node_is_active(state, image->node);
 }
@@ -141,10 +146,10 @@ int mpm_symmetry_images(const struct mpm_state *state, int64_t node,
 {
     const struct mpm_symmetry_image itself = {node, {1.0, 1.0}};
     int count = 0;
-    for (size_t k = 0; k < state->symmetry_count; k++) {
+    for (size_t k = 0; k < state->symmetries.count; k++) {
         const int before = count;
         for (int of = -1; of < before && count < MPM_SYMMETRY_IMAGES; of++)
-            if (find_image(state, &state->symmetries[k], of < 0 ? &itself : &images[of],
+            if (find_image(state, &state->symmetries.planes[k], of < 0 ? &itself : &images[of],
                            &images[count]))
                 count++;
     }

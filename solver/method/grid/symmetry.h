@@ -6,7 +6,7 @@
  * the plane do not move along its normal. A half model then gives what the whole one does, to
  * round-off, for functions that reach beyond the plane too.
  *
- * Further velocity fields of nodes near a crack are not folded: a particle whose line to a node
+ * Packed velocity fields of nodes near a crack are not folded: a particle whose line to a node
  * beyond the plane crosses a crack is on a free surface there, and so is one at a node on the plane
  * if the crack lies on the plane. Fields at nodes on the plane that other cracks ask for are held
  * by conditions.c. Points of cracks that lie on the plane stay on it.
@@ -30,8 +30,9 @@ void mpm_symmetries_reflect_force(struct mpm_state *state);
  * and FMPM. */
 void mpm_symmetries_reflect_extrapolated(struct mpm_state *state);
 
-/* The images of a node of the grid across all planes, those that are active, with the signs of
- * their velocities. Returns how many they are: 0 of a node on a plane or far from all. */
+/* The images of a node of the grid, or of a layer, across all planes, those that are active, with
+ * the signs of their velocities. Returns how many they are: 0 of a node on a plane or far from all.
+ */
 enum { MPM_SYMMETRY_IMAGES = 16 };
 struct mpm_symmetry_image {
     int64_t node;

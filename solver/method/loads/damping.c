@@ -2,7 +2,7 @@
 #include "method/loads/damping.h"
 
 #include "base/strips.h"
-#include "method/fields/crack_fields.h"
+#include "method/fields/fields.h"
 #include "method/grid/grid_update.h"
 #include "method/grid/symmetry.h"
 #include "method/transfer/transfer.h"
@@ -78,8 +78,8 @@ enum mpm_status mpm_damping_begin(struct mpm_state *state, struct mpm_error *err
 static double varying_rate(const struct mpm_state *state, int64_t node, int worker)
 {
     double place[2], sign[2];
-    const int64_t home = mpm_crack_home(state, node);
-    mpm_grid_edge_position(&state->grid, mpm_symmetry_original(state, home, sign), place);
+    const int64_t parent = mpm_field_parent(state, node);
+    mpm_grid_edge_position(&state->grid, mpm_symmetry_original(state, parent, sign), place);
     return value_of(state->damping.grid, state, place, worker);
 }
 
@@ -139,7 +139,7 @@ static enum mpm_status collect_rows(struct mpm_state *state, struct mpm_error *e
         if (sums->refused >= 0) {
             double place[2];
             char what[96];
-            mpm_grid_edge_position(&state->grid, mpm_crack_home(state, sums->refused), place);
+            mpm_grid_edge_position(&state->grid, mpm_field_parent(state, sums->refused), place);
             (void)snprintf(what, sizeof what, "damping.grid at the node (%g, %g)", place[0],
                            place[1]);
             return refuse_rate(state, what, sums->rate, error);
@@ -156,8 +156,8 @@ enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_erro
         return MPM_OK;
     mpm_grid_rows_run(state, varying ? row_damp_by_place : row_damp);
     MPM_TRY(collect_rows(state, error));
-    for (size_t k = 0; k < state->active_count; k++) { /* held: not damped */
-        const struct mpm_active_condition *const active = &state->active[k];
+    for (size_t k = 0; k < state->conditions.active_count; k++) { /* held: not damped */
+        const struct mpm_active_condition *const active = &state->conditions.active[k];
         const double place_rate = varying ? varying_rate(state, active->node, 0) : 0.0;
         if (!mpm_node_is_inside(state, active->node))
             continue;
@@ -354,7 +354,7 @@ static void pass_settle_midpoint(void *context, int64_t index, int worker)
         mpm_strip_set_box(state, strip, &extent);
 }
 
-void mpm_damping_settle(struct mpm_state *state)
+static void settle(struct mpm_state *state)
 {
     const bool midpoint = state->scene->position_update == MPM_MIDPOINT;
     if (!state->damping.particles)
@@ -366,7 +366,7 @@ void mpm_damping_settle(struct mpm_state *state)
 
 /* -------------------------------------------------------------- thermostat */
 
-void mpm_thermostat_advance(struct mpm_state *state)
+static void advance_thermostat(struct mpm_state *state)
 {
     const struct mpm_damping_spec *const spec = &state->scene->damping;
     struct mpm_damping_books *const books = &state->damping.books;
@@ -382,4 +382,10 @@ void mpm_thermostat_advance(struct mpm_state *state)
         books->rate += state->time_step * spec->gain * (kinetic - spec->target) / scale;
     if (books->rate < 0.0)
         books->rate = 0.0;
+}
+
+void mpm_damping_finish(struct mpm_state *state)
+{
+    settle(state);
+    advance_thermostat(state);
 }

@@ -64,10 +64,8 @@ enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_erro
 void mpm_damping_find_drag(struct mpm_state *state);
 /* v_p -= dt q_p: just before the velocities are updated */
 void mpm_damping_take_drag(struct mpm_state *state);
-/* After the last task: the midpoint's x_p -= dt^2/2 q_p, and the books. */
-void mpm_damping_settle(struct mpm_state *state);
-
-/* The thermostat's rate for the next step. */
-void mpm_thermostat_advance(struct mpm_state *state);
+/* After the last task: the midpoint's x_p -= dt^2/2 q_p, the energy that the step took out, and the
+ * thermostat's rate for the next step. */
+void mpm_damping_finish(struct mpm_state *state);
 
 #endif

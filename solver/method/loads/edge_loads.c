@@ -2,7 +2,7 @@
 #include "method/loads/edge_loads.h"
 
 #include "base/strips.h"
-#include "method/fields/crack_fields.h"
+#include "method/fields/fields.h"
 #include "method/transfer/transfer.h"
 
 #include <math.h>
@@ -123,6 +123,19 @@ static void weigh_particle(const struct mpm_state *state, struct mpm_loaded_edge
     mpm_edge_weights_add(&edge->weights, stencil, edge->site->area);
 }
 
+/* Into the velocity fields of its particle. */
+static void divert(const struct mpm_state *state, struct mpm_loaded_edge *edge)
+{
+    struct mpm_stencil plain;
+    const int64_t shift = state->bodies[state->particles.body[edge->particle]].shift;
+    for (int k = 0; k < edge->weights.count; k++)
+        edge->weights.entry[k].node += shift;
+    if (mpm_field_use_of(state, edge->particle) == NULL)
+        return;
+    mpm_particle_plain_stencil(state, edge->particle, &plain);
+    mpm_fields_divert_edge(state, edge->particle, &plain, &edge->weights);
+}
+
 static void prepare_strip(void *context, int64_t index, int worker)
 {
     struct mpm_state *const state = context;
@@ -136,8 +149,8 @@ static void prepare_strip(void *context, int64_t index, int worker)
         else
             mpm_edge_integrate(state->family, &state->shape_grid, &domain, edge->site->edge,
                                depth_of(state, edge->particle), &edge->weights);
-        if (state->cracks.kept_of != NULL && !spec_of(state, edge->site)->on_particles)
-            mpm_crack_divert_edge(state, edge->particle, &edge->weights);
+        if (!spec_of(state, edge->site)->on_particles)
+            divert(state, edge);
     }
 }
 

@@ -45,8 +45,11 @@ void mpm_rest_measure_unbalanced(struct mpm_state *state)
     mpm_grid_rows_run(state, row_unbalanced);
     for (int64_t row = state->first_row; row >= 0; row = mpm_grid_next_row(state, row))
         all += state->row_sums[row].balance.unbalanced;
-    for (size_t k = 0; k < state->active_count; k++)
-        if (mpm_node_is_inside(state, state->active[k].node))
-            held += fabs(state->grid.sum[state->active[k].node][state->active[k].component].force);
+    for (size_t k = 0; k < state->conditions.active_count; k++)
+        if (mpm_node_is_inside(state, state->conditions.active[k].node))
+            held += fabs(
+                state->grid
+                    .sum[state->conditions.active[k].node][state->conditions.active[k].component]
+                    .force);
     state->balance.unbalanced = fmax(all - held, 0.0); /* round-off may be all that is left */
 }

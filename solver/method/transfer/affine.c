@@ -2,6 +2,7 @@
 #include "method/transfer/affine.h"
 
 #include "method/transfer/particle_updates.h"
+#include "method/transfer/transfer.h"
 
 /* A particle's nodes as seen from the mean of their places. */
 struct surroundings {

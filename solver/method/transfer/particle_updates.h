@@ -5,7 +5,7 @@
 #define MPM_METHOD_PARTICLE_UPDATES_H
 
 #include "base/simd.h"
-#include "method/transfer/transfer.h"
+#include "method/transfer/extent.h"
 
 #include <float.h>
 

@@ -6,6 +6,7 @@
 #include "method/grid/grid_update.h"
 #include "method/grid/symmetry.h"
 #include "method/transfer/particle_updates.h"
+#include "method/transfer/transfer.h"
 
 /* ---------------------------------------------------------------- iteration */
 

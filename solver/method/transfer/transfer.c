@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/fields/crack_fields.h"
+#include "method/transfer/transfer.h"
+
+#include "method/fields/fields.h"
 #include "method/transfer/particle_updates.h"
 
 #include <float.h>
@@ -54,20 +56,28 @@ void mpm_particle_set_domain(const struct mpm_state *state, size_t p)
         state->particles.domain[k][p] = edge[k];
 }
 
+static void shift_to_layer(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+{
+    const int64_t shift = state->bodies[state->particles.body[p]].shift;
+    for (int k = 0; k < stencil->count; k++)
+        stencil->node[k].node += shift;
+}
+
 void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
                                 struct mpm_stencil *stencil)
 {
     const struct mpm_shape_domain domain = domain_of(state, p);
     state->family->evaluate(&state->shape_grid, &domain, stencil);
+    if (state->fields.layers > 0)
+        shift_to_layer(state, p, stencil);
 }
 
 const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, size_t p,
                                                struct mpm_stencil *room)
 {
-    const struct mpm_crack_kept *const kept =
-        state->cracks.kept_of == NULL ? NULL : mpm_crack_kept_of(state, p);
-    if (kept != NULL)
-        return &kept->stencil;
+    const struct mpm_field_use *const use = mpm_field_use_of(state, p);
+    if (use != NULL)
+        return &use->stencil;
     mpm_particle_plain_stencil(state, p, room);
     return room;
 }

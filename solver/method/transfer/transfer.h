@@ -9,11 +9,11 @@
 #include "method/transfer/extent.h"
 
 /* S, G and T of the nodes that a particle reaches, in `room`, or where a step keeps them: of
- * particles near cracks they are those of the place at its start. */
+ * particles with additional velocity fields they are those of the place at its start. */
 const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, size_t p,
                                                struct mpm_stencil *room);
 
-/* The same of the grid's nodes alone, whatever hides them. */
+/* The same without packed fields: of the nodes of the grid, or of its body's layer. */
 void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
                                 struct mpm_stencil *stencil);
 

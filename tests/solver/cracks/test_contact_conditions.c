@@ -1,8 +1,8 @@
 /* Contact of cracks at nodes that velocity conditions hold.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/cracks/contact_impulse.h"
-#include "method/fields/crack_fields.h"
+#include "method/contact/contact_impulse.h"
+#include "method/cracks/crack_fields.h"
 #include "method/grid/grid_update.h"
 #include "method/grid/symmetry.h"
 #include "suites.h"
@@ -17,12 +17,11 @@ enum { AXES = 2, LAWS = 3 };
 
 static const struct {
     const char *settings;
-    enum mpm_crack_contact contact;
-    double friction;
+    struct mpm_contact_law law;
 } laws[LAWS] = {
-    {"contact: frictionless", MPM_CONTACT_FRICTIONLESS, 0.0},
-    {"contact: friction, friction: 0.4", MPM_CONTACT_FRICTION, 0.4},
-    {"contact: stick", MPM_CONTACT_STICK, 0.0},
+    {"contact: frictionless", {MPM_CONTACT_FRICTIONLESS, 0.0, false}},
+    {"contact: friction, friction: 0.4", {MPM_CONTACT_FRICTION, 0.4, false}},
+    {"contact: stick", {MPM_CONTACT_STICK, 0.0, false}},
 };
 
 /* --------------------------------------------------------------- one exchange */
@@ -93,7 +92,7 @@ static void assert_exchange(int law, const struct mpm_contact_side sides[2],
 {
     struct mpm_contact_side after[2];
     double impulse[AXES];
-    mpm_contact_impulse(laws[law].contact, laws[law].friction, sides, normal, impulse);
+    mpm_contact_impulse(&laws[law].law, sides, normal, impulse);
     exchange(sides, impulse, after);
     double mobility = 0.0;
     for (int axis = 0; axis < AXES; axis++)
@@ -104,11 +103,11 @@ static void assert_exchange(int law, const struct mpm_contact_side sides[2],
     ck_assert_double_le(kinetic_energy(after), kinetic_energy(sides) + EXCHANGE_ROUND_OFF);
     if (mobility == 0.0)
         ck_assert_double_eq(pressed, 0.0);
-    if (laws[law].contact == MPM_CONTACT_FRICTIONLESS)
+    if (laws[law].law.kind == MPM_CONTACT_FRICTIONLESS)
         ck_assert_near(dragged, 0.0, 10.0 * EXCHANGE_ROUND_OFF);
-    if (laws[law].contact == MPM_CONTACT_FRICTION)
+    if (laws[law].law.kind == MPM_CONTACT_FRICTION)
         ck_assert_double_le(fabs(dragged),
-                            laws[law].friction * fabs(pressed) + 10.0 * EXCHANGE_ROUND_OFF);
+                            laws[law].law.friction * fabs(pressed) + 10.0 * EXCHANGE_ROUND_OFF);
 }
 
 START_TEST(an_exchange_keeps_held_components_and_never_adds_energy)
@@ -136,10 +135,10 @@ START_TEST(fields_that_are_held_alike_do_not_approach_after_an_exchange)
                 double normal[AXES], impulse[AXES];
                 describe_pair(slide, _i * 5, sides);
                 normal_of(direction, normal);
-                mpm_contact_impulse(laws[law].contact, laws[law].friction, sides, normal, impulse);
+                mpm_contact_impulse(&laws[law].law, sides, normal, impulse);
                 exchange(sides, impulse, after);
                 ck_assert_near(mpm_contact_approach(after, normal), 0.0, EXCHANGE_ROUND_OFF);
-                for (int axis = 0; axis < AXES && laws[law].contact == MPM_CONTACT_STICK; axis++)
+                for (int axis = 0; axis < AXES && laws[law].law.kind == MPM_CONTACT_STICK; axis++)
                     if (sides[0].mobility[axis] > 0.0)
                         ck_assert_near(after[0].velocity[axis], after[1].velocity[axis],
                                        EXCHANGE_ROUND_OFF);
@@ -160,10 +159,11 @@ START_TEST(free_fields_exchange_what_cramp_says)
             for (int axis = 0; axis < AXES; axis++)
                 d[axis] = sides[0].velocity[axis] - sides[1].velocity[axis];
             const double across = d[0] * n[0] + d[1] * n[1], along = d[1] * n[0] - d[0] * n[1];
-            const double limit =
-                laws[_i].contact == MPM_CONTACT_STICK ? HUGE_VAL : laws[_i].friction * fabs(across);
+            const double limit = laws[_i].law.kind == MPM_CONTACT_STICK
+                                     ? HUGE_VAL
+                                     : laws[_i].law.friction * fabs(across);
             const double taken = copysign(fmin(fabs(along), limit), along);
-            mpm_contact_impulse(laws[_i].contact, laws[_i].friction, sides, n, impulse);
+            mpm_contact_impulse(&laws[_i].law, sides, n, impulse);
             ck_assert_near(impulse[0], -reduced * (across * n[0] - taken * n[1]),
                            EXCHANGE_ROUND_OFF);
             ck_assert_near(impulse[1], -reduced * (across * n[1] + taken * n[0]),
@@ -296,16 +296,16 @@ static size_t assert_conditions(const struct test_run *run)
 {
     const struct mpm_state *const state = crack_block_state(run);
     size_t met = 0;
-    for (size_t k = 0; k < state->first_mirror; k++)
-        assert_condition(state, &state->active[k]);
-    for (size_t k = state->first_mirror; k < state->active_count; k++)
-        assert_mirror(state, &state->active[k]);
-    for (size_t k = 0; k < state->cracks.node_count; k++) {
-        const struct mpm_crack_node *const node = &state->cracks.nodes[k];
+    for (size_t k = 0; k < state->conditions.first_mirror; k++)
+        assert_condition(state, &state->conditions.active[k]);
+    for (size_t k = state->conditions.first_mirror; k < state->conditions.active_count; k++)
+        assert_mirror(state, &state->conditions.active[k]);
+    for (size_t k = 0; k < state->fields.node_count; k++) {
+        const struct mpm_crack_node node = mpm_crack_node_of(state, k);
         int massive = 0;
         for (int field = 0; field < 3; field++)
-            massive += node->field[field] >= 0 && state->grid.mass[node->field[field]] > 0.0 &&
-                       node->held[field] != 0;
+            massive += node.field[field] >= 0 && state->grid.mass[node.field[field]] > 0.0 &&
+                       node.held[field] != 0;
         met += massive > 1;
     }
     return met;
@@ -379,10 +379,10 @@ static void assert_images(const struct test_run *run)
 {
     const struct mpm_state *const state = crack_block_state(run);
     struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES];
-    for (size_t n = 0; n < state->cracks.node_count; n++) {
-        const int64_t node = state->cracks.nodes[n].field[0];
+    for (size_t n = 0; n < state->fields.node_count; n++) {
+        const int64_t node = state->fields.nodes[n].node;
         const int count =
-            state->cracks.nodes[n].held[0] == 0 ? mpm_symmetry_images(state, node, images) : 0;
+            state->fields.nodes[n].held == 0 ? mpm_symmetry_images(state, node, images) : 0;
         for (int k = 0; k < count; k++)
             for (int axis = 0; axis < AXES; axis++) {
                 const int64_t image = images[k].node;

@@ -1,8 +1,8 @@
 /* Velocity fields, contact and motion of cracks in whole steps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_map.h"
-#include "method/fields/crack_fields.h"
 #include "method/grid/grid_update.h"
 #include "suites.h"
 #include "support/crack_block.h"
@@ -306,10 +306,12 @@ START_TEST(a_scene_without_cracks_has_nothing_of_them)
     struct test_run with = test_run_open(CRACK_BLOCK, cracked, 1);
     test_run_steps(&without, 2);
     const struct mpm_cracks *const cracks = &crack_block_state(&without)->cracks;
-    ck_assert(cracks->point_count == 0 && cracks->node_capacity == 0 && cracks->rows == 0);
-    ck_assert(cracks->chains == NULL && cracks->kept_of == NULL && cracks->node_of == NULL);
-    ck_assert(cracks->wanted == NULL && cracks->nodes == NULL && cracks->homes == NULL);
-    ck_assert(crack_block_state(&without)->symmetry_count == 0);
+    const struct mpm_fields *const fields = &crack_block_state(&without)->fields;
+    ck_assert(cracks->point_count == 0 && cracks->chains == NULL && cracks->crossings == NULL);
+    ck_assert(fields->node_capacity == 0 && fields->keys == 0 && fields->rows == 0);
+    ck_assert(fields->use_of == NULL && fields->node_of == NULL && fields->asked == NULL);
+    ck_assert(fields->nodes == NULL && fields->list == NULL && fields->uses == NULL);
+    ck_assert(crack_block_state(&without)->symmetries.count == 0);
     ck_assert_int_eq(crack_block_state(&without)->grid.field_rows, 0);
     ck_assert_uint_lt(mpm_simulation_bytes(without.simulation),
                       mpm_simulation_bytes(with.simulation));
@@ -343,13 +345,14 @@ START_TEST(cracks_that_find_no_room_end_the_run_with_a_message)
     struct settings settings = {.count = 0};
     settings_add(&settings, "cracks=[{points: [[2, 5.6], [10, 5.6]]}]");
     struct test_run run = crack_block_open(&settings);
-    struct mpm_cracks *const cracks = &run.simulation->state.cracks;
+    struct mpm_state *const state = &run.simulation->state;
     struct mpm_error error = {.message = ""};
     test_run_steps(&run, 1);
-    *(_i == 0   ? &cracks->map->capacity
-      : _i == 1 ? &cracks->kept_capacity
-                : &cracks->node_capacity) = 1;
-    ck_assert_int_eq(mpm_cracks_find_fields(&run.simulation->state, 1, &error), MPM_RUN_FAILED);
+    *(_i == 0   ? &state->cracks.map->capacity
+      : _i == 1 ? &state->fields.use_capacity
+                : &state->fields.node_capacity) = 1;
+    mpm_fields_begin(state);
+    ck_assert_int_eq(mpm_cracks_find_fields(state, 1, &error), MPM_RUN_FAILED);
     ck_assert_msg(strstr(error.message, words[_i]) != NULL, "%s", error.message);
     test_run_close(&run);
 }

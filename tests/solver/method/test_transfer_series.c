@@ -154,7 +154,7 @@ START_TEST(nodes_beyond_the_axis_mirror_every_order)
     const struct mpm_grid *const grid = &state->grid;
     int mirrored = 0, other_z = 0;
     for (int64_t row = state->first_row; row <= state->last_row; row++) {
-        const int64_t axis = row * grid->columns + state->mirror_column;
+        const int64_t axis = row * grid->columns + state->conditions.mirror_column;
         if (grid->mass[axis - 1] == 0.0)
             continue;
         const double *const beyond = grid->smoothed[axis - 1].acceleration;

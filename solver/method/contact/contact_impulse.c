@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/cracks/contact_impulse.h"
+#include "method/contact/contact_impulse.h"
 
 #include <math.h>
 
@@ -39,9 +39,8 @@ double mpm_contact_approach(const struct mpm_contact_side sides[2], const double
     return between.velocity[0] * normal[0] + between.velocity[1] * normal[1];
 }
 
-void mpm_contact_impulse(enum mpm_crack_contact contact, double friction,
-                         const struct mpm_contact_side sides[2], const double normal[2],
-                         double impulse[2])
+void mpm_contact_impulse(const struct mpm_contact_law *law, const struct mpm_contact_side sides[2],
+                         const double normal[2], double impulse[2])
 {
     const double along[2] = {-normal[1], normal[0]};
     struct difference left = difference_of(sides);
@@ -49,10 +48,10 @@ void mpm_contact_impulse(enum mpm_crack_contact contact, double friction,
     const double pressed = stopping(&left, normal);
     for (int axis = 0; axis < 2; axis++)
         left.velocity[axis] += left.mobility[axis] * pressed * normal[axis];
-    if (contact != MPM_CONTACT_FRICTIONLESS)
+    if (law->kind != MPM_CONTACT_FRICTIONLESS)
         dragged = stopping(&left, along);
-    if (contact == MPM_CONTACT_FRICTION && fabs(dragged) > friction * fabs(pressed))
-        dragged = copysign(friction * fabs(pressed), dragged);
+    if (law->kind == MPM_CONTACT_FRICTION && fabs(dragged) > law->friction * fabs(pressed))
+        dragged = copysign(law->friction * fabs(pressed), dragged);
     for (int axis = 0; axis < 2; axis++)
         impulse[axis] = pressed * normal[axis] + dragged * along[axis];
 }

@@ -22,6 +22,13 @@
 
 #include "model/scene.h"
 
+/* How two fields exchange momentum. */
+struct mpm_contact_law {
+    enum mpm_crack_contact kind; /* not MPM_CONTACT_NONE */
+    double friction;             /* of MPM_CONTACT_FRICTION */
+    bool if_approaching;         /* only fields that approach each other are in contact */
+};
+
 struct mpm_contact_side {
     double velocity[2];
     double mobility[2]; /* 1/mass, or 0 for a component that a condition holds */
@@ -31,10 +38,8 @@ struct mpm_contact_side {
  * components that can change. */
 double mpm_contact_approach(const struct mpm_contact_side sides[2], const double normal[2]);
 
-/* The impulse on the field above, for fields that are in contact. `contact` is not
- * MPM_CONTACT_NONE; `friction` counts for MPM_CONTACT_FRICTION alone. */
-void mpm_contact_impulse(enum mpm_crack_contact contact, double friction,
-                         const struct mpm_contact_side sides[2], const double normal[2],
-                         double impulse[2]);
+/* The impulse on the field above, for fields that are in contact. */
+void mpm_contact_impulse(const struct mpm_contact_law *law, const struct mpm_contact_side sides[2],
+                         const double normal[2], double impulse[2]);
 
 #endif

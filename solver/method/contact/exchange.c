@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/contact/exchange.h"
+
+#include "method/fields/fields.h"
+#include "method/grid/grid_update.h"
+#include "method/grid/symmetry.h"
+
+/* How one of the velocities of a node is read, and changed. */
+struct velocities {
+    void (*read)(const struct mpm_state *, int64_t, double[2]);
+    void (*change)(const struct mpm_state *, int64_t, const double[2]);
+    bool moves; /* particles: what conditions bear does work */
+};
+
+static void read_start(const struct mpm_state *state, int64_t node, double v[2])
+{
+    v[0] = state->grid.start[node][0];
+    v[1] = state->grid.start[node][1];
+}
+
+static void change_start(const struct mpm_state *state, int64_t node, const double by[2])
+{
+    for (int axis = 0; axis < 2; axis++)
+        state->grid.start[node][axis] += by[axis];
+    if (state->order->before > 0.0)
+        mpm_node_set_gradient(&state->grid, node, state->grid.start[node]);
+}
+
+static void read_end(const struct mpm_state *state, int64_t node, double v[2])
+{
+    v[0] = state->grid.motion[node].end[0];
+    v[1] = state->grid.motion[node].end[1];
+}
+
+static void change_end(const struct mpm_state *state, int64_t node, const double by[2])
+{
+    struct mpm_node_motion *const motion = &state->grid.motion[node];
+    for (int axis = 0; axis < 2; axis++) {
+        motion->end[axis] += by[axis];
+        motion->acceleration[axis] += by[axis] / state->time_step;
+    }
+    if (!state->order->extrapolate)
+        mpm_node_set_gradient(&state->grid, node, motion->end);
+}
+
+static void read_extrapolated(const struct mpm_state *state, int64_t node, double v[2])
+{
+    v[0] = state->grid.gradient[node][0][0];
+    v[1] = state->grid.gradient[node][1][0];
+}
+
+static void change_extrapolated(const struct mpm_state *state, int64_t node, const double by[2])
+{
+    double v[2];
+    read_extrapolated(state, node, v);
+    mpm_node_set_gradient(&state->grid, node, (const double[2]){v[0] + by[0], v[1] + by[1]});
+}
+
+static const struct velocities velocities_of[] = {
+    [MPM_EXCHANGE_START] = {read_start, change_start, false},
+    [MPM_EXCHANGE_END] = {read_end, change_end, true},
+    [MPM_EXCHANGE_EXTRAPOLATED] = {read_extrapolated, change_extrapolated, false},
+};
+
+/* A node of the grid or of a layer changes together with its images beyond planes of symmetry. */
+static void change_field(const struct mpm_state *state, const struct velocities *velocities,
+                         int64_t field, const double by[2])
+{
+    struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES];
+    velocities->change(state, field, by);
+    if (state->symmetries.count == 0 || field >= mpm_fields_first(state))
+        return;
+    const int count = mpm_symmetry_images(state, field, images);
+    for (int k = 0; k < count; k++)
+        velocities->change(state, images[k].node,
+                           (const double[2]){images[k].sign[0] * by[0], images[k].sign[1] * by[1]});
+}
+
+/* A condition that holds a component gives the opposite of the impulse there, and works along its
+ * velocity. */
+static void add_reaction_work(struct mpm_state *state, int64_t field,
+                              const struct mpm_contact_side *side, double sign,
+                              const double impulse[2])
+{
+    if (!mpm_node_is_inside(state, field))
+        return;
+    for (int axis = 0; axis < 2; axis++)
+        if (side->mobility[axis] == 0.0)
+            state->external_work -=
+                sign * impulse[axis] * 0.5 *
+                (state->grid.start[field][axis] + state->grid.motion[field].end[axis]);
+}
+
+static struct mpm_contact_side side_of(const struct mpm_state *state,
+                                       const struct mpm_exchange_field *field,
+                                       const struct velocities *velocities)
+{
+    const double mobility = 1.0 / state->grid.mass[field->node];
+    struct mpm_contact_side side = {.mobility = {mobility, mobility}};
+    velocities->read(state, field->node, side.velocity);
+    for (int axis = 0; axis < 2; axis++)
+        if ((field->held >> axis & 1) != 0)
+            side.mobility[axis] = 0.0;
+    return side;
+}
+
+void mpm_exchange(struct mpm_state *state, enum mpm_exchange_when when,
+                  const struct mpm_exchange_field fields[2], const double normal[2],
+                  const struct mpm_contact_law *law)
+{
+    const struct velocities *const velocities = &velocities_of[when];
+    const struct mpm_contact_side sides[2] = {side_of(state, &fields[0], velocities),
+                                              side_of(state, &fields[1], velocities)};
+    double impulse[2];
+    if (law->if_approaching && mpm_contact_approach(sides, normal) <= 0.0)
+        return;
+    mpm_contact_impulse(law, sides, normal, impulse);
+    for (int k = 0; k < 2; k++) {
+        const double sign = k == 0 ? 1.0 : -1.0, *const mobility = sides[k].mobility;
+        change_field(
+            state, velocities, fields[k].node,
+            (const double[2]){sign * mobility[0] * impulse[0], sign * mobility[1] * impulse[1]});
+        if (velocities->moves)
+            add_reaction_work(state, fields[k].node, &sides[k], sign, impulse);
+    }
+}

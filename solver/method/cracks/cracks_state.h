@@ -1,0 +1,57 @@
+/* What cracks keep: of the scene, and of a step.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_CRACKS_STATE_H
+#define MPM_METHOD_CRACKS_STATE_H
+
+#include "method/shape/shape.h"
+#include "model/crack.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* The fields that one surface of a crack moves with at one of its points: nodes of the corners of a
+ * cell, weights of sum 1. None where no such field has mass. */
+struct mpm_crack_surface {
+    int count;
+    int64_t node[4];
+    double weight[4];
+};
+
+/* The surfaces of cracks that ask for it; all NULL where none does. See crack_opening.h. */
+struct mpm_crack_openings {
+    double *vector[2]; /* per point: place of the surface above minus that of the one below */
+    double *largest;   /* per point, cohesive: the largest effective opening so far */
+    double *area;      /* per point, cohesive: undeformed area, for the thickness or per radian */
+    bool (*cuts)[2];   /* per crack: does it cut its body's edge at its first point, at its last? */
+    /* per crack: its points, among those of all, where it enters a body from outside, seen from its
+     * first point and from its last; SIZE_MAX: that point is no mouth, or in a body itself */
+    size_t (*mouths)[2];
+    /* Of the step, per point: the surface above, and that below */
+    struct mpm_crack_surface (*surfaces)[2];
+};
+
+/* The segment that the line from a particle to a node crosses. */
+struct mpm_crack_crossing {
+    uint32_t crack, segment;
+};
+
+/* Cracks; all empty where a scene has none. */
+struct mpm_cracks {
+    struct mpm_crack_chain *chains; /* per crack of the scene */
+    size_t point_count;
+    double *position[2]; /* of all chains' points, one after the other */
+    uint8_t *held;       /* per point: bits of the axes along which a symmetry plane holds it */
+    double least_mass;   /* of a node that moves cracks; see mpm_cracks_advance */
+    struct mpm_crack_openings openings;
+    double widest[2]; /* reach of the largest undeformed domain */
+    /* Of the step */
+    struct mpm_crack_map *map; /* cells near cracks; see crack_map.h */
+    /* For additional fields; see crack_fields.h. Per particle in `uses` of mpm_fields, per node of
+     * its stencil: */
+    struct mpm_crack_crossing (*crossings)[MPM_STENCIL_MAX];
+    struct mpm_crack_sums *sums;    /* per node in `nodes`: of its own field */
+    struct mpm_crack_field *fields; /* per field in `list` */
+};
+
+#endif

@@ -1,0 +1,27 @@
+/* What damping keeps; see damping.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_DAMPING_STATE_H
+#define MPM_METHOD_DAMPING_STATE_H
+
+#include "base/expression.h"
+
+/* What damping remembers from step to step. */
+struct mpm_damping_books {
+    double dissipated;      /* energy taken out since t = 0 */
+    double rate;            /* alpha of the thermostat */
+    double largest_kinetic; /* energy so far */
+};
+
+/* What a scene damps; see damping.h. NULL, false and 0 where it does not. */
+struct mpm_damping {
+    bool nodes, particles;
+    struct mpm_expression *grid, *particle, *pic;
+    double grid_rate;     /* of all nodes in this step: a grid(t), and the thermostat's */
+    double particle_rate; /* of all particles: a particle(t) */
+    double pic_rate;      /* (1 - beta)/dt */
+    double *drag[2];      /* per particle: the deceleration of this step */
+    struct mpm_damping_books books;
+};
+
+#endif
