@@ -14,6 +14,7 @@
     SUITE(workers)                                                                                 \
     SUITE(expression)                                                                              \
     SUITE(material)                                                                                \
+    SUITE(particles)                                                                               \
     SUITE(scene)                                                                                   \
     SUITE(properties)                                                                              \
     SUITE(energy)                                                                                  \
