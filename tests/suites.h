@@ -21,6 +21,7 @@
     SUITE(guard)                                                                                   \
     SUITE(transfers)                                                                               \
     SUITE(transfer_series)                                                                         \
+    SUITE(exchange)                                                                                \
     SUITE(forms)                                                                                   \
     SUITE(loads)                                                                                   \
     SUITE(given)                                                                                   \

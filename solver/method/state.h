@@ -9,6 +9,7 @@
 #include "method/kernels.h"
 #include "method/shape/edge.h"
 #include "method/shape/shape.h"
+#include "method/transfer/exchange.h"
 #include "model/boundary.h"
 #include "model/crack.h"
 #include "model/grid.h"
@@ -120,10 +121,8 @@ struct mpm_edge_loads {
 /* A body force that the caller gives; see given_force.h. All NULL where none is given. */
 struct mpm_given_force {
     struct mpm_body_force caller;
-    double *value[2];              /* per particle: b_p of the step */
-    struct mpm_node_sum (*sum)[2]; /* per node: sum m_p S_ip b_p in the place of the momentum */
-    double *mass;                  /* per node: comes with it, and nobody asks for it */
-    double *row_work;              /* per node row */
+    double (*force)[MPM_NODE_VALUES]; /* per node: sum m_p S_ip b_p; two of the values are free */
+    double *row_work;                 /* per node row */
 };
 
 /* What damping remembers from step to step. */
@@ -272,6 +271,7 @@ struct mpm_state {
     struct mpm_symmetry *symmetries;
     size_t symmetry_count;
 
+    struct mpm_exchange exchange; /* of the pass that runs */
     struct mpm_given_force given_force;
     struct mpm_damping damping;
     struct mpm_energy_balance energy;

@@ -3,71 +3,103 @@
 
 #include <assert.h>
 
+/* NOLINTBEGIN(bugprone-macro-parentheses): `several` is [n] or nothing. */
 #define EXPONENTS(length, mass, time) length, mass, time
-#define ROW(name, type, member, several, exponents, present, kept, ones, title, description)       \
+#define ROW(name, type, member, several, exponents, needed, copied, unit, title, description)      \
     [MPM_PARTICLE_##name] = {                                                                      \
-        {title, sizeof(((struct mpm_particles *)0)->member) / sizeof(type *),                      \
-         _Generic((type)0, uint32_t                                                                \
-                  : true, double                                                                   \
-                  : false),                                                                        \
-         EXPONENTS exponents, description},                                                        \
-        offsetof(struct mpm_particles, member),                                                    \
-        sizeof(type),                                                                              \
-        present,                                                                                   \
-        kept,                                                                                      \
-        ones,                                                                                      \
+        .info = {title, sizeof(char several), sizeof(type) == sizeof(uint32_t),                    \
+                 EXPONENTS exponents, description},                                                \
+        .place = offsetof(struct mpm_particles, member),                                           \
+        .size = sizeof(type),                                                                      \
+        .present = (needed),                                                                       \
+        .kept = (copied),                                                                          \
+        .ones = (unit),                                                                            \
     },
 const struct mpm_particle_row mpm_particle_rows[MPM_PARTICLE_FIELD_COUNT] = {
     MPM_PARTICLE_FIELDS(ROW)};
 #undef ROW
 
-#define ROW(name, type, member, ...)                                                               \
-    _Static_assert(sizeof(((struct mpm_particles *)0)->member) / sizeof(type *) <= UINT8_MAX,      \
+#define ROW(name, type, member, several, ...)                                                      \
+    _Static_assert(sizeof(char several) <= UINT8_MAX,                                              \
                    #member ": more components than mpm_particles.components counts");              \
     _Static_assert(sizeof(type) <= sizeof(double), #member ": the sort's scratch holds doubles");
 MPM_PARTICLE_FIELDS(ROW)
 #undef ROW
+/* NOLINTEND(bugprone-macro-parentheses) */
 _Static_assert(2 * sizeof(uint32_t) <= sizeof(double), "the sort needs room for two orders");
 
 /* ------------------------------------------------------------------- layout */
 
-static void take_arrays(struct mpm_particles *particles, bool kept, struct mpm_arena *arena)
+enum { ALIGNMENT = 64 }; /* a cache line, as in an arena */
+
+void mpm_particles_layout_field(struct mpm_particles *particles, size_t field, size_t components,
+                                struct mpm_arena *arena)
 {
-    const struct mpm_particle_needs needs = particles->needs;
-    for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++) {
-        const struct mpm_particle_row *const row = &mpm_particle_rows[field];
-        if (((kept ? row->kept : row->present) & needs.uses) == 0)
-            continue;
-        const size_t components =
-            row->present == MPM_USE_LAW_STATE ? needs.law_states : row->info.components;
-        assert(components <= row->info.components);
-        particles->components[field] = (uint8_t)components;
-        for (size_t k = 0; k < components; k++)
-            mpm_particle_set_array(particles, field, k,
-                                   mpm_arena_take(arena, particles->count, row->size));
-    }
+    const struct mpm_particle_row *const row = &mpm_particle_rows[field];
+    assert(components <= row->info.components);
+    particles->components[field] = (uint8_t)components;
+    for (size_t k = 0; k < row->info.components; k++)
+        mpm_particle_set_array(particles, field, k,
+                               k < components ? mpm_arena_take(arena, particles->count, row->size)
+                                              : NULL);
 }
 
 void mpm_particles_layout(struct mpm_particles *particles, size_t count,
                           struct mpm_particle_needs needs, struct mpm_arena *arena)
 {
     *particles = (struct mpm_particles){.count = count, .needs = needs};
-    take_arrays(particles, false, arena);
+    for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++) {
+        const struct mpm_particle_row *const row = &mpm_particle_rows[field];
+        if ((row->present & needs.uses) != 0)
+            mpm_particles_layout_field(
+                particles, field,
+                row->present == MPM_USE_LAW_STATE ? needs.law_states : row->info.components, arena);
+    }
 }
 
-void mpm_particles_layout_kept(struct mpm_particles *kept, const struct mpm_particles *particles,
-                               struct mpm_arena *arena)
+/* ---------------------------------------------------------- the last good state */
+
+/* How many components of a field have copies. */
+static size_t kept_components(const struct mpm_particles *particles, size_t field)
 {
-    *kept = (struct mpm_particles){.count = particles->count, .needs = particles->needs};
-    take_arrays(kept, true, arena);
+    const bool kept = (mpm_particle_rows[field].kept & particles->needs.uses) != 0;
+    return kept ? particles->components[field] : 0;
 }
 
-void mpm_particles_copy(const struct mpm_particles *from, struct mpm_particles *to)
+/* Bytes from one copy to the next. */
+static size_t kept_distance(const struct mpm_particles *particles, size_t field)
+{
+    const size_t bytes = particles->count * mpm_particle_rows[field].size;
+    return (bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+}
+
+size_t mpm_particles_kept_bytes(const struct mpm_particles *particles)
+{
+    size_t bytes = 0;
+    for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++)
+        bytes += kept_components(particles, field) * kept_distance(particles, field);
+    return bytes;
+}
+
+static void copy_kept(const struct mpm_particles *particles, unsigned char *kept, bool back)
 {
     for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++)
-        for (size_t k = 0; k < from->components[field] && k < to->components[field]; k++)
-            memcpy(mpm_particle_array(to, field, k), mpm_particle_array(from, field, k),
-                   from->count * mpm_particle_rows[field].size);
+        for (size_t k = 0; k < kept_components(particles, field); k++) {
+            void *const array = mpm_particle_array(particles, field, k);
+            memcpy(back ? array : kept, back ? kept : array,
+                   particles->count * mpm_particle_rows[field].size);
+            kept += kept_distance(particles, field);
+        }
+}
+
+void mpm_particles_keep(const struct mpm_particles *particles, unsigned char *kept)
+{
+    copy_kept(particles, kept, false);
+}
+
+void mpm_particles_put_back(const struct mpm_particles *particles, unsigned char *kept)
+{
+    copy_kept(particles, kept, true);
 }
 
 /* --------------------------------------------------------------------- sort */
@@ -106,29 +138,25 @@ static bool in_order(const uint32_t *order, size_t count)
     return true;
 }
 
-/* Brings every lasting field into the order, and leaves copies in `kept`. */
-static void apply_order(struct mpm_particles *particles, const uint32_t *order,
-                        struct mpm_particles *kept)
+/* Brings every lasting field into the order, by way of its copy if it has one. */
+static void apply_order(const struct mpm_particles *particles, const uint32_t *order,
+                        unsigned char *kept)
 {
     const size_t count = particles->count;
-    const bool sorted = in_order(order, count);
     for (size_t field = 0; field < MPM_PARTICLE_LASTING_COUNT; field++)
         for (size_t k = 0; k < particles->components[field]; k++) {
             const size_t size = mpm_particle_rows[field].size;
-            const bool is_kept = k < kept->components[field];
+            const bool is_kept = k < kept_components(particles, field);
             void *const array = mpm_particle_array(particles, field, k);
-            void *const copy = is_kept ? mpm_particle_array(kept, field, k) : particles->carried[0];
-            if (sorted && is_kept) {
-                memcpy(copy, array, count * size);
-            } else if (!sorted) {
-                gather(array, size, order, count, copy);
-                memcpy(array, copy, count * size);
-            }
+            void *const copy = is_kept ? kept : (void *)particles->carried[0];
+            gather(array, size, order, count, copy);
+            memcpy(array, copy, count * size);
+            kept += is_kept ? kept_distance(particles, field) : 0;
         }
 }
 
 void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *grid,
-                        const double half_size[2], uint32_t *counts, struct mpm_particles *kept)
+                        const double half_size[2], uint32_t *counts, unsigned char *kept)
 {
     uint32_t *const order = mpm_particles_order(particles), *const by_column =
                                                                 order + particles->count;
@@ -137,5 +165,8 @@ void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *
     /* least significant key first: columns, then rows */
     sort_axis(particles, grid, half_size, 0, order, by_column, counts);
     sort_axis(particles, grid, half_size, 1, by_column, order, counts);
-    apply_order(particles, order, kept);
+    if (in_order(order, particles->count))
+        mpm_particles_keep(particles, kept);
+    else
+        apply_order(particles, order, kept);
 }

@@ -27,6 +27,7 @@ enum mpm_particle_use {
     MPM_USE_ORIGINS = 16,     /* see crack_detection.h */
     MPM_USE_KEPT_STRESS = 32, /* stress is not a function of F to the last bit */
     MPM_USE_LAW_STATE = 64,   /* laws with state variables */
+    MPM_USE_GIVEN_FORCE = 128,
 };
 
 /* State variables of a law, at most. */
@@ -65,23 +66,26 @@ enum { MPM_LAW_STATES = 16 };
         MPM_USE_LAW_STATE, 0, "law_state", "state variables of the particle's law")
 #define MPM_STEP_PARTICLE_FIELDS(ROW) /* of a step, not sorted: the sort works in their memory */  \
     ROW(CARRIED, double, carried, [2], (1, 0, 0), MPM_USE_DEFORMABLE, 0, 0, "carried",             \
-        "position at the end of the step, known before its last task")
-#define MPM_LASTING_PARTICLE_FIELDS(ROW)                                                           \
-    MPM_WRITTEN_PARTICLE_FIELDS(ROW)                                                               \
-    MPM_INNER_PARTICLE_FIELDS(ROW)
+        "position at the end of the step, known before its last task")                             \
+    ROW(GIVEN_FORCE, double, given_force, [2], (1, 0, -2), MPM_USE_GIVEN_FORCE, 0, 0,              \
+        "given_force", "body force of the step that a caller gives; see given_force.h")
 #define MPM_PARTICLE_FIELDS(ROW)                                                                   \
-    MPM_LASTING_PARTICLE_FIELDS(ROW)                                                               \
+    MPM_WRITTEN_PARTICLE_FIELDS(ROW)                                                               \
+    MPM_INNER_PARTICLE_FIELDS(ROW)                                                                 \
     MPM_STEP_PARTICLE_FIELDS(ROW)
 
-enum mpm_particle_field {
 #define MPM_ROW(name, ...) MPM_PARTICLE_##name,
-    MPM_PARTICLE_FIELDS(MPM_ROW)
-#undef MPM_ROW
-#define MPM_ROW(name, ...) +1
-        MPM_PARTICLE_LASTING_COUNT = 0 MPM_LASTING_PARTICLE_FIELDS(MPM_ROW), /* the first ones */
-    MPM_PARTICLE_FIELD_COUNT = 0 MPM_PARTICLE_FIELDS(MPM_ROW),
-#undef MPM_ROW
+enum mpm_particle_field {
+    MPM_WRITTEN_PARTICLE_FIELDS(MPM_ROW) /**/
+    MPM_PARTICLE_WRITTEN_COUNT,
+    MPM_PARTICLE_LAST_WRITTEN = MPM_PARTICLE_WRITTEN_COUNT - 1, /* no gap in the numbers */
+    MPM_INNER_PARTICLE_FIELDS(MPM_ROW)                          /**/
+    MPM_PARTICLE_LASTING_COUNT,                                 /* that the sort takes along */
+    MPM_PARTICLE_LAST_LASTING = MPM_PARTICLE_LASTING_COUNT - 1,
+    MPM_STEP_PARTICLE_FIELDS(MPM_ROW) /**/
+    MPM_PARTICLE_FIELD_COUNT,
 };
+#undef MPM_ROW
 
 /* Which fields a set of particles has. */
 struct mpm_particle_needs {
@@ -102,10 +106,8 @@ struct mpm_particles {
 
 /* Arrays that all fields have together, at most. */
 enum {
-#define MPM_ROW(name, type, member, ...)                                                           \
-    +(int)(sizeof(((struct mpm_particles *)0)->member) / sizeof(type *))
-    MPM_PARTICLE_ARRAYS = 0 MPM_PARTICLE_FIELDS(MPM_ROW)
-#undef MPM_ROW
+    MPM_PARTICLE_ARRAYS =
+        (sizeof(struct mpm_particles) - offsetof(struct mpm_particles, id)) / sizeof(void *)
 };
 
 struct mpm_particle_row {
@@ -137,16 +139,19 @@ static inline void mpm_particle_set_array(struct mpm_particles *particles, size_
            &array, sizeof array);
 }
 
+/* Takes arrays for a field's first components; no others of it are there from now on. */
+void mpm_particles_layout_field(struct mpm_particles *particles, size_t field, size_t components,
+                                struct mpm_arena *arena);
+
 /* Takes all arrays of the fields that are needed. */
 void mpm_particles_layout(struct mpm_particles *particles, size_t count,
                           struct mpm_particle_needs needs, struct mpm_arena *arena);
 
-/* Takes the arrays that a copy of particles needs in the last good state. */
-void mpm_particles_layout_kept(struct mpm_particles *kept, const struct mpm_particles *particles,
-                               struct mpm_arena *arena);
-
-/* Copies every array that both have; they have as many particles. */
-void mpm_particles_copy(const struct mpm_particles *from, struct mpm_particles *to);
+/* The last good state of particles: bytes that their copies take, in one block; copies them there,
+ * and back. */
+size_t mpm_particles_kept_bytes(const struct mpm_particles *particles);
+void mpm_particles_keep(const struct mpm_particles *particles, unsigned char *kept);
+void mpm_particles_put_back(const struct mpm_particles *particles, unsigned char *kept);
 
 /* Room for one number a particle between steps, in the memory of `carried`: the sort's order, and
  * what is made after it until the next step. */
@@ -168,10 +173,10 @@ static inline int64_t mpm_particle_cell(const struct mpm_grid *grid, int axis, d
 
 /* Sorts deformable particles by cell, row by row; particles of one cell keep their order.
  * `half_size` is that of their domains, or the smallest.
- * `counts` is scratch for max(rows, columns) + 1 counters; `kept` gets copies of the arrays
- * that it has, on the way. Cost: O(particles + rows + columns), independent of the
+ * `counts` is scratch for max(rows, columns) + 1 counters; `kept` gets the copies of
+ * mpm_particles_keep on the way. Cost: O(particles + rows + columns), independent of the
  * number of cells. */
 void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *grid,
-                        const double half_size[2], uint32_t *counts, struct mpm_particles *kept);
+                        const double half_size[2], uint32_t *counts, unsigned char *kept);
 
 #endif

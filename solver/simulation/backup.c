@@ -32,8 +32,10 @@ static void copy_openings(struct mpm_simulation *simulation, bool back)
 void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena)
 {
     struct mpm_backup *const backup = &simulation->backup;
-    mpm_particles_layout_kept(&backup->particles, &simulation->state.particles, arena);
-    mpm_particles_layout_kept(&backup->rigid, &simulation->state.rigid, arena);
+    backup->particles =
+        MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&simulation->state.particles));
+    backup->rigid =
+        MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&simulation->state.rigid));
     for (int axis = 0; axis < 2; axis++)
         backup->crack_position[axis] =
             MPM_TAKE(arena, double, simulation->state.cracks.point_count);
@@ -49,7 +51,7 @@ void mpm_backup_save(struct mpm_simulation *simulation)
 {
     const struct mpm_state *const state = &simulation->state;
     struct mpm_backup *const backup = &simulation->backup;
-    mpm_particles_copy(&state->rigid, &backup->rigid);
+    mpm_particles_keep(&state->rigid, backup->rigid);
     for (int axis = 0; axis < 2 && state->cracks.point_count > 0; axis++)
         memcpy(backup->crack_position[axis], state->cracks.position[axis],
                state->cracks.point_count * sizeof(double));
@@ -69,8 +71,8 @@ static void copy_back(struct mpm_simulation *simulation)
 {
     struct mpm_state *const state = &simulation->state;
     const struct mpm_backup *const backup = &simulation->backup;
-    mpm_particles_copy(&backup->particles, &state->particles);
-    mpm_particles_copy(&backup->rigid, &state->rigid);
+    mpm_particles_put_back(&state->particles, backup->particles);
+    mpm_particles_put_back(&state->rigid, backup->rigid);
     for (int axis = 0; axis < 2 && state->cracks.point_count > 0; axis++)
         memcpy(state->cracks.position[axis], backup->crack_position[axis],
                state->cracks.point_count * sizeof(double));
@@ -108,7 +110,7 @@ void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step)
         state->strips[s].failure = (struct mpm_failure){0};
     mpm_step_recompute(state);
     /* stress, where it is kept: not from F by the one kernel */
-    mpm_particles_copy(&backup->particles, &state->particles);
+    mpm_particles_put_back(&state->particles, backup->particles);
     while (simulation->step < step)
         mpm_backup_repeat(simulation);
 }

@@ -363,7 +363,7 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
     MPM_TRY(mpm_openings_check_start(simulation, error));
     mpm_stability_advise(simulation);
     double unused[MPM_PHASE_COUNT] = {0.0}; /* part of the set-up */
-    mpm_step_sort(state, &simulation->backup.particles, unused);
+    mpm_step_sort(state, simulation->backup.particles, unused);
     state->workers = mpm_threads_choose(state, state->workers, NULL);
     if (mpm_step_collect(state) != MPM_OK)
         return mpm_health_refuse_start(simulation, error);

@@ -56,31 +56,38 @@ static double fringe_without_stress(const struct mpm_simulation *simulation)
 
 /* ---------------------------------------------------------------------- the table */
 
-/* What snapshots have: a row of mpm_particle_rows, or a function of the particle. Of rigid
- * particles, which do not deform and carry no mass, that is `rigid` for every component; NULL: 0.
- */
+/* What snapshots have: a row of mpm_particle_rows, or a function of the particle, `find`. Of rigid
+ * particles, which do not deform and carry no mass, every component of such a function is `rigid`;
+ * NULL: 0. */
 struct quantity {
-    struct mpm_field_info info; /* of a function */
-    const struct mpm_particle_row *stored;
+    const struct mpm_particle_row *stored; /* or NULL */
+    struct mpm_field_info info;
     void (*find)(const struct mpm_simulation *simulation, size_t p, double *out);
     double (*rigid)(const struct mpm_simulation *simulation);
 };
 
-#define STORED(name, ...) [MPM_FIELD_##name] = {.stored = &mpm_particle_rows[MPM_PARTICLE_##name]},
 static const struct quantity quantities[MPM_FIELD_COUNT] = {
-    MPM_WRITTEN_PARTICLE_FIELDS(STORED) /**/
-        [MPM_FIELD_STRESS] = {{"stress", 4, false, -1, 1, -2,
-                               "Cauchy stress xx yy zz xy; in axisymmetry rr zz tt rz"},
-                              .find = find_stress},
-    [MPM_FIELD_VOLUME] = {{"volume", 1, false, 3, 0, 0,
+    [MPM_FIELD_STRESS] = {NULL,
+                          {"stress", 4, false, -1, 1, -2,
+                           "Cauchy stress xx yy zz xy; in axisymmetry rr zz tt rz"},
+                          find_stress,
+                          NULL},
+    [MPM_FIELD_VOLUME] = {NULL,
+                          {"volume", 1, false, 3, 0, 0,
                            "current volume, for the thickness or per radian"},
-                          .find = find_volume},
-    [MPM_FIELD_FRINGE] = {{"fringe", 1, false, 0, 0, 0,
+                          find_volume,
+                          NULL},
+    [MPM_FIELD_FRINGE] = {NULL,
+                          {"fringe", 1, false, 0, 0, 0,
                            "photoelastic fringes: cos(k sqrt((xx - yy)^2 + 4 xy^2)) of the Cauchy "
                            "stress, k the scene's output.fringe"},
-                          .find = find_fringe,
-                          .rigid = fringe_without_stress},
+                          find_fringe,
+                          fringe_without_stress},
+#define MPM_ROW(name, ...) [MPM_FIELD_##name] = {.stored = &mpm_particle_rows[MPM_PARTICLE_##name]},
+    MPM_WRITTEN_PARTICLE_FIELDS(MPM_ROW)
+#undef MPM_ROW
 };
+_Static_assert(MPM_FIELD_COUNT == MPM_PARTICLE_WRITTEN_COUNT + 3, "one row for each field");
 
 const struct mpm_field_info *mpm_field_describe(enum mpm_field field)
 {

@@ -66,19 +66,20 @@ void mpm_fast_tail_fill(struct fast_tail *tail, const struct mpm_particles *part
                         size_t count)
 {
     union fast_tail_value *value = tail->values;
+    size_t from[MPM_VECTOR_SIZE];
+    for (size_t lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+        from[lane] = lane < count ? first + lane : first;
     tail->particles = (struct mpm_particles){.count = MPM_VECTOR_SIZE};
     for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++)
         for (size_t k = 0; k < particles->components[field]; k++, value++) {
-            const bool integer = mpm_particle_rows[field].info.integer;
             const double *const number = mpm_particle_array(particles, field, k);
             const uint32_t *const index = mpm_particle_array(particles, field, k);
-            for (size_t lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
-                const size_t from = lane < count ? first + lane : first;
-                if (integer)
-                    value->index[lane] = index[from];
-                else
-                    value->number[lane] = number[from];
-            }
+            if (mpm_particle_rows[field].info.integer)
+                for (size_t lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+                    value->index[lane] = index[from[lane]];
+            else
+                for (size_t lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+                    value->number[lane] = number[from[lane]];
             mpm_particle_set_array(&tail->particles, field, k, value);
         }
     for (size_t lane = count; lane < MPM_VECTOR_SIZE; lane++)
