@@ -216,7 +216,7 @@ struct mpm_body_force {
 /* Adds f_i += sum m_p S_ip b_p, N&G (4), to each step, whatever the kernels. Its work is in the
  * ledger's external_work. May be set again; NULL takes it away. A value that is not finite fails
  * the run. MPM_BAD_INPUT: after the first step; no function `evaluate`. MPM_ENVIRONMENT_FAILED: no
- * memory. Cost: one more pass of the particles to the grid; 2 numbers a particle, 5 a node. */
+ * memory. Cost: one more pass of the particles to the grid; 2 numbers a particle, 4 a node. */
 enum mpm_status mpm_simulation_set_body_force(struct mpm_simulation *simulation,
                                               const struct mpm_body_force *force,
                                               struct mpm_error *error);

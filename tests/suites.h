@@ -14,12 +14,14 @@
     SUITE(workers)                                                                                 \
     SUITE(expression)                                                                              \
     SUITE(material)                                                                                \
+    SUITE(particles)                                                                               \
     SUITE(scene)                                                                                   \
     SUITE(properties)                                                                              \
     SUITE(energy)                                                                                  \
     SUITE(guard)                                                                                   \
     SUITE(transfers)                                                                               \
     SUITE(transfer_series)                                                                         \
+    SUITE(projection)                                                                              \
     SUITE(forms)                                                                                   \
     SUITE(loads)                                                                                   \
     SUITE(given)                                                                                   \

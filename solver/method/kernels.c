@@ -5,6 +5,7 @@
 #include "method/fields/split.h"
 #include "method/grid/grid_update.h"
 #include "method/transfer/affine.h"
+#include "method/transfer/projection.h"
 #include "method/transfer/smoothing.h"
 #include "method/transfer/transfer.h"
 
@@ -20,7 +21,7 @@
     }
 #define STEP(first, before, back, last)                                                            \
     {                                                                                              \
-        first, before, back, last, mpm_pass_recompute, mpm_pass_smooth                             \
+        first, before, back, last, mpm_pass_recompute, mpm_pass_project                            \
     }
 
 static const struct mpm_passes velocity_passes[MPM_ORDER_COUNT] = ORDERS(
@@ -93,7 +94,6 @@ static void choose_reference(const struct mpm_scene *scene, const char *reason,
 {
     *choice = (struct mpm_kernel_choice){
         .passes = reference_passes(scene),
-        .spread_velocity = mpm_pass_momentum,
         .start_rows = mpm_row_start_velocity,
         .name = "reference",
         .reason = reason,
@@ -137,7 +137,6 @@ static enum mpm_status choose_fast(const struct mpm_scene *scene, enum mpm_simd 
         choice->gather_rows = mpm_row_gather_mass;
         choice->start_rows = mpm_row_start_velocity;
     }
-    choice->spread_velocity = choice->passes->to_grid;
     choose_transfer(scene, true, choice);
     return MPM_OK;
 }

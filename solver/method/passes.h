@@ -16,7 +16,7 @@ struct mpm_passes {
     mpm_pass *to_particles;  /* Task 5, velocities; with (31) for MUSL and USAVG */
     mpm_pass *finish;        /* Task 6 of USL, MUSL and USAVG; positions */
     mpm_pass *recompute;     /* not part of a step: stress and domain of the F at hand */
-    mpm_pass *smooth;        /* XPIC and FMPM: see method/transfer/smoothing.h */
+    mpm_pass *project;       /* of any values: see method/transfer/projection.h */
 };
 
 struct mpm_state;
@@ -26,9 +26,8 @@ struct mpm_kernel_choice {
     const struct mpm_passes *passes;
     /* Of scenes whose passes are mpm_split_passes; else NULL. */
     const struct mpm_passes *plain, *general;
-    mpm_pass *gather_rows;     /* makes masses whole where to_grid leaves them in pieces; or NULL */
-    mpm_pass *start_rows;      /* Task 2, velocities of the nodes from what to_grid leaves there */
-    mpm_pass *spread_velocity; /* sum m_p S_ip v_p, and perhaps more that a momentum comes with */
+    mpm_pass *gather_rows; /* makes masses whole where to_grid leaves them in pieces; or NULL */
+    mpm_pass *start_rows;  /* Task 2, velocities of the nodes from what to_grid leaves there */
     /* What transfers other than FLIP do to nodes and particles before to_particles, in this
      * order; NULL: nothing. `smooth` works on all of the grid. */
     void (*smooth)(struct mpm_state *state, int workers);

@@ -17,6 +17,7 @@
 #include "method/loads/rest_state.h"
 #include "method/passes.h"
 #include "method/shape/shape.h"
+#include "method/transfer/projection_state.h"
 #include "model/grid.h"
 #include "model/material.h"
 #include "model/particles.h"
@@ -94,7 +95,7 @@ struct mpm_state {
     struct mpm_grid grid;
     int64_t node_zero; /* index of node (0, 0): stencil offsets count from it */
     struct mpm_particles particles;
-    struct mpm_rigid_particles rigid;
+    struct mpm_particles rigid;
     struct mpm_body *bodies;
 
     struct mpm_strip *strips;
@@ -117,6 +118,7 @@ struct mpm_state {
     struct mpm_cracks cracks;
     struct mpm_symmetries symmetries;
 
+    struct mpm_projection projection; /* of the pass that runs */
     struct mpm_given_force given_force;
     struct mpm_damping damping;
     struct mpm_energy_balance energy;

@@ -70,8 +70,7 @@ static void run_particles(struct mpm_state *state, int workers, mpm_pass *pass)
 
 /* ------------------------------------------------------------------ sorting */
 
-void mpm_step_sort(struct mpm_state *state, double *const kept[MPM_KEPT_ARRAYS],
-                   double seconds[MPM_PHASE_COUNT])
+void mpm_step_sort(struct mpm_state *state, unsigned char *kept, double seconds[MPM_PHASE_COUNT])
 {
     double mark = seconds_now();
     struct mpm_particles *const particles = &state->particles;

@@ -27,8 +27,7 @@ enum { MPM_STEPS_BETWEEN_SORTS = 32 };
 
 /* Puts the particles in cell order and gives every strip its share; also after any
  * change of positions from outside. Leaves a copy of what cannot be recomputed in `kept`. */
-void mpm_step_sort(struct mpm_state *state, double *const kept[MPM_KEPT_ARRAYS],
-                   double seconds[MPM_PHASE_COUNT]);
+void mpm_step_sort(struct mpm_state *state, unsigned char *kept, double seconds[MPM_PHASE_COUNT]);
 
 /* Failures that strips have recorded, in state->failure; MPM_RUN_FAILED if there is one. */
 enum mpm_status mpm_step_collect(struct mpm_state *state);

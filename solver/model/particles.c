@@ -1,73 +1,108 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model/particles.h"
 
-#include <string.h>
+#include <assert.h>
 
-void mpm_particles_layout(struct mpm_particles *particles, size_t count,
-                          struct mpm_particle_extras extras, struct mpm_arena *arena)
-{
-    *particles = (struct mpm_particles){
-        .count = count,
-        .kept = 4U + MPM_GRADIENT_SIZE + (extras.affine ? 4U : 0U) +
-                (extras.stress ? MPM_SYMMETRIC_SIZE : 0U),
-    };
-    for (int axis = 0; axis < 2; axis++) {
-        particles->position[axis] = MPM_TAKE(arena, double, count);
-        particles->velocity[axis] = MPM_TAKE(arena, double, count);
-    }
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        particles->deformation[k] = MPM_TAKE(arena, double, count);
-    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
-        particles->stress[k] = MPM_TAKE(arena, double, count);
-    particles->mass = MPM_TAKE(arena, double, count);
-    for (int k = 0; extras.affine && k < 4; k++)
-        particles->affine[k] = MPM_TAKE(arena, double, count);
-    for (int k = 0; extras.domains && k < 4; k++)
-        particles->domain[k] = MPM_TAKE(arena, double, count);
-    for (int axis = 0; extras.origins && axis < 2; axis++)
-        particles->origin[axis] = MPM_TAKE(arena, double, count);
-    particles->id = MPM_TAKE(arena, uint32_t, count);
-    particles->body = MPM_TAKE(arena, uint32_t, count);
-    particles->scratch = MPM_TAKE(arena, double, count);
-    particles->carried[0] = particles->scratch;
-    particles->carried[1] = MPM_TAKE(arena, double, count);
-    particles->order = (void *)particles->carried[1];
-    particles->order_scratch = particles->order == NULL ? NULL : particles->order + count;
-}
+/* NOLINTBEGIN(bugprone-macro-parentheses): `several` is [n] or nothing. */
+#define EXPONENTS(length, mass, time) length, mass, time
+#define ROW(name, type, member, several, exponents, needed, copied, unit, title, description)      \
+    [MPM_PARTICLE_##name] = {                                                                      \
+        .info = {title, sizeof(char several), sizeof(type) == sizeof(uint32_t),                    \
+                 EXPONENTS exponents, description},                                                \
+        .place = offsetof(struct mpm_particles, member),                                           \
+        .size = sizeof(type),                                                                      \
+        .present = (needed),                                                                       \
+        .kept = (copied),                                                                          \
+        .ones = (unit),                                                                            \
+    },
+const struct mpm_particle_row mpm_particle_rows[MPM_PARTICLE_FIELD_COUNT] = {
+    MPM_PARTICLE_FIELDS(ROW)};
+#undef ROW
 
-void mpm_rigid_particles_layout(struct mpm_rigid_particles *particles, size_t count,
+#define ROW(name, type, member, several, ...)                                                      \
+    _Static_assert(sizeof(char several) <= UINT8_MAX,                                              \
+                   #member ": more components than mpm_particles.components counts");              \
+    _Static_assert(sizeof(type) <= sizeof(double), #member ": the sort's scratch holds doubles");
+MPM_PARTICLE_FIELDS(ROW)
+#undef ROW
+/* NOLINTEND(bugprone-macro-parentheses) */
+_Static_assert(2 * sizeof(uint32_t) <= sizeof(double), "the sort needs room for two orders");
+
+/* ------------------------------------------------------------------- layout */
+
+enum { ALIGNMENT = 64 }; /* a cache line, as in an arena */
+
+void mpm_particles_layout_field(struct mpm_particles *particles, size_t field, size_t components,
                                 struct mpm_arena *arena)
 {
-    *particles = (struct mpm_rigid_particles){.count = count};
-    for (int axis = 0; axis < 2; axis++) {
-        particles->position[axis] = MPM_TAKE(arena, double, count);
-        particles->velocity[axis] = MPM_TAKE(arena, double, count);
-    }
-    particles->id = MPM_TAKE(arena, uint32_t, count);
-    particles->body = MPM_TAKE(arena, uint32_t, count);
+    const struct mpm_particle_row *const row = &mpm_particle_rows[field];
+    assert(components <= row->info.components);
+    particles->components[field] = (uint8_t)components;
+    for (size_t k = 0; k < row->info.components; k++)
+        mpm_particle_set_array(particles, field, k,
+                               k < components ? mpm_arena_take(arena, particles->count, row->size)
+                                              : NULL);
 }
 
-size_t mpm_particles_arrays(const struct mpm_particles *particles,
-                            double *arrays[MPM_PARTICLE_ARRAYS])
+void mpm_particles_layout(struct mpm_particles *particles, size_t count,
+                          struct mpm_particle_needs needs, struct mpm_arena *arena)
 {
-    size_t n = 0;
-    for (int axis = 0; axis < 2; axis++) {
-        arrays[n++] = particles->position[axis];
-        arrays[n++] = particles->velocity[axis];
+    *particles = (struct mpm_particles){.count = count, .needs = needs};
+    for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++) {
+        const struct mpm_particle_row *const row = &mpm_particle_rows[field];
+        if ((row->present & needs.uses) != 0)
+            mpm_particles_layout_field(
+                particles, field,
+                row->present == MPM_USE_LAW_STATE ? needs.law_states : row->info.components, arena);
     }
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        arrays[n++] = particles->deformation[k];
-    for (int k = 0; particles->affine[0] != NULL && k < 4; k++)
-        arrays[n++] = particles->affine[k];
-    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
-        arrays[n++] = particles->stress[k];
-    arrays[n++] = particles->mass;
-    for (int k = 0; particles->domain[0] != NULL && k < 4; k++)
-        arrays[n++] = particles->domain[k];
-    for (int axis = 0; particles->origin[0] != NULL && axis < 2; axis++)
-        arrays[n++] = particles->origin[axis];
-    return n;
 }
+
+/* ---------------------------------------------------------- the last good state */
+
+/* How many components of a field have copies. */
+static size_t kept_components(const struct mpm_particles *particles, size_t field)
+{
+    const bool kept = (mpm_particle_rows[field].kept & particles->needs.uses) != 0;
+    return kept ? particles->components[field] : 0;
+}
+
+/* Bytes from one copy to the next. */
+static size_t kept_distance(const struct mpm_particles *particles, size_t field)
+{
+    const size_t bytes = particles->count * mpm_particle_rows[field].size;
+    return (bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+}
+
+size_t mpm_particles_kept_bytes(const struct mpm_particles *particles)
+{
+    size_t bytes = 0;
+    for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++)
+        bytes += kept_components(particles, field) * kept_distance(particles, field);
+    return bytes;
+}
+
+static void copy_kept(const struct mpm_particles *particles, unsigned char *kept, bool back)
+{
+    for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++)
+        for (size_t k = 0; k < kept_components(particles, field); k++) {
+            void *const array = mpm_particle_array(particles, field, k);
+            memcpy(back ? array : kept, back ? kept : array,
+                   particles->count * mpm_particle_rows[field].size);
+            kept += kept_distance(particles, field);
+        }
+}
+
+void mpm_particles_keep(const struct mpm_particles *particles, unsigned char *kept)
+{
+    copy_kept(particles, kept, false);
+}
+
+void mpm_particles_put_back(const struct mpm_particles *particles, unsigned char *kept)
+{
+    copy_kept(particles, kept, true);
+}
+
+/* --------------------------------------------------------------------- sort */
 
 /* One stable counting sort of an order by the cell along one axis. */
 static void sort_axis(const struct mpm_particles *particles, const struct mpm_grid *grid,
@@ -85,53 +120,53 @@ static void sort_axis(const struct mpm_particles *particles, const struct mpm_gr
         to[counts[mpm_particle_cell(grid, axis, position[from[k]], half_size)]++] = from[k];
 }
 
-static void gather_doubles(const struct mpm_particles *particles, const double *from, double *to)
+static void gather(const void *from, size_t size, const uint32_t *order, size_t count, void *to)
 {
-    const uint32_t *const order = particles->order;
-    for (size_t k = 0; k < particles->count; k++)
-        to[k] = from[order[k]];
+    const double *const numbers = from;
+    const uint32_t *const indices = from;
+    for (size_t k = 0; size == sizeof *numbers && k < count; k++)
+        ((double *)to)[k] = numbers[order[k]];
+    for (size_t k = 0; size == sizeof *indices && k < count; k++)
+        ((uint32_t *)to)[k] = indices[order[k]];
 }
 
-static void gather_indices(const struct mpm_particles *particles, uint32_t *array)
+static bool in_order(const uint32_t *order, size_t count)
 {
-    uint32_t *const scratch = (void *)particles->scratch;
-    for (size_t k = 0; k < particles->count; k++)
-        scratch[k] = array[particles->order[k]];
-    memcpy(array, scratch, particles->count * sizeof *array);
-}
-
-static bool in_order(const struct mpm_particles *particles)
-{
-    for (size_t k = 0; k < particles->count; k++)
-        if (particles->order[k] != k)
+    for (size_t k = 0; k < count; k++)
+        if (order[k] != k)
             return false;
     return true;
 }
 
-void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *grid,
-                        const double half_size[2], uint32_t *counts,
-                        double *const kept[MPM_KEPT_ARRAYS])
+/* Brings every lasting field into the order, by way of its copy if it has one. */
+static void apply_order(const struct mpm_particles *particles, const uint32_t *order,
+                        unsigned char *kept)
 {
-    const size_t bytes = particles->count * sizeof(double);
-    double *arrays[MPM_PARTICLE_ARRAYS];
-    const size_t array_count = mpm_particles_arrays(particles, arrays);
-    for (size_t p = 0; p < particles->count; p++)
-        particles->order[p] = (uint32_t)p;
-    /* least significant key first: columns, then rows */
-    sort_axis(particles, grid, half_size, 0, particles->order, particles->order_scratch, counts);
-    sort_axis(particles, grid, half_size, 1, particles->order_scratch, particles->order, counts);
-    const bool sorted = in_order(particles);
-    for (size_t a = 0; a < array_count; a++) {
-        double *const copy = a < particles->kept ? kept[a] : particles->scratch;
-        if (sorted && a < particles->kept) {
-            memcpy(copy, arrays[a], bytes);
-        } else if (!sorted) {
-            gather_doubles(particles, arrays[a], copy);
-            memcpy(arrays[a], copy, bytes);
+    const size_t count = particles->count;
+    for (size_t field = 0; field < MPM_PARTICLE_LASTING_COUNT; field++)
+        for (size_t k = 0; k < particles->components[field]; k++) {
+            const size_t size = mpm_particle_rows[field].size;
+            const bool is_kept = k < kept_components(particles, field);
+            void *const array = mpm_particle_array(particles, field, k);
+            void *const copy = is_kept ? kept : (void *)particles->carried[0];
+            gather(array, size, order, count, copy);
+            memcpy(array, copy, count * size);
+            kept += is_kept ? kept_distance(particles, field) : 0;
         }
-    }
-    if (!sorted) {
-        gather_indices(particles, particles->id);
-        gather_indices(particles, particles->body);
-    }
+}
+
+void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *grid,
+                        const double half_size[2], uint32_t *counts, unsigned char *kept)
+{
+    uint32_t *const order = mpm_particles_order(particles), *const by_column =
+                                                                order + particles->count;
+    for (size_t p = 0; p < particles->count; p++)
+        order[p] = (uint32_t)p;
+    /* least significant key first: columns, then rows */
+    sort_axis(particles, grid, half_size, 0, order, by_column, counts);
+    sort_axis(particles, grid, half_size, 1, by_column, order, counts);
+    if (in_order(order, particles->count))
+        mpm_particles_keep(particles, kept);
+    else
+        apply_order(particles, order, kept);
 }

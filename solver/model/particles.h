@@ -1,5 +1,10 @@
-/* The deformable particles: structure of arrays in stable cell order, and the rigid
+/* Particles, as a structure of arrays: the deformable ones in stable cell order, and the rigid
  * ones, which only drive nodes.
+ *
+ * The fields of a particle are the rows of one table. The members of struct mpm_particles, their
+ * layout, the sort, the copies in the last good state, the copies that fill the last vector of the
+ * fast kernels (fast_block.c) and the plain fields of snapshots (simulation/fields.c) follow from
+ * it. A new field is one row, and one value of enum mpm_field if snapshots have it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_MODEL_PARTICLES_H
@@ -9,55 +14,151 @@
 #include "base/tensor.h"
 #include "model/grid.h"
 
+#include <stddef.h>
+#include <string.h>
+
+/* What particles are for; bits. */
+enum mpm_particle_use {
+    MPM_USE_DEFORMABLE = 1,
+    MPM_USE_RIGID = 2,
+    MPM_USE_ALL = MPM_USE_DEFORMABLE | MPM_USE_RIGID,
+    MPM_USE_APIC = 4,
+    MPM_USE_DOMAINS = 8,      /* F changes while domains must not */
+    MPM_USE_ORIGINS = 16,     /* see crack_detection.h */
+    MPM_USE_KEPT_STRESS = 32, /* stress is not a function of F to the last bit */
+    MPM_USE_LAW_STATE = 64,   /* laws with state variables */
+    MPM_USE_GIVEN_FORCE = 128,
+};
+
+/* State variables of a law, at most. */
+enum { MPM_LAW_STATES = 16 };
+
+/* The table. Columns: name of the row; type, member, and [components] where there are several;
+ * exponents of length, mass and time in its unit; uses that need the field; uses that need a copy
+ * in the last good state, since the field changes and cannot be computed from others; bits of the
+ * components that are 1 for a rigid particle, which does not carry the field, the others being 0;
+ * name and description for users. */
+#define MPM_WRITTEN_PARTICLE_FIELDS(ROW) /* snapshots have these: MPM_FIELD_<name> */              \
+    ROW(ID, uint32_t, id, , (0, 0, 0), MPM_USE_ALL, 0, 0, "id",                                    \
+        "number of the particle in creation order")                                                \
+    ROW(BODY, uint32_t, body, , (0, 0, 0), MPM_USE_ALL, 0, 0, "body",                              \
+        "index of the particle's body in the scene")                                               \
+    ROW(POSITION, double, position, [2], (1, 0, 0), MPM_USE_ALL, MPM_USE_ALL, 0, "position",       \
+        "centre of the particle: x y, or r z")                                                     \
+    ROW(VELOCITY, double, velocity, [2], (1, 0, -1), MPM_USE_ALL, MPM_USE_ALL, 0, "velocity",      \
+        "velocity of the particle")                                                                \
+    ROW(DEFORMATION_GRADIENT, double, deformation, [MPM_GRADIENT_SIZE], (0, 0, 0),                 \
+        MPM_USE_DEFORMABLE, MPM_USE_DEFORMABLE, 1 << MPM_XX | 1 << MPM_YY | 1 << MPM_ZZ,           \
+        "deformation_gradient", "xx xy yx yy zz; in axisymmetry rr rz zr zz tt")                   \
+    ROW(MASS, double, mass, , (0, 1, 0), MPM_USE_DEFORMABLE, 0, 0, "mass",                         \
+        "mass, for the thickness or per radian")
+#define MPM_INNER_PARTICLE_FIELDS(ROW)                                                             \
+    ROW(STRESS, double, stress, [MPM_SYMMETRIC_SIZE], (2, 0, -2), MPM_USE_DEFORMABLE,              \
+        MPM_USE_KEPT_STRESS | MPM_USE_LAW_STATE, 0, "kirchhoff_stress",                            \
+        "Kirchhoff stress over initial density")                                                   \
+    ROW(AFFINE, double, affine, [4], (2, 0, -1), MPM_USE_APIC, MPM_USE_APIC, 0, "affine",          \
+        "xx xy yx yy; see method/transfer/affine.h")                                               \
+    ROW(DOMAIN, double, domain, [4], (1, 0, 0), MPM_USE_DOMAINS, 0, 0, "domain",                   \
+        "half edges d1x d1y d2x d2y of the domain")                                                \
+    ROW(ORIGIN, double, origin, [2], (1, 0, 0), MPM_USE_ORIGINS, 0, 0, "origin",                   \
+        "centre of the particle at t = 0")                                                         \
+    ROW(LAW_STATE, double, law_state, [MPM_LAW_STATES], (0, 0, 0), MPM_USE_LAW_STATE,              \
+        MPM_USE_LAW_STATE, 0, "law_state", "state variables of the particle's law")
+#define MPM_STEP_PARTICLE_FIELDS(ROW) /* of a step, not sorted: the sort works in their memory */  \
+    ROW(CARRIED, double, carried, [2], (1, 0, 0), MPM_USE_DEFORMABLE, 0, 0, "carried",             \
+        "position at the end of the step, known before its last task")                             \
+    ROW(GIVEN_FORCE, double, given_force, [2], (1, 0, -2), MPM_USE_GIVEN_FORCE, 0, 0,              \
+        "given_force", "body force of the step that a caller gives; see given_force.h")
+#define MPM_PARTICLE_FIELDS(ROW)                                                                   \
+    MPM_WRITTEN_PARTICLE_FIELDS(ROW)                                                               \
+    MPM_INNER_PARTICLE_FIELDS(ROW)                                                                 \
+    MPM_STEP_PARTICLE_FIELDS(ROW)
+
+#define MPM_ROW(name, ...) MPM_PARTICLE_##name,
+enum mpm_particle_field {
+    MPM_WRITTEN_PARTICLE_FIELDS(MPM_ROW) /**/
+    MPM_PARTICLE_WRITTEN_COUNT,
+    MPM_PARTICLE_LAST_WRITTEN = MPM_PARTICLE_WRITTEN_COUNT - 1, /* no gap in the numbers */
+    MPM_INNER_PARTICLE_FIELDS(MPM_ROW)                          /**/
+    MPM_PARTICLE_LASTING_COUNT,                                 /* that the sort takes along */
+    MPM_PARTICLE_LAST_LASTING = MPM_PARTICLE_LASTING_COUNT - 1,
+    MPM_STEP_PARTICLE_FIELDS(MPM_ROW) /**/
+    MPM_PARTICLE_FIELD_COUNT,
+};
+#undef MPM_ROW
+
+/* Which fields a set of particles has. */
+struct mpm_particle_needs {
+    unsigned uses;      /* bits of enum mpm_particle_use */
+    uint8_t law_states; /* components of law_state, with MPM_USE_LAW_STATE; up to MPM_LAW_STATES */
+};
+
 struct mpm_particles {
     size_t count;
-    double *position[2];
-    double *velocity[2];
-    double *deformation[MPM_GRADIENT_SIZE];
-    double *stress[MPM_SYMMETRIC_SIZE]; /* Kirchhoff over initial density */
-    double *mass;                       /* for the thickness, or per radian */
-    double *affine[4]; /* APIC, else NULL: xx xy yx yy; see method/transfer/affine.h */
-    double *domain[4]; /* half edges d1x d1y d2x d2y, where F does not tell them; else NULL */
-    double *origin[2]; /* places at t = 0, else NULL; see crack_detection.h */
-    uint32_t *id;      /* creation order over all bodies */
-    uint32_t *body;    /* index in the scene */
-    size_t kept;       /* so many of mpm_particles_arrays, the first, cannot be recomputed */
-    /* scratch of the sort */
-    uint32_t *order, *order_scratch;
-    double *scratch;
-    /* within a step: positions at its end, known before the last task; in the memory of the
-     * sort's scratch */
-    double *carried[2];
+    struct mpm_particle_needs needs;
+    /* Arrays of each field in use, the first ones of its member; the others are NULL. A field that
+     * the particles do not have has none. */
+    uint8_t components[MPM_PARTICLE_FIELD_COUNT];
+#define MPM_ROW(name, type, member, several, ...) type *member several;
+    MPM_PARTICLE_FIELDS(MPM_ROW)
+#undef MPM_ROW
 };
 
-/* Particles of rigid bodies: no mass, no stress. */
-struct mpm_rigid_particles {
-    size_t count;
-    double *position[2];
-    double *velocity[2];
-    uint32_t *id;
-    uint32_t *body;
+/* Arrays that all fields have together, at most. */
+enum {
+    MPM_PARTICLE_ARRAYS =
+        (sizeof(struct mpm_particles) - offsetof(struct mpm_particles, id)) / sizeof(void *)
 };
 
-/* Arrays that only some methods need; `stress`: is it from more than one set of kernels? */
-struct mpm_particle_extras {
-    bool domains, affine, origins, stress;
+struct mpm_particle_row {
+    struct mpm_field_info info; /* components: those that there is room for */
+    size_t place;               /* of the member in struct mpm_particles */
+    size_t size;                /* of one value */
+    unsigned present, kept;     /* bits of enum mpm_particle_use */
+    unsigned ones;              /* bits of components */
 };
+extern const struct mpm_particle_row mpm_particle_rows[MPM_PARTICLE_FIELD_COUNT];
 
-void mpm_particles_layout(struct mpm_particles *particles, size_t count,
-                          struct mpm_particle_extras extras, struct mpm_arena *arena);
-void mpm_rigid_particles_layout(struct mpm_rigid_particles *particles, size_t count,
+/* The array of a component of a field, an enum mpm_particle_field: of doubles, or of uint32_t where
+ * its info says integer. */
+static inline void *mpm_particle_array(const struct mpm_particles *particles, size_t field,
+                                       size_t component)
+{
+    void *array;
+    memcpy(&array,
+           (const unsigned char *)particles + mpm_particle_rows[field].place +
+               component * sizeof array,
+           sizeof array);
+    return array;
+}
+
+static inline void mpm_particle_set_array(struct mpm_particles *particles, size_t field,
+                                          size_t component, void *array)
+{
+    memcpy((unsigned char *)particles + mpm_particle_rows[field].place + component * sizeof array,
+           &array, sizeof array);
+}
+
+/* Takes arrays for a field's first components; no others of it are there from now on. */
+void mpm_particles_layout_field(struct mpm_particles *particles, size_t field, size_t components,
                                 struct mpm_arena *arena);
 
-/* Every array of doubles that a particle carries, for passes that treat all alike.
- * Returns the number of arrays (at most MPM_PARTICLE_ARRAYS). */
-enum { MPM_PARTICLE_ARRAYS = 24 };
-/* The first ones of them, position, velocity, deformation, the affine part if any, and stress if it
- * comes from several sets of kernels, whose bits differ: all else of a particle that changes can be
- * recomputed. particles->kept of them, at most so many. */
-enum { MPM_KEPT_ARRAYS = 8 + MPM_GRADIENT_SIZE + MPM_SYMMETRIC_SIZE };
-size_t mpm_particles_arrays(const struct mpm_particles *particles,
-                            double *arrays[MPM_PARTICLE_ARRAYS]);
+/* Takes all arrays of the fields that are needed. */
+void mpm_particles_layout(struct mpm_particles *particles, size_t count,
+                          struct mpm_particle_needs needs, struct mpm_arena *arena);
+
+/* The last good state of particles: bytes that their copies take, in one block; copies them there,
+ * and back. */
+size_t mpm_particles_kept_bytes(const struct mpm_particles *particles);
+void mpm_particles_keep(const struct mpm_particles *particles, unsigned char *kept);
+void mpm_particles_put_back(const struct mpm_particles *particles, unsigned char *kept);
+
+/* Room for one number a particle between steps, in the memory of `carried`: the sort's order, and
+ * what is made after it until the next step. */
+static inline uint32_t *mpm_particles_order(const struct mpm_particles *particles)
+{
+    return (void *)particles->carried[1];
+}
 
 /* The cell that a particle is sorted into along one axis: that of the lower end of its
  * domain, whose nodes begin there, so that neighbours in the order have the same nodes. One
@@ -70,13 +171,12 @@ static inline int64_t mpm_particle_cell(const struct mpm_grid *grid, int axis, d
     return cell < 0 ? 0 : cell < grid->cells[axis] ? cell : grid->cells[axis] - 1;
 }
 
-/* Sorts the particles by cell, row by row; particles of one cell keep their order.
+/* Sorts deformable particles by cell, row by row; particles of one cell keep their order.
  * `half_size` is that of their domains, or the smallest.
- * `counts` is scratch for max(rows, columns) + 1 counters; `kept` gets copies of the arrays
- * that are to be kept, on the way. Cost: O(particles + rows + columns), independent of the
+ * `counts` is scratch for max(rows, columns) + 1 counters; `kept` gets the copies of
+ * mpm_particles_keep on the way. Cost: O(particles + rows + columns), independent of the
  * number of cells. */
 void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *grid,
-                        const double half_size[2], uint32_t *counts,
-                        double *const kept[MPM_KEPT_ARRAYS]);
+                        const double half_size[2], uint32_t *counts, unsigned char *kept);
 
 #endif

@@ -77,7 +77,7 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
                              time_limit, state->time);
     if (mpm_step_wants_sort(state)) {
         MPM_TRY(mpm_simulation_judge(simulation, error));
-        mpm_step_sort(state, simulation->backup.arrays, simulation->seconds);
+        mpm_step_sort(state, simulation->backup.particles, simulation->seconds);
         mpm_backup_save(simulation);
     }
     bool lands;

@@ -32,14 +32,13 @@ static void copy_openings(struct mpm_simulation *simulation, bool back)
 void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena)
 {
     struct mpm_backup *const backup = &simulation->backup;
-    for (size_t k = 0; k < simulation->state.particles.kept; k++)
-        backup->arrays[k] = MPM_TAKE(arena, double, simulation->state.particles.count);
-    for (int axis = 0; axis < 2; axis++) {
-        backup->rigid_position[axis] = MPM_TAKE(arena, double, simulation->state.rigid.count);
-        backup->rigid_velocity[axis] = MPM_TAKE(arena, double, simulation->state.rigid.count);
+    backup->particles =
+        MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&simulation->state.particles));
+    backup->rigid =
+        MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&simulation->state.rigid));
+    for (int axis = 0; axis < 2; axis++)
         backup->crack_position[axis] =
             MPM_TAKE(arena, double, simulation->state.cracks.point_count);
-    }
     mpm_growth_layout(simulation, arena);
     const size_t followed = mpm_openings_points(&simulation->state);
     for (int axis = 0; axis < 2; axis++)
@@ -52,14 +51,10 @@ void mpm_backup_save(struct mpm_simulation *simulation)
 {
     const struct mpm_state *const state = &simulation->state;
     struct mpm_backup *const backup = &simulation->backup;
-    for (int axis = 0; axis < 2; axis++) {
-        const size_t bytes = state->rigid.count * sizeof(double);
-        memcpy(backup->rigid_position[axis], state->rigid.position[axis], bytes);
-        memcpy(backup->rigid_velocity[axis], state->rigid.velocity[axis], bytes);
-        if (state->cracks.point_count > 0)
-            memcpy(backup->crack_position[axis], state->cracks.position[axis],
-                   state->cracks.point_count * sizeof(double));
-    }
+    mpm_particles_keep(&state->rigid, backup->rigid);
+    for (int axis = 0; axis < 2 && state->cracks.point_count > 0; axis++)
+        memcpy(backup->crack_position[axis], state->cracks.position[axis],
+               state->cracks.point_count * sizeof(double));
     copy_openings(simulation, false);
     mpm_growth_save(simulation);
     backup->time = state->time;
@@ -72,28 +67,15 @@ void mpm_backup_save(struct mpm_simulation *simulation)
     backup->step = simulation->step;
 }
 
-static void copy_particles_back(struct mpm_simulation *simulation)
-{
-    const struct mpm_particles *const particles = &simulation->state.particles;
-    double *arrays[MPM_PARTICLE_ARRAYS];
-    (void)mpm_particles_arrays(particles, arrays);
-    for (size_t k = 0; k < particles->kept; k++)
-        memcpy(arrays[k], simulation->backup.arrays[k], particles->count * sizeof(double));
-}
-
 static void copy_back(struct mpm_simulation *simulation)
 {
     struct mpm_state *const state = &simulation->state;
     const struct mpm_backup *const backup = &simulation->backup;
-    copy_particles_back(simulation);
-    for (int axis = 0; axis < 2; axis++) {
-        const size_t bytes = state->rigid.count * sizeof(double);
-        memcpy(state->rigid.position[axis], backup->rigid_position[axis], bytes);
-        memcpy(state->rigid.velocity[axis], backup->rigid_velocity[axis], bytes);
-        if (state->cracks.point_count > 0)
-            memcpy(state->cracks.position[axis], backup->crack_position[axis],
-                   state->cracks.point_count * sizeof(double));
-    }
+    mpm_particles_put_back(&state->particles, backup->particles);
+    mpm_particles_put_back(&state->rigid, backup->rigid);
+    for (int axis = 0; axis < 2 && state->cracks.point_count > 0; axis++)
+        memcpy(state->cracks.position[axis], backup->crack_position[axis],
+               state->cracks.point_count * sizeof(double));
     copy_openings(simulation, true);
     mpm_growth_restore(simulation);
     state->time = backup->time;
@@ -127,7 +109,8 @@ void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step)
     for (int64_t s = 0; s < state->strip_count; s++)
         state->strips[s].failure = (struct mpm_failure){0};
     mpm_step_recompute(state);
-    copy_particles_back(simulation); /* stress, where it is kept: not from F by the one kernel */
+    /* stress, where it is kept: not from F by the one kernel */
+    mpm_particles_put_back(&state->particles, backup->particles);
     while (simulation->step < step)
         mpm_backup_repeat(simulation);
 }

@@ -95,6 +95,17 @@ static bool keeps_domains(const struct mpm_state *state)
     return state->family->convected && state->order->before > 0.0;
 }
 
+static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulation)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    unsigned uses = MPM_USE_DEFORMABLE;
+    uses |= keeps_domains(&simulation->state) ? MPM_USE_DOMAINS : 0;
+    uses |= scene->transfer == MPM_TRANSFER_APIC ? MPM_USE_APIC : 0;
+    uses |= mpm_crack_detection_needs_surfaces(scene) ? MPM_USE_ORIGINS : 0;
+    uses |= scene->crack_count > 0 ? MPM_USE_KEPT_STRESS : 0; /* see method/fields/split.h */
+    return (struct mpm_particle_needs){.uses = uses};
+}
+
 static void layout(struct mpm_simulation *simulation, const struct mpm_fill_counts *counts,
                    struct mpm_arena *arena)
 {
@@ -103,14 +114,9 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     const size_t nodes = (size_t)(grid->columns * grid->rows);
     const size_t rows = (size_t)(grid->rows + grid->field_rows);
     const size_t longest = (size_t)(grid->rows > grid->columns ? grid->rows : grid->columns);
-    const struct mpm_particle_extras extras = {
-        .domains = keeps_domains(state),
-        .affine = simulation->scene->transfer == MPM_TRANSFER_APIC,
-        .origins = mpm_crack_detection_needs_surfaces(simulation->scene),
-        .stress = simulation->scene->crack_count > 0, /* see method/fields/split.h */
-    };
-    mpm_particles_layout(&state->particles, counts->deformable, extras, arena);
-    mpm_rigid_particles_layout(&state->rigid, counts->rigid, arena);
+    mpm_particles_layout(&state->particles, counts->deformable, needs_of(simulation), arena);
+    mpm_particles_layout(&state->rigid, counts->rigid,
+                         (struct mpm_particle_needs){.uses = MPM_USE_RIGID}, arena);
     mpm_grid_layout(grid, state->kernels.smooth != NULL, arena);
     state->bodies = MPM_TAKE(arena, struct mpm_body, simulation->scene->body_count);
     state->strips = MPM_TAKE(arena, struct mpm_strip, (size_t)state->strip_count);
@@ -200,7 +206,7 @@ static enum mpm_status set_velocities(struct mpm_simulation *simulation, struct 
 
 static void set_rigid_velocities(struct mpm_state *state)
 {
-    struct mpm_rigid_particles *const rigid = &state->rigid;
+    struct mpm_particles *const rigid = &state->rigid;
     for (size_t p = 0; p < rigid->count; p++) {
         const double position[2] = {rigid->position[0][p], rigid->position[1][p]};
         for (int axis = 0; axis < 2; axis++) {
@@ -249,7 +255,7 @@ static enum mpm_status check_start(const struct mpm_simulation *simulation, stru
     const struct mpm_scene *const scene = simulation->scene;
     const struct mpm_state *const state = &simulation->state;
     const struct mpm_particles *const particles = &state->particles;
-    const struct mpm_rigid_particles *const rigid = &state->rigid;
+    const struct mpm_particles *const rigid = &state->rigid;
     for (size_t k = 0; k < state->conditions.count; k++) {
         const struct mpm_condition *const condition = &state->conditions.list[k];
         double position[2];
@@ -366,7 +372,7 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
     MPM_TRY(mpm_openings_check_start(simulation, error));
     mpm_stability_advise(simulation);
     double unused[MPM_PHASE_COUNT] = {0.0}; /* part of the set-up */
-    mpm_step_sort(state, simulation->backup.arrays, unused);
+    mpm_step_sort(state, simulation->backup.particles, unused);
     state->workers = mpm_threads_choose(state, state->workers, NULL);
     if (mpm_step_collect(state) != MPM_OK)
         return mpm_health_refuse_start(simulation, error);

@@ -4,32 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-static const struct mpm_field_info infos[MPM_FIELD_COUNT] = {
-    [MPM_FIELD_ID] = {"id", 1, true, 0, 0, 0, "number of the particle in creation order"},
-    [MPM_FIELD_BODY] = {"body", 1, true, 0, 0, 0, "index of the particle's body in the scene"},
-    [MPM_FIELD_POSITION] = {"position", 2, false, 1, 0, 0, "centre of the particle: x y, or r z"},
-    [MPM_FIELD_VELOCITY] = {"velocity", 2, false, 1, 0, -1, "velocity of the particle"},
-    [MPM_FIELD_DEFORMATION_GRADIENT] = {"deformation_gradient", 5, false, 0, 0, 0,
-                                        "xx xy yx yy zz; in axisymmetry rr rz zr zz tt"},
-    [MPM_FIELD_STRESS] = {"stress", 4, false, -1, 1, -2,
-                          "Cauchy stress xx yy zz xy; in axisymmetry rr zz tt rz"},
-    [MPM_FIELD_VOLUME] = {"volume", 1, false, 3, 0, 0,
-                          "current volume, for the thickness or per radian"},
-    [MPM_FIELD_MASS] = {"mass", 1, false, 0, 1, 0, "mass, for the thickness or per radian"},
-    [MPM_FIELD_FRINGE] = {"fringe", 1, false, 0, 0, 0,
-                          "photoelastic fringes: cos(k sqrt((xx - yy)^2 + 4 xy^2)) of the Cauchy "
-                          "stress, k the scene's output.fringe"},
-};
-
-const struct mpm_field_info *mpm_field_describe(enum mpm_field field)
-{
-    return &infos[field];
-}
-
-bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field)
-{
-    return field != MPM_FIELD_FRINGE || scene->fringe > 0.0;
-}
+/* ------------------------------------------------------- of a deformable particle */
 
 static double determinant_of(const struct mpm_particles *particles, size_t p)
 {
@@ -39,95 +14,138 @@ static double determinant_of(const struct mpm_particles *particles, size_t p)
     return mpm_determinant(f);
 }
 
-/* CRAMP (23), of Kirchhoff stress over initial density and its scale to Cauchy stress. */
-static double fringe_of(const struct mpm_simulation *simulation, size_t p, double scale)
+static double density_of(const struct mpm_simulation *simulation, size_t p)
+{
+    return simulation->state.bodies[simulation->state.particles.body[p]].material.density;
+}
+
+/* From Kirchhoff stress over initial density to Cauchy stress. */
+static double stress_scale(const struct mpm_simulation *simulation, size_t p)
+{
+    return density_of(simulation, p) / determinant_of(&simulation->state.particles, p);
+}
+
+static void find_stress(const struct mpm_simulation *simulation, size_t p, double *out)
+{
+    const double scale = stress_scale(simulation, p);
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        out[k] = simulation->state.particles.stress[k][p] * scale;
+}
+
+static void find_volume(const struct mpm_simulation *simulation, size_t p, double *out)
+{
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    out[0] = particles->mass[p] * (determinant_of(particles, p) / density_of(simulation, p));
+}
+
+/* CRAMP (23) */
+static void find_fringe(const struct mpm_simulation *simulation, size_t p, double *out)
 {
     double *const *const stress = simulation->state.particles.stress;
     const double constant = simulation->scene->fringe;
+    const double scale = stress_scale(simulation, p);
     const double difference = stress[MPM_SYM_XX][p] - stress[MPM_SYM_YY][p];
-    if (!(constant > 0.0))
-        return (double)NAN;
-    return cos(constant * scale * hypot(difference, 2.0 * stress[MPM_SYM_XY][p]));
+    out[0] = constant > 0.0 ? cos(constant * scale * hypot(difference, 2.0 * stress[MPM_SYM_XY][p]))
+                            : (double)NAN;
 }
 
-static void copy(const struct mpm_simulation *simulation, enum mpm_field field, size_t p,
-                 double *out)
+static double fringe_without_stress(const struct mpm_simulation *simulation)
 {
-    const struct mpm_particles *const particles = &simulation->state.particles;
-    const struct mpm_body *const body = &simulation->state.bodies[particles->body[p]];
-    double scale;
-    switch (field) {
-    case MPM_FIELD_ID:
-        out[0] = particles->id[p];
-        return;
-    case MPM_FIELD_BODY:
-        out[0] = particles->body[p];
-        return;
-    case MPM_FIELD_POSITION:
-    case MPM_FIELD_VELOCITY:
-        for (int k = 0; k < 2; k++)
-            out[k] =
-                (field == MPM_FIELD_POSITION ? particles->position : particles->velocity)[k][p];
-        return;
-    case MPM_FIELD_DEFORMATION_GRADIENT:
-        for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-            out[k] = particles->deformation[k][p];
-        return;
-    case MPM_FIELD_STRESS:
-        scale = body->material.density / determinant_of(particles, p);
-        for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
-            out[k] = particles->stress[k][p] * scale;
-        return;
-    case MPM_FIELD_VOLUME:
-        out[0] = particles->mass[p] * (determinant_of(particles, p) / body->material.density);
-        return;
-    case MPM_FIELD_MASS:
-        out[0] = particles->mass[p];
-        return;
-    case MPM_FIELD_FRINGE:
-        out[0] = fringe_of(simulation, p, body->material.density / determinant_of(particles, p));
-        return;
-    case MPM_FIELD_COUNT:
-        return;
-    }
+    return simulation->scene->fringe > 0.0 ? 1.0 : (double)NAN;
 }
 
-/* Rigid particles do not deform and carry no mass. */
-static void copy_rigid(const struct mpm_simulation *simulation, enum mpm_field field, size_t p,
-                       double *out)
+/* ---------------------------------------------------------------------- the table */
+
+/* What snapshots have: a row of mpm_particle_rows, or a function of the particle, `find`. Of rigid
+ * particles, which do not deform and carry no mass, every component of such a function is `rigid`;
+ * NULL: 0. */
+struct quantity {
+    const struct mpm_particle_row *stored; /* or NULL */
+    struct mpm_field_info info;
+    void (*find)(const struct mpm_simulation *simulation, size_t p, double *out);
+    double (*rigid)(const struct mpm_simulation *simulation);
+};
+
+static const struct quantity quantities[MPM_FIELD_COUNT] = {
+    [MPM_FIELD_STRESS] = {NULL,
+                          {"stress", 4, false, -1, 1, -2,
+                           "Cauchy stress xx yy zz xy; in axisymmetry rr zz tt rz"},
+                          find_stress,
+                          NULL},
+    [MPM_FIELD_VOLUME] = {NULL,
+                          {"volume", 1, false, 3, 0, 0,
+                           "current volume, for the thickness or per radian"},
+                          find_volume,
+                          NULL},
+    [MPM_FIELD_FRINGE] = {NULL,
+                          {"fringe", 1, false, 0, 0, 0,
+                           "photoelastic fringes: cos(k sqrt((xx - yy)^2 + 4 xy^2)) of the Cauchy "
+                           "stress, k the scene's output.fringe"},
+                          find_fringe,
+                          fringe_without_stress},
+#define MPM_ROW(name, ...) [MPM_FIELD_##name] = {.stored = &mpm_particle_rows[MPM_PARTICLE_##name]},
+    MPM_WRITTEN_PARTICLE_FIELDS(MPM_ROW)
+#undef MPM_ROW
+};
+_Static_assert(MPM_FIELD_COUNT == MPM_PARTICLE_WRITTEN_COUNT + 3, "one row for each field");
+
+const struct mpm_field_info *mpm_field_describe(enum mpm_field field)
 {
-    const struct mpm_rigid_particles *const rigid = &simulation->state.rigid;
-    for (size_t k = 0; k < infos[field].components; k++)
-        out[k] = 0.0;
-    if (field == MPM_FIELD_ID)
-        out[0] = rigid->id[p];
-    else if (field == MPM_FIELD_BODY)
-        out[0] = rigid->body[p];
-    else if (field == MPM_FIELD_FRINGE) /* of no stress */
-        out[0] = simulation->scene->fringe > 0.0 ? 1.0 : (double)NAN;
-    else if (field == MPM_FIELD_DEFORMATION_GRADIENT)
-        out[MPM_XX] = out[MPM_YY] = out[MPM_ZZ] = 1.0;
-    else if (field == MPM_FIELD_POSITION || field == MPM_FIELD_VELOCITY)
-        for (int k = 0; k < 2; k++)
-            out[k] = (field == MPM_FIELD_POSITION ? rigid->position : rigid->velocity)[k][p];
+    const struct quantity *const quantity = &quantities[field];
+    return quantity->stored != NULL ? &quantity->stored->info : &quantity->info;
+}
+
+bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field)
+{
+    return field != MPM_FIELD_FRINGE || scene->fringe > 0.0;
+}
+
+/* -------------------------------------------------------------------------- copies */
+
+/* What the particles carry; of a field that they do not have, the value of a rigid one. */
+static void copy_stored(const struct mpm_particle_row *row, const struct mpm_particles *particles,
+                        size_t p, double *out)
+{
+    const size_t field = (size_t)(row - mpm_particle_rows);
+    const size_t carried = particles->components[field];
+    for (size_t k = 0; k < row->info.components; k++)
+        if (k >= carried)
+            out[k] = (row->ones >> k & 1U) != 0 ? 1.0 : 0.0;
+        else if (row->info.integer)
+            out[k] = ((const uint32_t *)mpm_particle_array(particles, field, k))[p];
+        else
+            out[k] = ((const double *)mpm_particle_array(particles, field, k))[p];
+}
+
+static void copy(const struct mpm_simulation *simulation, enum mpm_field field,
+                 const struct mpm_particles *particles, size_t p, double *out)
+{
+    const struct quantity *const quantity = &quantities[field];
+    if (quantity->stored != NULL)
+        copy_stored(quantity->stored, particles, p, out);
+    else if (particles == &simulation->state.particles)
+        quantity->find(simulation, p, out);
+    else
+        for (size_t k = 0; k < quantity->info.components; k++)
+            out[k] = quantity->rigid == NULL ? 0.0 : quantity->rigid(simulation);
 }
 
 void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_field field,
                           double *values)
 {
-    const size_t components = infos[field].components;
+    const size_t components = mpm_field_describe(field)->components;
     const struct mpm_particles *const particles = &simulation->state.particles;
     for (size_t p = 0; p < particles->count; p++)
-        copy(simulation, field, p, values + components * particles->id[p]);
-    const struct mpm_rigid_particles *const rigid = &simulation->state.rigid;
+        copy(simulation, field, particles, p, values + components * particles->id[p]);
+    const struct mpm_particles *const rigid = &simulation->state.rigid;
     for (size_t p = 0; p < rigid->count; p++)
-        copy_rigid(simulation, field, p, values + components * rigid->id[p]);
+        copy(simulation, field, rigid, p, values + components * rigid->id[p]);
 }
 
 /* -------------------------------------------------------------- by ranges of ids */
 
 /* How many rigid particles have a smaller id: theirs ascend. */
-static size_t rigid_before(const struct mpm_rigid_particles *rigid, size_t id)
+static size_t rigid_before(const struct mpm_particles *rigid, size_t id)
 {
     size_t low = 0, high = rigid->count;
     while (low < high) {
@@ -145,9 +163,10 @@ static size_t rigid_before(const struct mpm_rigid_particles *rigid, size_t id)
 static void find_places(const struct mpm_simulation *simulation)
 {
     const struct mpm_particles *const particles = &simulation->state.particles;
-    const struct mpm_rigid_particles *const rigid = &simulation->state.rigid;
+    const struct mpm_particles *const rigid = &simulation->state.rigid;
+    uint32_t *const order = mpm_particles_order(particles);
     for (size_t p = 0; p < particles->count; p++)
-        particles->order[particles->id[p] - rigid_before(rigid, particles->id[p])] = (uint32_t)p;
+        order[particles->id[p] - rigid_before(rigid, particles->id[p])] = (uint32_t)p;
 }
 
 /* A place that a step has made worthless betrays itself: another id is there. */
@@ -155,21 +174,24 @@ static size_t place_of(const struct mpm_simulation *simulation, size_t id, size_
 {
     const struct mpm_particles *const particles = &simulation->state.particles;
     uint32_t p;
-    memcpy(&p, &particles->order[rank], sizeof p); /* within a step, numbers stand there */
+    const uint32_t *const order = mpm_particles_order(particles);
+    memcpy(&p, &order[rank], sizeof p); /* within a step, numbers stand there */
     if (p < particles->count && particles->id[p] == id)
         return p;
     find_places(simulation);
-    return particles->order[rank];
+    return order[rank];
 }
 
 void mpm_simulation_field_range(const struct mpm_simulation *simulation, enum mpm_field field,
                                 size_t first, size_t count, double *values)
 {
-    const struct mpm_rigid_particles *const rigid = &simulation->state.rigid;
+    const struct mpm_particles *const rigid = &simulation->state.rigid;
+    const size_t components = mpm_field_describe(field)->components;
     size_t next = rigid_before(rigid, first);
-    for (size_t id = first; id < first + count; id++, values += infos[field].components)
+    for (size_t id = first; id < first + count; id++, values += components)
         if (next < rigid->count && rigid->id[next] == id)
-            copy_rigid(simulation, field, next++, values);
+            copy(simulation, field, rigid, next++, values);
         else
-            copy(simulation, field, place_of(simulation, id, id - next), values);
+            copy(simulation, field, &simulation->state.particles,
+                 place_of(simulation, id, id - next), values);
 }

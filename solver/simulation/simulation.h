@@ -24,8 +24,8 @@ struct mpm_chain_extent {
 /* The state after the last sort. A step is undone by going back to it and repeating
  * the steps since: they give the same bits, so nothing has to be copied each step. */
 struct mpm_backup {
-    double *arrays[MPM_KEPT_ARRAYS]; /* filled by the sort */
-    double *rigid_position[2], *rigid_velocity[2];
+    unsigned char *particles; /* filled by the sort */
+    unsigned char *rigid;
     double *crack_position[2];
     double *crack_opening[2], *largest_opening;
     struct mpm_crack_tip *tips; /* these and the extents of chains: with J integrals */

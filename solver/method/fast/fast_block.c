@@ -62,63 +62,39 @@ size_t mpm_fast_run_end(const struct mpm_state *state, size_t begin, size_t end)
 
 /* -------------------------------------------------------------------- tails */
 
-/* In the order of arrays_of. */
-static void view_values(struct fast_tail *tail, const struct mpm_particles *particles)
-{
-    struct mpm_particles *const view = &tail->particles;
-    size_t n = 0;
-    for (int axis = 0; axis < 2; axis++) {
-        view->position[axis] = tail->values[n++];
-        view->velocity[axis] = tail->values[n++];
-    }
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        view->deformation[k] = tail->values[n++];
-    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
-        view->stress[k] = tail->values[n++];
-    view->mass = tail->values[n++];
-    for (int k = 0; k < 4; k++)
-        view->domain[k] = particles->domain[0] != NULL ? tail->values[n++] : NULL;
-    for (int axis = 0; axis < 2; axis++)
-        view->origin[axis] = particles->origin[0] != NULL ? tail->values[n++] : NULL;
-    for (int axis = 0; axis < 2; axis++)
-        view->carried[axis] = tail->values[n++];
-    view->id = tail->id;
-}
-
-/* All arrays that a pass may touch. */
-static size_t arrays_of(const struct mpm_particles *particles,
-                        double *arrays[MPM_PARTICLE_ARRAYS + 2])
-{
-    size_t n = mpm_particles_arrays(particles, arrays);
-    for (int axis = 0; axis < 2; axis++)
-        arrays[n++] = particles->carried[axis];
-    return n;
-}
-
 void mpm_fast_tail_fill(struct fast_tail *tail, const struct mpm_particles *particles, size_t first,
                         size_t count)
 {
-    double *arrays[MPM_PARTICLE_ARRAYS + 2];
-    const size_t array_count = arrays_of(particles, arrays);
+    union fast_tail_value *value = tail->values;
+    size_t from[MPM_VECTOR_SIZE];
+    for (size_t lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+        from[lane] = lane < count ? first + lane : first;
     tail->particles = (struct mpm_particles){.count = MPM_VECTOR_SIZE};
-    view_values(tail, particles);
-    for (size_t lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
-        const size_t from = lane < count ? first + lane : first;
-        for (size_t a = 0; a < array_count; a++)
-            tail->values[a][lane] = arrays[a][from];
-        tail->id[lane] = particles->id[from];
-        if (lane >= count)
-            tail->particles.mass[lane] = 0.0;
-    }
+    for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++)
+        for (size_t k = 0; k < particles->components[field]; k++, value++) {
+            const double *const number = mpm_particle_array(particles, field, k);
+            const uint32_t *const index = mpm_particle_array(particles, field, k);
+            if (mpm_particle_rows[field].info.integer)
+                for (size_t lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+                    value->index[lane] = index[from[lane]];
+            else
+                for (size_t lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+                    value->number[lane] = number[from[lane]];
+            mpm_particle_set_array(&tail->particles, field, k, value);
+        }
+    for (size_t lane = count; lane < MPM_VECTOR_SIZE; lane++)
+        tail->particles.mass[lane] = 0.0;
 }
 
 void mpm_fast_tail_write(const struct fast_tail *tail, const struct mpm_particles *particles,
                          size_t first, size_t count)
 {
-    double *arrays[MPM_PARTICLE_ARRAYS + 2];
-    const size_t array_count = arrays_of(particles, arrays);
-    for (size_t a = 0; a < array_count; a++)
-        memcpy(arrays[a] + first, tail->values[a], count * sizeof(double));
+    const union fast_tail_value *value = tail->values;
+    for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++)
+        for (size_t k = 0; k < particles->components[field]; k++, value++)
+            if (!mpm_particle_rows[field].info.integer)
+                memcpy((double *)mpm_particle_array(particles, field, k) + first, value->number,
+                       count * sizeof(double));
 }
 
 /* ----------------------------------------------------------------- failures */

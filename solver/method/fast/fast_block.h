@@ -51,10 +51,13 @@ size_t mpm_fast_run_end(const struct mpm_state *state, size_t begin, size_t end)
 
 /* The last particles of a run, fewer than a vector: copies that fill one, its free
  * places taken by the first one again with mass zero, which adds nothing. */
+union fast_tail_value {
+    double number[MPM_VECTOR_SIZE];
+    uint32_t index[MPM_VECTOR_SIZE];
+};
 struct fast_tail {
     struct mpm_particles particles;
-    double values[MPM_PARTICLE_ARRAYS + 2][MPM_VECTOR_SIZE];
-    uint32_t id[MPM_VECTOR_SIZE];
+    union fast_tail_value values[MPM_PARTICLE_ARRAYS];
 };
 void mpm_fast_tail_fill(struct fast_tail *tail, const struct mpm_particles *particles, size_t first,
                         size_t count);

@@ -186,18 +186,18 @@ MPM_INLINE void gather_corners(const struct fast_constants *k, const struct fast
     mpm_transpose(value);
 }
 
-MPM_INLINE void fast_corners_motion(const struct fast_constants *k,
-                                    const struct fast_corners *corners, bool wants_hoop,
-                                    mpm_vector motion[4], mpm_vector hoop[4])
+MPM_INLINE void fast_corners_gather(const struct fast_constants *k,
+                                    const struct fast_corners *corners, const void *array,
+                                    bool wants_hoop, mpm_vector sum[4], mpm_vector hoop[4])
 {
     for (int i = 0; i < 4; i++)
-        motion[i] = hoop[i] = mpm_splat(0.0);
+        sum[i] = hoop[i] = mpm_splat(0.0);
 #pragma GCC unroll 4
     for (int c = 0; c < MPM_CORNERS; c++) {
         mpm_vector value[4];
-        gather_corners(k, corners, c, (const double *)k->motion, value);
+        gather_corners(k, corners, c, array, value);
         for (int i = 0; i < 4; i++) {
-            motion[i] += corners->s[c] * value[i];
+            sum[i] += corners->s[c] * value[i];
             if (wants_hoop)
                 hoop[i] += corners->t * value[i];
         }

@@ -57,10 +57,11 @@ MPM_SEPARATE void far_spread_values(const struct fast_constants *k,
     fast_corners_spread_values(k, corners, array, values);
 }
 
-MPM_SEPARATE void far_motion(const struct fast_constants *k, const struct fast_corners *corners,
-                             bool wants_hoop, mpm_vector motion[4], mpm_vector hoop[4])
+MPM_SEPARATE void far_gather(const struct fast_constants *k, const struct fast_corners *corners,
+                             const void *array, bool wants_hoop, mpm_vector value[4],
+                             mpm_vector hoop[4])
 {
-    fast_corners_motion(k, corners, wants_hoop, motion, hoop);
+    fast_corners_gather(k, corners, array, wants_hoop, value, hoop);
 }
 
 MPM_SEPARATE void far_gradient(const struct fast_spec *spec, const struct fast_constants *k,
@@ -309,13 +310,12 @@ MPM_INLINE void fast_cpdi_spread_values(const struct fast_constants *k,
 
 /* ------------------------------------------------------------------- gather */
 
-/* sum w (a_x, a_y, v_x, v_y), with the weights S or T of four particles */
+/* sum w of an array's nodal vectors, with the weights S or T of four particles */
 MPM_INLINE void gather_nodes(const struct fast_constants *k, const struct fast_nodes *nodes,
                              const double weights[MPM_BLOCK_NODES][MPM_VECTOR_SIZE],
-                             mpm_vector sum[4])
+                             const double *array, mpm_vector sum[4])
 {
     const int64_t distance = 4 * k->stride;
-    double *const array = (double *)k->motion;
 #pragma GCC unroll 4
     for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
         const double *node = array + 4 * nodes->first[lane];
@@ -330,21 +330,21 @@ MPM_INLINE void gather_nodes(const struct fast_constants *k, const struct fast_n
     mpm_transpose(sum);
 }
 
-MPM_INLINE void fast_cpdi_motion(const struct fast_spec *spec, const struct fast_constants *k,
-                                 const struct fast_cpdi *cpdi, bool wants_hoop,
-                                 mpm_vector motion[4], mpm_vector hoop[4])
+MPM_INLINE void fast_cpdi_gather(const struct fast_spec *spec, const struct fast_constants *k,
+                                 const struct fast_cpdi *cpdi, const void *array, bool wants_hoop,
+                                 mpm_vector value[4], mpm_vector hoop[4])
 {
     if (takes_corners(spec)) {
-        fast_corners_motion(k, &cpdi->corners, wants_hoop, motion, hoop);
+        fast_corners_gather(k, &cpdi->corners, array, wants_hoop, value, hoop);
         return;
     }
     if (!cpdi->near) {
-        far_motion(k, &cpdi->corners, wants_hoop, motion, hoop);
+        far_gather(k, &cpdi->corners, array, wants_hoop, value, hoop);
         return;
     }
-    gather_nodes(k, &cpdi->nodes, cpdi->nodes.s, motion);
+    gather_nodes(k, &cpdi->nodes, cpdi->nodes.s, array, value);
     if (wants_hoop)
-        gather_nodes(k, &cpdi->nodes, cpdi->nodes.t, hoop);
+        gather_nodes(k, &cpdi->nodes, cpdi->nodes.t, array, hoop);
 }
 
 /* grad v of one particle: (xx, xy, yx, yy); *hoop: sum T v_x */

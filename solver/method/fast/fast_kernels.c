@@ -99,12 +99,10 @@ MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_stat
     sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
 }
 
-MPM_INLINE void pass_smooth(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
+MPM_INLINE void pass_project(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
 {
     struct fast_sums sums;
-    struct mpm_state view = *state; /* of the same strips, particles and sums */
-    view.grid.motion = state->grid.smoothed;
-    run_strip(spec, &view, strip, 0.0, NO_UPDATE, &sums, block_smooth);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &sums, block_project);
 }
 
 MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state *state,
@@ -151,8 +149,8 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
 #define SPREAD(plane, ...)                                                                         \
     KERNEL(pass_to_grid, plane##_momentum_force, .momentum = true, .force = true, __VA_ARGS__)     \
     KERNEL(pass_to_grid, plane##_momentum, .momentum = true, .kept_domain = true, __VA_ARGS__)     \
-    KERNEL(pass_smooth, plane##_smooth, __VA_ARGS__)                                               \
-    TWIN(pass_smooth, plane##_smooth, __VA_ARGS__)
+    KERNEL(pass_project, plane##_project, __VA_ARGS__)                                             \
+    TWIN(pass_project, plane##_project, __VA_ARGS__)
 
 /* Passes that know how r moves */
 #define EXTRAPOLATE(way, ...)                                                                      \
@@ -169,23 +167,23 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
     TWIN(pass_finish, geometry##_stress, .stress = true, __VA_ARGS__)                              \
     KERNEL(pass_finish, geometry##_velocity, .velocity = true, .kept_domain = true, __VA_ARGS__)
 
-#define STEP(first, before, back, last, smooth)                                                    \
+#define STEP(first, before, back, last, project)                                                   \
     {                                                                                              \
-        first, before, back, last, recompute, smooth                                               \
+        first, before, back, last, recompute, project                                              \
     }
 
 #define ORDERS(plane, way, geometry)                                                               \
     {                                                                                              \
         [MPM_USL] =                                                                                \
-            STEP(plane##_momentum_force, NULL, NULL, geometry##_velocity_stress, plane##_smooth),  \
+            STEP(plane##_momentum_force, NULL, NULL, geometry##_velocity_stress, plane##_project), \
         [MPM_MUSL] = STEP(plane##_momentum_force, NULL, way##_extrapolate, geometry##_stress,      \
-                          plane##_smooth),                                                         \
+                          plane##_project),                                                        \
         [MPM_USF] = STEP(plane##_momentum, geometry##_stress_force, NULL, geometry##_velocity,     \
-                         KEPT(plane##_smooth)),                                                    \
+                         KEPT(plane##_project)),                                                   \
         [MPM_USAVG] = STEP(plane##_momentum, geometry##_stress_force, KEPT(way##_extrapolate),     \
-                           KEPT(geometry##_stress), KEPT(plane##_smooth)),                         \
+                           KEPT(geometry##_stress), KEPT(plane##_project)),                        \
         [MPM_USAVG_ONCE] = STEP(plane##_momentum, geometry##_stress_force, NULL,                   \
-                                KEPT(geometry##_velocity_stress), KEPT(plane##_smooth)),           \
+                                KEPT(geometry##_velocity_stress), KEPT(plane##_project)),          \
     }
 
 SPREAD(planar, .axisymmetric = false)

@@ -319,15 +319,15 @@ MPM_INLINE void fast_lines_spread_values(const struct fast_spec *spec,
 
 /* ------------------------------------------------------------------- gather */
 
-/* sum S (a_x, a_y, v_x, v_y); *hoop: sum T of the same, if asked for */
-MPM_INLINE mpm_vector motion_lane(const struct fast_spec *spec, const struct fast_constants *k,
-                                  const struct fast_lines *lines, int lane, bool wants_hoop,
-                                  mpm_vector *hoop)
+/* sum S of an array's nodal vectors; *hoop: sum T of the same, if asked for */
+MPM_INLINE mpm_vector value_lane(const struct fast_spec *spec, const struct fast_constants *k,
+                                 const struct fast_lines *lines, int lane, const void *array,
+                                 bool wants_hoop, mpm_vector *hoop)
 {
     const int nodes = line_nodes(spec), pair = fast_pair[lane];
     mpm_vector sum = mpm_splat(0.0), hoop_sum = mpm_splat(0.0);
     for (int j = 0; j < nodes; j++) {
-        const double *const row = fast_row(k->motion, lines->node[lane], j, k);
+        const double *const row = fast_row(array, lines->node[lane], j, k);
         mpm_vector part = mpm_scale(lines->x[0][pair + 1], mpm_load(row));
         for (int i = 1; i < nodes; i++)
             part += mpm_scale(lines->x[i][pair + 1], mpm_load(row + 4 * i));
@@ -370,14 +370,14 @@ MPM_INLINE mpm_vector gradient_lane(const struct fast_spec *spec, const struct f
     return sum;
 }
 
-MPM_INLINE void fast_lines_motion(const struct fast_spec *spec, const struct fast_constants *k,
-                                  const struct fast_lines *lines, bool wants_hoop,
-                                  mpm_vector motion[4], mpm_vector hoop[4])
+MPM_INLINE void fast_lines_gather(const struct fast_spec *spec, const struct fast_constants *k,
+                                  const struct fast_lines *lines, const void *array,
+                                  bool wants_hoop, mpm_vector value[4], mpm_vector hoop[4])
 {
 #pragma GCC unroll 4
     for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
-        motion[lane] = motion_lane(spec, k, lines, lane, wants_hoop, &hoop[lane]);
-    mpm_transpose(motion);
+        value[lane] = value_lane(spec, k, lines, lane, array, wants_hoop, &hoop[lane]);
+    mpm_transpose(value);
     if (wants_hoop)
         mpm_transpose(hoop);
 }

@@ -83,9 +83,21 @@ MPM_INLINE void gather_motion(const struct fast_spec *spec, const struct fast_co
                               mpm_vector motion[4], mpm_vector hoop[4])
 {
     if (spec->shape == MPM_CPDI)
-        fast_cpdi_motion(spec, k, &stencil->cpdi, wants_hoop, motion, hoop);
+        fast_cpdi_gather(spec, k, &stencil->cpdi, k->motion, wants_hoop, motion, hoop);
     else
-        fast_lines_motion(spec, k, &stencil->lines, wants_hoop, motion, hoop);
+        fast_lines_gather(spec, k, &stencil->lines, k->motion, wants_hoop, motion, hoop);
+}
+
+/* sum S of an array's nodal vectors */
+MPM_INLINE void gather_values(const struct fast_spec *spec, const struct fast_constants *k,
+                              const union fast_stencil *stencil, const void *array,
+                              mpm_vector values[4])
+{
+    mpm_vector unused[4];
+    if (spec->shape == MPM_CPDI)
+        fast_cpdi_gather(spec, k, &stencil->cpdi, array, false, values, unused);
+    else
+        fast_lines_gather(spec, k, &stencil->lines, array, false, values, unused);
 }
 
 MPM_INLINE void gather_gradient(const struct fast_spec *spec, const struct fast_constants *k,
@@ -259,22 +271,49 @@ MPM_INLINE void move_vector(const struct fast_spec *spec, const struct fast_bloc
         mpm_store(block->particles->carried[axis] + p, next[axis]);
 }
 
-/* m_p S w, for w in the place of the motion; see smoothing.h */
-MPM_INLINE void block_smooth(const struct fast_spec *spec, const struct fast_block *block)
+/* What the particles have of a projection's field, in vectors; 0 beyond its components. */
+MPM_INLINE void load_values(const struct mpm_projection *projection,
+                            const struct mpm_particles *particles, size_t p, mpm_vector values[4])
 {
+    for (size_t i = 0; i < 4; i++) {
+        values[i] = mpm_splat(0.0);
+        if (i < projection->components)
+            values[i] = mpm_load((double *)mpm_particle_array(particles, projection->field, i) + p);
+    }
+}
+
+MPM_INLINE void store_values(const struct mpm_projection *projection,
+                             const struct mpm_particles *particles, size_t p,
+                             const mpm_vector values[4])
+{
+    for (size_t i = 0; i < projection->components; i++)
+        mpm_store((double *)mpm_particle_array(particles, projection->field, i) + p, values[i]);
+}
+
+/* See projection.h. */
+MPM_INLINE void block_project(const struct fast_spec *spec, const struct fast_block *block)
+{
+    const struct mpm_projection *const projection = &block->sums->state->projection;
     union fast_stencil stencil[MPM_BLOCK_VECTORS];
-    mpm_vector momentum[MPM_BLOCK_VECTORS][2];
+    mpm_vector values[MPM_BLOCK_VECTORS][4];
     evaluate_block(spec, block, stencil);
     FOR_VECTORS(block, p, v)
-    {
-        const mpm_vector mass = mpm_load(block->particles->mass + p);
-        mpm_vector motion[4], hoop[4];
-        gather_motion(spec, block->k, &stencil[v], false, motion, hoop);
-        for (int axis = 0; axis < 2; axis++)
-            momentum[v][axis] = mass * motion[axis];
-    }
+    if (projection->from != NULL)
+        gather_values(spec, block->k, &stencil[v], projection->from, values[v]);
+    else
+        load_values(projection, block->particles, p, values[v]);
     FOR_VECTORS(block, p, v)
-    spread_momentum(spec, block->k, &stencil[v], momentum[v]);
+    if (projection->to != NULL) {
+        for (int i = 0; i < 4; i++)
+            values[v][i] *= mpm_load(block->particles->mass + p);
+        if (projection->pairs) {
+            values[v][2] = values[v][3] = values[v][1];
+            values[v][1] = values[v][0];
+        }
+        spread_values(spec, block->k, &stencil[v], projection->to, values[v]);
+    } else {
+        store_values(projection, block->particles, p, values[v]);
+    }
 }
 
 /* Task 5, velocities, and (31) */

@@ -105,6 +105,7 @@ static void to_grid(void *context, int64_t index, int worker)
 SPLIT(stress_before)
 SPLIT(to_particles)
 SPLIT(finish)
+SPLIT(project)
 
 /* The whole strip: nothing is exchanged with nodes. */
 static void recompute(void *context, int64_t index, int worker)
@@ -119,4 +120,5 @@ const struct mpm_passes mpm_split_passes = {
     .to_particles = to_particles,
     .finish = finish,
     .recompute = recompute,
+    .project = project,
 };

@@ -242,7 +242,7 @@ static inline void spare_work(struct mpm_state *state, int64_t index, int worker
 {
     const struct mpm_particles *const particles = &state->particles;
     const double half = 0.5 * state->time_step * state->time_step;
-    double *const *const given = state->given_force.value;
+    double *const *const given = particles->given_force;
     struct mpm_strip *const strip = &state->strips[index];
     strip->external_work = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {

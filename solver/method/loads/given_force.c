@@ -6,57 +6,60 @@
 #include "method/transfer/extent.h"
 
 #include <math.h>
+#include <string.h>
 
 void mpm_given_force_layout(struct mpm_state *state, struct mpm_arena *arena)
 {
     struct mpm_given_force *const given = &state->given_force;
     const size_t nodes = (size_t)mpm_grid_nodes(&state->grid) + MPM_ROW_PADDING;
-    for (int axis = 0; axis < 2; axis++)
-        given->value[axis] = MPM_TAKE(arena, double, state->particles.count);
-    given->mass = MPM_TAKE(arena, double, nodes);
-    given->sum = mpm_arena_take(arena, nodes, sizeof *given->sum);
+    mpm_particles_layout_field(&state->particles, MPM_PARTICLE_GIVEN_FORCE, 2, arena);
+    given->force = mpm_arena_take(arena, nodes, sizeof *given->force);
     given->row_work = MPM_TAKE(arena, double, (size_t)(state->grid.rows + state->grid.field_rows));
 }
 
-static void evaluate_strip(const struct mpm_state *state, struct mpm_strip *strip)
+static void pass_evaluate(void *context, int64_t index, int worker)
 {
-    const struct mpm_given_force *const given = &state->given_force;
+    const struct mpm_state *const state = context;
+    struct mpm_strip *const strip = &state->strips[index];
+    const struct mpm_body_force *const caller = &state->given_force.caller;
+    double *const *const value = state->particles.given_force;
     const uint32_t *const id = state->particles.id;
+    (void)worker;
     for (size_t p = strip->begin; p < strip->end; p += MPM_BODY_FORCE_BLOCK) {
         const size_t left = strip->end - p;
         const size_t count = left < MPM_BODY_FORCE_BLOCK ? left : MPM_BODY_FORCE_BLOCK;
-        double *const block[2] = {given->value[0] + p, given->value[1] + p};
-        given->caller.evaluate(given->caller.context, state->time, count, id + p, block);
+        double *const block[2] = {value[0] + p, value[1] + p};
+        caller->evaluate(caller->context, state->time, count, id + p, block);
     }
     for (int axis = 0; axis < 2; axis++)
         for (size_t p = strip->begin; p < strip->end; p++)
-            if (!isfinite(given->value[axis][p])) {
-                mpm_strip_record(strip, MPM_GIVEN_FORCE_NOT_FINITE, id[p], axis,
-                                 given->value[axis][p]);
-                given->value[axis][p] = 0.0; /* the step goes on to its end before it fails */
+            if (!isfinite(value[axis][p])) {
+                mpm_strip_record(strip, MPM_GIVEN_FORCE_NOT_FINITE, id[p], axis, value[axis][p]);
+                value[axis][p] = 0.0; /* the step goes on to its end before it fails */
             }
 }
 
-/* With a view of the state, see mpm_given_force_spread. */
-static void pass_spread(void *context, int64_t index, int worker)
+static void row_clear(void *context, int64_t row, int worker)
 {
-    const struct mpm_state *const view = context;
-    evaluate_strip(view, &view->strips[index]);
-    view->kernels.spread_velocity(context, index, worker);
+    const struct mpm_state *const state = context;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    (void)worker;
+    memset(state->given_force.force + span.first, 0,
+           (size_t)(span.end - span.first) * sizeof *state->given_force.force);
 }
 
 void mpm_given_force_spread(struct mpm_state *state, int workers)
 {
-    const struct mpm_given_force *const given = &state->given_force;
-    if (given->caller.evaluate == NULL)
+    const struct mpm_projection spread = {
+        .components = 2,
+        .field = MPM_PARTICLE_GIVEN_FORCE,
+        .to = (double *)state->given_force.force,
+    };
+    if (state->given_force.caller.evaluate == NULL)
         return;
-    struct mpm_state view = *state;
-    view.grid.mass = given->mass;
-    view.grid.sum = given->sum;
-    for (int axis = 0; axis < 2; axis++)
-        view.particles.velocity[axis] = given->value[axis];
-    mpm_grid_rows_run(&view, mpm_row_clear);
-    mpm_strips_run(state->strip_count, workers, pass_spread, &view);
+    mpm_strips_run(state->strip_count, workers, pass_evaluate, state);
+    mpm_grid_rows_run(state, row_clear);
+    mpm_projection_run(state, workers, &spread);
 }
 
 static void row_add(void *context, int64_t row, int worker)
@@ -66,7 +69,7 @@ static void row_add(void *context, int64_t row, int worker)
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++)
         for (int axis = 0; axis < 2; axis++)
-            state->grid.sum[node][axis].force += state->given_force.sum[node][axis].momentum;
+            state->grid.sum[node][axis].force += state->given_force.force[node][axis];
 }
 
 void mpm_given_force_add(struct mpm_state *state)
@@ -83,7 +86,7 @@ static void row_work(void *context, int64_t row, int worker)
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++)
         for (int axis = 0; axis < 2; axis++)
-            power += state->given_force.sum[node][axis].momentum *
+            power += state->given_force.force[node][axis] *
                      (state->grid.start[node][axis] + state->grid.motion[node].end[axis]);
     state->given_force.row_work[row] = 0.5 * state->time_step * power;
 }

@@ -2,9 +2,8 @@
  *
  *     f_i += sum m_p S_ip b_p,   N&G (4),
  *
- * beside the scene's own. The sum has the form of the particles' momentum, so that the pass of
- * Task 1 makes it, fast or not, from a view of the state with b_p in the place of v_p and sums of
- * its own. Its work in the step is that of the nodal forces,
+ * beside the scene's own: a projection of b_p (method/transfer/projection.h). Its work in the step
+ * is that of the nodal forces,
  *
  *     sum_p m_p b_p . sum_i S_ip (v_i^n + v_i^{n+1})/2 dt = sum_i f_i . (v_i^n + v_i^{n+1}) dt/2.
  *
@@ -17,7 +16,7 @@
 #include "base/arena.h"
 #include "method/state.h"
 
-/* Takes the arrays of state->given_force from the arena. */
+/* Takes the arrays of state->given_force and of b_p from the arena. */
 void mpm_given_force_layout(struct mpm_state *state, struct mpm_arena *arena);
 
 /* Asks the caller, and sums up by nodes; a value that is not finite is a failure of the strip. To

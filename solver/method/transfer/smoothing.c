@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/transfer/smoothing.h"
 
-#include "base/strips.h"
 #include "method/grid/conditions.h"
 #include "method/grid/grid_update.h"
 #include "method/grid/symmetry.h"
-#include "method/transfer/particle_updates.h"
 #include "method/transfer/transfer.h"
 
 /* ---------------------------------------------------------------- iteration */
@@ -58,33 +56,18 @@ static void next_order(void *context, int64_t row, int worker)
 void mpm_smoothing_run(struct mpm_state *state, int workers)
 {
     const bool after_update = state->scene->transfer == MPM_TRANSFER_FMPM;
+    const struct mpm_projection filter = {
+        .from = (const double *)state->grid.smoothed, /* w at its acceleration */
+        .to = (double *)state->grid.gradient,
+        .components = 2,
+        .pairs = true,
+    };
     mpm_grid_rows_run(state, after_update ? begin_with_end : begin_with_start);
     for (int order = 1; order < state->scene->transfer_order; order++) {
-        mpm_strips_run(state->strip_count, workers, state->kernels.passes->smooth, state);
+        mpm_projection_run(state, workers, &filter);
         mpm_symmetries_reflect_extrapolated(state);
         mpm_grid_rows_run(state, next_order);
         mpm_conditions_apply_smoothed(state);
-    }
-}
-
-void mpm_pass_smooth(void *context, int64_t index, int worker)
-{
-    const struct mpm_state *const state = context;
-    const struct mpm_strip *const strip = &state->strips[index];
-    (void)worker;
-    for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil room;
-        double momentum[2] = {0.0, 0.0};
-        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-        for (int k = 0; k < stencil->count; k++) {
-            const int64_t node = state->node_zero + stencil->node[k].node;
-            for (int axis = 0; axis < 2; axis++)
-                momentum[axis] +=
-                    stencil->node[k].s * state->grid.smoothed[node].acceleration[axis];
-        }
-        for (int axis = 0; axis < 2; axis++)
-            momentum[axis] *= state->particles.mass[p];
-        mpm_particle_add_extrapolated(state, stencil, momentum);
     }
 }
 

@@ -40,9 +40,6 @@
  * scatters. */
 void mpm_smoothing_run(struct mpm_state *state, int workers);
 
-/* S^T m_p S w, added to grid.gradient: the pass of the reference kernels. */
-void mpm_pass_smooth(void *state, int64_t strip, int worker);
-
 /* Puts w into the motion that particles read back, so that with v_p = 0 the velocity update as
  * it is gives the equations above, and the gradients where they are not to be extrapolated. */
 void mpm_row_xpic(void *state, int64_t row, int worker);
