@@ -5,18 +5,23 @@
 #include <string.h>
 
 static const struct mpm_field_info infos[MPM_FIELD_COUNT] = {
-    [MPM_FIELD_ID] = {"id", 1, true, 0, 0, 0, "number of the particle in creation order"},
-    [MPM_FIELD_BODY] = {"body", 1, true, 0, 0, 0, "index of the particle's body in the scene"},
-    [MPM_FIELD_POSITION] = {"position", 2, false, 1, 0, 0, "centre of the particle: x y, or r z"},
-    [MPM_FIELD_VELOCITY] = {"velocity", 2, false, 1, 0, -1, "velocity of the particle"},
-    [MPM_FIELD_DEFORMATION_GRADIENT] = {"deformation_gradient", 5, false, 0, 0, 0,
+    [MPM_FIELD_ID] = {"id", 1, true, MPM_DIMENSION_NONE,
+                      "number of the particle in creation order"},
+    [MPM_FIELD_BODY] = {"body", 1, true, MPM_DIMENSION_NONE,
+                        "index of the particle's body in the scene"},
+    [MPM_FIELD_POSITION] = {"position", 2, false, MPM_DIMENSION_LENGTH,
+                            "centre of the particle: x y, or r z"},
+    [MPM_FIELD_VELOCITY] = {"velocity", 2, false, MPM_DIMENSION_VELOCITY,
+                            "velocity of the particle"},
+    [MPM_FIELD_DEFORMATION_GRADIENT] = {"deformation_gradient", 5, false, MPM_DIMENSION_NONE,
                                         "xx xy yx yy zz; in axisymmetry rr rz zr zz tt"},
-    [MPM_FIELD_STRESS] = {"stress", 4, false, -1, 1, -2,
+    [MPM_FIELD_STRESS] = {"stress", 4, false, MPM_DIMENSION_STRESS,
                           "Cauchy stress xx yy zz xy; in axisymmetry rr zz tt rz"},
-    [MPM_FIELD_VOLUME] = {"volume", 1, false, 3, 0, 0,
+    [MPM_FIELD_VOLUME] = {"volume", 1, false, MPM_DIMENSION_VOLUME,
                           "current volume, for the thickness or per radian"},
-    [MPM_FIELD_MASS] = {"mass", 1, false, 0, 1, 0, "mass, for the thickness or per radian"},
-    [MPM_FIELD_FRINGE] = {"fringe", 1, false, 0, 0, 0,
+    [MPM_FIELD_MASS] = {"mass", 1, false, MPM_DIMENSION_MASS,
+                        "mass, for the thickness or per radian"},
+    [MPM_FIELD_FRINGE] = {"fringe", 1, false, MPM_DIMENSION_NONE,
                           "photoelastic fringes: cos(k sqrt((xx - yy)^2 + 4 xy^2)) of the Cauchy "
                           "stress, k the scene's output.fringe"},
 };

@@ -92,7 +92,7 @@ struct mpm_key {
     enum mpm_key_value value;
     enum mpm_key_where where;
     bool required;
-    const char *unit;
+    struct mpm_dimension dimension;
     const char *fallback;   /* YAML, or NULL */
     struct mpm_range range; /* of values; for POINTS how many */
     const char *help;

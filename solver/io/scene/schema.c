@@ -4,6 +4,7 @@
 #include "io/scene/schema.h"
 
 #include "io/scene/scene_schema.h"
+#include "io/units.h"
 #include "model/material.h"
 
 #include <jansson.h>
@@ -43,11 +44,12 @@ static void add_keys(struct table *table, const struct mpm_key *group, const cha
         [MPM_ONLY_AXISYMMETRIC] = " (axisymmetric scenes only)",
     };
     for (const struct mpm_key *key = group->children; key->name != NULL; key++) {
-        char path[CELL_SIZE], help[CELL_SIZE], range[MPM_ALLOWED_SIZE];
+        char path[CELL_SIZE], help[CELL_SIZE], range[MPM_ALLOWED_SIZE], unit[MPM_UNIT_SIZE];
         (void)snprintf(path, sizeof path, "%s%s", prefix, key->name);
         (void)snprintf(help, sizeof help, "%s%s", key->help, places[key->where]);
+        mpm_dimension_text(key->dimension, unit);
         add_row(table,
-                (const char *const[COLUMNS]){path, mpm_key_type(key), key->unit, default_text(key),
+                (const char *const[COLUMNS]){path, mpm_key_type(key), unit, default_text(key),
                                              mpm_key_range(key, range), help});
         if (key->children == NULL)
             continue;
@@ -146,10 +148,12 @@ static json_t *describe_key(const struct mpm_key *key, const char *path)
         [MPM_ONLY_PLANAR] = "planar",
         [MPM_ONLY_AXISYMMETRIC] = "axisymmetric",
     };
+    char unit[MPM_UNIT_SIZE];
+    mpm_dimension_text(key->dimension, unit);
     return json_pack(
         "{ss ss ss? ss? sb ss ss? so so sb sb so ss}", "key", path, "shape", shapes[key->shape],
         "value", values[key->value], "geometry", places[key->where], "required", (int)key->required,
-        "unit", key->unit, "default", key->fallback, "low", end_of_range(key->range.low), "high",
+        "unit", unit, "default", key->fallback, "low", end_of_range(key->range.low), "high",
         end_of_range(key->range.high), "low_open", (int)key->range.low_open, "high_open",
         (int)key->range.high_open, "choices", choices_of(key), "help", key->help);
 }
