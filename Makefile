@@ -55,7 +55,7 @@ CODE_FLAGS := -std=c11 -D_POSIX_C_SOURCE=200809L $(FLAGS_$(VARIANT)) -ffp-contra
 # pkg-config is asked when a recipe first needs the answer, and once.
 # hdf5-serial before hdf5: where MPI builds are installed too, hdf5 may be one of them.
 PKG_CONFIG      ?= pkg-config
-PACKAGES_SOLVER  = $(HDF5) libcyaml yaml-0.1 muparser glib-2.0 jansson
+PACKAGES_SOLVER  = $(HDF5) yaml-0.1 muparser glib-2.0 jansson
 PACKAGES_SUITE  := gsl libcmark-gfm
 PACKAGES_TESTS  := check
 remember = $(eval $(1) := $$(shell $(2)))$($(1))
