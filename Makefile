@@ -346,11 +346,11 @@ format: ## rewrite the sources in the house format
 # ------------------------------------------------------------ install, help
 SHARE := $(DESTDIR)$(PREFIX)/share/touchstone
 .PHONY: install help
-install: all ## programs, mpm.h, libmpm.a, man pages and catalogue into PREFIX (/usr/local), under DESTDIR
+install: all ## programs, headers, libmpm.a, man pages and catalogue into PREFIX (/usr/local), under DESTDIR
 	install -d $(addprefix $(DESTDIR)$(PREFIX)/,bin include lib share/man/man1) $(SHARE)/benchmarks
 	install $(PROGRAMS) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 $(wildcard docs/man/*.1) $(DESTDIR)$(PREFIX)/share/man/man1
-	install -m 644 solver/mpm.h $(DESTDIR)$(PREFIX)/include
+	install -m 644 $(wildcard solver/mpm*.h) $(DESTDIR)$(PREFIX)/include
 	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib
 	$(foreach folder,$(wildcard verification/catalogue reports reference_data),cp -R $(folder) $(SHARE)/ &&) true
 	cp -R benchmarks/scenes benchmarks/budget.json $(SHARE)/benchmarks/

@@ -13,6 +13,8 @@
 #ifndef MPM_H
 #define MPM_H
 
+#include "mpm_dimension.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -245,31 +247,6 @@ double mpm_simulation_time_step(const struct mpm_simulation *simulation); /* the
 size_t mpm_simulation_particle_count(const struct mpm_simulation *simulation);
 size_t mpm_simulation_bytes(const struct mpm_simulation *simulation); /* all memory held */
 
-/* Exponents of the unit of a quantity: of stress -1, 1, -2 and 0. */
-struct mpm_dimension {
-    int8_t length, mass, time, temperature;
-};
-/* clang-format off */
-#define MPM_DIMENSION_NONE             {.length = 0}
-#define MPM_DIMENSION_LENGTH           {.length = 1}
-#define MPM_DIMENSION_VOLUME           {.length = 3}
-#define MPM_DIMENSION_MASS             {.mass = 1}
-#define MPM_DIMENSION_TIME             {.time = 1}
-#define MPM_DIMENSION_TEMPERATURE      {.temperature = 1}
-#define MPM_DIMENSION_RATE             {.time = -1}
-#define MPM_DIMENSION_VELOCITY         {.length = 1, .time = -1}
-#define MPM_DIMENSION_ACCELERATION     {.length = 1, .time = -2}
-#define MPM_DIMENSION_DENSITY          {.length = -3, .mass = 1}
-#define MPM_DIMENSION_MOMENTUM         {.length = 1, .mass = 1, .time = -1}
-#define MPM_DIMENSION_ANGULAR_MOMENTUM {.length = 2, .mass = 1, .time = -1}
-#define MPM_DIMENSION_STRESS           {.length = -1, .mass = 1, .time = -2}
-#define MPM_DIMENSION_ENERGY           {.length = 2, .mass = 1, .time = -2}
-#define MPM_DIMENSION_TOUGHNESS        {.mass = 1, .time = -2} /* energy per area */
-#define MPM_DIMENSION_STIFFNESS        {.length = -2, .mass = 1, .time = -2} /* stress per length */
-#define MPM_DIMENSION_COMPLIANCE       {.length = 1, .mass = -1, .time = 2} /* 1 per stress */
-#define MPM_DIMENSION_RATE_SQUARED     {.time = -2}
-/* clang-format on */
-
 /* What a particle carries, in the order of snapshots. */
 enum mpm_field {
     MPM_FIELD_ID,                   /* 1: creation order, body by body, row by row */
@@ -292,8 +269,7 @@ struct mpm_field_info {
     const char *description;
 };
 
-/* The descriptor of a field; dimensions for planar scenes (axisymmetric volume and
- * mass are per radian and have the same units). */
+/* The descriptor of a field. Dimensions are per radian as they are for the thickness. */
 const struct mpm_field_info *mpm_field_describe(enum mpm_field field);
 
 /* Is the field one of the scene's snapshots? All but fringe are always. */

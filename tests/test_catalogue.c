@@ -92,6 +92,18 @@ static const struct {
     {"tags: [small]", "tog: [small]",
      "case.yaml:6: unknown key \"tog\"; allowed: format, family, case"},
     {"tags: [small]", "title: again", "case.yaml:6: key \"title\" repeated, first on line 4"},
+    {"tags: [small]", "tags: &all [small]", "case.yaml:6: an anchor (&name)"},
+    {"tags: [small]", "tags: !!seq [small]", "case.yaml:6: a tag (!name)"},
+    {"tags: [small]", "tags: [sm\xffll]", "case.yaml:6: not a text: byte"},
+    {"tags: [small]", "tags: [\"sm\\0ll\"]", "case.yaml:6: a null character in a text"},
+    {"tags: [small]", "tags:\n\t- small",
+     "case.yaml:7: not YAML: found character that cannot start"},
+    {"tags: [small]", "tags: [~]", "case.yaml:6: tags.0: no text, got \"~\""},
+    {"tags: [small]", "tags: small", "case.yaml:6: tags: not a list, got \"small\""},
+    {"why: it is <one> & only\n", "why: w\n---\nformat: 1\n",
+     "case.yaml:25: a second YAML document"},
+    {"format: 1", "format: 0x1", "case.yaml:1: format: not an integer, got \"0x1\""},
+    {"low: 0.5", "low: \"0.5\"", "case.yaml:20: checks.0.low: not a number, got \"0.5\""},
     {"program: pass", "program: pss", "case.yaml:7: program: \"pss\": allowed are quadrature"},
     {"program: pass", "program: pass\nscene: none.yaml",
      "case.yaml:8: scene: \"none.yaml\": no such"},
@@ -142,6 +154,10 @@ static const struct {
      "case.yaml:24: bundle: states the case's scene"},
     {"why: it is <one> & only\n", BUNDLE("1", "5"),
      "case.yaml:25: bundle.to: not a pair of values, got a list of 1"},
+    {"why: it is <one> & only\n", BUNDLE("1, 1], polar: [maybe", "5"),
+     "case.yaml:25: bundle.polar: not a single value"},
+    {"why: it is <one> & only\n", BUNDLE("1, 1], polar: maybe, linear: [", "5"),
+     "case.yaml:25: bundle.polar: not a boolean, got \"maybe\"; allowed: true | false"},
     {"why: it is <one> & only\n", BUNDLE("1, q", "5"), "bundle.to.1: not a number, got \"q\""},
     {"why: it is <one> & only\n", BUNDLE("1, 1", "5 %"),
      "bundle.criteria.0.within: not a number, got \"5 %\""},
@@ -184,7 +200,9 @@ START_TEST(a_bad_case_is_refused_with_file_line_and_reason)
         g_strfreev(parts);
     }
     g_free(good);
-    g_free(refusal(""));
+    char *message = refusal("");
+    ck_assert_ptr_nonnull(strstr(message, "case.yaml:1: empty; allowed: a YAML document"));
+    g_free(message);
 }
 END_TEST
 

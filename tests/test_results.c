@@ -443,18 +443,13 @@ START_TEST(units_are_made_of_the_scenes_own)
 {
     const struct {
         struct mpm_dimension dimension;
-        const char *named, *unnamed, *quotient;
+        const char *named, *unnamed;
     } units[] = {
-        {MPM_DIMENSION_STRESS, "g mm^-1 ms^-2", "mass length^-1 time^-2", "mass/(length time^2)"},
-        {MPM_DIMENSION_NONE, "1", "1", ""},
-        {MPM_DIMENSION_LENGTH, "mm", "length", "length"},
-        {MPM_DIMENSION_VELOCITY, "mm ms^-1", "length time^-1", "length/time"},
-        {MPM_DIMENSION_ENERGY, "g mm^2 ms^-2", "mass length^2 time^-2", "mass length^2/time^2"},
-        {MPM_DIMENSION_RATE, "ms^-1", "time^-1", "1/time"},
-        {{.length = 2, .time = -2, .temperature = -1},
-         "mm^2 ms^-2 K^-1",
-         "length^2 time^-2 temperature^-1",
-         "length^2/(time^2 temperature)"},
+        {MPM_DIMENSION_STRESS, "g mm^-1 ms^-2", "mass length^-1 time^-2"},
+        {MPM_DIMENSION_NONE, "1", "1"},
+        {MPM_DIMENSION_LENGTH, "mm", "length"},
+        {MPM_DIMENSION_VELOCITY, "mm ms^-1", "length time^-1"},
+        {{.length = 2, .temperature = -1}, "mm^2 K^-1", "length^2 temperature^-1"},
     };
     const struct mpm_scene unnamed = {.title = NULL};
     for (size_t i = 0; i < G_N_ELEMENTS(units); i++) {
@@ -463,8 +458,6 @@ START_TEST(units_are_made_of_the_scenes_own)
         ck_assert_str_eq(text, units[i].named);
         mpm_unit_text(&unnamed, units[i].dimension, text);
         ck_assert_str_eq(text, units[i].unnamed);
-        mpm_dimension_text(units[i].dimension, text);
-        ck_assert_str_eq(text, units[i].quotient);
     }
 }
 END_TEST

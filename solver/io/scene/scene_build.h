@@ -21,7 +21,9 @@ struct mpm_reading {
 /* What messages call the scene's places by. */
 static inline struct mpm_source mpm_scene_source(const struct mpm_scene *scene)
 {
-    return (struct mpm_source){scene->path, (const char *const *)scene->settings};
+    return (struct mpm_source){.path = scene->path,
+                               .what = "scene file",
+                               .settings = (const char *const *)scene->settings};
 }
 
 /* Each fills its part of reading->scene, in this order; what a failure leaves behind is

@@ -13,11 +13,11 @@
 
 enum { FILE_SIZE_MAX = 16 * 1024 * 1024 };
 
-static enum mpm_status refuse_file(const struct mpm_source *source, const char *what,
+static enum mpm_status refuse_file(const struct mpm_source *source, const char *fault,
                                    struct mpm_error *error)
 {
     return mpm_tree_fault(error, source, (struct mpm_origin){.line = 0}, "",
-                          "%s; allowed: a readable file of up to 16 MiB", what);
+                          "%s; allowed: a readable %s of up to 16 MiB", fault, source->what);
 }
 
 static enum mpm_status check_kind(const struct mpm_source *source, int file, size_t *size,
@@ -76,7 +76,7 @@ enum mpm_status mpm_source_read(const struct mpm_source *source, struct mpm_byte
 enum mpm_status mpm_tree_read(const char *path, struct mpm_tree_node **root,
                               struct mpm_error *error)
 {
-    const struct mpm_source source = {.path = path};
+    const struct mpm_source source = {.path = path, .what = "file"};
     const struct mpm_origin origin = {.setting = MPM_FROM_FILE};
     struct mpm_bytes bytes;
     *root = NULL;
@@ -90,7 +90,7 @@ enum mpm_status mpm_tree_read(const char *path, struct mpm_tree_node **root,
 enum mpm_status mpm_keys_read(const char *path, const struct mpm_key *root, void **data,
                               struct mpm_error *error)
 {
-    const struct mpm_source source = {.path = path};
+    const struct mpm_source source = {.path = path, .what = "file"};
     struct mpm_tree_node *tree = NULL;
     *data = NULL;
     MPM_TRY(mpm_tree_read(path, &tree, error));

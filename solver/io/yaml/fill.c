@@ -2,7 +2,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/expression.h"
-#include "base/status.h"
 #include "io/yaml/keys.h"
 
 #include <stdlib.h>

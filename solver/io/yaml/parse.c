@@ -264,6 +264,16 @@ static enum mpm_status refuse_binary(struct parsing *parsing)
                           (unsigned)(unsigned char)*end);
 }
 
+/* Some editors put a byte order mark first. libyaml would count it as a column. */
+static void skip_mark(struct parsing *parsing)
+{
+    static const char mark[] = {'\xef', '\xbb', '\xbf'};
+    if (parsing->length < sizeof mark || memcmp(parsing->bytes, mark, sizeof mark) != 0)
+        return;
+    parsing->bytes += sizeof mark;
+    parsing->length -= sizeof mark;
+}
+
 enum mpm_status mpm_tree_parse(const struct mpm_source *source, struct mpm_origin origin,
                                const char *bytes, size_t length, struct mpm_tree_node **root,
                                struct mpm_error *error)
@@ -272,10 +282,12 @@ enum mpm_status mpm_tree_parse(const struct mpm_source *source, struct mpm_origi
     struct parsing parsing = {
         .source = source, .origin = origin, .bytes = bytes, .length = length, .error = error};
     MPM_TRY(refuse_binary(&parsing));
+    skip_mark(&parsing);
     if (!yaml_parser_initialize(&parsing.parser))
         return no_memory(&parsing);
     yaml_parser_set_encoding(&parsing.parser, YAML_UTF8_ENCODING);
-    yaml_parser_set_input_string(&parsing.parser, (const unsigned char *)bytes, length);
+    yaml_parser_set_input_string(&parsing.parser, (const unsigned char *)parsing.bytes,
+                                 parsing.length);
     const enum mpm_status status = read_document(&parsing, root);
     yaml_parser_delete(&parsing.parser);
     if (status != MPM_OK) {

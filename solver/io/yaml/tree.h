@@ -13,7 +13,7 @@ enum { MPM_EXCERPT_SIZE = 80 };
 
 /* What messages call the places of values by. */
 struct mpm_source {
-    const char *path;
+    const char *path, *what;     /* "scene file" */
     const char *const *settings; /* texts of --set; NULL if there are none */
 };
 
