@@ -1,5 +1,5 @@
-/* Every key of a scene, once. From these lists come the C structs that libcyaml fills,
- * libcyaml's schema, the checks of type and range, the defaults and `mpm schema`.
+/* Every key of a scene, once. From these lists come the C structs that a scene's tree fills,
+ * how it fills them, the checks of type and range, the defaults and `mpm schema`.
  *
  * A line is X(S, shape, key, value, where, need, unit, default, range, help):
  *   S        what the user of the list wants to know in each line: the list's name
