@@ -55,7 +55,7 @@ CODE_FLAGS := -std=c11 -D_POSIX_C_SOURCE=200809L $(FLAGS_$(VARIANT)) -ffp-contra
 # pkg-config is asked when a recipe first needs the answer, and once.
 # hdf5-serial before hdf5: where MPI builds are installed too, hdf5 may be one of them.
 PKG_CONFIG      ?= pkg-config
-PACKAGES_SOLVER  = $(HDF5) libcyaml yaml-0.1 muparser glib-2.0 jansson
+PACKAGES_SOLVER  = $(HDF5) yaml-0.1 muparser glib-2.0 jansson
 PACKAGES_SUITE  := gsl libcmark-gfm
 PACKAGES_TESTS  := check
 remember = $(eval $(1) := $$(shell $(2)))$($(1))
@@ -357,11 +357,11 @@ format: ## rewrite the sources in the house format
 # ------------------------------------------------------------ install, help
 SHARE := $(DESTDIR)$(PREFIX)/share/touchstone
 .PHONY: install help
-install: all ## programs, mpm.h, libmpm.a, man pages and catalogue into PREFIX (/usr/local), under DESTDIR
+install: all ## programs, headers, libmpm.a, man pages and catalogue into PREFIX (/usr/local), under DESTDIR
 	install -d $(addprefix $(DESTDIR)$(PREFIX)/,bin include lib share/man/man1) $(SHARE)/benchmarks
 	install $(PROGRAMS) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 $(wildcard docs/man/*.1) $(DESTDIR)$(PREFIX)/share/man/man1
-	install -m 644 solver/mpm.h $(DESTDIR)$(PREFIX)/include
+	install -m 644 $(wildcard solver/mpm*.h) $(DESTDIR)$(PREFIX)/include
 	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib
 	$(foreach folder,$(wildcard verification/catalogue reports reference_data),cp -R $(folder) $(SHARE)/ &&) true
 	cp -R benchmarks/scenes benchmarks/budget.json $(SHARE)/benchmarks/

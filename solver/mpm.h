@@ -13,6 +13,8 @@
 #ifndef MPM_H
 #define MPM_H
 
+#include "mpm_dimension.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -263,12 +265,11 @@ struct mpm_field_info {
     const char *name;
     size_t components;
     bool integer;
-    int length, mass, time; /* exponents of the unit; stress is {-1, 1, -2} */
+    struct mpm_dimension dimension;
     const char *description;
 };
 
-/* The descriptor of a field; exponents for planar scenes (axisymmetric volume and
- * mass are per radian and have the same units). */
+/* The descriptor of a field. Dimensions are per radian as they are for the thickness. */
 const struct mpm_field_info *mpm_field_describe(enum mpm_field field);
 
 /* Is the field one of the scene's snapshots? All but fringe are always. */
@@ -339,7 +340,7 @@ bool mpm_scene_has_contact_loss(const struct mpm_scene *scene);
 enum { MPM_QUANTITY_NAME_SIZE = 64 };
 struct mpm_quantity_info {
     char name[MPM_QUANTITY_NAME_SIZE]; /* "crack_0_opening_first": crack 0 of the scene */
-    int length, mass, time;            /* exponents of the unit */
+    struct mpm_dimension dimension;
     const char *description;
 };
 /* How many there are, 0 for scenes that ask for none; what `index`, below that, is; and its value

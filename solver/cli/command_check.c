@@ -31,7 +31,7 @@ static void print_stability(const struct mpm_scene *scene, const struct mpm_plan
 static void print_plan(const struct mpm_scene *scene, const struct mpm_plan *plan)
 {
     char unit[MPM_UNIT_SIZE];
-    mpm_unit_text(scene, 0, 0, 1, unit);
+    mpm_unit_text(scene, (struct mpm_dimension)MPM_DIMENSION_TIME, unit);
     (void)printf("particles  %zu\n", plan->particles);
     (void)printf("cells      %zu (%zu nodes with ghost rows)\n", plan->cells, plan->nodes);
     (void)printf("memory     %.4g MB", 1e-6 * (double)plan->bytes);

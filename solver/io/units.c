@@ -5,31 +5,62 @@
 
 #include <glib.h>
 
-void mpm_unit_text(const struct mpm_scene *scene, int length, int mass, int time,
+enum { FACTORS = 4 };
+
+struct factor {
+    const char *name;
+    int exponent;
+};
+
+/* Appends the factors whose exponents have the sign, or all with 0; returns how many. */
+static int append_factors(const struct factor factors[FACTORS], int sign, char text[MPM_UNIT_SIZE])
+{
+    int appended = 0;
+    for (int i = 0; i < FACTORS; i++) {
+        const int exponent = sign == 0 ? factors[i].exponent : sign * factors[i].exponent;
+        if (exponent == 0 || (sign != 0 && exponent < 0))
+            continue;
+        char power[16] = "";
+        if (exponent != 1)
+            g_snprintf(power, sizeof power, "^%d", exponent);
+        if (appended++ > 0)
+            g_strlcat(text, " ", MPM_UNIT_SIZE);
+        g_strlcat(text, factors[i].name, MPM_UNIT_SIZE);
+        g_strlcat(text, power, MPM_UNIT_SIZE);
+    }
+    return appended;
+}
+
+void mpm_unit_text(const struct mpm_scene *scene, struct mpm_dimension dimension,
                    char text[MPM_UNIT_SIZE])
 {
-    const struct {
-        const char *name, *unnamed;
-        int exponent;
-    } factors[] = {
-        {scene->units_mass, "mass", mass},
-        {scene->units_length, "length", length},
-        {scene->units_time, "time", time},
+    const struct factor factors[FACTORS] = {
+        {scene->units_mass[0] != '\0' ? scene->units_mass : "mass", dimension.mass},
+        {scene->units_length[0] != '\0' ? scene->units_length : "length", dimension.length},
+        {scene->units_time[0] != '\0' ? scene->units_time : "time", dimension.time},
+        {scene->units_temperature[0] != '\0' ? scene->units_temperature : "temperature",
+         dimension.temperature},
     };
     text[0] = '\0';
-    for (size_t i = 0; i < G_N_ELEMENTS(factors); i++) {
-        if (factors[i].exponent == 0)
-            continue;
-        char factor[MPM_NAME_SIZE + 16];
-        const char *name = factors[i].name[0] != '\0' ? factors[i].name : factors[i].unnamed;
-        if (factors[i].exponent == 1)
-            g_strlcpy(factor, name, sizeof factor);
-        else
-            g_snprintf(factor, sizeof factor, "%s^%d", name, factors[i].exponent);
-        if (text[0] != '\0')
-            g_strlcat(text, " ", MPM_UNIT_SIZE);
-        g_strlcat(text, factor, MPM_UNIT_SIZE);
-    }
-    if (text[0] == '\0')
+    if (append_factors(factors, 0, text) == 0)
         g_strlcpy(text, "1", MPM_UNIT_SIZE);
+}
+
+void mpm_dimension_text(struct mpm_dimension dimension, char text[MPM_UNIT_SIZE])
+{
+    const struct factor factors[FACTORS] = {{"mass", dimension.mass},
+                                            {"length", dimension.length},
+                                            {"time", dimension.time},
+                                            {"temperature", dimension.temperature}};
+    char below[MPM_UNIT_SIZE] = "";
+    const int under = append_factors(factors, -1, below);
+    text[0] = '\0';
+    if (append_factors(factors, 1, text) == 0 && under > 0)
+        g_strlcpy(text, "1", MPM_UNIT_SIZE);
+    if (under == 0)
+        return;
+    g_strlcat(text, under > 1 ? "/(" : "/", MPM_UNIT_SIZE);
+    g_strlcat(text, below, MPM_UNIT_SIZE);
+    if (under > 1)
+        g_strlcat(text, ")", MPM_UNIT_SIZE);
 }

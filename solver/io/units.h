@@ -6,13 +6,16 @@
 
 #include "model/scene.h"
 
-/* Room for three names of units with their exponents. */
-enum { MPM_UNIT_SIZE = 3 * (MPM_NAME_SIZE + 16) };
+/* Room for four names of units with their exponents. */
+enum { MPM_UNIT_SIZE = 4 * (MPM_NAME_SIZE + 16) };
 
-/* The unit mass^m length^l time^t as text, mass first: exponents -1, 1, -2 in mm,
- * g, ms give "g mm^-1 ms^-2"; all exponents zero give "1". A unit that the scene
- * does not name is called "length", "mass" or "time". */
-void mpm_unit_text(const struct mpm_scene *scene, int length, int mass, int time,
+/* The unit of a dimension as text, mass first: stress in mm, g, ms gives "g mm^-1 ms^-2"; no
+ * dimension gives "1". A unit that the scene does not name is called "length", "mass", "time" or
+ * "temperature". */
+void mpm_unit_text(const struct mpm_scene *scene, struct mpm_dimension dimension,
                    char text[MPM_UNIT_SIZE]);
+
+/* A dimension as text: "mass/(length time^2)", "1/time"; "" for none. */
+void mpm_dimension_text(struct mpm_dimension dimension, char text[MPM_UNIT_SIZE]);
 
 #endif

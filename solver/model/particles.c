@@ -4,11 +4,10 @@
 #include <assert.h>
 
 /* NOLINTBEGIN(bugprone-macro-parentheses): `several` is [n] or nothing. */
-#define EXPONENTS(length, mass, time) length, mass, time
-#define ROW(name, type, member, several, exponents, needed, copied, unit, title, description)      \
+#define ROW(name, type, member, several, unit_of, needed, copied, unit, title, description)        \
     [MPM_PARTICLE_##name] = {                                                                      \
         .info = {title, sizeof(char several), sizeof(type) == sizeof(uint32_t),                    \
-                 EXPONENTS exponents, description},                                                \
+                 MPM_DIMENSION_##unit_of, description},                                            \
         .place = offsetof(struct mpm_particles, member),                                           \
         .size = sizeof(type),                                                                      \
         .present = (needed),                                                                       \

@@ -34,40 +34,40 @@ enum mpm_particle_use {
 enum { MPM_LAW_STATES = 16 };
 
 /* The table. Columns: name of the row; type, member, and [components] where there are several;
- * exponents of length, mass and time in its unit; uses that need the field; uses that need a copy
- * in the last good state, since the field changes and cannot be computed from others; bits of the
- * components that are 1 for a rigid particle, which does not carry the field, the others being 0;
- * name and description for users. */
+ * its dimension, MPM_DIMENSION_... without the prefix; uses that need the field; uses that need a
+ * copy in the last good state, since the field changes and cannot be computed from others; bits of
+ * the components that are 1 for a rigid particle, which does not carry the field, the others being
+ * 0; name and description for users. */
 #define MPM_WRITTEN_PARTICLE_FIELDS(ROW) /* snapshots have these: MPM_FIELD_<name> */              \
-    ROW(ID, uint32_t, id, , (0, 0, 0), MPM_USE_ALL, 0, 0, "id",                                    \
+    ROW(ID, uint32_t, id, , NONE, MPM_USE_ALL, 0, 0, "id",                                         \
         "number of the particle in creation order")                                                \
-    ROW(BODY, uint32_t, body, , (0, 0, 0), MPM_USE_ALL, 0, 0, "body",                              \
+    ROW(BODY, uint32_t, body, , NONE, MPM_USE_ALL, 0, 0, "body",                                   \
         "index of the particle's body in the scene")                                               \
-    ROW(POSITION, double, position, [2], (1, 0, 0), MPM_USE_ALL, MPM_USE_ALL, 0, "position",       \
+    ROW(POSITION, double, position, [2], LENGTH, MPM_USE_ALL, MPM_USE_ALL, 0, "position",          \
         "centre of the particle: x y, or r z")                                                     \
-    ROW(VELOCITY, double, velocity, [2], (1, 0, -1), MPM_USE_ALL, MPM_USE_ALL, 0, "velocity",      \
+    ROW(VELOCITY, double, velocity, [2], VELOCITY, MPM_USE_ALL, MPM_USE_ALL, 0, "velocity",        \
         "velocity of the particle")                                                                \
-    ROW(DEFORMATION_GRADIENT, double, deformation, [MPM_GRADIENT_SIZE], (0, 0, 0),                 \
-        MPM_USE_DEFORMABLE, MPM_USE_DEFORMABLE, 1 << MPM_XX | 1 << MPM_YY | 1 << MPM_ZZ,           \
-        "deformation_gradient", "xx xy yx yy zz; in axisymmetry rr rz zr zz tt")                   \
-    ROW(MASS, double, mass, , (0, 1, 0), MPM_USE_DEFORMABLE, 0, 0, "mass",                         \
+    ROW(DEFORMATION_GRADIENT, double, deformation, [MPM_GRADIENT_SIZE], NONE, MPM_USE_DEFORMABLE,  \
+        MPM_USE_DEFORMABLE, 1 << MPM_XX | 1 << MPM_YY | 1 << MPM_ZZ, "deformation_gradient",       \
+        "xx xy yx yy zz; in axisymmetry rr rz zr zz tt")                                           \
+    ROW(MASS, double, mass, , MASS, MPM_USE_DEFORMABLE, 0, 0, "mass",                              \
         "mass, for the thickness or per radian")
 #define MPM_INNER_PARTICLE_FIELDS(ROW)                                                             \
-    ROW(STRESS, double, stress, [MPM_SYMMETRIC_SIZE], (2, 0, -2), MPM_USE_DEFORMABLE,              \
+    ROW(STRESS, double, stress, [MPM_SYMMETRIC_SIZE], SPECIFIC_ENERGY, MPM_USE_DEFORMABLE,         \
         MPM_USE_KEPT_STRESS | MPM_USE_LAW_STATE, 0, "kirchhoff_stress",                            \
         "Kirchhoff stress over initial density")                                                   \
-    ROW(AFFINE, double, affine, [4], (2, 0, -1), MPM_USE_APIC, MPM_USE_APIC, 0, "affine",          \
+    ROW(AFFINE, double, affine, [4], AREA_RATE, MPM_USE_APIC, MPM_USE_APIC, 0, "affine",           \
         "xx xy yx yy; see method/transfer/affine.h")                                               \
-    ROW(DOMAIN, double, domain, [4], (1, 0, 0), MPM_USE_DOMAINS, 0, 0, "domain",                   \
+    ROW(DOMAIN, double, domain, [4], LENGTH, MPM_USE_DOMAINS, 0, 0, "domain",                      \
         "half edges d1x d1y d2x d2y of the domain")                                                \
-    ROW(ORIGIN, double, origin, [2], (1, 0, 0), MPM_USE_ORIGINS, 0, 0, "origin",                   \
+    ROW(ORIGIN, double, origin, [2], LENGTH, MPM_USE_ORIGINS, 0, 0, "origin",                      \
         "centre of the particle at t = 0")                                                         \
-    ROW(LAW_STATE, double, law_state, [MPM_LAW_STATES], (0, 0, 0), MPM_USE_LAW_STATE,              \
+    ROW(LAW_STATE, double, law_state, [MPM_LAW_STATES], NONE, MPM_USE_LAW_STATE,                   \
         MPM_USE_LAW_STATE, 0, "law_state", "state variables of the particle's law")
 #define MPM_STEP_PARTICLE_FIELDS(ROW) /* of a step, not sorted: the sort works in their memory */  \
-    ROW(CARRIED, double, carried, [2], (1, 0, 0), MPM_USE_DEFORMABLE, 0, 0, "carried",             \
+    ROW(CARRIED, double, carried, [2], LENGTH, MPM_USE_DEFORMABLE, 0, 0, "carried",                \
         "position at the end of the step, known before its last task")                             \
-    ROW(GIVEN_FORCE, double, given_force, [2], (1, 0, -2), MPM_USE_GIVEN_FORCE, 0, 0,              \
+    ROW(GIVEN_FORCE, double, given_force, [2], ACCELERATION, MPM_USE_GIVEN_FORCE, 0, 0,            \
         "given_force", "body force of the step that a caller gives; see given_force.h")
 #define MPM_PARTICLE_FIELDS(ROW)                                                                   \
     MPM_WRITTEN_PARTICLE_FIELDS(ROW)                                                               \

@@ -121,25 +121,26 @@ static double nodes_without_contact(const struct mpm_simulation *simulation, siz
 
 static const struct quantity {
     const char *name;
-    int length, mass, time;
+    struct mpm_dimension dimension;
     const char *description;
     bool (*asked)(const struct mpm_scene *scene, size_t crack);
     double (*value)(const struct mpm_simulation *simulation, size_t crack);
 } quantities[] = {
-    {"opening_first", 1, 0, 0,
+    {"opening_first", MPM_DIMENSION_LENGTH,
      "normal opening at its first point, or where it enters a body behind that", is_followed,
      opening_first},
-    {"sliding_first", 1, 0, 0, "tangential opening there", is_followed, sliding_first},
-    {"opening_last", 1, 0, 0,
+    {"sliding_first", MPM_DIMENSION_LENGTH, "tangential opening there", is_followed, sliding_first},
+    {"opening_last", MPM_DIMENSION_LENGTH,
      "normal opening at its last point, or where it leaves a body before that", is_followed,
      opening_last},
-    {"sliding_last", 1, 0, 0, "tangential opening there", is_followed, sliding_last},
-    {"opening_largest", 1, 0, 0, "largest normal opening", is_followed, opening_largest},
-    {"sliding_largest", 1, 0, 0, "tangential opening, where it is largest in magnitude",
-     is_followed, sliding_largest},
-    {"opening_mean", 1, 0, 0, "mean of the normal opening over its cohesive area", is_cohesive,
-     opening_mean},
-    {"nodes_without_contact", 0, 0, 0,
+    {"sliding_last", MPM_DIMENSION_LENGTH, "tangential opening there", is_followed, sliding_last},
+    {"opening_largest", MPM_DIMENSION_LENGTH, "largest normal opening", is_followed,
+     opening_largest},
+    {"sliding_largest", MPM_DIMENSION_LENGTH,
+     "tangential opening, where it is largest in magnitude", is_followed, sliding_largest},
+    {"opening_mean", MPM_DIMENSION_LENGTH, "mean of the normal opening over its cohesive area",
+     is_cohesive, opening_mean},
+    {"nodes_without_contact", MPM_DIMENSION_NONE,
      "nodes beside it in the last step whose velocity fields contact leaves alone",
      mpm_crack_has_contact, nodes_without_contact},
 };
@@ -170,9 +171,7 @@ struct mpm_quantity_info mpm_scene_crack_quantity(const struct mpm_scene *scene,
     size_t crack, counted;
     const struct quantity *const quantity = find(scene, index, &crack, &counted);
     struct mpm_quantity_info info = {
-        .length = quantity->length,
-        .mass = quantity->mass,
-        .time = quantity->time,
+        .dimension = quantity->dimension,
         .description = quantity->description,
     };
     (void)snprintf(info.name, sizeof info.name, "crack_%zu_%s", crack, quantity->name);

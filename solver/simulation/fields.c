@@ -68,17 +68,17 @@ struct quantity {
 
 static const struct quantity quantities[MPM_FIELD_COUNT] = {
     [MPM_FIELD_STRESS] = {NULL,
-                          {"stress", 4, false, -1, 1, -2,
+                          {"stress", 4, false, MPM_DIMENSION_STRESS,
                            "Cauchy stress xx yy zz xy; in axisymmetry rr zz tt rz"},
                           find_stress,
                           NULL},
     [MPM_FIELD_VOLUME] = {NULL,
-                          {"volume", 1, false, 3, 0, 0,
+                          {"volume", 1, false, MPM_DIMENSION_VOLUME,
                            "current volume, for the thickness or per radian"},
                           find_volume,
                           NULL},
     [MPM_FIELD_FRINGE] = {NULL,
-                          {"fringe", 1, false, 0, 0, 0,
+                          {"fringe", 1, false, MPM_DIMENSION_NONE,
                            "photoelastic fringes: cos(k sqrt((xx - yy)^2 + 4 xy^2)) of the Cauchy "
                            "stress, k the scene's output.fringe"},
                           find_fringe,

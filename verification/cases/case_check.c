@@ -285,19 +285,12 @@ static enum mpm_status check_bundle(const char *path, const struct case_file *fi
         return yaml_refuse(path, error, "no_bundle", "there is a bundle");
     if (file->scene == NULL)
         return yaml_refuse(path, error, "bundle", "states the case's scene, and it has none");
-    for (unsigned a = 0; a < 2; a++) {
-        const double points = bundle->points[a];
-        if (!(points >= 1 && points <= 10000) || (double)(unsigned)points < points)
-            return yaml_refuse(path, error, "bundle",
-                               "points: allowed are whole numbers from 1 to "
-                               "10000");
+    for (unsigned a = 0; a < 2; a++)
         if (!(bundle->from[a] < bundle->to[a]))
             return yaml_refuse(path, error, "bundle", "from must be less than to");
-    }
-    if (bundle->body < 0)
-        return yaml_refuse(path, error, "bundle", "body: allowed are whole numbers from 0");
-    if (!(bundle->end > 0) || bundle->instants < 1 || bundle->instants > 1000)
-        return yaml_refuse(path, error, "bundle", "allowed are an end > 0 and 1 to 1000 instants");
+    if (!(bundle->end > 0))
+        return yaml_refuse(path, error, "bundle", "end %s: allowed are times > 0",
+                           bundle->end_text);
     for (unsigned i = 0; i < bundle->criteria_count; i++)
         TRY(check_criterion(path, bundle, i, error));
     return MPM_OK;
@@ -306,8 +299,6 @@ static enum mpm_status check_bundle(const char *path, const struct case_file *fi
 enum mpm_status case_file_check(const char *path, const struct case_file *file,
                                 struct mpm_error *error)
 {
-    if (file->format != 1)
-        return yaml_refuse(path, error, "format", "%d: allowed is 1", file->format);
     if (!name_is_sound(file->family))
         return yaml_refuse(path, error, "family", "\"%s\": %s", file->family, name_rule);
     if (!name_is_sound(file->name))

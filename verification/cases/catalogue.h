@@ -126,14 +126,14 @@ struct case_bundle {
     char *about;     /* what a solver has to do that README.md and the scene do not say */
     struct case_parameter *parameters; /* of the reference; win over those of the case */
     unsigned parameters_count;
-    char **from_text, **to_text, **points_text; /* the lattice of initial positions, 2 each */
-    unsigned from_text_count, to_text_count, points_text_count;
-    double from[2], to[2], points[2];
+    char *from_text[2], *to_text[2]; /* the lattice of initial positions */
+    double from[2], to[2];
+    int64_t points[2];
     bool polar, linear, rest; /* from and to are radius and angle; interpolation; a state of rest */
     char *end_text;
     double end;
-    int instants; /* at end / instants, ..., end */
-    int body;     /* of the scene, that is judged */
+    int64_t instants; /* at end / instants, ..., end */
+    int64_t body;     /* of the scene, that is judged */
     struct case_criterion *criteria;
     unsigned criteria_count;
 };
@@ -149,7 +149,7 @@ struct case_numbers {
 
 /* case.yaml as read; texts of numbers are kept beside their values. */
 struct case_file {
-    int format;
+    int64_t format;
     char *family, *name, *title, *summary;
     char **tags;
     unsigned tags_count;

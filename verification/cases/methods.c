@@ -15,23 +15,17 @@ static const char file_name[] = "methods.yaml";
 
 /* ------------------------------------------------------------------ the table */
 
-static const cyaml_schema_field_t method_fields[] = {
+static const struct mpm_key method_keys[] = {
     YAML_TEXT("name", method, name), YAML_TEXT("group", method, group),
-    YAML_TEXT("title", method, title),
-    YAML_LIST("settings", method, settings, &yaml_text_schema, 1), CYAML_FIELD_END};
-static const cyaml_schema_value_t method_schema = {
-    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct method, method_fields)};
-static const cyaml_schema_field_t part_fields[] = {
-    YAML_TEXT("part", method_part, name), YAML_TEXT("kind", method_part, kind),
-    YAML_TEXT("title", method_part, title), CYAML_FIELD_END};
-static const cyaml_schema_value_t part_schema = {
-    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct method_part, part_fields)};
-static const cyaml_schema_field_t table_fields[] = {
-    CYAML_FIELD_INT("format", CYAML_FLAG_DEFAULT, struct method_table, format),
-    YAML_LIST("parts", method_table, parts, &part_schema, 0),
-    YAML_LIST("methods", method_table, methods, &method_schema, 1), CYAML_FIELD_END};
-static const cyaml_schema_value_t table_schema = {
-    CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, struct method_table, table_fields)};
+    YAML_TEXT("title", method, title), YAML_TEXTS("settings", method, settings, 1), YAML_END};
+static const struct mpm_key part_keys[] = {YAML_TEXT("part", method_part, name),
+                                           YAML_TEXT("kind", method_part, kind),
+                                           YAML_TEXT("title", method_part, title), YAML_END};
+static const struct mpm_key table_keys[] = {
+    YAML_INTEGER("format", method_table, format, 1, 1),
+    YAML_LIST("parts", method_table, parts, method_part, part_keys, 0),
+    YAML_LIST("methods", method_table, methods, method, method_keys, 1), YAML_END};
+static const struct mpm_key table_file = YAML_FILE(method_table, table_keys);
 
 static bool same_settings(const struct method *one, const struct method *other)
 {
@@ -87,8 +81,6 @@ static enum mpm_status check_method(const char *path, const struct method_table 
 static enum mpm_status check_table(const char *path, const struct method_table *table,
                                    struct mpm_error *error)
 {
-    if (table->format != 1)
-        return yaml_refuse(path, error, "format", "%d: allowed is 1", table->format);
     for (unsigned i = 0; i < table->methods_count; i++)
         TRY(check_method(path, table, i, error));
     return MPM_OK;
@@ -102,7 +94,7 @@ enum mpm_status methods_load(const char *folder, struct method_table **table,
     void *data = NULL;
     *table = NULL;
     if (g_file_test(path, G_FILE_TEST_EXISTS))
-        status = yaml_read(path, &table_schema, &data, error);
+        status = mpm_keys_read(path, &table_file, &data, error);
     if (status == MPM_OK && data != NULL)
         status = check_table(path, data, error);
     if (status == MPM_OK)
@@ -115,7 +107,7 @@ enum mpm_status methods_load(const char *folder, struct method_table **table,
 
 void methods_free(struct method_table *table)
 {
-    yaml_read_free(&table_schema, table);
+    mpm_keys_free(&table_file, table);
 }
 
 /* --------------------------------------------------------------- the variants */

@@ -21,7 +21,7 @@ struct method_part {
 };
 
 struct method_table {
-    int format;
+    int64_t format;
     struct method_part *parts; /* none, or one for each part of each name */
     unsigned parts_count;
     struct method *methods;

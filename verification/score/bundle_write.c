@@ -226,7 +226,8 @@ static void add_times(GString *text, const struct case_bundle *bundle)
         g_string_append_printf(text,
                                "At %d instants, %g/%d apart from 0 (not scored) to %g, each to a "
                                "millionth of the end.",
-                               bundle->instants, bundle->end, bundle->instants, bundle->end);
+                               (int)bundle->instants, bundle->end, (int)bundle->instants,
+                               bundle->end);
 }
 
 static char *words_text(const struct writing *writing, const json_t *json)
@@ -313,7 +314,7 @@ static enum mpm_status prepare(struct writing *writing, struct mpm_error *error)
     writing->format = (struct score_format){
         geometry_of(record_text(writing->scene, "geometry")),
         {record_text(units, "length"), record_text(units, "mass"), record_text(units, "time")},
-        bundle->body};
+        (int)bundle->body};
     writing->lattice =
         (struct lattice){.count = {(size_t)bundle->points[0], (size_t)bundle->points[1]},
                          .polar = bundle->polar,

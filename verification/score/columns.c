@@ -8,26 +8,26 @@
 
 static const struct {
     const char *planar, *axisymmetric;
-    int mass, length, time; /* exponents of the unit */
+    struct mpm_dimension dimension;
 } columns[SCORE_COLUMNS] = {
-    [SCORE_TIME] = {"time", "time", 0, 0, 1},
-    [SCORE_BODY] = {"body", "body", 0, 0, 0},
-    [SCORE_ID] = {"id", "id", 0, 0, 0},
-    [SCORE_INITIAL_X] = {"initial_x", "initial_r", 0, 1, 0},
-    [SCORE_INITIAL_Y] = {"initial_y", "initial_z", 0, 1, 0},
-    [SCORE_X] = {"x", "r", 0, 1, 0},
-    [SCORE_Y] = {"y", "z", 0, 1, 0},
-    [SCORE_DISPLACEMENT_X] = {"displacement_x", "displacement_r", 0, 1, 0},
-    [SCORE_DISPLACEMENT_Y] = {"displacement_y", "displacement_z", 0, 1, 0},
-    [SCORE_VELOCITY_X] = {"velocity_x", "velocity_r", 0, 1, -1},
-    [SCORE_VELOCITY_Y] = {"velocity_y", "velocity_z", 0, 1, -1},
-    [SCORE_STRESS_XX] = {"stress_xx", "stress_rr", 1, -1, -2},
-    [SCORE_STRESS_YY] = {"stress_yy", "stress_zz", 1, -1, -2},
-    [SCORE_STRESS_ZZ] = {"stress_zz", "stress_tt", 1, -1, -2},
-    [SCORE_STRESS_XY] = {"stress_xy", "stress_rz", 1, -1, -2},
-    [SCORE_RELATIVE_VOLUME] = {"relative_volume", "relative_volume", 0, 0, 0},
-    [SCORE_FORCE_X] = {"body_force_x", "body_force_r", 0, 1, -2},
-    [SCORE_FORCE_Y] = {"body_force_y", "body_force_z", 0, 1, -2},
+    [SCORE_TIME] = {"time", "time", MPM_DIMENSION_TIME},
+    [SCORE_BODY] = {"body", "body", MPM_DIMENSION_NONE},
+    [SCORE_ID] = {"id", "id", MPM_DIMENSION_NONE},
+    [SCORE_INITIAL_X] = {"initial_x", "initial_r", MPM_DIMENSION_LENGTH},
+    [SCORE_INITIAL_Y] = {"initial_y", "initial_z", MPM_DIMENSION_LENGTH},
+    [SCORE_X] = {"x", "r", MPM_DIMENSION_LENGTH},
+    [SCORE_Y] = {"y", "z", MPM_DIMENSION_LENGTH},
+    [SCORE_DISPLACEMENT_X] = {"displacement_x", "displacement_r", MPM_DIMENSION_LENGTH},
+    [SCORE_DISPLACEMENT_Y] = {"displacement_y", "displacement_z", MPM_DIMENSION_LENGTH},
+    [SCORE_VELOCITY_X] = {"velocity_x", "velocity_r", MPM_DIMENSION_VELOCITY},
+    [SCORE_VELOCITY_Y] = {"velocity_y", "velocity_z", MPM_DIMENSION_VELOCITY},
+    [SCORE_STRESS_XX] = {"stress_xx", "stress_rr", MPM_DIMENSION_STRESS},
+    [SCORE_STRESS_YY] = {"stress_yy", "stress_zz", MPM_DIMENSION_STRESS},
+    [SCORE_STRESS_ZZ] = {"stress_zz", "stress_tt", MPM_DIMENSION_STRESS},
+    [SCORE_STRESS_XY] = {"stress_xy", "stress_rz", MPM_DIMENSION_STRESS},
+    [SCORE_RELATIVE_VOLUME] = {"relative_volume", "relative_volume", MPM_DIMENSION_NONE},
+    [SCORE_FORCE_X] = {"body_force_x", "body_force_r", MPM_DIMENSION_ACCELERATION},
+    [SCORE_FORCE_Y] = {"body_force_y", "body_force_z", MPM_DIMENSION_ACCELERATION},
 };
 
 const char *score_column_name(enum score_column column, enum mpm_geometry geometry)
@@ -56,9 +56,10 @@ static void add_factor(GString *text, const char *unit, int exponent)
 char *score_column_unit(enum score_column column, const struct score_units *units)
 {
     GString *text = g_string_new(NULL);
-    add_factor(text, units->mass, columns[column].mass);
-    add_factor(text, units->length, columns[column].length);
-    add_factor(text, units->time, columns[column].time);
+    const struct mpm_dimension dimension = columns[column].dimension;
+    add_factor(text, units->mass, dimension.mass);
+    add_factor(text, units->length, dimension.length);
+    add_factor(text, units->time, dimension.time);
     if (text->len == 0)
         g_string_append_c(text, '1');
     return g_string_free(text, FALSE);

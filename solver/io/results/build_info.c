@@ -6,7 +6,6 @@
 #include "build_facts.h"
 #include "method/fast/fast.h"
 
-#include <cyaml/cyaml.h>
 #include <glib.h>
 #include <hdf5.h>
 #include <jansson.h>
@@ -44,11 +43,11 @@ static char *library_versions(void)
     unsigned major = 0, minor = 0, release = 0;
     (void)H5get_libversion(&major, &minor, &release);
     char *muparser = muparser_version();
-    char *text = g_strdup_printf("HDF5 %u.%u.%u, libcyaml %s, libyaml %s, muParser %s, "
+    char *text = g_strdup_printf("HDF5 %u.%u.%u, libyaml %s, muParser %s, "
                                  "GLib %u.%u.%u, jansson %s",
-                                 major, minor, release, cyaml_version_str,
-                                 yaml_get_version_string(), muparser, glib_major_version,
-                                 glib_minor_version, glib_micro_version, jansson_version_str());
+                                 major, minor, release, yaml_get_version_string(), muparser,
+                                 glib_major_version, glib_minor_version, glib_micro_version,
+                                 jansson_version_str());
     g_free(muparser);
     return text;
 }

@@ -15,32 +15,36 @@
 
 static const struct column {
     const char *name;
-    size_t offset;                             /* in struct mpm_ledger */
-    bool counts;                               /* uint64_t instead of double */
-    int length, mass, time;                    /* exponents of the unit */
+    size_t offset; /* in struct mpm_ledger */
+    bool counts;   /* uint64_t instead of double */
+    struct mpm_dimension dimension;
     bool (*belongs)(const struct mpm_scene *); /* NULL: to all scenes */
 } columns[] = {
-    {"time", offsetof(struct mpm_ledger, time), false, 0, 0, 1, NULL},
-    {"step", offsetof(struct mpm_ledger, step), true, 0, 0, 0, NULL},
-    {"mass", offsetof(struct mpm_ledger, mass), false, 0, 1, 0, NULL},
-    {"momentum_x", offsetof(struct mpm_ledger, momentum[0]), false, 1, 1, -1, NULL},
-    {"momentum_y", offsetof(struct mpm_ledger, momentum[1]), false, 1, 1, -1, NULL},
-    {"angular_momentum", offsetof(struct mpm_ledger, angular_momentum), false, 2, 1, -1, NULL},
-    {"kinetic_energy", offsetof(struct mpm_ledger, kinetic_energy), false, 2, 1, -2, NULL},
-    {"strain_energy", offsetof(struct mpm_ledger, strain_energy), false, 2, 1, -2, NULL},
-    {"external_work", offsetof(struct mpm_ledger, external_work), false, 2, 1, -2, NULL},
-    {"total_energy", offsetof(struct mpm_ledger, total_energy), false, 2, 1, -2, NULL},
-    {"j_min", offsetof(struct mpm_ledger, j_min), false, 0, 0, 0, NULL},
-    {"j_max", offsetof(struct mpm_ledger, j_max), false, 0, 0, 0, NULL},
-    {"damping_dissipation", offsetof(struct mpm_ledger, damping_dissipation), false, 2, 1, -2,
-     mpm_scene_is_damped},
-    {"cohesive_stored", offsetof(struct mpm_ledger, cohesive_stored), false, 2, 1, -2,
+    {"time", offsetof(struct mpm_ledger, time), false, MPM_DIMENSION_TIME, NULL},
+    {"step", offsetof(struct mpm_ledger, step), true, MPM_DIMENSION_NONE, NULL},
+    {"mass", offsetof(struct mpm_ledger, mass), false, MPM_DIMENSION_MASS, NULL},
+    {"momentum_x", offsetof(struct mpm_ledger, momentum[0]), false, MPM_DIMENSION_MOMENTUM, NULL},
+    {"momentum_y", offsetof(struct mpm_ledger, momentum[1]), false, MPM_DIMENSION_MOMENTUM, NULL},
+    {"angular_momentum", offsetof(struct mpm_ledger, angular_momentum), false,
+     MPM_DIMENSION_ANGULAR_MOMENTUM, NULL},
+    {"kinetic_energy", offsetof(struct mpm_ledger, kinetic_energy), false, MPM_DIMENSION_ENERGY,
+     NULL},
+    {"strain_energy", offsetof(struct mpm_ledger, strain_energy), false, MPM_DIMENSION_ENERGY,
+     NULL},
+    {"external_work", offsetof(struct mpm_ledger, external_work), false, MPM_DIMENSION_ENERGY,
+     NULL},
+    {"total_energy", offsetof(struct mpm_ledger, total_energy), false, MPM_DIMENSION_ENERGY, NULL},
+    {"j_min", offsetof(struct mpm_ledger, j_min), false, MPM_DIMENSION_NONE, NULL},
+    {"j_max", offsetof(struct mpm_ledger, j_max), false, MPM_DIMENSION_NONE, NULL},
+    {"damping_dissipation", offsetof(struct mpm_ledger, damping_dissipation), false,
+     MPM_DIMENSION_ENERGY, mpm_scene_is_damped},
+    {"cohesive_stored", offsetof(struct mpm_ledger, cohesive_stored), false, MPM_DIMENSION_ENERGY,
      mpm_scene_is_cohesive},
-    {"cohesive_dissipated", offsetof(struct mpm_ledger, cohesive_dissipated), false, 2, 1, -2,
-     mpm_scene_is_cohesive},
-    {"transfer_loss", offsetof(struct mpm_ledger, transfer_loss), false, 2, 1, -2,
+    {"cohesive_dissipated", offsetof(struct mpm_ledger, cohesive_dissipated), false,
+     MPM_DIMENSION_ENERGY, mpm_scene_is_cohesive},
+    {"transfer_loss", offsetof(struct mpm_ledger, transfer_loss), false, MPM_DIMENSION_ENERGY,
      mpm_scene_has_energy_balance},
-    {"contact_loss", offsetof(struct mpm_ledger, contact_loss), false, 2, 1, -2,
+    {"contact_loss", offsetof(struct mpm_ledger, contact_loss), false, MPM_DIMENSION_ENERGY,
      mpm_scene_has_contact_loss},
 };
 
@@ -86,10 +90,10 @@ static enum mpm_status append_line(struct mpm_history *history, const GString *l
 }
 
 static void append_head(GString *names, GString *units, const struct mpm_scene *scene,
-                        const char *name, const int exponents[3])
+                        const char *name, struct mpm_dimension dimension)
 {
     char unit[MPM_UNIT_SIZE];
-    mpm_unit_text(scene, exponents[0], exponents[1], exponents[2], unit);
+    mpm_unit_text(scene, dimension, unit);
     g_string_append_printf(names, "%s%s", names->len == 0 ? "" : ",", name);
     g_string_append_printf(units, "%s%s", units->len == 0 ? "# " : ",", unit);
 }
@@ -99,7 +103,7 @@ static void append_intensity_unit(GString *units, const struct mpm_scene *scene)
 {
     char stress[MPM_UNIT_SIZE];
     const char *const length = scene->units_length[0] != '\0' ? scene->units_length : "length";
-    mpm_unit_text(scene, 0, 1, -2, stress);
+    mpm_unit_text(scene, (struct mpm_dimension)MPM_DIMENSION_TOUGHNESS, stress);
     g_string_append_printf(units, ",%s %s^-0.5", stress, length);
 }
 
@@ -116,8 +120,8 @@ static void append_growth_head(GString *names, GString *units, const struct mpm_
         return;
     char *const grown = g_strdup_printf("crack_%zu_contour_%zu_grown", crack, place);
     char *const dissipated = g_strdup_printf("crack_%zu_contour_%zu_dissipated", crack, place);
-    append_head(names, units, scene, grown, (const int[3]){1, 0, 0});
-    append_head(names, units, scene, dissipated, (const int[3]){2, 1, -2});
+    append_head(names, units, scene, grown, (struct mpm_dimension)MPM_DIMENSION_LENGTH);
+    append_head(names, units, scene, dissipated, (struct mpm_dimension)MPM_DIMENSION_ENERGY);
     g_free(grown);
     g_free(dissipated);
 }
@@ -134,7 +138,8 @@ static void append_integrals_head(GString *names, GString *units, const struct m
             char *const name =
                 g_strdup_printf("crack_%zu_contour_%zu_%s", crack, place, columns_of_one[k]);
             if (k < 2) {
-                append_head(names, units, scene, name, (const int[3]){0, 1, -2});
+                append_head(names, units, scene, name,
+                            (struct mpm_dimension)MPM_DIMENSION_TOUGHNESS);
             } else {
                 g_string_append_printf(names, ",%s", name);
                 append_intensity_unit(units, scene);
@@ -151,11 +156,11 @@ static enum mpm_status write_head(struct mpm_history *history, const struct mpm_
     GString *head = g_string_new(NULL), *units = g_string_new(NULL);
     for (size_t i = 0; i < history->column_count; i++) {
         const struct column *const c = history->columns[i];
-        append_head(head, units, scene, c->name, (const int[3]){c->length, c->mass, c->time});
+        append_head(head, units, scene, c->name, c->dimension);
     }
     for (size_t i = 0; i < history->quantity_count; i++) {
         const struct mpm_quantity_info q = mpm_scene_crack_quantity(scene, i);
-        append_head(head, units, scene, q.name, (const int[3]){q.length, q.mass, q.time});
+        append_head(head, units, scene, q.name, q.dimension);
     }
     append_integrals_head(head, units, scene);
     g_string_append_printf(head, "\n%s\n", units->str);

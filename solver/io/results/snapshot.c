@@ -73,16 +73,18 @@ static void write_units(struct mpm_snapshot *snapshot, hid_t object)
     const struct mpm_scene *scene = snapshot->scene;
     const struct {
         const char *name;
-        int length, mass, time;
-    } units[] = {{"units_length", 1, 0, 0}, {"units_mass", 0, 1, 0}, {"units_time", 0, 0, 1}};
+        struct mpm_dimension dimension;
+    } units[] = {
+        {"units_length", MPM_DIMENSION_LENGTH},
+        {"units_mass", MPM_DIMENSION_MASS},
+        {"units_time", MPM_DIMENSION_TIME},
+        {"units_temperature", MPM_DIMENSION_TEMPERATURE},
+    };
     for (size_t i = 0; i < G_N_ELEMENTS(units); i++) {
         char unit[MPM_UNIT_SIZE];
-        mpm_unit_text(scene, units[i].length, units[i].mass, units[i].time, unit);
+        mpm_unit_text(scene, units[i].dimension, unit);
         mpm_snapshot_text(snapshot, object, units[i].name, unit);
     }
-    mpm_snapshot_text(snapshot, object, "units_temperature",
-                      scene->units_temperature[0] != '\0' ? scene->units_temperature
-                                                          : "temperature");
 }
 
 static void write_texts(struct mpm_snapshot *snapshot, hid_t object)
@@ -132,11 +134,12 @@ static void fill_field(const struct mpm_snapshot *snapshot,
     mpm_simulation_field_range(snapshot->simulation, source->field, first, count, snapshot->work);
 }
 
-static void describe_dataset(struct mpm_snapshot *snapshot, hid_t dataset, const int exponents[3],
-                             const char *description, size_t components)
+static void describe_dataset(struct mpm_snapshot *snapshot, hid_t dataset,
+                             struct mpm_dimension dimension, const char *description,
+                             size_t components)
 {
     char unit[MPM_UNIT_SIZE];
-    mpm_unit_text(snapshot->scene, exponents[0], exponents[1], exponents[2], unit);
+    mpm_unit_text(snapshot->scene, dimension, unit);
     mpm_snapshot_text(snapshot, dataset, "unit", unit);
     mpm_snapshot_text(snapshot, dataset, "description", description);
     mpm_snapshot_text(snapshot, dataset, "components",
@@ -151,8 +154,7 @@ static void write_field(struct mpm_snapshot *snapshot, hid_t particles, hid_t po
     const hid_t dataset = mpm_snapshot_dataset(
         snapshot, particles, info->name, info->integer ? H5T_STD_I64LE : H5T_IEEE_F64LE,
         snapshot->count, info->components, MPM_STORED, &source);
-    describe_dataset(snapshot, dataset, (const int[]){info->length, info->mass, info->time},
-                     info->description, info->components);
+    describe_dataset(snapshot, dataset, info->dimension, info->description, info->components);
     mpm_snapshot_checked(snapshot, H5Dclose(dataset));
     mpm_snapshot_checked(snapshot, H5Lcreate_hard(particles, info->name, point_data, info->name,
                                                   H5P_DEFAULT, H5P_DEFAULT));
@@ -184,20 +186,20 @@ static void write_cracks(struct mpm_snapshot *snapshot, hid_t mpm)
         const char *name, *description;
         hid_t type;
         hsize_t columns;
-        int length;
+        struct mpm_dimension dimension;
         struct mpm_snapshot_source source;
     } datasets[] = {
         {"position",
          "points of the cracks, crack by crack, each from its first to its last",
          H5T_IEEE_F64LE,
          2,
-         1,
+         MPM_DIMENSION_LENGTH,
          {.fill = fill_crack_positions}},
         {"crack",
          "index of the point's crack in the scene",
          H5T_STD_I64LE,
          1,
-         0,
+         MPM_DIMENSION_NONE,
          {.fill = fill_crack_numbers}},
     };
     const hsize_t points = mpm_simulation_crack_point_count(snapshot->simulation);
@@ -208,8 +210,8 @@ static void write_cracks(struct mpm_snapshot *snapshot, hid_t mpm)
         const hid_t dataset =
             mpm_snapshot_dataset(snapshot, cracks, datasets[i].name, datasets[i].type, points,
                                  datasets[i].columns, MPM_STORED, &datasets[i].source);
-        describe_dataset(snapshot, dataset, (const int[]){datasets[i].length, 0, 0},
-                         datasets[i].description, datasets[i].columns);
+        describe_dataset(snapshot, dataset, datasets[i].dimension, datasets[i].description,
+                         datasets[i].columns);
         mpm_snapshot_checked(snapshot, H5Dclose(dataset));
     }
     mpm_snapshot_checked(snapshot, H5Gclose(cracks));

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
 
-#include "io/scene/scene_names.h"
 #include "method/shape/shape.h"
 #include "model/material.h"
 

@@ -1,12 +1,12 @@
-/* From libcyaml's structs to struct mpm_scene, with the checks that need more than one key.
+/* From the structs that a tree fills to struct mpm_scene, with the checks that need more than one
+ * key.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_IO_SCENE_BUILD_H
 #define MPM_IO_SCENE_BUILD_H
 
-#include "io/scene/scene_names.h"
 #include "io/scene/scene_schema.h"
-#include "io/scene/scene_tree.h"
+#include "io/yaml/names.h"
 
 enum { MPM_PATH_SIZE = 256 };
 
@@ -17,6 +17,14 @@ struct mpm_reading {
     const struct mpm_raw_scene *raw;
     struct mpm_error *error;
 };
+
+/* What messages call the scene's places by. */
+static inline struct mpm_source mpm_scene_source(const struct mpm_scene *scene)
+{
+    return (struct mpm_source){.path = scene->path,
+                               .what = "scene file",
+                               .settings = (const char *const *)scene->settings};
+}
 
 /* Each fills its part of reading->scene, in this order; what a failure leaves behind is
  * freed with the scene. */

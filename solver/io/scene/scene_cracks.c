@@ -160,7 +160,7 @@ static enum mpm_status build_points(const struct mpm_reading *reading, const cha
     crack->point_count = raw->points_count;
     for (size_t i = 0; i < crack->point_count; i++)
         for (int axis = 0; axis < 2; axis++)
-            crack->points[i][axis] = mpm_raw_double((*raw->points[i])[axis]);
+            crack->points[i][axis] = mpm_raw_double(raw->points[i][axis]);
     MPM_TRY(check_inside_grid(reading, path, crack));
     MPM_TRY(check_lengths(reading, path, crack));
     MPM_TRY(check_itself(reading, path, crack));

@@ -1,5 +1,5 @@
-/* Every key of a scene, once. From these lists come the C structs that libcyaml fills,
- * libcyaml's schema, the checks of type and range, the defaults and `mpm schema`.
+/* Every key of a scene, once. From these lists come the C structs that a scene's tree fills,
+ * how it fills them, the checks of type and range, the defaults and `mpm schema`.
  *
  * A line is X(S, shape, key, value, where, need, unit, default, range, help):
  *   S        what the user of the list wants to know in each line: the list's name
@@ -8,6 +8,7 @@
  *   value    kind of the value; for a CHOICE its list below; for GROUP and LIST the list
  *            of their keys
  *   where    geometry that the key belongs to: ANYWHERE, PLANAR, AXISYMMETRIC
+ *   unit     its dimension: MPM_DIMENSION_... without the prefix
  *   range    of values; for POINTS how many
  *   default  YAML that stands in for a missing OPTIONAL key, or NULL: then the key stays
  *            missing and `help` tells what that means
@@ -137,278 +138,278 @@
 
 /* clang-format off */
 #define KEYS_units(X, S)                                                                           \
-    X(S, ONE, length, NAME, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of length")     \
-    X(S, ONE, mass, NAME, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of mass")         \
-    X(S, ONE, time, NAME, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of time")         \
-    X(S, ONE, temperature, NAME, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "name of the unit of temperature")
+    X(S, ONE, length, NAME, ANYWHERE, OPTIONAL, NONE, "\"\"", ANY, "name of the unit of length")     \
+    X(S, ONE, mass, NAME, ANYWHERE, OPTIONAL, NONE, "\"\"", ANY, "name of the unit of mass")         \
+    X(S, ONE, time, NAME, ANYWHERE, OPTIONAL, NONE, "\"\"", ANY, "name of the unit of time")         \
+    X(S, ONE, temperature, NAME, ANYWHERE, OPTIONAL, NONE, "\"\"", ANY, "name of the unit of temperature")
 
 #define KEYS_grid(X, S)                                                                            \
-    X(S, PAIR, origin, NUMBER, ANYWHERE, OPTIONAL, "length", "[0, 0]", ANY,                        \
+    X(S, PAIR, origin, NUMBER, ANYWHERE, OPTIONAL, LENGTH, "[0, 0]", ANY,                        \
       "position of the first node")                                                                \
-    X(S, PAIR, cell, NUMBER, ANYWHERE, REQUIRED, "length", NULL, FROM_TO(1e-100, 1e100),           \
+    X(S, PAIR, cell, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, FROM_TO(1e-100, 1e100),           \
       "size of a cell")                                                                            \
-    X(S, PAIR, cells, INTEGER, ANYWHERE, REQUIRED, "", NULL, FROM_TO(1, 2147483648.0),             \
+    X(S, PAIR, cells, INTEGER, ANYWHERE, REQUIRED, NONE, NULL, FROM_TO(1, 2147483648.0),             \
       "number of cells along each axis; with refine and ghost rows at most 2^31 nodes")            \
-    X(S, ONE, refine, INTEGER, ANYWHERE, OPTIONAL, "", "1", FROM_TO(1, 1048576),                   \
+    X(S, ONE, refine, INTEGER, ANYWHERE, OPTIONAL, NONE, "1", FROM_TO(1, 1048576),                   \
       "divides each cell into so many along each axis")
 
 #define KEYS_rest(X, S)                                                                            \
-    X(S, ONE, residual, NUMBER, ANYWHERE, REQUIRED, "", NULL, ABOVE_TO(0, 1),                      \
+    X(S, ONE, residual, NUMBER, ANYWHERE, REQUIRED, NONE, NULL, ABOVE_TO(0, 1),                      \
       "threshold: unbalanced force of the free nodes over the internal forces of all")             \
-    X(S, ONE, kinetic_energy, NUMBER, ANYWHERE, REQUIRED, "", NULL, ABOVE_TO(0, 1),                \
+    X(S, ONE, kinetic_energy, NUMBER, ANYWHERE, REQUIRED, NONE, NULL, ABOVE_TO(0, 1),                \
       "threshold: kinetic energy over the largest sum of kinetic and strain energy so far")        \
-    X(S, ONE, steps, INTEGER, ANYWHERE, OPTIONAL, "", "10", FROM_TO(1, 1000000),                   \
+    X(S, ONE, steps, INTEGER, ANYWHERE, OPTIONAL, NONE, "10", FROM_TO(1, 1000000),                   \
       "both must be below for so many steps in a row")                                             \
-    X(S, ONE, after, NUMBER, ANYWHERE, OPTIONAL, "time", "0", AT_LEAST(0),                         \
+    X(S, ONE, after, NUMBER, ANYWHERE, OPTIONAL, TIME, "0", AT_LEAST(0),                         \
       "rest is not looked for before: when the loads are complete")                                \
-    X(S, ONE, patience, INTEGER, ANYWHERE, OPTIONAL, "", NULL, FROM_TO(1, 1000000000),             \
+    X(S, ONE, patience, INTEGER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(1, 1000000000),             \
       "the run has failed if the residual has not fallen by 10 % for so many steps; without it, it goes on to the end")
 
 #define KEYS_time(X, S)                                                                            \
-    X(S, ONE, end, NUMBER, ANYWHERE, REQUIRED, "time", NULL, ABOVE(0), "when the run ends")        \
-    X(S, ONE, courant, NUMBER, ANYWHERE, OPTIONAL, "", "0.4", ABOVE(0),                            \
+    X(S, ONE, end, NUMBER, ANYWHERE, REQUIRED, TIME, NULL, ABOVE(0), "when the run ends")        \
+    X(S, ONE, courant, NUMBER, ANYWHERE, OPTIONAL, NONE, "0.4", ABOVE(0),                            \
       "time step over the time that waves take through a cell; up to 1 unless allow_unstable; "    \
       "not with step")                                                                             \
-    X(S, ONE, step, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                            \
+    X(S, ONE, step, NUMBER, ANYWHERE, OPTIONAL, TIME, NULL, ABOVE(0),                            \
       "a fixed time step instead of courant; under the stability limit unless allow_unstable")     \
-    X(S, ONE, steps, INTEGER, ANYWHERE, OPTIONAL, "", NULL, FROM_TO(1, 9007199254740992.0),        \
+    X(S, ONE, steps, INTEGER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(1, 9007199254740992.0),        \
       "stop after so many steps")                                                                  \
-    X(S, ONE, allow_unstable, BOOLEAN, ANYWHERE, OPTIONAL, "", "false", ANY,                       \
+    X(S, ONE, allow_unstable, BOOLEAN, ANYWHERE, OPTIONAL, NONE, "false", ANY,                       \
       "take time steps beyond the stability limit")                                                \
-    X(S, GROUP, rest, rest, ANYWHERE, OPTIONAL, "", NULL, ANY,                                     \
+    X(S, GROUP, rest, rest, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                                     \
       "quasi-static: the run is done when it is at rest, and has failed if it is not by the end")
 
 #define KEYS_transfer(X, S)                                                                        \
-    X(S, CHOICE, kind, transfer_kind, ANYWHERE, OPTIONAL, "", "flip", ANY,                         \
+    X(S, CHOICE, kind, transfer_kind, ANYWHERE, OPTIONAL, NONE, "flip", ANY,                         \
       "how particle velocities follow the grid")                                                   \
-    X(S, ONE, fraction, NUMBER, ANYWHERE, OPTIONAL, "", "1", ABOVE_TO(0, 1),                       \
+    X(S, ONE, fraction, NUMBER, ANYWHERE, OPTIONAL, NONE, "1", ABOVE_TO(0, 1),                       \
       "flip: share of FLIP; the rest takes the grid's velocity")                                   \
-    X(S, ONE, order, INTEGER, ANYWHERE, OPTIONAL, "", NULL, FROM_TO(1, 100),                       \
+    X(S, ONE, order, INTEGER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(1, 100),                       \
       "xpic and fmpm: their order, which must be given; 1 is PIC, each more costs two passes over the particles")
 
 #define KEYS_method(X, S)                                                                          \
-    X(S, CHOICE, shape, shape, ANYWHERE, OPTIONAL, "", "ugimp", ANY, "shape functions")            \
-    X(S, CHOICE, axis, axis, AXISYMMETRIC, OPTIONAL, "", "truncated", ANY,                         \
+    X(S, CHOICE, shape, shape, ANYWHERE, OPTIONAL, NONE, "ugimp", ANY, "shape functions")            \
+    X(S, CHOICE, axis, axis, AXISYMMETRIC, OPTIONAL, NONE, "truncated", ANY,                         \
       "domains at r = 0: cut off there, not, or not and with the planar functions")                \
-    X(S, CHOICE, axis_nodes, axis_nodes, AXISYMMETRIC, OPTIONAL, "", NULL, ANY,                    \
+    X(S, CHOICE, axis_nodes, axis_nodes, AXISYMMETRIC, OPTIONAL, NONE, NULL, ANY,                    \
       "v_r of the extra nodes at r < 0, zero if missing; only with axis: planar and ugimp or cpdi") \
-    X(S, CHOICE, stress_update, stress_update, ANYWHERE, OPTIONAL, "", "musl", ANY,                \
+    X(S, CHOICE, stress_update, stress_update, ANYWHERE, OPTIONAL, NONE, "musl", ANY,                \
       "where in the step stresses are updated")                                                    \
-    X(S, ONE, extrapolate, BOOLEAN, ANYWHERE, OPTIONAL, "", NULL, ANY,                             \
+    X(S, ONE, extrapolate, BOOLEAN, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                             \
       "extrapolate the updated particles' momentum again for the last stress update: usavg with "  \
       "or without, musl always, usl and usf never")                                                \
-    X(S, CHOICE, position_update, position_update, ANYWHERE, OPTIONAL, "", "grid_velocity", ANY,   \
+    X(S, CHOICE, position_update, position_update, ANYWHERE, OPTIONAL, NONE, "grid_velocity", ANY,   \
       "how particles move")                                                                        \
-    X(S, CHOICE, radius_update, radius_update, AXISYMMETRIC, OPTIONAL, "", "shape", ANY,           \
+    X(S, CHOICE, radius_update, radius_update, AXISYMMETRIC, OPTIONAL, NONE, "shape", ANY,           \
       "how r moves: with S, or with the hoop strain's T (only axis: truncated)")                   \
-    X(S, CHOICE, form, form, ANYWHERE, OPTIONAL, "", "velocity", ANY,                              \
+    X(S, CHOICE, form, form, ANYWHERE, OPTIONAL, NONE, "velocity", ANY,                              \
       "what the particles' updates take from the grid: velocities, or momenta over the mass that " \
       "the nodes have at the particle; momentum with flip and pic")                                \
-    X(S, GROUP, transfer, transfer, ANYWHERE, OPTIONAL, "", "{}", ANY, "grid to particle velocities") \
-    X(S, ONE, deformation_terms, INTEGER, ANYWHERE, OPTIONAL, "", "2", FROM_TO(1, 20),             \
+    X(S, GROUP, transfer, transfer, ANYWHERE, OPTIONAL, NONE, "{}", ANY, "grid to particle velocities") \
+    X(S, ONE, deformation_terms, INTEGER, ANYWHERE, OPTIONAL, NONE, "2", FROM_TO(1, 20),             \
       "terms of the series for the deformation increment exp(dt grad v)")                          \
-    X(S, CHOICE, cracks, crack_method, ANYWHERE, OPTIONAL, "", "fields", ANY,                      \
+    X(S, CHOICE, cracks, crack_method, ANYWHERE, OPTIONAL, NONE, "fields", ANY,                      \
       "what a particle gives to nodes behind a crack: velocity fields of their own (CRAMP), or nothing; only with cracks")
 
 #define KEYS_material(X, S)                                                                        \
-    X(S, ONE, name, NAME, ANYWHERE, REQUIRED, "", NULL, ANY, "name, one only in the scene")        \
-    X(S, ONE, law, LAW, ANYWHERE, REQUIRED, "", NULL, ANY, "constitutive law")                     \
-    X(S, ONE, density, NUMBER, ANYWHERE, REQUIRED, "mass/length^3", NULL, ABOVE(0),                \
+    X(S, ONE, name, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "name, one only in the scene")        \
+    X(S, ONE, law, LAW, ANYWHERE, REQUIRED, NONE, NULL, ANY, "constitutive law")                     \
+    X(S, ONE, density, NUMBER, ANYWHERE, REQUIRED, DENSITY, NULL, ABOVE(0),                \
       "initial density")                                                                           \
-    X(S, ONE, bulk, NUMBER, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),            \
+    X(S, ONE, bulk, NUMBER, ANYWHERE, OPTIONAL, STRESS, NULL, ABOVE(0),            \
       "bulk modulus, together with shear")                                                         \
-    X(S, ONE, shear, NUMBER, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),           \
+    X(S, ONE, shear, NUMBER, ANYWHERE, OPTIONAL, STRESS, NULL, ABOVE(0),           \
       "shear modulus, together with bulk")                                                         \
-    X(S, ONE, young, NUMBER, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),           \
+    X(S, ONE, young, NUMBER, ANYWHERE, OPTIONAL, STRESS, NULL, ABOVE(0),           \
       "Young's modulus, together with poisson; instead of bulk and shear")                         \
-    X(S, ONE, poisson, NUMBER, ANYWHERE, OPTIONAL, "", NULL, BETWEEN(-1, 0.5),                     \
+    X(S, ONE, poisson, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, BETWEEN(-1, 0.5),                     \
       "Poisson's ratio, together with young; instead of bulk and shear")
 
 #define KEYS_rectangle(X, S)                                                                       \
-    X(S, PAIR, from, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ANY, "lower left corner")         \
-    X(S, PAIR, to, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ANY, "upper right corner")
+    X(S, PAIR, from, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ANY, "lower left corner")         \
+    X(S, PAIR, to, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ANY, "upper right corner")
 
 #define KEYS_disk(X, S)                                                                            \
-    X(S, PAIR, center, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ANY, "centre")                  \
-    X(S, ONE, radius, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0), "radius")
+    X(S, PAIR, center, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ANY, "centre")                  \
+    X(S, ONE, radius, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ABOVE(0), "radius")
 
 #define KEYS_annulus(X, S)                                                                         \
-    X(S, PAIR, center, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ANY, "centre")                  \
-    X(S, ONE, inner, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0), "inner radius")         \
-    X(S, ONE, outer, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0), "outer radius")
+    X(S, PAIR, center, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ANY, "centre")                  \
+    X(S, ONE, inner, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ABOVE(0), "inner radius")         \
+    X(S, ONE, outer, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ABOVE(0), "outer radius")
 
 #define KEYS_polygon(X, S)                                                                         \
-    X(S, POINTS, points, NUMBER, ANYWHERE, REQUIRED, "length", NULL, FROM_TO(3, MPM_POINTS_MAX),   \
+    X(S, POINTS, points, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, FROM_TO(3, MPM_POINTS_MAX),   \
       "corners in order; edges must not cross")
 
 #define KEYS_line(X, S)                                                                            \
-    X(S, PAIR, from, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ANY, "one end")                   \
-    X(S, PAIR, to, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ANY,                                \
+    X(S, PAIR, from, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ANY, "one end")                   \
+    X(S, PAIR, to, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ANY,                                \
       "other end; the line must be parallel to an axis")
 
 #define KEYS_body_region(X, S)                                                                     \
-    X(S, GROUP, rectangle, rectangle, ANYWHERE, OPTIONAL, "", NULL, ANY, "a rectangle")            \
-    X(S, GROUP, disk, disk, ANYWHERE, OPTIONAL, "", NULL, ANY, "a disk")                           \
-    X(S, GROUP, annulus, annulus, ANYWHERE, OPTIONAL, "", NULL, ANY, "a ring")                     \
-    X(S, GROUP, polygon, polygon, ANYWHERE, OPTIONAL, "", NULL, ANY, "a polygon")
+    X(S, GROUP, rectangle, rectangle, ANYWHERE, OPTIONAL, NONE, NULL, ANY, "a rectangle")            \
+    X(S, GROUP, disk, disk, ANYWHERE, OPTIONAL, NONE, NULL, ANY, "a disk")                           \
+    X(S, GROUP, annulus, annulus, ANYWHERE, OPTIONAL, NONE, NULL, ANY, "a ring")                     \
+    X(S, GROUP, polygon, polygon, ANYWHERE, OPTIONAL, NONE, NULL, ANY, "a polygon")
 
 #define KEYS_boundary_region(X, S)                                                                 \
-    X(S, GROUP, line, line, ANYWHERE, OPTIONAL, "", NULL, ANY, "the nodes on a line")              \
-    X(S, GROUP, rectangle, rectangle, ANYWHERE, OPTIONAL, "", NULL, ANY, "the nodes in a rectangle") \
-    X(S, ONE, all, BOOLEAN, ANYWHERE, OPTIONAL, "", NULL, ANY,                                     \
+    X(S, GROUP, line, line, ANYWHERE, OPTIONAL, NONE, NULL, ANY, "the nodes on a line")              \
+    X(S, GROUP, rectangle, rectangle, ANYWHERE, OPTIONAL, NONE, NULL, ANY, "the nodes in a rectangle") \
+    X(S, ONE, all, BOOLEAN, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                                     \
       "all nodes; `region: all` is the same as `region: {all: true}`")
 
 #define KEYS_rigid(X, S)                                                                           \
-    X(S, PAIR, velocity, DRIVE, ANYWHERE, REQUIRED, "length/time", NULL, ANY,                      \
+    X(S, PAIR, velocity, DRIVE, ANYWHERE, REQUIRED, VELOCITY, NULL, ANY,                      \
       "velocity that it gives to the nodes it reaches, in coordinates and t")
 
 #define KEYS_body(X, S)                                                                            \
-    X(S, ONE, name, NAME, ANYWHERE, REQUIRED, "", NULL, ANY, "name, one only in the scene")        \
-    X(S, ONE, material, NAME, ANYWHERE, OPTIONAL, "", NULL, ANY,                                   \
+    X(S, ONE, name, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "name, one only in the scene")        \
+    X(S, ONE, material, NAME, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                                   \
       "name of its material, for a deformable body")                                               \
-    X(S, GROUP, rigid, rigid, ANYWHERE, OPTIONAL, "", NULL, ANY,                                   \
+    X(S, GROUP, rigid, rigid, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                                   \
       "instead of material: a rigid body that drives nodes")                                       \
-    X(S, GROUP, region, body_region, ANYWHERE, REQUIRED, "", NULL, ANY,                            \
+    X(S, GROUP, region, body_region, ANYWHERE, REQUIRED, NONE, NULL, ANY,                            \
       "where it is at t = 0: exactly one shape, inside the grid")                                  \
-    X(S, PAIR, particles_per_cell, INTEGER, ANYWHERE, OPTIONAL, "", "[2, 2]", FROM_TO(1, 16),      \
+    X(S, PAIR, particles_per_cell, INTEGER, ANYWHERE, OPTIONAL, NONE, "[2, 2]", FROM_TO(1, 16),      \
       "lattice sites of a cell along each axis")                                                   \
-    X(S, PAIR, velocity, EXPRESSION, ANYWHERE, OPTIONAL, "length/time", "[0, 0]", ANY,             \
+    X(S, PAIR, velocity, EXPRESSION, ANYWHERE, OPTIONAL, VELOCITY, "[0, 0]", ANY,             \
       "initial velocity of a deformable body, in the coordinates")
 
 #define KEYS_boundary(X, S)                                                                        \
-    X(S, GROUP, region, boundary_region, ANYWHERE, REQUIRED, "", NULL, ANY,                        \
+    X(S, GROUP, region, boundary_region, ANYWHERE, REQUIRED, NONE, NULL, ANY,                        \
       "which nodes: exactly one shape")                                                            \
-    X(S, PAIR, velocity, DRIVE, ANYWHERE, OPTIONAL, "length/time", NULL, ANY,                      \
+    X(S, PAIR, velocity, DRIVE, ANYWHERE, OPTIONAL, VELOCITY, NULL, ANY,                      \
       "their velocity, in coordinates and t")                                                      \
-    X(S, ONE, symmetry, BOOLEAN, ANYWHERE, OPTIONAL, "", NULL, ANY,                                \
+    X(S, ONE, symmetry, BOOLEAN, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                                \
       "true instead of velocity, for a line of nodes: a plane of symmetry, which reflects what reaches beyond it; false is refused")
 
 #define KEYS_traction(X, S)                                                                        \
-    X(S, ONE, body, NAME, ANYWHERE, REQUIRED, "", NULL, ANY, "name of a deformable body")          \
-    X(S, CHOICE, edge, edge, ANYWHERE, REQUIRED, "", NULL, ANY,                                    \
+    X(S, ONE, body, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "name of a deformable body")          \
+    X(S, CHOICE, edge, edge, ANYWHERE, REQUIRED, NONE, NULL, ANY,                                    \
       "which edges of its particles: those on that side beyond which the body has no site at t = 0") \
-    X(S, PAIR, value, EXPRESSION, ANYWHERE, REQUIRED, "mass/(length time^2)", NULL, ANY,           \
+    X(S, PAIR, value, EXPRESSION, ANYWHERE, REQUIRED, STRESS, NULL, ANY,           \
       "force per area, in coordinates and t: two components, or normal (outwards) and tangential (counter clockwise)") \
-    X(S, CHOICE, frame, frame, ANYWHERE, OPTIONAL, "", "global", ANY,                              \
+    X(S, CHOICE, frame, frame, ANYWHERE, OPTIONAL, NONE, "global", ANY,                              \
       "components along the axes, or along the deformed edge's normal and the edge itself")
 
 #define KEYS_loads(X, S)                                                                           \
-    X(S, PAIR, body_force, EXPRESSION, ANYWHERE, OPTIONAL, "length/time^2", "[0, 0]", ANY,         \
+    X(S, PAIR, body_force, EXPRESSION, ANYWHERE, OPTIONAL, ACCELERATION, "[0, 0]", ANY,         \
       "force per unit mass, in coordinates and t")                                                 \
-    X(S, LIST, tractions, traction, ANYWHERE, OPTIONAL, "", "[]", ANY,                             \
+    X(S, LIST, tractions, traction, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                             \
       "on edges of particles: value times the area of the deformed edge (ugimp: of the undeformed one)") \
-    X(S, LIST, particle_forces, traction, ANYWHERE, OPTIONAL, "", "[]", ANY,                       \
+    X(S, LIST, particle_forces, traction, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                       \
       "on the particles that have these edges: value times the area of the undeformed edge")
 
 #define KEYS_propagation(X, S)                                                                     \
-    X(S, ONE, toughness, NUMBER, ANYWHERE, REQUIRED, "mass/time^2", NULL, ABOVE(0),                \
+    X(S, ONE, toughness, NUMBER, ANYWHERE, REQUIRED, TOUGHNESS, NULL, ABOVE(0),                \
       "G_c: the tip grows when J_1 reaches it")                                                    \
-    X(S, ONE, longest, NUMBER, ANYWHERE, REQUIRED, "length", NULL, ABOVE(0),                       \
+    X(S, ONE, longest, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ABOVE(0),                       \
       "length that there is room for; the run fails when the tip would grow further")              \
-    X(S, ONE, increment, NUMBER, ANYWHERE, OPTIONAL, "", "0.5", FROM_TO(0.05, 1),                  \
+    X(S, ONE, increment, NUMBER, ANYWHERE, OPTIONAL, NONE, "0.5", FROM_TO(0.05, 1),                  \
       "length of one growth, in parts of the shorter cell side")                                   \
-    X(S, CHOICE, direction, growth_direction, ANYWHERE, OPTIONAL, "", "straight", ANY,             \
+    X(S, CHOICE, direction, growth_direction, ANYWHERE, OPTIONAL, NONE, "straight", ANY,             \
       "straight on, or across the largest hoop stress of the field of K_I and K_II")               \
-    X(S, ONE, every, INTEGER, ANYWHERE, OPTIONAL, "", "1", FROM_TO(1, 1e9),                        \
+    X(S, ONE, every, INTEGER, ANYWHERE, OPTIONAL, NONE, "1", FROM_TO(1, 1e9),                        \
       "steps from one look at J to the next; one growth at each")
 
 #define KEYS_j_integral(X, S)                                                                      \
-    X(S, CHOICE, tip, tip, ANYWHERE, OPTIONAL, "", "end", ANY, "of the chain of points")           \
-    X(S, ONE, contour, INTEGER, ANYWHERE, REQUIRED, "", NULL, FROM_TO(2, 10000),                   \
+    X(S, CHOICE, tip, tip, ANYWHERE, OPTIONAL, NONE, "end", ANY, "of the chain of points")           \
+    X(S, ONE, contour, INTEGER, ANYWHERE, REQUIRED, NONE, NULL, FROM_TO(2, 10000),                   \
       "cells from the node nearest to the tip to each side of the rectangle that J is integrated along") \
-    X(S, ONE, dynamic, BOOLEAN, ANYWHERE, OPTIONAL, "", "true", ANY,                               \
+    X(S, ONE, dynamic, BOOLEAN, ANYWHERE, OPTIONAL, NONE, "true", ANY,                               \
       "with kinetic energy, accelerations and body forces; without, J is that of a state at rest") \
-    X(S, CHOICE, form, j_form, AXISYMMETRIC, OPTIONAL, "", "bergkvist_huong", ANY,                 \
+    X(S, CHOICE, form, j_form, AXISYMMETRIC, OPTIONAL, NONE, "bergkvist_huong", ANY,                 \
       "area term: with the radius as weight, without, or no area term at all, which depends on the contour") \
-    X(S, GROUP, propagation, propagation, ANYWHERE, OPTIONAL, "", NULL, ANY,                       \
+    X(S, GROUP, propagation, propagation, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                       \
       "lets the tip grow; at most once for each tip")
 
 #define KEYS_cohesive(X, S)                                                                        \
-    X(S, CHOICE, law, cohesive_law, ANYWHERE, REQUIRED, "", NULL, ANY,                             \
+    X(S, CHOICE, law, cohesive_law, ANYWHERE, REQUIRED, NONE, NULL, ANY,                             \
       "how the traction falls with the opening, once it has reached the strength")                 \
-    X(S, ONE, strength, NUMBER, ANYWHERE, REQUIRED, "mass/(length time^2)", NULL, ABOVE(0),        \
+    X(S, ONE, strength, NUMBER, ANYWHERE, REQUIRED, STRESS, NULL, ABOVE(0),        \
       "largest traction")                                                                          \
-    X(S, ONE, toughness, NUMBER, ANYWHERE, REQUIRED, "mass/time^2", NULL, ABOVE(0),                \
+    X(S, ONE, toughness, NUMBER, ANYWHERE, REQUIRED, TOUGHNESS, NULL, ABOVE(0),                \
       "work per area until nothing is left, G_c: opening, sliding or both")                        \
-    X(S, ONE, stiffness, NUMBER, ANYWHERE, REQUIRED, "mass/(length^2 time^2)", NULL, ABOVE(0),     \
+    X(S, ONE, stiffness, NUMBER, ANYWHERE, REQUIRED, STIFFNESS, NULL, ABOVE(0),     \
       "traction per opening before the strength is reached; the time step limits it")              \
-    X(S, ONE, knee_opening, NUMBER, ANYWHERE, OPTIONAL, "length", NULL, ABOVE(0),                  \
+    X(S, ONE, knee_opening, NUMBER, ANYWHERE, OPTIONAL, LENGTH, NULL, ABOVE(0),                  \
       "trilinear, and only there: opening between both slopes")                                    \
-    X(S, ONE, knee_traction, NUMBER, ANYWHERE, OPTIONAL, "mass/(length time^2)", NULL, ABOVE(0),   \
+    X(S, ONE, knee_traction, NUMBER, ANYWHERE, OPTIONAL, STRESS, NULL, ABOVE(0),   \
       "trilinear, and only there: traction at knee_opening, up to the strength")
 
 #define KEYS_crack(X, S)                                                                           \
-    X(S, POINTS, points, NUMBER, ANYWHERE, REQUIRED, "length", NULL, FROM_TO(2, MPM_POINTS_MAX),   \
+    X(S, POINTS, points, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, FROM_TO(2, MPM_POINTS_MAX),   \
       "the crack at t = 0, as a chain that does not meet itself or another crack")                 \
-    X(S, CHOICE, contact, contact, ANYWHERE, OPTIONAL, "", "frictionless", ANY,                    \
+    X(S, CHOICE, contact, contact, ANYWHERE, OPTIONAL, NONE, "frictionless", ANY,                    \
       "what its surfaces do where they meet; with method.cracks: fields")                          \
-    X(S, CHOICE, detection, detection, ANYWHERE, OPTIONAL, "", "volume", ANY,                      \
+    X(S, CHOICE, detection, detection, ANYWHERE, OPTIONAL, NONE, "volume", ANY,                      \
       "relative volume at a node: areas over those with the crack closed (volume), 1 - distance of the surfaces over the cell's size (displacement), areas over what the node can see of the grid, mostly a cell (cell: CRAMP)") \
-    X(S, ONE, friction, NUMBER, ANYWHERE, OPTIONAL, "", NULL, AT_LEAST(0),                         \
+    X(S, ONE, friction, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, AT_LEAST(0),                         \
       "coefficient of friction; with contact: friction, and only there")                           \
-    X(S, ONE, separated, NUMBER, ANYWHERE, OPTIONAL, "", "0.9", BETWEEN(0, 1),                     \
+    X(S, ONE, separated, NUMBER, ANYWHERE, OPTIONAL, NONE, "0.9", BETWEEN(0, 1),                     \
       "surfaces are apart below this relative volume at a node (V_sep)")                           \
-    X(S, ONE, touching, NUMBER, ANYWHERE, OPTIONAL, "", "1.1", ABOVE(1),                           \
+    X(S, ONE, touching, NUMBER, ANYWHERE, OPTIONAL, NONE, "1.1", ABOVE(1),                           \
       "surfaces touch above this relative volume at a node; between both, if they approach (V_contact)") \
-    X(S, ONE, spacing, NUMBER, ANYWHERE, OPTIONAL, "", "0.5", FROM_TO(0.05, 1),                    \
+    X(S, ONE, spacing, NUMBER, ANYWHERE, OPTIONAL, NONE, "0.5", FROM_TO(0.05, 1),                    \
       "longest distance of the massless points that carry it, in parts of the shorter cell side") \
-    X(S, ONE, opening, BOOLEAN, ANYWHERE, OPTIONAL, "", "false", ANY,                              \
+    X(S, ONE, opening, BOOLEAN, ANYWHERE, OPTIONAL, NONE, "false", ANY,                              \
       "follow both surfaces, and write how far they have opened and slid to history.csv, at an end outside of bodies where the chain enters one; with cohesive they always are") \
-    X(S, GROUP, cohesive, cohesive, ANYWHERE, OPTIONAL, "", NULL, ANY,                             \
+    X(S, GROUP, cohesive, cohesive, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                             \
       "traction between its surfaces; without it there is none") \
-    X(S, LIST, j_integral, j_integral, ANYWHERE, OPTIONAL, "", "[]", ANY,                          \
+    X(S, LIST, j_integral, j_integral, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                          \
       "J integrals around its tips, and K_I and K_II: columns of history.csv")
 
 #define KEYS_thermostat(X, S)                                                                      \
-    X(S, ONE, gain, NUMBER, ANYWHERE, REQUIRED, "1/time^2", NULL, ABOVE(0),                        \
+    X(S, ONE, gain, NUMBER, ANYWHERE, REQUIRED, RATE_SQUARED, NULL, ABOVE(0),                        \
       "growth of alpha: d alpha/dt = gain (K - target)/scale; near the square of twice the lowest angular frequency") \
-    X(S, ONE, target, NUMBER, ANYWHERE, OPTIONAL, "mass length^2/time^2", "0", AT_LEAST(0),        \
+    X(S, ONE, target, NUMBER, ANYWHERE, OPTIONAL, ENERGY, "0", AT_LEAST(0),        \
       "kinetic energy K that it leads to")                                                         \
-    X(S, ONE, scale, NUMBER, ANYWHERE, OPTIONAL, "mass length^2/time^2", NULL, ABOVE(0),           \
+    X(S, ONE, scale, NUMBER, ANYWHERE, OPTIONAL, ENERGY, NULL, ABOVE(0),           \
       "kinetic energy that gain is meant for; without it the largest K so far")
 
 #define KEYS_damping(X, S)                                                                         \
-    X(S, ONE, grid, EXPRESSION, ANYWHERE, OPTIONAL, "1/time", NULL, ANY,                           \
+    X(S, ONE, grid, EXPRESSION, ANYWHERE, OPTIONAL, RATE, NULL, ANY,                           \
       "alpha_g: nodes slow down by alpha_g v, in coordinates of the node and t")                   \
-    X(S, ONE, particle, EXPRESSION, ANYWHERE, OPTIONAL, "1/time", NULL, ANY,                       \
+    X(S, ONE, particle, EXPRESSION, ANYWHERE, OPTIONAL, RATE, NULL, ANY,                       \
       "alpha_p: particles slow down by alpha_p v, in coordinates of the particle and t")           \
-    X(S, ONE, pic, EXPRESSION, ANYWHERE, OPTIONAL, "", NULL, ANY,                                  \
+    X(S, ONE, pic, EXPRESSION, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                                  \
       "beta, from 0 to 1, in t: what of a particle's velocity the grid does not carry is multiplied by it in each step") \
-    X(S, GROUP, thermostat, thermostat, ANYWHERE, OPTIONAL, "", NULL, ANY,                         \
+    X(S, GROUP, thermostat, thermostat, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                         \
       "adds to alpha_g a rate that follows the kinetic energy")
 
 #define KEYS_output(X, S)                                                                          \
-    X(S, ONE, history, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                         \
+    X(S, ONE, history, NUMBER, ANYWHERE, OPTIONAL, TIME, NULL, ABOVE(0),                         \
       "interval of rows in history.csv; without it only t = 0 and end")                            \
-    X(S, ONE, snapshots, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                       \
+    X(S, ONE, snapshots, NUMBER, ANYWHERE, OPTIONAL, TIME, NULL, ABOVE(0),                       \
       "interval of snapshots; without it only t = 0 and end")                                      \
-    X(S, ONE, checkpoint, NUMBER, ANYWHERE, OPTIONAL, "time", NULL, ABOVE(0),                      \
+    X(S, ONE, checkpoint, NUMBER, ANYWHERE, OPTIONAL, TIME, NULL, ABOVE(0),                      \
       "reserved: this version writes no checkpoints, and mpm run says so")                         \
-    X(S, ONE, energy_balance, BOOLEAN, ANYWHERE, OPTIONAL, "", "false", ANY,                       \
+    X(S, ONE, energy_balance, BOOLEAN, ANYWHERE, OPTIONAL, NONE, "false", ANY,                       \
       "history.csv has transfer_loss, what is lost between particles and nodes, measured in each step, and with it closes to round-off") \
-    X(S, ONE, fringe, NUMBER, PLANAR, OPTIONAL, "length time^2/mass", NULL, ABOVE(0),              \
+    X(S, ONE, fringe, NUMBER, PLANAR, OPTIONAL, COMPLIANCE, NULL, ABOVE(0),              \
       "k: snapshots have fringe, cos(k (s1 - s2)) of the principal stresses in the plane (CRAMP 23); 2 pi thickness over the material's stress for one fringe")
 
 #define KEYS_scene(X, S)                                                                           \
-    X(S, ONE, format, INTEGER, ANYWHERE, REQUIRED, "", NULL, FROM_TO(1, 1),                        \
+    X(S, ONE, format, INTEGER, ANYWHERE, REQUIRED, NONE, NULL, FROM_TO(1, 1),                        \
       "version of the scene's format")                                                             \
-    X(S, ONE, title, TEXT, ANYWHERE, OPTIONAL, "", "\"\"", ANY, "what the scene is about")         \
-    X(S, CHOICE, geometry, geometry, ANYWHERE, REQUIRED, "", NULL, ANY,                            \
+    X(S, ONE, title, TEXT, ANYWHERE, OPTIONAL, NONE, "\"\"", ANY, "what the scene is about")         \
+    X(S, CHOICE, geometry, geometry, ANYWHERE, REQUIRED, NONE, NULL, ANY,                            \
       "axes x, y in planar scenes, r, z in axisymmetric ones")                                     \
-    X(S, GROUP, units, units, ANYWHERE, OPTIONAL, "", "{}", ANY,                                   \
+    X(S, GROUP, units, units, ANYWHERE, OPTIONAL, NONE, "{}", ANY,                                   \
       "any consistent system; outputs carry the names")                                            \
-    X(S, ONE, thickness, NUMBER, PLANAR, OPTIONAL, "length", "1", ABOVE(0), "out of the plane")    \
-    X(S, GROUP, grid, grid, ANYWHERE, REQUIRED, "", NULL, ANY, "regular background grid")          \
-    X(S, GROUP, time, time, ANYWHERE, REQUIRED, "", NULL, ANY, "end and step of time")             \
-    X(S, GROUP, method, method, ANYWHERE, OPTIONAL, "", "{}", ANY, "the numerical method")         \
-    X(S, LIST, materials, material, ANYWHERE, REQUIRED, "", NULL, ANY, "one or more materials")    \
-    X(S, LIST, bodies, body, ANYWHERE, REQUIRED, "", NULL, ANY,                                    \
+    X(S, ONE, thickness, NUMBER, PLANAR, OPTIONAL, LENGTH, "1", ABOVE(0), "out of the plane")    \
+    X(S, GROUP, grid, grid, ANYWHERE, REQUIRED, NONE, NULL, ANY, "regular background grid")          \
+    X(S, GROUP, time, time, ANYWHERE, REQUIRED, NONE, NULL, ANY, "end and step of time")             \
+    X(S, GROUP, method, method, ANYWHERE, OPTIONAL, NONE, "{}", ANY, "the numerical method")         \
+    X(S, LIST, materials, material, ANYWHERE, REQUIRED, NONE, NULL, ANY, "one or more materials")    \
+    X(S, LIST, bodies, body, ANYWHERE, REQUIRED, NONE, NULL, ANY,                                    \
       "one or more bodies, one of them deformable")                                                \
-    X(S, LIST, boundary, boundary, ANYWHERE, OPTIONAL, "", "[]", ANY, "conditions on grid nodes")  \
-    X(S, GROUP, loads, loads, ANYWHERE, OPTIONAL, "", "{}", ANY, "forces on bodies")               \
-    X(S, LIST, cracks, crack, ANYWHERE, OPTIONAL, "", "[]", ANY, "explicit cracks in bodies")      \
-    X(S, GROUP, damping, damping, ANYWHERE, OPTIONAL, "", "{}", ANY, "artificial damping")         \
-    X(S, GROUP, output, output, ANYWHERE, OPTIONAL, "", "{}", ANY, "what is written, how often")
+    X(S, LIST, boundary, boundary, ANYWHERE, OPTIONAL, NONE, "[]", ANY, "conditions on grid nodes")  \
+    X(S, GROUP, loads, loads, ANYWHERE, OPTIONAL, NONE, "{}", ANY, "forces on bodies")               \
+    X(S, LIST, cracks, crack, ANYWHERE, OPTIONAL, NONE, "[]", ANY, "explicit cracks in bodies")      \
+    X(S, GROUP, damping, damping, ANYWHERE, OPTIONAL, NONE, "{}", ANY, "artificial damping")         \
+    X(S, GROUP, output, output, ANYWHERE, OPTIONAL, NONE, "{}", ANY, "what is written, how often")
 
 /* Children before those who hold them; `scene` last. */
 #define MPM_KEY_LISTS(L)                                                                           \

@@ -2,118 +2,38 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
-#include "io/scene/scene_check.h"
-#include "io/scene/scene_load.h"
 #include "io/scene/scene_settings.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <glib.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-enum { FILE_SIZE_MAX = 16 * 1024 * 1024, PATH_SHOWN_MAX = 400 };
 
 /* ---------------------------------------------------------------- messages */
 
 enum mpm_status mpm_scene_error(struct mpm_error *error, const struct mpm_scene *scene, int line,
                                 const char *key, const char *format, ...)
 {
-    char message[MPM_MESSAGE_SIZE], place[24] = "";
+    char message[MPM_MESSAGE_SIZE];
     va_list arguments;
     va_start(arguments, format);
     (void)vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    /* The end of a long path tells more than its start, and the message must fit. */
-    const size_t length = strlen(scene->path);
-    const bool cut = length > PATH_SHOWN_MAX;
-    if (line > 0)
-        (void)snprintf(place, sizeof place, ":%d", line);
-    return mpm_error_set(error, MPM_BAD_INPUT, "%s%s%s: %s%s%s", cut ? "..." : "",
-                         scene->path + (cut ? length - PATH_SHOWN_MAX : 0), place, key,
-                         *key != '\0' ? ": " : "", message);
-}
-
-/* -------------------------------------------------------------------- file */
-
-struct bytes {
-    char *data;
-    size_t length;
-};
-
-static enum mpm_status refuse_file(const struct mpm_scene *scene, const char *what,
-                                   struct mpm_error *error)
-{
-    return mpm_scene_error(error, scene, 0, "",
-                           "%s; allowed: a readable scene file of up to 16 MiB", what);
-}
-
-static enum mpm_status check_kind(const struct mpm_scene *scene, int file, size_t *size,
-                                  struct mpm_error *error)
-{
-    struct stat facts;
-    if (fstat(file, &facts) != 0)
-        return refuse_file(scene, g_strerror(errno), error);
-    if (S_ISDIR(facts.st_mode))
-        return refuse_file(scene, "is a folder", error);
-    if (!S_ISREG(facts.st_mode))
-        return refuse_file(scene, "is not a regular file", error);
-    if (facts.st_size > FILE_SIZE_MAX)
-        return refuse_file(scene, "the file is too big", error);
-    *size = (size_t)facts.st_size;
-    return MPM_OK;
-}
-
-/* Reads up to one byte past the size, so that a file that grows is noticed. */
-static enum mpm_status read_bytes(const struct mpm_scene *scene, int file, struct bytes *bytes,
-                                  struct mpm_error *error)
-{
-    size_t size = 0;
-    MPM_TRY(check_kind(scene, file, &size, error));
-    const size_t capacity = size + 1;
-    bytes->data = malloc(capacity);
-    if (bytes->data == NULL)
-        return mpm_error_memory(error, capacity, "a scene file");
-    for (;;) {
-        const ssize_t got = read(file, bytes->data + bytes->length, capacity - bytes->length);
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got < 0)
-            return refuse_file(scene, g_strerror(errno), error);
-        bytes->length += (size_t)got;
-        if (bytes->length > size)
-            return refuse_file(scene, "the file grows while it is read", error);
-        if (got == 0)
-            return MPM_OK;
-    }
-}
-
-static enum mpm_status read_file(const struct mpm_scene *scene, struct bytes *bytes,
-                                 struct mpm_error *error)
-{
-    /* A named pipe must not make the program wait. */
-    const int file = open(scene->path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (file < 0)
-        return refuse_file(scene, g_strerror(errno), error);
-    const enum mpm_status status = read_bytes(scene, file, bytes, error);
-    (void)close(file);
-    return status;
-}
-
-static void hash_bytes(const struct bytes *bytes, struct mpm_scene *scene)
-{
-    gsize length = sizeof scene->sha256;
-    GChecksum *checksum = g_checksum_new(G_CHECKSUM_SHA256);
-    g_checksum_update(checksum, (const guchar *)bytes->data, (gssize)bytes->length);
-    g_checksum_get_digest(checksum, scene->sha256, &length);
-    g_checksum_free(checksum);
+    const struct mpm_source source = mpm_scene_source(scene);
+    return mpm_tree_fault(error, &source, (struct mpm_origin){.line = line}, key, "%s", message);
 }
 
 /* ----------------------------------------------------------------- reading */
+
+static void hash_bytes(struct mpm_bytes bytes, struct mpm_scene *scene)
+{
+    gsize length = sizeof scene->sha256;
+    GChecksum *checksum = g_checksum_new(G_CHECKSUM_SHA256);
+    g_checksum_update(checksum, (const guchar *)bytes.data, (gssize)bytes.length);
+    g_checksum_get_digest(checksum, scene->sha256, &length);
+    g_checksum_free(checksum);
+}
 
 static enum mpm_status build(const struct mpm_reading *reading)
 {
@@ -130,23 +50,26 @@ static enum mpm_status build(const struct mpm_reading *reading)
 static enum mpm_status build_from_tree(struct mpm_scene *scene, struct mpm_tree_node *root,
                                        struct mpm_error *error)
 {
-    struct mpm_raw_scene *raw = NULL;
-    MPM_TRY(mpm_tree_apply_settings(scene, root, error));
-    MPM_TRY(mpm_tree_check(scene, root, error));
-    MPM_TRY(mpm_raw_load(scene, root, &raw, error));
+    const struct mpm_source source = mpm_scene_source(scene);
+    MPM_TRY(mpm_tree_apply_settings(&source, scene->setting_count, root, error));
+    MPM_TRY(mpm_tree_check(&source, &mpm_scene_root, root, error));
+    struct mpm_raw_scene *const raw = mpm_keys_fill(&mpm_scene_root, root);
+    if (raw == NULL)
+        return mpm_error_memory(error, sizeof *raw, "a scene's values");
     const struct mpm_reading reading = {.scene = scene, .root = root, .raw = raw, .error = error};
     const enum mpm_status status = build(&reading);
-    mpm_raw_free(raw);
+    mpm_keys_free(&mpm_scene_root, raw);
     return status;
 }
 
-static enum mpm_status build_from_bytes(struct mpm_scene *scene, const struct bytes *bytes,
+static enum mpm_status build_from_bytes(struct mpm_scene *scene, struct mpm_bytes bytes,
                                         struct mpm_error *error)
 {
+    const struct mpm_source source = mpm_scene_source(scene);
     const struct mpm_origin origin = {.setting = MPM_FROM_FILE};
     struct mpm_tree_node *root = NULL;
     hash_bytes(bytes, scene);
-    MPM_TRY(mpm_tree_parse(scene, origin, bytes->data, bytes->length, &root, error));
+    MPM_TRY(mpm_tree_parse(&source, origin, bytes.data, bytes.length, &root, error));
     const enum mpm_status status = build_from_tree(scene, root, error);
     mpm_tree_free(root);
     return status;
@@ -173,11 +96,12 @@ static enum mpm_status read_scene(struct mpm_scene *scene, const char *path,
                                   const char *const *settings, size_t setting_count,
                                   struct mpm_error *error)
 {
-    struct bytes bytes = {.data = NULL};
+    struct mpm_bytes bytes;
     MPM_TRY(copy_arguments(scene, path, settings, setting_count, error));
-    enum mpm_status status = read_file(scene, &bytes, error);
+    const struct mpm_source source = mpm_scene_source(scene);
+    enum mpm_status status = mpm_source_read(&source, &bytes, error);
     if (status == MPM_OK)
-        status = build_from_bytes(scene, &bytes, error);
+        status = build_from_bytes(scene, bytes, error);
     free(bytes.data);
     return status;
 }

@@ -164,7 +164,7 @@ static enum mpm_status build_polygon(const struct mpm_reading *reading, const ch
         return MPM_ENVIRONMENT_FAILED;
     region->point_count = raw->points_count;
     for (size_t i = 0; i < region->point_count; i++)
-        read_pair(*raw->points[i], region->points[i]);
+        read_pair(raw->points[i], region->points[i]);
     char points[MPM_PATH_SIZE];
     return check_polygon(reading, mpm_path_join(path, "points", points), region);
 }

@@ -3,7 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_settings.h"
 
-#include "io/scene/scene_check.h"
+#include "base/status.h"
+#include "io/scene/scene_schema.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +13,7 @@
 enum { PATH_SIZE = 512 };
 
 struct setting {
-    const struct mpm_scene *scene;
+    const struct mpm_source *source;
     struct mpm_error *error;
     struct mpm_origin origin;
     char path[PATH_SIZE];
@@ -35,16 +36,6 @@ static char *next_segment(struct setting *setting)
     if (point != NULL)
         *point = '\0';
     return segment;
-}
-
-/* The key of a list's entry: a group in a LIST, a pair in POINTS, one value in a PAIR. */
-static struct mpm_key entry_key(const struct mpm_key *list)
-{
-    struct mpm_key entry = *list;
-    entry.shape = list->shape == MPM_KEY_LIST     ? MPM_KEY_GROUP
-                  : list->shape == MPM_KEY_POINTS ? MPM_KEY_PAIR
-                                                  : MPM_KEY_ONE;
-    return entry;
 }
 
 static bool has_name(const struct mpm_tree_node *node, const char *name)
@@ -74,13 +65,13 @@ static enum mpm_status find_entry(const struct setting *setting, const struct mp
 {
     char name[MPM_EXCERPT_SIZE];
     if (list->kind != MPM_TREE_LIST)
-        return mpm_tree_fault(setting->error, setting->scene, setting->origin, "",
+        return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
                               "%s names an entry, but the scene has no list there",
                               mpm_excerpt(segment, name));
     *slot = entry_slot(list, segment);
     if (*slot != NULL)
         return MPM_OK;
-    return mpm_tree_fault(setting->error, setting->scene, setting->origin, "",
+    return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
                           "no entry %s in the list of %zu; allowed: a position from 0 or the "
                           "`name` of an entry",
                           mpm_excerpt(segment, name), list->count);
@@ -95,9 +86,9 @@ static enum mpm_status add_missing(const struct setting *setting, const struct m
     if (setting->segments == NULL || key->shape == MPM_KEY_GROUP)
         value = mpm_tree_new(MPM_TREE_MAPPING, setting->origin);
     else if (key->fallback != NULL)
-        MPM_TRY(mpm_tree_default(setting->scene, key, &value, setting->error));
+        MPM_TRY(mpm_tree_default(setting->source, key, &value, setting->error));
     else
-        return mpm_tree_fault(setting->error, setting->scene, setting->origin, "",
+        return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
                               "the scene has no %s whose part could be set; allowed: setting it "
                               "as a whole",
                               key->name);
@@ -111,11 +102,11 @@ static enum mpm_status find_key(const struct setting *setting, const struct mpm_
     char name[MPM_EXCERPT_SIZE], allowed[MPM_ALLOWED_SIZE];
     *key = mpm_key_find(group, segment);
     if (*key == NULL)
-        return mpm_tree_fault(setting->error, setting->scene, setting->origin, "",
+        return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
                               "unknown key %s; allowed: %s", mpm_excerpt(segment, name),
                               mpm_key_children(group, allowed));
     if (node->kind != MPM_TREE_MAPPING)
-        return mpm_tree_fault(setting->error, setting->scene, setting->origin, "",
+        return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
                               "%s names a key, but the scene has no mapping there",
                               mpm_excerpt(segment, name));
     if (mpm_tree_entry(node, segment) == NULL)
@@ -136,12 +127,12 @@ static enum mpm_status find_slot(struct setting *setting, struct mpm_tree_node *
             key = *next;
         } else if (key.shape == MPM_KEY_ONE || key.shape == MPM_KEY_CHOICE) {
             char name[MPM_EXCERPT_SIZE];
-            return mpm_tree_fault(setting->error, setting->scene, setting->origin, "",
+            return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
                                   "%s is one value and has no part %s", key.name,
                                   mpm_excerpt(segment, name));
         } else {
             MPM_TRY(find_entry(setting, *slot, segment, &slot));
-            key = entry_key(&key);
+            key = mpm_key_entry(&key);
         }
     }
     *found = slot;
@@ -153,7 +144,7 @@ static enum mpm_status apply(struct setting *setting, const char *text, struct m
     const char *equals = strchr(text, '=');
     const size_t length = equals != NULL ? (size_t)(equals - text) : 0;
     if (length == 0 || length >= PATH_SIZE)
-        return mpm_tree_fault(setting->error, setting->scene, setting->origin, "",
+        return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
                               "not a setting; allowed: PATH=VALUE with a path of up to %d "
                               "characters, such as grid.refine=2",
                               PATH_SIZE - 1);
@@ -162,7 +153,7 @@ static enum mpm_status apply(struct setting *setting, const char *text, struct m
     setting->segments = setting->path;
     struct mpm_tree_node **slot = root;
     struct mpm_tree_node *value = NULL;
-    MPM_TRY(mpm_tree_parse(setting->scene, setting->origin, equals + 1, strlen(equals + 1), &value,
+    MPM_TRY(mpm_tree_parse(setting->source, setting->origin, equals + 1, strlen(equals + 1), &value,
                            setting->error));
     const enum mpm_status status = find_slot(setting, slot, &slot);
     if (status != MPM_OK) {
@@ -174,13 +165,13 @@ static enum mpm_status apply(struct setting *setting, const char *text, struct m
     return MPM_OK;
 }
 
-enum mpm_status mpm_tree_apply_settings(const struct mpm_scene *scene, struct mpm_tree_node *root,
-                                        struct mpm_error *error)
+enum mpm_status mpm_tree_apply_settings(const struct mpm_source *source, size_t count,
+                                        struct mpm_tree_node *root, struct mpm_error *error)
 {
-    for (size_t i = 0; i < scene->setting_count; i++) {
+    for (size_t i = 0; i < count; i++) {
         struct setting setting = {
-            .scene = scene, .error = error, .origin = {.setting = (int)i + 1}};
-        MPM_TRY(apply(&setting, scene->settings[i], &root));
+            .source = source, .error = error, .origin = {.setting = (int)i + 1}};
+        MPM_TRY(apply(&setting, source->settings[i], &root));
     }
     return MPM_OK;
 }

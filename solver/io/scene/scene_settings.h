@@ -4,13 +4,13 @@
 #ifndef MPM_IO_SCENE_SETTINGS_H
 #define MPM_IO_SCENE_SETTINGS_H
 
-#include "io/scene/scene_tree.h"
+#include "io/yaml/tree.h"
 
-/* Applies scene->settings in order. A path is keys joined by points; entries of lists are
- * named by position (from 0) or by their `name`. A valid key that the scene does not have
- * is added; a path that the schema does not know, or an entry that the list does not
- * have, is MPM_BAD_INPUT. The value is YAML. */
-enum mpm_status mpm_tree_apply_settings(const struct mpm_scene *scene, struct mpm_tree_node *root,
-                                        struct mpm_error *error);
+/* Applies the source's `count` settings in order. A path is keys joined by points; entries of lists
+ * are named by position (from 0) or by their `name`. A valid key that the scene does not have is
+ * added; a path that the schema does not know, or an entry that the list does not have, is
+ * MPM_BAD_INPUT. The value is YAML. */
+enum mpm_status mpm_tree_apply_settings(const struct mpm_source *source, size_t count,
+                                        struct mpm_tree_node *root, struct mpm_error *error);
 
 #endif

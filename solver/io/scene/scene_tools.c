@@ -34,8 +34,9 @@ enum mpm_status mpm_reading_fault(const struct mpm_reading *reading, const char 
     const struct mpm_tree_node *nearest = reading->root;
     (void)mpm_tree_find(reading->root, path, &nearest);
     const struct mpm_tree_node *set = set_below(nearest);
-    return mpm_tree_fault(reading->error, reading->scene, (set != NULL ? set : nearest)->origin,
-                          path, "%s", message);
+    const struct mpm_source source = mpm_scene_source(reading->scene);
+    return mpm_tree_fault(reading->error, &source, (set != NULL ? set : nearest)->origin, path,
+                          "%s", message);
 }
 
 bool mpm_reading_given(const struct mpm_reading *reading, const char *path)

@@ -4,7 +4,7 @@
 #include "io/scene/schema.h"
 
 #include "io/scene/scene_schema.h"
-#include "model/material.h"
+#include "io/units.h"
 
 #include <jansson.h>
 #include <math.h>
@@ -43,11 +43,12 @@ static void add_keys(struct table *table, const struct mpm_key *group, const cha
         [MPM_ONLY_AXISYMMETRIC] = " (axisymmetric scenes only)",
     };
     for (const struct mpm_key *key = group->children; key->name != NULL; key++) {
-        char path[CELL_SIZE], help[CELL_SIZE], range[MPM_ALLOWED_SIZE];
+        char path[CELL_SIZE], help[CELL_SIZE], range[MPM_ALLOWED_SIZE], unit[MPM_UNIT_SIZE];
         (void)snprintf(path, sizeof path, "%s%s", prefix, key->name);
         (void)snprintf(help, sizeof help, "%s%s", key->help, places[key->where]);
+        mpm_dimension_text(key->dimension, unit);
         add_row(table,
-                (const char *const[COLUMNS]){path, mpm_key_type(key), key->unit, default_text(key),
+                (const char *const[COLUMNS]){path, mpm_key_type(key), unit, default_text(key),
                                              mpm_key_range(key, range), help});
         if (key->children == NULL)
             continue;
@@ -103,11 +104,11 @@ static json_t *end_of_range(double value)
     return isfinite(value) ? json_real(value) : json_null();
 }
 
-/* Laws are a list of their own: "neo_hookean, linear_elastic". */
-static json_t *law_choices(void)
+/* Of "neo_hookean, linear_elastic". */
+static json_t *choices_named(const char *names)
 {
     json_t *choices = json_array();
-    for (const char *name = mpm_material_law_names(); *name != '\0';) {
+    for (const char *name = names; *name != '\0';) {
         const size_t length = strcspn(name, ",");
         (void)json_array_append_new(choices, json_stringn(name, length));
         name += length;
@@ -118,8 +119,8 @@ static json_t *law_choices(void)
 
 static json_t *choices_of(const struct mpm_key *key)
 {
-    if (key->value == MPM_VALUE_LAW)
-        return law_choices();
+    if (key->value != NULL && key->value->names != NULL)
+        return choices_named(key->value->names());
     if (key->shape != MPM_KEY_CHOICE)
         return json_null();
     json_t *choices = json_array();
@@ -131,27 +132,24 @@ static json_t *choices_of(const struct mpm_key *key)
 static json_t *describe_key(const struct mpm_key *key, const char *path)
 {
     static const char *const shapes[] = {
-        [MPM_KEY_ONE] = "one",       [MPM_KEY_PAIR] = "pair",   [MPM_KEY_POINTS] = "points",
-        [MPM_KEY_CHOICE] = "choice", [MPM_KEY_GROUP] = "group", [MPM_KEY_LIST] = "list",
-    };
-    static const char *const values[] = {
-        [MPM_VALUE_NUMBER] = "number",   [MPM_VALUE_EXPRESSION] = "expression",
-        [MPM_VALUE_DRIVE] = "drive",     [MPM_VALUE_TEXT] = "text",
-        [MPM_VALUE_NAME] = "name",       [MPM_VALUE_LAW] = "law",
-        [MPM_VALUE_INTEGER] = "integer", [MPM_VALUE_BOOLEAN] = "boolean",
-        [MPM_VALUE_NONE] = NULL,
+        [MPM_KEY_ONE] = "one",       [MPM_KEY_PAIR] = "pair",     [MPM_KEY_VALUES] = "values",
+        [MPM_KEY_POINTS] = "points", [MPM_KEY_CHOICE] = "choice", [MPM_KEY_GROUP] = "group",
+        [MPM_KEY_LIST] = "list",
     };
     static const char *const places[] = {
         [MPM_ANYWHERE] = NULL,
         [MPM_ONLY_PLANAR] = "planar",
         [MPM_ONLY_AXISYMMETRIC] = "axisymmetric",
     };
-    return json_pack(
-        "{ss ss ss? ss? sb ss ss? so so sb sb so ss}", "key", path, "shape", shapes[key->shape],
-        "value", values[key->value], "geometry", places[key->where], "required", (int)key->required,
-        "unit", key->unit, "default", key->fallback, "low", end_of_range(key->range.low), "high",
-        end_of_range(key->range.high), "low_open", (int)key->range.low_open, "high_open",
-        (int)key->range.high_open, "choices", choices_of(key), "help", key->help);
+    char unit[MPM_UNIT_SIZE];
+    mpm_dimension_text(key->dimension, unit);
+    return json_pack("{ss ss ss? ss? sb ss ss? so so sb sb so ss}", "key", path, "shape",
+                     shapes[key->shape], "value", key->value != NULL ? key->value->name : NULL,
+                     "geometry", places[key->where], "required", (int)key->required, "unit", unit,
+                     "default", key->fallback, "low", end_of_range(key->range.low), "high",
+                     end_of_range(key->range.high), "low_open", (int)key->range.low_open,
+                     "high_open", (int)key->range.high_open, "choices", choices_of(key), "help",
+                     key->help);
 }
 
 static void append_keys(json_t *list, const struct mpm_key *group, const char *prefix)

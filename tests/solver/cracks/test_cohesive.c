@@ -388,7 +388,8 @@ START_TEST(the_history_tells_how_far_a_crack_has_opened_and_slid)
     for (size_t k = 0; k < G_N_ELEMENTS(expected); k++) {
         const struct mpm_quantity_info info = mpm_scene_crack_quantity(run.scene, k);
         ck_assert_str_eq(info.name, expected[k].name);
-        ck_assert(info.length == 1 && info.mass == 0 && info.time == 0);
+        ck_assert(info.dimension.length == 1 && info.dimension.mass == 0 &&
+                  info.dimension.time == 0);
         ck_assert_near(mpm_simulation_crack_quantity(run.simulation, k), expected[k].value, 1e-15);
     }
     test_run_close(&run);

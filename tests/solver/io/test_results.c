@@ -215,7 +215,7 @@ START_TEST(every_dataset_names_its_unit_its_meaning_and_its_components)
         char *description = test_attribute_text(file, object, "description");
         char *components = test_attribute_text(file, object, "components");
         char expected[MPM_UNIT_SIZE];
-        mpm_unit_text(test_results.scene, info->length, info->mass, info->time, expected);
+        mpm_unit_text(test_results.scene, info->dimension, expected);
         ck_assert_str_eq(unit, expected);
         ck_assert_str_eq(description, info->description);
         char **names = g_strsplit(components, ", ", -1);
@@ -442,21 +442,21 @@ END_TEST
 START_TEST(units_are_made_of_the_scenes_own)
 {
     const struct {
-        int length, mass, time;
+        struct mpm_dimension dimension;
         const char *named, *unnamed;
     } units[] = {
-        {-1, 1, -2, "g mm^-1 ms^-2", "mass length^-1 time^-2"},
-        {0, 0, 0, "1", "1"},
-        {1, 0, 0, "mm", "length"},
-        {1, 0, -1, "mm ms^-1", "length time^-1"},
-        {2, 1, -2, "g mm^2 ms^-2", "mass length^2 time^-2"},
+        {MPM_DIMENSION_STRESS, "g mm^-1 ms^-2", "mass length^-1 time^-2"},
+        {MPM_DIMENSION_NONE, "1", "1"},
+        {MPM_DIMENSION_LENGTH, "mm", "length"},
+        {MPM_DIMENSION_VELOCITY, "mm ms^-1", "length time^-1"},
+        {{.length = 2, .temperature = -1}, "mm^2 K^-1", "length^2 temperature^-1"},
     };
     const struct mpm_scene unnamed = {.title = NULL};
     for (size_t i = 0; i < G_N_ELEMENTS(units); i++) {
         char text[MPM_UNIT_SIZE];
-        mpm_unit_text(test_results.scene, units[i].length, units[i].mass, units[i].time, text);
+        mpm_unit_text(test_results.scene, units[i].dimension, text);
         ck_assert_str_eq(text, units[i].named);
-        mpm_unit_text(&unnamed, units[i].length, units[i].mass, units[i].time, text);
+        mpm_unit_text(&unnamed, units[i].dimension, text);
         ck_assert_str_eq(text, units[i].unnamed);
     }
 }

@@ -101,6 +101,18 @@ START_TEST(a_grid_of_two_to_the_31_nodes_is_the_biggest)
 }
 END_TEST
 
+START_TEST(a_byte_order_mark_at_the_start_is_passed_over)
+{
+    char *text = g_strconcat("\xef\xbb\xbf", TEST_LEAST_SCENE, "time: 1\n", NULL);
+    char *message = test_scene_refusal_of_text(text);
+    test_contains(message, "key \"time\" repeated");
+    text[strlen(text) - strlen("time: 1\n")] = '\0';
+    mpm_scene_free(test_scene_read_text(text));
+    g_free(message);
+    g_free(text);
+}
+END_TEST
+
 /* -------------------------------------------------------------------- files */
 
 START_TEST(a_scene_that_is_no_readable_file_is_refused)
@@ -203,6 +215,7 @@ Suite *suite_scene_limits(void)
     TCase *limits = tcase_create("limits");
     tcase_add_test(limits, a_name_may_have_64_characters_of_any_length_in_bytes);
     tcase_add_test(limits, nesting_of_64_levels_is_the_deepest);
+    tcase_add_test(limits, a_byte_order_mark_at_the_start_is_passed_over);
     tcase_add_test(limits, a_file_of_16_mib_is_the_biggest);
     tcase_add_test(limits, a_grid_of_two_to_the_31_nodes_is_the_biggest);
     suite_add_tcase(suite, limits);

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/schema.h"
+#include "io/units.h"
 #include "suites.h"
 
 #include <glib.h>
@@ -86,12 +87,35 @@ START_TEST(the_schema_as_json_says_kind_range_choices_and_default)
 }
 END_TEST
 
+START_TEST(dimensions_are_written_as_quotients)
+{
+    const struct {
+        struct mpm_dimension dimension;
+        const char *text;
+    } table[] = {
+        {MPM_DIMENSION_NONE, ""},
+        {MPM_DIMENSION_LENGTH, "length"},
+        {MPM_DIMENSION_RATE, "1/time"},
+        {MPM_DIMENSION_VELOCITY, "length/time"},
+        {MPM_DIMENSION_STRESS, "mass/(length time^2)"},
+        {MPM_DIMENSION_ENERGY, "mass length^2/time^2"},
+        {{.length = 2, .time = -2, .temperature = -1}, "length^2/(time^2 temperature)"},
+    };
+    for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
+        char text[MPM_UNIT_SIZE];
+        mpm_dimension_text(table[i].dimension, text);
+        ck_assert_str_eq(text, table[i].text);
+    }
+}
+END_TEST
+
 Suite *suite_schema(void)
 {
     Suite *suite = suite_create("schema");
     TCase *json = tcase_create("JSON");
     tcase_add_test(json, the_schema_as_json_has_every_key_of_the_table);
     tcase_add_test(json, the_schema_as_json_says_kind_range_choices_and_default);
+    tcase_add_test(json, dimensions_are_written_as_quotients);
     suite_add_tcase(suite, json);
     return suite;
 }

@@ -229,19 +229,19 @@ START_TEST(a_bad_comparison_is_refused_with_its_line)
         {"title: Points", "title: Integral & more",
          "comparison.columns.1: title \"Integral & more\" is taken by another column"},
         {"tolerance: 1e-6", "tolerance: -1", "tolerance and floor: allowed are numbers >= 0"},
-        {"tolerance: 1e-6", "tolerance: much", "\"much\" is not a finite number"},
+        {"tolerance: 1e-6", "tolerance: much", "not a number, got \"much\""},
         {"case: crash", "case: none",
          "comparison.columns.2: case \"none\": the catalogue has none of that name"},
         {"better: high", "better: high, where: none",
          "comparison.columns.0: where: \"none\" is the quantity of no other column"},
-        {"tolerance: 1e-6", "limit: much", "\"much\" is not a finite number"},
+        {"tolerance: 1e-6", "limit: much", "not a number, got \"much\""},
         {"tolerance: 1e-6", "beyond: fell to", "beyond: \"fell to\" belongs to a limit"},
         {"  columns:", "  main: none\n  columns:", "main: \"none\" is the quantity of no column"},
         {"  columns:", "  cost: none\n  columns:", "cost: \"none\" is the quantity of no column"},
         {"  columns:", "  figure: none\n  columns:", "figure: \"none\" is no figure of the case"},
-        {"better: high", "better: more", "case.yaml:"},
+        {"better: high", "better: more", "comparison.columns.0.better: unknown choice"},
         {"  columns:", "  variants: [\"x*\"]\n  columns:", "\"x*\" matches no variant"},
-        {"  title: Powers <compared>\n", "", "Missing required mapping field: title"},
+        {"  title: Powers <compared>\n", "", "comparison.title: missing, the key is required"},
     };
     for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
         char *folder = catalogue_with(table[i].from, table[i].to);

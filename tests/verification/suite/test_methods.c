@@ -202,9 +202,9 @@ START_TEST(a_case_that_asks_for_methods_that_are_not_is_refused)
         {METHODS, "scene: scene.yaml\nmethods: {names: [\"*\"], tier: ci, timeout: 0}\n",
          "methods: timeout 0: allowed are seconds > 0"},
         {METHODS, "scene: scene.yaml\nmethods: {names: [\"*\"], tier: ci, timeout: soon}\n",
-         "\"soon\" is not a finite number"},
+         "methods.timeout: not a number, got \"soon\""},
         {METHODS, "scene: scene.yaml\nmethods: {name: [\"*\"], tier: ci, timeout: 1}\n",
-         "Unexpected key: name"},
+         "case.yaml:9: methods: unknown key \"name\"; allowed: names, except"},
     };
     for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
         char *message = refusal(table[i].methods, table[i].asks);
@@ -219,7 +219,8 @@ START_TEST(a_bad_table_of_methods_is_refused_with_its_line)
     const struct {
         const char *from, *to, *message;
     } table[] = {
-        {"format: 1", "format: 2", "methods.yaml:1: format: 2: allowed is 1"},
+        {"format: 1", "format: 2",
+         "methods.yaml:1: format: out of range, got \"2\"; allowed: integer 1"},
         {"name: ugimp_usl", "name: classic_usl",
          "methods.yaml:4: methods.1: name \"classic_usl\" is taken by another method"},
         {"name: ugimp_usl", "name: ug/imp", "methods.1: name \"ug/imp\": allowed are 1 to 64"},
@@ -231,7 +232,8 @@ START_TEST(a_bad_table_of_methods_is_refused_with_its_line)
          "\"ugimp_hoop\" has the settings of \"ugimp_usl\""},
         {"methods:", "parts:\n  - {part: ugimp, kind: shape, title: t}\nmethods:",
          "parts does not explain \"classic\""},
-        {"group: axis", "grp: axis", "methods.yaml:6: Unexpected key: grp"},
+        {"group: axis", "grp: axis",
+         "methods.yaml:6: methods.3: unknown key \"grp\"; allowed: name, group"},
         {"name: ugimp_musl", "name: only",
          "\"only\" is the name of a variant, too: name it in except"},
     };

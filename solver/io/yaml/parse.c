@@ -1,8 +1,9 @@
-/* A scene's YAML as a tree: from libyaml's events.
+/* Trees of YAML: from libyaml's events.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/scene/scene_names.h"
-#include "io/scene/scene_tree.h"
+#include "base/status.h"
+#include "io/yaml/names.h"
+#include "io/yaml/tree.h"
 
 #include <glib.h>
 #include <stdio.h>
@@ -11,7 +12,7 @@
 #include <yaml.h>
 
 struct parsing {
-    const struct mpm_scene *scene;
+    const struct mpm_source *source;
     struct mpm_origin origin; /* of all nodes but for the line */
     yaml_parser_t parser;
     const char *bytes;
@@ -21,7 +22,7 @@ struct parsing {
 
 static enum mpm_status no_memory(struct parsing *parsing)
 {
-    return mpm_error_memory(parsing->error, parsing->length, "reading a scene's YAML");
+    return mpm_error_memory(parsing->error, parsing->length, "reading YAML");
 }
 
 static struct mpm_origin origin_at(const struct parsing *parsing, size_t line_index)
@@ -42,7 +43,7 @@ static size_t line_index_of(const struct parsing *parsing, size_t offset)
 static enum mpm_status refuse(struct parsing *parsing, const yaml_event_t *event,
                               const char *message)
 {
-    return mpm_tree_fault(parsing->error, parsing->scene,
+    return mpm_tree_fault(parsing->error, parsing->source,
                           origin_at(parsing, event->start_mark.line), "", "%s", message);
 }
 
@@ -53,11 +54,11 @@ static enum mpm_status refuse_yaml(struct parsing *parsing)
     if (parser->error == YAML_MEMORY_ERROR)
         return no_memory(parsing);
     if (parser->error == YAML_READER_ERROR)
-        return mpm_tree_fault(parsing->error, parsing->scene,
+        return mpm_tree_fault(parsing->error, parsing->source,
                               origin_at(parsing, line_index_of(parsing, parser->problem_offset)),
                               "", "not YAML: %s; allowed: UTF-8 text", problem);
     return mpm_tree_fault(
-        parsing->error, parsing->scene, origin_at(parsing, parser->problem_mark.line), "",
+        parsing->error, parsing->source, origin_at(parsing, parser->problem_mark.line), "",
         "not YAML: %s at column %zu%s%s", problem, parser->problem_mark.column + 1,
         parser->context != NULL ? ", " : "", parser->context != NULL ? parser->context : "");
 }
@@ -165,9 +166,9 @@ static enum mpm_status refuse_repeats(struct parsing *parsing, const struct mpm_
     const struct mpm_origin origin = mapping->entries[second].value->origin;
     (void)mpm_excerpt(mapping->entries[second].key, key);
     if (origin.line == 0)
-        return mpm_tree_fault(parsing->error, parsing->scene, origin, "",
+        return mpm_tree_fault(parsing->error, parsing->source, origin, "",
                               "key %s repeated; allowed: once", key);
-    return mpm_tree_fault(parsing->error, parsing->scene, origin, "",
+    return mpm_tree_fault(parsing->error, parsing->source, origin, "",
                           "key %s repeated, first on line %d; allowed: once", key,
                           mapping->entries[first].value->origin.line);
 }
@@ -257,24 +258,36 @@ static enum mpm_status refuse_binary(struct parsing *parsing)
     if (g_utf8_validate(parsing->bytes, (gssize)parsing->length, &end))
         return MPM_OK;
     const size_t offset = (size_t)(end - parsing->bytes);
-    return mpm_tree_fault(parsing->error, parsing->scene,
+    return mpm_tree_fault(parsing->error, parsing->source,
                           origin_at(parsing, line_index_of(parsing, offset)), "",
                           "not a text: byte %zu is 0x%02x; allowed: UTF-8", offset + 1,
                           (unsigned)(unsigned char)*end);
 }
 
-enum mpm_status mpm_tree_parse(const struct mpm_scene *scene, struct mpm_origin origin,
+/* Some editors put a byte order mark first. libyaml would count it as a column. */
+static void skip_mark(struct parsing *parsing)
+{
+    static const char mark[] = {'\xef', '\xbb', '\xbf'};
+    if (parsing->length < sizeof mark || memcmp(parsing->bytes, mark, sizeof mark) != 0)
+        return;
+    parsing->bytes += sizeof mark;
+    parsing->length -= sizeof mark;
+}
+
+enum mpm_status mpm_tree_parse(const struct mpm_source *source, struct mpm_origin origin,
                                const char *bytes, size_t length, struct mpm_tree_node **root,
                                struct mpm_error *error)
 {
     *root = NULL;
     struct parsing parsing = {
-        .scene = scene, .origin = origin, .bytes = bytes, .length = length, .error = error};
+        .source = source, .origin = origin, .bytes = bytes, .length = length, .error = error};
     MPM_TRY(refuse_binary(&parsing));
+    skip_mark(&parsing);
     if (!yaml_parser_initialize(&parsing.parser))
         return no_memory(&parsing);
     yaml_parser_set_encoding(&parsing.parser, YAML_UTF8_ENCODING);
-    yaml_parser_set_input_string(&parsing.parser, (const unsigned char *)bytes, length);
+    yaml_parser_set_input_string(&parsing.parser, (const unsigned char *)parsing.bytes,
+                                 parsing.length);
     const enum mpm_status status = read_document(&parsing, root);
     yaml_parser_delete(&parsing.parser);
     if (status != MPM_OK) {

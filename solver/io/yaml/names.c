@@ -1,5 +1,5 @@
 /* Finding names among many. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/scene/scene_names.h"
+#include "io/yaml/names.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,12 +1,16 @@
-/* A scene's YAML as a tree: building and searching.
+/* Trees of YAML: building and searching, and messages about them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/scene/scene_tree.h"
+#include "io/yaml/tree.h"
+
+#include "base/status.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+enum { PATH_SHOWN_MAX = 400 };
 
 /* ------------------------------------------------------------------- nodes */
 
@@ -99,22 +103,25 @@ const struct mpm_tree_node *mpm_tree_find(const struct mpm_tree_node *root, cons
 
 /* ---------------------------------------------------------------- messages */
 
-enum mpm_status mpm_tree_fault(struct mpm_error *error, const struct mpm_scene *scene,
+enum mpm_status mpm_tree_fault(struct mpm_error *error, const struct mpm_source *source,
                                struct mpm_origin origin, const char *key, const char *format, ...)
 {
-    char message[MPM_MESSAGE_SIZE];
+    char message[MPM_MESSAGE_SIZE], place[MPM_EXCERPT_SIZE + 32] = "", quoted[MPM_EXCERPT_SIZE];
     va_list arguments;
     va_start(arguments, format);
     (void)vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    if (origin.setting <= 0)
-        return mpm_scene_error(error, scene, origin.line, key, "%s", message);
-    char setting[MPM_EXCERPT_SIZE + 8];
-    char quoted[MPM_EXCERPT_SIZE];
-    (void)snprintf(setting, sizeof setting, "--set %s",
-                   mpm_excerpt(scene->settings[origin.setting - 1], quoted));
-    return mpm_scene_error(error, scene, 0, setting, "%s%s%s", key, *key != '\0' ? ": " : "",
-                           message);
+    /* The end of a long path tells more than its start, and the message must fit. */
+    const size_t length = strlen(source->path);
+    const bool cut = length > PATH_SHOWN_MAX;
+    if (origin.setting > 0)
+        (void)snprintf(place, sizeof place, ": --set %s",
+                       mpm_excerpt(source->settings[origin.setting - 1], quoted));
+    else if (origin.line > 0)
+        (void)snprintf(place, sizeof place, ":%d", origin.line);
+    return mpm_error_set(error, MPM_BAD_INPUT, "%s%s%s: %s%s%s", cut ? "..." : "",
+                         source->path + (cut ? length - PATH_SHOWN_MAX : 0), place, key,
+                         *key != '\0' ? ": " : "", message);
 }
 
 const char *mpm_excerpt(const char *text, char buffer[MPM_EXCERPT_SIZE])

@@ -1,8 +1,8 @@
 /* Finding names among many: an index sorted by text, for repeats and look-up.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef MPM_IO_SCENE_NAMES_H
-#define MPM_IO_SCENE_NAMES_H
+#ifndef MPM_IO_YAML_NAMES_H
+#define MPM_IO_YAML_NAMES_H
 
 #include <stdbool.h>
 #include <stddef.h>

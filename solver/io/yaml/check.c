@@ -1,0 +1,255 @@
+/* Checks a tree against a table of keys and fills in the defaults.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/status.h"
+#include "io/yaml/keys.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PATH_SIZE = 320 };
+
+struct checking {
+    const struct mpm_source *source;
+    struct mpm_error *error;
+    bool geometry_known;
+    enum mpm_geometry geometry;
+    char path[PATH_SIZE]; /* of the key in hand, for messages */
+};
+
+/* Appends ".name" to the path; returns the length to go back to. */
+static size_t enter(struct checking *checking, const char *name)
+{
+    const size_t length = strlen(checking->path);
+    (void)snprintf(checking->path + length, PATH_SIZE - length, "%s%s", length > 0 ? "." : "",
+                   name);
+    return length;
+}
+
+static size_t enter_position(struct checking *checking, size_t position)
+{
+    char digits[24];
+    (void)snprintf(digits, sizeof digits, "%zu", position);
+    return enter(checking, digits);
+}
+
+static void leave(struct checking *checking, size_t length)
+{
+    checking->path[length] = '\0';
+}
+
+static enum mpm_status no_memory(struct checking *checking)
+{
+    return mpm_error_memory(checking->error, sizeof(struct mpm_tree_node), "the defaults of keys");
+}
+
+/* "WHAT, got VALUE; allowed: ..." */
+static enum mpm_status refuse(struct checking *checking, const struct mpm_key *key,
+                              const struct mpm_tree_node *node, const char *what)
+{
+    char value[MPM_EXCERPT_SIZE], allowed[MPM_ALLOWED_SIZE];
+    return mpm_tree_fault(checking->error, checking->source, node->origin, checking->path,
+                          "%s, got %s; allowed: %s", what, mpm_tree_excerpt(node, value),
+                          mpm_key_allowed(key, allowed));
+}
+
+/* ------------------------------------------------------------------ shapes */
+
+typedef enum mpm_status shape_check(struct checking *checking, const struct mpm_key *key,
+                                    struct mpm_tree_node *node);
+static enum mpm_status check_node(struct checking *checking, const struct mpm_key *key,
+                                  struct mpm_tree_node *node);
+
+static enum mpm_status check_one(struct checking *checking, const struct mpm_key *key,
+                                 struct mpm_tree_node *node)
+{
+    const char *wrong =
+        node->kind != MPM_TREE_SCALAR ? "not a single value" : key->value->fault(key, node);
+    return wrong == NULL ? MPM_OK : refuse(checking, key, node, wrong);
+}
+
+static enum mpm_status check_choice(struct checking *checking, const struct mpm_key *key,
+                                    struct mpm_tree_node *node)
+{
+    if (node->kind != MPM_TREE_SCALAR)
+        return refuse(checking, key, node, "not a single value");
+    if (mpm_key_choice(key, node->text) == NULL)
+        return refuse(checking, key, node, "unknown choice");
+    return MPM_OK;
+}
+
+/* What is wrong with a list as a whole, or NULL. */
+static const char *list_fault(const struct mpm_key *key, const struct mpm_tree_node *node)
+{
+    const bool list = node->kind == MPM_TREE_LIST, points = key->shape == MPM_KEY_POINTS;
+    if (key->shape == MPM_KEY_PAIR)
+        return list && node->count == 2 ? NULL : "not a pair of values";
+    if (!list)
+        return points ? "not a list of points" : "not a list";
+    if (node->count == 0 && key->required && !points)
+        return "empty, one entry is needed at least";
+    if (mpm_range_holds(&key->range, (double)node->count))
+        return NULL;
+    return points ? "wrong number of points" : "wrong number of entries";
+}
+
+static enum mpm_status check_list(struct checking *checking, const struct mpm_key *key,
+                                  struct mpm_tree_node *node)
+{
+    const char *wrong = list_fault(key, node);
+    if (wrong != NULL)
+        return refuse(checking, key, node, wrong);
+    const struct mpm_key entry = mpm_key_entry(key);
+    for (size_t i = 0; i < node->count; i++) {
+        const size_t length = enter_position(checking, i);
+        MPM_TRY(check_node(checking, &entry, node->entries[i].value));
+        leave(checking, length);
+    }
+    return MPM_OK;
+}
+
+/* ------------------------------------------------------------------ groups */
+
+static enum mpm_status refuse_unknown(struct checking *checking, const struct mpm_key *group,
+                                      const struct mpm_tree_node *node)
+{
+    for (size_t i = 0; i < node->count; i++) {
+        const struct mpm_tree_entry *entry = &node->entries[i];
+        if (mpm_key_find(group, entry->key) != NULL)
+            continue;
+        char name[MPM_EXCERPT_SIZE], allowed[MPM_ALLOWED_SIZE];
+        return mpm_tree_fault(checking->error, checking->source, entry->value->origin,
+                              checking->path, "unknown key %s; allowed: %s",
+                              mpm_excerpt(entry->key, name), mpm_key_children(group, allowed));
+    }
+    return MPM_OK;
+}
+
+static enum mpm_status refuse_geometry(struct checking *checking, const struct mpm_key *key,
+                                       const struct mpm_tree_node *node)
+{
+    if (key->where == MPM_ANYWHERE || !checking->geometry_known)
+        return MPM_OK;
+    const bool axisymmetric = checking->geometry == MPM_AXISYMMETRIC;
+    if (axisymmetric == (key->where == MPM_ONLY_AXISYMMETRIC))
+        return MPM_OK;
+    return mpm_tree_fault(checking->error, checking->source, node->origin, checking->path,
+                          "not for this geometry, got geometry %s; allowed: only in %s scenes",
+                          axisymmetric ? "axisymmetric" : "plane strain or stress",
+                          axisymmetric ? "planar" : "axisymmetric");
+}
+
+enum mpm_status mpm_tree_default(const struct mpm_source *source, const struct mpm_key *key,
+                                 struct mpm_tree_node **value, struct mpm_error *error)
+{
+    const struct mpm_origin origin = {.setting = MPM_FROM_DEFAULT};
+    return mpm_tree_parse(source, origin, key->fallback, strlen(key->fallback), value, error);
+}
+
+static enum mpm_status check_missing(struct checking *checking, const struct mpm_key *key,
+                                     struct mpm_tree_node *group)
+{
+    char allowed[MPM_ALLOWED_SIZE];
+    if (key->required)
+        return mpm_tree_fault(checking->error, checking->source, group->origin, checking->path,
+                              "missing, the key is required; allowed: %s",
+                              mpm_key_allowed(key, allowed));
+    if (key->fallback == NULL)
+        return MPM_OK;
+    struct mpm_tree_node *value = NULL;
+    MPM_TRY(mpm_tree_default(checking->source, key, &value, checking->error));
+    if (!mpm_tree_append(group, key->name, value))
+        return no_memory(checking);
+    return check_node(checking, key, value);
+}
+
+/* A scene's geometry decides on other keys: noted as soon as it is checked. */
+static void note_geometry(struct checking *checking, const struct mpm_key *key,
+                          const struct mpm_tree_node *node)
+{
+    if (strcmp(checking->path, "geometry") != 0)
+        return;
+    checking->geometry = (enum mpm_geometry)mpm_key_choice(key, node->text)->value;
+    checking->geometry_known = true;
+}
+
+static enum mpm_status check_key(struct checking *checking, const struct mpm_key *key,
+                                 struct mpm_tree_node *group)
+{
+    const struct mpm_tree_entry *entry = mpm_tree_entry(group, key->name);
+    if (entry == NULL)
+        return check_missing(checking, key, group);
+    MPM_TRY(refuse_geometry(checking, key, entry->value));
+    MPM_TRY(check_node(checking, key, entry->value));
+    note_geometry(checking, key, entry->value);
+    return MPM_OK;
+}
+
+/* `region: all` is short for `region: {all: true}`: a group that has a boolean of that name. */
+static enum mpm_status expand_short_form(struct checking *checking, const struct mpm_key *group,
+                                         struct mpm_tree_node *node)
+{
+    if (node->kind != MPM_TREE_SCALAR)
+        return MPM_OK;
+    const struct mpm_key *key = mpm_key_find(group, node->text);
+    if (key == NULL || key->value != &mpm_kind_boolean || node->quoted)
+        return MPM_OK;
+    struct mpm_tree_node *yes = mpm_tree_new(MPM_TREE_SCALAR, node->origin);
+    if (yes != NULL)
+        yes->text = strdup("true");
+    if (yes == NULL || yes->text == NULL) {
+        mpm_tree_free(yes);
+        return no_memory(checking);
+    }
+    free(node->text);
+    node->text = NULL;
+    node->kind = MPM_TREE_MAPPING;
+    return mpm_tree_append(node, key->name, yes) ? MPM_OK : no_memory(checking);
+}
+
+static enum mpm_status check_group(struct checking *checking, const struct mpm_key *group,
+                                   struct mpm_tree_node *node)
+{
+    MPM_TRY(expand_short_form(checking, group, node));
+    if (node->kind != MPM_TREE_MAPPING) {
+        char value[MPM_EXCERPT_SIZE], allowed[MPM_ALLOWED_SIZE];
+        return mpm_tree_fault(checking->error, checking->source, node->origin, checking->path,
+                              "not a mapping, got %s; allowed: a mapping with keys %s",
+                              mpm_tree_excerpt(node, value), mpm_key_children(group, allowed));
+    }
+    MPM_TRY(refuse_unknown(checking, group, node));
+    for (const struct mpm_key *key = group->children; key->name != NULL; key++) {
+        const size_t length = enter(checking, key->name);
+        MPM_TRY(check_key(checking, key, node));
+        leave(checking, length);
+    }
+    return MPM_OK;
+}
+
+static enum mpm_status check_node(struct checking *checking, const struct mpm_key *key,
+                                  struct mpm_tree_node *node)
+{
+    static shape_check *const checks[] = {
+        [MPM_KEY_ONE] = check_one,       [MPM_KEY_PAIR] = check_list,
+        [MPM_KEY_VALUES] = check_list,   [MPM_KEY_POINTS] = check_list,
+        [MPM_KEY_CHOICE] = check_choice, [MPM_KEY_GROUP] = check_group,
+        [MPM_KEY_LIST] = check_list,
+    };
+    return checks[key->shape](checking, key, node);
+}
+
+enum mpm_status mpm_tree_check(const struct mpm_source *source, const struct mpm_key *root,
+                               struct mpm_tree_node *tree, struct mpm_error *error)
+{
+    struct checking checking = {.source = source, .error = error};
+    /* Another format would have other keys: say so before calling them unknown. */
+    const struct mpm_key *const format = mpm_key_find(root, "format");
+    const struct mpm_tree_entry *const entry = mpm_tree_entry(tree, "format");
+    if (format != NULL && entry != NULL) {
+        const size_t length = enter(&checking, "format");
+        MPM_TRY(check_node(&checking, format, entry->value));
+        leave(&checking, length);
+    }
+    return check_node(&checking, root, tree);
+}

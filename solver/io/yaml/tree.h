@@ -1,0 +1,56 @@
+/* Trees of YAML: parsing, editing, checking, messages.
+ *
+ * libyaml parses; the tree is built from its events, because aliases, tags and the
+ * lines of keys are gone in its document. `--set` edits the tree, and the checks walk it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_IO_YAML_TREE_H
+#define MPM_IO_YAML_TREE_H
+
+#include "mpm_yaml.h"
+
+enum { MPM_EXCERPT_SIZE = 80 };
+
+/* What messages call the places of values by. */
+struct mpm_source {
+    const char *path, *what;     /* "scene file" */
+    const char *const *settings; /* texts of --set; NULL if there are none */
+};
+
+struct mpm_bytes {
+    char *data;
+    size_t length;
+};
+
+/* Reads all of a file; the caller frees bytes->data, also on failure. */
+enum mpm_status mpm_source_read(const struct mpm_source *source, struct mpm_bytes *bytes,
+                                struct mpm_error *error);
+
+/* Parses one YAML document, as mpm_tree_read says. `origin.setting` marks all nodes; with
+ * MPM_FROM_FILE they get their lines. */
+enum mpm_status mpm_tree_parse(const struct mpm_source *source, struct mpm_origin origin,
+                               const char *bytes, size_t length, struct mpm_tree_node **root,
+                               struct mpm_error *error);
+
+/* An empty list or mapping; NULL without memory. */
+struct mpm_tree_node *mpm_tree_new(enum mpm_tree_kind kind, struct mpm_origin origin);
+
+/* Takes `value` over, also on failure; copies `key` (NULL for a list). False without memory. */
+bool mpm_tree_append(struct mpm_tree_node *parent, const char *key, struct mpm_tree_node *value);
+
+/* The entry of a mapping, or NULL. */
+struct mpm_tree_entry *mpm_tree_entry(const struct mpm_tree_node *mapping, const char *key);
+
+/* MPM_BAD_INPUT "path:line: key: message" or "path: --set TEXT: key: message". An empty
+ * key is left out. */
+enum mpm_status mpm_tree_fault(struct mpm_error *error, const struct mpm_source *source,
+                               struct mpm_origin origin, const char *key, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
+
+/* A value for messages, in quotes, cut to the buffer at whole characters. */
+const char *mpm_excerpt(const char *text, char buffer[MPM_EXCERPT_SIZE]);
+
+/* The same for a node: lists and mappings are named, not quoted. */
+const char *mpm_tree_excerpt(const struct mpm_tree_node *node, char buffer[MPM_EXCERPT_SIZE]);
+
+#endif
