@@ -105,18 +105,18 @@ extern const struct mpm_value_kind mpm_kind_number, mpm_kind_integer, mpm_kind_b
  *   LIST    a pointer to an array of these, and how many at count_offset */
 struct mpm_key {
     const char *name;
-    enum mpm_key_shape shape;
     const struct mpm_value_kind *value; /* NULL for CHOICE, GROUP and LIST */
-    enum mpm_key_where where;           /* geometry of scenes that the key belongs to */
-    bool required;
-    struct mpm_dimension dimension;
-    const char *fallback;   /* YAML that stands in for a missing key, or NULL */
-    struct mpm_range range; /* of values; for VALUES, POINTS and LIST how many */
+    enum mpm_key_shape shape;
+    enum mpm_key_where where; /* geometry of scenes that the key belongs to */
+    struct mpm_range range;   /* of values; for VALUES, POINTS and LIST how many */
+    const char *fallback;     /* YAML that stands in for a missing key, or NULL */
     const char *help;
     const struct mpm_key *children; /* of a GROUP or of a LIST's entries */
     const struct mpm_choice *choices;
     size_t choice_count;
     size_t offset, count_offset, size;
+    struct mpm_dimension dimension;
+    bool required;
 };
 
 /* Reads a file by a table: `root` is a GROUP, *data a struct of root->size bytes. MPM_BAD_INPUT as

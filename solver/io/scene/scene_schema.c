@@ -69,18 +69,18 @@ static const struct mpm_value_kind drives = {.name = "drive",
 #define WHERE_PLANAR       MPM_ONLY_PLANAR
 #define WHERE_AXISYMMETRIC MPM_ONLY_AXISYMMETRIC
 
-#define KIND_NUMBER     mpm_kind_number
-#define KIND_INTEGER    mpm_kind_integer
-#define KIND_BOOLEAN    mpm_kind_boolean
-#define KIND_TEXT       mpm_kind_text
-#define KIND_NAME       mpm_kind_name
-#define KIND_EXPRESSION expressions
-#define KIND_DRIVE      drives
-#define KIND_LAW        laws
+#define KIND_NUMBER     (&mpm_kind_number)
+#define KIND_INTEGER    (&mpm_kind_integer)
+#define KIND_BOOLEAN    (&mpm_kind_boolean)
+#define KIND_TEXT       (&mpm_kind_text)
+#define KIND_NAME       (&mpm_kind_name)
+#define KIND_EXPRESSION (&expressions)
+#define KIND_DRIVE      (&drives)
+#define KIND_LAW        (&laws)
 
-#define KEY_ONE(raw, key, kind)    .value = &KIND_##kind
-#define KEY_PAIR(raw, key, kind)   .value = &KIND_##kind
-#define KEY_POINTS(raw, key, kind) .value = &KIND_##kind, .count_offset = offsetof(raw, key##_count)
+#define KEY_ONE(raw, key, kind)    .value = KIND_##kind
+#define KEY_PAIR(raw, key, kind)   .value = KIND_##kind
+#define KEY_POINTS(raw, key, kind) .value = KIND_##kind, .count_offset = offsetof(raw, key##_count)
 #define KEY_CHOICE(raw, key, list)                                                                 \
     .choices = choices_##list, .choice_count = sizeof choices_##list / sizeof choices_##list[0]
 #define KEY_GROUP(raw, key, list) .children = keys_##list, .size = sizeof(struct mpm_raw_##list)
