@@ -96,11 +96,11 @@ static bool may_pass(const struct mpm_state *state, const struct mpm_crack_part 
     return fabs(mpm_crack_part_distance(part, middle)) <= reach + part->thickness;
 }
 
-/* The nodes that are hidden by both. */
-static bool contradict(uint32_t one, uint32_t other)
+/* Both bits of each node that both codes hide. */
+static uint32_t hidden_by_both(uint32_t one, uint32_t other)
 {
     const uint32_t low = 0x55555555u;
-    return ((one | one >> 1) & (other | other >> 1) & low) != 0;
+    return 3u * ((one | one >> 1) & (other | other >> 1) & low);
 }
 
 static void add_to_spans(const struct mpm_state *state, int64_t index, size_t p)
@@ -149,10 +149,12 @@ static void find_code(void *context, size_t p, const struct mpm_cell_block *bloc
         if (made.stencil.count == 0)
             mpm_particle_plain_stencil(state, p, &made.stencil);
         const uint32_t code = code_of(state, site, block, particle, &made);
-        if (contradict(made.code, code))
+        const uint32_t both = hidden_by_both(made.code, code);
+        if (both != 0)
             mpm_strip_record(&state->strips[search->strip], MPM_TWO_CRACKS, state->particles.id[p],
                              0, 0.0);
-        made.code |= code;
+        /* the step is over before it is refused: above one and below the other is no field */
+        made.code |= code & ~both;
     }
     if (made.code != 0)
         keep(search, &made);
