@@ -359,16 +359,17 @@ struct mpm_rest {
      * at in one of 32 steps; 0 if the former is 0. Not over the external work: it goes on at rest,
      * where forces of nodes are out of balance (output.energy_balance) */
     double kinetic_energy;
-    /* The lowest residual since time.rest.after, and when it was reached; a value within 10 % of it
-     * is no lower one. 1 and 0 before. */
+    /* The lowest residual since time.rest.after, and when it was reached. 1 and 0 before. */
     double lowest_residual, lowest_time;
+    double fallen_time; /* the last time when it had fallen by 10 % since the last such time */
 };
 /* Have both been below the scene's bounds for as many steps as it says, not counting those
  * before time.rest.after? False if the scene does not ask. `rest` may be NULL. Steps can be
  * taken after that as well; mpm_scene_run ends there. */
 bool mpm_simulation_at_rest(const struct mpm_simulation *simulation, struct mpm_rest *rest);
 
-/* Has the residual not become lower for time.rest.patience steps? False without that key. */
+/* Has the residual neither fallen by 10 % nor been below the scene's bound for time.rest.patience
+ * steps? False without that key. */
 bool mpm_simulation_stagnates(const struct mpm_simulation *simulation);
 
 /* The J integral at a tip of a crack, as `j_integral` of the scene asks for it, and what follows

@@ -27,6 +27,7 @@
     SUITE(energy_balance)                                                                          \
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
+    SUITE(rest_loads)                                                                              \
     SUITE(time_step)                                                                               \
     SUITE(fill)                                                                                    \
     SUITE(edges)                                                                                   \
