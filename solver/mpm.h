@@ -207,7 +207,7 @@ struct mpm_body_force {
      * MPM_BODY_FORCE_BLOCK, at the start of a step, `time`. Ids are in creation order and stay with
      * their particles; rigid ones are never asked for. Several threads call it at a time, for
      * different particles, and a failed run calls it for times gone by: the force must be a
-     * function of id and time alone. */
+     * function of id and time alone. Another simulation that it advances gets one thread. */
     void (*evaluate)(void *context, double time, size_t count, const uint32_t id[],
                      double *const force[2]);
     void *context; /* must outlive the simulation */
