@@ -41,6 +41,7 @@
     SUITE(activity)                                                                                \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
+    SUITE(cli_check)                                                                               \
     SUITE(catalogue)                                                                               \
     SUITE(methods)                                                                                 \
     SUITE(comparison)                                                                              \
