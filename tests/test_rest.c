@@ -268,6 +268,7 @@ START_TEST(patience_begins_anew_when_the_residual_leaves_its_bound)
         since = falls || rest.residual < 0.3 ? 0 : since + 1;
     }
     ck_assert_int_gt(balanced, PATIENCE);
+    ck_assert(mpm_simulation_stagnates(run.simulation) == (since == PATIENCE));
     test_run_close(&run);
 }
 END_TEST
