@@ -183,9 +183,11 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
                                        struct mpm_error *error);
 
 /* Judges the energy after the last step: call it before results of that step are used. With E the
- * ledger's total energy, W its external work and E_0 the energy at t = 0,
- *     factor = 1 + (E - W - E_0) / (E_0 + largest W so far)
- * is 1 in an exact run. MPM_RUN_FAILED: it is above 10, or E is not finite; the last good step is
+ * ledger's total energy, W its external work, E_0 the energy at t = 0 and K_c the kinetic energy of
+ * the nodes that velocity conditions move,
+ *     factor = 1 + (E - W - E_0) / (E_0 + largest |W| so far + 8 largest K_c so far + 1e-12 m c^2)
+ * is 1 in an exact run; m is the mass of all particles, c their wave speed at t = 0; energy.c
+ * derives the 8. MPM_RUN_FAILED: it is above 10, or E is not finite; the last good step is
  * then the one before that, of those not judged yet, where this was so first. Cost: one pass over
  * the particles, two where the factor may be above 1.5; nothing if the step has been judged. */
 enum mpm_status mpm_simulation_judge(struct mpm_simulation *simulation, struct mpm_error *error);
@@ -209,7 +211,7 @@ struct mpm_body_force {
      * MPM_BODY_FORCE_BLOCK, at the start of a step, `time`. Ids are in creation order and stay with
      * their particles; rigid ones are never asked for. Several threads call it at a time, for
      * different particles, and a failed run calls it for times gone by: the force must be a
-     * function of id and time alone. */
+     * function of id and time alone. Another simulation that it advances gets one thread. */
     void (*evaluate)(void *context, double time, size_t count, const uint32_t id[],
                      double *const force[2]);
     void *context; /* must outlive the simulation */
@@ -360,16 +362,17 @@ struct mpm_rest {
      * at in one of 32 steps; 0 if the former is 0. Not over the external work: it goes on at rest,
      * where forces of nodes are out of balance (output.energy_balance) */
     double kinetic_energy;
-    /* The lowest residual since time.rest.after, and when it was reached; a value within 10 % of it
-     * is no lower one. 1 and 0 before. */
+    /* The lowest residual since time.rest.after, and when it was reached. 1 and 0 before. */
     double lowest_residual, lowest_time;
+    double fallen_time; /* the last time when it had fallen by 10 % since the last such time */
 };
 /* Have both been below the scene's bounds for as many steps as it says, not counting those
  * before time.rest.after? False if the scene does not ask. `rest` may be NULL. Steps can be
  * taken after that as well; mpm_scene_run ends there. */
 bool mpm_simulation_at_rest(const struct mpm_simulation *simulation, struct mpm_rest *rest);
 
-/* Has the residual not become lower for time.rest.patience steps? False without that key. */
+/* Has the residual neither fallen by 10 % nor been below the scene's bound for time.rest.patience
+ * steps? False without that key. */
 bool mpm_simulation_stagnates(const struct mpm_simulation *simulation);
 
 /* The J integral at a tip of a crack, as `j_integral` of the scene asks for it, and what follows

@@ -29,6 +29,7 @@
     SUITE(energy_balance)                                                                          \
     SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
+    SUITE(rest_loads)                                                                              \
     SUITE(time_step)                                                                               \
     SUITE(fill)                                                                                    \
     SUITE(edges)                                                                                   \
@@ -42,6 +43,7 @@
     SUITE(activity)                                                                                \
     SUITE(results)                                                                                 \
     SUITE(cli)                                                                                     \
+    SUITE(cli_check)                                                                               \
     SUITE(catalogue)                                                                               \
     SUITE(methods)                                                                                 \
     SUITE(comparison)                                                                              \

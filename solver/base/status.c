@@ -31,8 +31,9 @@ static const struct mpm_cause_info causes[MPM_CAUSE_COUNT] = {
                          "a crack that is stretched, grown or near others too far"},
     [MPM_CAUSE_J_INTEGRAL] = {"no_j_integral", "J integral without a value",
                               "a contour that left its body or meets another crack"},
-    [MPM_CAUSE_NOT_AT_REST] = {"not_at_rest", "not at rest",
-                               "time.end or time.steps reached before time.rest was met"},
+    [MPM_CAUSE_NOT_AT_REST] =
+        {"not_at_rest", "not at rest",
+         "time.end or time.steps reached, or time.rest.patience over, before rest"},
 };
 
 const struct mpm_cause_info *mpm_cause_describe(enum mpm_cause cause)

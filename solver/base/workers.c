@@ -82,6 +82,8 @@ static bool look_again(struct wait *wait)
 
 /* ------------------------------------------------------------------ working */
 
+static _Thread_local bool is_at_work; /* on items of a shared job */
+
 static bool has_item(const struct team *team, int worker)
 {
     const uint64_t ticket = atomic_load(&team->ticket);
@@ -101,6 +103,7 @@ static bool take_item(struct team *team, int worker, int64_t *item)
 
 static void work_items(struct team *team, int worker)
 {
+    is_at_work = true;
     for (int64_t item; take_item(team, worker, &item);) {
         team->work(team->context, item, worker);
         if (atomic_fetch_sub(&team->pending, 1) == 1 && atomic_load(&team->owner_sleeps)) {
@@ -109,6 +112,7 @@ static void work_items(struct team *team, int worker)
             (void)pthread_mutex_unlock(&team->mutex);
         }
     }
+    is_at_work = false;
 }
 
 static void leave(struct team *team)
@@ -286,7 +290,7 @@ void mpm_workers_run(int64_t count, int workers,
     const int useful = (int64_t)workers < count ? workers : (int)count;
     const int allowed = useful < WORKERS_MAX ? useful : WORKERS_MAX;
     struct team *team = NULL;
-    if (allowed > 1)
+    if (allowed > 1 && !is_at_work)
         team = find_team(allowed);
     if (team != NULL) {
         share(team, count, allowed, work, context);

@@ -17,7 +17,8 @@
 /* Runs work(context, item, worker) for items 0 .. count - 1, in no stated order, `worker` in
  * [0, workers). Returns when all are done. Each calling thread has helpers of its own: made when
  * first needed, gone when it ends. If the system has no thread to give, fewer workers do the same
- * work. In a child of fork helpers are made again. */
+ * work. In a child of fork helpers are made again. Called by `work` of a shared job, it runs all
+ * items in the thread that calls, in order, as worker 0: the team is busy with the job outside. */
 void mpm_workers_run(int64_t count, int workers,
                      void (*work)(void *context, int64_t item, int worker), void *context);
 

@@ -63,12 +63,18 @@ static void add_simulation_options(GOptionContext *context, struct simulation_te
     g_option_context_add_main_entries(context, options, NULL);
 }
 
-/* OMP_NUM_THREADS may be a list: the first number of it. */
+/* OMP_NUM_THREADS may be a list: the first number of it. All processors if that is no whole number
+ * from 1 on. */
 static int default_threads(void)
 {
     const char *text = g_getenv("OMP_NUM_THREADS");
-    const guint64 number = text != NULL ? g_ascii_strtoull(text, NULL, 10) : 0;
-    return (int)MIN(number > 0 ? number : g_get_num_processors(), (guint64)THREADS_MAX);
+    char **list = g_strsplit(text != NULL ? text : "", ",", 2);
+    guint64 number = 0;
+    if (list[0] == NULL ||
+        !g_ascii_string_to_unsigned(g_strstrip(list[0]), 10, 1, G_MAXUINT64, &number, NULL))
+        number = g_get_num_processors();
+    g_strfreev(list);
+    return (int)MIN(number, (guint64)THREADS_MAX);
 }
 
 static enum cli_outcome take_threads(const struct cli_command *command, const char *text,

@@ -14,9 +14,9 @@ static const char description[] =
     "particles.hdf.series, which ParaView opens. A folder that holds results is\n"
     "refused unless --overwrite is given, which removes them first.\n"
     "Results are the same for any number of threads, and for any LEVEL of SIMD. 'mpm\n"
-    "check' says which kernels and how many threads a scene gets, and why. PATH is a place in the "
-    "scene, such as grid.refine,\n"
-    "materials.polymer.bulk or bodies.0.velocity.1; VALUE is YAML.";
+    "check' says which kernels and how many threads a scene gets, and why. PATH is a\n"
+    "place in the scene, such as grid.refine, materials.polymer.bulk or\n"
+    "bodies.0.velocity.1; VALUE is YAML.";
 
 struct run_arguments {
     char *scene, *output;

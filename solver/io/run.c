@@ -187,12 +187,14 @@ static void report_progress(const struct run *run)
 }
 
 /* What may bring a scene to rest that has not come there, by what keeps it from it. */
-static const char *rest_advice(const struct mpm_rest *rest, const struct mpm_rest_spec *asked,
-                               double time)
+static const char *rest_advice(const struct run *run, const struct mpm_rest *rest)
 {
+    const struct mpm_rest_spec *const asked = &run->scene->rest;
+    const enum mpm_stress_update order = run->scene->stress_update;
     const bool balanced = rest->residual < asked->residual;
     const bool still = rest->kinetic_energy < asked->kinetic_energy;
-    const bool falls = rest->lowest_time > 0.75 * time;
+    const bool falls = rest->fallen_time > 0.75 * mpm_simulation_time(run->simulation) &&
+                       !mpm_simulation_stagnates(run->simulation);
     if (balanced && still)
         return "both are below now: run longer";
     if (balanced)
@@ -200,12 +202,14 @@ static const char *rest_advice(const struct mpm_rest *rest, const struct mpm_res
                "carry, damping.particle and damping.pic do";
     if (falls)
         return "the residual still falls: run longer, or damp more";
+    if (still && (order == MPM_USL || order == MPM_USAVG_ONCE))
+        return "particles do not move, nodes are not balanced: allow a larger residual";
     if (still)
         return "particles do not move, nodes are not balanced: with stress_update musl, usf and "
-               "usavg "
-               "the strain does not follow nodes of little mass at an edge; usl does, and usavg "
-               "with "
-               "extrapolate: false, or allow a larger residual";
+               "usavg the strain does not follow nodes of little mass at an edge; with usl it "
+               "does, and with usavg and extrapolate: false; or allow a larger residual";
+    if (mpm_simulation_stagnates(run->simulation))
+        return "damp more, or give time.rest.patience more steps";
     return "damp more, or run longer";
 }
 
@@ -223,8 +227,7 @@ static enum mpm_status check_rest(const struct run *run, struct mpm_error *error
                           end_reason(run), mpm_simulation_step(run->simulation),
                           mpm_simulation_time(run->simulation), rest.residual, rest.kinetic_energy,
                           asked->residual, asked->kinetic_energy, asked->steps, rest.lowest_time,
-                          rest.lowest_residual,
-                          rest_advice(&rest, asked, mpm_simulation_time(run->simulation)));
+                          rest.lowest_residual, rest_advice(run, &rest));
 }
 
 static enum mpm_status march(struct run *run, struct mpm_error *error)

@@ -9,11 +9,13 @@
 
 #include <stddef.h>
 
-/* At least the sum of mass times strain energy of the particles begin .. end - 1, all of that
- * material, and at small strains no more than 1 + G/(3 K) times it (neo_hookean) or the sum itself
- * (linear_elastic; any other law). `deformation` has the components of F particle by particle, det
- * F above 0. To round-off of the material's stiffness times mass. Cost: some 25 instructions a
- * particle, those of its energy for any other law. */
+/* A number that is not below the sum of mass times strain energy of the particles begin .. end - 1,
+ * all of that material, but for round-off of the material's stiffness times mass:
+ *   neo_hookean: at small strains at most 1 + G/(3 K) times the sum;
+ *   linear_elastic: the sum itself;
+ *   any other law: HUGE_VAL, so that who asks takes the sum itself.
+ * `deformation` has the components of F particle by particle; det F is above 0. Cost: some 25
+ * instructions a particle. */
 double mpm_energy_bound(const struct mpm_material *material,
                         double *const deformation[MPM_GRADIENT_SIZE], const double *mass,
                         size_t begin, size_t end);

@@ -8,7 +8,7 @@
 /* Strain energy changes slowly where motion dies away, and costs a logarithm a particle. */
 enum { STEPS_BETWEEN_ENERGIES = 32 };
 
-/* A residual that falls and swings is lower again only if it is lower by this much. */
+/* A residual that swings has fallen only if it is lower by this much. */
 static const double LOWER = 0.9;
 
 static double residual(const struct mpm_simulation *simulation)
@@ -43,11 +43,19 @@ static void keep_lowest_residual(struct mpm_simulation *simulation)
 {
     struct mpm_rest_watch *const watch = &simulation->rest;
     const double now = residual(simulation);
-    if (watch->lowest_step != 0 && now >= LOWER * watch->lowest_residual)
-        return;
-    watch->lowest_residual = now;
-    watch->lowest_time = simulation->state.time;
-    watch->lowest_step = simulation->step;
+    const bool first = watch->progress_step == 0;
+    if (first || now < watch->lowest_residual) {
+        watch->lowest_residual = now;
+        watch->lowest_time = simulation->state.time;
+    }
+    if (first || now < LOWER * watch->fallen_residual) {
+        watch->fallen_residual = now;
+        watch->fallen_time = simulation->state.time;
+        watch->progress_step = simulation->step;
+    }
+    /* nodes in balance wait for particles, or for rest.steps */
+    if (now < simulation->scene->rest.residual)
+        watch->progress_step = simulation->step;
 }
 
 void mpm_rest_judge(struct mpm_simulation *simulation)
@@ -71,8 +79,9 @@ bool mpm_simulation_at_rest(const struct mpm_simulation *simulation, struct mpm_
             .asked = asked,
             .residual = asked ? residual(simulation) : 0.0,
             .kinetic_energy = asked ? kinetic_energy(simulation) : 0.0,
-            .lowest_residual = watch->lowest_step != 0 ? watch->lowest_residual : 1.0,
+            .lowest_residual = watch->progress_step != 0 ? watch->lowest_residual : 1.0,
             .lowest_time = watch->lowest_time,
+            .fallen_time = watch->fallen_time,
         };
     return asked && watch->steps_at_rest >= simulation->scene->rest.steps;
 }
@@ -80,6 +89,6 @@ bool mpm_simulation_at_rest(const struct mpm_simulation *simulation, struct mpm_
 bool mpm_simulation_stagnates(const struct mpm_simulation *simulation)
 {
     const int64_t patience = simulation->scene->rest.patience;
-    const uint64_t lowest = simulation->rest.lowest_step;
-    return patience > 0 && lowest != 0 && simulation->step - lowest >= (uint64_t)patience;
+    const uint64_t progress = simulation->rest.progress_step;
+    return patience > 0 && progress != 0 && simulation->step - progress >= (uint64_t)patience;
 }

@@ -43,7 +43,8 @@ struct mpm_rest_watch {
     int64_t steps_at_rest; /* in a row */
     double largest_energy; /* kinetic and strain energy, so far */
     double lowest_residual, lowest_time;
-    uint64_t lowest_step; /* 0: none yet */
+    double fallen_residual, fallen_time; /* where it last fell by a tenth */
+    uint64_t progress_step; /* the last one where it did, or was below the bound; 0: none */
 };
 
 struct mpm_simulation {

@@ -49,10 +49,12 @@ static const struct row {
     {MPM_BSPLINE2, MPM_MUSL, PLAIN, 2.115, 1.497},
     {MPM_BSPLINE2, MPM_USF, PLAIN, 2.115, 0.453},
     {MPM_BSPLINE2, MPM_USAVG, PLAIN, 2.115, 1.891},
+    {MPM_BSPLINE2, MPM_USAVG_ONCE, PLAIN, 1.134, 1.321},
     {MPM_BSPLINE3, MPM_USL, PLAIN, 1.047, 1.121},
     {MPM_BSPLINE3, MPM_MUSL, PLAIN, 2.364, 1.574},
     {MPM_BSPLINE3, MPM_USF, PLAIN, 2.364, 0.535},
     {MPM_BSPLINE3, MPM_USAVG, PLAIN, 2.364, 1.574},
+    {MPM_BSPLINE3, MPM_USAVG_ONCE, PLAIN, 1.400, 1.497},
     {MPM_UGIMP, MPM_MUSL, PIC, 1.448, 1.716},
     {MPM_UGIMP, MPM_USAVG, PIC, 1.448, 1.692},
     {MPM_CPDI, MPM_USAVG, PIC, 1.448, 1.740},
@@ -190,31 +192,36 @@ struct mpm_stability mpm_scene_stability(const struct mpm_scene *scene)
     return found;
 }
 
-/* "0.57", or in words where the least number tried was too large. */
-static void describe_limit(double limit, char *text, size_t size)
+/* The least Courant number tried. A limit of 0 says that it was too large; of those below, nothing
+ * is known. */
+static const double LEAST_TRIED = 0.1;
+
+/* What is known of the Courant number. */
+static void describe_limit(double courant, double limit, char *text, size_t size)
 {
     if (limit > 0.0)
-        (void)snprintf(text, size, "the largest one, %.3g,", limit);
+        (void)snprintf(text, size, "Courant number %.3g is above the largest one, %.3g, at which",
+                       courant, limit);
     else
-        (void)snprintf(text, size, "any from 0.1 on");
+        (void)snprintf(text, size, "Courant number %.3g: none from %g on has been found at which",
+                       courant, LEAST_TRIED);
 }
 
 void mpm_stability_advise(struct mpm_simulation *simulation)
 {
     const struct mpm_stability stability = mpm_scene_stability(simulation->scene);
     const double courant = mpm_time_step_courant(simulation);
-    const bool is_small = courant > stability.small;
-    char limit[64];
+    const bool is_small = courant > fmax(stability.small, LEAST_TRIED);
+    char limit[80];
     simulation->advice[0] = '\0';
-    if (!is_small && !(courant > stability.large))
+    if (!is_small && !(courant > fmax(stability.large, LEAST_TRIED)))
         return;
-    describe_limit(is_small ? stability.small : stability.large, limit, sizeof limit);
+    describe_limit(courant, is_small ? stability.small : stability.large, limit, sizeof limit);
     (void)snprintf(
         simulation->advice, sizeof simulation->advice,
-        "Courant number %.3g is above %s at which %s kept %s bounded (case G1): %s; take a smaller "
-        "time.courant or time.step, or another method",
-        courant, limit,
-        stability.measured ? "this method" : "a method with one of the choices of this one",
+        "%s %s kept %s bounded (case G1): %s; take a smaller time.courant or time.step, or another "
+        "method",
+        limit, stability.measured ? "this method" : "a method with one of the choices of this one",
         is_small ? "small motions" : "motions at 0.3 of the wave speed",
         is_small ? "the run may become unstable" : "large strains may feed its energy");
 }

@@ -19,16 +19,19 @@ def draw_crack_count(canvas):
 
 def draw_crack_points(canvas, _):
     """A chain across the first body, off the nodes and the particles: straight or with a kink,
-    in any direction; the second one is beside the first, one and a half to three cells away."""
+    in any direction; the second one is beside the first, from either end. What is pressed is one and a
+    half cells away or more: pairs of particles then have one crack between them."""
     low, high = canvas.notes["boxes"][0]
     if canvas.path[-1] > 0:
         first = canvas.notes["chain"]
-        away = canvas.pick([2, 1.5, 1.75, 2.5, 3])
+        away = canvas.pick([2, 1.5, 1.75, 2.5, 3] +
+                           ([] if canvas.situation == "pressed" else [0.2, 0.4, 0.7, 1]))
         (x0, y0), (x1, y1) = first[0], first[-1]
         length = math.hypot(x1 - x0, y1 - y0)
         side = 1 if y0 < (low[1] + high[1]) / 2 else -1
         across = [-(y1 - y0) / length * away * side, (x1 - x0) / length * away * side]
-        return [place(canvas, [point[k] + across[k] for k in range(2)]) for point in first]
+        order = reversed(first) if canvas.chance(50) else first
+        return [place(canvas, [point[k] + across[k] for k in range(2)]) for point in order]
     width = [high[k] - low[k] for k in range(2)]
     if canvas.notes["fracture"]:
         height = low[1] + width[1] // 2 + 0.4371

@@ -163,7 +163,7 @@
     X(S, ONE, after, NUMBER, ANYWHERE, OPTIONAL, TIME, "0", AT_LEAST(0),                         \
       "rest is not looked for before: when the loads are complete")                                \
     X(S, ONE, patience, INTEGER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(1, 1000000000),             \
-      "the run has failed if the residual has not fallen by 10 % for so many steps; without it, it goes on to the end")
+      "the run has failed if the residual, above its threshold, has not fallen by 10 % for so many steps; without it, it goes on to the end")
 
 #define KEYS_time(X, S)                                                                            \
     X(S, ONE, end, NUMBER, ANYWHERE, REQUIRED, TIME, NULL, ABOVE(0), "when the run ends")        \

@@ -293,7 +293,8 @@ void mpm_damping_find_drag(struct mpm_state *state)
     run_particles(state, work);
     for (int64_t s = 0; s < state->strip_count; s++) {
         state->external_work += state->strips[s].external_work;
-        state->energy.lost += state->strips[s].external_work; /* that nodes do not know of */
+        if (state->energy.measured)
+            state->energy.lost += state->strips[s].external_work; /* that nodes do not know of */
     }
 }
 

@@ -82,6 +82,19 @@ const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, si
     return room;
 }
 
+/* A node on a plane of symmetry has half of what it has in the whole model; symmetry.h. */
+static double whole_mass(const struct mpm_state *state, int64_t node)
+{
+    const int64_t columns = state->grid.columns;
+    double mass = state->grid.mass[node];
+    for (size_t k = 0; k < state->symmetry_count; k++) {
+        const struct mpm_symmetry *const plane = &state->symmetries[k];
+        if ((plane->axis == 0 ? node % columns : node / columns) == plane->line)
+            mass *= 2.0;
+    }
+    return mass;
+}
+
 MPM_INLINE const struct mpm_stencil *read_back_weights(const struct mpm_state *state,
                                                        const struct mpm_stencil *stencil,
                                                        bool by_momentum,
@@ -91,11 +104,11 @@ MPM_INLINE const struct mpm_stencil *read_back_weights(const struct mpm_state *s
     if (!by_momentum)
         return stencil;
     for (int k = 0; k < stencil->count; k++)
-        mass += stencil->node[k].s * state->grid.mass[state->node_zero + stencil->node[k].node];
+        mass += stencil->node[k].s * whole_mass(state, state->node_zero + stencil->node[k].node);
     weights->count = stencil->count;
     for (int k = 0; k < stencil->count; k++) {
         const struct mpm_stencil_node *const entry = &stencil->node[k];
-        const double part = state->grid.mass[state->node_zero + entry->node] / mass;
+        const double part = whole_mass(state, state->node_zero + entry->node) / mass;
         weights->node[k] = (struct mpm_stencil_node){
             .node = entry->node,
             .s = part * entry->s,

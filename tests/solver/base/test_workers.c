@@ -79,6 +79,28 @@ START_TEST(helpers_that_went_to_sleep_are_woken)
 }
 END_TEST
 
+/* An item of the job outside is a job of its own. */
+static void run_job_within(void *context, int64_t item, int worker)
+{
+    const struct timespec moment = {.tv_nsec = 20000}; /* lets helpers take items as well */
+    (void)worker;
+    (void)nanosleep(&moment, NULL);
+    *(_Atomic int *)context += run_job(counts[item % COUNTS], WORKERS_MAX);
+    *(_Atomic int *)context += 1000000;
+}
+
+START_TEST(a_job_within_a_job_leaves_the_one_outside_alone)
+{
+    enum { ITEMS = 24 };
+    for (int turn = 0; turn < 50; turn++) {
+        _Atomic int done = 0;
+        mpm_workers_run(ITEMS, 2 + turn % (WORKERS_MAX - 1), run_job_within, &done);
+        ck_assert_int_eq(done, ITEMS * 1000000);
+    }
+    ck_assert_int_eq(run_jobs(), 0); /* and workers are shared again */
+}
+END_TEST
+
 static void work_slowly(void *context, int64_t item, int worker)
 {
     const struct timespec pause = {.tv_nsec = worker == 0 ? 200000 : 5000000};
@@ -227,6 +249,7 @@ Suite *suite_workers(void)
     TCase *workers = tcase_create("workers");
     tcase_add_test(workers, each_item_runs_once_and_each_worker_does_one_at_a_time);
     tcase_add_test(workers, helpers_that_went_to_sleep_are_woken);
+    tcase_add_test(workers, a_job_within_a_job_leaves_the_one_outside_alone);
     tcase_add_test(workers, a_job_is_over_when_its_slowest_item_is_done);
     tcase_add_test(workers, helpers_without_work_use_no_processor_time);
     tcase_add_test(workers, threads_that_call_at_the_same_time_have_helpers_of_their_own);

@@ -329,6 +329,18 @@ static const struct {
      "a point of cracks.0 left the grid from ("},
     {{"cracks=[{points: [[2, 5.3], [10, 5.3]]}, {points: [[2, 5.5], [10, 5.5]]}]"},
      "reaches a node past two cracks; allowed: past one"},
+    /* the second one runs back: above one is below the other, for functions of any support */
+    {{"cracks=[{points: [[2, 5.3], [10, 5.3]]}, {points: [[10, 5.5], [2, 5.5]]}]"},
+     "reaches a node past two cracks; allowed: past one"},
+    {{"cracks=[{points: [[2, 5.3], [10, 5.3]]}, {points: [[10, 5.5], [2, 5.5]]}]",
+      "method={shape: ugimp, cracks: visibility}"},
+     "reaches a node past two cracks; allowed: past one"},
+    {{"cracks=[{points: [[10, 5.3], [2, 5.3]]}, {points: [[2, 5.6], [10, 5.6]]}]",
+      "method.shape=cpdi"},
+     "reaches a node past two cracks; allowed: past one"},
+    {{"cracks=[{points: [[2, 5.5], [10, 5.5]]}, {points: [[10, 6.1], [2, 6.1]]}]",
+      "method.shape=bspline2"},
+     "reaches a node past two cracks; allowed: past one"},
     {{"cracks=[{points: [[5.2, 5.6], [6.8, 5.6]], contact: none, spacing: 1}]",
       "bodies=[{name: block, material: rubber, velocity: ['2*(x-6)', 0], "
       "region: {rectangle: {from: [5.2, 3.2], to: [6.8, 8]}}}]",

@@ -202,6 +202,59 @@ START_TEST(work_of_either_sign_is_no_growth)
 }
 END_TEST
 
+/* The ends of a block at rest are pulled at once, one of them or a node is, or a rigid body goes
+ * along its side: the first steps strain what does no work yet. In small motion, for which the
+ * limits of methods hold. */
+static const char *const sudden[] = {
+    "boundary=[{region: {line: {from: [0, 8], to: [14, 8]}}, velocity: [0, 0.003]}, "
+    "{region: {line: {from: [0, 4], to: [14, 4]}}, velocity: [0, -0.003]}]",
+    "boundary=[{region: {line: {from: [4, 0], to: [4, 14]}}, velocity: [-0.003, 0.002]}]",
+    "boundary=[{region: {rectangle: {from: [6, 6], to: [6.1, 6.1]}}, velocity: [0.002, 0.002]}]",
+    "bodies=[{name: b, material: m, region: {rectangle: {from: [4, 4], to: [8, 8]}}}, "
+    "{name: r, rigid: {velocity: [0.003, free]}, region: {rectangle: {from: [3, 3], to: [4, 9]}}}]",
+};
+static const double courants[] = {0.3, 0.5, 0.7, 0.9, 1.0};
+enum { SUDDEN = G_N_ELEMENTS(sudden), COURANTS = G_N_ELEMENTS(courants), FEW_STEPS = 12 };
+
+START_TEST(a_condition_that_starts_at_once_is_no_growth)
+{
+    char *const time =
+        g_strdup_printf("time={end: 10, courant: %g}", courants[_i / SUDDEN % COURANTS]);
+    const char *const order = orders[_i / SUDDEN / COURANTS];
+    for (int shape = 0; shape < SHAPES; shape++) {
+        const char *const settings[] = {
+            time, order, "bodies.b.velocity=[0, 0]", shapes[shape], sudden[_i % SUDDEN], NULL};
+        struct mpm_energy_growth growth;
+        struct test_run run = test_run_open(BLOCK, settings, 1);
+        const struct mpm_stability stability = mpm_scene_stability(run.scene);
+        if (courants[_i / SUDDEN % COURANTS] <= stability.small) /* else growth is what it is */
+            for (int step = 0; step < FEW_STEPS; step++) {
+                test_run_steps(&run, 1);
+                ck_assert_int_eq(mpm_simulation_judge(run.simulation, NULL), MPM_OK);
+            }
+        ck_assert_msg(!mpm_simulation_energy_growth(run.simulation, &growth),
+                      "%s %s %s %s: %g at step %d", time, order, shapes[shape], sudden[_i % SUDDEN],
+                      growth.largest, (int)growth.step);
+        test_run_close(&run);
+    }
+    g_free(time);
+}
+END_TEST
+
+/* What a condition may put in at once does not hide a run that blows up. */
+START_TEST(a_driven_block_beyond_its_limit_fails_for_its_energy)
+{
+    const char *const settings[] = {"time={end: 100, courant: 1}", "bodies.b.velocity=[0, 0]",
+                                    sudden[_i], NULL};
+    struct mpm_error error = {0};
+    struct test_run run = test_run_open(BLOCK, settings, 1);
+    double most;
+    ck_assert_int_eq(go(&run, 100.0, true, &most, &error), MPM_RUN_FAILED);
+    ck_assert_msg(error.cause == MPM_CAUSE_ENERGY, "%s", error.message);
+    test_run_close(&run);
+}
+END_TEST
+
 START_TEST(strain_energy_that_a_caller_gives_is_put_in)
 {
     static const char *const settings[] = {"time={end: 10, courant: 0.4}",
@@ -304,6 +357,19 @@ START_TEST(the_bound_is_not_below_the_energy_and_near_it_at_small_strains)
 }
 END_TEST
 
+START_TEST(a_law_without_a_bound_has_its_energy_summed)
+{
+    const struct mpm_material_law other = mpm_neo_hookean;
+    const struct mpm_material material = mpm_material_make(&other, 1.0, 2.0, 1.0);
+    double f[MPM_GRADIENT_SIZE] = {0}, mass = 1.0;
+    double *component[MPM_GRADIENT_SIZE];
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        component[i] = &f[i];
+    f[MPM_XX] = f[MPM_YY] = f[MPM_ZZ] = 1.1;
+    ck_assert(mpm_energy_bound(&material, component, &mass, 0, 1) == HUGE_VAL);
+}
+END_TEST
+
 Suite *suite_energy(void)
 {
     Suite *const suite = suite_create("energy");
@@ -316,11 +382,15 @@ Suite *suite_energy(void)
                    a_run_that_breaks_after_its_energy_blew_up_says_so_and_goes_back_before_it);
     tcase_add_test(tests, a_run_whose_energy_grows_and_stays_bounded_goes_on_and_tells);
     tcase_add_loop_test(tests, work_of_either_sign_is_no_growth, 0, SOUND);
+    tcase_add_loop_test(tests, a_condition_that_starts_at_once_is_no_growth, 0,
+                        SUDDEN * COURANTS * ORDERS);
+    tcase_add_loop_test(tests, a_driven_block_beyond_its_limit_fails_for_its_energy, 0, SUDDEN);
     tcase_add_test(tests, strain_energy_that_a_caller_gives_is_put_in);
     tcase_add_loop_test(tests, a_start_that_is_no_number_or_has_no_end_is_refused, 0, ENDLESS);
     tcase_add_test(tests, a_number_of_steps_takes_the_place_of_an_end_that_is_never_reached);
     tcase_add_loop_test(tests, the_bound_is_not_below_the_energy_and_near_it_at_small_strains, 0,
                         8);
+    tcase_add_test(tests, a_law_without_a_bound_has_its_energy_summed);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -129,6 +129,19 @@ START_TEST(what_damping_takes_out_closes_the_balance_of_energy)
 }
 END_TEST
 
+/* Work that nodes do not know of is counted as lost for output.energy_balance alone. */
+START_TEST(what_nothing_measures_is_not_summed)
+{
+    static const char *const balances[] = {"output.energy_balance=false",
+                                           "output.energy_balance=true"};
+    const char *const settings[] = {STANDS, "damping={particle: 0.3}", balances[_i], NULL};
+    struct test_run run = test_run_open(COLUMN, settings, 1);
+    test_run_steps(&run, 5);
+    ck_assert((run.simulation->state.energy.lost != 0.0) == (_i == 1));
+    test_run_close(&run);
+}
+END_TEST
+
 /* --------------------------------------------------------------------- rest */
 
 static const char *const dampings[] = {"damping={grid: 0.3}", "damping={particle: 0.3}",
@@ -216,100 +229,46 @@ START_TEST(a_body_that_nothing_moves_is_at_rest_after_its_steps_and_not_before_i
 }
 END_TEST
 
-/* -------------------------------------------------------------- loads at rest */
-
-/* A plate that is pulled at both ends and damped, with PIC damping almost all of what nodes do not
- * carry. */
-#define PLATE                                                                                      \
-    "format: 1\n"                                                                                  \
-    "geometry: plane_strain\n"                                                                     \
-    "grid: {origin: [-2, -2], cell: [1, 1], cells: [8, 12]}\n"                                     \
-    "time: {end: 2, courant: 0.4, rest: {residual: 1e-6, kinetic_energy: 1e-9, after: 0.1}}\n"     \
-    "damping: {grid: 30, pic: 0.1}\n"                                                              \
-    "materials: [{name: glass, law: linear_elastic, density: 1e-3, young: 1000, poisson: 0.3}]\n"  \
-    "bodies: [{name: plate, material: glass, region: {rectangle: {from: [0, 0], to: [4, 8]}}}]\n"  \
-    "output: {energy_balance: true}\n"                                                             \
-    "loads:\n"                                                                                     \
-    "  tractions:\n"                                                                               \
-    "    - {body: plate, edge: top, value: [0, 't<0.1 ? t*10 : 1']}\n"                             \
-    "    - {body: plate, edge: bottom, value: [0, 't<0.1 ? -t*10 : -1']}\n"
-
-/* The stretched edges reach nodes of little mass. Where the stress update takes the velocities of
- * the momentum update (USL, USAVG without the second extrapolation), strains follow them into
- * balance. The other orders take velocities extrapolated from the particles, which these nodes
- * hardly change: their forces stay unbalanced, and work of the load goes on being lost there. */
-static const struct {
-    const char *method;
-    bool rests;
-} pulled[] = {
-    {"{stress_update: usl}", true},   {"{stress_update: usavg, extrapolate: false}", true},
-    {"{stress_update: musl}", false}, {"{stress_update: usavg}", false},
-    {"{stress_update: usf}", false},
-};
-
-START_TEST(a_pulled_plate_comes_to_rest_where_the_strain_follows_all_nodes)
+/* The residual is 0 from the first step on, and cannot fall. */
+START_TEST(patience_does_not_end_while_the_residual_is_below_its_bound)
 {
-    char *const method = g_strdup_printf("method=%s", pulled[_i].method);
-    const char *const settings[] = {method, NULL};
-    struct test_run run = test_run_open(PLATE, settings, 1);
-    while (test_run_ledger(&run).time < 0.6 && !mpm_simulation_at_rest(run.simulation, NULL))
+    const char *const settings[] = {"time={end: 9, step: 0.1, rest: {residual: 0.1, "
+                                    "kinetic_energy: 0.1, steps: 10, patience: 5}}",
+                                    NULL};
+    struct test_run run = test_run_open(COLUMN, settings, 1);
+    for (int step = 0; step < 10; step++) {
+        ck_assert(!mpm_simulation_at_rest(run.simulation, NULL));
+        ck_assert(!mpm_simulation_stagnates(run.simulation));
         test_run_steps(&run, 1);
-    const struct mpm_ledger early = test_run_ledger(&run);
-    test_run_steps(&run, 1000);
-    const struct mpm_ledger late = test_run_ledger(&run);
-    const double work = late.external_work - early.external_work;
-    ck_assert(mpm_simulation_at_rest(run.simulation, NULL) == pulled[_i].rests);
-    ck_assert_double_lt(late.kinetic_energy, 1e-9 * late.strain_energy);
-    /* the residual squared is the order of the work: 1e-6 and 1e-3 */
-    if (pulled[_i].rests)
-        ck_assert_double_lt(fabs(work), 1e-6 * late.strain_energy);
-    else
-        ck_assert_double_gt(work, 1e-3 * late.strain_energy);
-    ck_assert_near(late.transfer_loss - early.transfer_loss, work, 1e-6 * late.strain_energy);
-    g_free(method);
-    test_run_close(&run);
-}
-END_TEST
-
-/* What a load does to nodes that particles do not follow is no energy of the body. */
-START_TEST(the_kinetic_energy_at_rest_is_measured_by_the_energy_of_the_body)
-{
-    struct test_run run = test_run_open(PLATE, NULL, 1);
-    double largest = 0.0;
-    struct mpm_rest rest;
-    for (int step = 1; step <= 1500; step++) {
-        test_run_steps(&run, 1);
-        const struct mpm_ledger ledger = test_run_ledger(&run);
-        largest =
-            fmax(largest, ledger.kinetic_energy + (step % 32 == 0 ? ledger.strain_energy : 0));
     }
-    const struct mpm_ledger end = test_run_ledger(&run);
-    (void)mpm_simulation_at_rest(run.simulation, &rest);
-    ck_assert_near(rest.kinetic_energy * largest, end.kinetic_energy, 1e-12 * end.kinetic_energy);
+    ck_assert(mpm_simulation_at_rest(run.simulation, NULL));
+    ck_assert(!mpm_simulation_stagnates(run.simulation));
     test_run_close(&run);
 }
 END_TEST
 
-START_TEST(patience_ends_when_the_residual_has_not_fallen_by_a_tenth)
+/* Particles that still move while nodes are balanced: patience begins anew at the last balance. */
+START_TEST(patience_begins_anew_when_the_residual_leaves_its_bound)
 {
-    enum { PATIENCE = 300 };
-    const char *const settings[] = {"time.rest.patience=300", NULL};
-    struct test_run run = test_run_open(PLATE, settings, 1);
+    enum { PATIENCE = 40 };
+    const char *const settings[] = {"time={end: 500, courant: 0.4, rest: {residual: 0.3, "
+                                    "kinetic_energy: 1e-12, patience: 40}}",
+                                    STANDS, "damping={particle: 0.01}", NULL};
+    struct test_run run = test_run_open(COLUMN, settings, 1);
     struct mpm_rest rest;
-    double lowest = HUGE_VAL;
-    int since = 0;
-    while (!mpm_simulation_stagnates(run.simulation)) {
+    double fallen = HUGE_VAL;
+    int since = 0, balanced = 0;
+    while (!mpm_simulation_stagnates(run.simulation) && mpm_simulation_time(run.simulation) < 400) {
         ck_assert_int_lt(since, PATIENCE);
         test_run_steps(&run, 1);
         (void)mpm_simulation_at_rest(run.simulation, &rest);
-        if (mpm_simulation_time(run.simulation) < 0.1)
-            continue;
-        const bool lower = rest.residual < 0.9 * lowest;
-        lowest = lower ? rest.residual : lowest;
-        since = lower ? 0 : since + 1;
-        ck_assert(rest.lowest_residual == lowest);
+        const bool falls = rest.residual < 0.9 * fallen;
+        fallen = falls ? rest.residual : fallen;
+        balanced += rest.residual < 0.3;
+        since = falls || rest.residual < 0.3 ? 0 : since + 1;
     }
-    ck_assert_int_eq(since, PATIENCE);
+    ck_assert_int_gt(balanced, PATIENCE);
+    ck_assert(mpm_simulation_stagnates(run.simulation) == (since == PATIENCE));
     test_run_close(&run);
 }
 END_TEST
@@ -376,7 +335,7 @@ static const char *const unrested[][2] = {
 static const char *const unrested_advice[] = {
     "damp more, or run longer",
     "the residual still falls: run longer, or damp more",
-    "damp more, or run longer",
+    "damp more, or give time.rest.patience more steps",
 };
 
 START_TEST(a_run_that_ends_without_rest_has_failed_with_its_last_state_written)
@@ -444,14 +403,13 @@ Suite *suite_rest(void)
     tcase_add_test(motion, the_work_of_a_wall_that_accelerates_closes_the_balance_at_second_order);
     tcase_add_loop_test(motion, what_damping_takes_out_closes_the_balance_of_energy, 0, 15);
     tcase_add_loop_test(motion, a_column_comes_to_rest_under_its_own_weight, 0, DAMPINGS * SHAPES);
+    tcase_add_loop_test(motion, what_nothing_measures_is_not_summed, 0, 2);
     tcase_add_test(motion, the_thermostat_grows_with_what_it_takes_out);
     tcase_add_test(motion, the_thermostat_leads_to_its_target_and_adds_no_energy);
     tcase_add_test(motion,
                    a_body_that_nothing_moves_is_at_rest_after_its_steps_and_not_before_its_time);
-    tcase_add_loop_test(motion, a_pulled_plate_comes_to_rest_where_the_strain_follows_all_nodes, 0,
-                        G_N_ELEMENTS(pulled));
-    tcase_add_test(motion, the_kinetic_energy_at_rest_is_measured_by_the_energy_of_the_body);
-    tcase_add_test(motion, patience_ends_when_the_residual_has_not_fallen_by_a_tenth);
+    tcase_add_test(motion, patience_does_not_end_while_the_residual_is_below_its_bound);
+    tcase_add_test(motion, patience_begins_anew_when_the_residual_leaves_its_bound);
     tcase_add_loop_test(motion, rest_that_cannot_be_is_refused, 0, G_N_ELEMENTS(refused));
     suite_add_tcase(suite, motion);
     TCase *runs = tcase_create("runs");

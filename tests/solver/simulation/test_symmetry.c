@@ -119,11 +119,13 @@ START_TEST(half_a_block_with_its_plane_of_symmetry_is_half_of_the_whole)
 }
 END_TEST
 
-/* Transfers that pass velocities through the nodes once more must reflect those too. */
+/* Transfers that pass velocities through the nodes once more must reflect those too; the momentum
+ * form weights nodes by their masses, of which those on the plane have half. */
 static const char *const TRANSFERS[] = {
     "method.transfer={kind: xpic, order: 3}",
     "method.transfer={kind: fmpm, order: 3}",
     "method.transfer={kind: apic}",
+    "method.form=momentum",
 };
 enum { TRANSFERS_COUNT = G_N_ELEMENTS(TRANSFERS) };
 
