@@ -10,7 +10,7 @@
 
 /* ---------------------------------------------------------------- measuring */
 
-static bool is_asked(const struct mpm_scene *scene)
+bool mpm_cracks_have_contact(const struct mpm_scene *scene)
 {
     for (size_t k = 0; k < scene->crack_count; k++)
         if (mpm_crack_has_contact(scene, k))
@@ -190,7 +190,7 @@ static void measure_strip(void *context, int64_t index, int worker)
 
 void mpm_crack_detection_measure(struct mpm_state *state, int workers)
 {
-    if (state->fields.node_count > 0 && is_asked(state->scene))
+    if (state->fields.node_count > 0 && mpm_cracks_have_contact(state->scene))
         mpm_strips_run(state->strip_count, workers, measure_strip, state);
 }
 

@@ -34,7 +34,7 @@ struct mpm_shape_domain mpm_particle_carried_domain(const struct mpm_state *stat
     return domain;
 }
 
-static struct mpm_shape_domain domain_of(const struct mpm_state *state, size_t p)
+MPM_INLINE struct mpm_shape_domain domain_of(const struct mpm_state *state, size_t p)
 {
     const struct mpm_particles *const particles = &state->particles;
     struct mpm_shape_domain domain = undeformed_domain(state, p);
@@ -56,29 +56,38 @@ void mpm_particle_set_domain(const struct mpm_state *state, size_t p)
         state->particles.domain[k][p] = edge[k];
 }
 
-static void shift_to_layer(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+static inline void evaluate(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
 {
-    const int64_t shift = state->bodies[state->particles.body[p]].shift;
-    for (int k = 0; k < stencil->count; k++)
-        stencil->node[k].node += shift;
+    const struct mpm_shape_domain domain = domain_of(state, p);
+    state->family->evaluate(&state->shape_grid, &domain, stencil);
 }
 
 void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
                                 struct mpm_stencil *stencil)
 {
-    const struct mpm_shape_domain domain = domain_of(state, p);
-    state->family->evaluate(&state->shape_grid, &domain, stencil);
-    if (state->fields.layers > 0)
-        shift_to_layer(state, p, stencil);
+    const int64_t shift = state->bodies[state->particles.body[p]].shift;
+    evaluate(state, p, stencil);
+    for (int k = 0; shift != 0 && k < stencil->count; k++)
+        stencil->node[k].node += shift;
 }
 
-const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, size_t p,
-                                               struct mpm_stencil *room)
+/* Of scenes with additional velocity fields. */
+static const struct mpm_stencil *stencil_in_fields(const struct mpm_state *state, size_t p,
+                                                   struct mpm_stencil *room)
 {
     const struct mpm_field_use *const use = mpm_field_use_of(state, p);
     if (use != NULL)
         return &use->stencil;
     mpm_particle_plain_stencil(state, p, room);
+    return room;
+}
+
+const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, size_t p,
+                                               struct mpm_stencil *room)
+{
+    if (state->grid.field_rows > 0)
+        return stencil_in_fields(state, p, room);
+    evaluate(state, p, room);
     return room;
 }
 
