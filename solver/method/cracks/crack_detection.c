@@ -173,7 +173,7 @@ static void measure(void *context, size_t p, const struct mpm_cell_block *block)
     for (int k = 0; k < stencil->count; k++) {
         const struct mpm_stencil_node *const entry = &stencil->node[k];
         const int64_t node = state->node_zero + entry->node;
-        if (node >= first)
+        if (crossing != NULL && node >= first)
             add_to_additional(state, entry, node - first, &crossing[k], &made);
         else if (state->fields.node_of[node] != 0)
             add_to_own(state, entry, mpm_field_node_at(state, node), &made);
