@@ -243,7 +243,7 @@ Suite *suite_docs(void)
                         (int)G_N_ELEMENTS(documents));
     tcase_add_test(docs, man_pages_have_the_options_and_commands_of_the_help);
     tcase_add_test(docs, every_check_of_the_catalogue_is_explained_whole);
-    tcase_set_timeout(docs, 60);
+    tcase_set_timeout(docs, 120);
     suite_add_tcase(suite, docs);
     return suite;
 }

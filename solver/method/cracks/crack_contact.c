@@ -107,6 +107,8 @@ enum { EXCHANGES = 24 };
 
 void mpm_crack_contact_resolve(struct mpm_state *state, enum mpm_exchange_when when)
 {
+    if (!mpm_cracks_have_contact(state->scene))
+        return;
     for (size_t k = 0; k < state->fields.node_count; k++) {
         const struct mpm_crack_node node = mpm_crack_node_of(state, k);
         struct mpm_crack_pair pairs[PAIRS];

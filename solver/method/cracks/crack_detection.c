@@ -10,7 +10,7 @@
 
 /* ---------------------------------------------------------------- measuring */
 
-static bool is_asked(const struct mpm_scene *scene)
+bool mpm_cracks_have_contact(const struct mpm_scene *scene)
 {
     for (size_t k = 0; k < scene->crack_count; k++)
         if (mpm_crack_has_contact(scene, k))
@@ -173,7 +173,7 @@ static void measure(void *context, size_t p, const struct mpm_cell_block *block)
     for (int k = 0; k < stencil->count; k++) {
         const struct mpm_stencil_node *const entry = &stencil->node[k];
         const int64_t node = state->node_zero + entry->node;
-        if (node >= first)
+        if (crossing != NULL && node >= first)
             add_to_additional(state, entry, node - first, &crossing[k], &made);
         else if (state->fields.node_of[node] != 0)
             add_to_own(state, entry, mpm_field_node_at(state, node), &made);
@@ -190,7 +190,7 @@ static void measure_strip(void *context, int64_t index, int worker)
 
 void mpm_crack_detection_measure(struct mpm_state *state, int workers)
 {
-    if (state->fields.node_count > 0 && is_asked(state->scene))
+    if (state->fields.node_count > 0 && mpm_cracks_have_contact(state->scene))
         mpm_strips_run(state->strip_count, workers, measure_strip, state);
 }
 

@@ -57,10 +57,10 @@ static void append_packed(struct mpm_state *state, const struct mpm_field_node *
             append_field(state, first + i, &list[i].held, condition);
 }
 
-static void append_to_fields(struct mpm_state *state, struct mpm_active_condition condition)
+static void append_to_fields(struct mpm_state *state, struct mpm_field_node *several,
+                             struct mpm_active_condition condition)
 {
     const int64_t node = condition.node;
-    struct mpm_field_node *const several = mpm_field_node_at(state, node);
     append_field(state, node, several == NULL ? NULL : &several->held, condition);
     if (several != NULL)
         append_packed(state, several, 0, condition);
@@ -71,10 +71,11 @@ static void append_to_fields(struct mpm_state *state, struct mpm_active_conditio
 /* Of a node that has mass: for all of its velocity fields */
 static inline void append(struct mpm_state *state, struct mpm_active_condition condition)
 {
-    if (state->grid.field_rows == 0)
+    struct mpm_field_node *const several = mpm_field_node_at(state, condition.node);
+    if (several == NULL && state->fields.layers == 0)
         state->conditions.active[state->conditions.active_count++] = condition;
     else
-        append_to_fields(state, condition);
+        append_to_fields(state, several, condition);
 }
 
 /* For the node's images beyond planes of symmetry too, so that they stay images. Conditions that

@@ -38,8 +38,8 @@ static inline int64_t mpm_layer_row(const struct mpm_state *state, int64_t row)
 static inline struct mpm_row_span mpm_row_span_inside(const struct mpm_state *state, int64_t row)
 {
     struct mpm_row_span span = mpm_row_span(state, row);
-    const int64_t place = mpm_layer_row(state, row);
-    for (size_t k = 0; k < state->symmetries.count && place >= 0; k++) {
+    const int64_t place = state->symmetries.count == 0 ? -1 : mpm_layer_row(state, row);
+    for (size_t k = 0; place >= 0 && k < state->symmetries.count; k++) {
         const struct mpm_symmetry *const plane = &state->symmetries.planes[k];
         const int64_t on_plane = row * state->grid.columns + plane->line;
         if (plane->axis == 1 && (place - plane->line) * plane->inside < 0)
@@ -55,8 +55,10 @@ static inline struct mpm_row_span mpm_row_span_inside(const struct mpm_state *st
 /* Is a node none of those images? Packed fields are none. */
 static inline bool mpm_node_is_inside(const struct mpm_state *state, int64_t node)
 {
+    if (state->symmetries.count == 0)
+        return true;
     const struct mpm_row_span span = mpm_row_span_inside(state, node / state->grid.columns);
-    return state->symmetries.count == 0 || (node >= span.first && node < span.end);
+    return node >= span.first && node < span.end;
 }
 
 /* 1 / m_i; 0 for a node without mass, so that it has no motion. */

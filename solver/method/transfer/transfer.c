@@ -34,7 +34,7 @@ struct mpm_shape_domain mpm_particle_carried_domain(const struct mpm_state *stat
     return domain;
 }
 
-static struct mpm_shape_domain domain_of(const struct mpm_state *state, size_t p)
+MPM_INLINE struct mpm_shape_domain domain_of(const struct mpm_state *state, size_t p)
 {
     const struct mpm_particles *const particles = &state->particles;
     struct mpm_shape_domain domain = undeformed_domain(state, p);
@@ -56,24 +56,24 @@ void mpm_particle_set_domain(const struct mpm_state *state, size_t p)
         state->particles.domain[k][p] = edge[k];
 }
 
-static void shift_to_layer(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+static inline void evaluate(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
 {
-    const int64_t shift = state->bodies[state->particles.body[p]].shift;
-    for (int k = 0; k < stencil->count; k++)
-        stencil->node[k].node += shift;
+    const struct mpm_shape_domain domain = domain_of(state, p);
+    state->family->evaluate(&state->shape_grid, &domain, stencil);
 }
 
 void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
                                 struct mpm_stencil *stencil)
 {
-    const struct mpm_shape_domain domain = domain_of(state, p);
-    state->family->evaluate(&state->shape_grid, &domain, stencil);
-    if (state->fields.layers > 0)
-        shift_to_layer(state, p, stencil);
+    const int64_t shift = state->bodies[state->particles.body[p]].shift;
+    evaluate(state, p, stencil);
+    for (int k = 0; shift != 0 && k < stencil->count; k++)
+        stencil->node[k].node += shift;
 }
 
-const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, size_t p,
-                                               struct mpm_stencil *room)
+/* Of scenes with additional velocity fields. */
+static const struct mpm_stencil *stencil_in_fields(const struct mpm_state *state, size_t p,
+                                                   struct mpm_stencil *room)
 {
     const struct mpm_field_use *const use = mpm_field_use_of(state, p);
     if (use != NULL)
@@ -82,14 +82,27 @@ const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, si
     return room;
 }
 
-/* A node on a plane of symmetry has half of what it has in the whole model; symmetry.h. */
+const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, size_t p,
+                                               struct mpm_stencil *room)
+{
+    if (state->grid.field_rows > 0)
+        return stencil_in_fields(state, p, room);
+    evaluate(state, p, room);
+    return room;
+}
+
+/* A node on a plane of symmetry has half of what it has in the whole model, unless it is a field on
+ * the free surface of a crack that lies there; symmetry.h. */
 static double whole_mass(const struct mpm_state *state, int64_t node)
 {
-    const int64_t columns = state->grid.columns;
+    const int64_t columns = state->grid.columns, parent = mpm_field_parent(state, node);
+    const int64_t first = mpm_fields_first(state);
+    const unsigned free = node < first ? 0u : state->fields.list[node - first].free;
     double mass = state->grid.mass[node];
-    for (size_t k = 0; k < state->symmetry_count; k++) {
-        const struct mpm_symmetry *const plane = &state->symmetries[k];
-        if ((plane->axis == 0 ? node % columns : node / columns) == plane->line)
+    for (size_t k = 0; k < state->symmetries.count; k++) {
+        const struct mpm_symmetry *const plane = &state->symmetries.planes[k];
+        if ((free >> plane->axis & 1u) == 0 &&
+            (plane->axis == 0 ? parent % columns : parent / columns) == plane->line)
             mass *= 2.0;
     }
     return mass;

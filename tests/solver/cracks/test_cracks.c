@@ -39,12 +39,12 @@ START_TEST(all_fields_together_have_the_mass_and_momentum_of_the_particles)
     const struct mpm_ledger before = test_run_ledger(&run);
     test_run_steps(&run, 1);
     const struct mpm_state *const state = crack_block_state(&run);
-    double mass = 0.0, momentum[AXES] = {0.0, 0.0}, of_further = 0.0;
+    double mass = 0.0, momentum[AXES] = {0.0, 0.0}, of_additional = 0.0;
     for (int64_t row = state->first_row; row >= 0; row = mpm_grid_next_row(state, row)) {
         const struct mpm_row_span span = mpm_row_span(state, row);
         for (int64_t node = span.first; node < span.end; node++) {
             mass += state->grid.mass[node];
-            of_further += row >= state->grid.rows ? state->grid.mass[node] : 0.0;
+            of_additional += row >= state->grid.rows ? state->grid.mass[node] : 0.0;
             for (int axis = 0; axis < AXES; axis++)
                 momentum[axis] += state->grid.sum[node][axis].momentum;
         }
@@ -52,7 +52,7 @@ START_TEST(all_fields_together_have_the_mass_and_momentum_of_the_particles)
     ck_assert_near(mass, before.mass, before.mass * MOMENTUM_ROUND_OFF);
     for (int axis = 0; axis < AXES; axis++)
         ck_assert_near(momentum[axis], before.momentum[axis], before.mass * MOMENTUM_ROUND_OFF);
-    ck_assert(of_further > 0.05 * mass && of_further < 0.5 * mass);
+    ck_assert(of_additional > 0.05 * mass && of_additional < 0.5 * mass);
     test_run_close(&run);
 }
 END_TEST

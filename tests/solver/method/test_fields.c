@@ -27,15 +27,16 @@ enum { AXES = 2, BODIES = 3, STEPS = 30 };
                      "{name: soft, law: neo_hookean, density: 1, bulk: 1.25, shear: 0.75}",        \
                      bodies)                                                                       \
     "boundary: []\n"
-#define BODY(name, from, to, velocity)                                                             \
-    "  - {name: " name ", material: soft, particles_per_cell: [2, 2], velocity: " velocity         \
-    ", region: {rectangle: {from: " from ", to: " to "}}}\n"
-#define LEFT   BODY("left", "[2, 3.2]", "[5, 6.4]", "[0.4721, 0.1]")
-#define MIDDLE BODY("middle", "[5, 3.2]", "[7, 5.6]", "[0, 0]")
-#define RIGHT  BODY("right", "[7, 3.2]", "[10, 6.4]", "[-0.5317, 0]")
+#define BODY(name, from, to)                                                                       \
+    "  - {name: " name ", material: soft, particles_per_cell: [2, 2], region: {rectangle: "        \
+    "{from: " from ", to: " to "}}}\n"
+#define LEFT   BODY("left", "[2, 3.2]", "[5, 6.4]")
+#define MIDDLE BODY("middle", "[5, 3.2]", "[7, 5.6]")
+#define RIGHT  BODY("right", "[7, 3.2]", "[10, 6.4]")
 static const char TOGETHER[] = SCENE(LEFT MIDDLE RIGHT);
 static const char *const alone[BODIES] = {SCENE(LEFT), SCENE(MIDDLE), SCENE(RIGHT)};
 static const char *const names[BODIES] = {"left", "middle", "right"};
+static const double speeds[BODIES] = {0.4721, 0.0, -0.5317};
 
 /* Sums of some hundred products over thirty steps, of values of order 1. */
 static const double FIELD_ROUND_OFF = 1e-11;
@@ -115,18 +116,22 @@ static struct mpm_arena make_room(struct mpm_state *state)
 /* What a step does besides moving particles, as far as it knows nodes by their place. */
 static const struct {
     const char *settings[3];
-    bool loaded;
+    bool loaded, axisymmetric;
 } around[] = {
-    {{NULL}, false},
+    {{NULL}, false, false},
     {{"boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, velocity: [free, "
       "'0.02*sin(2*t)']}]"},
-     true},
+     true,
+     false},
     {{"boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, symmetry: true}]",
       "method.transfer={kind: xpic, order: 2}"},
+     false,
      false},
-    {{"damping={grid: '0.1+0.01*x', particle: 0.05}", "method.position_update=midpoint"}, false},
-    {{"geometry=axisymmetric", "method.axis=untruncated"}, false},
-    {{"geometry=axisymmetric", "method.axis=planar", "method.axis_nodes=mirrored"}, false},
+    {{"damping={grid: '0.1+0.01*x', particle: 0.05}", "method.position_update=midpoint"},
+     false,
+     false},
+    {{"geometry=axisymmetric", "method.axis=untruncated"}, false, true},
+    {{"geometry=axisymmetric", "method.axis=planar", "method.axis_nodes=mirrored"}, false, true},
 };
 
 /* Shapes, orders and surroundings, with both sets of kernels; the last row has the first two shapes
@@ -164,6 +169,14 @@ static void add_loads(struct settings *settings, int first, int end)
     g_string_free(loads, TRUE);
 }
 
+/* Each body strains and turns as it moves. */
+static void add_velocity(struct settings *settings, int body, bool axisymmetric)
+{
+    settings_add_formatted(settings, "bodies.%s.velocity=['%g+0.1*sin(%s)', '0.1*cos(%s)-0.02']",
+                           names[body], speeds[body], axisymmetric ? "z" : "y",
+                           axisymmetric ? "r" : "x");
+}
+
 static void choose_kernels(struct test_run *run, enum mpm_kernels kernels)
 {
     struct mpm_error error = {.message = ""};
@@ -185,8 +198,11 @@ static struct test_run open_run(int index, int body)
                            test_orders[of.order]);
     for (int k = 0; k < 3 && around[of.place].settings[k] != NULL; k++)
         settings_add(&settings, around[of.place].settings[k]);
+    const int first = body == BODIES ? 0 : body, end = body == BODIES ? BODIES : body + 1;
+    for (int k = first; k < end; k++)
+        add_velocity(&settings, k, around[of.place].axisymmetric);
     if (around[of.place].loaded)
-        add_loads(&settings, body == BODIES ? 0 : body, body == BODIES ? BODIES : body + 1);
+        add_loads(&settings, first, end);
     struct test_run run = test_run_open(body == BODIES ? TOGETHER : alone[body], settings.texts, 1);
     settings_clear(&settings);
     choose_kernels(&run, of.fast ? MPM_KERNELS_FAST : MPM_KERNELS_REFERENCE);
