@@ -118,7 +118,7 @@ struct mpm_state {
     struct mpm_cracks cracks;
     struct mpm_symmetries symmetries;
 
-    struct mpm_projection projection; /* of the pass that runs */
+    const struct mpm_projection *projection; /* of the pass that runs */
     struct mpm_given_force given_force;
     struct mpm_damping damping;
     struct mpm_energy_balance energy;

@@ -10,7 +10,7 @@
 /* A body force that the caller gives; see given_force.h. All NULL where none is given. */
 struct mpm_given_force {
     struct mpm_body_force caller;
-    double (*force)[MPM_NODE_VALUES]; /* per node: sum m_p S_ip b_p; two of the values are free */
+    double (*force)[MPM_NODE_VALUES]; /* per node: sum m_p S_ip b_p, as in mpm_projection.to */
     double *row_work;                 /* per node row */
 };
 

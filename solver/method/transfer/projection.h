@@ -16,12 +16,12 @@
 
 struct mpm_state;
 
-/* Runs one, within a step. Nodes have been cleared. Cost: a stencil for each particle, and one
- * vector for each of its nodes, read or added to. */
+/* Runs one, within a step; `to` has been cleared. Cost: a stencil for each particle, and one vector
+ * for each of its nodes, read or added to. */
 void mpm_projection_run(struct mpm_state *state, int workers,
                         const struct mpm_projection *projection);
 
-/* The same of a strip, with state->projection: the pass of the reference kernels. */
+/* *state->projection of a strip: the pass of the reference kernels. */
 void mpm_pass_project(void *state, int64_t strip, int worker);
 
 #endif
