@@ -121,7 +121,7 @@ struct mpm_edge_loads {
 /* A body force that the caller gives; see given_force.h. All NULL where none is given. */
 struct mpm_given_force {
     struct mpm_body_force caller;
-    double (*force)[MPM_NODE_VALUES]; /* per node: sum m_p S_ip b_p; two of the values are free */
+    double (*force)[MPM_NODE_VALUES]; /* per node: sum m_p S_ip b_p, as in mpm_exchange.to */
     double *row_work;                 /* per node row */
 };
 
@@ -271,7 +271,7 @@ struct mpm_state {
     struct mpm_symmetry *symmetries;
     size_t symmetry_count;
 
-    struct mpm_exchange exchange; /* of the pass that runs */
+    const struct mpm_exchange *exchange; /* of the pass that runs */
     struct mpm_given_force given_force;
     struct mpm_damping damping;
     struct mpm_energy_balance energy;

@@ -30,8 +30,8 @@ enum mpm_particle_use {
     MPM_USE_GIVEN_FORCE = 128,
 };
 
-/* State variables of a law, at most. */
-enum { MPM_LAW_STATES = 16 };
+/* State variables of a law, at most: two tensors of four components and two scalars. */
+enum { MPM_LAW_STATES = 10 };
 
 /* The table. Columns: name of the row; type, member, and [components] where there are several;
  * exponents of length, mass and time in its unit; uses that need the field; uses that need a copy

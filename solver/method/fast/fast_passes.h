@@ -343,7 +343,7 @@ MPM_INLINE void move_vector(const struct fast_spec *spec, const struct fast_bloc
 MPM_INLINE void load_values(const struct mpm_exchange *exchange,
                             const struct mpm_particles *particles, size_t p, mpm_vector values[4])
 {
-    for (size_t i = 0; i < 4; i++) {
+    for (size_t i = 0; i < MPM_EXCHANGE_COMPONENTS; i++) {
         values[i] = mpm_splat(0.0);
         if (i < exchange->components)
             values[i] = mpm_load((double *)mpm_particle_array(particles, exchange->field, i) + p);
@@ -362,27 +362,32 @@ MPM_INLINE void store_values(const struct mpm_exchange *exchange,
 MPM_INLINE void block_exchange(const struct fast_spec *spec, enum fast_law law,
                                const struct fast_block *block)
 {
-    const struct mpm_exchange *const exchange = &block->sums->state->exchange;
+    const struct mpm_exchange *const exchange = block->sums->state->exchange;
+    const double *const from = exchange->from;
+    double *const to = exchange->to;
     union fast_stencil stencil[MPM_BLOCK_VECTORS];
-    mpm_vector values[MPM_BLOCK_VECTORS][4];
+    mpm_vector sums[MPM_BLOCK_VECTORS][MPM_EXCHANGE_COMPONENTS];
     (void)law;
     evaluate_block(spec, block, stencil);
     FOR_VECTORS(block, p, v)
-    if (exchange->from != NULL)
-        gather_values(spec, block->k, &stencil[v], exchange->from, values[v]);
-    else
-        load_values(exchange, block->particles, p, values[v]);
+    {
+        const mpm_vector mass = mpm_load(block->particles->mass + p);
+        mpm_vector values[4];
+        if (from != NULL)
+            gather_values(spec, block->k, &stencil[v], from, values);
+        else
+            load_values(exchange, block->particles, p, values);
+        if (to == NULL)
+            store_values(exchange, block->particles, p, values);
+        for (int i = 0; i < MPM_EXCHANGE_COMPONENTS; i++)
+            sums[v][i] = mass * values[i];
+    }
+    if (to == NULL)
+        return;
     FOR_VECTORS(block, p, v)
-    if (exchange->to != NULL) {
-        for (int i = 0; i < 4; i++)
-            values[v][i] *= mpm_load(block->particles->mass + p);
-        if (exchange->pairs) {
-            values[v][2] = values[v][3] = values[v][1];
-            values[v][1] = values[v][0];
-        }
-        spread_values(spec, block->k, &stencil[v], exchange->to, values[v]);
-    } else {
-        store_values(exchange, block->particles, p, values[v]);
+    {
+        const mpm_vector values[4] = {sums[v][0], sums[v][0], sums[v][1], sums[v][1]};
+        spread_values(spec, block->k, &stencil[v], to, values);
     }
 }
 

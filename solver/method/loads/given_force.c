@@ -69,7 +69,7 @@ static void row_add(void *context, int64_t row, int worker)
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++)
         for (int axis = 0; axis < 2; axis++)
-            state->grid.sum[node][axis].force += state->given_force.force[node][axis];
+            state->grid.sum[node][axis].force += state->given_force.force[node][2 * axis];
 }
 
 void mpm_given_force_add(struct mpm_state *state)
@@ -86,7 +86,7 @@ static void row_work(void *context, int64_t row, int worker)
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++)
         for (int axis = 0; axis < 2; axis++)
-            power += state->given_force.force[node][axis] *
+            power += state->given_force.force[node][2 * axis] *
                      (state->grid.start[node][axis] + state->grid.motion[node].end[axis]);
     state->given_force.row_work[row] = 0.5 * state->time_step * power;
 }

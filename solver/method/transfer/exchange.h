@@ -16,24 +16,27 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Of a node in an array that takes part: a vector of the fast kernels. */
-enum { MPM_NODE_VALUES = 4 };
+enum {
+    MPM_EXCHANGE_COMPONENTS = 2, /* at most: a scalar, or a vector */
+    MPM_NODE_VALUES = 4,         /* numbers of a node in an array: a vector of the fast kernels */
+};
 
 struct mpm_exchange {
-    size_t components; /* up to MPM_NODE_VALUES: a scalar has one */
+    size_t components;
     size_t field; /* enum mpm_particle_field, of doubles; read without `from`, set without `to` */
-    const double *from; /* per node: MPM_NODE_VALUES numbers, the first ones in use; or NULL */
-    double *to;         /* the same; the others are of no use afterwards. Not NULL if `from` is */
-    bool pairs;         /* in `to`, component k goes to number 2 k: as grid.gradient has them */
+    const double *from; /* nodes; component k is number k. Or NULL */
+    /* Nodes; component k is added to number 2 k, and perhaps to the next one: as grid.gradient has
+     * them. Others are of no use afterwards. NULL: to particles */
+    double *to;
 };
 
 struct mpm_state;
 
-/* Runs one, within a step. Nodes have been cleared. Cost: a stencil for each particle, and one
- * vector for each of its nodes, read or added to. */
+/* Runs one, within a step; `to` has been cleared. Cost: a stencil for each particle, and one vector
+ * for each of its nodes, read or added to. */
 void mpm_exchange_run(struct mpm_state *state, int workers, const struct mpm_exchange *exchange);
 
-/* The same of a strip, with state->exchange: the pass of the reference kernels. */
+/* *state->exchange of a strip: the pass of the reference kernels. */
 void mpm_pass_exchange(void *state, int64_t strip, int worker);
 
 #endif

@@ -59,7 +59,6 @@ void mpm_smoothing_run(struct mpm_state *state, int workers)
         .from = (const double *)state->grid.smoothed, /* w at its acceleration */
         .to = (double *)state->grid.gradient,
         .components = 2,
-        .pairs = true,
     };
     mpm_grid_rows_run(state, after_update ? begin_with_end : begin_with_start);
     for (int order = 1; order < state->scene->transfer_order; order++) {
