@@ -46,7 +46,7 @@ class Result:
 
     def __init__(self, status, message):
         self.status, self.message = status, message
-        self.history, self.states, self.kernels = {}, [], None
+        self.history, self.states, self.kernels, self.threads = {}, [], None, 0
         self.files = {}
 
     def read(self, folder, keep_bytes):
@@ -57,7 +57,8 @@ class Result:
         self.history = {name: table[:, k] for k, name in enumerate(rows[0])}
         snapshots = sorted(folder.glob("particles-*.hdf"))
         self.states = [State(path) for path in snapshots]
-        self.kernels = json.loads((folder / "run.json").read_text())["kernels"]
+        record = json.loads((folder / "run.json").read_text())
+        self.kernels, self.threads = record["kernels"], record["provenance"]["threads"]
         if keep_bytes:
             self.files = {path.name: path.read_bytes()
                           for path in [folder / "history.csv", *snapshots]}
