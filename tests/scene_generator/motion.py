@@ -29,17 +29,28 @@ def nodes_of(region, positions, cell):
             (positions <= corners.max(axis=0) + slack)).all(axis=1)
 
 
+def reaches(case, plane, axis):
+    """Has a crack a point on the plane x_axis = plane, or points on both sides?"""
+    for crack in case.cracks:
+        heights = [point[axis] - plane for point in crack["points"]]
+        if min(heights) <= 1e-6 * min(case.cell) and max(heights) >= -1e-6 * min(case.cell):
+            return True
+    return False
+
+
 def prescribed(case):
-    """Conditions of the scene: region, component, expression."""
+    """Conditions of the scene: region, component, expression. A plane of symmetry that a crack reaches
+    gives none: surfaces of that crack are free there."""
     found = []
     if case.axisymmetric and case.method["axis"] == "truncated":
         found.append(({"line": {"from": [0, -math.inf], "to": [0, math.inf]}}, 0, 0))
     for boundary in case.scene.get("boundary", []):
         drives = boundary.get("velocity")
-        if drives is None and not case.cracks:
+        if drives is None:
             ends = boundary["region"]["line"]
             normal = int(ends["from"][0] != ends["to"][0])
-            drives = [0 if k == normal else "free" for k in range(2)]
+            if not reaches(case, ends["from"][normal], normal):
+                drives = [0 if k == normal else "free" for k in range(2)]
         found += [(boundary["region"], k, drive) for k, drive in enumerate(drives or [])
                   if drive != "free"]
     return found
@@ -62,7 +73,7 @@ def inside_planes(case, places):
 def conditions_hold_at_every_node(case):
     """In every step nodes with mass, in each of their velocity fields, move particles with the velocity that
     a boundary gives them, at the end of the step or, with midpoint, in the mean; none goes across a plane of
-    symmetry, in scenes without cracks, whose further fields are free there (symmetry.h); v_r = 0
+    symmetry that no crack reaches, whose further fields would be free there (symmetry.h); v_r = 0
     at r = 0 with functions that are cut off there. Nodes beyond a plane follow those they are images
     of. Some units of the last digit of velocities and of
     accelerations times the step are left."""
