@@ -12,12 +12,6 @@ from draw import wave_speed
 BALANCE = "energy_balance"  # key of output: history has the losses that close the ledger
 
 
-def points_along(chain, parts=8):
-    """Points along a chain, its segments in so many parts."""
-    return [[a + (b - a) * k / parts for a, b in zip(one, other)]
-            for one, other in zip(chain, chain[1:]) for k in range(parts + 1)]
-
-
 class Violation(Exception):
     """An invariant does not hold: what was seen, what is allowed."""
 
@@ -111,24 +105,13 @@ class Case:
 
     @property
     def crowded(self):
-        """Has a crack with contact another one, or a plane of symmetry, within three cells?
+        """Has the run nodes without contact?
 
-        Particles beyond different cracks may share a velocity field of a node there, by which side of
-        their crack they are on; such nodes have no contact and are counted in the history
-        (nodes_without_contact). Which they are depends on the directions of the cracks.
+        Particles beyond different cracks may share a velocity field of a node, by which side of their
+        crack they are on; such nodes have no contact and are counted in the history. Which they are
+        depends on the directions of the cracks.
         """
-        if not self.touching:
-            return False
-        reach = 3 * max(self.cell)
-        places = [points_along(crack["points"]) for crack in self.cracks]
-        lines = [boundary["region"]["line"] for boundary in self.scene.get("boundary", [])
-                 if boundary.get("symmetry") and "line" in boundary["region"]]
-        near_plane = any(min(abs(point[axis] - line["from"][axis]) for axis in (0, 1)
-                             if line["from"][axis] == line["to"][axis]) < reach
-                         for line in lines for chain in places for point in chain)
-        return near_plane or any(math.dist(one, other) < reach
-                                 for k, chain in enumerate(places) for beside in places[:k]
-                                 for one in chain for other in beside)
+        return without_contact(self.plain)
 
     @property
     def loads(self):
@@ -139,6 +122,12 @@ class Case:
     def rigid(self):
         """Has the scene rigid bodies?"""
         return any("rigid" in body for body in self.scene["bodies"])
+
+
+def without_contact(result):
+    """Has a run nodes that lack contact since particles beyond two cracks share their field?"""
+    return any(name.endswith("_nodes_without_contact") and values.max() > 0
+               for name, values in result.history.items())
 
 
 def evaluate(expression, **names):

@@ -9,7 +9,7 @@ import numpy
 
 import compare
 import transform
-from case import require
+from case import require, without_contact
 from transform import Motion
 
 PER_THREAD = 4096  # particles that a further thread is used for, threads.c
@@ -25,6 +25,8 @@ def same_answer(case, scene, motion=Motion(), options=(), what="the other run"):
         return False
     other = case.runner.run(scene, *options)
     require(other.status == 0, f"{what}: exit {other.status}: {other.message}")
+    if without_contact(other):
+        return False
     order = transform.matched(one.start, other.start, motion)
     require(order is not None, f"{what}: other particles at t = 0")
     off = compare.difference(one, other, order, motion, case.cell, case.wave)

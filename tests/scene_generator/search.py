@@ -19,6 +19,7 @@ import multiprocessing
 import pathlib
 import queue
 import random
+import re
 import resource
 import subprocess
 import sys
@@ -191,18 +192,26 @@ class Search:
             raise
 
 
+def named_in(text):
+    """The invariants that the comment of a scene names: they must judge it."""
+    comment = " ".join(line for line in text.splitlines() if line.startswith("#"))
+    return [name for name in invariants.ALL if re.search(rf"\b{name}\b", comment)]
+
+
 def judge_file(arguments, path):
     """Faults of one scene: (invariant, message)."""
     runner = run.Runner(arguments.programs)
     faults = []
     try:
         schema, _ = read_schema(runner.mpm)
-        case = Case(runner, schema, run.from_text(path.read_text(encoding="utf-8")))
+        text = path.read_text(encoding="utf-8")
+        case, named = Case(runner, schema, run.from_text(text)), named_in(text)
         for name in invariants.ALL:
             if arguments.invariant and name not in arguments.invariant:
                 continue
             try:
-                judge(name, case)
+                if not judge(name, case) and name in named:
+                    faults.append((name, "does not judge this scene, though its comment names it"))
             except Discarded as discarded:
                 faults.append((name, f"mpm check refuses it: {discarded}"))
                 break
