@@ -7,14 +7,26 @@ import csv
 import json
 import os
 import pathlib
+import resource
 import shutil
+import signal
 import subprocess
 import tempfile
 
 import h5py
 import numpy
 
-TIME_LIMIT = 60  # seconds: a small scene takes some hundredths
+PROCESSOR_LIMIT = 60  # seconds of processor time: a small scene takes some hundredths
+TIME_LIMIT = 1200  # seconds on the clock, for a program that waits for ever
+
+
+class Late(Exception):
+    """A program that has used up its processor time, or that waits for ever."""
+
+
+def limit_processor():
+    """In the child: ends it by SIGXCPU when its processor time is used up."""
+    resource.setrlimit(resource.RLIMIT_CPU, (PROCESSOR_LIMIT, PROCESSOR_LIMIT + 1))
 
 
 class State:
@@ -116,8 +128,14 @@ class Runner:
 
     def call(self, *command):
         """Exit status, output and message of a command; a signal is a negative status."""
-        done = subprocess.run(command, capture_output=True, text=True, timeout=TIME_LIMIT,
-                              env=self.environment, check=False)
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, timeout=TIME_LIMIT,
+                                  env=self.environment, check=False, preexec_fn=limit_processor)
+        except subprocess.TimeoutExpired as late:
+            raise Late(f"no answer after {TIME_LIMIT} s, of which less than {PROCESSOR_LIMIT} s on a "
+                       f"processor: {' '.join(command)}") from late
+        if done.returncode == -signal.SIGXCPU:
+            raise Late(f"no answer after {PROCESSOR_LIMIT} s of processor time: {' '.join(command)}")
         return done.returncode, done.stdout, done.stderr.strip()
 
     def check(self, scene):
