@@ -12,6 +12,15 @@ from draw import wave_speed
 BALANCE = "energy_balance"  # key of output: history has the losses that close the ledger
 
 
+OF_CONTACT = ("contact", "friction", "separated", "touching", "detection")
+
+
+def points_along(chain, parts=8):
+    """Points along a chain, its segments in so many parts."""
+    return [[a + (b - a) * k / parts for a, b in zip(one, other)]
+            for one, other in zip(chain, chain[1:]) for k in range(parts + 1)]
+
+
 class Violation(Exception):
     """An invariant does not hold: what was seen, what is allowed."""
 
@@ -105,13 +114,23 @@ class Case:
 
     @property
     def crowded(self):
-        """Has the run nodes without contact?
+        """Has the run nodes without contact, or nodes that may be between cracks of different kinds?
 
         Particles beyond different cracks may share a velocity field of a node, by which side of their
         crack they are on; such nodes have no contact and are counted in the history. Which they are
-        depends on the directions of the cracks.
+        depends on the directions of the cracks. A node between two cracks has two exchanges, one after
+        the other, over and over: where their laws differ, what they end with depends on their order.
         """
-        return without_contact(self.plain)
+        return without_contact(self.plain) or self.mixed
+
+    @property
+    def mixed(self):
+        """Have two cracks within three cells of each other contact of different kinds?"""
+        kinds = [[crack.get(name) for name in OF_CONTACT] for crack in self.cracks]
+        places = [points_along(crack["points"]) for crack in self.cracks]
+        return any(kinds[k] != kinds[j] and
+                   min(math.dist(one, other) for one in places[k] for other in places[j]) <
+                   3 * max(self.cell) for k in range(len(kinds)) for j in range(k))
 
     @property
     def loads(self):

@@ -6,7 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import copy
 
 import compare
-from case import BALANCE, require
+from case import BALANCE, OF_CONTACT, require
 from motion import smooth
 
 STEPS, COURANT = 16, 0.2  # of the first run; each further one has twice the steps
@@ -14,7 +14,6 @@ ALLOWED = 0.05  # of the energy stored; seen in 150 scenes: up to 0.023
 BENT = 0.5  # of the change by half the step: what squares of the step leave
 LARGEST_CHANGE = 0.2  # of the energy stored: beyond, two runs do not give the limit
 FAINT = 1e-10  # of the mass times the square of the wave speed: energies below are round-off
-OF_CONTACT = ("friction", "separated", "touching", "detection")
 
 
 def without_losses(case):
