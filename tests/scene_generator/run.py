@@ -39,8 +39,6 @@ class State:
             self.body_names = [str(name) for name in group.attrs["body_names"]]
             particles = group["particles"]
             self.fields = {name: particles[name][()] for name in particles}
-            self.cracks = ({name: group["cracks"][name][()] for name in group["cracks"]}
-                           if "cracks" in group else None)
 
     def __getattr__(self, name):
         try:
