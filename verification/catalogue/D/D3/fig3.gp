@@ -20,7 +20,7 @@ unset xlabel
 set tics scale 0.4
 set xtics -30,10,30
 set ytics -10,10,10
-set multiplot layout 2,2 margins 0.09, 0.87, 0.16, 0.97 spacing 0.05, 0.08
+set multiplot layout 2,2 margins 0.11, 0.87, 0.16, 0.97 spacing 0.05, 0.08
 do for [k = 1:4] {
     set label 1 sprintf('%c: %s ms', 64 + k, word(times, k)) at graph 0.5, 0.06 center front
     if (k % 2 == 1) { set ylabel 'y (mm)' } else { unset ylabel }
