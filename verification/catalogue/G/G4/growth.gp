@@ -8,7 +8,8 @@ set logscale y
 set format y '10^{%L}'
 set xrange [600:1400]
 set yrange [1e-16:1e-2]
-set key outside bottom center horizontal
+set key at 1395,3e-10 right top vertical maxrows 3 samplen 2 width -4
+set clip two
 plot data.'/data-cpdi_usavg-predicted.dat' using 1:2 with lines ls 8 title 'linear step', \
      data.'/data-cpdi_usavg_fifth-predicted.dat' using 1:2 with lines ls 8 notitle, \
      data.'/data-cpdi_usavg_tenth-predicted.dat' using 1:2 with lines ls 8 notitle, \
