@@ -230,9 +230,10 @@ test-kernels: $(TESTER) $(PROGRAMS) ## fast kernels against reference: whole run
 # Python of the system: that is what the packages of `make deps` are for.
 .PHONY: test-scenes
 SECONDS_OF_SCENES ?= 60
-test-scenes: $(BUILD)/bin/mpm $(PROBE) ## random scenes against invariants, for SECONDS_OF_SCENES (60)
-	@/usr/bin/python3 -B tests/scene_generator/search.py --programs $(BUILD)/bin --seconds \
-	  $(SECONDS_OF_SCENES) --jobs $(JOBS) $(if $(SEED),--seed $(SEED)) --output $(BUILD)/scenes
+test-scenes: $(BUILD)/bin/mpm $(PROBE) ## random scenes against invariants, for SECONDS_OF_SCENES (60) or SCENES of them
+	@/usr/bin/python3 -B tests/scene_generator/search.py --programs $(BUILD)/bin \
+	  $(if $(SCENES),--scenes $(SCENES),--seconds $(SECONDS_OF_SCENES)) --jobs $(JOBS) \
+	  $(if $(SEED),--seed $(SEED)) --output $(BUILD)/scenes
 
 .PHONY: coverage
 coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gcovr

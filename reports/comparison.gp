@@ -7,8 +7,8 @@
 load style
 set terminal svg size 760,520 dynamic enhanced font 'Helvetica,Arial,sans-serif,14' name name linewidth 1 rounded
 set output output
-# verification/report/comparison_plot.c has the same inside: 0.86 of the width, 0.71 of the height
-set lmargin at screen 0.12
+# verification/report/comparison_plot.c has the same inside: 0.85 of the width, 0.71 of the height
+set lmargin at screen 0.13
 set rmargin at screen 0.98
 set bmargin at screen 0.14
 set tmargin at screen 0.85

@@ -284,6 +284,13 @@ static void share(struct team *team, int64_t count, int workers,
     wait_for_helpers(team);
 }
 
+int mpm_workers_asleep(void)
+{
+    if (own_team == NULL || own_generation != atomic_load(&generation))
+        return 0;
+    return atomic_load(&own_team->sleeping);
+}
+
 void mpm_workers_run(int64_t count, int workers,
                      void (*work)(void *context, int64_t item, int worker), void *context)
 {

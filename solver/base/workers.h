@@ -22,4 +22,8 @@
 void mpm_workers_run(int64_t count, int workers,
                      void (*work)(void *context, int64_t item, int worker), void *context);
 
+/* How many helpers of the calling thread sleep: 0 .. the number it has. One that looks for a change
+ * counts from when it gives up. Cost: an atomic load. */
+int mpm_workers_asleep(void);
+
 #endif

@@ -18,8 +18,10 @@
  *     (K_p^n - K_i^n) + (K_i^{n+1} - K_p^{n+1} - D_p) + (W_int - dE) + (W_coh - dE_c),
  *
  * of either sign, and d(K_p + E + E_c) + D_i + D_p + C + transfer loss = W_ext holds to round-off.
- * All terms are measured where they arise, none as what is left of the others: the sum is a check
- * of every term, and of every change of a nodal velocity that has no term.
+ * K_p, K_i, W_ext, W_int, W_coh, D_i, D_p and C are measured where they arise: the sum is a check
+ * of each of them, and of every change of a nodal velocity that has no term. E and E_c cancel in
+ * it; a wrong one shows in the loss, which goes to zero with the step where nothing else takes
+ * energy.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_ENERGY_BALANCE_H

@@ -24,6 +24,12 @@ const faults = [
   { name: "a clipped label in a picture", file: "picture.svg", look: "labels", complaint: /^text is clipped/,
     spoil: () => '<svg xmlns="http://www.w3.org/2000/svg" width="200" height="100">' +
       '<text x="150" y="50">a label that is too long</text></svg>' },
+  { name: "a picture without a title of the y axis", file: "picture.svg", look: "labels", complaint: /^no title of the y axis/,
+    spoil: () => '<svg xmlns="http://www.w3.org/2000/svg" width="200" height="100">' +
+      '<text x="20" y="80">1</text><text x="80" y="95">time</text></svg>' },
+  { name: "a picture without a title of the x axis", file: "picture.svg", look: "labels", complaint: /^no title of the x axis/,
+    spoil: () => '<svg xmlns="http://www.w3.org/2000/svg" width="200" height="100">' +
+      '<text transform="translate(20,80) rotate(270)">speed</text><text x="80" y="95">1.5</text></svg>' },
   { name: "texts on each other", file: "glossary.html", look: "layout", complaint: /^texts overlap/,
     spoil: addStyle("h2 + dl { margin-top: -2rem; }") },
   { name: "a page that scrolls sideways", file: "glossary.html", look: "layout", complaint: /scrolls sideways|leaves the page/,

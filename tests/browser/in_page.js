@@ -78,12 +78,23 @@ function layout() {
   return complaints.concat(overlaps(lines));
 }
 
-/* Labels of a picture: inside it, and apart. A sign alone is a mark, not a label; what is written
+/* Titles of a figure's axes: a text that is turned for y, for x a lowest text that is no number, the
+ * stamp left out. Gnuplot leaves out a title for which there is no room, without a word. */
+function axisTitles(texts) {
+  const turned = (t) => { const m = t.getScreenCTM(); return Math.abs(m.b) > Math.abs(m.a); };
+  const rows = texts.filter((t) => !turned(t) && !t.textContent.trim().startsWith("Touchstone "));
+  const lowest = Math.max(...rows.map((t) => t.getBoundingClientRect().bottom));
+  const title = rows.some((t) => t.getBoundingClientRect().bottom > lowest - 4 &&
+    /\p{L}/u.test(t.textContent.replace(/\d[eE][-+]?\d/g, "")));
+  return (texts.some(turned) ? [] : ["no title of the y axis"]).concat(title ? [] : ["no title of the x axis"]);
+}
+
+/* Labels of a picture: inside it, and apart; both axes have a title. A sign alone is a mark, not a label; what is written
  * twice in one place (the stamp, by each panel) reads as once. */
 function picture() {
   const svg = document.documentElement, frame = svg.getBoundingClientRect(), places = new Set();
-  const lines = Array.from(svg.querySelectorAll("text")).filter((t) => /[\p{L}\p{N}]/u.test(t.textContent))
-    .map((t) => ({ text: t.textContent.trim().slice(0, 40), box: t.getBoundingClientRect(), node: t }))
+  const texts = Array.from(svg.querySelectorAll("text")).filter((t) => /[\p{L}\p{N}]/u.test(t.textContent));
+  const lines = texts.map((t) => ({ text: t.textContent.trim().slice(0, 40), box: t.getBoundingClientRect(), node: t }))
     .filter(({ text, box }) => {
       const place = `${text} ${Math.round(box.left)} ${Math.round(box.top)}`;
       return !places.has(place) && places.add(place);
@@ -91,7 +102,7 @@ function picture() {
   return lines.filter(({ box }) => box.left < frame.left - 1 || box.right > frame.right + 1 ||
       box.top < frame.top - 1 || box.bottom > frame.bottom + 1)
     .map(({ text }) => `text is clipped: "${text}"`)
-    .concat(overlaps(lines));
+    .concat(overlaps(lines), axisTitles(texts));
 }
 
 /* Links, pictures and places in the page, for the test to resolve. */
@@ -158,7 +169,7 @@ function sorting() {
   return complaints;
 }
 
-const source = [textLines, overlaps, layout, picture, references, isSorted, sorting].map(String).join("\n");
+const source = [textLines, overlaps, layout, axisTitles, picture, references, isSorted, sorting].map(String).join("\n");
 
 /* The expression that calls one of them. */
 const call = (name) => `(() => { ${source}\nreturn ${name}(); })()`;

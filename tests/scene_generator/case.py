@@ -12,6 +12,9 @@ from draw import wave_speed
 BALANCE = "energy_balance"  # key of output: history has the losses that close the ledger
 
 
+OF_CONTACT = ("contact", "friction", "separated", "touching", "detection")
+
+
 def points_along(chain, parts=8):
     """Points along a chain, its segments in so many parts."""
     return [[a + (b - a) * k / parts for a, b in zip(one, other)]
@@ -111,24 +114,23 @@ class Case:
 
     @property
     def crowded(self):
-        """Has a crack with contact another one, or a plane of symmetry, within three cells?
+        """Has the run nodes without contact, or nodes that may be between cracks of different kinds?
 
-        Particles beyond different cracks may share a velocity field of a node there, by which side of
-        their crack they are on; such nodes have no contact and are counted in the history
-        (nodes_without_contact). Which they are depends on the directions of the cracks.
+        Particles beyond different cracks may share a velocity field of a node, by which side of their
+        crack they are on; such nodes have no contact and are counted in the history. Which they are
+        depends on the directions of the cracks. A node between two cracks has two exchanges, one after
+        the other, over and over: where their laws differ, what they end with depends on their order.
         """
-        if not self.touching:
-            return False
-        reach = 3 * max(self.cell)
+        return without_contact(self.plain) or self.mixed
+
+    @property
+    def mixed(self):
+        """Have two cracks within three cells of each other contact of different kinds?"""
+        kinds = [[crack.get(name) for name in OF_CONTACT] for crack in self.cracks]
         places = [points_along(crack["points"]) for crack in self.cracks]
-        lines = [boundary["region"]["line"] for boundary in self.scene.get("boundary", [])
-                 if boundary.get("symmetry") and "line" in boundary["region"]]
-        near_plane = any(min(abs(point[axis] - line["from"][axis]) for axis in (0, 1)
-                             if line["from"][axis] == line["to"][axis]) < reach
-                         for line in lines for chain in places for point in chain)
-        return near_plane or any(math.dist(one, other) < reach
-                                 for k, chain in enumerate(places) for beside in places[:k]
-                                 for one in chain for other in beside)
+        return any(kinds[k] != kinds[j] and
+                   min(math.dist(one, other) for one in places[k] for other in places[j]) <
+                   3 * max(self.cell) for k in range(len(kinds)) for j in range(k))
 
     @property
     def loads(self):
@@ -139,6 +141,12 @@ class Case:
     def rigid(self):
         """Has the scene rigid bodies?"""
         return any("rigid" in body for body in self.scene["bodies"])
+
+
+def without_contact(result):
+    """Has a run nodes that lack contact since particles beyond two cracks share their field?"""
+    return any(name.endswith("_nodes_without_contact") and values.max() > 0
+               for name, values in result.history.items())
 
 
 def evaluate(expression, **names):

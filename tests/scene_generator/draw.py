@@ -12,10 +12,11 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 
 import math
+import random
 
 from hypothesis import strategies as st
 
-from schema import unit_exponents
+from schema import unit_exponents, visit
 
 ABSENT = object()  # of a key that a scene does not have
 
@@ -27,7 +28,8 @@ def short(value):
 
 
 class Canvas:
-    """What a scene in the making offers to the draws: choices made so far, and scales."""
+    """What a scene in the making offers to the draws: choices made so far, and scales. `draw` gives an
+    integer between two."""
 
     def __init__(self, draw, situation):
         self.draw = draw
@@ -39,15 +41,15 @@ class Canvas:
     # -------------------------------------------------------------- primitive draws
     def integer(self, low, high):
         """An integer from low to high; shrinks to low."""
-        return self.draw(st.integers(low, high))
+        return self.draw(low, high)
 
     def chance(self, percent):
         """True in so many percent of draws; shrinks to False."""
-        return self.draw(st.integers(0, 99)) >= 100 - percent
+        return self.integer(0, 99) >= 100 - percent
 
     def pick(self, options):
         """One of the options; shrinks to the first."""
-        return self.draw(st.sampled_from(options))
+        return options[self.integer(0, len(options) - 1)]
 
     def number(self, low, high, parts=8):
         """A number between low and high, both possible; shrinks to low."""
@@ -199,13 +201,56 @@ def draw_group(canvas, key, tables):
     return group
 
 
-@st.composite
-def scenes(draw, schema, tables, situation):
-    """Scenes of a situation that the tables know."""
-    canvas = Canvas(draw, situation)
+def draw_scene(integer, schema, tables, situation):
+    """A scene of a situation that the tables know; integer(low, high) makes its choices."""
+    canvas = Canvas(integer, situation)
     tables.prepare(canvas)
     scene = draw_group(canvas, schema, tables)
     return {key.name: scene[key.name] for key in schema.children if key.name in scene}
+
+
+@st.composite
+def scenes(draw, schema, tables, situation):
+    """The same, as a strategy of Hypothesis."""
+    return draw_scene(lambda low, high: draw(st.integers(low, high)), schema, tables, situation)
+
+
+TRIES = 4000  # scenes; a thousand or two have all there is
+
+
+def never_drawn(schema, keys, tables):
+    """Keys, and choices as path=choice, that no function draws: those that are in none of many scenes
+    of the most general situation, drawn by a generator of fixed seed."""
+    source = random.Random(1)
+    left = set(wanted_of(keys, tables))
+    for _ in range(TRIES):
+        left -= keys_of(schema, draw_scene(source.randint, schema, tables, "any"))
+        if not left:
+            break
+    return sorted(left)
+
+
+def keys_of(schema, scene):
+    """Paths of the keys that a scene has, choices as path=choice."""
+    found = set()
+
+    def note(key, value):
+        found.add(key.path)
+        if key.choices is not None:
+            found.add(f"{key.path}={value}")
+        return value
+
+    visit(schema, scene, note)
+    return found
+
+
+def wanted_of(keys, tables):
+    """The keys that should be drawn, those that are no groups, and their choices as path=choice."""
+    wanted = []
+    for path, key in keys.items():
+        if key.shape not in ("group", "list") and path not in tables.LEFT_OUT:
+            wanted += [path, *(f"{path}={choice}" for choice in key.choices or [])]
+    return wanted
 
 
 def uncovered(keys, tables):

@@ -101,8 +101,11 @@ def draw_thermostat(canvas, key):
     """Rare."""
     if canvas.situation != "any" or not canvas.chance(5):
         return ABSENT
-    return {"gain": short(0.01 * canvas.scale(key.child("gain").unit)),
-            "scale": short(canvas.scale(key.child("scale").unit))}
+    thermostat = {"gain": short(0.01 * canvas.scale(key.child("gain").unit)),
+                  "scale": short(canvas.scale(key.child("scale").unit))}
+    if canvas.chance(50):
+        thermostat["target"] = short(0.01 * canvas.scale(key.child("target").unit))
+    return thermostat
 
 
 # -------------------------------------------------------------------- time, output

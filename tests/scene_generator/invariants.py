@@ -7,6 +7,7 @@ from balance import (momentum_changes_by_external_forces, no_blow_up_passes_for_
                      runs_end_as_promised, the_ledger_closes_in_every_step, work_needs_motion)
 from contact import (another_crack_beside_changes_nothing, detections_agree,
                      surfaces_do_not_pass_through)
+from energy import energies_are_the_work_of_tractions
 from images import (bodies_in_another_order, cracks_in_another_order,
                     fast_kernels_are_the_reference, mirrored_along_x, mirrored_along_y,
                     moved_by_whole_cells, other_units_change_no_digit, refinement_is_a_finer_grid,
@@ -23,5 +24,6 @@ SOMETIMES = [moved_by_whole_cells, mirrored_along_x, mirrored_along_y, turned_by
              other_units_change_no_digit, thickness_scales_sums_alone, refinement_is_a_finer_grid,
              threads_and_instructions_change_no_bit, conditions_hold_at_every_node,
              an_unloaded_body_stays_at_rest, half_the_step_halves_the_error,
-             surfaces_do_not_pass_through, another_crack_beside_changes_nothing, detections_agree]
+             energies_are_the_work_of_tractions, surfaces_do_not_pass_through,
+             another_crack_beside_changes_nothing, detections_agree]
 ALL = {function.__name__: function for function in ALWAYS + SOMETIMES}

@@ -7,14 +7,26 @@ import csv
 import json
 import os
 import pathlib
+import resource
 import shutil
+import signal
 import subprocess
 import tempfile
 
 import h5py
 import numpy
 
-TIME_LIMIT = 60  # seconds: a small scene takes some hundredths
+PROCESSOR_LIMIT = 60  # seconds of processor time: a small scene takes some hundredths
+TIME_LIMIT = 1200  # seconds on the clock, for a program that waits for ever
+
+
+class Late(Exception):
+    """A program that has used up its processor time, or that waits for ever."""
+
+
+def limit_processor():
+    """In the child: ends it by SIGXCPU when its processor time is used up."""
+    resource.setrlimit(resource.RLIMIT_CPU, (PROCESSOR_LIMIT, PROCESSOR_LIMIT + 1))
 
 
 class State:
@@ -27,8 +39,6 @@ class State:
             self.body_names = [str(name) for name in group.attrs["body_names"]]
             particles = group["particles"]
             self.fields = {name: particles[name][()] for name in particles}
-            self.cracks = ({name: group["cracks"][name][()] for name in group["cracks"]}
-                           if "cracks" in group else None)
 
     def __getattr__(self, name):
         try:
@@ -46,7 +56,7 @@ class Result:
 
     def __init__(self, status, message):
         self.status, self.message = status, message
-        self.history, self.states, self.kernels = {}, [], None
+        self.history, self.states, self.kernels, self.threads = {}, [], None, 0
         self.files = {}
 
     def read(self, folder, keep_bytes):
@@ -57,7 +67,8 @@ class Result:
         self.history = {name: table[:, k] for k, name in enumerate(rows[0])}
         snapshots = sorted(folder.glob("particles-*.hdf"))
         self.states = [State(path) for path in snapshots]
-        self.kernels = json.loads((folder / "run.json").read_text())["kernels"]
+        record = json.loads((folder / "run.json").read_text())
+        self.kernels, self.threads = record["kernels"], record["provenance"]["threads"]
         if keep_bytes:
             self.files = {path.name: path.read_bytes()
                           for path in [folder / "history.csv", *snapshots]}
@@ -115,8 +126,14 @@ class Runner:
 
     def call(self, *command):
         """Exit status, output and message of a command; a signal is a negative status."""
-        done = subprocess.run(command, capture_output=True, text=True, timeout=TIME_LIMIT,
-                              env=self.environment, check=False)
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, timeout=TIME_LIMIT,
+                                  env=self.environment, check=False, preexec_fn=limit_processor)
+        except subprocess.TimeoutExpired as late:
+            raise Late(f"no answer after {TIME_LIMIT} s, of which less than {PROCESSOR_LIMIT} s on a "
+                       f"processor: {' '.join(command)}") from late
+        if done.returncode == -signal.SIGXCPU:
+            raise Late(f"no answer after {PROCESSOR_LIMIT} s of processor time: {' '.join(command)}")
         return done.returncode, done.stdout, done.stderr.strip()
 
     def check(self, scene):

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """Random scenes against invariants: `make test-scenes`.
 
-    search.py --programs DIR [--seconds S] [--seed N] [--jobs N] [--invariant NAME]...
+    search.py --programs DIR [--seconds S | --scenes N] [--seed N] [--jobs N] [--invariant NAME]...
               [--situation NAME]... [--again N] [--shrink S] [--output DIR] [--fresh] [SCENE...]
 
-Judges the kept scenes first (folder kept/), then draws new ones until the time is over. A scene that
+Judges the kept scenes first (folder kept/), then draws new ones until the time is over, or the number
+of scenes given: these follow from the seed alone, whatever the machine and the jobs. A scene that
 breaks an invariant is shrunk and written to the output folder; the invariant is not asked again,
 unless --again allows so many finds. With SCENE: judges those scenes alone. Exit status: 0 all
 invariants hold; 1 one does not; 2 bad usage. The last line is `N passed, N failed, N skipped`: each
@@ -19,8 +20,8 @@ import multiprocessing
 import pathlib
 import queue
 import random
+import re
 import resource
-import subprocess
 import sys
 import time
 import traceback
@@ -33,7 +34,7 @@ import invariants
 import meaning
 import run
 from case import Case, Discarded, Violation
-from schema import read_schema, visit
+from schema import read_schema
 
 HERE = pathlib.Path(__file__).resolve().parent
 TURNS = ["any", "any", "pressed", "any", "loaded", "any", "pressed", "any", "any"]  # situations
@@ -47,34 +48,23 @@ def judge(name, case):
     """Does the invariant hold? False where the case is none for it."""
     try:
         return invariants.ALL[name](case)
-    except subprocess.TimeoutExpired as late:
-        raise Violation(f"no answer after {late.timeout} s: {' '.join(late.cmd)}") from late
-
-
-def keys_of(schema, scene):
-    """Paths of the keys that a scene has, choices as path=choice."""
-    found = set()
-
-    def note(key, value):
-        found.add(key.path)
-        if key.choices is not None:
-            found.add(f"{key.path}={value}")
-        return value
-
-    visit(schema, scene, note)
-    return found
+    except run.Late as late:
+        raise Violation(str(late)) from late
 
 
 class Search:
-    """One worker: draws batches of scenes until the deadline and judges them."""
+    """One worker: takes batches of scenes until there are no more, draws and judges them. What it judges
+    of a batch depends on the batch's seed alone, but for invariants that another batch has broken."""
 
-    def __init__(self, arguments, first_seed, start, shared):
+    def __init__(self, arguments, start, shared):
         self.arguments = arguments
         self.runner = run.Runner(arguments.programs)
         self.schema, _ = read_schema(self.runner.mpm)
-        self.seed, self.start = first_seed, start
-        self.retired, self.messages = shared
+        self.start = start
+        self.retired, self.messages, self.next_batch = shared
         self.judged = collections.Counter()
+        self.of_batch = collections.Counter()  # invariants judged on the scenes of this batch
+        self.number = 0  # the seed of this batch
         self.drawn, self.valid = collections.Counter(), collections.Counter()
         self.scenes = self.discarded = 0
         self.focus = None  # the invariant that a scene of this batch has broken
@@ -90,17 +80,24 @@ class Search:
     @property
     def over(self):
         """Is the time over?"""
-        return time.monotonic() - self.start > self.arguments.seconds
+        return self.arguments.count is None and \
+            time.monotonic() - self.start > self.arguments.seconds
+
+    def take_batch(self):
+        """The next batch that no worker has taken; None where there is none."""
+        with self.next_batch.get_lock():
+            batch = self.next_batch.value
+            self.next_batch.value += 1
+        wanted = self.arguments.count
+        return None if self.over or wanted is not None and batch * BATCH >= wanted else batch
 
     def work(self):
-        """Batches until the time is over."""
+        """Batches until there are no more."""
         names = [name for name in TURNS
                  if not self.arguments.situation or name in self.arguments.situation]
-        batch = 0
         try:
-            while not self.over:
-                self.batch(names[batch % len(names)], self.seed + batch)
-                batch += 1
+            while (batch := self.take_batch()) is not None:
+                self.batch(names[batch % len(names)], self.arguments.seed + batch)
         except Exception:  # a fault of this program: the parent reports it
             self.messages.put(("fault", traceback.format_exc()))
         finally:
@@ -118,6 +115,8 @@ class Search:
     def batch(self, situation, number):
         """Some scenes from one seed; the first that breaks an invariant is shrunk."""
         self.focus = self.found = None
+        self.of_batch.clear()
+        self.number = number
 
         @seed(number)
         @settings(max_examples=BATCH, deadline=None, database=None,
@@ -132,7 +131,7 @@ class Search:
 
         try:
             holds()
-        except (Violation, HypothesisException, subprocess.TimeoutExpired):
+        except (Violation, HypothesisException):
             if self.found is None:
                 raise
         if self.found is not None:
@@ -141,14 +140,15 @@ class Search:
 
     def first(self, scene):
         """Judges a new scene: by what costs nothing more, and by those invariants of the others
-        that have judged least so far."""
+        that have judged least of this batch so far, from another one on in each batch."""
         self.scenes += 1
-        keys = keys_of(self.schema, scene)
+        keys = draw.keys_of(self.schema, scene)
         self.drawn.update(keys)
         case = Case(self.runner, self.schema, scene)
         always = [function.__name__ for function in invariants.ALWAYS]
-        others = sorted((function.__name__ for function in invariants.SOMETIMES),
-                        key=lambda name: (self.judged[name], name))
+        others = [function.__name__ for function in invariants.SOMETIMES]
+        first = self.number * AT_ONCE % len(others)
+        others = sorted(others[first:] + others[:first], key=lambda name: self.of_batch[name])
         asked = 0
         for name in always + others:
             if not self.active(name) and name != always[0] or asked == AT_ONCE:
@@ -171,6 +171,7 @@ class Search:
                 self.shrink_until = time.monotonic() + self.arguments.shrink
                 raise
             self.judged[name] += 1
+            self.of_batch[name] += 1
             asked += name in others
         self.valid.update(keys)
 
@@ -191,18 +192,26 @@ class Search:
             raise
 
 
+def named_in(text):
+    """The invariants that the comment of a scene names: they must judge it."""
+    comment = " ".join(line for line in text.splitlines() if line.startswith("#"))
+    return [name for name in invariants.ALL if re.search(rf"\b{name}\b", comment)]
+
+
 def judge_file(arguments, path):
     """Faults of one scene: (invariant, message)."""
     runner = run.Runner(arguments.programs)
     faults = []
     try:
         schema, _ = read_schema(runner.mpm)
-        case = Case(runner, schema, run.from_text(path.read_text(encoding="utf-8")))
+        text = path.read_text(encoding="utf-8")
+        case, named = Case(runner, schema, run.from_text(text)), named_in(text)
         for name in invariants.ALL:
             if arguments.invariant and name not in arguments.invariant:
                 continue
             try:
-                judge(name, case)
+                if not judge(name, case) and name in named:
+                    faults.append((name, "does not judge this scene, though its comment names it"))
             except Discarded as discarded:
                 faults.append((name, f"mpm check refuses it: {discarded}"))
                 break
@@ -241,9 +250,9 @@ def search(arguments):
     start = time.monotonic()
     retired = multiprocessing.Array("i", len(invariants.ALL))
     messages = multiprocessing.Queue()
-    workers = [multiprocessing.Process(target=lambda k=k: Search(
-        arguments, arguments.seed + 1000000 * k, start, (retired, messages)).work())
-        for k in range(arguments.jobs)]
+    shared = (retired, messages, multiprocessing.Value("i", 0))
+    workers = [multiprocessing.Process(target=lambda: Search(arguments, start, shared).work())
+               for _ in range(arguments.jobs)]
     for worker in workers:
         worker.start()
     totals, finds, faults = None, collections.Counter(), 0
@@ -287,11 +296,11 @@ def summarize(arguments, keys, outcome):
     if scenes >= 100 and rate > DISCARDED_MOST:
         print(f"FAIL search: more than {100 * DISCARDED_MOST:.0f} % of the scenes are refused")
         failed += 1
-    leaves = [path for path, key in keys.items() if key.shape not in ("group", "list") and
-              path not in meaning.LEFT_OUT]
-    never = [path for path in leaves if not valid[path]]
-    print(f"{len(leaves) - len(never)} of {len(leaves)} keys in valid scenes; {len(meaning.LEFT_OUT)} "
-          f"left out on purpose{'; none has ' + ', '.join(never) if never else ''}")
+    wanted = draw.wanted_of(keys, meaning)
+    never = [path for path in wanted if not valid[path]]
+    print(f"{len(wanted) - len(never)} of {len(wanted)} keys and choices in valid scenes; "
+          f"{len(meaning.LEFT_OUT)} keys left out on purpose"
+          f"{'; none has ' + ', '.join(never) if never else ''}")
     for path in drawn:
         if drawn[path] >= DRAWN_LEAST and not valid[path] and not finds:
             print(f"FAIL search: {path} was drawn {drawn[path]} times, and no scene with it is valid")
@@ -306,6 +315,8 @@ def parse():
     parser.add_argument("scenes", metavar="SCENE", nargs="*", type=pathlib.Path)
     parser.add_argument("--programs", type=pathlib.Path, required=True)
     parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("--scenes", type=int, dest="count",
+                        help="draw so many scenes, in whole batches, however long that takes")
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(10 ** 6))
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--invariant", action="append", choices=list(invariants.ALL))
@@ -323,8 +334,9 @@ def parse():
 def main():
     """Kept scenes, then new ones."""
     arguments = parse()
-    _, keys = read_schema(str(arguments.programs / "mpm"))
-    gaps = draw.uncovered(keys, meaning)
+    schema, keys = read_schema(str(arguments.programs / "mpm"))
+    gaps = draw.uncovered(keys, meaning) or \
+        [f"{path} is never drawn" for path in draw.never_drawn(schema, keys, meaning)]
     for gap in gaps:
         print(f"FAIL search: {gap}")
     kept = arguments.scenes or ([] if arguments.fresh else sorted((HERE / "kept").glob("*.yaml")))

@@ -251,7 +251,6 @@ static void report(struct measurement *m, const struct static_solution *solution
         double value;
     } table[] = {
         {"pair_stress_l2", e->pair_stress_l2},
-        {"inner_displacement_l2", e->inner_displacement_l2},
         {"stress_worst", e->stress_worst},
         {"stress_l2", e->stress_l2},
         {"displacement_worst", e->displacement_worst},

@@ -1,12 +1,13 @@
 /* G4: a column is stretched by a traction, brought to rest with small steps, and left alone with
  * steps of the Courant number of the scene: how fast does it lose its uniform state?
  *
- * What departs from uniform is the deviation of J over its mean. Parameters: `hold`, the time at
- * which the steps become those of the scene, and `careful`, the longest step before; from then on
- * the deviation is looked at every `interval`. Its growth rate is the slope of its logarithm by
- * least squares, from where it last is below `from` to where it first exceeds `to`. Beside it
- * stands the rate of stretched_column.h for the state at `hold`, with `modulus`, the slope of the
- * force over the stretch, and the density of the unstretched column, `density`.
+ * The deviation is the root mean square velocity of the particles, sqrt(2 K/M). Parameters: `hold`,
+ * the time at which the steps become those of the scene, and `careful`, the longest step before;
+ * from then on the deviation is looked at every `interval`. Its growth rate is the slope of its
+ * logarithm by least squares, from where it last is below `from` to where it first exceeds `to`.
+ * Beside it stands the rate of stretched_column.h for the state at `hold`, with `modulus`, the
+ * slope of the force over the stretch, and the density of the unstretched column, `density`.
+ * Series: `deviation` over time and, where it grows, `predicted`: the same growth at that rate.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/exact/stretched_column.h"
@@ -121,7 +122,18 @@ static double growth_rate(const struct study *study)
     return end == study->rows.count ? (double)NAN : slope(&rows[COLUMNS * begin], end - begin);
 }
 
-static void report(struct study *study, struct measurement *m, double time_step)
+/* The line of that rate which ends where the deviation does, from round-off on. */
+static enum mpm_status write_predicted(const struct study *study, struct measurement *m,
+                                       double rate, struct mpm_error *error)
+{
+    static const double round_off = 1e-15;
+    const double *const last = &study->rows.values[COLUMNS * (study->rows.count - 1)];
+    const double rows[] = {last[0] - log(last[1] / round_off) / rate, round_off, last[0], last[1]};
+    return measurement_series(m, "predicted", "time deviation", COLUMNS, 2, rows, error);
+}
+
+static enum mpm_status report(struct study *study, struct measurement *m, double time_step,
+                              struct mpm_error *error)
 {
     const double predicted = stretched_column_rate(&study->column, time_step);
     const double rate = growth_rate(study);
@@ -130,11 +142,12 @@ static void report(struct study *study, struct measurement *m, double time_step)
         largest = field_larger(largest, study->rows.values[COLUMNS * k + 1]);
     measurement_report(m, "deviation", largest);
     measurement_note(m, "rate of the linear step %.5g, measured %.5g", predicted, rate);
-    if (isfinite(rate)) {
-        measurement_report(m, "over_predicted", rate / predicted);
-    } else {
+    if (!isfinite(rate)) {
         measurement_inconclusive(m, "over_predicted", "the deviation comes to %g only", largest);
+        return MPM_OK;
     }
+    measurement_report(m, "over_predicted", rate / predicted);
+    return predicted > 0.0 ? write_predicted(study, m, predicted, error) : MPM_OK;
 }
 
 static enum mpm_status follow(struct study *study, struct measurement *m,
@@ -159,7 +172,7 @@ static enum mpm_status follow(struct study *study, struct measurement *m,
             next = time;
         }
     }
-    report(study, m, time_step);
+    TRY(report(study, m, time_step, error));
     follow_count_work(m, simulation);
     return follow_rows_check(&study->rows, error);
 }

@@ -163,7 +163,7 @@ static const struct {
     {"a wall to and fro",
      {"bodies.b.velocity=[0, 0]", "boundary=[{region: {line: {from: [4, 0], to: [4, 14]}}, "
                                   "velocity: ['0.3*sin(3*t)', free]}]"}},
-    {"a wall that starts at once",
+    {"a fast wall that starts at once",
      {"bodies.b.velocity=[0, 0]",
       "boundary=[{region: {line: {from: [4, 0], to: [4, 14]}}, velocity: [0.3, free]}]"}},
     {"a load to and fro", {"bodies.b.velocity=[0, 0]", "loads={body_force: ['0.5*sin(2*t)', 0]}"}},

@@ -20,9 +20,11 @@ unset xlabel
 set tics scale 0.4
 set xtics -30,10,30
 set ytics -10,10,10
-set multiplot layout 2,2 margins 0.06, 0.87, 0.12, 0.97 spacing 0.05, 0.08
+set multiplot layout 2,2 margins 0.11, 0.87, 0.16, 0.97 spacing 0.05, 0.08
 do for [k = 1:4] {
     set label 1 sprintf('%c: %s ms', 64 + k, word(times, k)) at graph 0.5, 0.06 center front
+    if (k % 2 == 1) { set ylabel 'y (mm)' } else { unset ylabel }
+    if (k > 2) { set xlabel 'x (mm)' }
     if (k > 1) { unset colorbox }
     if (k == 1) { set colorbox user origin 0.89, 0.12 size 0.022, 0.8 }
     plot file(sprintf('%d', k)) matrix using (($1 + 0.5)*pixel - 37):(($2 + 0.5)*pixel - 18):($3 < empty ? NaN : $3*1e3) with image, \

@@ -5,7 +5,7 @@ set output output
 set xlabel 'time (ms)'
 set xrange [0:6]
 set yrange [0.8:1.2]
-set lmargin 8
+set lmargin 10
 set rmargin 1
 set multiplot layout 1,3
 do for [family in 'classic ugimp cpdi'] {
@@ -16,5 +16,6 @@ do for [family in 'classic ugimp cpdi'] {
          data.'/data-'.family.'_musl-energy.dat' using 1:2 with lines ls 2 title 'MUSL', \
          data.'/data-'.family.'_usf-energy.dat' using 1:2 with lines ls 3 title 'USF', \
          data.'/data-'.family.'_usavg-energy.dat' using 1:2 with lines ls 4 title 'USAVG'
+    unset label 9999 # the stamp, which one panel has drawn
 }
 unset multiplot

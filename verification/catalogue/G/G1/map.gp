@@ -14,6 +14,7 @@ set yrange [n+0.5:0.5]
 set x2range [-0.5:5.5]
 set cbrange [0:2.5]
 unset xtics
+set xlabel 'bar, block and spin, of small and of large displacements'
 set x2tics ("bar\nsmall" 0, "bar\nlarge" 1, "block\nsmall" 2, "block\nlarge" 3, "spin\nsmall" 4, "spin\nlarge" 5) scale 0
 set ytics scale 0 noenhanced
 do for [i=1:n] { set ytics add (word(variants, i) i) }

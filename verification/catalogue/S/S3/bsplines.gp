@@ -10,6 +10,7 @@ unset key
 curve(name) = data.'/data-'.name.'.dat'
 set multiplot layout 1, 2
 do for [family in 'bspline2 bspline3'] {
+    if (family eq 'bspline2') { set ylabel 'weight' } else { unset ylabel }
     set title (family eq 'bspline2' ? 'quadratic' : 'cubic')
     plot for [node = -1:2] curve(family.'-free') using ($1 / 2):(column(node + 3)) with lines \
              ls 20 dt (5, 4) lw 1, \
