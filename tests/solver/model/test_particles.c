@@ -99,9 +99,11 @@ static void write_value(struct mpm_particles *particles, size_t field, size_t k,
         ((double *)array)[p] = value;
 }
 
+/* NOLINTBEGIN(bugprone-macro-parentheses): field and k are names that the loops declare. */
 #define FOR_ARRAYS(particles, field, k)                                                            \
     for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++)                              \
         for (size_t k = 0; k < (particles)->components[field]; k++)
+/* NOLINTEND(bugprone-macro-parentheses) */
 
 static void fill(struct mpm_particles *particles)
 {
