@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Compares the results of two builds bit by bit.
 
-    compare_builds.py OLD NEW [--part suite|scenes|random]... [--case GLOB] [--random N] [--seed N]
-                      [--jobs N] [--output DIR]
+    compare_builds.py OLD NEW [--part suite|scenes|random]... [--case GLOB] [--steps N] [--random N]
+                      [--seed N] [--jobs N] [--output DIR]
 
 OLD and NEW are folders with the programs `mpm` and `mpm-verify`. Three parts, all of them unless some
 are asked for:
@@ -11,7 +11,7 @@ suite   `mpm-verify run` with both programs: every quantity and every curve that
         Quantities that count time or instructions are left out.
 scenes  `mpm run` of each scene of the catalogue with the settings of each variant of the CI tier, of
         the kept scenes and of those of the benchmarks: every byte of histories, every dataset and
-        attribute of snapshots but those that name the build.
+        attribute of snapshots but those that name the build. With --steps, so many steps of each.
 random  `mpm run` of so many random scenes (tests/scene_generator), fast and reference kernels.
 
 Results of OLD are kept in the output folder and used again as long as its program `mpm-verify` is the
@@ -42,7 +42,7 @@ sys.path.insert(0, str(ROOT / "tests" / "scene_generator"))
 
 PARTS = ("suite", "scenes", "random")
 COSTS = ("cpu_seconds", "seconds", "*instructions*", "*overhead*", "*_time")  # measured each time
-BUILD = {"program", "version", "revision", "compiler", "flags", "build"}  # attributes of snapshots
+BUILD = {"version", "revision", "compiler", "flags", "libraries"}  # attributes of snapshots
 TIME_LIMIT = 600  # seconds for one run
 
 
@@ -130,7 +130,7 @@ def variants_of(case, methods):
     return found
 
 
-def runs_of_scenes(programs, glob):
+def runs_of_scenes(programs, glob, steps):
     """One job for each scene of the tree and each variant's settings."""
     catalogue = ROOT / "verification" / "catalogue"
     methods = yaml.safe_load((catalogue / "methods.yaml").read_text())["methods"]
@@ -142,14 +142,14 @@ def runs_of_scenes(programs, glob):
             if scene == path or "bodies" not in (yaml.safe_load(scene.read_text()) or {}):
                 continue
             for variant, settings in variants_of(case, methods):
-                options = [word for setting in settings for word in ("--set", setting)]
+                options = [word for setting in settings + steps for word in ("--set", setting)]
                 yield f"{case['case']}/{variant}/{scene.stem}", scene, options, programs
     if glob == "*":
         others = [*ROOT.glob("tests/scenes/*.yaml"), *ROOT.glob("tests/scene_generator/kept/*.yaml"),
                   *ROOT.glob("benchmarks/scenes/*.yaml")]
         for scene in sorted(others):
             for kernels in ("auto", "reference"):
-                options = ["--kernels", kernels]
+                options = ["--kernels", kernels, *(word for s in steps for word in ("--set", s))]
                 if scene.parent.parent.name == "benchmarks":
                     options += ["--set", "time.steps=20"]
                 yield f"{scene.parent.name}/{scene.stem}/{kernels}", scene, options, programs
@@ -257,6 +257,7 @@ def parse():
     parser.add_argument("new", metavar="NEW", type=pathlib.Path)
     parser.add_argument("--part", action="append", choices=PARTS)
     parser.add_argument("--case", default="*", metavar="GLOB")
+    parser.add_argument("--steps", type=int, metavar="N")
     parser.add_argument("--random", type=int, default=400, metavar="N")
     parser.add_argument("--seed", type=int, default=1, metavar="N")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N")
@@ -281,7 +282,9 @@ def main():
         if part == "suite":
             more = compare_suite(arguments)
         elif part == "scenes":
-            more = compare_runs(runs_of_scenes(programs, arguments.case), arguments.jobs)
+            more = compare_runs(runs_of_scenes(
+                programs, arguments.case, [f"time.steps={arguments.steps}"] if arguments.steps else []),
+                arguments.jobs)
         else:
             more = compare_runs(list(runs_of_random_scenes(
                 programs, arguments.random, arguments.seed, arguments.output / "random")),
