@@ -188,8 +188,8 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
  *     factor = 1 + (E - W - E_0) / (E_0 + largest |W| so far + 8 largest K_c so far + 1e-12 m c^2)
  * is 1 in an exact run; m is the mass of all particles, c their wave speed at t = 0; energy.c
  * derives the 8. MPM_RUN_FAILED: it is above 10, or E is not finite; the last good step is
- * then the one before that, of those not judged yet, where this was so first. Cost: one pass over
- * the particles, two where the factor may be above 1.5; nothing if the step has been judged. */
+ * then the one before that, of those not judged yet, where this was so first. Cost: up to two
+ * passes over the particles; nothing if the step has been judged. */
 enum mpm_status mpm_simulation_judge(struct mpm_simulation *simulation, struct mpm_error *error);
 
 /* What of that has been seen so far: has the factor been above 1.5, in a run that went on? */
@@ -282,10 +282,9 @@ bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field);
 void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_field field,
                           double *values);
 
-/* The same for the particles with ids first .. first + count - 1, all of which must be there:
- * all of a simulation block by block, in a buffer of the caller's choice. Finds the ids' places
- * in scratch memory of the simulation, once after each sort: not for several threads at a time.
- */
+/* The same for the particles with ids first .. first + count - 1, all of which must be there: a
+ * simulation block by block, in a buffer of the caller's choice. Finds the ids' places in memory of
+ * the simulation, once after each sort: not for several threads at a time. */
 void mpm_simulation_field_range(const struct mpm_simulation *simulation, enum mpm_field field,
                                 size_t first, size_t count, double *values);
 
@@ -366,13 +365,11 @@ struct mpm_rest {
     double lowest_residual, lowest_time;
     double fallen_time; /* the last time when it had fallen by 10 % since the last such time */
 };
-/* Have both been below the scene's bounds for as many steps as it says, not counting those
- * before time.rest.after? False if the scene does not ask. `rest` may be NULL. Steps can be
- * taken after that as well; mpm_scene_run ends there. */
+/* Have both been below the scene's bounds for as many steps in a row, after time.rest.after? False
+ * if the scene does not ask. `rest` may be NULL. Further steps can be taken after that. */
 bool mpm_simulation_at_rest(const struct mpm_simulation *simulation, struct mpm_rest *rest);
 
-/* Has the residual neither fallen by 10 % nor been below the scene's bound for time.rest.patience
- * steps? False without that key. */
+/* Has the residual neither fallen by 10 % nor been below its bound for time.rest.patience steps? */
 bool mpm_simulation_stagnates(const struct mpm_simulation *simulation);
 
 /* The J integral at a tip of a crack, as `j_integral` of the scene asks for it, and what follows

@@ -155,3 +155,18 @@ int mpm_symmetry_images(const struct mpm_state *state, int64_t node,
     }
     return count;
 }
+
+double mpm_symmetry_whole_mass(const struct mpm_state *state, int64_t node)
+{
+    const int64_t columns = state->grid.columns, parent = mpm_field_parent(state, node);
+    const int64_t first = mpm_fields_first(state);
+    const unsigned free = node < first ? 0u : state->fields.list[node - first].free;
+    double mass = state->grid.mass[node];
+    for (size_t k = 0; k < state->symmetries.count; k++) {
+        const struct mpm_symmetry *const plane = &state->symmetries.planes[k];
+        if ((free >> plane->axis & 1u) == 0 &&
+            (plane->axis == 0 ? parent % columns : parent / columns) == plane->line)
+            mass *= 2.0;
+    }
+    return mass;
+}

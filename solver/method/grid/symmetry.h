@@ -22,6 +22,10 @@
  * images stay images. */
 int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, double sign[2]);
 
+/* The node's mass in the whole model: on a plane the sum over particles has half of it, unless the
+ * node is a field on the free surface of a crack that lies there. */
+double mpm_symmetry_whole_mass(const struct mpm_state *state, int64_t node);
+
 /* After masses and momenta are spread. */
 void mpm_symmetries_reflect_momentum(struct mpm_state *state);
 /* Once all forces are. */

@@ -2,6 +2,7 @@
 #include "method/transfer/transfer.h"
 
 #include "method/fields/fields.h"
+#include "method/grid/symmetry.h"
 #include "method/transfer/particle_updates.h"
 
 #include <float.h>
@@ -91,23 +92,6 @@ const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, si
     return room;
 }
 
-/* A node on a plane of symmetry has half of what it has in the whole model, unless it is a field on
- * the free surface of a crack that lies there; symmetry.h. */
-static double whole_mass(const struct mpm_state *state, int64_t node)
-{
-    const int64_t columns = state->grid.columns, parent = mpm_field_parent(state, node);
-    const int64_t first = mpm_fields_first(state);
-    const unsigned free = node < first ? 0u : state->fields.list[node - first].free;
-    double mass = state->grid.mass[node];
-    for (size_t k = 0; k < state->symmetries.count; k++) {
-        const struct mpm_symmetry *const plane = &state->symmetries.planes[k];
-        if ((free >> plane->axis & 1u) == 0 &&
-            (plane->axis == 0 ? parent % columns : parent / columns) == plane->line)
-            mass *= 2.0;
-    }
-    return mass;
-}
-
 MPM_INLINE const struct mpm_stencil *read_back_weights(const struct mpm_state *state,
                                                        const struct mpm_stencil *stencil,
                                                        bool by_momentum,
@@ -117,11 +101,12 @@ MPM_INLINE const struct mpm_stencil *read_back_weights(const struct mpm_state *s
     if (!by_momentum)
         return stencil;
     for (int k = 0; k < stencil->count; k++)
-        mass += stencil->node[k].s * whole_mass(state, state->node_zero + stencil->node[k].node);
+        mass += stencil->node[k].s *
+                mpm_symmetry_whole_mass(state, state->node_zero + stencil->node[k].node);
     weights->count = stencil->count;
     for (int k = 0; k < stencil->count; k++) {
         const struct mpm_stencil_node *const entry = &stencil->node[k];
-        const double part = whole_mass(state, state->node_zero + entry->node) / mass;
+        const double part = mpm_symmetry_whole_mass(state, state->node_zero + entry->node) / mass;
         weights->node[k] = (struct mpm_stencil_node){
             .node = entry->node,
             .s = part * entry->s,
