@@ -4,69 +4,26 @@
 #include "method/fast/fast.h"
 #include "method/fields/split.h"
 #include "method/grid/grid_update.h"
-#include "method/transfer/affine.h"
-#include "method/transfer/projection.h"
 #include "method/transfer/smoothing.h"
 #include "method/transfer/transfer.h"
-
-/* The steps of one way to exchange: to the grid, with the stress at hand or without; what
- * reads back from it. */
-#define ORDERS(momentum, momentum_force, stress_force, velocity, extrapolate, position, finish)    \
-    {                                                                                              \
-        [MPM_USL] = STEP(momentum_force, NULL, velocity, finish),                                  \
-        [MPM_MUSL] = STEP(momentum_force, NULL, extrapolate, finish),                              \
-        [MPM_USF] = STEP(momentum, stress_force, velocity, position),                              \
-        [MPM_USAVG] = STEP(momentum, stress_force, extrapolate, finish),                           \
-        [MPM_USAVG_ONCE] = STEP(momentum, stress_force, velocity, finish),                         \
-    }
-#define STEP(first, before, back, last)                                                            \
-    {                                                                                              \
-        first, before, back, last, mpm_pass_recompute, mpm_pass_project                            \
-    }
-
-static const struct mpm_passes velocity_passes[MPM_ORDER_COUNT] = ORDERS(
-    mpm_pass_momentum, mpm_pass_momentum_and_force, mpm_pass_stress_and_force, mpm_pass_velocity,
-    mpm_pass_velocity_and_momentum, mpm_pass_position, mpm_pass_stress_and_position);
-
-static const struct mpm_passes momentum_passes[MPM_ORDER_COUNT] =
-    ORDERS(mpm_pass_momentum, mpm_pass_momentum_and_force, mpm_pass_stress_and_force_by_momentum,
-           mpm_pass_velocity_by_momentum, mpm_pass_velocity_and_momentum_by_momentum,
-           mpm_pass_position_by_momentum, mpm_pass_stress_and_position_by_momentum);
-
-static const struct mpm_passes affine_passes[MPM_ORDER_COUNT] =
-    ORDERS(mpm_pass_affine_momentum, mpm_pass_affine_momentum_and_force, mpm_pass_stress_and_force,
-           mpm_pass_affine_velocity, mpm_pass_affine_velocity_and_momentum, mpm_pass_position,
-           mpm_pass_stress_and_position);
+#include "method/transfer/transfers.h"
 
 static const struct mpm_passes *reference_passes(const struct mpm_scene *scene)
 {
-    if (scene->transfer == MPM_TRANSFER_APIC)
-        return &affine_passes[scene->stress_update];
-    if (scene->form == MPM_FORM_MOMENTUM)
-        return &momentum_passes[scene->stress_update];
-    return &velocity_passes[scene->stress_update];
+    const struct mpm_transfer *const transfer = mpm_transfer_of(scene->transfer);
+    return &(scene->form == MPM_FORM_MOMENTUM ? transfer->by_momentum
+                                              : transfer->passes)[scene->stress_update];
 }
 
-/* What transfers do besides the passes: the reference kernels have a pass for a fraction; the
- * fast ones have it done to the nodes, and so has everybody what `smooths`. */
-struct transfer {
-    bool smooths; /* from order 2 on; before that it is PIC */
-    mpm_pass *rows;
-};
-
-static const struct transfer transfers[] = {
-    [MPM_TRANSFER_FLIP] = {false, NULL},        [MPM_TRANSFER_PIC] = {false, NULL},
-    [MPM_TRANSFER_XPIC] = {true, mpm_row_xpic}, [MPM_TRANSFER_FMPM] = {true, mpm_row_fmpm},
-    [MPM_TRANSFER_APIC] = {false, NULL},
-};
-
+/* What transfers do besides the passes. The reference kernels have a pass for a fraction; the fast
+ * ones have it done to the nodes. */
 static void choose_transfer(const struct mpm_scene *scene, bool fast,
                             struct mpm_kernel_choice *choice)
 {
-    const struct transfer *const transfer = &transfers[scene->transfer];
-    if (transfer->smooths && scene->transfer_order > 1) {
+    mpm_pass *const smoothed_rows = mpm_transfer_of(scene->transfer)->smoothed_rows;
+    if (smoothed_rows != NULL && scene->transfer_order > 1) { /* order 1 is PIC */
         choice->smooth = mpm_smoothing_run;
-        choice->flip_rows = transfer->rows;
+        choice->flip_rows = smoothed_rows;
         choice->flip_particles = mpm_pass_keep_fraction;
     } else if (scene->flip_fraction < 1.0 && fast) {
         choice->flip_rows = mpm_row_flip_fraction;

@@ -23,14 +23,17 @@ enum mpm_stress_update {
 enum mpm_position_update { MPM_GRID_VELOCITY, MPM_MIDPOINT };
 enum mpm_radius_update { MPM_RADIUS_SHAPE, MPM_RADIUS_HOOP };
 
-/* How particle velocities follow the grid; mpm_transfer in method/ has their equations. */
-enum mpm_transfer_kind {
-    MPM_TRANSFER_FLIP, /* flip_fraction of it */
-    MPM_TRANSFER_PIC,
-    MPM_TRANSFER_XPIC, /* of transfer_order */
-    MPM_TRANSFER_FMPM, /* of transfer_order */
-    MPM_TRANSFER_APIC,
-};
+/* How particle velocities follow the grid: method.transfer.kind in scenes. What belongs to each is
+ * a row of method/transfer/transfers.c; solver/README.md has the equations. */
+#define MPM_TRANSFERS(T)                                                                           \
+    T("flip", MPM_TRANSFER_FLIP)                                                                   \
+    T("pic", MPM_TRANSFER_PIC)                                                                     \
+    T("xpic", MPM_TRANSFER_XPIC)                                                                   \
+    T("fmpm", MPM_TRANSFER_FMPM)                                                                   \
+    T("apic", MPM_TRANSFER_APIC)
+#define MPM_KIND(name, kind) kind,
+enum mpm_transfer_kind { MPM_TRANSFERS(MPM_KIND) MPM_TRANSFER_COUNT };
+#undef MPM_KIND
 
 /* What the particles' updates take from the nodes: Notes 5.1 or 5.2. */
 enum mpm_form { MPM_FORM_VELOCITY, MPM_FORM_MOMENTUM };

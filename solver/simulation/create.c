@@ -5,6 +5,7 @@
 #include "method/fields/fields.h"
 #include "method/kernels.h"
 #include "method/transfer/transfer.h"
+#include "method/transfer/transfers.h"
 #include "model/fill.h"
 #include "simulation/simulation.h"
 
@@ -100,7 +101,7 @@ static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulatio
     const struct mpm_scene *const scene = simulation->scene;
     unsigned uses = MPM_USE_DEFORMABLE;
     uses |= keeps_domains(&simulation->state) ? MPM_USE_DOMAINS : 0;
-    uses |= scene->transfer == MPM_TRANSFER_APIC ? MPM_USE_APIC : 0;
+    uses |= mpm_transfer_of(scene->transfer)->carries;
     uses |= mpm_crack_detection_needs_surfaces(scene) ? MPM_USE_ORIGINS : 0;
     uses |= scene->crack_count > 0 ? MPM_USE_KEPT_STRESS : 0; /* see method/fields/split.h */
     return (struct mpm_particle_needs){.uses = uses};

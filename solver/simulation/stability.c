@@ -132,6 +132,8 @@ static void add_transfer(struct features *features, const struct mpm_scene *scen
     case MPM_TRANSFER_APIC:
         add(features, APIC);
         return;
+    case MPM_TRANSFER_COUNT:
+        return;
     }
 }
 

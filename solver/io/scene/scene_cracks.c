@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
+#include "method/transfer/transfers.h"
 
 #include "base/segment.h"
 #include "method/cracks/crack_contact.h"
@@ -220,21 +221,12 @@ static enum mpm_status check_point_count(const struct mpm_reading *reading)
 /* What a method does at nodes that have one velocity, and these have several. */
 static enum mpm_status check_method(const struct mpm_reading *reading)
 {
-    static const struct {
-        const char *name, *reason; /* NULL: it is defined */
-    } transfers[] = {
-        [MPM_TRANSFER_FLIP] = {"flip", NULL},
-        [MPM_TRANSFER_PIC] = {"pic", NULL},
-        [MPM_TRANSFER_XPIC] = {"xpic", "smooths over nodes of one velocity field"},
-        [MPM_TRANSFER_FMPM] = {"fmpm", "smooths over nodes of one velocity field"},
-        [MPM_TRANSFER_APIC] = {"apic", "takes spin from nodes of one velocity field"},
-    };
-    const enum mpm_transfer_kind kind = reading->scene->transfer;
-    if (transfers[kind].reason != NULL)
+    const struct mpm_transfer *const transfer = mpm_transfer_of(reading->scene->transfer);
+    if (transfer->no_fields != NULL)
         return mpm_reading_fault(reading, "method.transfer.kind",
                                  "%s is not implemented with cracks in this version: it %s, and "
                                  "nodes at a crack have several; allowed: flip and pic",
-                                 transfers[kind].name, transfers[kind].reason);
+                                 transfer->name, transfer->no_fields);
     if (reading->scene->form == MPM_FORM_MOMENTUM)
         return mpm_reading_fault(reading, "method.form",
                                  "momentum is not implemented with cracks in this version: it "

@@ -57,12 +57,7 @@
     C("shape", MPM_RADIUS_SHAPE)                                                                   \
     C("hoop", MPM_RADIUS_HOOP)
 
-#define CHOICES_transfer_kind(C)                                                                   \
-    C("flip", MPM_TRANSFER_FLIP)                                                                   \
-    C("pic", MPM_TRANSFER_PIC)                                                                     \
-    C("xpic", MPM_TRANSFER_XPIC)                                                                   \
-    C("fmpm", MPM_TRANSFER_FMPM)                                                                   \
-    C("apic", MPM_TRANSFER_APIC)
+#define CHOICES_transfer_kind(C) MPM_TRANSFERS(C)
 
 #define CHOICES_form(C)                                                                            \
     C("velocity", MPM_FORM_VELOCITY)                                                               \

@@ -2,30 +2,12 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
+#include "method/transfer/transfers.h"
 
 /* ------------------------------------------------------------------ transfer */
 
-struct transfer {
-    const char *name;
-    bool fraction, order;    /* takes this key */
-    const char *no_momentum; /* why not with form: momentum; NULL: it is defined */
-};
-
-static const struct transfer transfers[] = {
-    [MPM_TRANSFER_FLIP] = {.name = "flip", .fraction = true},
-    [MPM_TRANSFER_PIC] = {.name = "pic"},
-    [MPM_TRANSFER_XPIC] = {.name = "xpic",
-                           .order = true,
-                           .no_momentum = "takes the weights back out of nodal velocities"},
-    [MPM_TRANSFER_FMPM] = {.name = "fmpm",
-                           .order = true,
-                           .no_momentum = "makes other nodal velocities of the momenta"},
-    [MPM_TRANSFER_APIC] = {.name = "apic",
-                           .no_momentum = "carries the gradient of nodal velocities"},
-};
-
 static enum mpm_status check_keys(const struct mpm_reading *reading,
-                                  const struct transfer *transfer)
+                                  const struct mpm_transfer *transfer)
 {
     const bool fraction = mpm_reading_given(reading, "method.transfer.fraction");
     const bool order = mpm_reading_given(reading, "method.transfer.order");
@@ -50,7 +32,7 @@ static enum mpm_status build_transfer(const struct mpm_reading *reading)
 {
     struct mpm_scene *const scene = reading->scene;
     const struct mpm_raw_transfer *const raw = reading->raw->method->transfer;
-    const struct transfer *const transfer = &transfers[raw->kind];
+    const struct mpm_transfer *const transfer = mpm_transfer_of((enum mpm_transfer_kind)raw->kind);
     MPM_TRY(check_keys(reading, transfer));
     scene->transfer = (enum mpm_transfer_kind)raw->kind;
     scene->flip_fraction = transfer->fraction ? mpm_raw_double(raw->fraction) : 0.0;

@@ -3,6 +3,7 @@
 
 #include "method/fast/fast_laws.h"
 #include "method/shape/shape.h"
+#include "method/transfer/transfers.h"
 
 #define FAMILIES(level)                                                                            \
     {                                                                                              \
@@ -53,8 +54,8 @@ const char *mpm_fast_lacks(const struct mpm_scene *scene)
 {
     if (scene->axis == MPM_PLANAR && !mpm_shape_family(scene->shape)->point)
         return "there are no fast kernels for method.axis: planar";
-    if (scene->transfer == MPM_TRANSFER_APIC)
-        return "there are no fast kernels for method.transfer: apic";
+    if (mpm_transfer_of(scene->transfer)->no_fast != NULL)
+        return mpm_transfer_of(scene->transfer)->no_fast;
     for (size_t k = 0; k < scene->material_count; k++)
         if (!has_vectors(mpm_material_law_find(scene->materials[k].law)))
             return "there are no fast kernels for the law of a material";
