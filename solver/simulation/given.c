@@ -25,7 +25,7 @@ enum mpm_status mpm_simulation_set_body_force(struct mpm_simulation *simulation,
         return mpm_error_set(error, MPM_BAD_INPUT,
                              "body force: evaluate is NULL; allowed: a function");
     state->given_force = (struct mpm_given_force){0};
-    mpm_particles_layout_field(&state->particles, MPM_PARTICLE_GIVEN_FORCE, 0, NULL);
+    mpm_particles_layout_field(&state->particles, MPM_PARTICLE_GIVEN_FORCE, 0, &simulation->given);
     mpm_arena_free(&simulation->given);
     if (force == NULL)
         return MPM_OK;

@@ -43,6 +43,7 @@ sys.path.insert(0, str(ROOT / "tests" / "scene_generator"))
 PARTS = ("suite", "scenes", "random")
 COSTS = ("cpu_seconds", "seconds", "*instructions*", "*overhead*", "*_time")  # measured each time
 BUILD = {"version", "revision", "compiler", "flags", "libraries"}  # attributes of snapshots
+REFUSED = "both refuse it"
 TIME_LIMIT = 600  # seconds for one run
 
 
@@ -107,7 +108,7 @@ def one_run(job):
         if ends[0] != ends[1]:
             return name, f"exit {ends[0][0]} and {ends[1][0]}: {ends[0][1]!r} and {ends[1][1]!r}"
         if ends[0][0] not in (0, 3):
-            return name, None
+            return name, REFUSED
         try:
             same_results(*folders)
         except Differs as difference:
@@ -145,7 +146,7 @@ def runs_of_scenes(programs, glob, steps):
                 options = [word for setting in settings + steps for word in ("--set", setting)]
                 yield f"{case['case']}/{variant}/{scene.stem}", scene, options, programs
     if glob == "*":
-        others = [*ROOT.glob("tests/scenes/*.yaml"), *ROOT.glob("tests/scene_generator/kept/*.yaml"),
+        others = [*ROOT.glob("tests/scenes/good/*.yaml"), *ROOT.glob("tests/scene_generator/kept/*.yaml"),
                   *ROOT.glob("benchmarks/scenes/*.yaml")]
         for scene in sorted(others):
             for kernels in ("auto", "reference"):
@@ -187,14 +188,18 @@ def runs_of_random_scenes(programs, count, seed, folder):
 
 
 def compare_runs(jobs, workers):
-    """Runs all jobs; how many are the same, and how many not."""
-    passed = failed = 0
+    """Runs all jobs; how many are the same, how many not, how many both refuse alike."""
+    passed = failed = skipped = 0
     with multiprocessing.Pool(workers) as pool:
         for name, difference in pool.imap_unordered(one_run, jobs):
-            if difference is not None:
+            if difference == REFUSED:
+                skipped += 1
+            elif difference is None:
+                passed += 1
+            else:
                 print(f"FAIL {name}: {difference}", flush=True)
-            passed, failed = passed + (difference is None), failed + (difference is not None)
-    return passed, failed
+                failed += 1
+    return passed, failed, skipped
 
 
 # ---------------------------------------------------------------------------- suite
@@ -246,7 +251,7 @@ def compare_suite(arguments):
         if not same:
             print(f"FAIL {name}")
         passed, failed = passed + same, failed + (not same)
-    return passed, failed
+    return passed, failed, 0
 
 
 def parse():
@@ -275,7 +280,7 @@ def main():
     """Compares the parts that are asked for."""
     arguments = parse()
     programs = [str(folder / "mpm") for folder in (arguments.old, arguments.new)]
-    passed = failed = 0
+    passed = failed = skipped = 0
     for part in PARTS:
         if arguments.part and part not in arguments.part:
             continue
@@ -289,9 +294,9 @@ def main():
             more = compare_runs(list(runs_of_random_scenes(
                 programs, arguments.random, arguments.seed, arguments.output / "random")),
                 arguments.jobs)
-        print(f"{part}: {more[0]} the same, {more[1]} differ", flush=True)
-        passed, failed = passed + more[0], failed + more[1]
-    print(f"{passed} passed, {failed} failed, 0 skipped")
+        print(f"{part}: {more[0]} the same, {more[1]} differ, {more[2]} refused by both", flush=True)
+        passed, failed, skipped = passed + more[0], failed + more[1], skipped + more[2]
+    print(f"{passed} passed, {failed} failed, {skipped} skipped")
     return int(failed > 0)
 
 

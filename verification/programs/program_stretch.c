@@ -127,8 +127,9 @@ static enum mpm_status write_predicted(const struct study *study, struct measure
                                        double rate, struct mpm_error *error)
 {
     static const double round_off = 1e-15;
-    const double *const last = &study->rows.values[COLUMNS * (study->rows.count - 1)];
-    const double rows[] = {last[0] - log(last[1] / round_off) / rate, round_off, last[0], last[1]};
+    const size_t last = COLUMNS * (study->rows.count - 1);
+    const double time = study->rows.values[last], deviation = study->rows.values[last + 1];
+    const double rows[] = {time - log(deviation / round_off) / rate, round_off, time, deviation};
     return measurement_series(m, "predicted", "time deviation", COLUMNS, 2, rows, error);
 }
 

@@ -2,10 +2,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
-#include "method/transfer/transfers.h"
 
 #include "base/segment.h"
 #include "method/cracks/crack_contact.h"
+#include "method/transfer/transfers.h"
 #include "model/region.h"
 
 #include <math.h>

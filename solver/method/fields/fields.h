@@ -38,7 +38,7 @@
  * A new client claims its keys or layers when the simulation is created, and asks in `begin` of
  * step.c; passes, loads, conditions and sums over nodes stay as they are. Fields exchange momentum
  * by mpm_exchange (contact/exchange.h), which knows two fields, a normal and a law.
- * tests/test_fields.c has such clients: bodies that pass through each other.
+ * tests/solver/method/test_fields.c has such clients: bodies that pass through each other.
  *
  * Scenes without clients run none of this and have no memory for it.
  *

@@ -4,9 +4,12 @@
 #include "base/strips.h"
 #include "method/transfer/transfer.h"
 
+#include <assert.h>
+
 void mpm_projection_run(struct mpm_state *state, int workers,
                         const struct mpm_projection *projection)
 {
+    assert(projection->components <= MPM_PROJECTION_COMPONENTS);
     state->projection = projection;
     mpm_strips_run(state->strip_count, workers, state->kernels.passes->project, state);
     state->projection = NULL;

@@ -377,6 +377,8 @@ START_TEST(vtk_reads_positions_stress_and_time)
         if (python(interpreters[i], "import vtkmodules.vtkIOHDF", NULL, &output))
             found = interpreters[i];
     if (found == NULL)
+        g_free(output);
+    if (found == NULL)
         TEST_SKIP("no Python with VTK 9.1 or later (python3-vtk9)");
     struct mpm_simulation *simulation = simulate(5);
     char *path = write_snapshot(simulation, "one.hdf");
