@@ -6,7 +6,6 @@
 #define MPM_METHOD_FAST_BLOCK_H
 
 #include "method/fast/fast_constants.h"
-#include "method/fast/fast_laws.h"
 
 #include <float.h>
 

@@ -45,6 +45,14 @@ struct fast_constants {
     struct mpm_material material;
 };
 
+struct fast_sums;
+
+/* Of particles first..end - 1: F := dF F of velocity gradients, one for each vector, and the stress
+ * of the new F. Without gradients (NULL): the stress of the F at hand. */
+typedef void mpm_fast_update(const struct fast_constants *k, const struct mpm_particles *particles,
+                             size_t first, size_t end, struct fast_sums *sums,
+                             const mpm_vector (*gradient)[MPM_GRADIENT_SIZE]);
+
 /* The nodal vector of a node j rows further. */
 MPM_INLINE double *fast_row(const void *array, int64_t node, int64_t j,
                             const struct fast_constants *k)

@@ -7,6 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/fast/fast.h"
+#include "method/fast/fast_laws.h"
 #include "method/fast/fast_passes.h"
 
 enum { BLOCK = MPM_BLOCK_VECTORS * MPM_VECTOR_SIZE, NO_UPDATE = -1 };

@@ -6,18 +6,7 @@
 #ifndef MPM_METHOD_FAST_LAWS_H
 #define MPM_METHOD_FAST_LAWS_H
 
-#include "base/simd.h"
-#include "model/material.h"
-
-struct fast_constants;
-struct fast_sums;
-struct mpm_particles;
-
-/* Of particles first..end - 1: F := dF F of velocity gradients, one for each vector, and the stress
- * of the new F. Without gradients (NULL): the stress of the F at hand. */
-typedef void mpm_fast_update(const struct fast_constants *k, const struct mpm_particles *particles,
-                             size_t first, size_t end, struct fast_sums *sums,
-                             const mpm_vector (*gradient)[MPM_GRADIENT_SIZE]);
+#include "method/fast/fast_constants.h"
 
 /* One for each geometry of a scene, and that without gradients. */
 enum { MPM_FAST_RECOMPUTE = MPM_AXISYMMETRIC + 1, MPM_FAST_UPDATES };

@@ -372,12 +372,10 @@ START_TEST(vtk_reads_positions_stress_and_time)
 {
     static const char *const interpreters[] = {"python3", "/usr/bin/python3"};
     const char *found = NULL;
-    char *output = NULL;
+    g_autofree char *output = NULL;
     for (size_t i = 0; i < G_N_ELEMENTS(interpreters) && found == NULL; i++)
         if (python(interpreters[i], "import vtkmodules.vtkIOHDF", NULL, &output))
             found = interpreters[i];
-    if (found == NULL)
-        g_free(output);
     if (found == NULL)
         TEST_SKIP("no Python with VTK 9.1 or later (python3-vtk9)");
     struct mpm_simulation *simulation = simulate(5);
@@ -399,7 +397,6 @@ START_TEST(vtk_reads_positions_stress_and_time)
     ck_assert(g_ascii_strtod(words[4], NULL) == shear);
     ck_assert(g_ascii_strtod(words[5], NULL) == snapshot.time);
     g_strfreev(words);
-    g_free(output);
     test_snapshot_free(&snapshot);
     mpm_simulation_free(simulation);
     g_free(path);
