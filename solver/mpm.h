@@ -184,8 +184,8 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
 
 /* Judges the energy after the last step: call it before results of that step are used. With E the
  * ledger's total energy, W its external work, E_0 the energy at t = 0 and K_c the kinetic energy of
- * the nodes that velocity conditions move,
- *     factor = 1 + (E - W - E_0) / (E_0 + largest |W| so far + 8 largest K_c so far + 1e-12 m c^2)
+ * the changes that velocity conditions make in a step,
+ *     factor = 1 + (E - W - E_0) / (E_0 + max(largest |W|, 8 largest K_c so far) + 1e-12 m c^2)
  * is 1 in an exact run; m is the mass of all particles, c their wave speed at t = 0; energy.c
  * derives the 8. MPM_RUN_FAILED: it is above 10, or E is not finite; the last good step is
  * then the one before that, of those not judged yet, where this was so first. Cost: up to two

@@ -128,7 +128,7 @@ struct mpm_state {
     double time;      /* at the start of the step */
     double time_step; /* of this step */
     double external_work;
-    double driven_energy; /* kinetic, of the nodes that conditions move: the largest so far */
+    double sudden_energy; /* kinetic, of what conditions change at once: the largest so far */
     int steps_since_sort;
     bool strips_touch_when_sorted; /* domains too long for the strips: sorting does not help */
     struct mpm_failure failure;

@@ -60,7 +60,7 @@ void mpm_backup_save(struct mpm_simulation *simulation)
     backup->time = state->time;
     backup->external_work = state->external_work;
     backup->largest_work = simulation->largest_work;
-    backup->driven_energy = state->driven_energy;
+    backup->sudden_energy = state->sudden_energy;
     backup->damping = state->damping.books;
     backup->energy = state->energy;
     backup->wave_speed = simulation->wave_speed;
@@ -81,7 +81,7 @@ static void copy_back(struct mpm_simulation *simulation)
     state->time = backup->time;
     state->external_work = backup->external_work;
     simulation->largest_work = backup->largest_work;
-    state->driven_energy = backup->driven_energy;
+    state->sudden_energy = backup->sudden_energy;
     state->damping.books = backup->damping;
     state->energy = backup->energy;
     simulation->wave_speed = backup->wave_speed;

@@ -2,17 +2,19 @@
  * strain + dissipated by damping + of cohesive cracks, may differ from that of the start by the
  * work done alone. What is above that the scheme has made:
  *
- *   factor = 1 + (E - W - E_0) / (E_0 + largest |W| so far + 8 largest K_c so far),
+ *   factor = 1 + (E - W - E_0) / (E_0 + the larger of largest |W| and 8 largest K_c so far),
  *
- * K_c: kinetic energy of the nodes that velocity conditions move. A condition that starts at once
- * strains a body before it does any work: with the stiffness K of the nodes and their masses M, by
- * dt^2 v.K v/2, which is (omega dt)^2 K_c at most, omega^2 being the largest v.K v / v.M v. A step
- * that is stable has omega dt <= 2. (A whole side of a body that jumps by v strains its cells by
- * v dt/h: with a Courant number C, by 2 C^2 K_c.) The factor is 1 in an exact run and E / E_0 in
- * one without work. Strain energy costs too much for each step: it is asked for before each sort,
- * which is when the last good state is replaced, and wherever results are written; first its upper
- * bound, and itself only where that is not low enough. A run that failed, or whose energy is found
- * too large, is repeated from the last good state with a look at each step.
+ * K_c: kinetic energy of the changes of velocity that conditions make at their nodes in a step, of
+ * a node not more than that of the velocity it is given. A condition that starts at once strains a
+ * body before it does any work: with the stiffness K of the nodes, their masses M and the changes v,
+ * by dt^2 v.K v/2, which is (omega dt)^2 K_c at most, omega^2 being the largest v.K v / v.M v. A
+ * step that is stable has omega dt <= 2. (A whole side of a body that jumps by v strains its cells
+ * by v dt/h: with a Courant number C, by 2 C^2 K_c.) A condition that moves a body steadily changes
+ * nothing, and does not hide what grows. The factor is 1 in an exact run and E / E_0 in one without
+ * work. Strain energy costs too much for each step: it is asked for before each sort, which is when
+ * the last good state is replaced, and wherever results are written; first its upper bound, and
+ * itself only where that is not low enough. A run that failed, or whose energy is found too large,
+ * is repeated from the last good state with a look at each step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/strips.h"
@@ -38,8 +40,9 @@ static const double SUDDEN = 8.0;
 static double put_in(const struct mpm_simulation *simulation)
 {
     const double speed = simulation->wave_speed_start;
-    return simulation->energy_start + simulation->largest_work +
-           SUDDEN * simulation->state.driven_energy + NOISE * simulation->mass * speed * speed;
+    return simulation->energy_start +
+           fmax(simulation->largest_work, SUDDEN * simulation->state.sudden_energy) +
+           NOISE * simulation->mass * speed * speed;
 }
 
 /* The total energy at which the factor has that value. */

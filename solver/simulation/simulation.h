@@ -30,7 +30,7 @@ struct mpm_backup {
     double *crack_opening[2], *largest_opening;
     struct mpm_crack_tip *tips; /* these and the extents of chains: with J integrals */
     struct mpm_chain_extent *extents;
-    double time, external_work, largest_work, driven_energy, wave_speed;
+    double time, external_work, largest_work, sudden_energy, wave_speed;
     struct mpm_damping_books damping;
     struct mpm_energy_balance energy;
     uint64_t step;
