@@ -3,6 +3,7 @@
 
 #include "method/fields/fields.h"
 #include "method/grid/symmetry.h"
+#include "method/transfer/law_state.h"
 #include "method/transfer/particle_updates.h"
 
 #include <float.h>
@@ -347,14 +348,15 @@ static void update_stress(const struct mpm_state *state, size_t p,
         f[MPM_ZZ] = material->law->thickness_stretch(material, f);
         j = mpm_determinant(f);
     }
+    double stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
+    if (j > 0.0)
+        mpm_particle_find_stress(state, p, f, part * state->time_step, stress, &wave_speed_squared);
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
         particles->deformation[k][p] = f[k];
     if (!(j > 0.0)) {
         mpm_strip_record(strip, MPM_INVERTED, particles->id[p], 0, j);
         return;
     }
-    double stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
-    material->law->stress(material, f, stress, &wave_speed_squared);
     for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
         particles->stress[k][p] = stress[k];
     if (!(wave_speed_squared <= DBL_MAX))
@@ -471,11 +473,10 @@ void mpm_pass_recompute(void *context, int64_t index, int worker)
     const struct mpm_particles *const particles = &state->particles;
     (void)worker;
     for (size_t p = state->strips[index].begin; p < state->strips[index].end; p++) {
-        const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
         double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
         for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
             f[k] = particles->deformation[k][p];
-        material->law->stress(material, f, stress, &wave_speed_squared);
+        mpm_particle_find_stress(state, p, f, 0.0, stress, &wave_speed_squared);
         for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
             particles->stress[k][p] = stress[k];
         mpm_particle_set_domain(state, p);
