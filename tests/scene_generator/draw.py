@@ -90,8 +90,10 @@ class Canvas:
     def scale(self, unit):
         """The natural size of a quantity with that unit."""
         length = min(self.cell)
-        speed = self.wave
-        density = max(material["density"] for material in self.scene["materials"])
+        speed, density = 1, 1  # while materials are drawn
+        if "materials" in self.scene:
+            speed = self.wave
+            density = max(material["density"] for material in self.scene["materials"])
         sizes = {"length": length, "time": length / speed, "mass": density * length ** 3}
         return math.prod(sizes[name] ** power for name, power in unit_exponents(unit).items())
 
