@@ -89,10 +89,8 @@ static double fastest_wave(const struct mpm_state *state)
     const struct mpm_particles *const particles = &state->particles;
     double fastest = 0.0;
     for (size_t p = 0; p < particles->count; p++) {
-        double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], square;
-        for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-            f[k] = particles->deformation[k][p];
-        mpm_particle_find_stress(state, p, f, 0.0, stress, &square);
+        double stress[MPM_SYMMETRIC_SIZE], square;
+        mpm_particle_find_stress(state, p, stress, &square);
         fastest = fmax(fastest, square);
     }
     return sqrt(fastest);

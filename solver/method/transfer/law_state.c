@@ -75,6 +75,20 @@ void mpm_particle_update_law(const struct mpm_state *state, size_t p,
         particles->law_state[law->variable_count][p] += stress_work(old_stress, stress, &step);
 }
 
+void mpm_particle_find_stress(const struct mpm_state *state, size_t p,
+                              double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
+    double f[MPM_GRADIENT_SIZE];
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        f[k] = particles->deformation[k][p];
+    if (particles->law_state[0] == NULL)
+        material->law->stress(material, f, stress, wave_speed_squared);
+    else
+        mpm_particle_update_law(state, p, f, 0.0, stress, wave_speed_squared);
+}
+
 double mpm_particle_strain_energy(const struct mpm_state *state, size_t p)
 {
     const struct mpm_particles *const particles = &state->particles;

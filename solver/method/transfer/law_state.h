@@ -13,25 +13,16 @@ size_t mpm_law_states_of(const struct mpm_scene *scene);
 /* Sets the state variables of all particles to their values at t = 0. */
 void mpm_law_states_begin(struct mpm_state *state);
 
-/* mpm_particle_find_stress for a law that has state variables or no energy. */
+/* tau / rho_0 of particle p and the square of its wave speed when F changes to `f` within
+ * `duration`, of a particle with state variables (of its law or of another's in the scene). The
+ * particle still has the old F and the old stress; its state variables become those at the end. */
 void mpm_particle_update_law(const struct mpm_state *state, size_t p,
                              const double f[MPM_GRADIENT_SIZE], double duration,
                              double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
 
-/* tau / rho_0 of particle p and the square of its wave speed when F changes to `f` within
- * `duration`. The particle still has the old F and the old stress; its state variables become those
- * at the end. Duration 0, with `f` the particle's own: the stress of the state at hand. */
-static inline void mpm_particle_find_stress(const struct mpm_state *state, size_t p,
-                                            const double f[MPM_GRADIENT_SIZE], double duration,
-                                            double stress[MPM_SYMMETRIC_SIZE],
-                                            double *wave_speed_squared)
-{
-    const struct mpm_material *const material = &state->bodies[state->particles.body[p]].material;
-    if (state->particles.law_state[0] == NULL)
-        material->law->stress(material, f, stress, wave_speed_squared);
-    else
-        mpm_particle_update_law(state, p, f, duration, stress, wave_speed_squared);
-}
+/* The same of the state at hand: of any particle, without a step. */
+void mpm_particle_find_stress(const struct mpm_state *state, size_t p,
+                              double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
 
 /* Per unit mass: of the law, or the work of the stress since t = 0 if the law has no energy. */
 double mpm_particle_strain_energy(const struct mpm_state *state, size_t p);
