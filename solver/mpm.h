@@ -440,14 +440,17 @@ enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_ru
 /* --------------------------------------------------------- shape functions */
 
 enum mpm_geometry { MPM_PLANE_STRAIN, MPM_PLANE_STRESS, MPM_AXISYMMETRIC };
-enum mpm_shape {
-    MPM_CLASSIC,
-    MPM_UGIMP,
-    MPM_CPDI,
-    MPM_BSPLINE2, /* quadratic, */
-    MPM_BSPLINE3, /* cubic, of point particles */
-    MPM_SHAPE_COUNT
-};
+/* Families of shape functions, S(value of method.shape in scenes, enumerator). B-splines are
+ * quadratic and cubic, of point particles. */
+#define MPM_SHAPES(S)                                                                              \
+    S("classic", MPM_CLASSIC)                                                                      \
+    S("ugimp", MPM_UGIMP)                                                                          \
+    S("cpdi", MPM_CPDI)                                                                            \
+    S("bspline2", MPM_BSPLINE2)                                                                    \
+    S("bspline3", MPM_BSPLINE3)
+#define MPM_SHAPE(name, shape) shape,
+enum mpm_shape { MPM_SHAPES(MPM_SHAPE) MPM_SHAPE_COUNT };
+#undef MPM_SHAPE
 /* What becomes of a domain at r = 0. Points are the same with all of them. */
 enum mpm_axis {
     MPM_TRUNCATED,

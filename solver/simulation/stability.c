@@ -1,6 +1,7 @@
 /* Up to which Courant number a method is known to be stable.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/transfer/transfers.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -99,48 +100,45 @@ static void add(struct features *features, enum feature feature)
     features->bits |= 1u << feature;
 }
 
-/* Two orders have been measured; the others lie beside them or between. */
-static void add_ordered(struct features *features, int order, int low, enum feature at_low,
-                        int high, enum feature at_high)
+/* What has been measured of transfers: with two orders, `low` and `high`, or one, and then both are
+ * the same. Of a transfer without a row here nothing is known. */
+static const struct {
+    int low, high;
+    enum feature at_low, at_high;
+} measured_orders[MPM_TRANSFER_COUNT] = {
+    [MPM_TRANSFER_PIC] = {1, 1, PIC, PIC},
+    [MPM_TRANSFER_XPIC] = {2, 5, XPIC_2, XPIC_5},
+    [MPM_TRANSFER_FMPM] = {2, 4, FMPM_2, FMPM_4},
+    [MPM_TRANSFER_APIC] = {1, 1, APIC, APIC},
+};
+
+/* Orders that have not been measured lie beside these two or between them. */
+static void add_order(struct features *features, enum mpm_transfer_kind kind, int order)
 {
-    if (order < high)
-        add(features, order < low ? PIC : at_low); /* order 1 is PIC */
-    if (order > low)
-        add(features, at_high);
-    features->exact = features->exact && (order == 1 || order == low || order == high);
+    const int low = measured_orders[kind].low, high = measured_orders[kind].high;
+    if (low > 0 && order <= high && (order < high || low == high))
+        add(features, order < low ? PIC : measured_orders[kind].at_low); /* order 1 is PIC */
+    if (low > 0 && order > low)
+        add(features, measured_orders[kind].at_high);
+    features->exact = low > 0 && (order == 1 || order == low || order == high);
 }
 
-static void add_transfer(struct features *features, const struct mpm_scene *scene)
+static void add_fraction(struct features *features, double fraction)
 {
-    switch (scene->transfer) {
-    case MPM_TRANSFER_FLIP:
-        if (scene->flip_fraction < 1.0)
-            add(features, FLIP_99);
-        if (scene->flip_fraction < 0.99)
-            add(features, PIC);
-        features->exact = scene->flip_fraction >= 0.99;
-        return;
-    case MPM_TRANSFER_PIC:
+    if (fraction < 1.0)
+        add(features, FLIP_99);
+    if (fraction < 0.99)
         add(features, PIC);
-        return;
-    case MPM_TRANSFER_XPIC:
-        add_ordered(features, scene->transfer_order, 2, XPIC_2, 5, XPIC_5);
-        return;
-    case MPM_TRANSFER_FMPM:
-        add_ordered(features, scene->transfer_order, 2, FMPM_2, 4, FMPM_4);
-        return;
-    case MPM_TRANSFER_APIC:
-        add(features, APIC);
-        return;
-    case MPM_TRANSFER_COUNT:
-        return;
-    }
+    features->exact = fraction >= 0.99;
 }
 
 static struct features features_of(const struct mpm_scene *scene)
 {
     struct features features = {.bits = 0, .exact = true};
-    add_transfer(&features, scene);
+    if (mpm_transfer_of(scene->transfer)->fraction)
+        add_fraction(&features, scene->flip_fraction);
+    else
+        add_order(&features, scene->transfer, scene->transfer_order);
     if (scene->form == MPM_FORM_MOMENTUM)
         add(&features, MOMENTUM);
     if (scene->position_update == MPM_MIDPOINT)

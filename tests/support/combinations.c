@@ -3,7 +3,9 @@
 
 #include <string.h>
 
-const char *const test_shapes[TEST_SHAPES] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
+#define NAME(name, shape) [shape] = (name),
+const char *const test_shapes[TEST_SHAPES] = {MPM_SHAPES(NAME)};
+#undef NAME
 const char *const test_geometry_names[TEST_GEOMETRIES] = {"plane_strain", "plane_stress",
                                                           "axisymmetric"};
 const char *const test_orders[TEST_ORDERS] = {"usl", "musl", "usf", "usavg"};

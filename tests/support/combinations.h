@@ -5,12 +5,13 @@
 #ifndef TESTS_SUPPORT_COMBINATIONS_H
 #define TESTS_SUPPORT_COMBINATIONS_H
 
+#include "mpm.h"
 #include "support/settings.h"
 
 #include <stdbool.h>
 
 enum {
-    TEST_SHAPES = 5,
+    TEST_SHAPES = MPM_SHAPE_COUNT,
     TEST_GEOMETRIES = 3,
     TEST_ORDERS = 4,
     TEST_COMBINATIONS = TEST_SHAPES * TEST_GEOMETRIES * TEST_ORDERS,

@@ -12,7 +12,7 @@ struct test_snapshot {
     double time;
     int64_t step;
     size_t count;                    /* particles */
-    double *fields[MPM_FIELD_COUNT]; /* count * components values; NULL: no fringes */
+    double *fields[MPM_FIELD_COUNT]; /* count * components values; NULL: not in the file */
 };
 
 /* Fails the test if the file or anything in it is missing or of a wrong shape. */

@@ -26,12 +26,7 @@
     C("plane_stress", MPM_PLANE_STRESS)                                                            \
     C("axisymmetric", MPM_AXISYMMETRIC)
 
-#define CHOICES_shape(C)                                                                           \
-    C("classic", MPM_CLASSIC)                                                                      \
-    C("ugimp", MPM_UGIMP)                                                                          \
-    C("cpdi", MPM_CPDI)                                                                            \
-    C("bspline2", MPM_BSPLINE2)                                                                    \
-    C("bspline3", MPM_BSPLINE3)
+#define CHOICES_shape(C) MPM_SHAPES(C)
 
 #define CHOICES_axis(C)                                                                            \
     C("truncated", MPM_TRUNCATED)                                                                  \

@@ -229,12 +229,6 @@ static double gap_of(const struct mpm_crack_node *node, const struct mpm_crack_p
     return gap;
 }
 
-/* The part of a node's function that lies past the node beside it. */
-static double overlap(enum mpm_shape shape)
-{
-    return shape == MPM_BSPLINE2 ? 1.0 / 48.0 : shape == MPM_BSPLINE3 ? 1.0 / 24.0 : 0.0;
-}
-
 /* The length that a node can see along an axis, in cells: integrals of its function over the grid,
  * and up to a plane of symmetry. B-splines are adapted to edges: that of the node beyond is folded
  * onto the two inside. */
@@ -248,7 +242,7 @@ static double seen_length(const struct mpm_state *state, int64_t node, int axis)
                              ? llround(-grid->origin[0] * grid->inverse_cell[0]) + first
                              : first;
     const int64_t low = zero > first ? zero : first;
-    const double past = overlap(state->scene->shape);
+    const double past = state->family->past_next;
     for (size_t k = 0; k < state->symmetries.count; k++)
         if (state->symmetries.planes[k].axis == axis && state->symmetries.planes[k].line == place)
             return 0.5;

@@ -5,19 +5,15 @@
 #include "method/shape/shape.h"
 #include "method/transfer/transfers.h"
 
-#define FAMILIES(level)                                                                            \
-    {                                                                                              \
-        [MPM_CLASSIC] = &mpm_fast_classic_##level, [MPM_UGIMP] = &mpm_fast_ugimp_##level,          \
-        [MPM_CPDI] = &mpm_fast_cpdi_##level, [MPM_BSPLINE2] = &mpm_fast_bspline2_##level,          \
-        [MPM_BSPLINE3] = &mpm_fast_bspline3_##level,                                               \
-    }
-
+#define FAMILY(shape, name, level) [shape] = &mpm_fast_##name##_##level,
+/* NULL: a family without fast kernels. */
 static mpm_fast_family *const families[MPM_SIMD_COUNT][MPM_SHAPE_COUNT] = {
-    [MPM_SIMD_BASELINE] = FAMILIES(baseline),
+    [MPM_SIMD_BASELINE] = {MPM_FAST_FAMILIES(FAMILY, baseline)},
 #ifdef MPM_FAST_V3 /* of the makefile: this build has that level */
-    [MPM_SIMD_X86_64_V3] = FAMILIES(v3),
+    [MPM_SIMD_X86_64_V3] = {MPM_FAST_FAMILIES(FAMILY, v3)},
 #endif
 };
+#undef FAMILY
 
 /* The level's AVX2, BMI and FMA stand for the whole of it: no processor has them alone. */
 static bool runs_v3(void)
@@ -52,6 +48,8 @@ static bool has_vectors(const struct mpm_material_law *law)
 
 const char *mpm_fast_lacks(const struct mpm_scene *scene)
 {
+    if (families[MPM_SIMD_BASELINE][scene->shape] == NULL)
+        return "there are no fast kernels for this method.shape";
     if (scene->axis == MPM_PLANAR && !mpm_shape_family(scene->shape)->point)
         return "there are no fast kernels for method.axis: planar";
     if (mpm_transfer_of(scene->transfer)->no_fast != NULL)

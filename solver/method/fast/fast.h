@@ -20,14 +20,22 @@ enum mpm_fast_geometry {
 /* A family's kernels, by geometry and order of the stress update. */
 typedef const struct mpm_passes mpm_fast_family[MPM_FAST_GEOMETRIES][MPM_ORDER_COUNT];
 
+/* The families that have fast kernels, those that the makefile compiles them for: F(enumerator,
+ * name, level). */
+#define MPM_FAST_FAMILIES(F, level)                                                                \
+    F(MPM_CLASSIC, classic, level)                                                                 \
+    F(MPM_UGIMP, ugimp, level)                                                                     \
+    F(MPM_CPDI, cpdi, level)                                                                       \
+    F(MPM_BSPLINE2, bspline2, level)                                                               \
+    F(MPM_BSPLINE3, bspline3, level)
+
 /* The levels of SIMD that this build has: one file, compiled for each. */
-#define MPM_FAST_FAMILIES(level)                                                                   \
-    extern mpm_fast_family mpm_fast_classic_##level, mpm_fast_ugimp_##level,                       \
-        mpm_fast_cpdi_##level, mpm_fast_bspline2_##level, mpm_fast_bspline3_##level;
-MPM_FAST_FAMILIES(baseline)
+#define MPM_FAST_FAMILY(shape, name, level) extern mpm_fast_family mpm_fast_##name##_##level;
+MPM_FAST_FAMILIES(MPM_FAST_FAMILY, baseline)
 #ifdef __x86_64__
-MPM_FAST_FAMILIES(v3)
+MPM_FAST_FAMILIES(MPM_FAST_FAMILY, v3)
 #endif
+#undef MPM_FAST_FAMILY
 
 /* The widest level that this machine runs. */
 enum mpm_simd mpm_fast_widest(void);

@@ -53,7 +53,7 @@ void mpm_edge_loads_place(struct mpm_state *state)
 static double depth_of(const struct mpm_state *state, size_t p)
 {
     const double thickness = state->scene->thickness;
-    if (state->scene->geometry != MPM_PLANE_STRESS || state->scene->shape == MPM_UGIMP)
+    if (state->scene->geometry != MPM_PLANE_STRESS || !mpm_shape_edges_deform(state->family))
         return thickness;
     return thickness * state->particles.deformation[MPM_ZZ][p];
 }

@@ -24,7 +24,7 @@ struct mpm_edge_line mpm_edge_find(const struct mpm_shape_family *family,
                                    const struct mpm_shape_grid *grid,
                                    const struct mpm_shape_domain *domain, enum mpm_edge edge)
 {
-    const bool carried = family->convected || family->point;
+    const bool carried = mpm_shape_edges_deform(family);
     const bool ends_at_axis = grid->axisymmetric && (grid->truncated || family->point);
     double centre[2] = {domain->position[0], domain->position[1]};
     double d[4] = {domain->half_size[0], 0.0, 0.0, domain->half_size[1]};

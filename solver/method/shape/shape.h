@@ -52,9 +52,10 @@ struct mpm_shape_domain {
 
 struct mpm_shape_family {
     const char *name;
-    bool convected; /* the domain deforms with F */
-    bool point;     /* there is no domain: functions of the particle's place alone */
-    bool lone_node; /* a particle on a node reaches that one alone */
+    bool convected;   /* the domain deforms with F */
+    bool point;       /* there is no domain: functions of the particle's place alone */
+    bool lone_node;   /* a particle on a node reaches that one alone */
+    double past_next; /* the part of N_i, along an axis, that lies past the next node */
     /* Along an axis, the nodes that kernels visit past the cell in which the reach ends. Fast
      * kernels of domains visit three from the first one on, the last with weight zero where
      * the domain ends before. */
@@ -74,6 +75,12 @@ struct mpm_shape_family {
 };
 
 const struct mpm_shape_family *mpm_shape_family(enum mpm_shape shape);
+
+/* Do the edges of a particle, to which loads are applied, follow F? See edge.h. */
+static inline bool mpm_shape_edges_deform(const struct mpm_shape_family *family)
+{
+    return family->convected || family->point;
+}
 
 /* The reach of an undeformed domain. */
 void mpm_shape_reach(const struct mpm_shape_family *family, const struct mpm_shape_grid *grid,

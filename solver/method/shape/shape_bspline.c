@@ -203,6 +203,7 @@ static void reach_cubic(const struct mpm_shape_grid *grid, const struct mpm_shap
 const struct mpm_shape_family mpm_shape_bspline2 = {
     .name = "bspline2",
     .point = true,
+    .past_next = 1.0 / 48.0,
     .nodes_past_end = 1,
     .evaluate = evaluate_quadratic,
     .continue_to = continue_quadratic,
@@ -212,6 +213,7 @@ const struct mpm_shape_family mpm_shape_bspline2 = {
 const struct mpm_shape_family mpm_shape_bspline3 = {
     .name = "bspline3",
     .point = true,
+    .past_next = 1.0 / 24.0,
     .nodes_past_end = 1,
     .evaluate = evaluate_cubic,
     .continue_to = continue_cubic,

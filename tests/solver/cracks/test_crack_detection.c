@@ -195,14 +195,14 @@ static const struct {
 
 START_TEST(the_area_of_a_cell_is_halved_where_a_node_sees_half_of_it)
 {
-    static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
     const struct cracks cracks = {edges[_i].from, 5.7, 1, {{6.5, 6.5}}, false};
     const bool mirrored = edges[_i].settings[2] != NULL && cracks.from == 0.0;
-    for (size_t k = 0; k < G_N_ELEMENTS(shapes); k++) {
+    for (size_t k = 0; k < TEST_SHAPES; k++) {
         struct settings settings = {.count = 0};
-        if (mirrored && (k < 1 || k > 2))
+        if (mirrored && k != MPM_UGIMP && k != MPM_CPDI)
             continue; /* points have no domains that reach beyond */
-        settings_add_formatted(&settings, "method={shape: %s, stress_update: usavg%s}", shapes[k],
+        settings_add_formatted(&settings, "method={shape: %s, stress_update: usavg%s}",
+                               test_shapes[k],
                                mirrored ? ", axis: planar, axis_nodes: mirrored" : "");
         for (int i = 0; i < 4 && edges[_i].settings[i] != NULL; i++)
             settings_add(&settings, edges[_i].settings[i]);

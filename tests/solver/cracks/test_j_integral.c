@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/simulation.h"
 #include "suites.h"
+#include "support/combinations.h"
 #include "support/folder.h"
 #include "support/near.h"
 #include "support/scene_files.h"
@@ -26,9 +27,6 @@ static const char BLOCK[] =
     "bodies:\n"
     "  - {name: block, material: stiff, region: {rectangle: {from: [2, 1.6], to: [34, 34.4]}}}\n";
 static const double BULK = 80.0, SHEAR = 48.0;
-
-static const char *const families[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
-enum { FAMILIES = G_N_ELEMENTS(families) };
 
 static double poisson(void)
 {
@@ -168,9 +166,9 @@ START_TEST(the_field_of_a_tip_has_its_j_and_its_stress_intensities)
 {
     static const struct load loads[] = {
         {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0.8, 0.6, 0}, {1, 0, 0.3}};
-    const struct tip *const tip = &TIPS[_i / FAMILIES];
+    const struct tip *const tip = &TIPS[_i / TEST_SHAPES];
     const enum mpm_geometry geometry = _i % 2 == 0 ? MPM_PLANE_STRAIN : MPM_PLANE_STRESS;
-    struct test_run run = open_tip(tip, families[_i % FAMILIES],
+    struct test_run run = open_tip(tip, test_shapes[_i % TEST_SHAPES],
                                    geometry == MPM_PLANE_STRAIN ? "plane_strain" : "plane_stress");
     struct williams_field field = field_at(&run, tip, geometry);
     for (size_t k = 0; k < G_N_ELEMENTS(loads); k++) {
@@ -327,7 +325,7 @@ static struct test_run open_smooth(const struct smooth *smooth, const char *shap
 
 START_TEST(a_smooth_field_has_no_j_whatever_it_is)
 {
-    const struct smooth *const smooth = &SMOOTH[_i / FAMILIES];
+    const struct smooth *const smooth = &SMOOTH[_i / TEST_SHAPES];
     const bool axisymmetric = smooth->form != NULL;
     struct wave wave = {
         .stretched = {1, 0, 0, 1, 1},
@@ -340,7 +338,7 @@ START_TEST(a_smooth_field_has_no_j_whatever_it_is)
         for (int k = 0; k < GRADIENT; k++)
             wave.stretched[k] = f[k];
     }
-    struct test_run run = open_smooth(smooth, families[_i % FAMILIES]);
+    struct test_run run = open_smooth(smooth, test_shapes[_i % TEST_SHAPES]);
     give(&run, &(struct given){wave_gradient, wave_velocity, &wave});
     for (size_t k = 0; k < 2; k++) {
         const struct mpm_j_integral found = test_run_j_integral(&run, k);
@@ -436,13 +434,13 @@ Suite *suite_j_integral(void)
     Suite *suite = suite_create("j_integral");
     TCase *tips = tcase_create("tips");
     tcase_add_loop_test(tips, the_field_of_a_tip_has_its_j_and_its_stress_intensities, 0,
-                        TIP_COUNT * FAMILIES);
+                        TIP_COUNT * TEST_SHAPES);
     tcase_add_loop_test(tips, j_is_that_of_the_undeformed_body_however_far_it_has_turned, 0,
                         TIP_COUNT);
     suite_add_tcase(suite, tips);
     TCase *smooth = tcase_create("smooth");
     tcase_add_loop_test(smooth, a_smooth_field_has_no_j_whatever_it_is, 0,
-                        G_N_ELEMENTS(SMOOTH) * FAMILIES);
+                        G_N_ELEMENTS(SMOOTH) * TEST_SHAPES);
     suite_add_tcase(suite, smooth);
     TCase *scenes = tcase_create("scenes");
     tcase_add_loop_test(scenes, a_contour_that_is_none_is_refused_with_the_reason, 0,

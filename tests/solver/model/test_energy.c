@@ -56,16 +56,16 @@ static enum mpm_status go(struct test_run *run, double end, bool judged, double 
 
 /* --------------------------------------------------------------- blown up */
 
-static const char *const shapes[] = {"method.shape=classic", "method.shape=ugimp",
-                                     "method.shape=cpdi", "method.shape=bspline2",
-                                     "method.shape=bspline3"};
+#define SETTING(name, shape) "method.shape=" name,
+static const char *const shapes[] = {MPM_SHAPES(SETTING)};
+#undef SETTING
 static const char *const orders[] = {"method.stress_update=usl", "method.stress_update=musl",
                                      "method.stress_update=usf", "method.stress_update=usavg"};
 static const char *const transfers[] = {
     "method.transfer={kind: flip}", "method.transfer={kind: flip, fraction: 0.5}",
     "method.transfer={kind: xpic, order: 3}", "method.transfer={kind: fmpm, order: 4}",
     "method.transfer={kind: apic}"};
-enum { SHAPES = 5, ORDERS = 4, TRANSFERS = 5 };
+enum { SHAPES = MPM_SHAPE_COUNT, ORDERS = 4, TRANSFERS = 5 };
 
 /* At Courant number 1 some of these blow up; what has been judged sound is. */
 START_TEST(no_run_goes_on_with_more_than_ten_times_its_energy)

@@ -3,10 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/programs/shapes/program_shape_kind.h"
 
-static const char *const SHAPES[] = {
-    [MPM_CLASSIC] = "classic",   [MPM_UGIMP] = "ugimp",       [MPM_CPDI] = "cpdi",
-    [MPM_BSPLINE2] = "bspline2", [MPM_BSPLINE3] = "bspline3",
-};
+#define NAME(name, shape) [shape] = (name),
+static const char *const SHAPES[] = {MPM_SHAPES(NAME)};
+#undef NAME
 static const char *const AXES[] = {
     [MPM_TRUNCATED] = "truncated", [MPM_UNTRUNCATED] = "untruncated", [MPM_PLANAR] = "planar"};
 
