@@ -117,8 +117,7 @@ FAST_FLAGS    = -fno-math-errno -Wno-psabi \
                 $(if $(findstring clang,$(CC)),,-fno-predictive-commoning -fno-var-tracking) \
                 $(FAST_FLAGS_$(1)) -DFAST_LEVEL=$(1)
 FAST_NAMES    = -DFAST_FAMILY=$(1) \
-                -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z) \
-                -DFAST_KEEPS_DOMAINS=$(if $(filter cpdi,$(1)),1,0)
+                -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z)
 # Where there is another level, the baseline is for old machines: a quarter less to compile counts
 # more than -O3.
 FAST_FLAGS_baseline := $(if $(filter v3,$(FAST_LEVELS)),-O2)
