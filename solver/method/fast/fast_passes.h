@@ -290,10 +290,8 @@ MPM_INLINE void move_block(const struct fast_spec *spec, const struct fast_block
 {
     if (spec->axisymmetric && block->hoop_radius)
         FOR_VECTORS(block, p, v)
-        move_vector(spec, block, p, true, &stencil[v], momentum[v]);
-    else
-        FOR_VECTORS(block, p, v)
-        move_vector(spec, block, p, false, &stencil[v], momentum[v]);
+    move_vector(spec, block, p, true, &stencil[v], momentum[v]);
+    else FOR_VECTORS(block, p, v) move_vector(spec, block, p, false, &stencil[v], momentum[v]);
 }
 
 /* What the particles have of a projection's field, in vectors; 0 beyond its components. */
@@ -381,7 +379,7 @@ MPM_INLINE void block_finish(const struct fast_spec *spec, const struct fast_blo
     update_position_vector(spec, block->k, block->particles, p, block->sums);
     if (spec->shape == MPM_CPDI && block->particles->domain[0] != NULL)
         FOR_VECTORS(block, p, v)
-        keep_edges(block->k, block->particles, p);
+    keep_edges(block->k, block->particles, p);
 }
 
 /* Not part of a step: stress and domain of F. */
@@ -392,7 +390,7 @@ MPM_INLINE void block_recompute(const struct fast_spec *spec, const struct fast_
     block->update(block->k, particles, block->first, block->end, block->sums, NULL);
     if (particles->domain[0] != NULL)
         FOR_VECTORS(block, p, v)
-        keep_edges(block->k, particles, p);
+    keep_edges(block->k, particles, p);
 }
 
 #endif
