@@ -33,9 +33,7 @@ enum mpm_simd mpm_fast_widest(void)
 
 static enum mpm_fast_geometry geometry_of(const struct mpm_scene *scene)
 {
-    if (scene->geometry != MPM_AXISYMMETRIC)
-        return MPM_FAST_PLANAR;
-    return scene->radius_update == MPM_RADIUS_HOOP ? MPM_FAST_HOOP_RADIUS : MPM_FAST_AXISYMMETRIC;
+    return scene->geometry == MPM_AXISYMMETRIC ? MPM_FAST_AXISYMMETRIC : MPM_FAST_PLANAR;
 }
 
 static bool has_vectors(const struct mpm_material_law *law)

@@ -13,7 +13,6 @@
 enum mpm_fast_geometry {
     MPM_FAST_PLANAR, /* plane strain and plane stress differ in the laws alone: fast_laws.h */
     MPM_FAST_AXISYMMETRIC,
-    MPM_FAST_HOOP_RADIUS, /* axisymmetric, with radius_update: hoop */
     MPM_FAST_GEOMETRIES,
 };
 

@@ -27,6 +27,8 @@ struct fast_block {
     size_t end;   /* the vectors after it stop there */
     struct fast_sums *sums;
     mpm_fast_update *update; /* of their law; NULL in passes without a stress update */
+    bool moves;              /* velocities are updated in the last pass */
+    bool hoop_radius;        /* r moves with r_p sum T v_r */
 };
 
 /* NOLINTBEGIN(bugprone-macro-parentheses): p and v are names that the loop declares. */

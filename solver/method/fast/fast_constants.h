@@ -12,12 +12,9 @@
 struct fast_spec {
     enum mpm_shape shape;
     bool axisymmetric;
-    bool hoop_radius; /* r moves with r_p sum T v_r */
-    bool kept_domain; /* CPDI: half edges are read, not recomputed from F */
-    bool momentum;    /* spread mass and momentum */
-    bool force;       /* spread internal forces */
-    bool velocity;    /* update velocities in the last pass */
-    bool stress;      /* update stresses in the last pass */
+    bool momentum; /* spread mass and momentum */
+    bool force;    /* spread internal forces */
+    bool finish;   /* the last pass, which only reads */
 };
 
 struct fast_constants {

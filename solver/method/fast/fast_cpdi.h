@@ -33,7 +33,7 @@ struct fast_cpdi {
 /* The last pass only reads: corners do that as fast, one after the other. */
 MPM_INLINE bool takes_corners(const struct fast_spec *spec)
 {
-    return spec->velocity || spec->stress;
+    return spec->finish;
 }
 
 /* Far domains are rare: not every kernel gets a copy of what they need. */

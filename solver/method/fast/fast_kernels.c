@@ -1,9 +1,11 @@
 /* The fast kernels of one shape family and one level of SIMD: this file is compiled for each
  * pair, with FAST_FAMILY (a name of method.shape), FAST_SHAPE (the same in capitals) and
- * FAST_LEVEL (baseline, v3), FAST_KEEPS_DOMAINS (1 where they change within a step).
+ * FAST_LEVEL (baseline, v3).
  *
- * A kernel is one of the bodies in fast_passes.h with constants. The axisymmetric ones move r
- * with S or with T. Laws are not part of them: see fast_laws.h.
+ * A kernel is one of the bodies in fast_passes.h with constants: those that a loop over nodes or
+ * vectors would look at each time. What a pass looks at once for a block is no instance of its own:
+ * whether velocities and stresses are updated in the last pass, whether r moves with S or with T,
+ * whether domains are kept. Laws are not part of the kernels: see fast_laws.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/fast/fast.h"
@@ -55,7 +57,11 @@ MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state,
     *sums = (struct fast_sums){zero, zero, {most, most}, {-most, -most}, state, strip};
     for (size_t begin = strip->begin, end; begin < strip->end; begin = end) {
         struct fast_constants k;
-        struct fast_block block = {.k = &k, .particles = &state->particles, .sums = sums};
+        struct fast_block block = {.k = &k,
+                                   .particles = &state->particles,
+                                   .sums = sums,
+                                   .moves = !state->order->extrapolate,
+                                   .hoop_radius = state->scene->radius_update == MPM_RADIUS_HOOP};
         const uint32_t body = state->particles.body[begin];
         end = mpm_fast_run_end(state, begin, strip->end);
         mpm_fast_constants(state, body, part, &k);
@@ -119,10 +125,11 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
 {
     struct fast_sums sums;
     run_strip(spec, state, strip, state->order->after,
-              spec->stress ? (int)state->scene->geometry : NO_UPDATE, &sums, block_finish);
-    if (spec->velocity)
+              state->order->after > 0.0 ? (int)state->scene->geometry : NO_UPDATE, &sums,
+              block_finish);
+    if (!state->order->extrapolate)
         sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
-    if (spec->stress)
+    if (state->order->after > 0.0)
         sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
     set_box(state, &sums);
 }
@@ -137,68 +144,32 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
         body(&spec, state, strip);                                                                 \
     }
 
-/* Only the domains of CPDI change between two passes of a step, so only they may have to be kept:
- * for other families a pass and its twin for kept domains are one. */
-#if FAST_KEEPS_DOMAINS
-#define KEPT(name)            name##_kept
-#define TWIN(body, name, ...) KERNEL(body, name##_kept, .kept_domain = true, __VA_ARGS__)
-#else
-#define KEPT(name) name
-#define TWIN(body, name, ...)
-#endif
-
-/* Passes that know of axisymmetry only */
-#define SPREAD(plane, ...)                                                                         \
+#define KERNELS(plane, ...)                                                                        \
     KERNEL(pass_to_grid, plane##_momentum_force, .momentum = true, .force = true, __VA_ARGS__)     \
-    KERNEL(pass_to_grid, plane##_momentum, .momentum = true, .kept_domain = true, __VA_ARGS__)     \
-    KERNEL(pass_project, plane##_project, __VA_ARGS__)                                             \
-    TWIN(pass_project, plane##_project, __VA_ARGS__)
+    KERNEL(pass_to_grid, plane##_momentum, .momentum = true, __VA_ARGS__)                          \
+    KERNEL(pass_stress_before, plane##_stress_force, .force = true, __VA_ARGS__)                   \
+    KERNEL(pass_to_particles, plane##_extrapolate, __VA_ARGS__)                                    \
+    KERNEL(pass_finish, plane##_finish, .finish = true, __VA_ARGS__)                               \
+    KERNEL(pass_project, plane##_project, __VA_ARGS__)
 
-/* Passes that know how r moves */
-#define EXTRAPOLATE(way, ...)                                                                      \
-    KERNEL(pass_to_particles, way##_extrapolate, __VA_ARGS__)                                      \
-    TWIN(pass_to_particles, way##_extrapolate, __VA_ARGS__)
-
-/* Passes that know the whole geometry */
-#define UPDATE(geometry, ...)                                                                      \
-    KERNEL(pass_stress_before, geometry##_stress_force, .force = true, .kept_domain = true,        \
-           __VA_ARGS__)                                                                            \
-    KERNEL(pass_finish, geometry##_velocity_stress, .velocity = true, .stress = true, __VA_ARGS__) \
-    TWIN(pass_finish, geometry##_velocity_stress, .velocity = true, .stress = true, __VA_ARGS__)   \
-    KERNEL(pass_finish, geometry##_stress, .stress = true, __VA_ARGS__)                            \
-    TWIN(pass_finish, geometry##_stress, .stress = true, __VA_ARGS__)                              \
-    KERNEL(pass_finish, geometry##_velocity, .velocity = true, .kept_domain = true, __VA_ARGS__)
-
-#define STEP(first, before, back, last, project)                                                   \
+#define STEP(plane, first, before, back)                                                           \
     {                                                                                              \
-        first, before, back, last, recompute, project                                              \
+        first, before, back, plane##_finish, recompute, plane##_project                            \
     }
 
-#define ORDERS(plane, way, geometry)                                                               \
+#define ORDERS(plane)                                                                              \
     {                                                                                              \
-        [MPM_USL] =                                                                                \
-            STEP(plane##_momentum_force, NULL, NULL, geometry##_velocity_stress, plane##_project), \
-        [MPM_MUSL] = STEP(plane##_momentum_force, NULL, way##_extrapolate, geometry##_stress,      \
-                          plane##_project),                                                        \
-        [MPM_USF] = STEP(plane##_momentum, geometry##_stress_force, NULL, geometry##_velocity,     \
-                         KEPT(plane##_project)),                                                   \
-        [MPM_USAVG] = STEP(plane##_momentum, geometry##_stress_force, KEPT(way##_extrapolate),     \
-                           KEPT(geometry##_stress), KEPT(plane##_project)),                        \
-        [MPM_USAVG_ONCE] = STEP(plane##_momentum, geometry##_stress_force, NULL,                   \
-                                KEPT(geometry##_velocity_stress), KEPT(plane##_project)),          \
+        [MPM_USL] = STEP(plane, plane##_momentum_force, NULL, NULL),                               \
+        [MPM_MUSL] = STEP(plane, plane##_momentum_force, NULL, plane##_extrapolate),               \
+        [MPM_USF] = STEP(plane, plane##_momentum, plane##_stress_force, NULL),                     \
+        [MPM_USAVG] = STEP(plane, plane##_momentum, plane##_stress_force, plane##_extrapolate),    \
+        [MPM_USAVG_ONCE] = STEP(plane, plane##_momentum, plane##_stress_force, NULL),              \
     }
 
-SPREAD(planar, .axisymmetric = false)
-SPREAD(axisymmetric, .axisymmetric = true)
-EXTRAPOLATE(planar, .axisymmetric = false)
-EXTRAPOLATE(radial, .axisymmetric = true)
-EXTRAPOLATE(hoop, .axisymmetric = true, .hoop_radius = true)
-UPDATE(planar, .axisymmetric = false)
-UPDATE(radial, .axisymmetric = true)
-UPDATE(hoop, .axisymmetric = true, .hoop_radius = true)
+KERNELS(planar, .axisymmetric = false)
+KERNELS(axisymmetric, .axisymmetric = true)
 
 const struct mpm_passes FAST_NAME(FAST_FAMILY)[MPM_FAST_GEOMETRIES][MPM_ORDER_COUNT] = {
-    [MPM_FAST_PLANAR] = ORDERS(planar, planar, planar),
-    [MPM_FAST_AXISYMMETRIC] = ORDERS(axisymmetric, radial, radial),
-    [MPM_FAST_HOOP_RADIUS] = ORDERS(axisymmetric, hoop, hoop),
+    [MPM_FAST_PLANAR] = ORDERS(planar),
+    [MPM_FAST_AXISYMMETRIC] = ORDERS(axisymmetric),
 };

@@ -17,7 +17,7 @@ union fast_stencil {
     struct fast_cpdi cpdi;
 };
 
-/* Half edges of CPDI domains: kept where F changes within a step, else of F. */
+/* Half edges of the CPDI domains of F */
 MPM_INLINE void edges_of(const struct fast_constants *k, const mpm_vector f[MPM_GRADIENT_SIZE],
                          mpm_vector edge[4])
 {
@@ -27,9 +27,26 @@ MPM_INLINE void edges_of(const struct fast_constants *k, const mpm_vector f[MPM_
     edge[3] = f[MPM_YY] * k->half[1];
 }
 
+/* Where a block's half edges are read, and times what: kept where F changes within a step, else
+ * columns of F. */
+struct fast_edges {
+    const double *from[4];
+    double scale[2];
+};
+
+MPM_INLINE struct fast_edges edges_of_block(const struct fast_block *block)
+{
+    double *const *const f = block->particles->deformation, *const *const kept =
+                                                                block->particles->domain;
+    if (kept[0] != NULL)
+        return (struct fast_edges){{kept[0], kept[1], kept[2], kept[3]}, {1.0, 1.0}};
+    return (struct fast_edges){{f[MPM_XX], f[MPM_YX], f[MPM_XY], f[MPM_YY]},
+                               {block->k->half[0], block->k->half[1]}};
+}
+
 MPM_INLINE void evaluate(const struct fast_spec *spec, const struct fast_constants *k,
-                         const struct mpm_particles *particles, size_t p,
-                         union fast_stencil *stencil)
+                         const struct mpm_particles *particles, const struct fast_edges *edges,
+                         size_t p, union fast_stencil *stencil)
 {
     const mpm_vector position[2] = {mpm_load(particles->position[0] + p),
                                     mpm_load(particles->position[1] + p)};
@@ -37,14 +54,9 @@ MPM_INLINE void evaluate(const struct fast_spec *spec, const struct fast_constan
         fast_lines_evaluate(spec, k, position, &stencil->lines);
         return;
     }
-    mpm_vector f[MPM_GRADIENT_SIZE], edge[4];
-    if (spec->kept_domain) {
-        for (int i = 0; i < 4; i++)
-            edge[i] = mpm_load(particles->domain[i] + p);
-    } else {
-        load_deformation(particles, p, f);
-        edges_of(k, f, edge);
-    }
+    mpm_vector edge[4];
+    for (int i = 0; i < 4; i++)
+        edge[i] = mpm_load(edges->from[i] + p) * edges->scale[i / 2];
     fast_cpdi_evaluate(spec, k, position, edge, &stencil->cpdi);
 }
 
@@ -137,15 +149,14 @@ MPM_INLINE void update_velocity_vector(const struct fast_constants *k,
 }
 
 /* x + dt v */
-MPM_INLINE void next_position(const struct fast_spec *spec, const struct fast_constants *k,
-                              const struct mpm_particles *particles, size_t p,
-                              const mpm_vector motion[4], const mpm_vector hoop[4],
-                              mpm_vector next[2])
+MPM_INLINE void next_position(const struct fast_constants *k, const struct mpm_particles *particles,
+                              size_t p, bool hoop_radius, const mpm_vector motion[4],
+                              const mpm_vector hoop[4], mpm_vector next[2])
 {
     for (int axis = 0; axis < 2; axis++) {
         const mpm_vector position = mpm_load(particles->position[axis] + p);
         mpm_vector rate = motion[2 + axis] - k->back * motion[axis];
-        if (spec->hoop_radius && axis == 0)
+        if (hoop_radius && axis == 0)
             rate = position * (hoop[2] - k->back * hoop[0]);
         next[axis] = position + k->time_step * rate;
     }
@@ -167,8 +178,6 @@ MPM_INLINE void update_position_vector(const struct fast_spec *spec, const struc
         mpm_vector f[MPM_GRADIENT_SIZE], edge[4];
         load_deformation(particles, p, f);
         edges_of(k, f, edge);
-        for (int i = 0; spec->kept_domain && i < 4; i++)
-            mpm_store(particles->domain[i] + p, edge[i]);
         for (int axis = 0; axis < 2; axis++)
             reach[axis] = mpm_absolute(edge[axis]) + mpm_absolute(edge[2 + axis]);
     }
@@ -210,8 +219,11 @@ MPM_INLINE void update_position_vector(const struct fast_spec *spec, const struc
 MPM_INLINE void evaluate_block(const struct fast_spec *spec, const struct fast_block *block,
                                union fast_stencil stencil[MPM_BLOCK_VECTORS])
 {
+    struct fast_edges edges = {.scale = {0.0}};
+    if (spec->shape == MPM_CPDI)
+        edges = edges_of_block(block);
     FOR_VECTORS(block, p, v)
-    evaluate(spec, block->k, block->particles, p, &stencil[v]);
+    evaluate(spec, block->k, block->particles, &edges, p, &stencil[v]);
     mpm_keep_in_memory(stencil);
 }
 
@@ -261,14 +273,25 @@ MPM_INLINE void block_stress_before(const struct fast_spec *spec, const struct f
 
 /* Velocities and, for later, positions; *momentum of the former */
 MPM_INLINE void move_vector(const struct fast_spec *spec, const struct fast_block *block, size_t p,
-                            const union fast_stencil *stencil, mpm_vector momentum[2])
+                            bool hoop_radius, const union fast_stencil *stencil,
+                            mpm_vector momentum[2])
 {
     mpm_vector motion[4], hoop[4], next[2];
-    gather_motion(spec, block->k, stencil, spec->hoop_radius, motion, hoop);
+    gather_motion(spec, block->k, stencil, hoop_radius, motion, hoop);
     update_velocity_vector(block->k, block->particles, p, motion, block->sums, momentum);
-    next_position(spec, block->k, block->particles, p, motion, hoop, next);
+    next_position(block->k, block->particles, p, hoop_radius, motion, hoop, next);
     for (int axis = 0; axis < 2; axis++)
         mpm_store(block->particles->carried[axis] + p, next[axis]);
+}
+
+MPM_INLINE void move_block(const struct fast_spec *spec, const struct fast_block *block,
+                           const union fast_stencil stencil[MPM_BLOCK_VECTORS],
+                           mpm_vector momentum[MPM_BLOCK_VECTORS][2])
+{
+    if (spec->axisymmetric && block->hoop_radius)
+        FOR_VECTORS(block, p, v)
+    move_vector(spec, block, p, true, &stencil[v], momentum[v]);
+    else FOR_VECTORS(block, p, v) move_vector(spec, block, p, false, &stencil[v], momentum[v]);
 }
 
 /* What the particles have of a projection's field, in vectors; 0 beyond its components. */
@@ -327,25 +350,36 @@ MPM_INLINE void block_to_particles(const struct fast_spec *spec, const struct fa
     union fast_stencil stencil[MPM_BLOCK_VECTORS];
     mpm_vector momentum[MPM_BLOCK_VECTORS][2];
     evaluate_block(spec, block, stencil);
-    FOR_VECTORS(block, p, v)
-    move_vector(spec, block, p, &stencil[v], momentum[v]);
+    move_block(spec, block, stencil, momentum);
     FOR_VECTORS(block, p, v)
     spread_momentum(spec, block->k, &stencil[v], momentum[v]);
+}
+
+MPM_INLINE void keep_edges(const struct fast_constants *k, const struct mpm_particles *particles,
+                           size_t p)
+{
+    mpm_vector f[MPM_GRADIENT_SIZE], edge[4];
+    load_deformation(particles, p, f);
+    edges_of(k, f, edge);
+    for (int i = 0; i < 4; i++)
+        mpm_store(particles->domain[i] + p, edge[i]);
 }
 
 /* The rest of the step, with the velocities where (31) is not asked for. */
 MPM_INLINE void block_finish(const struct fast_spec *spec, const struct fast_block *block)
 {
     union fast_stencil stencil[MPM_BLOCK_VECTORS];
-    mpm_vector momentum[2];
+    mpm_vector momentum[MPM_BLOCK_VECTORS][2];
     evaluate_block(spec, block, stencil);
-    FOR_VECTORS(block, p, v)
-    if (spec->velocity)
-        move_vector(spec, block, p, &stencil[v], momentum);
-    if (spec->stress)
+    if (block->moves)
+        move_block(spec, block, stencil, momentum);
+    if (block->update != NULL)
         update_stress_block(spec, block, stencil);
     FOR_VECTORS(block, p, v)
     update_position_vector(spec, block->k, block->particles, p, block->sums);
+    if (spec->shape == MPM_CPDI && block->particles->domain[0] != NULL)
+        FOR_VECTORS(block, p, v)
+    keep_edges(block->k, block->particles, p);
 }
 
 /* Not part of a step: stress and domain of F. */
@@ -354,14 +388,9 @@ MPM_INLINE void block_recompute(const struct fast_spec *spec, const struct fast_
     const struct mpm_particles *const particles = block->particles;
     (void)spec;
     block->update(block->k, particles, block->first, block->end, block->sums, NULL);
-    FOR_VECTORS(block, p, v)
-    {
-        mpm_vector f[MPM_GRADIENT_SIZE], edge[4];
-        load_deformation(particles, p, f);
-        edges_of(block->k, f, edge);
-        for (int i = 0; particles->domain[0] != NULL && i < 4; i++)
-            mpm_store(particles->domain[i] + p, edge[i]);
-    }
+    if (particles->domain[0] != NULL)
+        FOR_VECTORS(block, p, v)
+    keep_edges(block->k, particles, p);
 }
 
 #endif
