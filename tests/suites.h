@@ -24,7 +24,7 @@
     SUITE(projection)                                                                              \
     SUITE(forms)                                                                                   \
     SUITE(loads)                                                                                   \
-    SUITE(given)                                                                                   \
+    SUITE(user_force)                                                                              \
     SUITE(start)                                                                                   \
     SUITE(energy_balance)                                                                          \
     SUITE(damping)                                                                                 \

@@ -13,8 +13,8 @@
 #include "method/grid/symmetry_state.h"
 #include "method/loads/damping_state.h"
 #include "method/loads/edge_loads_state.h"
-#include "method/loads/given_force_state.h"
 #include "method/loads/rest_state.h"
+#include "method/loads/user_force_state.h"
 #include "method/passes.h"
 #include "method/shape/shape.h"
 #include "method/transfer/projection_state.h"
@@ -48,7 +48,7 @@ enum mpm_failure_kind {
     MPM_RATE_REFUSED,            /* value: the particle's damping rate */
     MPM_TRACTION_NOT_FINITE,     /* value: a component of the load `load`'s value */
     MPM_TWO_CRACKS,              /* value: nothing */
-    MPM_GIVEN_FORCE_NOT_FINITE,  /* value: the caller's body force along the axis */
+    MPM_USER_FORCE_NOT_FINITE,   /* value: the caller's body force along the axis */
 };
 
 struct mpm_failure {
@@ -119,7 +119,7 @@ struct mpm_state {
     struct mpm_symmetries symmetries;
 
     const struct mpm_projection *projection; /* of the pass that runs */
-    struct mpm_given_force given_force;
+    struct mpm_user_force user_force;
     struct mpm_damping damping;
     struct mpm_energy_balance energy;
     struct mpm_balance balance;    /* of the last step, if the scene asks for rest */

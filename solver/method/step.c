@@ -14,8 +14,8 @@
 #include "method/grid/symmetry.h"
 #include "method/loads/damping.h"
 #include "method/loads/edge_loads.h"
-#include "method/loads/given_force.h"
 #include "method/loads/rest.h"
+#include "method/loads/user_force.h"
 #include "method/transfer/transfer.h"
 
 #include <math.h>
@@ -171,7 +171,7 @@ static enum mpm_status begin(struct mpm_state *state, int workers, bool uniform_
 static void spread(struct mpm_state *state, int workers)
 {
     run_particles(state, workers, state->kernels.passes->to_grid);
-    mpm_given_force_spread(state, workers);
+    mpm_user_force_spread(state, workers);
     if (state->kernels.gather_rows != NULL)
         mpm_grid_rows_run(state, state->kernels.gather_rows);
     mpm_crack_detection_measure(state, workers);
@@ -202,7 +202,7 @@ static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_for
     mpm_mirrors_apply_end(state);
     if (uniform_force)
         state->external_work += uniform_work(state);
-    state->external_work += mpm_given_force_work(state);
+    state->external_work += mpm_user_force_work(state);
     return MPM_OK;
 }
 
@@ -242,7 +242,7 @@ static void add_loads(struct mpm_state *state, int workers, bool varying_force)
     if (varying_force)
         run_particles(state, workers, mpm_pass_body_force);
     mpm_edge_loads_spread(state, workers);
-    mpm_given_force_add(state);
+    mpm_user_force_add(state);
     mpm_cohesive_spread(state);
     mpm_symmetries_reflect_force(state);
 }

@@ -129,7 +129,7 @@ size_t mpm_simulation_particle_count(const struct mpm_simulation *simulation)
 
 size_t mpm_simulation_bytes(const struct mpm_simulation *simulation)
 {
-    return simulation->arena.capacity + simulation->given.capacity + sizeof *simulation +
+    return simulation->arena.capacity + simulation->user_force.capacity + sizeof *simulation +
            simulation->state.conditions.count * sizeof *simulation->state.conditions.list;
 }
 

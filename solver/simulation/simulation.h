@@ -50,7 +50,7 @@ struct mpm_rest_watch {
 struct mpm_simulation {
     const struct mpm_scene *scene;
     struct mpm_arena arena;
-    struct mpm_arena given; /* of a caller's body force; empty without */
+    struct mpm_arena user_force; /* of a user force; empty without */
     struct mpm_state state;
     struct mpm_backup backup;
     struct mpm_crack_tip *tips; /* per J integral of the scene; NULL without */

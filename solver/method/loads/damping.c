@@ -242,15 +242,15 @@ static inline void spare_work(struct mpm_state *state, int64_t index, int worker
 {
     const struct mpm_particles *const particles = &state->particles;
     const double half = 0.5 * state->time_step * state->time_step;
-    double *const *const given = particles->given_force;
+    double *const *const user = particles->user_force;
     struct mpm_strip *const strip = &state->strips[index];
     strip->external_work = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         double b[2] = {state->uniform_force[0], state->uniform_force[1]};
         if (varying && !mpm_particle_body_force(state, p, worker, strip, b))
             continue;
-        for (int axis = 0; axis < 2 && given[axis] != NULL; axis++)
-            b[axis] += given[axis][p];
+        for (int axis = 0; axis < 2 && user[axis] != NULL; axis++)
+            b[axis] += user[axis][p];
         strip->external_work -=
             half * particles->mass[p] *
             (b[0] * state->damping.drag[0][p] + b[1] * state->damping.drag[1][p]);
@@ -281,10 +281,10 @@ void mpm_damping_find_drag(struct mpm_state *state)
         [MPM_UNIFORM_BODY_FORCE] = pass_spare_work,
         [MPM_VARYING_BODY_FORCE] = pass_spare_work_by_place,
     };
-    const bool given = state->given_force.caller.evaluate != NULL;
+    const bool user = state->user_force.caller.evaluate != NULL;
     mpm_pass *const work =
-        works[given && state->body_force_kind == MPM_NO_BODY_FORCE ? MPM_UNIFORM_BODY_FORCE
-                                                                   : state->body_force_kind];
+        works[user && state->body_force_kind == MPM_NO_BODY_FORCE ? MPM_UNIFORM_BODY_FORCE
+                                                                  : state->body_force_kind];
     if (!state->damping.particles)
         return;
     run_particles(state, drags[state->damping.pic != NULL][is_varying(state->damping.particle)]);
