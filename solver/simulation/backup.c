@@ -61,7 +61,7 @@ void mpm_backup_save(struct mpm_simulation *simulation)
     backup->external_work = state->external_work;
     backup->largest_work = simulation->largest_work;
     backup->sudden_energy = state->sudden_energy;
-    backup->damping = state->damping.books;
+    backup->damping = state->damping.totals;
     backup->energy = state->energy;
     backup->wave_speed = simulation->wave_speed;
     backup->step = simulation->step;
@@ -82,7 +82,7 @@ static void copy_back(struct mpm_simulation *simulation)
     state->external_work = backup->external_work;
     simulation->largest_work = backup->largest_work;
     state->sudden_energy = backup->sudden_energy;
-    state->damping.books = backup->damping;
+    state->damping.totals = backup->damping;
     state->energy = backup->energy;
     simulation->wave_speed = backup->wave_speed;
     simulation->step = backup->step;

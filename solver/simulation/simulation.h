@@ -1,4 +1,4 @@
-/* A running simulation: the state that a step works on, the clock, the books, and the
+/* A running simulation: the state that a step works on, the clock, the ledger, and the
  * last good state.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -31,7 +31,7 @@ struct mpm_backup {
     struct mpm_crack_tip *tips; /* these and the extents of chains: with J integrals */
     struct mpm_chain_extent *extents;
     double time, external_work, largest_work, sudden_energy, wave_speed;
-    struct mpm_damping_books damping;
+    struct mpm_damping_totals damping;
     struct mpm_energy_balance energy;
     uint64_t step;
     double time_steps[MPM_STEPS_BETWEEN_SORTS]; /* of the steps since, */

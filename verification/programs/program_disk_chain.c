@@ -148,7 +148,7 @@ static enum mpm_status report(const struct study *study, struct measurement *m,
                               const struct follow_result *result, struct mpm_error *error)
 {
     follow_report(m, result, 0.0); /* angular momentum: asymmetry has it */
-    measurement_report(m, "momentum_drift", books_momentum_drift(&result->books));
+    measurement_report(m, "momentum_drift", conservation_momentum_drift(&result->conservation));
     measurement_report(m, "particles", (double)study->impact.count);
     measurement_report(m, "order", study->largest_order);
     report_arrivals(study, m);

@@ -65,7 +65,7 @@ enum mpm_status mpm_damping_begin(struct mpm_state *state, struct mpm_error *err
     MPM_TRY(
         uniform_rate(state, "damping.particle", damping->particle, &damping->particle_rate, error));
     MPM_TRY(find_pic_rate(state, error));
-    damping->grid_rate += damping->books.rate;
+    damping->grid_rate += damping->totals.rate;
     return mpm_rate_is_allowed(damping->grid_rate, state->time_step)
                ? MPM_OK
                : refuse_rate(state, "damping.grid with the thermostat's rate", damping->grid_rate,
@@ -144,7 +144,7 @@ static enum mpm_status collect_rows(struct mpm_state *state, struct mpm_error *e
                            place[1]);
             return refuse_rate(state, what, sums->rate, error);
         }
-        state->damping.books.dissipated += sums->dissipated;
+        state->damping.totals.dissipated += sums->dissipated;
     }
     return MPM_OK;
 }
@@ -161,7 +161,7 @@ enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_erro
         const double place_rate = varying ? varying_rate(state, active->node, 0) : 0.0;
         if (!mpm_node_is_inside(state, active->node))
             continue;
-        state->damping.books.dissipated -=
+        state->damping.totals.dissipated -=
             taken(state, active->node, active->component, state->damping.grid_rate + place_rate);
     }
     return MPM_OK;
@@ -362,7 +362,7 @@ static void settle(struct mpm_state *state)
         return;
     run_particles(state, midpoint ? pass_settle_midpoint : pass_settle);
     for (int64_t s = 0; s < state->strip_count; s++)
-        state->damping.books.dissipated += state->strips[s].dissipated;
+        state->damping.totals.dissipated += state->strips[s].dissipated;
 }
 
 /* -------------------------------------------------------------- thermostat */
@@ -370,19 +370,19 @@ static void settle(struct mpm_state *state)
 static void advance_thermostat(struct mpm_state *state)
 {
     const struct mpm_damping_spec *const spec = &state->scene->damping;
-    struct mpm_damping_books *const books = &state->damping.books;
+    struct mpm_damping_totals *const totals = &state->damping.totals;
     double kinetic = 0.0;
     if (!spec->thermostat)
         return;
     for (int64_t s = 0; s < state->strip_count; s++)
         kinetic += state->strips[s].kinetic_energy;
-    if (kinetic > books->largest_kinetic)
-        books->largest_kinetic = kinetic;
-    const double scale = spec->scale > 0.0 ? spec->scale : books->largest_kinetic;
+    if (kinetic > totals->largest_kinetic)
+        totals->largest_kinetic = kinetic;
+    const double scale = spec->scale > 0.0 ? spec->scale : totals->largest_kinetic;
     if (scale > 0.0)
-        books->rate += state->time_step * spec->gain * (kinetic - spec->target) / scale;
-    if (books->rate < 0.0)
-        books->rate = 0.0;
+        totals->rate += state->time_step * spec->gain * (kinetic - spec->target) / scale;
+    if (totals->rate < 0.0)
+        totals->rate = 0.0;
 }
 
 void mpm_damping_finish(struct mpm_state *state)

@@ -275,7 +275,8 @@ START_TEST(a_crack_that_stays_closed_does_nothing)
 END_TEST
 
 /* Halves torn apart: the crack takes its toughness times its area out of their kinetic energy, and
- * the books close. What the step's scheme does to energy is allowed 1 % of it; USL dissipates. */
+ * the energies balance. What the step's scheme does to energy is allowed 1 % of it; USL dissipates.
+ */
 START_TEST(a_torn_crack_has_taken_its_toughness_times_its_area)
 {
     const int method = _i % CRACK_BLOCK_METHODS;
