@@ -23,7 +23,7 @@ void report_front(struct report *report);
 void report_throughput(struct report *report);
 void report_limit(struct report *report);
 void report_accuracy(struct report *report);
-void report_pays(struct report *report);
+void report_overhead(struct report *report);
 void report_scaling(struct report *report);
 
 /* -------------------------------------------------------------------- lines */
