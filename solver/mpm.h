@@ -133,7 +133,7 @@ struct mpm_plan {
     size_t particles;
     size_t cells;          /* without ghost rows */
     size_t nodes;          /* with ghost rows */
-    size_t bytes;          /* of the simulation, all told */
+    size_t bytes;          /* of the simulation, in all */
     double time_step;      /* the first one */
     double expected_steps; /* time.end over the first time step, or time.steps if fewer */
     const char *kernels;   /* name of the kernel set chosen: "fast" or "reference" */
@@ -337,7 +337,7 @@ bool mpm_scene_is_cohesive(const struct mpm_scene *scene);
 bool mpm_scene_has_energy_balance(const struct mpm_scene *scene);
 bool mpm_scene_has_contact_loss(const struct mpm_scene *scene);
 
-/* What the history tells of cracks, crack by crack: columns that follow those of the ledger. */
+/* The history's values of cracks, crack by crack: columns that follow those of the ledger. */
 enum { MPM_QUANTITY_NAME_SIZE = 64 };
 struct mpm_quantity_info {
     char name[MPM_QUANTITY_NAME_SIZE]; /* "crack_0_opening_first": crack 0 of the scene */

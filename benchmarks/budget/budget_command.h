@@ -17,7 +17,7 @@ struct budget_options {
     FILE *out;
 };
 
-/* Prints a table of the runs, counted and stored; *exceeded tells whether one of
+/* Prints a table of the runs, counted and stored; *exceeded: whether one of
  * them costs more than its budget, has none, or took other kernels than it was stored for.
  * A build by another compiler or for another processor has no budget: one line says so, and
  * nothing is run. Cost: 25 s. */

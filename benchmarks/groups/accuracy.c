@@ -238,7 +238,7 @@ static enum mpm_status visit(struct bench_context *context, struct run *run, siz
     return MPM_OK;
 }
 
-/* The run for the errors warms up, and tells how often to repeat. */
+/* The run for the errors warms up, and determines how often to repeat. */
 static enum mpm_status rehearse(struct bench_context *context, struct run *run,
                                 struct mpm_error *error)
 {

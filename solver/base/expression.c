@@ -157,7 +157,7 @@ static enum mpm_status report(muParserHandle_t parser, const char *text, struct 
 
 static void ignore_error(muParserHandle_t parser)
 {
-    (void)parser; /* mupError tells; without a handler muParser might print */
+    (void)parser; /* mupError has the error; without a handler muParser might print */
 }
 
 /* ---------------------------------------------------------------- creation */

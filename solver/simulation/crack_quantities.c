@@ -147,7 +147,7 @@ static const struct quantity {
 enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
 
 /* The quantity that `index` counts to, crack by crack, and its crack; NULL past the last one. With
- * SIZE_MAX, *crack and *counted tell of all. */
+ * SIZE_MAX, *crack and *counted are those of all. */
 static const struct quantity *find(const struct mpm_scene *scene, size_t index, size_t *crack,
                                    size_t *counted)
 {

@@ -20,7 +20,7 @@ const { faults, spoiledCopy } = require("./faults.js");
 
 const WIDTHS = [360, 768, 1440];
 const SCHEMES = ["light", "dark"];
-/* Cases whose pages are looked at in full: few and many checks, pictures, a comparison, failures told.
+/* Cases whose pages are looked at in full: few and many checks, pictures, a comparison, failures reported.
  * All others are loaded, and their links followed. */
 const SAMPLE = ["R1", "S2", "W1", "G1", "D2"];
 const inSample = (page) => SAMPLE.some((name) => page.startsWith(`cases/${name}/`));

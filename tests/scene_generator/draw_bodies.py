@@ -39,7 +39,7 @@ def draw_material_count(canvas):
 
 
 def draw_name(canvas, _):
-    """Names that tell apart: m0, m1."""
+    """Distinct names: m0, m1."""
     return f"m{canvas.path[-1]}"
 
 

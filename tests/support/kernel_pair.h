@@ -11,7 +11,7 @@
  *              number * c e in a step, however slow the bodies are
  *
  * Of slow bodies of little strain (c is 200 to 700 times their speed in the catalogue) that is
- * far from the largest value itself: kernel_difference.of_largest tells how far.
+ * far from the largest value itself: kernel_difference.of_largest states how far.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TESTS_SUPPORT_KERNEL_PAIR_H

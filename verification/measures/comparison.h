@@ -79,7 +79,7 @@ size_t comparison_rank(const struct comparison_table *table, size_t row, size_t 
 size_t comparison_count(const struct comparison_table *table, size_t column);
 bool comparison_is_last(const struct comparison_table *table, size_t row, size_t column);
 
-/* Whether the column tells nothing: all numbers, two at least, are the same, to the last digit, and
+/* Whether the column has no information: all numbers, two at least, are the same, to the last digit, and
  * no row has another or none, but for those that the column's own limit takes out. */
 bool comparison_is_constant(const struct comparison_table *table, size_t column);
 

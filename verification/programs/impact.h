@@ -1,7 +1,7 @@
 /* What runs of bodies with cracks that hit each other have in common: the cracks under watch, the
  * mirror symmetry about y = 0, and pictures at given times.
  *
- * Parameters: cell (length, which results are told in), reach (of the faces, in cells), spacing (of
+ * Parameters: cell (length, the unit of results), reach (of the faces, in cells), spacing (of
  * the stations, in cells); for pictures `picture` (picture.h) and `frames`, times in ascending
  * order.
  *

@@ -126,7 +126,7 @@ static void look(void *context, const struct mpm_simulation *simulation,
 
 /* ------------------------------------------------------------------- report */
 
-/* Times are told in the time that a wave takes through a disk. */
+/* The unit of times is the time that a wave takes through a disk. */
 static void report_arrivals(const struct study *study, struct measurement *m)
 {
     const double crossing = 2.0 * study->radius / study->wave_speed;

@@ -75,7 +75,7 @@ static int ending_of(enum mpm_cause cause)
     return ENDINGS;
 }
 
-/* Runs to `end` and tells in *ending what stopped it. */
+/* Runs to `end` and sets *ending to what stopped it. */
 static enum mpm_status follow(struct measurement *m, struct mpm_simulation *simulation, double end,
                               struct record *record, int *ending, struct mpm_error *error)
 {

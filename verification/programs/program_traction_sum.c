@@ -2,7 +2,7 @@
  * the change of momentum, against value times deformed area, edge by edge from F.
  *
  * Two runs of the scene agree until `time`, when the load of one of them begins; the first step
- * after that tells the force by the difference of their momenta. The body is a lattice of sites,
+ * after that yields the force by the difference of their momenta. The body is a lattice of sites,
  * `columns` by `rows`.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -171,7 +171,7 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
             measurement_report(m, quantities[of], worst[of]);
         else
             measurement_inconclusive(m, quantities[of],
-                                     "a run ended before the step that tells the force");
+                                     "a run ended before the step that yields the force");
     free_step(&without);
     return status;
 }

@@ -46,7 +46,7 @@ static GPtrArray *data_files(const char *home)
     return names;
 }
 
-/* Draws the figures of a case, then writes its page; a figure that failed is told after
+/* Draws the figures of a case, then writes its page; a figure that failed is reported after
  * the page is written. */
 static enum mpm_status write_case(const char *folder, struct report_site *site, const json_t *entry,
                                   struct mpm_error *error)
@@ -64,7 +64,7 @@ static enum mpm_status write_case(const char *folder, struct report_site *site, 
         }
     }
     char *home = g_build_filename(folder, "cases", record_text(entry, "case"), NULL);
-    g_mkdir_with_parents(home, 0777); /* a failure is told by the writing */
+    g_mkdir_with_parents(home, 0777); /* a failure is reported by the writing */
     GPtrArray *files = data_files(home);
     enum mpm_status status =
         write_owned(home, "index.html", report_case(site, entry, results, files), error);
@@ -112,7 +112,7 @@ static enum mpm_status write_cases(const char *folder, const char *reports,
         enum mpm_status drawn = write_case(folder, site, entry, &own);
         if (drawn == MPM_OK)
             drawn = write_comparison(folder, reports, site, entry, &own);
-        /* the first failure is the one to tell */
+        /* the first failure is the one to report */
         if (drawn != MPM_OK && status == MPM_OK)
             status = failure_set(error, drawn, "%s", own.message);
     }

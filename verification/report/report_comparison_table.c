@@ -159,7 +159,7 @@ static void add_row(GString *html, const struct comparison_view *view, size_t ro
 
 /* -------------------------------------------------------------- what it means */
 
-/* The columns that tell nothing, in one sentence. */
+/* The columns without information, in one sentence. */
 static void add_left_out(GString *html, const struct comparison_view *view)
 {
     const struct comparison_table *table = &view->table;

@@ -59,7 +59,7 @@ static void add_feature(GArray *features, const char *name, const char *kind, co
         g_array_append_val(features, feature);
 }
 
-/* The tags of all cases and, where a comparison tells them, the parts of methods' names. */
+/* The tags of all cases and, where a comparison declares them, the parts of methods' names. */
 static GArray *features_of(const json_t *cases)
 {
     GArray *features = g_array_new(FALSE, TRUE, sizeof(struct feature));

@@ -64,7 +64,7 @@ static void add_row(struct report_table *table, const struct headroom_table *hea
     g_free(href);
 }
 
-/* Verdicts, and what is wrong: in words, since one build alone does not tell. */
+/* Verdicts, and what is wrong: in words, since one build alone does not show it. */
 static void add_counts(GString *html, const struct headroom_table *table, bool compared)
 {
     g_string_append(html, "<ul class=\"counts\">");

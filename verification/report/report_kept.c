@@ -13,7 +13,7 @@
 static const char changes_name[] = "changes.json", headroom_name[] = "headroom.json",
                   mutants_name[] = "mutants.json";
 
-/* Relative; as mpm-verify compare has it unless told. */
+/* Relative; the default of mpm-verify compare. */
 static const double change_shown = 1e-3;
 
 static enum mpm_status write_json(const char *folder, const char *name, json_t *object,

@@ -1,7 +1,7 @@
 /* An HDF5 file driver for writing one new file to a disk that may be full.
  *
  * HDF5 1.10 cannot close a file whose blocks it could not write: it keeps the file
- * open and crashes when the program ends. This driver tells HDF5 that every write
+ * open and crashes when the program ends. This driver reports to HDF5 that every write
  * went well, keeps the first error of the system and lets the caller look at it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

@@ -39,7 +39,7 @@ static enum mpm_status check_growing(const struct mpm_reading *reading, const ch
                                  "grow in this version; allowed: one of both");
     if (crack->contact != MPM_CONTACT_NONE && crack->detection != MPM_DETECT_CELL)
         return mpm_reading_fault(reading, path,
-                                 "a crack whose contact is told by where its surfaces were at t = "
+                                 "a crack whose contact is detected from where its surfaces were at t = "
                                  "0, and new ones were nowhere; allowed: contact: none, or "
                                  "detection: cell");
     for (size_t i = 0; i < index; i++)

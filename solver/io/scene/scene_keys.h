@@ -11,7 +11,7 @@
  *   unit     its dimension: MPM_DIMENSION_... without the prefix
  *   range    of values; for POINTS how many
  *   default  YAML that stands in for a missing OPTIONAL key, or NULL: then the key stays
- *            missing and `help` tells what that means
+ *            missing and `help` states what that means
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_IO_SCENE_KEYS_H

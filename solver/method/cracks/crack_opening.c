@@ -131,7 +131,7 @@ static void find_surface(const struct mpm_state *state, const double from[2], co
     weigh(state, surface);
 }
 
-/* From where sides are told: the point, or a little back from the edge of a body. */
+/* The place that sides are seen from: the point, or a little back from the edge of a body. */
 static void view_point(const struct mpm_state *state, size_t crack, size_t point,
                        const double normal[2], double view[2])
 {

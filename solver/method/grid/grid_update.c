@@ -100,7 +100,7 @@ static inline void update_row(const struct mpm_state *state, int64_t row, bool b
         const double inverse = mpm_inverse_mass(grid->mass[node]);
         struct mpm_node_motion *const motion = &grid->motion[node];
         for (int axis = 0; axis < 2; axis++) {
-            if (body_force) /* stays in the sum: reactions at conditions are told from it */
+            if (body_force) /* stays in the sum: reactions at conditions follow from it */
                 grid->sum[node][axis].force += grid->mass[node] * state->uniform_force[axis];
             motion->acceleration[axis] = grid->sum[node][axis].force * inverse;
             motion->end[axis] =

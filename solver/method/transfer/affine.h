@@ -23,7 +23,7 @@
  * edge lose one direction to a particle just there: then no node with a weight is at a distance
  * along it, C_p (x_i - y_p) takes nothing of it, and its column is 0.
  *
- * At the start the scene tells particles' velocities and no gradients: B_p = 0. Kinetic energy
+ * At the start the scene has particles' velocities and no gradients: B_p = 0. Kinetic energy
  * is that of v_p alone, as for every transfer.
  *
  * Passes of the reference kernels; signature and use: mpm_strips_run.

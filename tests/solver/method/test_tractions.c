@@ -256,7 +256,7 @@ static double balance(int index, const char *list, int steps)
 }
 
 /* A transfer by FLIP loses energy in proportion to the step, some percent of so little here:
- * steps of 0.01 and 0.005 tell what is left of the balance at none, to second order, 0.001. */
+ * steps of 0.01 and 0.005 show what is left of the balance at none, to second order, 0.001. */
 START_TEST(tractions_and_particle_forces_work_what_the_energy_gains)
 {
     static const char *const lists[] = {"tractions", "particle_forces"};

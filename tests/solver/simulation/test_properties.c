@@ -102,7 +102,7 @@ START_TEST(a_homogeneous_deformation_stays_homogeneous)
     else
         settings_add(&settings,
                      "boundary=[{region: all, velocity: ['0.3*x+0.1*y', '-0.2*x+0.05*y']}]");
-    if (c.axisymmetric) /* no node may be told two velocities */
+    if (c.axisymmetric) /* no node may have two velocities */
         settings_add(&settings, "bodies.block.velocity=['0.3*r', '-0.2*z']");
     else
         settings_add(&settings, "bodies.block.velocity=['0.3*x+0.1*y', '-0.2*x+0.05*y']");

@@ -1,5 +1,5 @@
 /* Reports: rendered from the result lines alone, well-formed, the same every time; a
- * figure that cannot be drawn is told.
+ * figure that cannot be drawn is reported.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"

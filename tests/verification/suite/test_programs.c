@@ -109,7 +109,7 @@ START_TEST(a_parameter_that_means_nothing_is_refused_with_what_is_allowed)
 }
 END_TEST
 
-/* Loads that throw the body out of the grid: in the step that tells their force, or before. */
+/* Loads that throw the body out of the grid: in the step that determines their force, or before. */
 static const struct {
     const char *program, *folder, *parameters, *settings, *quantity;
 } BREAKING[] = {

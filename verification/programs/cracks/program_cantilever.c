@@ -5,7 +5,7 @@
  * the particles that began in it. On the mid-plane both are seen as nodes of the 1 mm grid see
  * them, by means over points with linear weights; the table of the finite elements has that curve
  * for each of their meshes. Differences are in percent of the beam's stress at the tip. What
- * four-node elements on the same grid get is told beside: their own error, and, with particles for
+ * four-node elements on the same grid get is reported beside: their own error, and, with particles for
  * integration points, the limit of the material point method with hat functions.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
