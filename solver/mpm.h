@@ -79,18 +79,18 @@ void mpm_scene_free(struct mpm_scene *scene);
 size_t mpm_scene_body_count(const struct mpm_scene *scene);
 const char *mpm_scene_body_name(const struct mpm_scene *scene, size_t body);
 double mpm_scene_end_time(const struct mpm_scene *scene);
-/* By how many time steps what particles carry stands behind the time of the simulation, after any
+/* By how many time steps what particles carry is behind the time of the simulation, after any
  * step and so at the start as well: velocity and F of a scheme are those of time - lag * step, at a
- * fixed step. Velocities are those of the middle of the last step. F is where the force of a step
- * wants it when the stress is updated last (usl, musl: 0), a step behind that when it is updated
- * first (usf: 1), and between (usavg: 1/2). Positions moved by the mean of old and new velocity
- * (midpoint) lag half a step. A start that heeds the lags makes a run second order in time; one
- * that does not is off by first order, once. */
+ * fixed step. Velocities are those of the middle of the last step. F is that of the
+ * step's force when the stress is updated last (usl, musl: 0), a step behind that when it is
+ * updated first (usf: 1), and between (usavg: 1/2). Positions moved by the mean of old and new
+ * velocity (midpoint) lag half a step. A start that heeds the lags makes a run second order in
+ * time; one that does not is off by first order, once. */
 struct mpm_lags {
     double position, velocity, deformation;
 };
 struct mpm_lags mpm_scene_lags(const struct mpm_scene *scene);
-/* Does the scene ask for checkpoints? This version writes none. */
+/* Does the scene require checkpoints? This version writes none. */
 bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene);
 
 /* Two sets of kernels take a step. The reference kernels go particle by particle and are
@@ -209,7 +209,7 @@ enum { MPM_BODY_FORCE_BLOCK = 256 };
 struct mpm_body_force {
     /* Sets force[axis][k], length / time^2, for the particles id[k] with k < count, count at most
      * MPM_BODY_FORCE_BLOCK, at the start of a step, `time`. Ids are in creation order and stay with
-     * their particles; rigid ones are never asked for. Several threads call it at a time, for
+     * their particles; rigid ones are never passed. Several threads call it at a time, for
      * different particles, and a failed run calls it for times gone by: the force must be a
      * function of id and time alone. Another simulation that it advances gets one thread. */
     void (*evaluate)(void *context, double time, size_t count, const uint32_t id[],
@@ -332,7 +332,7 @@ bool mpm_scene_is_damped(const struct mpm_scene *scene);
 /* Has one of its cracks a cohesive law: has its history the columns of cohesive energies? */
 bool mpm_scene_is_cohesive(const struct mpm_scene *scene);
 
-/* Does it ask for output.energy_balance: has its history the column transfer_loss? And, with
+/* Has the scene output.energy_balance, and its history the column transfer_loss? And, with
  * contact of cracks, contact_loss? */
 bool mpm_scene_has_energy_balance(const struct mpm_scene *scene);
 bool mpm_scene_has_contact_loss(const struct mpm_scene *scene);
@@ -344,13 +344,13 @@ struct mpm_quantity_info {
     struct mpm_dimension dimension;
     const char *description;
 };
-/* How many there are, 0 for scenes that ask for none; what `index`, below that, is; and its value
+/* How many there are, 0 for scenes without any; what `index`, below that, is; and its value
  * now. Cost of a value: one pass over the points of its crack. */
 size_t mpm_scene_crack_quantity_count(const struct mpm_scene *scene);
 struct mpm_quantity_info mpm_scene_crack_quantity(const struct mpm_scene *scene, size_t index);
 double mpm_simulation_crack_quantity(const struct mpm_simulation *simulation, size_t index);
 
-/* How near to rest a scene that asks for it (time.rest) is after the last step; both 1 before
+/* How near to rest a scene with time.rest is after the last step; both 1 before
  * the first. */
 struct mpm_rest {
     bool asked;
@@ -366,13 +366,13 @@ struct mpm_rest {
     double fallen_time; /* the last time when it had fallen by 10 % since the last such time */
 };
 /* Have both been below the scene's bounds for as many steps in a row, after time.rest.after? False
- * if the scene does not ask. `rest` may be NULL. Further steps can be taken after that. */
+ * if the scene has no time.rest. `rest` may be NULL. Further steps can be taken after that. */
 bool mpm_simulation_at_rest(const struct mpm_simulation *simulation, struct mpm_rest *rest);
 
 /* Has the residual neither fallen by 10 % nor been below its bound for time.rest.patience steps? */
 bool mpm_simulation_stagnates(const struct mpm_simulation *simulation);
 
-/* The J integral at a tip of a crack, as `j_integral` of the scene asks for it, and what follows
+/* The J integral at a tip of a crack, as `j_integral` of the scene defines it, and what follows
  * from it. Components along 1, the way in which the crack would grow straight on, and along 2, on
  * the left of it; both as they lie in the undeformed body. */
 struct mpm_j_integral {
@@ -387,7 +387,7 @@ struct mpm_j_integral {
                                    part of no sum of energies: growth releases it into waves */
 };
 
-/* How many the scene asks for, crack by crack in its order. */
+/* How many the scene has, crack by crack in its order. */
 size_t mpm_scene_j_integral_count(const struct mpm_scene *scene);
 
 /* The one of that index, in the state after the last step. MPM_RUN_FAILED, with the reason: its
@@ -428,11 +428,11 @@ struct mpm_run_options {
     void *progress_context;
 };
 
-/* Runs a scene to its end and writes run.json, history.csv and snapshots. A scene that asks for
+/* Runs a scene to its end and writes run.json, history.csv and snapshots. A scene that requires
  * rest ends there; one that has not come to rest when its time or its steps are over has failed
  * (MPM_RUN_FAILED: an answer that has not converged must not pass for one). The energy is judged
  * before each row, each snapshot and the end. Refuses (MPM_BAD_INPUT) an output that is a file or
- * holds results. On MPM_RUN_FAILED the last good state has been written and run.json tells the
+ * holds results. On MPM_RUN_FAILED the last good state has been written and run.json has the
  * reason. */
 enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_run_options *options,
                               struct mpm_error *error);

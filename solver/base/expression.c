@@ -182,7 +182,7 @@ static enum mpm_status prepare(struct worker *worker, const char *text, const ch
     mupSetErrorHandler(worker->parser, ignore_error);
     define_names(worker, names, has_time);
     mupSetExpr(worker->parser, text);
-    /* mupError forgets the error when asked: ask once after each call. */
+    /* mupError clears the error when it is read: read it once after each call. */
     if (mupError(worker->parser))
         return report(worker->parser, text, error);
     (void)mupEval(worker->parser);

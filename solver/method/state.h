@@ -23,7 +23,7 @@
 #include "model/particles.h"
 #include "model/scene.h"
 
-/* Where the stress update stands in the step, as parts of the time step: the rows of
+/* Where the stress update is in the step, as parts of the time step: the rows of
  * CRAMP's Appendix, Tasks 2 and 6. */
 struct mpm_stress_order {
     const char *name;
@@ -65,7 +65,7 @@ struct mpm_strip {
     int64_t column_low, column_high; /* box of the nodes that they reach; empty if low > high */
     int64_t row_low, row_high;
     double kinetic_energy;
-    double strain_energy;      /* when it was last asked for */
+    double strain_energy;      /* when it was last computed */
     double wave_speed_squared; /* largest */
     double external_work;      /* of body forces, or of loads on edges, in the step */
     double dissipated;         /* by damping at the particles, in a part of the step */
@@ -122,7 +122,7 @@ struct mpm_state {
     struct mpm_user_force user_force;
     struct mpm_damping damping;
     struct mpm_energy_balance energy;
-    struct mpm_balance balance;    /* of the last step, if the scene asks for rest */
+    struct mpm_balance balance;    /* of the last step, if the scene has time.rest */
     struct mpm_row_sums *row_sums; /* per node row */
 
     double time;      /* at the start of the step */

@@ -1,4 +1,4 @@
-/* What cracks add to the history: one row of the table below is a column for each crack that asks
+/* What cracks add to the history: one row of the table below is a column for each crack that has
  * for it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

@@ -168,7 +168,7 @@ enum mpm_status mpm_edge_loads_fill(struct mpm_simulation *simulation, struct mp
     return MPM_OK;
 }
 
-/* Values at t = 0 must be finite. Particles still stand in creation order, as the sites do. */
+/* Values at t = 0 must be finite. Particles are still in creation order, as the sites do. */
 enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulation,
                                            struct mpm_error *error)
 {

@@ -38,7 +38,7 @@ struct mpm_backup {
     double times[MPM_STEPS_BETWEEN_SORTS];      /* and where they ended */
 };
 
-/* What a simulation remembers of its way to rest; all zero if its scene does not ask for it. */
+/* The progress of a simulation to rest; all zero if its scene has no time.rest. */
 struct mpm_rest_watch {
     int64_t steps_at_rest; /* in a row */
     double largest_energy; /* kinetic and strain energy, so far */
@@ -113,7 +113,7 @@ enum mpm_status mpm_health_refuse_start(const struct mpm_simulation *simulation,
                                         struct mpm_error *error);
 
 /* damping.c: what the scene damps, and its memory; rates that are not allowed at t = 0 are
- * refused with MPM_BAD_INPUT once the particles stand and the first time step is known. */
+ * refused with MPM_BAD_INPUT once the particles are placed and the first time step is known. */
 enum mpm_status mpm_damping_create(struct mpm_simulation *simulation, const char *const names[2],
                                    struct mpm_error *error);
 void mpm_damping_layout(struct mpm_state *state, struct mpm_arena *arena);
@@ -136,13 +136,13 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena);
 void mpm_cracks_fill(struct mpm_state *state);
 
 /* symmetries.c: planes of symmetry, MPM_BAD_INPUT where a body force acts across one; their inner
- * sides and the cracks on them, once particles and cracks stand: MPM_BAD_INPUT where bodies are on
- * both sides, or a crack meets a plane. */
+ * sides and the cracks on them, once particles and cracks are placed: MPM_BAD_INPUT where bodies
+ * are on both sides, or a crack meets a plane. */
 enum mpm_status mpm_symmetries_create(struct mpm_simulation *simulation, struct mpm_error *error);
 enum mpm_status mpm_symmetries_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 
-/* j_integrals.c: their memory; their tips, once the particles stand: MPM_BAD_INPUT where a contour
- * is not one. */
+/* j_integrals.c: their memory; their tips, once the particles are placed: MPM_BAD_INPUT where a
+ * contour is not one. */
 void mpm_j_integrals_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);
 enum mpm_status mpm_j_integrals_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 /* The value of one now; MPM_RUN_FAILED with MPM_CAUSE_J_INTEGRAL where it has none. */

@@ -88,7 +88,7 @@ static const struct row {
 };
 enum { ROWS = sizeof rows / sizeof rows[0] };
 
-/* The features that stand for a scene's choices, as bits. */
+/* The features that represent a scene's choices, as bits. */
 struct features {
     unsigned bits;
     bool exact; /* the choice itself has been measured, not only its neighbours */

@@ -5,7 +5,7 @@
                       [--seed N] [--jobs N] [--output DIR]
 
 OLD and NEW are folders with the programs `mpm` and `mpm-verify`. Three parts, all of them unless some
-are asked for:
+are selected:
 
 suite   `mpm-verify run` with both programs: every quantity and every curve that a report shows.
         Quantities that count time or instructions are left out.
@@ -277,7 +277,7 @@ def parse():
 
 
 def main():
-    """Compares the parts that are asked for."""
+    """Compares the selected parts."""
     arguments = parse()
     programs = [str(folder / "mpm") for folder in (arguments.old, arguments.new)]
     passed = failed = skipped = 0

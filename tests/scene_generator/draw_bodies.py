@@ -60,7 +60,7 @@ def draw_poisson(canvas, _):
 
 
 def draw_modulus(canvas, _):
-    """Bulk and shear modulus stand in for the other pair."""
+    """Bulk and shear modulus replace the other pair."""
     return canvas.pick([1, 2, 5]) if canvas.notes["by_bulk"] else ABSENT
 
 

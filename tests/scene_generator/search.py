@@ -6,7 +6,7 @@
 
 Judges the kept scenes first (folder kept/), then draws new ones until the time is over, or the number
 of scenes given: these follow from the seed alone, whatever the machine and the jobs. A scene that
-breaks an invariant is shrunk and written to the output folder; the invariant is not asked again,
+breaks an invariant is shrunk and written to the output folder; the invariant is not evaluated again,
 unless --again allows so many finds. With SCENE: judges those scenes alone. Exit status: 0 all
 invariants hold; 1 one does not; 2 bad usage. The last line is `N passed, N failed, N skipped`: each
 invariant counts as one, and so does each kept scene.
@@ -72,7 +72,7 @@ class Search:
         self.shrink_until = 0.0
 
     def active(self, name):
-        """Is the invariant asked for, and not retired?"""
+        """Is the invariant selected, and not retired?"""
         asked = not self.arguments.invariant or name in self.arguments.invariant
         index = list(invariants.ALL).index(name)
         return asked and self.retired[index] < self.arguments.again

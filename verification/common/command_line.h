@@ -15,7 +15,7 @@ struct command; /* each program's own: its options, and what its commands work o
 struct command_entry {
     const char *name;
     unsigned takes;        /* bits: which options */
-    size_t rest;           /* how many arguments stand beside them */
+    size_t rest;           /* how many arguments there are beside them */
     const char *rest_name; /* the first of these, as a message says that it is missing */
     enum mpm_status (*run)(struct command *command, struct mpm_error *error);
 };

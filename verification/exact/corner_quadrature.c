@@ -9,7 +9,7 @@
 
 enum { WORKSPACE_INTERVALS = 64 };
 
-/* What GSL is asked for, times the size of the integrand; see shape_quadrature.c. */
+/* GSL's tolerance, times the size of the integrand; see shape_quadrature.c. */
 static const double TOLERANCE = 5e-14;
 
 /* Signs of d1 and d2 at the corners. */

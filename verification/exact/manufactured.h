@@ -127,7 +127,7 @@ enum mpm_status manufactured_set(struct manufactured_problem *problem, const cha
 /* --------------------------------------------------------------- evaluation */
 
 /* All of it at the particle that started at `place`, at any time, before 0 as well: staggered
- * quantities of a start ask for that. Cost: 0.2 us. */
+ * quantities of a start need that. Cost: 0.2 us. */
 void manufactured_evaluate(const struct manufactured_problem *problem, const double place[2],
                            double time, struct manufactured_state *state);
 
@@ -156,7 +156,7 @@ struct manufactured_activity {
     double acceleration[2]; /* share, by component of the motion */
     double divergence[2];
     double hoop[2];         /* of the terms with 1 / R; 0 in planar geometries */
-    double nonlinear;       /* of Div P that Hooke's law does not give; nothing asks for some */
+    double nonlinear;       /* of Div P that Hooke's law does not give; any amount is allowed */
     double velocity[2];     /* over its largest in a period: 0 at a turning point */
     double displacement[2]; /* the same: 0 on the way through the undeformed state */
     double nodes[2];        /* displacement at the nodes over that at all points */

@@ -18,7 +18,7 @@
  * and the ring around them. */
 enum { AXIS_NODES_MAX = 8, WORKSPACE_INTERVALS = 64 };
 
-/* What GSL is asked for, times the size of the integrand. Its estimate cannot fall below
+/* GSL's tolerance, times the size of the integrand. Its estimate cannot fall below
  * 50 eps = 1.1e-14 of the integral of the absolute value; a polynomial reaches that at once. */
 static const double TOLERANCE = 5e-14;
 

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Stands where there is no particle; a number, since data files of figures hold no NaN. */
+/* The value where there is no particle; a number, since data files of figures hold no NaN. */
 #define RASTER_EMPTY (-1e30)
 
 struct raster {

@@ -10,7 +10,7 @@ enum { AXES = 2, GRADIENT = 5, STRESS = 4, LARGEST = GRADIENT, SETTINGS = 3, COL
 
 const char *const manufactured_suffix[MANUFACTURED_QUANTITIES] = {"_u", "_v", "_F", "_stress"};
 
-/* The off-diagonal component of a symmetric tensor stands for two. */
+/* The off-diagonal component of a symmetric tensor counts twice. */
 static const double STRESS_MULTIPLE[STRESS] = {1.0, 1.0, 1.0, 2.0};
 static const double IDENTITY[GRADIENT] = {1.0, 0.0, 0.0, 1.0, 1.0};
 
@@ -79,7 +79,7 @@ static void close_run(struct run *run)
 
 /* ------------------------------------------------------------ exact values */
 
-/* How far the quantity stands behind the time of the simulation. */
+/* How far the quantity is behind the time of the simulation. */
 static double lag_of(const struct run *run, enum manufactured_quantity quantity)
 {
     const double steps = quantity == MANUFACTURED_DISPLACEMENT ? run->lags.position
@@ -128,7 +128,7 @@ static enum mpm_status advance(struct run *run, struct measurement *m, unsigned 
 }
 
 /* Places become displacements since the start, F becomes F - I. The displacement counts from
- * where the scheme's first position stands in time. */
+ * the time of the scheme's first position. */
 static void make_comparable(struct run *run, enum manufactured_quantity quantity)
 {
     const size_t components = QUANTITIES[quantity].components;

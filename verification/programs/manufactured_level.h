@@ -26,7 +26,7 @@ struct manufactured_level {
     unsigned looks; /* instants at which errors are measured, the last at the end; divides steps */
     double end;     /* time */
     double margin;  /* particles that start nearer than this to an edge are not measured */
-    bool at_once;   /* start with all quantities of time 0, whatever the scheme wants */
+    bool at_once;   /* start with all quantities of time 0, whatever the scheme requires */
     const char *series; /* of the fields at the end, or NULL */
 };
 
@@ -41,7 +41,7 @@ struct manufactured_outcome {
 };
 
 /* Starts the variant's scene with the field's velocities and deformation gradients, each at the
- * time that the scheme wants (mpm_scene_lags), drives it with the field's body force in `steps`
+ * time that the scheme requires (mpm_scene_lags), drives it with the field's body force in `steps`
  * equal steps, and compares each quantity at each look with the exact one of its own time. */
 enum mpm_status manufactured_level_run(struct measurement *measurement,
                                        const struct manufactured_problem *problem,

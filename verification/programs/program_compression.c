@@ -45,7 +45,7 @@ struct study {
     struct parameters parameters;
     struct mpm_simulation *simulation;
     struct particle_set set;
-    size_t count[PARTS]; /* the inner particles stand first */
+    size_t count[PARTS]; /* the inner particles come first */
     double strain;       /* now */
     struct look look[PARTS];
     double broken[PARTS]; /* volume compression in % at which the part broke; 0: not yet */

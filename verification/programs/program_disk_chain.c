@@ -2,7 +2,7 @@
  * through the row as it must, do the crack's faces meet without crossing, how many fringes does a
  * photoelastic disk show?
  *
- * Bodies stand along x: first the one that hits, then the disks, from x = 0 on.
+ * Bodies are in a row along x: first the one that hits, then the disks, from x = 0 on.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/programs/follow.h"

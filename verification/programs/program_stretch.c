@@ -5,7 +5,7 @@
  * the time at which the steps become those of the scene, and `careful`, the longest step before;
  * from then on the deviation is looked at every `interval`. Its growth rate is the slope of its
  * logarithm by least squares, from where it last is below `from` to where it first exceeds `to`.
- * Beside it stands the rate of stretched_column.h for the state at `hold`, with `modulus`, the
+ * It also reports the rate of stretched_column.h for the state at `hold`, with `modulus`, the
  * slope of the force over the stretch, and the density of the unstretched column, `density`.
  * Series: `deviation` over time and, where it grows, `predicted`: the same growth at that rate.
  *

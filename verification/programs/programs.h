@@ -57,7 +57,7 @@ struct program_table programs_all(void);
 /* The program of that name, or NULL. */
 const struct measure_program *programs_find(struct program_table table, const char *name);
 
-/* ------------------------------------------------ what a program may ask for */
+/* ------------------------------------------------ what a program may read */
 
 const char *measurement_case(const struct measurement *measurement);
 const char *measurement_variant(const struct measurement *measurement);

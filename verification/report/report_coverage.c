@@ -161,7 +161,7 @@ void report_coverage(GString *html, struct report_site *site)
         add_row(table, &g_array_index(features, struct feature, i), all);
     report_table_sort(table);
     g_string_append(html, "<h2 id=\"coverage\">What is covered by which evidence</h2>\n"
-                          "<p class=\"about\">Checks of this run, by what stands against the "
+                          "<p class=\"about\">Checks of this run, by what is compared with the "
                           "solver’s number: its <a href=\"glossary.html#evidence\">evidence</a>. "
                           "“none” is a hole. A check counts for every feature that its case or "
                           "its variant has.</p>\n");

@@ -13,7 +13,7 @@ static const double TIME_TOLERANCE = 1e-6;
 
 enum { PARTS = 4 }; /* of each axis, that must hold a point each */
 
-/* --------------------------------------------------------------------- what is asked */
+/* --------------------------------------------------------------------- what is required */
 
 /* Whether the reference depends on that axis, so that points must say where they started. */
 static bool depends_on(const struct bundle *bundle, size_t axis)

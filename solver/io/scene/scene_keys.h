@@ -2,7 +2,7 @@
  * how it fills them, the checks of type and range, the defaults and `mpm schema`.
  *
  * A line is X(S, shape, key, value, where, need, unit, default, range, help):
- *   S        what the user of the list wants to know in each line: the list's name
+ *   S        what the user of the list needs in each line: the list's name
  *   shape    ONE value, a PAIR of values, a list of POINTS (pairs), a CHOICE among names,
  *            a GROUP of keys, a LIST of groups
  *   value    kind of the value; for a CHOICE its list below; for GROUP and LIST the list
@@ -10,7 +10,7 @@
  *   where    geometry that the key belongs to: ANYWHERE, PLANAR, AXISYMMETRIC
  *   unit     its dimension: MPM_DIMENSION_... without the prefix
  *   range    of values; for POINTS how many
- *   default  YAML that stands in for a missing OPTIONAL key, or NULL: then the key stays
+ *   default  YAML used for a missing OPTIONAL key, or NULL: then the key stays
  *            missing and `help` states what that means
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

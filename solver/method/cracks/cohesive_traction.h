@@ -4,7 +4,7 @@
  * (crack_opening.h). Both sum to t A: momentum is kept. They work t A . d delta/dt, which is what
  * the law integrates.
  *
- * A is the undeformed area that the point stands for, from both segments beside it: the integral of
+ * A is the undeformed area that belongs to the point, from both segments beside it: the integral of
  * the point's linear function, times the thickness, or over r ds in axisymmetry. Toughness is work
  * per undeformed area therefore.
  *

@@ -24,7 +24,7 @@ static bool is_shared(const struct mpm_state *state, const struct mpm_crack_node
 }
 
 /* Is it unknown which surfaces the fields have? Also where three have mass of which two lie
- * beyond one crack, as it may ask for that bends within a node's reach. */
+ * beyond one crack, as a crack may have that bends within a node's reach. */
 static bool is_crowded(const struct mpm_state *state, const struct mpm_crack_node *node)
 {
     return is_shared(state, node, MPM_CRACK_ABOVE) || is_shared(state, node, MPM_CRACK_BELOW) ||

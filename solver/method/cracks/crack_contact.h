@@ -21,7 +21,7 @@
 void mpm_crack_contact_resolve(struct mpm_state *state, enum mpm_exchange_when when);
 
 /* Nodes of the last step beside this crack whose fields contact leaves alone: a crack that bends
- * within a node's reach may ask for three fields with mass, and particles beyond two cracks share a
+ * within a node's reach may have three fields with mass, and particles beyond two cracks share a
  * field if they see the node from the same side (above, or below) of both. */
 size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack);
 

@@ -326,7 +326,7 @@ bool mpm_crack_map_draw(struct mpm_state *state)
     return true;
 }
 
-/* ---------------------------------------------------------------------- asking */
+/* --------------------------------------------------------------------- look-up */
 
 static const struct mpm_crack_site *put_together(const struct mpm_state *state,
                                                  const struct mpm_cell_block *block, uint32_t crack,

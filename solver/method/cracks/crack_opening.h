@@ -20,7 +20,7 @@
  * Where surfaces lie is known as well as a field with an edge knows it: a node's velocity is that
  * of the mass centre of what it sees, up to half a cell inside. So an opening has the strain of
  * that layer in it, and surfaces that turn by an angle seem to slide by as much as the angle times
- * half a cell. Scenes that do not ask for it run none of this.
+ * half a cell. Scenes that do not track openings run none of this.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_CRACK_OPENING_H

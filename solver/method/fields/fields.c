@@ -112,7 +112,7 @@ void mpm_fields_begin(struct mpm_state *state)
     mpm_bands_clear(state, &fields->beside);
 }
 
-/* ------------------------------------------------------------------- asking */
+/* ----------------------------------------------------------------- requests */
 
 void mpm_field_ask(const struct mpm_state *state, struct mpm_field_use *use, int k,
                    const int64_t place[2], int key)
@@ -228,7 +228,7 @@ static void divert(const struct mpm_state *state, struct mpm_field_use *use)
                 diverted(state, use->stencil.node[k].node, (int)(keys & 15u));
 }
 
-/* What this step has asked for is not to reach the next one. */
+/* Requests of this step must not reach the next one. */
 static enum mpm_fields_lack drop(struct mpm_state *state, enum mpm_fields_lack lack)
 {
     memset(state->fields.asked, 0, (size_t)mpm_layer_size(state) * sizeof *state->fields.asked);

@@ -364,7 +364,7 @@ START_TEST(cracks_that_are_not_followed_keep_nothing_of_openings)
 }
 END_TEST
 
-/* Of the second crack of two, which alone is asked for. */
+/* Of the second crack of two, which alone has it. */
 START_TEST(the_history_tells_how_far_a_crack_has_opened_and_slid)
 {
     static const struct {

@@ -136,7 +136,7 @@ START_TEST(a_snapshot_reads_back_as_the_bits_of_the_simulation)
 }
 END_TEST
 
-/* CRAMP (23) of the stress that stands beside it; rigid particles have none. */
+/* CRAMP (23) of the stress beside it; rigid particles have none. */
 START_TEST(fringes_are_the_cosine_of_the_difference_of_principal_stresses)
 {
     static const double CONSTANT = 0.7;

@@ -77,7 +77,7 @@ END_TEST
 
 /* ----------------------------------------------------------------- refusals */
 
-/* A scene of two bodies, and what stands around: cracks begin in line 11. In axisymmetry the grid
+/* A scene of two bodies, and the rest of the file: cracks begin in line 11. In axisymmetry the grid
  * has a column of cells behind the axis. */
 static char *scene_with(const char *geometry, const char *method, const char *rest)
 {

@@ -176,7 +176,7 @@ START_TEST(a_particle_force_gives_its_value_times_the_area_at_the_start)
 }
 END_TEST
 
-/* One particle to a cell stands on a knot of the quadratic splines: the span beyond has a node
+/* One particle to a cell is on a knot of the quadratic splines: the span beyond has a node
  * without mass, in reach of the upper edge. */
 START_TEST(no_force_is_lost_on_a_node_without_mass)
 {

@@ -1,5 +1,5 @@
 /* The guard of the total energy: what it stops, what it lets go on, where it leaves a run that it
- * stops; the bound that it asks first.
+ * stops; the bound that it evaluates first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model/energy_bound.h"

@@ -151,7 +151,7 @@ enum { DAMPINGS = G_N_ELEMENTS(dampings), SHAPES = G_N_ELEMENTS(shapes) };
 static const double RESIDUAL = 1e-5;
 #define RESTS "time.rest={residual: 1e-5, kinetic_energy: 1e-9}"
 
-/* The section at Y, in the column as it was, carries what stands above it, since it cannot grow
+/* The section at Y, in the column as it was, carries what is above it, since it cannot grow
  * wide: sigma_yy = - rho g (L - Y). Linear shape functions make that constant in each cell, as at
  * its centre. All unbalanced forces are below RESIDUAL times all internal ones: twice the weight
  * 2 rho g L, and the walls' 2 (sigma_xx / sigma_yy = 1/3) rho g L^2 / 2 = 10/3 rho g L; over the

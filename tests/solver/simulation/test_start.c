@@ -71,7 +71,7 @@ START_TEST(a_start_is_read_back_by_id_and_stress_and_energy_follow_from_it)
             continue; /* the wall's particles */
         for (size_t c = 0; c < AXES; c++)
             ck_assert(v[c] == start.velocity[AXES * k + c]);
-        for (size_t c = 0; c < GRADIENT - 1; c++) /* F_zz is asked for below */
+        for (size_t c = 0; c < GRADIENT - 1; c++) /* F_zz is tested below */
             ck_assert(f[c] == start.deformation[GRADIENT * k + c]);
         const double j = (f[0] * f[3] - f[1] * f[2]) * f[4], factor = shear / cbrt(j * j);
         const double trace = f[0] * f[0] + f[1] * f[1] + f[2] * f[2] + f[3] * f[3] + f[4] * f[4];

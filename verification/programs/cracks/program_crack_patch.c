@@ -172,7 +172,7 @@ static void report(const struct study *study, struct measurement *m, bool finish
     }
 }
 
-/* The first component of the stress of both, where the variant asks for it: CRAMP Fig. 1. */
+/* The first component of the stress of both, where the variant has a picture: CRAMP Fig. 1. */
 static enum mpm_status draw(const struct study *study, struct measurement *m,
                             struct mpm_error *error)
 {
