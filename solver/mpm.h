@@ -145,8 +145,8 @@ struct mpm_plan {
     char threads_reason[MPM_REASON_SIZE];
 };
 
-/* Largest Courant numbers at which a scene's method kept motions bounded in case G1 of the suite: 2
- * by 2 particles in a cell, 200 crossings of a cell by a wave. 0: none from 0.1 on did. */
+/* Largest Courant numbers at which motions of a scene's method stayed bounded in case G1 of the
+ * suite: 2 by 2 particles in a cell, 200 crossings of a cell by a wave. 0: none from 0.1 on did. */
 struct mpm_stability {
     double small;  /* least of three problems with velocities of 0.001 of the wave speed */
     double large;  /* the same with 0.3 of it, where strains reach 0.3 and particles cross cells */

@@ -70,11 +70,11 @@ static void run_particles(struct mpm_state *state, int workers, mpm_pass *pass)
 
 /* ------------------------------------------------------------------ sorting */
 
-void mpm_step_sort(struct mpm_state *state, unsigned char *kept, double seconds[MPM_PHASE_COUNT])
+void mpm_step_sort(struct mpm_state *state, unsigned char *saved, double seconds[MPM_PHASE_COUNT])
 {
     double mark = seconds_now();
     struct mpm_particles *const particles = &state->particles;
-    mpm_particles_sort(particles, &state->grid, state->sort_size, state->sort_counts, kept);
+    mpm_particles_sort(particles, &state->grid, state->sort_size, state->sort_counts, saved);
     size_t p = 0;
     for (int64_t s = 0; s < state->strip_count; s++) {
         struct mpm_strip *const strip = &state->strips[s];

@@ -149,7 +149,7 @@ enum mpm_status mpm_j_integrals_fill(struct mpm_simulation *simulation, struct m
 enum mpm_status mpm_j_integral_evaluate(const struct mpm_simulation *simulation, size_t index,
                                         struct mpm_j_value *value, struct mpm_error *error);
 
-/* openings.c: points of which surfaces are kept: all of the scene's cracks, or none. */
+/* openings.c: points of which surfaces are tracked: all of the scene's cracks, or none. */
 size_t mpm_openings_points(const struct mpm_state *state);
 /* Their memory; what does not change. MPM_BAD_INPUT: a plane of symmetry holds the crack; a
  * cohesive crack that passes the edge of a body between two points. */
@@ -160,7 +160,7 @@ enum mpm_status mpm_openings_check_start(const struct mpm_simulation *simulation
                                          struct mpm_error *error);
 
 /* crack_growth.c: points that a chain may get at one of its ends; growth after a step,
- * MPM_RUN_FAILED where J has no value or there is no room; what of it a step changes, kept and put
+ * MPM_RUN_FAILED where J has no value or there is no room; what of it a step changes, saved and put
  * back. */
 size_t mpm_crack_room(const struct mpm_scene *scene, size_t crack, bool at_start);
 enum mpm_status mpm_cracks_grow(struct mpm_simulation *simulation, struct mpm_error *error);

@@ -323,7 +323,7 @@ def parse():
     parser.add_argument("--situation", action="append", choices=sorted(set(TURNS)))
     parser.add_argument("--again", type=int, default=1)
     parser.add_argument("--shrink", type=float, default=30,
-                        help="seconds for one scene, after which the smallest so far is kept (30)")
+                        help="seconds for one scene, after which the smallest so far is taken (30)")
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("build/scenes"))
     parser.add_argument("--fresh", action="store_true", help="leave the kept scenes out")
     arguments = parser.parse_args()

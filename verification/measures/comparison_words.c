@@ -103,7 +103,7 @@ char *comparison_run_words(const struct comparison_table *table, size_t row)
     }
     if (words == NULL)
         words = g_strdup(titles->len > 0                     ? titles->str
-                         : comparison_takes_part(table, row) ? "kept"
+                         : comparison_takes_part(table, row) ? "valid"
                                                              : "no number");
     g_string_free(titles, TRUE);
     return words;

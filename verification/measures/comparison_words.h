@@ -20,7 +20,7 @@ char *comparison_times(const struct comparison_table *table, size_t row, size_t 
 /* "rank 3 of 14", "last of 14"; "" for a row without a rank. */
 char *comparison_rank_words(const struct comparison_table *table, size_t row, size_t column);
 
-/* How the run went: "kept", or what the first column with words of its own says of a number beyond
+/* How the run went: "valid", or what the first column with words of its own has for a number beyond
  * its limit ("broke at 43.3 %"), or "beyond the limit in X, Y"; "no number" if it has none. */
 char *comparison_run_words(const struct comparison_table *table, size_t row);
 

@@ -62,7 +62,7 @@ enum mpm_status follow_scene(struct measurement *measurement, const char *const 
                              struct mpm_error *error);
 
 /* Rows of numbers that a sample function collects for measurement_series; the first failure
- * to grow is kept, and later rows are dropped. Start from zeros with `columns` set. */
+ * to grow is stored, and later rows are dropped. Start from zeros with `columns` set. */
 struct follow_rows {
     size_t columns, count, capacity;
     double *values;

@@ -9,8 +9,8 @@
 #include "verification/report/case_figure.h"
 #include "verification/report/comparison_plot.h"
 #include "verification/report/comparison_view.h"
-#include "verification/report/report_kept.h"
 #include "verification/report/report_site.h"
+#include "verification/report/report_stored.h"
 
 #include <glib.h>
 #include <glib/gstdio.h>
@@ -170,7 +170,7 @@ static void clear_file(void *element)
 }
 
 static enum mpm_status render(const char *folder, const char *reports,
-                              const struct records *records, const struct report_kept *kept,
+                              const struct records *records, const struct report_stored *stored,
                               struct mpm_error *error)
 {
     struct report_style style;
@@ -178,9 +178,9 @@ static enum mpm_status render(const char *folder, const char *reports,
     struct report_site site = {
         .records = records,
         .style = &style,
-        .changes = kept->changes,
-        .mutants = kept->mutants,
-        .headroom = kept->headroom,
+        .changes = stored->changes,
+        .mutants = stored->mutants,
+        .headroom = stored->headroom,
         .benchmarks = has_benchmarks(folder),
         .compares = any_comparison(json_object_get(records->run, "cases")),
         .files = g_array_new(FALSE, TRUE, sizeof(struct report_file)),
@@ -202,12 +202,12 @@ static enum mpm_status render(const char *folder, const char *reports,
 enum mpm_status report_render(const char *folder, const char *reports, struct mpm_error *error)
 {
     struct records records;
-    struct report_kept kept;
+    struct report_stored stored;
     TRY(records_read(folder, &records, error));
-    enum mpm_status status = report_kept_read(folder, &kept, error);
+    enum mpm_status status = report_stored_read(folder, &stored, error);
     if (status == MPM_OK) {
-        status = render(folder, reports, &records, &kept, error);
-        report_kept_clear(&kept);
+        status = render(folder, reports, &records, &stored, error);
+        report_stored_clear(&stored);
     }
     records_clear(&records);
     return status;

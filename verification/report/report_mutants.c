@@ -4,8 +4,8 @@
 #include "verification/common/record.h"
 #include "verification/common/text.h"
 #include "verification/pages/html.h"
-#include "verification/report/report_kept.h"
 #include "verification/report/report_site.h"
+#include "verification/report/report_stored.h"
 
 #include <string.h>
 

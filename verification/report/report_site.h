@@ -12,9 +12,9 @@
 struct report_site {
     const struct records *records;
     const struct report_style *style;
-    const json_t *changes;  /* since a baseline; NULL if none is kept */
-    const json_t *mutants;  /* NULL if none are kept */
-    const json_t *headroom; /* other builds' runs; NULL if none are kept */
+    const json_t *changes;  /* since a baseline; NULL if none is stored */
+    const json_t *mutants;  /* NULL if none are stored */
+    const json_t *headroom; /* other builds' runs; NULL if none are stored */
     bool benchmarks;        /* ../bench/index.html is there */
     bool compares;          /* a case declares a comparison */
     GArray *files;          /* struct report_file; written when all are made */

@@ -3,9 +3,10 @@
  * Whenever nodal velocities change, two fields of a node that are found in contact exchange
  * momentum, CRAMP (12)-(19): no more than stops their approach along the crack's normal
  * (frictionless), with it no more than Coulomb's law allows along the crack (friction), or all of
- * what they differ by (stick). Momentum is kept: one normal serves both sides. A component that a
- * velocity condition holds stays as it is: what the exchange would change of it, the condition
- * bears (contact_impulse.h). A node between two cracks has three fields and two exchanges.
+ * what they differ by (stick). Momentum is conserved: one normal serves both sides. A component
+ * that a velocity condition holds stays as it is: what the exchange would change of it, the
+ * condition bears (contact_impulse.h). A node between two cracks has three fields and two
+ * exchanges.
  *
  * In contact are fields whose relative volume V_rel, see crack_detection.h, is above `touching`;
  * none whose is below `separated`; between the two, those that approach each other.

@@ -25,7 +25,7 @@ struct mpm_j_tip {
     double place[2], direction[2];
 };
 
-/* Nodes kept around the rectangle: those of particles that reach it. */
+/* Nodes stored around the rectangle: those of particles that reach it. */
 enum { MPM_J_MARGIN = 4 };
 
 struct mpm_j_contour {

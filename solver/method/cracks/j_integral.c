@@ -177,7 +177,7 @@ static void add_to_sums(const struct mpm_state *state, const struct carried *own
         loaded * (own->tau[MPM_SYM_XY] * entry->g[0] + own->tau[MPM_SYM_YY] * entry->g[1]);
 }
 
-/* Of a stencil's node: its column and row. False: not one of those that are kept. */
+/* Of a stencil's node: its column and row. False: not one of those that are stored. */
 static bool find_node(const struct mpm_j_contour *contour, const struct mpm_stencil_node *entry,
                       int64_t at[2])
 {

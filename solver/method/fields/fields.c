@@ -76,7 +76,7 @@ void mpm_fields_layout(struct mpm_state *state, struct mpm_arena *arena)
 
 /* ---------------------------------------------------------------- beginning */
 
-static size_t uses_kept(const struct mpm_fields *fields)
+static size_t uses_listed(const struct mpm_fields *fields)
 {
     return fields->use_count < fields->use_capacity ? fields->use_count : fields->use_capacity;
 }
@@ -95,7 +95,7 @@ static void open_layers(struct mpm_state *state)
 void mpm_fields_begin(struct mpm_state *state)
 {
     struct mpm_fields *const fields = &state->fields;
-    const size_t uses = uses_kept(fields);
+    const size_t uses = uses_listed(fields);
     open_layers(state);
     if (fields->keys == 0)
         return;
@@ -141,11 +141,11 @@ size_t mpm_field_keep(struct mpm_state *state, int64_t strip, const struct mpm_f
     const size_t place = atomic_fetch_add_explicit(&fields->use_count, 1, memory_order_relaxed);
     if (place >= fields->use_capacity)
         return SIZE_MAX;
-    struct mpm_field_use *const kept = &fields->uses[place];
-    kept->particle = use->particle;
-    kept->keys = use->keys;
-    kept->stencil.count = use->stencil.count;
-    memcpy(kept->stencil.node, use->stencil.node,
+    struct mpm_field_use *const listed = &fields->uses[place];
+    listed->particle = use->particle;
+    listed->keys = use->keys;
+    listed->stencil.count = use->stencil.count;
+    memcpy(listed->stencil.node, use->stencil.node,
            (size_t)use->stencil.count * sizeof *use->stencil.node);
     fields->use_of[use->particle] = (uint32_t)place + 1;
     add_to_spans(state, strip, use->particle);

@@ -268,7 +268,7 @@ START_TEST(a_snapshot_tells_where_it_comes_from)
 }
 END_TEST
 
-/* Neither dates nor leftovers of memory: `ctime` and the like are 0 where none is kept. */
+/* Neither dates nor leftovers of memory: `ctime` and the like are 0 where none is stored. */
 START_TEST(the_same_state_makes_the_same_bytes)
 {
     struct mpm_simulation *simulation = simulate(3);

@@ -96,7 +96,7 @@ START_TEST(a_start_is_read_back_by_id_and_stress_and_energy_follow_from_it)
 }
 END_TEST
 
-/* The scene's own velocity is one start, the caller's the other. Also where domains are kept. */
+/* The scene's own velocity is one start, the caller's the other. Also where domains are stored. */
 START_TEST(a_velocity_is_the_same_from_the_scene_and_from_the_caller)
 {
     const char *const shape = _i == 0 ? "method.shape=ugimp" : "method.shape=cpdi";
