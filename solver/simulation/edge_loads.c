@@ -2,7 +2,7 @@
  *
  * A load on a face of a body acts on the edges on that side of those particles that have no
  * neighbour of the same body there: whether the lattice site beyond the edge belongs to the body,
- * as created. Faces that do not follow the lattice become stairs. The axis r = 0 is no face.
+ * as created. Faces across the lattice become staircase approximations. The axis r = 0 is no face.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/loads/edge_loads.h"

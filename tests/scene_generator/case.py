@@ -34,15 +34,15 @@ class Case:
 
     def __init__(self, runner, schema, scene):
         self.runner, self.schema, self.scene = runner, schema, copy.deepcopy(scene)
-        self.kept = {}
+        self.made = {}
         if self.measures_losses:
             self.scene.setdefault("output", {}).setdefault(BALANCE, True)
 
     def once(self, name, make):
         """What `make` returns, made when it is first needed."""
-        if name not in self.kept:
-            self.kept[name] = make()
-        return self.kept[name]
+        if name not in self.made:
+            self.made[name] = make()
+        return self.made[name]
 
     # ------------------------------------------------------------------------- runs
     @property

@@ -46,7 +46,7 @@ LANES_INLINE lanes lanes_root(lanes x)
     return x;
 }
 
-/* sin and cos of |x| < 1e5 to 2e-16: less a multiple of pi/2, itself in parts of 33 bits whose
+/* sin and cos of |x| < 1e5 to 2e-16: less a multiple of pi/2, itself in pieces of 33 bits whose
  * products with the multiple are exact, then Taylor series, which leave 5e-17 on [0, pi/4]. */
 LANES_INLINE void lanes_sin_cos(lanes x, lanes *sine, lanes *cosine)
 {

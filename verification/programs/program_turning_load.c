@@ -19,7 +19,7 @@ struct study {
     size_t count;
     double *f, *stress, *volume;
     double traction, after;          /* stress that the ends bear; errors count from this time on */
-    double axial, transverse, shear; /* largest errors since, in parts of the traction */
+    double axial, transverse, shear; /* largest errors since, over the traction */
     double angle;                    /* turned so far, degrees */
     struct follow_rows rows;
 };

@@ -259,7 +259,7 @@
       "velocity that it gives to the nodes it reaches, in coordinates and t")
 
 #define KEYS_body(X, S)                                                                            \
-    X(S, ONE, name, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "name, one only in the scene")        \
+    X(S, ONE, name, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "unique name")                      \
     X(S, ONE, material, NAME, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                                   \
       "name of its material, for a deformable body")                                               \
     X(S, GROUP, rigid, rigid, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                                   \
@@ -302,7 +302,7 @@
     X(S, ONE, longest, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ABOVE(0),                       \
       "length that there is room for; the run fails when the tip would grow further")              \
     X(S, ONE, increment, NUMBER, ANYWHERE, OPTIONAL, NONE, "0.5", FROM_TO(0.05, 1),                  \
-      "length of one growth, in parts of the shorter cell side")                                   \
+      "length of one growth, as a fraction of the shorter cell side")                              \
     X(S, CHOICE, direction, growth_direction, ANYWHERE, OPTIONAL, NONE, "straight", ANY,             \
       "straight on, or across the largest hoop stress of the field of K_I and K_II")               \
     X(S, ONE, every, INTEGER, ANYWHERE, OPTIONAL, NONE, "1", FROM_TO(1, 1e9),                        \
@@ -347,7 +347,7 @@
     X(S, ONE, touching, NUMBER, ANYWHERE, OPTIONAL, NONE, "1.1", ABOVE(1),                           \
       "surfaces touch above this relative volume at a node; between both, if they approach (V_contact)") \
     X(S, ONE, spacing, NUMBER, ANYWHERE, OPTIONAL, NONE, "0.5", FROM_TO(0.05, 1),                    \
-      "longest distance of the massless points that carry it, in parts of the shorter cell side") \
+      "longest distance of the massless points that carry it, over the shorter cell side")         \
     X(S, ONE, opening, BOOLEAN, ANYWHERE, OPTIONAL, NONE, "false", ANY,                              \
       "follow both surfaces, and write how far they have opened and slid to history.csv, at an end outside of bodies where the chain enters one; with cohesive they always are") \
     X(S, GROUP, cohesive, cohesive, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                             \

@@ -292,7 +292,8 @@ START_TEST(a_face_is_made_of_edges_without_a_neighbour_whatever_the_region)
     static const char TOP[] = "{body: block, edge: top, value: [0, 1]}";
     static const char LEFT[] = "{body: block, edge: left, value: [1, 0]}";
     static const char PRESSURE[] = "{body: block, edge: all, value: [-1, 0], frame: edge}";
-    /* stairs: as wide as the disk, 4, and as the hole besides; sites of 0.5 by 0.4 */
+    /* staircase approximations: as wide as the disk, 4, and as the hole besides; sites of 0.5 by
+     * 0.4 */
     ck_assert_near(area_of(DISK, TOP, 1), 4.0, MOMENTUM_ROUND_OFF);
     ck_assert_near(area_of(DISK, LEFT, 0), 4.0, MOMENTUM_ROUND_OFF);
     ck_assert_near(area_of(RING, TOP, 1), 4.0 + 2.0, MOMENTUM_ROUND_OFF);
