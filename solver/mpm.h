@@ -357,9 +357,9 @@ struct mpm_rest {
     /* sum of |f_x| + |f_y| over the free components of nodes, damping left out, over the same of
      * the internal forces of all nodes (or the former, if larger): 0 to 1 */
     double residual;
-    /* of the particles, over the largest sum of kinetic and strain energy so far, which is looked
-     * at in one of 32 steps; 0 if the former is 0. Not over the external work: it goes on at rest,
-     * where forces of nodes are out of balance (output.energy_balance) */
+    /* of the particles, over the largest sum of kinetic and strain energy so far, which is
+     * computed in one of 32 steps; 0 if the former is 0. Not over the external work: it goes on at
+     * rest, where forces of nodes are out of balance (output.energy_balance) */
     double kinetic_energy;
     /* The lowest residual since time.rest.after, and when it was reached. 1 and 0 before. */
     double lowest_residual, lowest_time;
@@ -393,7 +393,7 @@ size_t mpm_scene_j_integral_count(const struct mpm_scene *scene);
 /* The one of that index, in the state after the last step. MPM_RUN_FAILED, with the reason: its
  * contour leaves the bodies or the grid, meets another material or another crack, or does not meet
  * its own once. Works in scratch memory of the simulation: not for several threads at a time. Cost:
- * one look at each particle, two stencils of those near the contour. */
+ * one test of each particle, two stencils of those near the contour. */
 enum mpm_status mpm_simulation_j_integral(const struct mpm_simulation *simulation, size_t index,
                                           struct mpm_j_integral *value, struct mpm_error *error);
 

@@ -82,7 +82,7 @@ struct mpm_value_kind {
     const char *name;           /* in lists of keys: "number" */
     const char *one, *two;      /* in messages: "number", "2 numbers" */
     bool ranged;                /* the key's range bounds the value */
-    const char *allowed;        /* what else is said of it: "up to 64 characters"; may be NULL */
+    const char *allowed;        /* another requirement: "up to 64 characters"; may be NULL */
     const char *(*names)(void); /* if only some names are values: "a, b"; may be NULL */
     /* What is wrong with the scalar, or NULL. */
     const char *(*fault)(const struct mpm_key *key, const struct mpm_tree_node *node);

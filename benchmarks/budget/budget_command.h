@@ -24,7 +24,7 @@ struct budget_options {
 enum mpm_status budget_command(const struct budget_options *options, bool *exceeded,
                                struct mpm_error *error);
 
-/* Why a budget says nothing about a build, NULL if it does; g_free. */
+/* Why a budget does not apply to a build, NULL if it does; g_free. */
 char *budget_reason_to_skip(const struct budget_build *stored, const struct budget_build *here);
 
 #endif

@@ -127,7 +127,8 @@ const struct overhead_feature overhead_features[] = {
      PLANAR,
      {MANY, "cracks=[{points: " ALONG ", contact: none, j_integral: [{contour: 10, propagation: "
             "{toughness: 1e30, longest: 1, every: 32}}]}]"},
-     "a look at each particle, two stencils of those near the tip: under 3 %, so that J every 100 "
+     "one pass over the particles, two stencils of those near the tip: under 3 %, so that J every "
+     "100 "
      "steps is under 1 %"},
     {START_AND_END, NULL, true, PLANAR, {RUN, SLOW, "output={}"}, "steps and files of a whole run"},
     {"ledger every 100 steps",

@@ -59,7 +59,7 @@ static void choose_reference(const struct mpm_scene *scene, const char *reason,
     choose_transfer(scene, false, choice);
 }
 
-/* Cracks and planes of symmetry look at masses of nodes before velocities are made of them. */
+/* Cracks and planes of symmetry need masses of nodes before velocities are made of them. */
 static bool reads_masses(const struct mpm_scene *scene)
 {
     bool any = scene->crack_count > 0;

@@ -17,7 +17,7 @@ enum mpm_phase {
 };
 extern const char *const mpm_phase_names[MPM_PHASE_COUNT];
 
-/* Advances the state by state->time_step. MPM_RUN_FAILED: state->failure says why, or
+/* Advances the state by state->time_step. MPM_RUN_FAILED: state->failure states why, or
  * the error does if two rigid bodies contradict each other; the state is then of no
  * use. */
 enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHASE_COUNT],

@@ -20,7 +20,7 @@ void mpm_simulation_count_step(struct mpm_simulation *simulation)
 }
 
 /* Keeps the message for good and goes back to the last good state: that after `step`, unless the
- * energy of one of the steps before, which nobody has looked at, is unsound already. */
+ * energy of one of the steps before, which nothing has judged, is unsound already. */
 static enum mpm_status fail(struct mpm_simulation *simulation, uint64_t step,
                             struct mpm_error *error)
 {

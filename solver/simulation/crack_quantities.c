@@ -32,7 +32,7 @@ static size_t last_of(const struct mpm_simulation *simulation, size_t crack)
 }
 
 /* That of its mouth, or of the end that it has now. The piece outside of the body does not follow
- * its surfaces, and has no say in the mouth's normal. */
+ * its surfaces, and does not enter the mouth's normal. */
 static struct mpm_crack_gap gap_at_end(const struct mpm_simulation *simulation, size_t crack,
                                        int end)
 {

@@ -33,7 +33,7 @@ struct finder {
     const struct mpm_state *state;
     double half[2];
     uint32_t id;                 /* of the site in hand, or of the first one of the body */
-    size_t load;                 /* the one that is looked for, or all */
+    size_t load;                 /* the one that is searched, or all */
     size_t count;                /* of edges found */
     struct mpm_edge_site *sites; /* NULL: only counts */
 };

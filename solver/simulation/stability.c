@@ -194,7 +194,7 @@ struct mpm_stability mpm_scene_stability(const struct mpm_scene *scene)
     return found;
 }
 
-/* The least Courant number tried. A limit of 0 says that it was too large; of those below, nothing
+/* The least Courant number tried. A limit of 0 means that it was too large; of those below, nothing
  * is known. */
 static const double LEAST_TRIED = 0.1;
 

@@ -86,7 +86,7 @@ class Browser {
   }
 }
 
-/* What the console, the network and the page itself had to say of a page. */
+/* Messages of the console, the network and the page itself. */
 const COMPLAINTS = {
   "Runtime.exceptionThrown": ({ exceptionDetails: d }) =>
     `exception: ${(d.exception && d.exception.description) || d.text}`,

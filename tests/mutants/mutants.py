@@ -121,7 +121,7 @@ def verdict(results):
     unbuilt = [r["name"] for r in results if r["outcome"] == "not-built" and r["kind"] != "operator"]
     survivors = [r["name"] for r in results if r["outcome"] == "survived"]
     reached = table.score(results)
-    for what, names in (("survived", survivors), ("said to be equivalent, and killed", wrong),
+    for what, names in (("survived", survivors), ("declared equivalent, and killed", wrong),
                         ("not built", unbuilt)):
         if names:
             say(f"{what}: {', '.join(names)}")

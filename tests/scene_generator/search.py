@@ -235,7 +235,7 @@ def judge_files(arguments, paths):
 
 
 def report_found(arguments, message, count):
-    """Writes a scene that breaks an invariant and says so."""
+    """Writes a scene that breaks an invariant and reports it."""
     _, name, text, what, effort, number, situation, first = message
     arguments.output.mkdir(parents=True, exist_ok=True)
     path = arguments.output / f"{name}-{count}.yaml"

@@ -60,7 +60,7 @@ struct kernel_pair {
 };
 
 /* Reads the scene and creates both simulations. On failure the pair is empty and the error
- * says why; MPM_BAD_INPUT: also where kernels refuse the scene. */
+ * states why; MPM_BAD_INPUT: also where kernels refuse the scene. */
 enum mpm_status kernel_pair_open(const char *path, const struct kernel_side sides[2],
                                  struct kernel_pair *pair, struct mpm_error *error);
 
@@ -93,7 +93,7 @@ void kernel_pair_assert_alike(struct kernel_pair *pair, int steps);
  * `wave_speed` make of forces up to `force`, or are too small to tell. */
 void kernel_pair_assert_same_work(const struct kernel_pair *pair, double force, double wave_speed);
 
-/* One line that says all of it; g_free. */
+/* All of it in one line; g_free. */
 char *kernel_pair_text(const struct kernel_pair *pair);
 
 #endif

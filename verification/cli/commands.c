@@ -46,7 +46,7 @@ static const char usage[] =
     "times\n"
     "                                         its deviation from its band's end, over the builds "
     "stored\n"
-    "                                         there, or says why not\n"
+    "                                         there, or states why not\n"
     "  compare DIR DIR [--change X]           what changed from the first run to the second: "
     "statuses,\n"
     "                                         checks, values by more than X (relative, 0.001 "
@@ -274,6 +274,6 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
     };
     const enum mpm_status status = command_line_run(&line, argc, argv, &command);
     options_clear(given);
-    /* results that could not be written or drawn come before what they would say */
+    /* results that could not be written or drawn come before their verdict */
     return status == MPM_OK && command.checks_failed ? CHECKS_FAILED : (int)status;
 }

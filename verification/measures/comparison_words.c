@@ -1,4 +1,4 @@
-/* What a comparison says, in words.
+/* A comparison in words.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/comparison_words.h"
@@ -242,7 +242,7 @@ char *comparison_sentence(const struct comparison_table *table, size_t row)
 
 /* -------------------------------------------------------------------- groups */
 
-/* What is said of each row (NULL: nothing; taken over), the names of those alike before it. */
+/* The words on each row (NULL: none; taken over), the names of those alike before it. */
 static char *grouped(const struct comparison_table *table, char **clauses)
 {
     GString *text = g_string_new(NULL);

@@ -1,4 +1,4 @@
-/* What a comparison says, in words computed from its numbers. Pure functions; all texts are
+/* A comparison in words computed from its numbers. Pure functions; all texts are
  * freed with g_free.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -10,7 +10,7 @@
 /* A number with three digits and its unit; "" for the unit "1". */
 char *comparison_number(double value, const char *unit);
 
-/* "3.2", "540", "1.2e+06"; "" where a factor says nothing. */
+/* "3.2", "540", "1.2e+06"; "" where a factor is meaningless. */
 char *comparison_factor_words(const struct comparison_table *table, size_t row, size_t column);
 
 /* "3.2 times the best", or where more is better "the best is 3.2 times it"; "" where a factor

@@ -37,7 +37,8 @@ struct run {
     double *places;           /* 2 a particle */
     double *mass, *weight;    /* of all; 0 near the edges, which are not measured */
     double *computed, *exact; /* LARGEST a particle each */
-    double product, square;   /* of computed and exact displacement, over particles and looks */
+    double product,
+        square; /* of computed and exact displacement, over particles and sampled times */
 };
 
 /* From a place of the initial state to the nearest edge of the domain; the axis of an axisymmetric
@@ -204,7 +205,7 @@ static enum mpm_status write_fields(struct measurement *m, const struct run *run
                               COLUMNS, run->count, rows, error);
 }
 
-/* From look to look, to the end or to where the run breaks. */
+/* From sample to sample, to the end or to where the run breaks. */
 static enum mpm_status follow_looks(struct run *run, struct measurement *m,
                                     struct error_norms *const norms[], struct mpm_error *error)
 {

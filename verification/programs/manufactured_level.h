@@ -36,13 +36,14 @@ struct manufactured_outcome {
     /* of the computed displacement u in the exact one e: sum m u.e / sum m e.e over particles and
      * looks */
     double amplitude;
-    /* of the particles measured, weighted by mass, over all looks; NaN if not finished */
+    /* of the particles measured, weighted by mass, over all sampled times; NaN if not finished */
     struct error_norms norms[MANUFACTURED_QUANTITIES];
 };
 
 /* Starts the variant's scene with the field's velocities and deformation gradients, each at the
  * time that the scheme requires (mpm_scene_lags), drives it with the field's body force in `steps`
- * equal steps, and compares each quantity at each look with the exact one of its own time. */
+ * equal steps, and compares each quantity at each sampled time with the exact one of its own time.
+ */
 enum mpm_status manufactured_level_run(struct measurement *measurement,
                                        const struct manufactured_problem *problem,
                                        const struct manufactured_level *level,

@@ -21,7 +21,7 @@ struct parameters {
     double speed;        /* of the rim */
     double strain;       /* radial compression at which the fields are judged */
     double inner;        /* part of R0 that counts as inside */
-    double sampling;     /* radial compression between two looks */
+    double sampling;     /* radial compression between two samples */
     double spread_limit; /* broken: relative deviation of J above this, */
     double volume_limit; /* or a particle with J below this part of the exact one, */
     double stress_limit; /* or the mean stress off by more than this part */

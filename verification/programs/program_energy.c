@@ -1,7 +1,7 @@
 /* E1: total energy over time: how far it moves, which way, and when.
  *
- * Parameters: `interval` of looks; `from` and `to`, the window of mean_gain; `limit`, from which on
- * the energy counts as off (%).
+ * Parameters: `interval` of samples; `from` and `to`, the window of mean_gain; `limit`, from which
+ * on the energy counts as off (%).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/energy_curve.h"

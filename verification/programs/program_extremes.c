@@ -36,7 +36,7 @@ struct record {
     double low, high;      /* extremes of E - W - start */
     double largest;        /* E, the scale */
     double j_min, j_max;   /* of all times */
-    struct mpm_ledger now; /* the last look */
+    struct mpm_ledger now; /* the last sample */
     double end;            /* of the run */
     double rows[ROWS * COLUMNS];
     size_t row_count;

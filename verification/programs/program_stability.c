@@ -90,7 +90,7 @@ static enum mpm_status read_parameters(struct study *study, struct mpm_error *er
 
 /* ------------------------------------------------------------------------ one run */
 
-/* Energy is looked at so often, and a run has so many times the steps that its Courant number
+/* Energy is sampled so often, and a run has so many times the steps that its Courant number
  * requires: one that needs more has let its wave speed run away. */
 enum { LOOK_STEPS = 8, STEPS_FACTOR = 10 };
 

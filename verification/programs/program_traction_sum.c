@@ -1,5 +1,5 @@
-/* T2: does a load give what it says? The force that a traction on one face exerts in a step, from
- * the change of momentum, against value times deformed area, edge by edge from F.
+/* T2: does a load give its stated force? The force that a traction on one face exerts in a step,
+ * from the change of momentum, against value times deformed area, edge by edge from F.
  *
  * Two runs of the scene agree until `time`, when the load of one of them begins; the first step
  * after that yields the force by the difference of their momenta. The body is a lattice of sites,

@@ -8,7 +8,8 @@
 
 #include <string.h>
 
-/* Tags that say what kind of thing a feature is. A tag that is not here is a subject of its own. */
+/* Tags that state what kind of thing a feature is. A tag that is not here is a subject of its own.
+ */
 static const struct {
     const char *tag, *kind; /* "": no feature, but a kind of evidence or of case */
 } tags[] = {

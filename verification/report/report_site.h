@@ -50,7 +50,7 @@ void report_front_page(struct report_site *site);
 /* Parts of the front page. */
 void report_coverage(GString *html, struct report_site *site);
 void report_changes(GString *html, struct report_site *site);
-/* What the pages of comparisons say together: purposes with the variant for each, and a table of
+/* The pages of comparisons in one: purposes with the variant for each, and a table of
  * all variants by the number that decides; nothing if no case declares one. */
 void report_comparisons(GString *html, struct report_site *site);
 

@@ -149,7 +149,7 @@ static json_t *criterion_json(const struct case_criterion *criterion)
     return object;
 }
 
-/* What a solver must write: where points were, and what the criteria look at. */
+/* What a solver must write: where points were, and what the criteria use. */
 static json_t *columns_json(const struct writing *writing)
 {
     bool wanted[SCORE_COLUMNS] = {false};

@@ -44,7 +44,7 @@ enum mpm_status score_take_array(const char *path, const struct score_format *fo
                                  const char *name, size_t components, const GArray *values,
                                  struct score_table *table, struct mpm_error *error);
 
-/* Fills the column of times, or says that the file has none. */
+/* Fills the column of times, or reports that the file has none. */
 enum mpm_status score_take_time(const char *path, double time, struct score_table *table,
                                 struct mpm_error *error);
 

@@ -15,7 +15,7 @@ typedef enum mpm_status read_function(const char *path, const struct score_forma
 
 static read_function read_pvd;
 
-/* In the order in which a folder is looked through. Kinds of the same rank are read together. */
+/* In the order in which a folder is searched. Kinds of the same rank are read together. */
 static const struct kind {
     const char *suffix;
     unsigned rank;

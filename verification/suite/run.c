@@ -80,7 +80,7 @@ static enum mpm_status conclude(const struct run_options *options,
     if (status == MPM_OK)
         status = report_render(options->output, options->reports, error);
     say_unchecked(console, catalogue, plan, &records);
-    /* said on any outcome: the counts are known even if they could not be written */
+    /* printed on any outcome: the counts are known even if they could not be written */
     console_end(console, &records, status == MPM_OK ? options->output : NULL);
     records_clear(&records);
     return status;

@@ -156,7 +156,7 @@
     X(S, ONE, steps, INTEGER, ANYWHERE, OPTIONAL, NONE, "10", FROM_TO(1, 1000000),                   \
       "both must be below for so many steps in a row")                                             \
     X(S, ONE, after, NUMBER, ANYWHERE, OPTIONAL, TIME, "0", AT_LEAST(0),                         \
-      "rest is not looked for before: when the loads are complete")                                \
+      "rest is not tested before: when the loads are complete")                                    \
     X(S, ONE, patience, INTEGER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(1, 1000000000),             \
       "the run has failed if the residual, above its threshold, has not fallen by 10 % for so many steps; without it, it goes on to the end")
 
@@ -306,7 +306,7 @@
     X(S, CHOICE, direction, growth_direction, ANYWHERE, OPTIONAL, NONE, "straight", ANY,             \
       "straight on, or across the largest hoop stress of the field of K_I and K_II")               \
     X(S, ONE, every, INTEGER, ANYWHERE, OPTIONAL, NONE, "1", FROM_TO(1, 1e9),                        \
-      "steps from one look at J to the next; one growth at each")
+      "steps from one evaluation of J to the next; one growth at each")
 
 #define KEYS_j_integral(X, S)                                                                      \
     X(S, CHOICE, tip, tip, ANYWHERE, OPTIONAL, NONE, "end", ANY, "of the chain of points")           \

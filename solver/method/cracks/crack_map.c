@@ -157,7 +157,7 @@ static double largest_size(const double *values, size_t count)
     return -hull.low > hull.high ? -hull.low : hull.high;
 }
 
-/* Particles that are looked at together. */
+/* Particles that are tested together. */
 enum { CHUNK = 32 };
 
 struct chunk {

@@ -29,7 +29,7 @@
  * stencils (mpm_field_ask), and keeps those that have some (mpm_field_keep); has rows made for them
  * (mpm_fields_settle), which puts the fields into the stencils that mpm_particle_stencil returns in
  * this step. Listed particles take the reference kernels, in spans of a strip (split.h). A
- * particle has one field at a node: clients that meet at one node look at a particle together, and
+ * particle has one field at a node: clients that meet at one node treat a particle together, and
  * a pair of their keys is a key of its own. Limits: MPM_FIELD_KEYS keys in a scene, as many
  * additional fields of a node, and the capacities of mpm_fields. A client that has more to keep for
  * a field has an array of its own, by the field's place in `list` (crack_fields.h).

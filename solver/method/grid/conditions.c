@@ -79,7 +79,7 @@ static inline void append(struct mpm_state *state, struct mpm_active_condition c
 }
 
 /* For the node's images beyond planes of symmetry too, so that they stay images. Conditions that
- * are given for nodes beyond are not looked at. */
+ * are given for nodes beyond are not used. */
 static inline void append_with_images(struct mpm_state *state,
                                       struct mpm_active_condition condition)
 {

@@ -102,7 +102,7 @@ START_TEST(a_run_whose_strain_energy_blows_up_fails_for_its_energy)
 }
 END_TEST
 
-/* In whatever step the look falls that finds it. */
+/* In whatever step the evaluation falls that finds it. */
 START_TEST(the_last_good_state_is_that_before_the_energy_was_too_large_to_the_bit)
 {
     struct mpm_error error = {0};

@@ -1,4 +1,4 @@
-/* Filling bodies: rows of sites are read by their ends, and give the sites that a look at each one
+/* Filling bodies: rows of sites are read by their ends, and give the sites that a test of each one
  * gives.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

@@ -1,4 +1,5 @@
-/* Damped motion against its exact decay, rest and the static solution, and what a run says of it.
+/* Damped motion against its exact decay, rest and the static solution, and what a run reports of
+ * it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/simulation.h"
@@ -273,7 +274,7 @@ START_TEST(patience_begins_anew_when_the_residual_leaves_its_bound)
 }
 END_TEST
 
-/* ------------------------------------------------------------ what runs say */
+/* --------------------------------------------------------- what runs report */
 
 static const char STANDING[] = COLUMN "loads: {body_force: [0, -0.001]}\n";
 
@@ -375,7 +376,7 @@ static const char *const refused[][2] = {
     {"{end: 9, rest: {residual: .nan, kinetic_energy: 0.1}}", "time.rest.residual: not a number"},
     {"{end: 9, rest: {residual: 0.1, kinetic_energy: 0.1, steps: 0}}", "time.rest.steps: out of"},
     {"{end: 9, rest: {residual: 0.1, kinetic_energy: 0.1, after: 9}}",
-     "rest is looked for from 9 on, and the run ends at 9"},
+     "rest is tested from 9 on, and the run ends at 9"},
     {"{end: 9, rest: {residual: 0.1, kinetic_energy: 0.1, velocity: 1}}", "unknown key"},
 };
 

@@ -45,7 +45,7 @@ static const struct axis_room rooms[] = {
 };
 enum { ROOMS = sizeof rooms / sizeof *rooms };
 
-/* The number that a label says: "0.02", "1e-05", "2·10^{-5}". */
+/* The number of a label: "0.02", "1e-05", "2·10^{-5}". */
 static double number_of(const char *text)
 {
     char *power = strstr(text, "10^{"), *point = strstr(text, "·");

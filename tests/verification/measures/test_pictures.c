@@ -1,5 +1,5 @@
 /* What pictures of particles and the faces of cracks are made of: pixels and distances against what
- * can be said beforehand.
+ * is known beforehand.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"

@@ -354,7 +354,7 @@ START_TEST(what_is_stored_is_shown_again_from_the_folder_alone)
 }
 END_TEST
 
-/* Runs mpm-verify headroom on the second folder and compares what it says. */
+/* Runs mpm-verify headroom on the second folder and compares what it prints. */
 static void expect_headroom(int exit_status, const char *const *texts)
 {
     struct test_said said = test_verify_with("mpm-verify headroom @", folders.second, NULL);

@@ -3,7 +3,7 @@
  * the same?
  *
  * Particles of the whole that lie in the half are compared with those of the half, all fields, at
- * each look. A difference is divided by the largest value of that field in the half model so far.
+ * each sample. A difference is divided by the largest value of that field in the half model so far.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/fields.h"

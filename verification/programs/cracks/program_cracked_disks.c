@@ -172,7 +172,7 @@ static enum mpm_status measure(void *context, struct measurement *m, const struc
     return status;
 }
 
-/* Variants that are compared with the disks without cracks say how to take these away. */
+/* Variants that are compared with the disks without cracks state how to take these away. */
 static enum mpm_status open_intact(struct study *study, struct mpm_scene **scene,
                                    struct mpm_error *error)
 {

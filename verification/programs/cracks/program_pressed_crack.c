@@ -21,7 +21,7 @@ enum { AXES = 2, SETTINGS = 8, TEXT = 1024 };
 
 struct parameters {
     double axis, wall; /* place of the wall along that axis */
-    double interval;   /* between two looks */
+    double interval;   /* between two samples */
 };
 
 struct model {
