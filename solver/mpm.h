@@ -464,7 +464,7 @@ struct mpm_shape_query {
     double cell[2];                 /* cell size */
     int64_t cells[2];               /* along each axis; 0: the grid has no edges there */
     double position[2];             /* particle centre */
-    double half_size[2];            /* undeformed half edges, l_p * cell / 2 */
+    double half_size[2];            /* half the undeformed size, l_p * cell / 2 */
     double deformation_gradient[4]; /* xx xy yx yy; used by CPDI */
 };
 

@@ -24,7 +24,7 @@ static const char *const frame_names[FRAMES] = {"global", "edge"};
 
 struct parameters {
     double time;            /* when loads begin */
-    double half[AXES];      /* half edges of a particle at t = 0 */
+    double half[AXES];      /* half the size of a particle at t = 0 */
     double value[AXES];     /* of the load */
     unsigned columns, rows; /* of sites */
     unsigned axisymmetric;  /* 1 or 0 */

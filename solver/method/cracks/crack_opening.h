@@ -28,7 +28,7 @@
 
 #include "method/state.h"
 
-/* Are the surfaces of this crack followed? */
+/* Is the opening of this crack tracked? */
 static inline bool mpm_crack_is_followed(const struct mpm_crack_spec *spec)
 {
     return spec->opening || spec->cohesive.law != NULL;
