@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/cracks/crack_fields.h"
+#include "method/fields/fields.h"
 #include "simulation/simulation.h"
 
 #include <math.h>

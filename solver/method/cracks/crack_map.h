@@ -2,7 +2,7 @@
  *
  * The nodes of a particle span a block of cells. A listed cell has, for each crack, the segments
  * that meet the block of `span` by `span` cells from it on to the right and upwards. So a particle
- * tests one cell, the first of its block; where its domain is wider than the span, at every
+ * tests one cell, the first of its block; where its domain is wider than the span, every
  * `span`-th cell of the block.
  *
  *     span = 2

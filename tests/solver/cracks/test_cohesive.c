@@ -7,7 +7,6 @@
 #include "support/crack_block.h"
 #include "support/near.h"
 #include "support/scene_files.h"
-#include "support/transfer_block.h"
 
 #include <glib.h>
 #include <math.h>

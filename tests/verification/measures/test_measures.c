@@ -2,14 +2,12 @@
  * oscillation, what a curve of energies shows.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "suites.h"
 #include "verification/measures/conservation.h"
 #include "verification/measures/energy_curve.h"
 #include "verification/measures/oscillation.h"
 
-#include <check.h>
 #include <math.h>
-
-Suite *suite_measures(void);
 
 static const double TWO_PI = 6.28318530717958647692;
 

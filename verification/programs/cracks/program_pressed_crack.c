@@ -10,7 +10,6 @@
  * over the least at the start
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/measures/fields.h"
 #include "verification/programs/follow.h"
 
 #include <math.h>
