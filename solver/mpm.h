@@ -66,7 +66,7 @@ struct mpm_error {
 
 /* ------------------------------------------------------------------- scene */
 
-struct mpm_scene; /* read-only once read; may serve any number of simulations */
+struct mpm_scene; /* read-only once read; any number of simulations can use it */
 
 /* Reads and validates a scene file. `settings` are `PATH=VALUE` texts applied in
  * order before validation (the last wins). Errors name file, line, key, value
@@ -79,13 +79,13 @@ void mpm_scene_free(struct mpm_scene *scene);
 size_t mpm_scene_body_count(const struct mpm_scene *scene);
 const char *mpm_scene_body_name(const struct mpm_scene *scene, size_t body);
 double mpm_scene_end_time(const struct mpm_scene *scene);
-/* By how many time steps what particles carry is behind the time of the simulation, after any
- * step and so at the start as well: velocity and F of a scheme are those of time - lag * step, at a
- * fixed step. Velocities are those of the middle of the last step. F is that of the
- * step's force when the stress is updated last (usl, musl: 0), a step behind that when it is
- * updated first (usf: 1), and between (usavg: 1/2). Positions moved by the mean of old and new
- * velocity (midpoint) lag half a step. A start that heeds the lags makes a run second order in
- * time; one that does not is off by first order, once. */
+/* By how many time steps the particles' values are behind the time of the simulation, after any
+ * step and at the start: velocity and F of a scheme are those of time - lag * step, at a fixed
+ * step. Velocities are those of the middle of the last step. F is that of the step's force when the
+ * stress is updated last (usl, musl: 0), a step earlier when it is updated first (usf: 1), and
+ * between (usavg: 1/2). Positions moved by the mean of old and new velocity (midpoint) lag half a
+ * step. A start with these lags makes a run second order in time; a start without them adds one
+ * error of first order. */
 struct mpm_lags {
     double position, velocity, deformation;
 };
@@ -115,7 +115,7 @@ enum mpm_simd {
 /* "auto", "baseline", "x86-64-v3" */
 const char *mpm_simd_name(enum mpm_simd simd);
 
-/* What has that name. MPM_BAD_INPUT: none has; the message lists the names allowed. */
+/* Finds the entry of that name. MPM_BAD_INPUT: there is none; the message lists those allowed. */
 enum mpm_status mpm_kernels_find(const char *name, enum mpm_kernels *kernels,
                                  struct mpm_error *error);
 enum mpm_status mpm_simd_find(const char *name, enum mpm_simd *simd, struct mpm_error *error);
@@ -350,8 +350,7 @@ size_t mpm_scene_crack_quantity_count(const struct mpm_scene *scene);
 struct mpm_quantity_info mpm_scene_crack_quantity(const struct mpm_scene *scene, size_t index);
 double mpm_simulation_crack_quantity(const struct mpm_simulation *simulation, size_t index);
 
-/* How near to rest a scene with time.rest is after the last step; both 1 before
- * the first. */
+/* How near to rest a scene with time.rest is after the last step; both 1 before the first. */
 struct mpm_rest {
     bool asked;
     /* sum of |f_x| + |f_y| over the free components of nodes, damping left out, over the same of
@@ -373,8 +372,8 @@ bool mpm_simulation_at_rest(const struct mpm_simulation *simulation, struct mpm_
 bool mpm_simulation_stagnates(const struct mpm_simulation *simulation);
 
 /* The J integral at a tip of a crack, as `j_integral` of the scene defines it, and what follows
- * from it. Components along 1, the way in which the crack would grow straight on, and along 2, on
- * the left of it; both as they lie in the undeformed body. */
+ * from it. Components along 1, the direction in which the crack would grow straight on, and along
+ * 2, on the left of it; both in the undeformed body. */
 struct mpm_j_integral {
     size_t crack;
     bool at_start;              /* of the chain, else at its end */
@@ -422,14 +421,14 @@ struct mpm_run_options {
     const char *scene_path; /* for provenance; may be NULL */
     /* Called after each step, if not NULL; `fraction` of the run done, 0..1. */
     void (*progress)(void *context, double fraction, const struct mpm_simulation *simulation);
-    /* Called with the same context for what a user should know of a run that goes on, if not NULL:
+    /* Called with the same context, if not NULL, for warnings of a run that goes on:
      * advice before the first step, growing energy when it is first seen. run.json lists both. */
     void (*warn)(void *context, const char *warning);
     void *progress_context;
 };
 
 /* Runs a scene to its end and writes run.json, history.csv and snapshots. A scene that requires
- * rest ends there; one that has not come to rest when its time or its steps are over has failed
+ * rest ends there; one that is not at rest when its time or its steps are over has failed
  * (MPM_RUN_FAILED: an answer that has not converged must not pass for one). The energy is judged
  * before each row, each snapshot and the end. Refuses (MPM_BAD_INPUT) an output that is a file or
  * holds results. On MPM_RUN_FAILED the last good state has been written and run.json has the
