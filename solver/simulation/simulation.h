@@ -72,7 +72,7 @@ struct mpm_simulation {
 };
 
 /* time_step.c: the next step from the Courant number and what is fastest now, waves in the
- * deformed material or particles, or the fixed one; shortened to land on `limit`. *lands tells
+ * deformed material or particles, or the fixed one; shortened to land on `limit`. *lands:
  * whether it does. */
 double mpm_time_step_next(const struct mpm_simulation *simulation, double limit, bool *lands);
 /* Speed of the fastest particle of first..end - 1. */

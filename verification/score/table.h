@@ -20,7 +20,7 @@ struct score_table {
 struct score_format {
     enum mpm_geometry geometry;
     struct score_units units;
-    int body; /* whose rows are kept where the results have a column of bodies */
+    int body; /* whose rows are used where the results have a column of bodies */
 };
 
 void score_table_open(struct score_table *table);
