@@ -22,6 +22,7 @@
     SUITE(transfers)                                                                               \
     SUITE(transfer_series)                                                                         \
     SUITE(projection)                                                                              \
+    SUITE(law_state)                                                                               \
     SUITE(forms)                                                                                   \
     SUITE(loads)                                                                                   \
     SUITE(user_force)                                                                              \

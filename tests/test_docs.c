@@ -7,6 +7,8 @@
 #include "support/folder.h"
 #include "support/skip.h"
 
+#include "model/material.h"
+
 #include <glib.h>
 #include <string.h>
 
@@ -196,6 +198,26 @@ START_TEST(man_pages_have_the_options_and_commands_of_the_help)
 }
 END_TEST
 
+/* ---------------------------------------------------------------------------- laws */
+
+START_TEST(the_document_on_scenes_has_a_row_for_each_law)
+{
+    const struct mpm_material_law *law;
+    char *text = test_file_read("docs/scenes.md");
+    for (size_t k = 0; (law = mpm_material_law_at(k)) != NULL; k++) {
+        GString *row = g_string_new(NULL);
+        g_string_printf(row, "\n| `%s` | ", law->name);
+        for (size_t i = 0; i < law->parameter_count; i++)
+            g_string_append_printf(row, "%s`%s`", i > 0 ? ", " : "",
+                                   mpm_parameter_key(law->parameters[i].which));
+        g_string_append(row, " | ");
+        ck_assert_msg(strstr(text, row->str) != NULL, "no row%s", row->str);
+        g_string_free(row, TRUE);
+    }
+    g_free(text);
+}
+END_TEST
+
 /* ------------------------------------------------------------------------- explain */
 
 START_TEST(every_check_of_the_catalogue_is_explained_whole)
@@ -238,6 +260,7 @@ Suite *suite_docs(void)
 {
     Suite *suite = suite_create("docs");
     TCase *docs = tcase_create("docs");
+    tcase_add_test(docs, the_document_on_scenes_has_a_row_for_each_law);
     tcase_add_test(docs, the_tutorial_on_scores_does_what_it_says);
     tcase_add_loop_test(docs, links_of_the_documents_lead_to_files, 0,
                         (int)G_N_ELEMENTS(documents));

@@ -51,8 +51,10 @@ static void stress(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZ
     *wave_speed_squared = (m->lame + 2.0 * m->shear) * (principal[1] * principal[1]);
 }
 
-static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZE])
+static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZE],
+                     const double *state)
 {
+    (void)state;
     double v[MPM_SYMMETRIC_SIZE];
     (void)left_stretch(f, v);
     const double exx = v[MPM_SYM_XX] - 1.0, eyy = v[MPM_SYM_YY] - 1.0, ezz = v[MPM_SYM_ZZ] - 1.0;
@@ -60,6 +62,25 @@ static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_S
     const double trace = exx + eyy + ezz;
     return m->shear * (exx * exx + eyy * eyy + ezz * ezz + 2.0 * exy * exy) +
            0.5 * m->lame * trace * trace;
+}
+
+/* W itself, from tr V = |(F_xx + F_yy, F_xy - F_yx)| + F_zz and |V|^2 = tr B. */
+static double energy_bound(const struct mpm_material *m, double *const f[MPM_GRADIENT_SIZE],
+                           const double *mass, size_t begin, size_t end)
+{
+    const double *const xx = f[MPM_XX], *const xy = f[MPM_XY], *const yx = f[MPM_YX];
+    const double *const yy = f[MPM_YY], *const zz = f[MPM_ZZ];
+    double square_sum = 0.0, trace_sum = 0.0;
+    for (size_t p = begin; p < end; p++) {
+        const double sum = xx[p] + yy[p], difference = xy[p] - yx[p];
+        const double stretch = sqrt(sum * sum + difference * difference) + zz[p];
+        const double square =
+            xx[p] * xx[p] + xy[p] * xy[p] + yx[p] * yx[p] + yy[p] * yy[p] + zz[p] * zz[p];
+        const double trace = stretch - 3.0;
+        square_sum += mass[p] * (square - 2.0 * stretch + 3.0);
+        trace_sum += mass[p] * (trace * trace);
+    }
+    return m->shear * square_sum + 0.5 * m->lame * trace_sum;
 }
 
 /* 2 G e_zz + lambda (e_xx + e_yy + e_zz) = 0 */
@@ -70,10 +91,16 @@ static double thickness_stretch(const struct mpm_material *m, const double f[MPM
     return 1.0 - m->lame / (m->lame + 2.0 * m->shear) * (trace - 2.0);
 }
 
+static const struct mpm_law_parameter parameters[] = {{.which = MPM_PARAMETER_BULK},
+                                                      {.which = MPM_PARAMETER_SHEAR}};
+
 const struct mpm_material_law mpm_linear_elastic = {
     .name = "linear_elastic",
     .description = "W = G |U - I|^2 + lambda/2 tr(U - I)^2, Hooke's law turned by the rotation",
+    .parameters = parameters,
+    .parameter_count = sizeof parameters / sizeof *parameters,
     .stress = stress,
     .energy = energy,
+    .energy_bound = energy_bound,
     .thickness_stretch = thickness_stretch,
 };

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model/material.h"
 
+#include "model/particles.h"
+
+#include <math.h>
 #include <string.h>
 
 #define LAW_ADDRESS(name) &mpm_##name,
@@ -21,14 +24,58 @@ const char *mpm_material_law_names(void)
     return names + strlen(", ");
 }
 
-struct mpm_material mpm_material_make(const struct mpm_material_law *law, double density,
-                                      double bulk, double shear)
+const struct mpm_material_law *mpm_material_law_at(size_t index)
 {
+    return index < sizeof laws / sizeof laws[0] ? laws[index] : NULL;
+}
+
+const char *mpm_parameter_key(enum mpm_parameter parameter)
+{
+#define PARAMETER_KEY(a, b, name, key, ...) [MPM_PARAMETER_##name] = #key,
+    static const char *const keys[] = {MPM_LAW_PARAMETERS(PARAMETER_KEY, , )};
+    return keys[parameter];
+}
+
+const struct mpm_law_parameter *mpm_law_parameter(const struct mpm_material_law *law,
+                                                  enum mpm_parameter which)
+{
+    for (size_t k = 0; k < law->parameter_count; k++)
+        if (law->parameters[k].which == which)
+            return &law->parameters[k];
+    return NULL;
+}
+
+size_t mpm_law_state_count(const struct mpm_material_law *law)
+{
+    return law->variable_count + (law->energy == NULL ? 1 : 0);
+}
+
+struct mpm_material mpm_material_make(const struct mpm_material_law *law, double density,
+                                      const double *parameter)
+{
+    const double bulk = parameter[MPM_PARAMETER_BULK], shear = parameter[MPM_PARAMETER_SHEAR];
     return (struct mpm_material){
         .law = law,
         .density = density,
         .bulk = bulk / density,
         .shear = shear / density,
         .lame = (bulk - 2.0 / 3.0 * shear) / density,
+        .parameter = parameter,
     };
+}
+
+double mpm_material_start_wave(const struct mpm_material *material)
+{
+    static const double f[MPM_GRADIENT_SIZE] = {[MPM_XX] = 1.0, [MPM_YY] = 1.0, [MPM_ZZ] = 1.0};
+    static const struct mpm_law_step none = {.old_f = f, .f = f, .temperature = (double)NAN};
+    const struct mpm_material_law *const law = material->law;
+    double stress[MPM_SYMMETRIC_SIZE], state[MPM_LAW_STATES], square;
+    if (law->update == NULL) {
+        law->stress(material, f, stress, &square);
+        return square;
+    }
+    for (size_t k = 0; k < law->variable_count; k++)
+        state[k] = law->variables[k].start;
+    law->update(material, &none, state, stress, &square);
+    return square;
 }

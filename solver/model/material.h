@@ -1,8 +1,9 @@
-/* Constitutive laws: a law is one file and one line of the list below.
+/* Constitutive laws: a law is one file and one line of the list MPM_MATERIAL_LAWS.
  *
- * Laws are hyperelastic functions of the whole deformation gradient. They give the
- * Kirchhoff stress over the initial density, tau / rho_0 (Notes 18-22): with it a
- * nodal force needs the particle's mass only, not its current volume or density.
+ * A law gives the Kirchhoff stress over the initial density, tau / rho_0 (Notes 18-22): with it a
+ * nodal force needs the particle's mass only, not its current volume or density. Most laws are
+ * hyperelastic functions of the whole deformation gradient F; a law may also have state variables,
+ * and then its stress depends on the path of F.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_MODEL_MATERIAL_H
@@ -10,28 +11,95 @@
 
 #include "base/status.h"
 #include "base/tensor.h"
+#include "mpm_dimension.h"
+
+#include <stddef.h>
+
+/* -------------------------------------------------------------- parameters */
+
+/* The parameters of all laws, beside the density: name, key of a material in a scene, dimension
+ * (MPM_DIMENSION_... without the prefix), range as in io/scene/scene_keys.h, help. The reader of
+ * scenes, `mpm schema` and the struct of a material follow from it. A and B are passed on. A law
+ * lists those that it has. */
+#define MPM_LAW_PARAMETERS(ROW, A, B)                                                              \
+    ROW(A, B, BULK, bulk, STRESS, ABOVE(0), "bulk modulus, together with shear")                   \
+    ROW(A, B, SHEAR, shear, STRESS, ABOVE(0), "shear modulus, together with bulk")
+
+#define MPM_PARAMETER_NAME(a, b, name, ...) MPM_PARAMETER_##name,
+enum mpm_parameter { MPM_LAW_PARAMETERS(MPM_PARAMETER_NAME, , ) MPM_PARAMETER_COUNT };
+#undef MPM_PARAMETER_NAME
+
+struct mpm_law_parameter {
+    enum mpm_parameter which;
+    bool optional;
+    double fallback; /* its value if a scene does not have it, for an optional one */
+};
+
+/* "bulk": the key of a material in a scene. */
+const char *mpm_parameter_key(enum mpm_parameter parameter);
+
+/* --------------------------------------------------------------------- laws */
+
+/* A state variable: a number that each particle of the law has. */
+struct mpm_law_variable {
+    const char *name;
+    struct mpm_dimension dimension;
+    double start; /* its value at t = 0 */
+    const char *description;
+};
 
 struct mpm_material_law;
 
-/* A law with its constants, all over the initial density: length^2 / time^2. */
+/* A law with its constants; those in a line with "over rho_0" are length^2 / time^2. */
 struct mpm_material {
     const struct mpm_material_law *law;
-    double density; /* rho_0 */
-    double bulk;    /* K / rho_0 */
-    double shear;   /* G / rho_0 */
-    double lame;    /* lambda / rho_0 = (K - 2 G / 3) / rho_0 */
+    double density;          /* rho_0 */
+    double bulk;             /* K over rho_0; this one and the next two: NaN without both moduli */
+    double shear;            /* G over rho_0 */
+    double lame;             /* lambda = K - 2 G / 3 over rho_0 */
+    const double *parameter; /* by enum mpm_parameter, in the scene's units; NaN where the law has
+                                none */
+};
+
+/* From one F to the next. */
+struct mpm_law_step {
+    const double *old_f, *f; /* [MPM_GRADIENT_SIZE]; the same if there is no step yet */
+    double duration;         /* of this part of a time step: 0 if there is no step yet */
+    double temperature;      /* NaN in a scene that has none */
 };
 
 struct mpm_material_law {
     const char *name;
     const char *description;
-    /* tau / rho_0 at F, and the square of the fastest wave speed there (over the
-     * directions of the plane, in the deformed body). F must have det F > 0. */
+    const struct mpm_law_parameter *parameters;
+    size_t parameter_count;
+    const struct mpm_law_variable *variables; /* NULL for a law of F alone */
+    size_t variable_count;
+
+    /* One of these two: tau / rho_0, and the square of the fastest wave speed (over the directions
+     * of the plane, in the deformed body). F has det F > 0.
+     * A law of F alone: */
     void (*stress)(const struct mpm_material *material, const double f[MPM_GRADIENT_SIZE],
                    double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
-    /* Strain energy per unit mass; may use logarithms. */
-    double (*energy)(const struct mpm_material *material, const double f[MPM_GRADIENT_SIZE]);
-    /* The F_zz that makes tau_zz vanish for the plane part of F: plane stress. */
+    /* A law of the path: changes `state`, its state variables, from the start of the step to its
+     * end. Without a step (duration 0) it finds the stress of the state at hand. */
+    void (*update)(const struct mpm_material *material, const struct mpm_law_step *step,
+                   double *state, double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
+
+    /* What follows may be NULL. */
+
+    /* Strain energy per unit mass; may use logarithms. Without it, each particle carries the work
+     * of the stress since t = 0 as one more state variable, which takes its place. */
+    double (*energy)(const struct mpm_material *material, const double f[MPM_GRADIENT_SIZE],
+                     const double *state);
+    /* For the energy guard, without logarithms and roots: a number that is not below the sum of
+     * mass times energy of the particles from `begin` up to `end`, all of that material, but for
+     * round-off of stiffness times mass. `f` has the components of F particle by particle. For laws
+     * of F alone; without it, the guard sums the energy. */
+    double (*energy_bound)(const struct mpm_material *material, double *const f[MPM_GRADIENT_SIZE],
+                           const double *mass, size_t begin, size_t end);
+    /* The F_zz that makes tau_zz vanish for the plane part of F. Without it the law has no plane
+     * stress. For laws of F alone. */
     double (*thickness_stretch)(const struct mpm_material *material,
                                 const double f[MPM_GRADIENT_SIZE]);
 };
@@ -45,13 +113,28 @@ struct mpm_material_law {
 MPM_MATERIAL_LAWS(MPM_DECLARE_LAW)
 #undef MPM_DECLARE_LAW
 
+/* The law at `index` of the list, or NULL past its end. */
+const struct mpm_material_law *mpm_material_law_at(size_t index);
 /* The law of that name, or NULL. */
 const struct mpm_material_law *mpm_material_law_find(const char *name);
 /* "neo_hookean, linear_elastic" */
 const char *mpm_material_law_names(void);
 
-/* bulk K and shear G in the scene's units; density > 0. */
+/* What a law says of that parameter, or NULL if it does not have it. */
+const struct mpm_law_parameter *mpm_law_parameter(const struct mpm_material_law *law,
+                                                  enum mpm_parameter which);
+
+/* State variables that a particle of the law carries: its own, and the work of the stress if it has
+ * no energy. Up to MPM_LAW_STATES (particles.h). */
+size_t mpm_law_state_count(const struct mpm_material_law *law);
+
+/* `parameter`: by enum mpm_parameter, in the scene's units; it must outlive the material.
+ * density > 0. */
 struct mpm_material mpm_material_make(const struct mpm_material_law *law, double density,
-                                      double bulk, double shear);
+                                      const double *parameter);
+
+/* The square of the wave speed in the undeformed body, where all state variables have their start
+ * values. */
+double mpm_material_start_wave(const struct mpm_material *material);
 
 #endif

@@ -9,6 +9,7 @@
 
 #include "base/status.h"
 #include "model/cohesive.h"
+#include "model/material.h"
 
 enum { MPM_NAME_SIZE = 257 }; /* names up to 64 characters of UTF-8 */
 
@@ -69,10 +70,11 @@ struct mpm_vector_expression {
 
 struct mpm_material_spec {
     char name[MPM_NAME_SIZE];
-    const char *law; /* "neo_hookean", "linear_elastic": a static string */
+    const struct mpm_material_law *law;
     double density;
-    double bulk, shear; /* always both, whichever pair of constants the scene gives */
-    int line;           /* in the scene file, for messages */
+    double parameter[MPM_PARAMETER_COUNT]; /* bulk and shear whichever pair of constants the scene
+                                              gives; NaN where the law has no such parameter */
+    int line;                              /* in the scene file, for messages */
 };
 
 struct mpm_body_spec {

@@ -4,6 +4,7 @@
 #include "method/cracks/crack_detection.h"
 #include "method/fields/fields.h"
 #include "method/kernels.h"
+#include "method/transfer/law_state.h"
 #include "method/transfer/transfer.h"
 #include "method/transfer/transfers.h"
 #include "model/fill.h"
@@ -104,7 +105,9 @@ static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulatio
     uses |= mpm_transfer_of(scene->transfer)->carries;
     uses |= mpm_crack_detection_needs_surfaces(scene) ? MPM_USE_ORIGINS : 0;
     uses |= scene->crack_count > 0 ? MPM_USE_KEPT_STRESS : 0; /* see method/fields/split.h */
-    return (struct mpm_particle_needs){.uses = uses};
+    const size_t law_states = mpm_law_states_of(scene);
+    uses |= law_states > 0 ? MPM_USE_LAW_STATE : 0;
+    return (struct mpm_particle_needs){.uses = uses, .law_states = (uint8_t)law_states};
 }
 
 static void layout(struct mpm_simulation *simulation, const struct mpm_fill_counts *counts,
@@ -170,8 +173,7 @@ static void describe_bodies(struct mpm_simulation *simulation)
             continue;
         add_body_size(state, k);
         const struct mpm_material_spec *const spec = &scene->materials[scene->bodies[k].material];
-        state->bodies[k].material = mpm_material_make(mpm_material_law_find(spec->law),
-                                                      spec->density, spec->bulk, spec->shear);
+        state->bodies[k].material = mpm_material_make(spec->law, spec->density, spec->parameter);
     }
 }
 
@@ -284,16 +286,10 @@ static enum mpm_status check_start(const struct mpm_simulation *simulation, stru
 /* Every body is undeformed. */
 static double initial_wave_speed(const struct mpm_simulation *simulation)
 {
-    static const double f[MPM_GRADIENT_SIZE] = {[MPM_XX] = 1.0, [MPM_YY] = 1.0, [MPM_ZZ] = 1.0};
     double fastest = 0.0;
-    for (size_t k = 0; k < simulation->scene->body_count; k++) {
-        const struct mpm_material *const material = &simulation->state.bodies[k].material;
-        double stress[MPM_SYMMETRIC_SIZE], square;
-        if (simulation->scene->bodies[k].rigid)
-            continue;
-        material->law->stress(material, f, stress, &square);
-        fastest = fmax(fastest, square);
-    }
+    for (size_t k = 0; k < simulation->scene->body_count; k++)
+        if (!simulation->scene->bodies[k].rigid)
+            fastest = fmax(fastest, mpm_material_start_wave(&simulation->state.bodies[k].material));
     return sqrt(fastest);
 }
 
@@ -418,6 +414,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     }
     describe_bodies(simulation);
     MPM_TRY(mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid, error));
+    mpm_law_states_begin(state);
     MPM_TRY(mpm_edge_loads_fill(simulation, error));
     mpm_cracks_fill(state);
     MPM_TRY(mpm_symmetries_fill(simulation, error));

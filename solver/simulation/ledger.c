@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/cracks/cohesive_traction.h"
 #include "method/transfer/affine.h"
+#include "method/transfer/law_state.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -9,8 +10,6 @@ static void add_particle(const struct mpm_simulation *simulation, size_t p,
                          struct mpm_ledger *ledger)
 {
     const struct mpm_particles *const particles = &simulation->state.particles;
-    const struct mpm_material *const material =
-        &simulation->state.bodies[particles->body[p]].material;
     const double mass = particles->mass[p];
     const double x = particles->position[0][p], y = particles->position[1][p];
     const double vx = particles->velocity[0][p], vy = particles->velocity[1][p];
@@ -26,7 +25,7 @@ static void add_particle(const struct mpm_simulation *simulation, size_t p,
     if (particles->affine[0] != NULL && simulation->scene->geometry != MPM_AXISYMMETRIC)
         ledger->angular_momentum += mass * mpm_particle_spin(&simulation->state, p);
     ledger->kinetic_energy += 0.5 * mass * (vx * vx + vy * vy);
-    ledger->strain_energy += mass * material->law->energy(material, f);
+    ledger->strain_energy += mass * mpm_particle_strain_energy(&simulation->state, p);
     ledger->j_min = fmin(ledger->j_min, j);
     ledger->j_max = fmax(ledger->j_max, j);
 }

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/loads/user_force.h"
+#include "method/transfer/law_state.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -89,11 +90,8 @@ static double fastest_wave(const struct mpm_state *state)
     const struct mpm_particles *const particles = &state->particles;
     double fastest = 0.0;
     for (size_t p = 0; p < particles->count; p++) {
-        const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
-        double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], square;
-        for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-            f[k] = particles->deformation[k][p];
-        material->law->stress(material, f, stress, &square);
+        double stress[MPM_SYMMETRIC_SIZE], square;
+        mpm_particle_find_stress(state, p, stress, &square);
         fastest = fmax(fastest, square);
     }
     return sqrt(fastest);

@@ -19,6 +19,7 @@ from hypothesis import strategies as st
 from schema import unit_exponents, visit
 
 ABSENT = object()  # of a key that a scene does not have
+MODULI = {"bulk", "shear"}
 
 
 def short(value):
@@ -31,8 +32,9 @@ class Canvas:
     """What a scene in the making offers to the draws: choices made so far, and scales. `draw` gives an
     integer between two."""
 
-    def __init__(self, draw, situation):
+    def __init__(self, draw, situation, laws):
         self.draw = draw
+        self.laws = laws  # required or not, by law and parameter
         self.situation = situation
         self.scene = {}
         self.path = []  # positions in lists on the way to the key in hand
@@ -55,6 +57,19 @@ class Canvas:
         """A number between low and high, both possible; shrinks to low."""
         return short(low + (high - low) * self.integer(0, parts) / parts)
 
+    # ------------------------------------------------------------------------- laws
+    def law_requires(self, key):
+        """Of a key of a material: does its law require it? None: its law does not have it."""
+        own = self.laws[self.notes["group"]["law"]]
+        if key.name in ("young", "poisson"):  # for the pair of moduli
+            return None if own.keys() & MODULI != MODULI else False
+        return own.get(key.name)
+
+    def is_parameter(self, key):
+        """Is the key a parameter of laws?"""
+        names = {"young", "poisson"}.union(*self.laws.values())
+        return key.path.startswith("materials[].") and key.name in names
+
     # ----------------------------------------------------------------------- scales
     @property
     def axisymmetric(self):
@@ -75,8 +90,10 @@ class Canvas:
     def scale(self, unit):
         """The natural size of a quantity with that unit."""
         length = min(self.cell)
-        speed = self.wave
-        density = max(material["density"] for material in self.scene["materials"])
+        speed, density = 1, 1  # while materials are drawn
+        if "materials" in self.scene:
+            speed = self.wave
+            density = max(material["density"] for material in self.scene["materials"])
         sizes = {"length": length, "time": length / speed, "mass": density * length ** 3}
         return math.prod(sizes[name] ** power for name, power in unit_exponents(unit).items())
 
@@ -104,7 +121,7 @@ def wave_speed(material):
         young, poisson = material["young"], material["poisson"]
         modulus = young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson))
     else:
-        modulus = material["bulk"] + 4 / 3 * material["shear"]
+        modulus = material.get("bulk", 1) + 4 / 3 * material.get("shear", 0)
     return math.sqrt(modulus / material["density"])
 
 
@@ -164,6 +181,11 @@ def draw_key(canvas, key, tables):
               "axisymmetric": "geometry" in canvas.scene and canvas.axisymmetric}
     if not wanted[key.geometry]:
         return ABSENT
+    required = key.required
+    if canvas.is_parameter(key):
+        required = canvas.law_requires(key)
+        if required is None:
+            return ABSENT
     if key.path in tables.MEANING:
         return tables.MEANING[key.path](canvas, key)
     if key.shape == "list":
@@ -181,7 +203,7 @@ def draw_key(canvas, key, tables):
             return ABSENT
         group = draw_group(canvas, key, tables)
         return group if group or key.required else ABSENT
-    if not key.required and not canvas.chance(OPTIONAL):
+    if not required and not canvas.chance(OPTIONAL):
         return ABSENT
     return draw_value(canvas, key)
 
@@ -203,7 +225,7 @@ def draw_group(canvas, key, tables):
 
 def draw_scene(integer, schema, tables, situation):
     """A scene of a situation that the tables know; integer(low, high) makes its choices."""
-    canvas = Canvas(integer, situation)
+    canvas = Canvas(integer, situation, schema.laws)
     tables.prepare(canvas)
     scene = draw_group(canvas, schema, tables)
     return {key.name: scene[key.name] for key in schema.children if key.name in scene}

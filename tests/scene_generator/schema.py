@@ -46,7 +46,8 @@ def unit_exponents(unit):
 def read_schema(mpm):
     """The root of the schema of the program `mpm`, and all keys by path."""
     text = subprocess.run([mpm, "schema", "--json"], check=True, capture_output=True).stdout
-    rows = json.loads(text)["keys"]
+    schema = json.loads(text)
+    rows = schema["keys"]
     root = Key({"key": "", "shape": "group", "value": None, "geometry": None, "required": True,
                 "unit": "", "low": None, "high": None, "low_open": False, "high_open": False,
                 "choices": None})
@@ -54,6 +55,8 @@ def read_schema(mpm):
     for key in keys.values():
         parent = key.path[:-len(key.name)].rstrip(".").removesuffix("[]")
         (keys[parent] if parent else root).children.append(key)
+    root.laws = {law["law"]: {own["key"]: own["required"] for own in law["parameters"]}
+                 for law in schema["laws"]}
     return root, keys
 
 

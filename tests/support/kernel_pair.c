@@ -21,7 +21,8 @@ bool kernel_pair_is_long(void)
 
 static double stiffness(const struct mpm_material_spec *material)
 {
-    return material->bulk + 4.0 / 3.0 * material->shear;
+    return material->parameter[MPM_PARAMETER_BULK] +
+           4.0 / 3.0 * material->parameter[MPM_PARAMETER_SHEAR];
 }
 
 static void set_floors(struct kernel_pair *pair)

@@ -1,10 +1,9 @@
-/* The general part of a scene (grid, time, method, output) and its materials.
+/* The general part of a scene: grid, time, method, output.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
 
 #include "method/shape/shape.h"
-#include "model/material.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -190,69 +189,4 @@ enum mpm_status mpm_build_general(const struct mpm_reading *reading)
     MPM_TRY(build_time(reading));
     MPM_TRY(build_method(reading));
     return build_output(reading);
-}
-
-/* --------------------------------------------------------------- materials */
-
-static enum mpm_status check_constants(const struct mpm_reading *reading, const char *path,
-                                       const struct mpm_raw_material *raw)
-{
-    const bool bulk = raw->bulk != NULL, shear = raw->shear != NULL;
-    const bool young = raw->young != NULL, poisson = raw->poisson != NULL;
-    if (bulk == shear && young == poisson && bulk != young)
-        return MPM_OK;
-    return mpm_reading_fault(reading, path,
-                             "wrong elastic constants, got%s%s%s%s%s; allowed: bulk and shear, or "
-                             "young and poisson",
-                             bulk ? " bulk" : "", shear ? " shear" : "", young ? " young" : "",
-                             poisson ? " poisson" : "",
-                             bulk || shear || young || poisson ? "" : " none");
-}
-
-static enum mpm_status build_constants(const struct mpm_reading *reading, const char *path,
-                                       const struct mpm_raw_material *raw,
-                                       struct mpm_material_spec *material)
-{
-    MPM_TRY(check_constants(reading, path, raw));
-    if (raw->bulk != NULL) {
-        material->bulk = mpm_raw_double(raw->bulk);
-        material->shear = mpm_raw_double(raw->shear);
-    } else {
-        const double young = mpm_raw_double(raw->young), poisson = mpm_raw_double(raw->poisson);
-        material->bulk = young / (3.0 * (1.0 - 2.0 * poisson));
-        material->shear = young / (2.0 * (1.0 + poisson));
-    }
-    if (isfinite(material->bulk) && material->bulk > 0.0 && isfinite(material->shear) &&
-        material->shear > 0.0)
-        return MPM_OK;
-    return mpm_reading_fault(reading, path,
-                             "elastic constants beyond what numbers hold, got bulk modulus %g and "
-                             "shear modulus %g; allowed: finite, above 0",
-                             material->bulk, material->shear);
-}
-
-enum mpm_status mpm_build_materials(const struct mpm_reading *reading)
-{
-    struct mpm_scene *scene = reading->scene;
-    const size_t count = reading->raw->materials_count;
-    scene->materials = mpm_reading_allocate(reading, count, sizeof *scene->materials, "materials");
-    if (scene->materials == NULL)
-        return MPM_ENVIRONMENT_FAILED;
-    scene->material_count = count;
-    for (size_t i = 0; i < count; i++) {
-        const struct mpm_raw_material *raw = &reading->raw->materials[i];
-        struct mpm_material_spec *material = &scene->materials[i];
-        char path[MPM_PATH_SIZE];
-        (void)mpm_path_entry("materials", i, path);
-        (void)snprintf(material->name, MPM_NAME_SIZE, "%s", raw->name);
-        material->law = mpm_material_law_find(raw->law)->name;
-        material->density = mpm_raw_double(raw->density);
-        material->line = mpm_reading_line(reading, path);
-        MPM_TRY(build_constants(reading, path, raw, material));
-    }
-    struct mpm_indexed_name *names = NULL;
-    MPM_TRY(mpm_reading_index(reading, "materials", count, scene->materials[0].name,
-                              sizeof scene->materials[0], &names));
-    free(names);
-    return MPM_OK;
 }

@@ -81,6 +81,22 @@ static enum mpm_status build_growth(const struct mpm_reading *reading,
     return MPM_OK;
 }
 
+/* Stress intensity factors follow from J with the moduli of the material around the tip. */
+static enum mpm_status check_moduli(const struct mpm_reading *reading)
+{
+    const struct mpm_scene *const scene = reading->scene;
+    for (size_t k = 0; k < scene->material_count; k++) {
+        const struct mpm_material_law *const law = scene->materials[k].law;
+        if (mpm_law_parameter(law, MPM_PARAMETER_BULK) == NULL ||
+            mpm_law_parameter(law, MPM_PARAMETER_SHEAR) == NULL)
+            return mpm_reading_fault(reading, scene->j_integrals[0].key,
+                                     "the law %s of material %s has no moduli; allowed with J "
+                                     "integrals: laws with bulk and shear",
+                                     law->name, scene->materials[k].name);
+    }
+    return MPM_OK;
+}
+
 /* Scratch memory goes with its size. */
 static enum mpm_status check_contour(const struct mpm_reading *reading,
                                      const struct mpm_j_integral_spec *made)
@@ -128,5 +144,5 @@ enum mpm_status mpm_build_j_integrals(const struct mpm_reading *reading)
     for (size_t k = 0; k < scene->crack_count; k++)
         for (size_t i = 0; i < reading->raw->cracks[k].j_integral_count; i++)
             MPM_TRY(build_one(reading, k, i));
-    return MPM_OK;
+    return check_moduli(reading);
 }

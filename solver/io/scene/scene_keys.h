@@ -206,15 +206,16 @@
     X(S, CHOICE, cracks, crack_method, ANYWHERE, OPTIONAL, NONE, "fields", ANY,                      \
       "what a particle gives to nodes behind a crack: velocity fields of their own (CRAMP), or nothing; only with cracks")
 
+/* A parameter of laws: which of them a material has is checked when its law is known. */
+#define KEY_PARAMETER(X, S, name, key, dimension, range, help)                                     \
+    X(S, ONE, key, NUMBER, ANYWHERE, OPTIONAL, dimension, NULL, range, help)
+
 #define KEYS_material(X, S)                                                                        \
     X(S, ONE, name, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "name, one only in the scene")        \
     X(S, ONE, law, LAW, ANYWHERE, REQUIRED, NONE, NULL, ANY, "constitutive law")                     \
     X(S, ONE, density, NUMBER, ANYWHERE, REQUIRED, DENSITY, NULL, ABOVE(0),                \
       "initial density")                                                                           \
-    X(S, ONE, bulk, NUMBER, ANYWHERE, OPTIONAL, STRESS, NULL, ABOVE(0),            \
-      "bulk modulus, together with shear")                                                         \
-    X(S, ONE, shear, NUMBER, ANYWHERE, OPTIONAL, STRESS, NULL, ABOVE(0),           \
-      "shear modulus, together with bulk")                                                         \
+    MPM_LAW_PARAMETERS(KEY_PARAMETER, X, S)                                                         \
     X(S, ONE, young, NUMBER, ANYWHERE, OPTIONAL, STRESS, NULL, ABOVE(0),           \
       "Young's modulus, together with poisson; instead of bulk and shear")                         \
     X(S, ONE, poisson, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, BETWEEN(-1, 0.5),                     \

@@ -166,11 +166,53 @@ static void append_keys(json_t *list, const struct mpm_key *group, const char *p
     }
 }
 
+static json_t *parameters_of(const struct mpm_material_law *law)
+{
+    json_t *list = json_array();
+    for (size_t k = 0; k < law->parameter_count; k++) {
+        const struct mpm_law_parameter *const own = &law->parameters[k];
+        json_t *fallback = own->optional ? json_real(own->fallback) : json_null();
+        (void)json_array_append_new(list, json_pack("{ss sb so}", "key",
+                                                    mpm_parameter_key(own->which), "required",
+                                                    (int)!own->optional, "default", fallback));
+    }
+    return list;
+}
+
+static json_t *variables_of(const struct mpm_material_law *law)
+{
+    json_t *list = json_array();
+    for (size_t k = 0; k < law->variable_count; k++) {
+        const struct mpm_law_variable *const own = &law->variables[k];
+        char unit[MPM_UNIT_SIZE];
+        mpm_dimension_text(own->dimension, unit);
+        (void)json_array_append_new(list,
+                                    json_pack("{ss ss sf ss}", "name", own->name, "unit", unit,
+                                              "start", own->start, "help", own->description));
+    }
+    return list;
+}
+
+/* What the choices of materials[].law have. */
+static json_t *describe_laws(void)
+{
+    const struct mpm_material_law *law;
+    json_t *list = json_array();
+    for (size_t k = 0; (law = mpm_material_law_at(k)) != NULL; k++)
+        (void)json_array_append_new(
+            list, json_pack("{ss ss so so sb sb}", "law", law->name, "help", law->description,
+                            "parameters", parameters_of(law), "variables", variables_of(law),
+                            "energy", (int)(law->energy != NULL), "plane_stress",
+                            (int)(law->thickness_stretch != NULL)));
+    return list;
+}
+
 char *mpm_schema_json(void)
 {
     json_t *list = json_array();
     append_keys(list, &mpm_scene_root, "");
-    json_t *schema = json_pack("{si so}", "format", (int)JSON_FORMAT, "keys", list);
+    json_t *schema =
+        json_pack("{si so so}", "format", (int)JSON_FORMAT, "keys", list, "laws", describe_laws());
     char *text = json_dumps(schema, JSON_INDENT(1));
     json_decref(schema);
     return text;

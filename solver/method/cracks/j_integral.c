@@ -2,6 +2,7 @@
 #include "method/cracks/j_integral.h"
 
 #include "method/cracks/crack_map.h"
+#include "method/transfer/law_state.h"
 #include "method/transfer/transfer.h"
 
 #include <math.h>
@@ -148,7 +149,7 @@ static struct carried carried_by(const struct mpm_j_contour *contour, size_t p)
     for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
         made.tau[k] = density * particles->stress[k][p];
     made.plane = made.f[MPM_XX] * made.f[MPM_YY] - made.f[MPM_XY] * made.f[MPM_YX];
-    made.energy = density * body->material.law->energy(&body->material, made.f);
+    made.energy = density * mpm_particle_strain_energy(contour->state, p);
     if (contour->spec->dynamic)
         made.energy += 0.5 * density * (made.v[0] * made.v[0] + made.v[1] * made.v[1]);
     return made;

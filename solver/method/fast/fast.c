@@ -57,7 +57,7 @@ const char *mpm_fast_lacks(const struct mpm_scene *scene)
     if (mpm_transfer_of(scene->transfer)->no_fast != NULL)
         return mpm_transfer_of(scene->transfer)->no_fast;
     for (size_t k = 0; k < scene->material_count; k++)
-        if (!has_vectors(mpm_material_law_find(scene->materials[k].law)))
+        if (!has_vectors(scene->materials[k].law))
             return "there are no fast kernels for the law of a material";
     if (scene->form == MPM_FORM_MOMENTUM)
         return "there are no fast kernels for method.form: momentum";

@@ -332,41 +332,26 @@ static void apply_start(struct mpm_state *state, const struct mpm_active_conditi
     set_gradient(state, active, active->start);
 }
 
-/* By how much a condition changes the velocity that its node has without it. */
-static double change_at_start(const struct mpm_state *state,
-                              const struct mpm_active_condition *active)
-{
-    return fmin(fabs(active->start),
-                fabs(active->start - state->grid.start[active->node][active->component]));
-}
-
-static double change_at_end(const struct mpm_state *state,
+/* Kinetic energy of what a condition changes at once: from the velocity that the node has without
+ * it, and within the step. Of the velocity that it gives at most, so that what strikes a wall at
+ * rest is not counted. */
+static double sudden_energy(const struct mpm_state *state,
                             const struct mpm_active_condition *active)
 {
-    const double free_end = state->grid.motion[active->node].end[active->component];
-    return fmin(fmax(fabs(active->start), fabs(active->end)), fabs(active->end - free_end));
-}
-
-/* Kinetic energy of the changes; of a node at most that of the velocity it is given, so that what
- * strikes a wall at rest is not counted. */
-static void note_sudden(struct mpm_state *state,
-                        double (*change)(const struct mpm_state *state,
-                                         const struct mpm_active_condition *active))
-{
-    double energy = 0.0;
-    for (size_t k = 0; k < state->conditions.first_mirror; k++) {
-        const struct mpm_active_condition *const active = &state->conditions.active[k];
-        const double speed = change(state, active);
-        energy += 0.5 * state->grid.mass[active->node] * speed * speed;
-    }
-    state->sudden_energy = fmax(state->sudden_energy, energy);
+    const double before = state->grid.start[active->node][active->component];
+    const double change = fabs(active->start - before) + fabs(active->end - active->start);
+    const double speed = fmin(change, fmax(fabs(active->start), fabs(active->end)));
+    return 0.5 * state->grid.mass[active->node] * speed * speed;
 }
 
 void mpm_conditions_apply_start(struct mpm_state *state)
 {
-    note_sudden(state, change_at_start);
-    for (size_t k = 0; k < state->conditions.first_mirror; k++)
+    double sudden = 0.0;
+    for (size_t k = 0; k < state->conditions.first_mirror; k++) {
+        sudden += sudden_energy(state, &state->conditions.active[k]);
         apply_start(state, &state->conditions.active[k]);
+    }
+    state->sudden_energy = fmax(state->sudden_energy, sudden);
 }
 
 void mpm_mirrors_apply_start(struct mpm_state *state)
@@ -395,7 +380,6 @@ static void apply_end(struct mpm_state *state, const struct mpm_active_condition
 
 void mpm_conditions_apply_end(struct mpm_state *state)
 {
-    note_sudden(state, change_at_end);
     for (size_t k = 0; k < state->conditions.first_mirror; k++)
         apply_end(state, &state->conditions.active[k]);
 }

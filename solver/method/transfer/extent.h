@@ -7,6 +7,8 @@
 
 #include "method/state.h"
 
+#include <float.h>
+
 /* The hull of the domains of a strip's particles. */
 struct mpm_extent {
     double low[2], high[2];

@@ -26,6 +26,19 @@ MPM_INLINE void mpm_particle_add_internal_force(const struct mpm_state *state, s
     }
 }
 
+/* tau / rho_0, and what the strip knows of wave speeds. */
+MPM_INLINE void mpm_particle_set_stress(const struct mpm_particles *particles, size_t p,
+                                        const double stress[MPM_SYMMETRIC_SIZE],
+                                        double wave_speed_squared, struct mpm_strip *strip)
+{
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        particles->stress[k][p] = stress[k];
+    if (!(wave_speed_squared <= DBL_MAX))
+        mpm_strip_record(strip, MPM_NOT_FINITE, particles->id[p], 0, wave_speed_squared);
+    if (wave_speed_squared > strip->wave_speed_squared)
+        strip->wave_speed_squared = wave_speed_squared;
+}
+
 /* grid.gradient += momentum S_ip */
 MPM_INLINE void mpm_particle_add_extrapolated(const struct mpm_state *state,
                                               const struct mpm_stencil *stencil,

@@ -3,6 +3,7 @@
 
 #include "method/fields/fields.h"
 #include "method/grid/symmetry.h"
+#include "method/transfer/law_state.h"
 #include "method/transfer/particle_updates.h"
 
 #include <float.h>
@@ -330,37 +331,66 @@ static void displacement_gradient(const struct mpm_state *state, const struct mp
     h[MPM_ZZ] = dt * zz;
 }
 
-/* F := dF F, N&G (9), and the stress of the new F. */
-static void update_stress(const struct mpm_state *state, size_t p,
-                          const struct mpm_stencil *stencil, double part, struct mpm_strip *strip)
+/* F := dF F, N&G (9); its determinant */
+MPM_INLINE double deform(const struct mpm_state *state, size_t p, const struct mpm_stencil *stencil,
+                         double part, double f[MPM_GRADIENT_SIZE])
 {
     const struct mpm_particles *const particles = &state->particles;
     const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
-    double h[MPM_GRADIENT_SIZE], df[MPM_GRADIENT_SIZE], f[MPM_GRADIENT_SIZE];
+    double h[MPM_GRADIENT_SIZE], df[MPM_GRADIENT_SIZE];
     displacement_gradient(state, stencil, part * state->time_step, h);
     mpm_deformation_increment(h, state->scene->deformation_terms, df);
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
         f[k] = particles->deformation[k][p];
     mpm_deformation_compose(df, f);
-    double j = mpm_determinant(f);
-    if (j > 0.0 && state->scene->geometry == MPM_PLANE_STRESS) {
-        f[MPM_ZZ] = material->law->thickness_stretch(material, f);
-        j = mpm_determinant(f);
-    }
+    const double j = mpm_determinant(f);
+    if (!(j > 0.0) || state->scene->geometry != MPM_PLANE_STRESS)
+        return j;
+    f[MPM_ZZ] = material->law->thickness_stretch(material, f);
+    return mpm_determinant(f);
+}
+
+/* False, with the failure in `strip`, if det F is not above 0. */
+MPM_INLINE bool set_deformation(const struct mpm_particles *particles, size_t p,
+                                const double f[MPM_GRADIENT_SIZE], double j,
+                                struct mpm_strip *strip)
+{
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
         particles->deformation[k][p] = f[k];
-    if (!(j > 0.0)) {
+    if (!(j > 0.0))
         mpm_strip_record(strip, MPM_INVERTED, particles->id[p], 0, j);
+    return j > 0.0;
+}
+
+/* The law gets the old F with the new one. Not inlined: scenes without such laws would pay for it.
+ */
+MPM_SEPARATE void update_with_state(const struct mpm_state *state, size_t p,
+                                    const struct mpm_stencil *stencil, double part,
+                                    struct mpm_strip *strip)
+{
+    double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], wave_speed_squared = 0.0;
+    const double j = deform(state, p, stencil, part, f);
+    if (j > 0.0)
+        mpm_particle_update_law(state, p, f, part * state->time_step, stress, &wave_speed_squared);
+    if (set_deformation(&state->particles, p, f, j, strip))
+        mpm_particle_set_stress(&state->particles, p, stress, wave_speed_squared, strip);
+}
+
+static void update_stress(const struct mpm_state *state, size_t p,
+                          const struct mpm_stencil *stencil, double part, struct mpm_strip *strip)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
+    double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
+    if (particles->law_state[0] != NULL) {
+        update_with_state(state, p, stencil, part, strip);
         return;
     }
-    double stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
+    const double j = deform(state, p, stencil, part, f);
+    if (!set_deformation(particles, p, f, j, strip))
+        return;
     material->law->stress(material, f, stress, &wave_speed_squared);
-    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
-        particles->stress[k][p] = stress[k];
-    if (!(wave_speed_squared <= DBL_MAX))
-        mpm_strip_record(strip, MPM_NOT_FINITE, particles->id[p], 0, wave_speed_squared);
-    if (wave_speed_squared > strip->wave_speed_squared)
-        strip->wave_speed_squared = wave_speed_squared;
+    mpm_particle_set_stress(particles, p, stress, wave_speed_squared, strip);
 }
 
 MPM_INLINE void stress_and_force(struct mpm_state *state, int64_t index, bool by_momentum)
@@ -464,35 +494,3 @@ MPM_INLINE void stress_and_position(struct mpm_state *state, int64_t index, bool
 }
 
 BOTH_FORMS(stress_and_position)
-
-void mpm_pass_recompute(void *context, int64_t index, int worker)
-{
-    const struct mpm_state *const state = context;
-    const struct mpm_particles *const particles = &state->particles;
-    (void)worker;
-    for (size_t p = state->strips[index].begin; p < state->strips[index].end; p++) {
-        const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
-        double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
-        for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-            f[k] = particles->deformation[k][p];
-        material->law->stress(material, f, stress, &wave_speed_squared);
-        for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
-            particles->stress[k][p] = stress[k];
-        mpm_particle_set_domain(state, p);
-    }
-}
-
-void mpm_pass_measure(void *context, int64_t index, int worker)
-{
-    struct mpm_state *const state = context;
-    struct mpm_strip *const strip = &state->strips[index];
-    struct mpm_extent extent = MPM_NO_EXTENT;
-    (void)worker;
-    for (size_t p = strip->begin; p < strip->end; p++) {
-        const struct mpm_placement placement = placement_of(state, p);
-        if (mpm_domain_check(state, &placement, state->particles.id[p], strip))
-            mpm_extent_add(&extent, &placement);
-    }
-    if (strip->failure.kind == MPM_NO_FAILURE)
-        mpm_strip_set_box(state, strip, &extent);
-}

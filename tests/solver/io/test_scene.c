@@ -147,10 +147,10 @@ START_TEST(a_scene_says_what_its_file_says)
     ck_assert_double_eq(mpm_scene_end_time(scene), 3.6);
     ck_assert_int_eq(scene->stress_update, MPM_USAVG);
     ck_assert_str_eq(scene->materials[0].name, "polymer");
-    ck_assert_str_eq(scene->materials[0].law, "neo_hookean");
+    ck_assert_str_eq(scene->materials[0].law->name, "neo_hookean");
     ck_assert_double_eq(scene->materials[0].density, 1.2e-3);
-    ck_assert_double_eq(scene->materials[0].bulk, 2254.9);
-    ck_assert_double_eq(scene->materials[0].shear, 864.662);
+    ck_assert_double_eq(scene->materials[0].parameter[MPM_PARAMETER_BULK], 2254.9);
+    ck_assert_double_eq(scene->materials[0].parameter[MPM_PARAMETER_SHEAR], 864.662);
     ck_assert_double_eq(scene->history_interval, 0.01);
     ck_assert_double_eq(scene->snapshot_interval, 0.1);
     ck_assert_ptr_null(scene->body_force.text[0]); /* [0, 0] costs nothing */
@@ -234,8 +234,8 @@ START_TEST(young_and_poisson_give_bulk_and_shear)
     const double round_off = 1e-15;
     struct mpm_scene *scene = test_scene_read("tests/scenes/good/shapes.yaml", NULL);
     const double bulk = 210.0 / (3.0 * (1.0 - 0.6)), shear = 210.0 / 2.6;
-    ck_assert_near(scene->materials[0].bulk, bulk, round_off * bulk);
-    ck_assert_near(scene->materials[0].shear, shear, round_off * shear);
+    ck_assert_near(scene->materials[0].parameter[MPM_PARAMETER_BULK], bulk, round_off * bulk);
+    ck_assert_near(scene->materials[0].parameter[MPM_PARAMETER_SHEAR], shear, round_off * shear);
     mpm_scene_free(scene);
 }
 END_TEST

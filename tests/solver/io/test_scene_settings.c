@@ -40,8 +40,8 @@ START_TEST(entries_are_named_by_position_or_name)
         READ(DISK, "materials.polymer.bulk=100", "materials.0.shear=7", "bodies.disk.velocity.1=z",
              "bodies.1.rigid.velocity.0=\"-2*t\"", "boundary.1.velocity=[1, free]",
              "boundary.0.region.line.to.0=30");
-    ck_assert_double_eq(scene->materials[0].bulk, 100.0);
-    ck_assert_double_eq(scene->materials[0].shear, 7.0);
+    ck_assert_double_eq(scene->materials[0].parameter[MPM_PARAMETER_BULK], 100.0);
+    ck_assert_double_eq(scene->materials[0].parameter[MPM_PARAMETER_SHEAR], 7.0);
     ck_assert_str_eq(scene->bodies[0].velocity.text[0], "-8.31*r/50");
     ck_assert_str_eq(scene->bodies[0].velocity.text[1], "z");
     ck_assert_str_eq(scene->bodies[1].velocity.text[0], "-2*t");
@@ -83,7 +83,7 @@ START_TEST(a_setting_can_replace_whole_sections)
              "bodies.block.material=steel");
     ck_assert_double_eq(scene->cell[0], 0.5);
     ck_assert_int_eq(scene->bodies[0].region.kind, MPM_REGION_DISK);
-    ck_assert_str_eq(scene->materials[0].law, "linear_elastic");
+    ck_assert_str_eq(scene->materials[0].law->name, "linear_elastic");
     ck_assert_int_eq(scene->materials[0].line, 0); /* it is in no line of the file */
     mpm_scene_free(scene);
 }

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/schema.h"
 #include "io/units.h"
+#include "model/material.h"
 #include "suites.h"
 
 #include <glib.h>
@@ -87,6 +88,31 @@ START_TEST(the_schema_as_json_says_kind_range_choices_and_default)
 }
 END_TEST
 
+START_TEST(the_schema_as_json_lists_the_laws_with_their_parameters)
+{
+    char *text = mpm_schema_json();
+    json_t *schema = json_loads(text, 0, NULL);
+    const json_t *const laws = json_object_get(schema, "laws");
+    const struct mpm_material_law *law;
+    for (size_t k = 0; (law = mpm_material_law_at(k)) != NULL; k++) {
+        const json_t *const entry = json_array_get(laws, k);
+        const json_t *const parameters = json_object_get(entry, "parameters");
+        ck_assert_str_eq(json_string_value(json_object_get(entry, "law")), law->name);
+        ck_assert_str_eq(json_string_value(json_object_get(entry, "help")), law->description);
+        ck_assert_uint_eq(json_array_size(parameters), law->parameter_count);
+        for (size_t i = 0; i < law->parameter_count; i++)
+            ck_assert_str_eq(
+                json_string_value(json_object_get(json_array_get(parameters, i), "key")),
+                mpm_parameter_key(law->parameters[i].which));
+        ck_assert_uint_eq(json_array_size(json_object_get(entry, "variables")),
+                          law->variable_count);
+    }
+    ck_assert_uint_ge(json_array_size(laws), 2);
+    json_decref(schema);
+    free(text);
+}
+END_TEST
+
 START_TEST(dimensions_are_written_as_quotients)
 {
     const struct {
@@ -115,6 +141,7 @@ Suite *suite_schema(void)
     TCase *json = tcase_create("JSON");
     tcase_add_test(json, the_schema_as_json_has_every_key_of_the_table);
     tcase_add_test(json, the_schema_as_json_says_kind_range_choices_and_default);
+    tcase_add_test(json, the_schema_as_json_lists_the_laws_with_their_parameters);
     tcase_add_test(json, dimensions_are_written_as_quotients);
     suite_add_tcase(suite, json);
     return suite;
