@@ -66,7 +66,7 @@ struct mpm_error {
 
 /* ------------------------------------------------------------------- scene */
 
-struct mpm_scene; /* read-only once read; may serve any number of simulations */
+struct mpm_scene; /* read-only once read; any number of simulations can use it */
 
 /* Reads and validates a scene file. `settings` are `PATH=VALUE` texts applied in
  * order before validation (the last wins). Errors name file, line, key, value
@@ -79,18 +79,18 @@ void mpm_scene_free(struct mpm_scene *scene);
 size_t mpm_scene_body_count(const struct mpm_scene *scene);
 const char *mpm_scene_body_name(const struct mpm_scene *scene, size_t body);
 double mpm_scene_end_time(const struct mpm_scene *scene);
-/* By how many time steps what particles carry stands behind the time of the simulation, after any
- * step and so at the start as well: velocity and F of a scheme are those of time - lag * step, at a
- * fixed step. Velocities are those of the middle of the last step. F is where the force of a step
- * wants it when the stress is updated last (usl, musl: 0), a step behind that when it is updated
- * first (usf: 1), and between (usavg: 1/2). Positions moved by the mean of old and new velocity
- * (midpoint) lag half a step. A start that heeds the lags makes a run second order in time; one
- * that does not is off by first order, once. */
+/* By how many time steps the particles' values are behind the time of the simulation, after any
+ * step and at the start: velocity and F of a scheme are those of time - lag * step, at a fixed
+ * step. Velocities are those of the middle of the last step. F is that of the step's force when the
+ * stress is updated last (usl, musl: 0), a step earlier when it is updated first (usf: 1), and
+ * between (usavg: 1/2). Positions moved by the mean of old and new velocity (midpoint) lag half a
+ * step. A start with these lags makes a run second order in time; a start without them adds one
+ * error of first order. */
 struct mpm_lags {
     double position, velocity, deformation;
 };
 struct mpm_lags mpm_scene_lags(const struct mpm_scene *scene);
-/* Does the scene ask for checkpoints? This version writes none. */
+/* Does the scene require checkpoints? This version writes none. */
 bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene);
 
 /* Two sets of kernels take a step. The reference kernels go particle by particle and are
@@ -115,7 +115,7 @@ enum mpm_simd {
 /* "auto", "baseline", "x86-64-v3" */
 const char *mpm_simd_name(enum mpm_simd simd);
 
-/* What has that name. MPM_BAD_INPUT: none has; the message lists the names allowed. */
+/* Finds the entry of that name. MPM_BAD_INPUT: there is none; the message lists those allowed. */
 enum mpm_status mpm_kernels_find(const char *name, enum mpm_kernels *kernels,
                                  struct mpm_error *error);
 enum mpm_status mpm_simd_find(const char *name, enum mpm_simd *simd, struct mpm_error *error);
@@ -133,7 +133,7 @@ struct mpm_plan {
     size_t particles;
     size_t cells;          /* without ghost rows */
     size_t nodes;          /* with ghost rows */
-    size_t bytes;          /* of the simulation, all told */
+    size_t bytes;          /* of the simulation, in all */
     double time_step;      /* the first one */
     double expected_steps; /* time.end over the first time step, or time.steps if fewer */
     const char *kernels;   /* name of the kernel set chosen: "fast" or "reference" */
@@ -145,8 +145,8 @@ struct mpm_plan {
     char threads_reason[MPM_REASON_SIZE];
 };
 
-/* Largest Courant numbers at which a scene's method kept motions bounded in case G1 of the suite: 2
- * by 2 particles in a cell, 200 crossings of a cell by a wave. 0: none from 0.1 on did. */
+/* Largest Courant numbers at which motions of a scene's method stayed bounded in case G1 of the
+ * suite: 2 by 2 particles in a cell, 200 crossings of a cell by a wave. 0: none from 0.1 on did. */
 struct mpm_stability {
     double small;  /* least of three problems with velocities of 0.001 of the wave speed */
     double large;  /* the same with 0.3 of it, where strains reach 0.3 and particles cross cells */
@@ -209,7 +209,7 @@ enum { MPM_BODY_FORCE_BLOCK = 256 };
 struct mpm_body_force {
     /* Sets force[axis][k], length / time^2, for the particles id[k] with k < count, count at most
      * MPM_BODY_FORCE_BLOCK, at the start of a step, `time`. Ids are in creation order and stay with
-     * their particles; rigid ones are never asked for. Several threads call it at a time, for
+     * their particles; rigid ones are never passed. Several threads call it at a time, for
      * different particles, and a failed run calls it for times gone by: the force must be a
      * function of id and time alone. Another simulation that it advances gets one thread. */
     void (*evaluate)(void *context, double time, size_t count, const uint32_t id[],
@@ -332,49 +332,48 @@ bool mpm_scene_is_damped(const struct mpm_scene *scene);
 /* Has one of its cracks a cohesive law: has its history the columns of cohesive energies? */
 bool mpm_scene_is_cohesive(const struct mpm_scene *scene);
 
-/* Does it ask for output.energy_balance: has its history the column transfer_loss? And, with
+/* Has the scene output.energy_balance, and its history the column transfer_loss? And, with
  * contact of cracks, contact_loss? */
 bool mpm_scene_has_energy_balance(const struct mpm_scene *scene);
 bool mpm_scene_has_contact_loss(const struct mpm_scene *scene);
 
-/* What the history tells of cracks, crack by crack: columns that follow those of the ledger. */
+/* The history's values of cracks, crack by crack: columns that follow those of the ledger. */
 enum { MPM_QUANTITY_NAME_SIZE = 64 };
 struct mpm_quantity_info {
     char name[MPM_QUANTITY_NAME_SIZE]; /* "crack_0_opening_first": crack 0 of the scene */
     struct mpm_dimension dimension;
     const char *description;
 };
-/* How many there are, 0 for scenes that ask for none; what `index`, below that, is; and its value
+/* How many there are, 0 for scenes without any; what `index`, below that, is; and its value
  * now. Cost of a value: one pass over the points of its crack. */
 size_t mpm_scene_crack_quantity_count(const struct mpm_scene *scene);
 struct mpm_quantity_info mpm_scene_crack_quantity(const struct mpm_scene *scene, size_t index);
 double mpm_simulation_crack_quantity(const struct mpm_simulation *simulation, size_t index);
 
-/* How near to rest a scene that asks for it (time.rest) is after the last step; both 1 before
- * the first. */
+/* How near to rest a scene with time.rest is after the last step; both 1 before the first. */
 struct mpm_rest {
     bool asked;
     /* sum of |f_x| + |f_y| over the free components of nodes, damping left out, over the same of
      * the internal forces of all nodes (or the former, if larger): 0 to 1 */
     double residual;
-    /* of the particles, over the largest sum of kinetic and strain energy so far, which is looked
-     * at in one of 32 steps; 0 if the former is 0. Not over the external work: it goes on at rest,
-     * where forces of nodes are out of balance (output.energy_balance) */
+    /* of the particles, over the largest sum of kinetic and strain energy so far, which is
+     * computed in one of 32 steps; 0 if the former is 0. Not over the external work: it goes on at
+     * rest, where forces of nodes are out of balance (output.energy_balance) */
     double kinetic_energy;
     /* The lowest residual since time.rest.after, and when it was reached. 1 and 0 before. */
     double lowest_residual, lowest_time;
     double fallen_time; /* the last time when it had fallen by 10 % since the last such time */
 };
 /* Have both been below the scene's bounds for as many steps in a row, after time.rest.after? False
- * if the scene does not ask. `rest` may be NULL. Further steps can be taken after that. */
+ * if the scene has no time.rest. `rest` may be NULL. Further steps can be taken after that. */
 bool mpm_simulation_at_rest(const struct mpm_simulation *simulation, struct mpm_rest *rest);
 
 /* Has the residual neither fallen by 10 % nor been below its bound for time.rest.patience steps? */
 bool mpm_simulation_stagnates(const struct mpm_simulation *simulation);
 
-/* The J integral at a tip of a crack, as `j_integral` of the scene asks for it, and what follows
- * from it. Components along 1, the way in which the crack would grow straight on, and along 2, on
- * the left of it; both as they lie in the undeformed body. */
+/* The J integral at a tip of a crack, as `j_integral` of the scene defines it, and what follows
+ * from it. Components along 1, the direction in which the crack would grow straight on, and along
+ * 2, on the left of it; both in the undeformed body. */
 struct mpm_j_integral {
     size_t crack;
     bool at_start;              /* of the chain, else at its end */
@@ -387,13 +386,13 @@ struct mpm_j_integral {
                                    part of no sum of energies: growth releases it into waves */
 };
 
-/* How many the scene asks for, crack by crack in its order. */
+/* How many the scene has, crack by crack in its order. */
 size_t mpm_scene_j_integral_count(const struct mpm_scene *scene);
 
 /* The one of that index, in the state after the last step. MPM_RUN_FAILED, with the reason: its
  * contour leaves the bodies or the grid, meets another material or another crack, or does not meet
  * its own once. Works in scratch memory of the simulation: not for several threads at a time. Cost:
- * one look at each particle, two stencils of those near the contour. */
+ * one test of each particle, two stencils of those near the contour. */
 enum mpm_status mpm_simulation_j_integral(const struct mpm_simulation *simulation, size_t index,
                                           struct mpm_j_integral *value, struct mpm_error *error);
 
@@ -422,17 +421,17 @@ struct mpm_run_options {
     const char *scene_path; /* for provenance; may be NULL */
     /* Called after each step, if not NULL; `fraction` of the run done, 0..1. */
     void (*progress)(void *context, double fraction, const struct mpm_simulation *simulation);
-    /* Called with the same context for what a user should know of a run that goes on, if not NULL:
+    /* Called with the same context, if not NULL, for warnings of a run that goes on:
      * advice before the first step, growing energy when it is first seen. run.json lists both. */
     void (*warn)(void *context, const char *warning);
     void *progress_context;
 };
 
-/* Runs a scene to its end and writes run.json, history.csv and snapshots. A scene that asks for
- * rest ends there; one that has not come to rest when its time or its steps are over has failed
+/* Runs a scene to its end and writes run.json, history.csv and snapshots. A scene that requires
+ * rest ends there; one that is not at rest when its time or its steps are over has failed
  * (MPM_RUN_FAILED: an answer that has not converged must not pass for one). The energy is judged
  * before each row, each snapshot and the end. Refuses (MPM_BAD_INPUT) an output that is a file or
- * holds results. On MPM_RUN_FAILED the last good state has been written and run.json tells the
+ * holds results. On MPM_RUN_FAILED the last good state has been written and run.json has the
  * reason. */
 enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_run_options *options,
                               struct mpm_error *error);
@@ -467,7 +466,7 @@ struct mpm_shape_query {
     double cell[2];                 /* cell size */
     int64_t cells[2];               /* along each axis; 0: the grid has no edges there */
     double position[2];             /* particle centre */
-    double half_size[2];            /* undeformed half edges, l_p * cell / 2 */
+    double half_size[2];            /* half the undeformed size, l_p * cell / 2 */
     double deformation_gradient[4]; /* xx xy yx yy; used by CPDI */
 };
 

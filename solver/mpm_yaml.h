@@ -13,7 +13,7 @@
 
 enum { MPM_TREE_DEPTH_MAX = 64 };
 
-/* Where a value stands: a line of the file, the n-th --set, or the default of its key. */
+/* Where a value is: a line of the file, the n-th --set, or the default of its key. */
 enum { MPM_FROM_FILE = 0, MPM_FROM_DEFAULT = -1 };
 struct mpm_origin {
     int setting; /* MPM_FROM_FILE, MPM_FROM_DEFAULT, or 1-based index of a --set */
@@ -38,7 +38,7 @@ struct mpm_tree_node {
 
 /* Reads a file of one YAML document. MPM_BAD_INPUT "path:line: message": what is no regular file,
  * larger than 16 MiB, no UTF-8 or no YAML; an empty document, a second one, aliases, anchors, tags,
- * null characters, keys that are no scalars or stand twice, nesting past MPM_TREE_DEPTH_MAX. On
+ * null characters, keys that are no scalars or occur twice, nesting past MPM_TREE_DEPTH_MAX. On
  * failure *root is NULL. O(length log length). */
 enum mpm_status mpm_tree_read(const char *path, struct mpm_tree_node **root,
                               struct mpm_error *error);
@@ -70,7 +70,7 @@ struct mpm_range {
 
 struct mpm_choice {
     const char *name;
-    int value; /* of the enum it stands for */
+    int value; /* of the enum */
 };
 
 struct mpm_key;
@@ -82,7 +82,7 @@ struct mpm_value_kind {
     const char *name;           /* in lists of keys: "number" */
     const char *one, *two;      /* in messages: "number", "2 numbers" */
     bool ranged;                /* the key's range bounds the value */
-    const char *allowed;        /* what else is said of it: "up to 64 characters"; may be NULL */
+    const char *allowed;        /* another requirement: "up to 64 characters"; may be NULL */
     const char *(*names)(void); /* if only some names are values: "a, b"; may be NULL */
     /* What is wrong with the scalar, or NULL. */
     const char *(*fault)(const struct mpm_key *key, const struct mpm_tree_node *node);
@@ -109,7 +109,7 @@ struct mpm_key {
     enum mpm_key_shape shape;
     enum mpm_key_where where; /* geometry of scenes that the key belongs to */
     struct mpm_range range;   /* of values; for VALUES, POINTS and LIST how many */
-    const char *fallback;     /* YAML that stands in for a missing key, or NULL */
+    const char *fallback;     /* YAML used for a missing key, or NULL */
     const char *help;
     const struct mpm_key *children; /* of a GROUP or of a LIST's entries */
     const struct mpm_choice *choices;

@@ -25,7 +25,7 @@
     SUITE(law_state)                                                                               \
     SUITE(forms)                                                                                   \
     SUITE(loads)                                                                                   \
-    SUITE(given)                                                                                   \
+    SUITE(user_force)                                                                              \
     SUITE(start)                                                                                   \
     SUITE(energy_balance)                                                                          \
     SUITE(damping)                                                                                 \

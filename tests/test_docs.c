@@ -1,4 +1,4 @@
-/* The documentation: what it says to type is typed, what it links to is there, man pages and help
+/* The documentation: its commands run, its links lead to files, man pages and help
  * name the same options, and no check is left without an explanation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -41,7 +41,7 @@ static bool is_command(const char *line)
            g_str_has_prefix(line, "    python3 ");
 }
 
-/* The command that a line of the tutorial says, with the build under test, in `folder`. */
+/* The command in a line of the tutorial, with the build under test, in `folder`. */
 static struct test_command run_line(const char *line, const char *folder)
 {
     static const char BIN[] = "@bin@/";

@@ -63,7 +63,7 @@ static void list_figures(const struct budget_cost *cost, const struct budget_cos
         }
 }
 
-/* "OVER BUDGET: instructions, bytes", "better: branches", "kept"; g_free. */
+/* "OVER BUDGET: instructions, bytes", "better: branches", "met"; g_free. */
 static char *verdict_text(const struct budget_cost *cost, const struct budget_cost *stored,
                           struct tally *tally)
 {
@@ -78,7 +78,7 @@ static char *verdict_text(const struct budget_cost *cost, const struct budget_co
         tally->better++;
         return g_strconcat("better: ", under, NULL);
     }
-    return g_strdup("kept");
+    return g_strdup("met");
 }
 
 static void judge_run(const struct budget *budget, const char *name, const struct budget_cost *cost,
@@ -106,8 +106,8 @@ static void judge_run(const struct budget *budget, const char *name, const struc
 
 static void print_sum(const struct tally *tally, FILE *out)
 {
-    const size_t kept = budget_runs_count - tally->exceeded - tally->better - tally->skipped;
-    (void)fprintf(out, "budget: %zu kept, %zu better, %zu over, %zu skipped\n", kept, tally->better,
+    const size_t met = budget_runs_count - tally->exceeded - tally->better - tally->skipped;
+    (void)fprintf(out, "budget: %zu met, %zu better, %zu over, %zu skipped\n", met, tally->better,
                   tally->exceeded, tally->skipped);
     if (tally->better > 0)
         (void)fprintf(out, "budget: store the better figures with `" UPDATE_COMMAND "`\n");

@@ -17,14 +17,14 @@ struct budget_options {
     FILE *out;
 };
 
-/* Prints a table of the runs, counted and stored; *exceeded tells whether one of
+/* Prints a table of the runs, counted and stored; *exceeded: whether one of
  * them costs more than its budget, has none, or took other kernels than it was stored for.
  * A build by another compiler or for another processor has no budget: one line says so, and
  * nothing is run. Cost: 25 s. */
 enum mpm_status budget_command(const struct budget_options *options, bool *exceeded,
                                struct mpm_error *error);
 
-/* Why a budget says nothing about a build, NULL if it does; g_free. */
+/* Why a budget does not apply to a build, NULL if it does; g_free. */
 char *budget_reason_to_skip(const struct budget_build *stored, const struct budget_build *here);
 
 #endif

@@ -45,7 +45,7 @@ static const char usage[] =
 struct options {
     char *tier, *output, *kernels, *simd;
     gboolean update, functions;
-    char **groups, **rest; /* rest: what stands beside the options */
+    char **groups, **rest; /* rest: the arguments beside the options */
 };
 
 struct command {

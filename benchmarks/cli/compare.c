@@ -98,7 +98,7 @@ static void compare_rounds(const json_t *a, const json_t *b, FILE *out, struct c
     g_free(rounds_b);
 }
 
-/* Where there is no number in A, or nothing, no part of it can be said. */
+/* Where there is no number in A, or zero, there is no ratio. */
 static char *change_text(double in_a, double in_b)
 {
     if (!isfinite(in_a) || !isfinite(in_b))

@@ -47,7 +47,7 @@ char *bench_case_scene(const struct bench_context *context, const char *folder);
 /* The groups' own functions, each in the file of its name. */
 enum mpm_status bench_throughput(struct bench_context *context, struct mpm_error *error);
 enum mpm_status bench_limit(struct bench_context *context, struct mpm_error *error);
-enum mpm_status bench_pays(struct bench_context *context, struct mpm_error *error);
+enum mpm_status bench_overhead(struct bench_context *context, struct mpm_error *error);
 enum mpm_status bench_accuracy(struct bench_context *context, struct mpm_error *error);
 enum mpm_status bench_scaling(struct bench_context *context, struct mpm_error *error);
 

@@ -15,7 +15,7 @@ struct bench_console {
 
 struct bench_records;
 
-/* Says so if other programs used the machine when the run began. */
+/* Prints a line if other programs used the machine when the run began. */
 void bench_console_load(struct bench_console *console, const struct bench_records *records);
 
 /* The heading of a group. */

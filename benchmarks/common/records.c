@@ -28,7 +28,7 @@ static double memory_bytes(void)
     return (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
 }
 
-/* Processes that ran or wanted to over the last minute; NaN where the system does not tell. */
+/* Processes that ran or waited over the last minute; NaN where the system does not report it. */
 static double load(void)
 {
     char *text = NULL;

@@ -32,7 +32,7 @@ struct bench_subject {
 };
 
 /* Records with the facts of this machine and build. `rounds`: the most that a point gets.
- * "load" is the number of processes that wanted a processor when the run began. */
+ * "load" is the number of processes that ran or waited for a processor when the run began. */
 struct bench_records bench_records_make(const char *tier, const char *command, size_t rounds);
 void bench_records_clear(struct bench_records *records);
 

@@ -169,8 +169,8 @@ static enum mpm_status advance_to(struct run *run, struct mpm_simulation *simula
     return MPM_OK;
 }
 
-/* Looks are taken at the first step at or after their time: the steps stay those of a run
- * without looks. */
+/* Samples are taken at the first step at or after their time: the steps stay those of a run
+ * without samples. */
 static enum mpm_status follow(struct run *run, struct mpm_simulation *simulation,
                               struct particle_set *particles, struct mpm_error *error)
 {
@@ -238,7 +238,7 @@ static enum mpm_status visit(struct bench_context *context, struct run *run, siz
     return MPM_OK;
 }
 
-/* The run for the errors warms up, and tells how often to repeat. */
+/* The run for the errors warms up, and determines how often to repeat. */
 static enum mpm_status rehearse(struct bench_context *context, struct run *run,
                                 struct mpm_error *error)
 {

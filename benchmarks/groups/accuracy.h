@@ -34,7 +34,7 @@ struct accuracy_problem {
     const char *headline_words;              /* the headline in words */
     unsigned cells[ACCURACY_LADDER_MAX];     /* the ladder, along the body; 0 ends it */
     double end;                              /* time at which the run ends */
-    double interval;                         /* between two looks; the last one is at the end */
+    double interval;                         /* between two samples; the last one is at the end */
     /* Path of the scene; g_free. */
     char *(*scene)(const struct bench_context *context);
     /* PATH=VALUE texts of a grid with so many cells. */

@@ -1,5 +1,5 @@
 /* Manufactured motions, of the suite's cases M1, M4 and M3: displacement against the exact one at
- * the end of a run that started as the order of its update wants it (mpm_scene_lags). The run time
+ * the end of a run that started as the order of its update requires (mpm_scene_lags). The run time
  * has the body force in it: a third of the time with uGIMP.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

@@ -18,8 +18,8 @@ static const struct bench_group groups[] = {
     {"scaling", "Scaling",
      "threads at three sizes, separate runs beside them, particles per cell, empty grid",
      bench_scaling},
-    {"pays", "What a scene pays", "each feature off and on: times and counted instructions",
-     bench_pays},
+    {"overhead", "Overhead of features", "each feature off and on: times and counted instructions",
+     bench_overhead},
 };
 
 const struct bench_group *bench_groups(size_t *count)

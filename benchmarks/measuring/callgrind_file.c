@@ -18,7 +18,7 @@ struct reader {
     uint64_t totals[EVENTS], sums[EVENTS];
     bool has_totals;
     bool in_library;
-    bool after_call;                     /* the next costs are those of a callee, all told */
+    bool after_call;                     /* the next costs are those of a callee, in all */
     struct callgrind_function *function; /* the one that costs go to */
     GHashTable *functions;               /* by name */
     uint64_t own_branches;

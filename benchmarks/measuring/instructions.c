@@ -146,7 +146,7 @@ static GPtrArray *command_line(const char *valgrind, const struct instructions_r
     return words;
 }
 
-/* The program's exit status is valgrind's; what it said last tells why. */
+/* The program's exit status is valgrind's; its last message is the reason. */
 static enum mpm_status judge_end(int state, char *said, const char *scene, struct mpm_error *error)
 {
     if (WIFEXITED(state) && WEXITSTATUS(state) == 0)

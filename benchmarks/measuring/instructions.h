@@ -1,9 +1,9 @@
 /* Instructions that the steps of a scene execute, counted by valgrind's callgrind.
  *
  * Counted is what mpm_simulation_advance executes, all that it calls included; setting up
- * and writing results are not, unless asked for. The run has one thread, no environment, and sees
+ * and writing results are not, unless selected. The run has one thread, no environment, and sees
  * the scene, the program and its results under names that do not depend on where they are, so that
- * the same binary gives the same number anywhere (README.md tells how nearly).
+ * the same binary gives the same number anywhere (README.md states how nearly).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef BENCHMARKS_MEASURING_INSTRUCTIONS_H

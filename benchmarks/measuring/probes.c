@@ -105,7 +105,7 @@ enum mpm_status bench_probe_arithmetic(const void *context, struct bench_sample 
     } while (bench_clock_wall() - wall < DURATION);
     sample->cpu = bench_clock_cpu() - cpu;
     sample->wall = bench_clock_wall() - wall;
-    /* the sum is looked at so that the chains cannot be left out */
+    /* the sum is used so that the chains cannot be optimised away */
     return isfinite(sum) ? MPM_OK
                          : failure_set(error, MPM_RUN_FAILED, "the chains overflow: %g", sum);
 }

@@ -28,7 +28,7 @@ const double *bench_rates_of(const struct bench_rates *rates, size_t point);
 /* Measures the list and writes its lines: for each point a result
  * "particle_steps_per_second" in 1/s (or the probe's quantity) by the clock of the point, one
  * by the other clock ("..._wall" or "..._cpu"), a value "bytes_per_particle" and results
- * "phase_NAME" in ns a particle-step where phases are asked for, and a comparison where
+ * "phase_NAME" in ns a particle-step where phases are selected, and a comparison where
  * `against` names a point. Rigid particles do not count. The rates are handed out if `rates`
  * is not NULL. Failures of a scene are passed on with the name of the point. */
 enum mpm_status bench_measure(struct bench_context *context, const char *group, GArray *points,

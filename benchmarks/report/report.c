@@ -150,7 +150,7 @@ static enum mpm_status write_all(const char *folder, struct report *report, stru
     report_throughput(report);
     report_limit(report);
     report_accuracy(report);
-    report_pays(report);
+    report_overhead(report);
     report_scaling(report);
     enum mpm_status status = write_page(folder, report, &style, error);
     if (status == MPM_OK)

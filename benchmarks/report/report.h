@@ -7,7 +7,7 @@
 #include "mpm.h"
 
 /* Renders index.html, summary.md and figures/ of `folder` from its bench.jsonl; the same
- * lines give the same bytes. Groups that are missing are told in a sentence. MPM_BAD_INPUT:
+ * lines give the same bytes. A sentence names groups that are missing. MPM_BAD_INPUT:
  * no such results, or a line that is none (file and line). MPM_ENVIRONMENT_FAILED: gnuplot
  * is missing or a figure failed (all that can be rendered has been), or a file cannot be
  * written. */

@@ -118,7 +118,7 @@ static void add_picture(struct report *report, const struct ladder *ladder, size
                                   ladder->problem == NULL ? ladder->name : ladder->problem->title);
     const char *words = ladder->problem == NULL ? "error" : ladder->problem->headline_words;
     char *caption = g_strdup_printf(
-        "Vertical: %s. Colour and dashes tell the shape functions, markers the stress-update "
+        "Vertical: %s. Colour and dashes show the shape functions, markers the stress-update "
         "order (other transfers and the momentum form: uGIMP with MUSL); each line is one variant "
         "from its coarsest grid to its finest (other transfers and the momentum form to the one "
         "before), the thick line the Pareto front over all of them. Errors above 200 %% are not "

@@ -182,7 +182,7 @@ static void add_study(struct report *report, const struct study *study)
         document_heading(report->document, 3, study->title);
         report_add_figure(report, &(struct report_figure){study->name, "scaling", study->settings,
                                                           data, study->title, study->caption});
-        if (strcmp(study->group, "scaling") == 0) /* the others stand in a table above */
+        if (strcmp(study->group, "scaling") == 0) /* the others are in a table above */
             add_table(report, lines);
         add_unused(report, lines);
         add_limits(report, lines);

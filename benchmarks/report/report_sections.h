@@ -23,7 +23,7 @@ void report_front(struct report *report);
 void report_throughput(struct report *report);
 void report_limit(struct report *report);
 void report_accuracy(struct report *report);
-void report_pays(struct report *report);
+void report_overhead(struct report *report);
 void report_scaling(struct report *report);
 
 /* -------------------------------------------------------------------- lines */
@@ -39,7 +39,7 @@ const json_t *report_comparison(const struct report *report, const json_t *line)
 const char *report_setting(const json_t *line, const char *key);
 double report_number(const json_t *line, const char *key);
 
-/* Is there a line of the group? If not, a sentence says so. */
+/* Is there a line of the group? If not, a sentence states that. */
 bool report_has(struct report *report, const char *group, const char *what);
 
 /* -------------------------------------------------------------------- words */

@@ -65,7 +65,7 @@ void report_front(struct report *report)
 
 /* ----------------------------------------------------------------- throughput */
 
-/* The variants stand first: points that are compared with nothing and nothing with them. */
+/* The variants come first: points that are compared with nothing and nothing with them. */
 static bool is_variant(const struct report *report, const json_t *line)
 {
     return *report_setting(line, "shape") != '\0' && report_comparison(report, line) == NULL &&

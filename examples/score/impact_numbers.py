@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# The numbers that the bundle of case E1 asks for, from a table of energies over time.
+# The numbers that the bundle of case E1 requires, from a table of energies over time.
 #
 #   impact_numbers.py HISTORY.csv RESULTS.csv
 #

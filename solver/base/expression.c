@@ -157,7 +157,7 @@ static enum mpm_status report(muParserHandle_t parser, const char *text, struct 
 
 static void ignore_error(muParserHandle_t parser)
 {
-    (void)parser; /* mupError tells; without a handler muParser might print */
+    (void)parser; /* mupError has the error; without a handler muParser might print */
 }
 
 /* ---------------------------------------------------------------- creation */
@@ -182,7 +182,7 @@ static enum mpm_status prepare(struct worker *worker, const char *text, const ch
     mupSetErrorHandler(worker->parser, ignore_error);
     define_names(worker, names, has_time);
     mupSetExpr(worker->parser, text);
-    /* mupError forgets the error when asked: ask once after each call. */
+    /* mupError clears the error when it is read: read it once after each call. */
     if (mupError(worker->parser))
         return report(worker->parser, text, error);
     (void)mupEval(worker->parser);

@@ -8,7 +8,7 @@
 #include <math.h>
 
 /* The sign of the area of a triangle from its corners as they are, without round-off. For what
- * mpm_orientation cannot tell. */
+ * mpm_orientation cannot decide. */
 double mpm_orientation_exact(const double a[2], const double b[2], const double c[2]);
 
 /* Positive if a b c is counter clockwise, negative if clockwise, 0 if they are on one line: twice

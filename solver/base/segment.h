@@ -14,7 +14,7 @@ struct mpm_segment {
 /* The way from a place to the nearest point of the segment. */
 void mpm_segment_find_way(const struct mpm_segment *segment, const double place[2], double way[2]);
 
-/* Do two segments cross, or come within `near`? Crossing is told exactly, nearness but for
+/* Do two segments cross, or come within `near`? Crossing is decided exactly, nearness but for
  * round-off. */
 bool mpm_segments_meet(const struct mpm_segment *one, const struct mpm_segment *other, double near);
 

@@ -108,7 +108,7 @@ MPM_INLINE mpm_vector mpm_select(mpm_mask mask, mpm_vector yes, mpm_vector no)
     return (mpm_vector)((mask & (mpm_mask)yes) | (~mask & (mpm_mask)no));
 }
 
-/* a < b and a <= b by lanes. Registers of half the size have to be asked for: gcc takes
+/* a < b and a <= b by lanes. Registers of half the size have to be named: gcc takes
  * comparisons of longer vectors lane by lane, where it does all else in halves. */
 #ifdef __AVX__
 #define MPM_COMPARE(a, b, operator) return (a) operator(b)
@@ -197,7 +197,7 @@ MPM_INLINE mpm_vector mpm_down_to_integer(mpm_vector x, mpm_vector nearest)
     return nearest - mpm_select(mpm_less(x, nearest), mpm_splat(1.0), mpm_splat(0.0));
 }
 
-/* A whole number as an integer: its bits stand in the low end of the sum. */
+/* A whole number as an integer: its bits are the low end of the sum. */
 MPM_INLINE mpm_mask mpm_to_integer(mpm_vector whole)
 {
     const mpm_vector zero = mpm_splat(MPM_ROUNDING);

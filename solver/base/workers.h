@@ -6,7 +6,7 @@
  *
  * Helpers without an item, and worker 0 while a helper has the last one, look for a change during
  * 50 microseconds and then sleep. OMP_WAIT_POLICY=passive in the environment lets them sleep at
- * once, OMP_WAIT_POLICY=active look on without end.
+ * once, OMP_WAIT_POLICY=active search without end.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_BASE_WORKERS_H

@@ -14,7 +14,7 @@ static const char description[] =
     "particles.hdf.series, which ParaView opens. A folder that holds results is\n"
     "refused unless --overwrite is given, which removes them first.\n"
     "Results are the same for any number of threads, and for any LEVEL of SIMD. 'mpm\n"
-    "check' says which kernels and how many threads a scene gets, and why. PATH is a\n"
+    "check' states which kernels and how many threads a scene gets, and why. PATH is a\n"
     "place in the scene, such as grid.refine, materials.polymer.bulk or\n"
     "bodies.0.velocity.1; VALUE is YAML.";
 

@@ -10,8 +10,8 @@
 
 static const struct cli_command commands[] = {
     {"run", "SCENE", "Run a scene and write its results.", cli_run},
-    {"check", "SCENE", "Validate a scene and tell what running it costs.", cli_check},
-    {"info", "", "Tell version, git revision, compiler, flags, libraries, SIMD in use.", cli_info},
+    {"check", "SCENE", "Validate a scene and print what running it costs.", cli_check},
+    {"info", "", "Print version, git revision, compiler, flags, libraries, SIMD in use.", cli_info},
     {"schema", "", "Print every scene key: type, unit, default, range, one line of help.",
      cli_schema},
 };
@@ -24,7 +24,7 @@ static int print_help(void)
     for (size_t i = 0; i < G_N_ELEMENTS(commands); i++)
         (void)printf("  %-8s %-6s %s\n", commands[i].name, commands[i].operands,
                      commands[i].summary);
-    (void)puts("\n'mpm COMMAND --help' tells the options of a command, 'mpm --version' the "
+    (void)puts("\n'mpm COMMAND --help' lists the options of a command, 'mpm --version' the "
                "version.\n\n"
                "Exit status: 0 done; 2 bad usage or bad input; 3 the run failed; 4 the\n"
                "environment failed (disk, memory, file).");
@@ -67,7 +67,7 @@ static void ignore_write_signals(void)
 
 int main(int argc, char **argv)
 {
-    static char everything[1 << 18]; /* printed at the end: one call tells why it failed */
+    static char everything[1 << 18]; /* printed at the end: one call reports why it failed */
     (void)setvbuf(stdout, everything, _IOFBF, sizeof everything);
     ignore_write_signals();
     const int status = dispatch(argc, argv);

@@ -41,7 +41,7 @@ static const char *time_to_go(const struct cli_progress *progress, double fracti
 
 enum { NOTES_TEXT_SIZE = 128 };
 
-/* "  residual 2.1e-03  kinetic energy 4.0e-05" where the scene asks for rest, "  energy x 1.62"
+/* "  residual 2.1e-03  kinetic energy 4.0e-05" where the scene has `time.rest`, "  energy x 1.62"
  * once it has grown; else "". */
 static const char *notes_text(const struct mpm_simulation *simulation, char text[NOTES_TEXT_SIZE])
 {

@@ -10,7 +10,7 @@
 
 struct cli_progress {
     bool quiet, terminal;
-    bool line_open;          /* a bar stands on the terminal's line */
+    bool line_open;          /* a bar is on the terminal's line */
     gint64 start, next_draw; /* microseconds */
     int tenths;              /* reported so far */
     /* as of the last step */

@@ -124,7 +124,7 @@ static enum mpm_status add_state(const struct run *run, enum mpm_status status,
     return status;
 }
 
-/* Writes what is asked for; what is there already for this step is not written twice.
+/* Writes what is due; what is there already for this step is not written twice.
  * MPM_RUN_FAILED: all is written, but a row of the history has a quantity without a value. */
 static enum mpm_status write_results(struct run *run, bool history, bool snapshot,
                                      struct mpm_error *error)
@@ -213,7 +213,7 @@ static const char *rest_advice(const struct run *run, const struct mpm_rest *res
     return "damp more, or run longer";
 }
 
-/* A scene that asks for rest and ends without it has failed; its last state is written. */
+/* A scene with `time.rest` that ends without rest has failed; its last state is written. */
 static enum mpm_status check_rest(const struct run *run, struct mpm_error *error)
 {
     const struct mpm_rest_spec *const asked = &run->scene->rest;

@@ -132,7 +132,7 @@ void mpm_energy_measure_nodes(struct mpm_state *state, int workers)
     for (int64_t s = 0; s < state->strip_count; s++)
         energy->internal_work += state->strips[s].internal_work;
     energy->internal_work += mpm_cohesive_nodal_work(state);
-    energy->dissipated = state->damping.books.dissipated;
+    energy->dissipated = state->damping.totals.dissipated;
 }
 
 /* --------------------------------------------------------------- particles */
@@ -145,5 +145,5 @@ void mpm_energy_measure_particles(struct mpm_state *state)
     energy->particles = 0.0;
     for (int64_t s = 0; s < state->strip_count; s++)
         energy->particles += state->strips[s].kinetic_energy;
-    energy->lost -= energy->particles + state->damping.books.dissipated - energy->dissipated;
+    energy->lost -= energy->particles + state->damping.totals.dissipated - energy->dissipated;
 }

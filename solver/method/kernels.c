@@ -59,7 +59,7 @@ static void choose_reference(const struct mpm_scene *scene, const char *reason,
     choose_transfer(scene, false, choice);
 }
 
-/* Cracks and planes of symmetry look at masses of nodes before velocities are made of them. */
+/* Cracks and planes of symmetry need masses of nodes before velocities are made of them. */
 static bool reads_masses(const struct mpm_scene *scene)
 {
     bool any = scene->crack_count > 0;
@@ -76,7 +76,7 @@ static enum mpm_status choose_fast(const struct mpm_scene *scene, enum mpm_simd 
         .passes = mpm_fast_passes(scene, simd),
         .start_rows = without_forces ? mpm_row_start_from_sums : mpm_row_start_velocity,
         .name = "fast",
-        .reason = "all that the scene asks for has them; four particles at a time",
+        .reason = "all features of the scene have them; four particles at a time",
         .simd = simd_names[simd],
     };
     if (choice->passes == NULL)
@@ -88,7 +88,7 @@ static enum mpm_status choose_fast(const struct mpm_scene *scene, enum mpm_simd 
         choice->plain = choice->passes;
         choice->general = reference_passes(scene);
         choice->passes = &mpm_split_passes;
-        choice->reason = "all that the scene asks for has them; reference kernels near cracks";
+        choice->reason = "all features of the scene have them; reference kernels near cracks";
     }
     if (without_forces && reads_masses(scene)) {
         choice->gather_rows = mpm_row_gather_mass;
@@ -111,7 +111,7 @@ enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
         return mpm_error_set(error, MPM_BAD_INPUT, "kernels: fast: %s; allowed: auto, reference",
                              lacking);
     if (options->kernels == MPM_KERNELS_REFERENCE)
-        choose_reference(scene, "asked for; scalar, one particle at a time", choice);
+        choose_reference(scene, "selected; scalar, one particle at a time", choice);
     else if (lacking != NULL)
         choose_reference(scene, lacking, choice);
     else

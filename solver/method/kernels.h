@@ -7,7 +7,7 @@
 #include "method/passes.h"
 #include "model/scene.h"
 
-/* Looks the passes up for a scene. MPM_BAD_INPUT: a level of SIMD was asked for that build
+/* Looks the passes up for a scene. MPM_BAD_INPUT: a level of SIMD was selected that build
  * or machine do not have, or no set of kernels at all. */
 enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
                                    const struct mpm_simulation_options *options,

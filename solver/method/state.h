@@ -13,8 +13,8 @@
 #include "method/grid/symmetry_state.h"
 #include "method/loads/damping_state.h"
 #include "method/loads/edge_loads_state.h"
-#include "method/loads/given_force_state.h"
 #include "method/loads/rest_state.h"
+#include "method/loads/user_force_state.h"
 #include "method/passes.h"
 #include "method/shape/shape.h"
 #include "method/transfer/projection_state.h"
@@ -23,7 +23,7 @@
 #include "model/particles.h"
 #include "model/scene.h"
 
-/* Where the stress update stands in the step, as parts of the time step: the rows of
+/* Where the stress update is in the step, as parts of the time step: the rows of
  * CRAMP's Appendix, Tasks 2 and 6. */
 struct mpm_stress_order {
     const char *name;
@@ -48,7 +48,7 @@ enum mpm_failure_kind {
     MPM_RATE_REFUSED,            /* value: the particle's damping rate */
     MPM_TRACTION_NOT_FINITE,     /* value: a component of the load `load`'s value */
     MPM_TWO_CRACKS,              /* value: nothing */
-    MPM_GIVEN_FORCE_NOT_FINITE,  /* value: the caller's body force along the axis */
+    MPM_USER_FORCE_NOT_FINITE,   /* value: the caller's body force along the axis */
 };
 
 struct mpm_failure {
@@ -65,7 +65,7 @@ struct mpm_strip {
     int64_t column_low, column_high; /* box of the nodes that they reach; empty if low > high */
     int64_t row_low, row_high;
     double kinetic_energy;
-    double strain_energy;      /* when it was last asked for */
+    double strain_energy;      /* when it was last computed */
     double wave_speed_squared; /* largest */
     double external_work;      /* of body forces, or of loads on edges, in the step */
     double dissipated;         /* by damping at the particles, in a part of the step */
@@ -119,10 +119,10 @@ struct mpm_state {
     struct mpm_symmetries symmetries;
 
     const struct mpm_projection *projection; /* of the pass that runs */
-    struct mpm_given_force given_force;
+    struct mpm_user_force user_force;
     struct mpm_damping damping;
     struct mpm_energy_balance energy;
-    struct mpm_balance balance;    /* of the last step, if the scene asks for rest */
+    struct mpm_balance balance;    /* of the last step, if the scene has time.rest */
     struct mpm_row_sums *row_sums; /* per node row */
 
     double time;      /* at the start of the step */

@@ -14,8 +14,8 @@
 #include "method/grid/symmetry.h"
 #include "method/loads/damping.h"
 #include "method/loads/edge_loads.h"
-#include "method/loads/given_force.h"
 #include "method/loads/rest.h"
+#include "method/loads/user_force.h"
 #include "method/transfer/transfer.h"
 
 #include <math.h>
@@ -70,11 +70,11 @@ static void run_particles(struct mpm_state *state, int workers, mpm_pass *pass)
 
 /* ------------------------------------------------------------------ sorting */
 
-void mpm_step_sort(struct mpm_state *state, unsigned char *kept, double seconds[MPM_PHASE_COUNT])
+void mpm_step_sort(struct mpm_state *state, unsigned char *saved, double seconds[MPM_PHASE_COUNT])
 {
     double mark = seconds_now();
     struct mpm_particles *const particles = &state->particles;
-    mpm_particles_sort(particles, &state->grid, state->sort_size, state->sort_counts, kept);
+    mpm_particles_sort(particles, &state->grid, state->sort_size, state->sort_counts, saved);
     size_t p = 0;
     for (int64_t s = 0; s < state->strip_count; s++) {
         struct mpm_strip *const strip = &state->strips[s];
@@ -171,7 +171,7 @@ static enum mpm_status begin(struct mpm_state *state, int workers, bool uniform_
 static void spread(struct mpm_state *state, int workers)
 {
     run_particles(state, workers, state->kernels.passes->to_grid);
-    mpm_given_force_spread(state, workers);
+    mpm_user_force_spread(state, workers);
     if (state->kernels.gather_rows != NULL)
         mpm_grid_rows_run(state, state->kernels.gather_rows);
     mpm_crack_detection_measure(state, workers);
@@ -202,7 +202,7 @@ static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_for
     mpm_mirrors_apply_end(state);
     if (uniform_force)
         state->external_work += uniform_work(state);
-    state->external_work += mpm_given_force_work(state);
+    state->external_work += mpm_user_force_work(state);
     return MPM_OK;
 }
 
@@ -242,7 +242,7 @@ static void add_loads(struct mpm_state *state, int workers, bool varying_force)
     if (varying_force)
         run_particles(state, workers, mpm_pass_body_force);
     mpm_edge_loads_spread(state, workers);
-    mpm_given_force_add(state);
+    mpm_user_force_add(state);
     mpm_cohesive_spread(state);
     mpm_symmetries_reflect_force(state);
 }

@@ -17,7 +17,7 @@ enum mpm_phase {
 };
 extern const char *const mpm_phase_names[MPM_PHASE_COUNT];
 
-/* Advances the state by state->time_step. MPM_RUN_FAILED: state->failure says why, or
+/* Advances the state by state->time_step. MPM_RUN_FAILED: state->failure states why, or
  * the error does if two rigid bodies contradict each other; the state is then of no
  * use. */
 enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHASE_COUNT],
@@ -26,8 +26,8 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
 enum { MPM_STEPS_BETWEEN_SORTS = 32 };
 
 /* Puts the particles in cell order and gives every strip its share; also after any
- * change of positions from outside. Leaves a copy of what cannot be recomputed in `kept`. */
-void mpm_step_sort(struct mpm_state *state, unsigned char *kept, double seconds[MPM_PHASE_COUNT]);
+ * change of positions from outside. Leaves a copy of what cannot be recomputed in `saved`. */
+void mpm_step_sort(struct mpm_state *state, unsigned char *saved, double seconds[MPM_PHASE_COUNT]);
 
 /* Failures that strips have recorded, in state->failure; MPM_RUN_FAILED if there is one. */
 enum mpm_status mpm_step_collect(struct mpm_state *state);

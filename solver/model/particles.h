@@ -27,7 +27,7 @@ enum mpm_particle_use {
     MPM_USE_ORIGINS = 16,     /* see crack_detection.h */
     MPM_USE_KEPT_STRESS = 32, /* stress is not a function of F to the last bit */
     MPM_USE_LAW_STATE = 64,   /* laws with state variables */
-    MPM_USE_GIVEN_FORCE = 128,
+    MPM_USE_USER_FORCE = 128,
 };
 
 /* State variables of a law, at most: two tensors of four components and two scalars. */
@@ -67,8 +67,8 @@ enum { MPM_LAW_STATES = 10 };
 #define MPM_STEP_PARTICLE_FIELDS(ROW) /* of a step, not sorted: the sort works in their memory */  \
     ROW(CARRIED, double, carried, [2], LENGTH, MPM_USE_DEFORMABLE, 0, 0, "carried",                \
         "position at the end of the step, known before its last task")                             \
-    ROW(GIVEN_FORCE, double, given_force, [2], ACCELERATION, MPM_USE_GIVEN_FORCE, 0, 0,            \
-        "given_force", "body force of the step that a caller gives; see given_force.h")
+    ROW(USER_FORCE, double, user_force, [2], ACCELERATION, MPM_USE_USER_FORCE, 0, 0, "user_force", \
+        "user force of the step, per mass; see user_force.h")
 #define MPM_PARTICLE_FIELDS(ROW)                                                                   \
     MPM_WRITTEN_PARTICLE_FIELDS(ROW)                                                               \
     MPM_INNER_PARTICLE_FIELDS(ROW)                                                                 \

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/cracks/crack_fields.h"
+#include "method/fields/fields.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@ void mpm_simulation_count_step(struct mpm_simulation *simulation)
 }
 
 /* Keeps the message for good and goes back to the last good state: that after `step`, unless the
- * energy of one of the steps before, which nobody has looked at, is unsound already. */
+ * energy of one of the steps before, which nothing has judged, is unsound already. */
 static enum mpm_status fail(struct mpm_simulation *simulation, uint64_t step,
                             struct mpm_error *error)
 {
@@ -129,7 +129,7 @@ size_t mpm_simulation_particle_count(const struct mpm_simulation *simulation)
 
 size_t mpm_simulation_bytes(const struct mpm_simulation *simulation)
 {
-    return simulation->arena.capacity + simulation->given.capacity + sizeof *simulation +
+    return simulation->arena.capacity + simulation->user_force.capacity + sizeof *simulation +
            simulation->state.conditions.count * sizeof *simulation->state.conditions.list;
 }
 

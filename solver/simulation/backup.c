@@ -8,24 +8,24 @@
 enum { OPENING_ARRAYS = 3 };
 static void opening_arrays(const struct mpm_crack_openings *openings,
                            const struct mpm_backup *backup, double *now[OPENING_ARRAYS],
-                           double *kept[OPENING_ARRAYS])
+                           double *saved[OPENING_ARRAYS])
 {
     for (int axis = 0; axis < 2; axis++) {
         now[axis] = openings->vector[axis];
-        kept[axis] = backup->crack_opening[axis];
+        saved[axis] = backup->crack_opening[axis];
     }
     now[2] = openings->largest;
-    kept[2] = backup->largest_opening;
+    saved[2] = backup->largest_opening;
 }
 
 static void copy_openings(struct mpm_simulation *simulation, bool back)
 {
     const struct mpm_cracks *const cracks = &simulation->state.cracks;
-    double *now[OPENING_ARRAYS], *kept[OPENING_ARRAYS];
-    opening_arrays(&cracks->openings, &simulation->backup, now, kept);
+    double *now[OPENING_ARRAYS], *saved[OPENING_ARRAYS];
+    opening_arrays(&cracks->openings, &simulation->backup, now, saved);
     for (int k = 0; k < OPENING_ARRAYS; k++)
         if (now[k] != NULL)
-            memcpy(back ? now[k] : kept[k], back ? kept[k] : now[k],
+            memcpy(back ? now[k] : saved[k], back ? saved[k] : now[k],
                    cracks->point_count * sizeof(double));
 }
 
@@ -61,7 +61,7 @@ void mpm_backup_save(struct mpm_simulation *simulation)
     backup->external_work = state->external_work;
     backup->largest_work = simulation->largest_work;
     backup->sudden_energy = state->sudden_energy;
-    backup->damping = state->damping.books;
+    backup->damping = state->damping.totals;
     backup->energy = state->energy;
     backup->wave_speed = simulation->wave_speed;
     backup->step = simulation->step;
@@ -82,7 +82,7 @@ static void copy_back(struct mpm_simulation *simulation)
     state->external_work = backup->external_work;
     simulation->largest_work = backup->largest_work;
     state->sudden_energy = backup->sudden_energy;
-    state->damping.books = backup->damping;
+    state->damping.totals = backup->damping;
     state->energy = backup->energy;
     simulation->wave_speed = backup->wave_speed;
     simulation->step = backup->step;
@@ -109,7 +109,7 @@ void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step)
     for (int64_t s = 0; s < state->strip_count; s++)
         state->strips[s].failure = (struct mpm_failure){0};
     mpm_step_recompute(state);
-    /* stress, where it is kept: not from F by the one kernel */
+    /* stress, where it is saved: not from F by the one kernel */
     mpm_particles_put_back(&state->particles, backup->particles);
     while (simulation->step < step)
         mpm_backup_repeat(simulation);

@@ -66,7 +66,8 @@ static struct place find_edge(const struct mpm_scene *scene, const struct mpm_cr
     return inside;
 }
 
-/* Looks along the chain from one of its ends. False: it begins inside, or is outside as a whole. */
+/* Searches along the chain from one of its ends. False: it begins inside, or is outside as a whole.
+ */
 static bool find_mouth(const struct mpm_scene *scene, const struct mpm_crack_spec *spec, int end,
                        struct place *mouth)
 {

@@ -1,7 +1,7 @@
 /* The points of a crack's chain at t = 0: those of the scene, with others between them.
  *
  * Each segment of the scene is cut into equal parts no longer than the crack's spacing. A crack
- * whose surfaces are followed and that begins (ends) outside of all deformable bodies has a mouth:
+ * whose opening is tracked and that begins (ends) outside of all deformable bodies has a mouth:
  * the first (last) place on the chain that is in one, edges included. The mouth is a point of the
  * chain as well: unless there is one within 1e-6 of a part, its segment is cut there first.
  * Cohesive cracks are not cut: they must have a point on the edge, which is then the mouth.

@@ -1,4 +1,4 @@
-/* What cracks add to the history: one row of the table below is a column for each crack that asks
+/* What cracks add to the history: one row of the table below is a column for each crack that has
  * for it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -32,7 +32,7 @@ static size_t last_of(const struct mpm_simulation *simulation, size_t crack)
 }
 
 /* That of its mouth, or of the end that it has now. The piece outside of the body does not follow
- * its surfaces, and has no say in the mouth's normal. */
+ * its surfaces, and does not enter the mouth's normal. */
 static struct mpm_crack_gap gap_at_end(const struct mpm_simulation *simulation, size_t crack,
                                        int end)
 {
@@ -147,7 +147,7 @@ static const struct quantity {
 enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
 
 /* The quantity that `index` counts to, crack by crack, and its crack; NULL past the last one. With
- * SIZE_MAX, *crack and *counted tell of all. */
+ * SIZE_MAX, *crack and *counted are those of all. */
 static const struct quantity *find(const struct mpm_scene *scene, size_t index, size_t *crack,
                                    size_t *counted)
 {

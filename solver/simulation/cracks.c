@@ -32,7 +32,7 @@ static size_t nodes_around(const struct mpm_state *state, size_t layers)
 
 /* Particles that reach such nodes: twice as many as the nodes have in their cells, since bodies may
  * be compressed there, and no more than there are. */
-static size_t particles_kept(const struct mpm_state *state)
+static size_t particles_listed(const struct mpm_state *state)
 {
     int most = 0;
     for (size_t k = 0; k < state->scene->body_count; k++) {
@@ -118,7 +118,7 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
         cracks->position[axis] = MPM_TAKE(arena, double, cracks->point_count);
     cracks->held = MPM_TAKE(arena, uint8_t, cracks->point_count);
     mpm_crack_map_layout(state, nodes_around(state, state->scene->crack_count), arena);
-    state->fields.use_capacity = particles_kept(state);
+    state->fields.use_capacity = particles_listed(state);
     mpm_crack_fields_layout(state, arena);
 }
 

@@ -468,7 +468,7 @@ void mpm_simulation_free(struct mpm_simulation *simulation)
     free(state->conditions.boundary_velocity);
     free(state->conditions.body_velocity);
     free(state->conditions.list);
-    mpm_arena_free(&simulation->given);
+    mpm_arena_free(&simulation->user_force);
     mpm_arena_free(&simulation->arena);
     free(simulation);
 }

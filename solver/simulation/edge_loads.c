@@ -2,7 +2,7 @@
  *
  * A load on a face of a body acts on the edges on that side of those particles that have no
  * neighbour of the same body there: whether the lattice site beyond the edge belongs to the body,
- * as created. Faces that do not follow the lattice become stairs. The axis r = 0 is no face.
+ * as created. Faces across the lattice become staircase approximations. The axis r = 0 is no face.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/loads/edge_loads.h"
@@ -33,7 +33,7 @@ struct finder {
     const struct mpm_state *state;
     double half[2];
     uint32_t id;                 /* of the site in hand, or of the first one of the body */
-    size_t load;                 /* the one that is looked for, or all */
+    size_t load;                 /* the one that is searched, or all */
     size_t count;                /* of edges found */
     struct mpm_edge_site *sites; /* NULL: only counts */
 };
@@ -168,7 +168,7 @@ enum mpm_status mpm_edge_loads_fill(struct mpm_simulation *simulation, struct mp
     return MPM_OK;
 }
 
-/* Values at t = 0 must be finite. Particles still stand in creation order, as the sites do. */
+/* Values at t = 0 must be finite. Particles are still in creation order, as the sites do. */
 enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulation,
                                            struct mpm_error *error)
 {

@@ -102,7 +102,7 @@ static double total_energy(struct mpm_simulation *simulation,
     for (int64_t s = 0; s < state->strip_count; s++)
         strain += state->strips[s].strain_energy;
     mpm_cohesive_energies(state, &stored, &dissipated);
-    return mpm_kinetic_energy(state) + strain + state->damping.books.dissipated + stored +
+    return mpm_kinetic_energy(state) + strain + state->damping.totals.dissipated + stored +
            dissipated;
 }
 
@@ -174,7 +174,7 @@ enum mpm_status mpm_energy_judge(struct mpm_simulation *simulation, struct mpm_e
 bool mpm_energy_is_in_doubt(const struct mpm_simulation *simulation)
 {
     const double known =
-        mpm_kinetic_energy(&simulation->state) + simulation->state.damping.books.dissipated;
+        mpm_kinetic_energy(&simulation->state) + simulation->state.damping.totals.dissipated;
     return !(known <= energy_at(simulation, FACTOR_UNSTABLE)) || !isfinite(known);
 }
 

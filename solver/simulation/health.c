@@ -31,7 +31,7 @@ static enum mpm_cause cause_of(enum mpm_failure_kind kind)
         [MPM_RATE_REFUSED] = MPM_CAUSE_DAMPING,
         [MPM_TRACTION_NOT_FINITE] = MPM_CAUSE_LOAD,
         [MPM_TWO_CRACKS] = MPM_CAUSE_CRACK,
-        [MPM_GIVEN_FORCE_NOT_FINITE] = MPM_CAUSE_LOAD,
+        [MPM_USER_FORCE_NOT_FINITE] = MPM_CAUSE_LOAD,
     };
     return causes[kind];
 }
@@ -82,7 +82,7 @@ static void describe(const struct mpm_simulation *simulation, const struct mpm_f
     case MPM_TWO_CRACKS:
         (void)snprintf(text, size, "reaches a node past two cracks; allowed: past one");
         return;
-    case MPM_GIVEN_FORCE_NOT_FINITE:
+    case MPM_USER_FORCE_NOT_FINITE:
         (void)snprintf(text, size, "is given a body force that is not finite: %g along %s",
                        failure->value, name);
         return;

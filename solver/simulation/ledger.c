@@ -37,7 +37,7 @@ void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_l
         .time = simulation->state.time,
         .step = simulation->step,
         .external_work = simulation->state.external_work,
-        .damping_dissipation = simulation->state.damping.books.dissipated,
+        .damping_dissipation = simulation->state.damping.totals.dissipated,
         .j_min = HUGE_VAL,
         .j_max = -HUGE_VAL,
     };

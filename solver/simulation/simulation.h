@@ -1,4 +1,4 @@
-/* A running simulation: the state that a step works on, the clock, the books, and the
+/* A running simulation: the state that a step works on, the clock, the ledger, and the
  * last good state.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -31,14 +31,14 @@ struct mpm_backup {
     struct mpm_crack_tip *tips; /* these and the extents of chains: with J integrals */
     struct mpm_chain_extent *extents;
     double time, external_work, largest_work, sudden_energy, wave_speed;
-    struct mpm_damping_books damping;
+    struct mpm_damping_totals damping;
     struct mpm_energy_balance energy;
     uint64_t step;
     double time_steps[MPM_STEPS_BETWEEN_SORTS]; /* of the steps since, */
     double times[MPM_STEPS_BETWEEN_SORTS];      /* and where they ended */
 };
 
-/* What a simulation remembers of its way to rest; all zero if its scene does not ask for it. */
+/* The progress of a simulation to rest; all zero if its scene has no time.rest. */
 struct mpm_rest_watch {
     int64_t steps_at_rest; /* in a row */
     double largest_energy; /* kinetic and strain energy, so far */
@@ -50,7 +50,7 @@ struct mpm_rest_watch {
 struct mpm_simulation {
     const struct mpm_scene *scene;
     struct mpm_arena arena;
-    struct mpm_arena given; /* of a caller's body force; empty without */
+    struct mpm_arena user_force; /* of a user force; empty without */
     struct mpm_state state;
     struct mpm_backup backup;
     struct mpm_crack_tip *tips; /* per J integral of the scene; NULL without */
@@ -72,7 +72,7 @@ struct mpm_simulation {
 };
 
 /* time_step.c: the next step from the Courant number and what is fastest now, waves in the
- * deformed material or particles, or the fixed one; shortened to land on `limit`. *lands tells
+ * deformed material or particles, or the fixed one; shortened to land on `limit`. *lands:
  * whether it does. */
 double mpm_time_step_next(const struct mpm_simulation *simulation, double limit, bool *lands);
 /* Speed of the fastest particle of first..end - 1. */
@@ -113,7 +113,7 @@ enum mpm_status mpm_health_refuse_start(const struct mpm_simulation *simulation,
                                         struct mpm_error *error);
 
 /* damping.c: what the scene damps, and its memory; rates that are not allowed at t = 0 are
- * refused with MPM_BAD_INPUT once the particles stand and the first time step is known. */
+ * refused with MPM_BAD_INPUT once the particles are placed and the first time step is known. */
 enum mpm_status mpm_damping_create(struct mpm_simulation *simulation, const char *const names[2],
                                    struct mpm_error *error);
 void mpm_damping_layout(struct mpm_state *state, struct mpm_arena *arena);
@@ -136,20 +136,20 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena);
 void mpm_cracks_fill(struct mpm_state *state);
 
 /* symmetries.c: planes of symmetry, MPM_BAD_INPUT where a body force acts across one; their inner
- * sides and the cracks on them, once particles and cracks stand: MPM_BAD_INPUT where bodies are on
- * both sides, or a crack meets a plane. */
+ * sides and the cracks on them, once particles and cracks are placed: MPM_BAD_INPUT where bodies
+ * are on both sides, or a crack meets a plane. */
 enum mpm_status mpm_symmetries_create(struct mpm_simulation *simulation, struct mpm_error *error);
 enum mpm_status mpm_symmetries_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 
-/* j_integrals.c: their memory; their tips, once the particles stand: MPM_BAD_INPUT where a contour
- * is not one. */
+/* j_integrals.c: their memory; their tips, once the particles are placed: MPM_BAD_INPUT where a
+ * contour is not one. */
 void mpm_j_integrals_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);
 enum mpm_status mpm_j_integrals_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 /* The value of one now; MPM_RUN_FAILED with MPM_CAUSE_J_INTEGRAL where it has none. */
 enum mpm_status mpm_j_integral_evaluate(const struct mpm_simulation *simulation, size_t index,
                                         struct mpm_j_value *value, struct mpm_error *error);
 
-/* openings.c: points of which surfaces are kept: all of the scene's cracks, or none. */
+/* openings.c: points of which surfaces are tracked: all of the scene's cracks, or none. */
 size_t mpm_openings_points(const struct mpm_state *state);
 /* Their memory; what does not change. MPM_BAD_INPUT: a plane of symmetry holds the crack; a
  * cohesive crack that passes the edge of a body between two points. */
@@ -160,7 +160,7 @@ enum mpm_status mpm_openings_check_start(const struct mpm_simulation *simulation
                                          struct mpm_error *error);
 
 /* crack_growth.c: points that a chain may get at one of its ends; growth after a step,
- * MPM_RUN_FAILED where J has no value or there is no room; what of it a step changes, kept and put
+ * MPM_RUN_FAILED where J has no value or there is no room; what of it a step changes, saved and put
  * back. */
 size_t mpm_crack_room(const struct mpm_scene *scene, size_t crack, bool at_start);
 enum mpm_status mpm_cracks_grow(struct mpm_simulation *simulation, struct mpm_error *error);

@@ -89,7 +89,7 @@ static const struct row {
 };
 enum { ROWS = sizeof rows / sizeof rows[0] };
 
-/* The features that stand for a scene's choices, as bits. */
+/* The features that represent a scene's choices, as bits. */
 struct features {
     unsigned bits;
     bool exact; /* the choice itself has been measured, not only its neighbours */
@@ -192,7 +192,7 @@ struct mpm_stability mpm_scene_stability(const struct mpm_scene *scene)
     return found;
 }
 
-/* The least Courant number tried. A limit of 0 says that it was too large; of those below, nothing
+/* The least Courant number tried. A limit of 0 means that it was too large; of those below, nothing
  * is known. */
 static const double LEAST_TRIED = 0.1;
 

@@ -7,9 +7,9 @@
  * this part, and in two equal ones if it is shorter than two steps: no sliver is left. */
 static const double LANDING_SLACK = 1e-9;
 
-/* Particles below half the wave speed are looked at now and then: in bodies that waves outrun by
- * far, a look in each step would cost some percent of it. Should one of them get too fast between
- * two looks, the run fails as soon as it outruns a cell. */
+/* Particles below half the wave speed are checked now and then: in bodies that waves outrun by
+ * far, a check in each step would cost some percent of it. Should one of them get too fast between
+ * two checks, the run fails as soon as it outruns a cell. */
 enum { STEPS_BETWEEN_LOOKS = 32 };
 
 double mpm_particle_speed(const struct mpm_particles *particles, size_t first, size_t end)
@@ -30,7 +30,7 @@ static double fastest_wave(const struct mpm_state *state)
     return sqrt(square);
 }
 
-/* Looks at the particles of a strip only if its kinetic energy could make one of them as fast. */
+/* Checks the particles of a strip only if its kinetic energy could make one of them as fast. */
 static double fastest_particle(const struct mpm_simulation *simulation, double wave_speed)
 {
     const struct mpm_state *const state = &simulation->state;

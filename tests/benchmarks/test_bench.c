@@ -287,7 +287,7 @@ static char *folder_with(double figure, double round)
     char *folder = test_folder_create();
     struct mpm_error error;
     struct bench_records records = bench_records_make("quick", "mpm-bench run", 9);
-    const struct bench_subject subject = {"pays", "plain", NULL};
+    const struct bench_subject subject = {"overhead", "plain", NULL};
     const double rounds[] = {round, round, round, round, round};
     (void)bench_records_value(&records, &subject, "branches", "1", figure);
     (void)bench_records_result(&records, &subject, "rate", "1/s", rounds, G_N_ELEMENTS(rounds));

@@ -30,7 +30,7 @@ class Browser {
     });
     this.child.on("exit", () => this.fail(new Error("the browser ended")));
     this.child.on("error", (error) => this.fail(error));
-    this.child.stdio[3].on("error", () => {}); /* told by exit */
+    this.child.stdio[3].on("error", () => {}); /* reported by exit */
     this.child.stdio[4].setEncoding("utf8");
     this.child.stdio[4].on("data", (text) => this.take(text));
   }
@@ -86,7 +86,7 @@ class Browser {
   }
 }
 
-/* What the console, the network and the page itself had to say of a page. */
+/* Messages of the console, the network and the page itself. */
 const COMPLAINTS = {
   "Runtime.exceptionThrown": ({ exceptionDetails: d }) =>
     `exception: ${(d.exception && d.exception.description) || d.text}`,
@@ -122,7 +122,7 @@ class Tab {
       this.loaded = resolve;
       timer = setTimeout(() => reject(new Error(`${url}: not loaded in ${ANSWER_MS / 1000} s`)), ANSWER_MS);
     });
-    loaded.catch(() => {}); /* told by the await below, unless the navigation failed before */
+    loaded.catch(() => {}); /* reported by the await below, unless the navigation failed before */
     try {
       const { errorText } = await this.send("Page.navigate", { url });
       if (errorText) throw new Error(`${url}: ${errorText}`);

@@ -1,4 +1,4 @@
-/* What is looked at within a page: the text of these functions is evaluated there. Each gives a
+/* What is checked within a page: the text of these functions is evaluated there. Each gives a
  * list of complaints, none if all is well.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

@@ -20,7 +20,7 @@ const { faults, spoiledCopy } = require("./faults.js");
 
 const WIDTHS = [360, 768, 1440];
 const SCHEMES = ["light", "dark"];
-/* Cases whose pages are looked at in full: few and many checks, pictures, a comparison, failures told.
+/* Cases whose pages are checked in full: few and many checks, pictures, a comparison, failures reported.
  * All others are loaded, and their links followed. */
 const SAMPLE = ["R1", "S2", "W1", "G1", "D2"];
 const inSample = (page) => SAMPLE.some((name) => page.startsWith(`cases/${name}/`));
@@ -84,7 +84,7 @@ class Test {
     this.judge(`${page}: axe, ${scheme}`, found);
   }
 
-  /* All that is looked at on one page. */
+  /* All checks of one page. */
   async whole(tab, page, pictures = null) {
     await this.load(tab, page);
     await this.sort(tab, page);
@@ -132,7 +132,7 @@ class Test {
 /* A report that holds part of the catalogue must not pass for one that holds it all. */
 function missing(pages) {
   return SAMPLE.map((name) => `cases/${name}/index.html`).filter((page) => !pages.includes(page))
-    .map((page) => `${page} is to be looked at in full, and is not there`);
+    .map((page) => `${page} is to be checked in full, and is not there`);
 }
 
 async function testReport(browser, folder, axe, pictures, top) {

@@ -5,16 +5,16 @@
                       [--seed N] [--jobs N] [--output DIR]
 
 OLD and NEW are folders with the programs `mpm` and `mpm-verify`. Three parts, all of them unless some
-are asked for:
+are selected:
 
 suite   `mpm-verify run` with both programs: every quantity and every curve that a report shows.
         Quantities that count time or instructions are left out.
 scenes  `mpm run` of each scene of the catalogue with the settings of each variant of the CI tier, of
-        the kept scenes and of those of the benchmarks: every byte of histories, every dataset and
+        the regression scenes and of those of the benchmarks: every byte of histories, every dataset and
         attribute of snapshots but those that name the build. With --steps, so many steps of each.
 random  `mpm run` of so many random scenes (tests/scene_generator), fast and reference kernels.
 
-Results of OLD are kept in the output folder and used again as long as its program `mpm-verify` is the
+Results of OLD are stored in the output folder and used again as long as its program `mpm-verify` is the
 same. Exit status: 0 the same bits; 1 a difference; 2 bad usage. The last line is
 `N passed, N failed, N skipped`.
 
@@ -146,7 +146,8 @@ def runs_of_scenes(programs, glob, steps):
                 options = [word for setting in settings + steps for word in ("--set", setting)]
                 yield f"{case['case']}/{variant}/{scene.stem}", scene, options, programs
     if glob == "*":
-        others = [*ROOT.glob("tests/scenes/good/*.yaml"), *ROOT.glob("tests/scene_generator/kept/*.yaml"),
+        others = [*ROOT.glob("tests/scenes/good/*.yaml"),
+                  *ROOT.glob("tests/scene_generator/regression/*.yaml"),
                   *ROOT.glob("benchmarks/scenes/*.yaml")]
         for scene in sorted(others):
             for kernels in ("auto", "reference"):
@@ -277,7 +278,7 @@ def parse():
 
 
 def main():
-    """Compares the parts that are asked for."""
+    """Compares the selected parts."""
     arguments = parse()
     programs = [str(folder / "mpm") for folder in (arguments.old, arguments.new)]
     passed = failed = skipped = 0

@@ -6,7 +6,7 @@
     mutants.py run --operators N          try N mutants made by exchanging operators
 
 See README.md beside this file. Exit status: 0 all is well; 1 a mutant that is not equivalent
-survives and the score is below what is asked, or one said to be equivalent is not; 2 bad usage.
+survives and the score is below what is required, or one declared equivalent is not; 2 bad usage.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -121,11 +121,11 @@ def verdict(results):
     unbuilt = [r["name"] for r in results if r["outcome"] == "not-built" and r["kind"] != "operator"]
     survivors = [r["name"] for r in results if r["outcome"] == "survived"]
     reached = table.score(results)
-    for what, names in (("survived", survivors), ("said to be equivalent, and killed", wrong),
+    for what, names in (("survived", survivors), ("declared equivalent, and killed", wrong),
                         ("not built", unbuilt)):
         if names:
             say(f"{what}: {', '.join(names)}")
-    say(f"score {reached:.1f} %; asked {ASKED:g} %")
+    say(f"score {reached:.1f} %; required {ASKED:g} %")
     return 1 if wrong or unbuilt or reached < ASKED else 0
 
 

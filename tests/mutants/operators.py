@@ -12,7 +12,7 @@ import re
 
 from mutant_files import Mutant
 
-# what stands there, what replaces it; the first group is what is replaced
+# what is there, what replaces it; the first group is what is replaced
 EXCHANGES = (
     (r"[\w\])] (\+) [\w(]", "-"),
     (r"[\w\])] (-) [\w(]", "+"),

@@ -56,7 +56,7 @@ def suites(folder):
 
 
 def build(folder, jobs, limit):
-    """The end of what make said if it failed, else ''. Warnings do not count: a mutant may leave
+    """The end of make's output if it failed, else ''. Warnings do not count: a mutant may leave
     something unused."""
     said, status = command(folder, ["make", f"-j{jobs}", "WERROR="], limit)
     if status == 0:

@@ -1,4 +1,4 @@
-"""A scene that is judged: its runs, and what invariants ask about it.
+"""A scene that is judged: its runs, and what invariants need to know about it.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -30,19 +30,19 @@ class Discarded(Exception):
 
 
 class Case:
-    """A scene, its runs as they are needed, and what invariants ask about it."""
+    """A scene, its runs as they are needed, and what invariants need to know about it."""
 
     def __init__(self, runner, schema, scene):
         self.runner, self.schema, self.scene = runner, schema, copy.deepcopy(scene)
-        self.kept = {}
+        self.made = {}
         if self.measures_losses:
             self.scene.setdefault("output", {}).setdefault(BALANCE, True)
 
     def once(self, name, make):
-        """What `make` returns, made when it is first asked for."""
-        if name not in self.kept:
-            self.kept[name] = make()
-        return self.kept[name]
+        """What `make` returns, made when it is first needed."""
+        if name not in self.made:
+            self.made[name] = make()
+        return self.made[name]
 
     # ------------------------------------------------------------------------- runs
     @property
@@ -68,12 +68,12 @@ class Case:
     # -------------------------------------------------------------------- questions
     @property
     def measures_losses(self):
-        """Can a scene ask for what is lost between particles and nodes?"""
+        """Can a scene measure what is lost between particles and nodes?"""
         return self.schema.child("output").child(BALANCE) is not None
 
     @property
     def hides_losses(self):
-        """Has the scene been drawn not to ask for them?"""
+        """Has the scene been drawn without them?"""
         return self.measures_losses and not self.scene["output"][BALANCE]
 
     @property

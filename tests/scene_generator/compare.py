@@ -32,7 +32,7 @@ NUMBERS = ("kinetic_energy", "strain_energy", "external_work", "total_energy",
 
 class Difference:
     """The largest difference of two answers and where it is: positions in cells, velocities in
-    parts of the largest one, deformation gradients, energies in parts of the largest one."""
+    parts of the largest one, deformation gradients, energies as fractions of the largest one."""
 
     def __init__(self, parts):
         self.parts = parts

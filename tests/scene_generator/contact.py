@@ -94,7 +94,7 @@ def another_crack_beside_changes_nothing(case):
 
 
 def detections_agree(case):
-    """A crack closes alike whatever tells that its surfaces touch."""
+    """A crack closes alike however contact of its surfaces is detected."""
     if not is_pressed(case) or case.base.status != 0 or len(case.cracks) != 1:
         return False
     found = {}

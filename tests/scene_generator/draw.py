@@ -1,8 +1,8 @@
 """Draws scenes: Hypothesis strategies made from the schema.
 
 `draw_scene` walks through the schema and draws a value for each key from its kind, range, choices
-and unit: a key that is new in the schema is drawn without being told. The tables of `meaning.py`
-stand in where a key has a meaning that its kind does not tell, such as a region that must lie in
+and unit: a key that is new in the schema is drawn automatically. The tables of `meaning.py`
+apply where a key has a meaning that its kind does not state, such as a region that must lie in
 the grid, and list the keys that are left out, with the reason.
 
 All lengths, times and masses are near 1: a cell, the time of a wave through a cell, a cell's mass.

@@ -39,7 +39,7 @@ def draw_material_count(canvas):
 
 
 def draw_name(canvas, _):
-    """Names that tell apart: m0, m1."""
+    """Distinct names: m0, m1."""
     return f"m{canvas.path[-1]}"
 
 
@@ -60,7 +60,7 @@ def draw_poisson(canvas, _):
 
 
 def draw_modulus(canvas, _):
-    """Bulk and shear modulus stand in for the other pair."""
+    """Bulk and shear modulus replace the other pair."""
     return canvas.pick([1, 2, 5]) if canvas.notes["by_bulk"] else ABSENT
 
 

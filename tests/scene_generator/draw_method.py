@@ -60,7 +60,7 @@ def draw_transfer(canvas, key):
 
 
 def draw_crack_method(canvas, key):
-    """Goes with cracks; surfaces are followed with fields only."""
+    """Goes with cracks; openings are tracked with fields only."""
     cracks = canvas.scene.get("cracks", [])
     followed = any("opening" in crack or "cohesive" in crack or "j_integral" in crack
                    for crack in cracks)

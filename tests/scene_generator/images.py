@@ -34,7 +34,7 @@ def same_answer(case, scene, motion=Motion(), options=(), what="the other run"):
         return True
     response = case.once("response", lambda: shaken_response(case))
     if response is None:
-        return False  # the scene stands on the edge of failing: nothing is known about round-off
+        return False  # the scene is about to fail: nothing is known about round-off
     if case.touching and response >= 0.1 * off.size:
         return False  # a decision of contact hangs by a thread
     require(off.size <= compare.allowed(response), f"{what} differs: {off}; allowed: "

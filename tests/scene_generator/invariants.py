@@ -16,7 +16,7 @@ from images import (bodies_in_another_order, cracks_in_another_order,
 from motion import (an_unloaded_body_stays_at_rest, conditions_hold_at_every_node,
                     half_the_step_halves_the_error)
 
-# Cheapest first. What a run must fulfil before others are asked comes first of all.
+# Cheapest first. What a run must fulfil before others are evaluated comes first of all.
 ALWAYS = [runs_end_as_promised, no_blow_up_passes_for_a_result, the_ledger_closes_in_every_step,
           momentum_changes_by_external_forces, work_needs_motion]
 SOMETIMES = [moved_by_whole_cells, mirrored_along_x, mirrored_along_y, turned_by_a_right_angle,

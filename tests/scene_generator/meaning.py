@@ -1,4 +1,4 @@
-"""What a scene's keys mean where their kind does not tell: tables for `draw.py`.
+"""What a scene's keys mean where their kind does not state it: tables for `draw.py`.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

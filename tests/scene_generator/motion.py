@@ -73,7 +73,7 @@ def inside_planes(case, places):
 def conditions_hold_at_every_node(case):
     """In every step nodes with mass, in each of their velocity fields, move particles with the velocity that
     a boundary gives them, at the end of the step or, with midpoint, in the mean; none goes across a plane of
-    symmetry that no crack reaches, whose further fields would be free there (symmetry.h); v_r = 0
+    symmetry that no crack reaches, whose additional fields would be free there (symmetry.h); v_r = 0
     at r = 0 with functions that are cut off there. Nodes beyond a plane follow those they are images
     of. Some units of the last digit of velocities and of
     accelerations times the step are left."""

@@ -10,7 +10,7 @@
  * status: that of a run of the scene.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/cracks/crack_fields.h"
+#include "method/fields/fields.h"
 #include "method/grid/grid_update.h"
 #include "simulation/simulation.h"
 

@@ -142,7 +142,7 @@ class Runner:
         return status, message
 
     def run(self, scene, *options, keep_bytes=False):
-        """The result of `mpm run`, with one thread unless the options say otherwise."""
+        """The result of `mpm run`, with one thread unless the options state otherwise."""
         folder = self.folder / "results"
         shutil.rmtree(folder, ignore_errors=True)
         self.runs += 1

@@ -9,7 +9,7 @@ import subprocess
 
 
 class Key:
-    """One key: `path` as in the table ("bodies[].name"), its last `name`, and what the schema says."""
+    """One key: `path` as in the table ("bodies[].name"), its last `name`, and its entry in the schema."""
 
     def __init__(self, row):
         self.path = row["key"]

@@ -4,12 +4,12 @@
     search.py --programs DIR [--seconds S | --scenes N] [--seed N] [--jobs N] [--invariant NAME]...
               [--situation NAME]... [--again N] [--shrink S] [--output DIR] [--fresh] [SCENE...]
 
-Judges the kept scenes first (folder kept/), then draws new ones until the time is over, or the number
-of scenes given: these follow from the seed alone, whatever the machine and the jobs. A scene that
-breaks an invariant is shrunk and written to the output folder; the invariant is not asked again,
-unless --again allows so many finds. With SCENE: judges those scenes alone. Exit status: 0 all
-invariants hold; 1 one does not; 2 bad usage. The last line is `N passed, N failed, N skipped`: each
-invariant counts as one, and so does each kept scene.
+Judges the regression scenes first (folder regression/), then draws new ones until the time is over,
+or until there are as many as --scenes: these follow from the seed alone, whatever the machine and
+the jobs. A scene that breaks an invariant is shrunk and written to the output folder; the invariant
+is not evaluated again, unless --again allows so many finds. With SCENE: judges those scenes alone.
+Exit status: 0 all invariants hold; 1 one does not; 2 bad usage. The last line is `N passed, N
+failed, N skipped`: each invariant counts as one, and so does each regression scene.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -72,7 +72,7 @@ class Search:
         self.shrink_until = 0.0
 
     def active(self, name):
-        """Is the invariant asked for, and not retired?"""
+        """Is the invariant selected, and not retired?"""
         asked = not self.arguments.invariant or name in self.arguments.invariant
         index = list(invariants.ALL).index(name)
         return asked and self.retired[index] < self.arguments.again
@@ -235,7 +235,7 @@ def judge_files(arguments, paths):
 
 
 def report_found(arguments, message, count):
-    """Writes a scene that breaks an invariant and says so."""
+    """Writes a scene that breaks an invariant and reports it."""
     _, name, text, what, effort, number, situation, first = message
     arguments.output.mkdir(parents=True, exist_ok=True)
     path = arguments.output / f"{name}-{count}.yaml"
@@ -323,28 +323,29 @@ def parse():
     parser.add_argument("--situation", action="append", choices=sorted(set(TURNS)))
     parser.add_argument("--again", type=int, default=1)
     parser.add_argument("--shrink", type=float, default=30,
-                        help="seconds for one scene, after which the smallest so far is kept (30)")
+                        help="seconds for one scene, after which the smallest so far is taken (30)")
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("build/scenes"))
-    parser.add_argument("--fresh", action="store_true", help="leave the kept scenes out")
+    parser.add_argument("--fresh", action="store_true", help="leave the regression scenes out")
     arguments = parser.parse_args()
     arguments.programs = arguments.programs.resolve()
     return arguments
 
 
 def main():
-    """Kept scenes, then new ones."""
+    """Regression scenes, then new ones."""
     arguments = parse()
     schema, keys = read_schema(str(arguments.programs / "mpm"))
     gaps = draw.uncovered(keys, meaning) or \
         [f"{path} is never drawn" for path in draw.never_drawn(schema, keys, meaning)]
     for gap in gaps:
         print(f"FAIL search: {gap}")
-    kept = arguments.scenes or ([] if arguments.fresh else sorted((HERE / "kept").glob("*.yaml")))
-    passed, failed = judge_files(arguments, kept) if kept else (0, 0)
+    regression = arguments.scenes or \
+        ([] if arguments.fresh else sorted((HERE / "regression").glob("*.yaml")))
+    passed, failed = judge_files(arguments, regression) if regression else (0, 0)
     failed += len(gaps)
     skipped = 0
-    if kept:
-        print(f"{passed} of {len(kept)} kept scenes hold", flush=True)
+    if regression:
+        print(f"{passed} of {len(regression)} regression scenes hold", flush=True)
     if not arguments.scenes and not gaps:
         print(f"seed {arguments.seed}", flush=True)
         more = summarize(arguments, keys, search(arguments))

@@ -1,4 +1,4 @@
-/* Running a program and looking at what it says and how it ends.
+/* Running a program, with its output and exit status.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TESTS_SUPPORT_COMMAND_H

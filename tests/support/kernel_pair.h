@@ -1,7 +1,7 @@
 /* One scene computed twice, by two sets of kernels side by side, and compared particle
  * by particle after every step.
  *
- * A difference is given in parts of its field's scale, the largest component over all
+ * A difference is given as a fraction of its field's scale, the largest component over all
  * particles, and at least:
  *
  *   position, deformation gradient   no more than that: coordinates, and 1 or nearly
@@ -11,7 +11,7 @@
  *              number * c e in a step, however slow the bodies are
  *
  * Of slow bodies of little strain (c is 200 to 700 times their speed in the catalogue) that is
- * far from the largest value itself: kernel_difference.of_largest tells how far.
+ * far from the largest value itself: kernel_difference.of_largest states how far.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TESTS_SUPPORT_KERNEL_PAIR_H
@@ -22,7 +22,7 @@
 /* The set that is held against the reference kernels. */
 #define KERNEL_PAIR_OTHER MPM_KERNELS_FAST
 
-/* What both may differ by, in parts of a field's scale. Sums in another order and the same
+/* What both may differ by, as a fraction of a field's scale. Sums in another order and the same
  * functions by other formulas differ by a few units in the last place (1e-16) a step; over
  * this many steps, and over whole runs that do not amplify round-off, that stays below. */
 static const double KERNEL_PAIR_BOUND = 1e-13;
@@ -36,7 +36,7 @@ extern const enum mpm_field kernel_pair_fields[KERNEL_PAIR_FIELDS];
 /* The largest difference found in a field and where it was. */
 struct kernel_difference {
     double part;       /* of the scale */
-    double of_largest; /* the same in parts of the largest value at that moment */
+    double of_largest; /* the same over the largest value at that moment */
     uint64_t step;
     size_t particle, component;
     double values[2];
@@ -54,13 +54,13 @@ struct kernel_pair {
     struct mpm_error error[2]; /* why they stopped, if they did */
     double *values[2];
     double floors[KERNEL_PAIR_FIELDS]; /* of the scales */
-    double time_difference;            /* largest, in parts of the time */
+    double time_difference;            /* largest, over the time */
     bool same_bits;                    /* of all fields and of the time, at every comparison */
     struct kernel_difference worst[KERNEL_PAIR_FIELDS];
 };
 
 /* Reads the scene and creates both simulations. On failure the pair is empty and the error
- * says why; MPM_BAD_INPUT: also where kernels refuse the scene. */
+ * states why; MPM_BAD_INPUT: also where kernels refuse the scene. */
 enum mpm_status kernel_pair_open(const char *path, const struct kernel_side sides[2],
                                  struct kernel_pair *pair, struct mpm_error *error);
 
@@ -93,7 +93,7 @@ void kernel_pair_assert_alike(struct kernel_pair *pair, int steps);
  * `wave_speed` make of forces up to `force`, or are too small to tell. */
 void kernel_pair_assert_same_work(const struct kernel_pair *pair, double force, double wave_speed);
 
-/* One line that says all of it; g_free. */
+/* All of it in one line; g_free. */
 char *kernel_pair_text(const struct kernel_pair *pair);
 
 #endif

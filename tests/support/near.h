@@ -1,6 +1,6 @@
 /* Nearness of numbers, with the name of the tolerance in the message.
  *
- * Check's ck_assert_double_eq_tol takes NaN for a failure too, but does not say
+ * Check's ck_assert_double_eq_tol takes NaN for a failure too, but does not report
  * how far off a value is and which tolerance it missed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

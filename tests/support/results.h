@@ -41,7 +41,7 @@ enum {
     TEST_HISTORY_TOTAL = 9
 };
 
-/* Rows of the history in `folder` as numbers, after a look at its two first lines;
+/* Rows of the history in `folder` as numbers, after a check of its two first lines;
  * g_free. */
 double (*test_results_history(const char *folder, size_t *rows))[TEST_HISTORY_COLUMNS];
 

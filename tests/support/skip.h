@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Ends the test that it stands in; counted as skipped, and the reason is printed.
+/* Ends the test that it is in; counted as skipped, and the reason is printed.
  * Not after a failed assertion, and not inside a helper function. */
 #define TEST_SKIP(reason)                                                                          \
     do {                                                                                           \

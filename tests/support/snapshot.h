@@ -19,7 +19,7 @@ struct test_snapshot {
 struct test_snapshot test_snapshot_read(const char *path);
 void test_snapshot_free(struct test_snapshot *snapshot);
 
-/* Numbers of a whole dataset as doubles; *count tells how many. g_free. */
+/* Numbers of a whole dataset as doubles; *count is how many. g_free. */
 double *test_dataset_read(hid_t file, const char *path, size_t *count);
 
 /* A scalar text attribute of variable length; g_free. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "support/soft_block.h"
 
-/* Work is a sum of force times velocity times time: velocities agree to the bound in parts of
- * the wave speed, forces in parts of the stiffness times the length of 5 that is held. */
+/* Work is a sum of force times velocity times time: velocities agree to the bound times
+ * the wave speed, forces to the bound times the stiffness times the length of 5 that is held. */
 void test_soft_block_assert_alike(struct kernel_pair *pair, int steps)
 {
     static const double WAVE_SPEED = 1.5, STIFFNESS = 2.25, LENGTH = 5.0, ACCELERATION = 0.085;

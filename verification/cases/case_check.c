@@ -1,4 +1,4 @@
-/* case.yaml: what no schema can say.
+/* case.yaml: rules that no schema can express.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/cases/case_file.h"

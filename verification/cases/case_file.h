@@ -10,7 +10,7 @@
  * numbers with trailing text are refused. */
 enum mpm_status case_file_load(const char *path, struct case_file **file, struct mpm_error *error);
 
-/* What no schema can say: names, globs that match nothing, bands, duplicates. */
+/* Rules that no schema can express: names, globs that match nothing, bands, duplicates. */
 enum mpm_status case_file_check(const char *path, const struct case_file *file,
                                 struct mpm_error *error);
 

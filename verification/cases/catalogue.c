@@ -232,7 +232,7 @@ enum mpm_status catalogue_read(const char *folder, struct program_table programs
         status = check_columns(cases, &g_array_index(cases, struct catalogue_case, i), error);
     if (status == MPM_OK && cases->len == 0)
         status = failure_set(error, MPM_BAD_INPUT,
-                             "%s: holds no case: FAMILY/CASE/case.yaml is looked for", folder);
+                             "%s: holds no case: expected FAMILY/CASE/case.yaml", folder);
     if (status != MPM_OK) {
         g_array_unref(cases);
         methods_free(methods);

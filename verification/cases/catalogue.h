@@ -147,7 +147,7 @@ struct case_numbers {
     unsigned list_count;
 };
 
-/* case.yaml as read; texts of numbers are kept beside their values. */
+/* case.yaml as read; texts of numbers are stored beside their values. */
 struct case_file {
     int64_t format;
     char *family, *name, *title, *summary;

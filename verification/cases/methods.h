@@ -33,7 +33,7 @@ enum mpm_status methods_load(const char *folder, struct method_table **table,
                              struct mpm_error *error);
 void methods_free(struct method_table *table);
 
-/* Appends the variants that the file's `methods` asks for, in the table's order; the table
+/* Appends the variants that the file's `methods` selects, in the table's order; the table
  * must outlive them. `path` is that of the case for messages. MPM_BAD_INPUT: a glob that
  * selects nothing, a name that another variant has, a case without a scene. */
 enum mpm_status methods_add_variants(const char *path, const struct method_table *table,

@@ -1,4 +1,4 @@
-/* Where something stands in a YAML file.
+/* Where something is in a YAML file.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/cases/yaml_place.h"

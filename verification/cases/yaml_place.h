@@ -1,4 +1,4 @@
-/* Where something stands in a YAML file: only asked once an error is known.
+/* Where something is in a YAML file: searched only once an error is known.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef VERIFICATION_CASES_YAML_PLACE_H

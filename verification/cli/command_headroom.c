@@ -1,11 +1,11 @@
-/* mpm-verify headroom: judges the bands of a run whose values in other builds are kept beside it.
+/* mpm-verify headroom: judges the bands of a run whose values in other builds are stored beside it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/cli/commands.h"
 #include "verification/common/text.h"
 #include "verification/records/headroom_table.h"
 #include "verification/records/records.h"
-#include "verification/report/report_kept.h"
+#include "verification/report/report_stored.h"
 
 #include <math.h>
 
@@ -56,21 +56,21 @@ enum mpm_status command_headroom(struct command *command, struct mpm_error *erro
 {
     const char *folder = command->options.rest[0];
     struct records records;
-    struct report_kept kept;
+    struct report_stored stored;
     TRY(records_read(folder, &records, error));
-    enum mpm_status status = report_kept_read(folder, &kept, error);
-    if (status == MPM_OK && kept.headroom == NULL)
+    enum mpm_status status = report_stored_read(folder, &stored, error);
+    if (status == MPM_OK && stored.headroom == NULL)
         status = failure_set(error, MPM_BAD_INPUT,
                              "%s: no headroom.json; mpm-verify report %s --headroom NAME=DIR makes "
                              "it",
                              folder, folder);
     if (status == MPM_OK) {
         struct headroom_table table =
-            headroom_table_make(records.checks, json_object_get(kept.headroom, "builds"));
+            headroom_table_make(records.checks, json_object_get(stored.headroom, "builds"));
         command->checks_failed = print(command->world->out, &table) > 0;
         headroom_table_clear(&table);
     }
-    report_kept_clear(&kept);
+    report_stored_clear(&stored);
     records_clear(&records);
     return status;
 }

@@ -11,7 +11,7 @@
 
 #include <glib.h>
 
-/* Writes the bundle of each case that is asked for, and says of the others why they have none. */
+/* Writes the bundle of each selected case, and reports why the others have none. */
 static enum mpm_status export_cases(const struct command *command,
                                     const struct catalogue *catalogue, struct mpm_error *error)
 {

@@ -10,7 +10,7 @@
 #include "verification/common/resources.h"
 #include "verification/common/rows.h"
 #include "verification/report/report.h"
-#include "verification/report/report_kept.h"
+#include "verification/report/report_stored.h"
 #include "verification/suite/run.h"
 
 #include <glib.h>
@@ -39,14 +39,14 @@ static const char usage[] =
     "                                         and why, last values, the command to reproduce it\n"
     "  report DIR [--baseline DIR]            render the reports of DIR again from its result "
     "lines;\n"
-    "      [--mutants FILE]                   keeps there, and shows, what changed since a "
+    "      [--mutants FILE]                   stores there, and shows, what changed since a "
     "baseline,\n"
     "      [--headroom NAME=DIR]...           a run of mutants, the values of other builds' runs\n"
     "  headroom DIR                           whether every check of DIR is within 1.5 to 100 "
     "times\n"
     "                                         its deviation from its band's end, over the builds "
-    "kept\n"
-    "                                         there, or says why not\n"
+    "stored\n"
+    "                                         there, or states why not\n"
     "  compare DIR DIR [--change X]           what changed from the first run to the second: "
     "statuses,\n"
     "                                         checks, values by more than X (relative, 0.001 "
@@ -203,7 +203,7 @@ static enum mpm_status command_report(struct command *command, struct mpm_error 
         .mutants = command->options.mutants,
         .headroom = (const char *const *)command->options.headroom,
     };
-    TRY(report_keep(folder, &additions, error));
+    TRY(report_store(folder, &additions, error));
     char *reports = resources_reports(command->argv[0]);
     const enum mpm_status status = report_render(folder, reports, error);
     g_free(reports);
@@ -274,6 +274,6 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
     };
     const enum mpm_status status = command_line_run(&line, argc, argv, &command);
     options_clear(given);
-    /* results that could not be written or drawn come before what they would say */
+    /* results that could not be written or drawn come before their verdict */
     return status == MPM_OK && command.checks_failed ? CHECKS_FAILED : (int)status;
 }

@@ -27,7 +27,7 @@ struct command_options {
     char *name; /* of a solver */
     char *baseline, *mutants, **headroom;
     int jobs;
-    char **rest; /* what stands beside the options */
+    char **rest; /* the arguments beside the options */
 };
 
 struct command {

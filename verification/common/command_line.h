@@ -15,8 +15,8 @@ struct command; /* each program's own: its options, and what its commands work o
 struct command_entry {
     const char *name;
     unsigned takes;        /* bits: which options */
-    size_t rest;           /* how many arguments stand beside them */
-    const char *rest_name; /* the first of these, as a message says that it is missing */
+    size_t rest;           /* how many arguments there are beside them */
+    const char *rest_name; /* the first of these, as in the message that it is missing */
     enum mpm_status (*run)(struct command *command, struct mpm_error *error);
 };
 
@@ -35,8 +35,8 @@ struct command_line {
     FILE *out, *err; /* help and version; messages */
 };
 
-/* Runs the command that the arguments name, or prints help or the version; says on `err` what went
- * wrong. MPM_BAD_INPUT: no such command, an option that it does not take, too few or too many
+/* Runs the command that the arguments name, or prints help or the version; prints on `err` what
+ * went wrong. MPM_BAD_INPUT: no such command, an option that it does not take, too few or too many
  * arguments; nothing was run. Else what the command comes to. */
 enum mpm_status command_line_run(const struct command_line *line, int argc, char **argv,
                                  struct command *command);

@@ -4,7 +4,7 @@
 #ifndef VERIFICATION_COMMON_MACHINE_H
 #define VERIFICATION_COMMON_MACHINE_H
 
-/* Name of the processor ("unknown" if the system does not tell); g_free. */
+/* Name of the processor ("unknown" if the system does not report it); g_free. */
 char *machine_processor(void);
 
 /* Processors that this process may use, >= 1. */

@@ -9,13 +9,13 @@
  * if there is none; g_free. */
 char *resources_catalogue(const char *executable);
 
-/* The folder of style.gp, page.html and report.css, looked for in the same places. */
+/* The folder of style.gp, page.html and report.css, searched in the same places. */
 char *resources_reports(const char *executable);
 
-/* The folder of the benchmarks' scenes/, looked for in the same places. */
+/* The folder of the benchmarks' scenes/, searched in the same places. */
 char *resources_benchmarks(const char *executable);
 
-/* The folder of what others computed, reference_data, looked for in the same places. */
+/* The folder of what others computed, reference_data, searched in the same places. */
 char *resources_reference_data(const char *executable);
 
 /* The program `name` beside the running one; g_free. */

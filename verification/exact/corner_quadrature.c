@@ -9,7 +9,7 @@
 
 enum { WORKSPACE_INTERVALS = 64 };
 
-/* What GSL is asked for, times the size of the integrand; see shape_quadrature.c. */
+/* GSL's tolerance, times the size of the integrand; see shape_quadrature.c. */
 static const double TOLERANCE = 5e-14;
 
 /* Signs of d1 and d2 at the corners. */
@@ -60,7 +60,7 @@ struct corner_integrand {
  * J = (d1; d2), N&G (32), (34), (36). */
 static double interpolation(const struct corner_integrand *integrand, double rho, double zeta)
 {
-    const double(*d)[2] = integrand->shape->half_edge;
+    const double(*d)[2] = integrand->shape->domain_vector;
     double value = 0, along_rho = 0, along_zeta = 0;
     for (size_t a = 0; a < 4; a++) {
         const double factor_rho = (1 + CORNER_SIGN[a][0] * rho) / 2;
@@ -87,7 +87,7 @@ static double corner_integrand_value(double rho, void *context)
     double weight = 0.25;
     if (shape->radial && integrand->kind != SHAPE_T) {
         const double offset =
-            rho * shape->half_edge[0][0] + integrand->zeta * shape->half_edge[1][0];
+            rho * shape->domain_vector[0][0] + integrand->zeta * shape->domain_vector[1][0];
         weight *= (integrand->radius + offset) / integrand->radius;
     }
     return weight * interpolation(integrand, rho, integrand->zeta);
@@ -146,8 +146,8 @@ static void corner_position(const struct parallelogram *shape, size_t a, long do
 {
     for (size_t k = 0; k < 2; k++) {
         corner[k] = shape->centre[k] +
-                    (long double)CORNER_SIGN[a][0] * (long double)shape->half_edge[0][k] +
-                    (long double)CORNER_SIGN[a][1] * (long double)shape->half_edge[1][k];
+                    (long double)CORNER_SIGN[a][0] * (long double)shape->domain_vector[0][k] +
+                    (long double)CORNER_SIGN[a][1] * (long double)shape->domain_vector[1][k];
     }
 }
 

@@ -12,10 +12,10 @@ struct corner_quadrature; /* work space */
 struct corner_quadrature *corner_quadrature_create(void);
 void corner_quadrature_free(struct corner_quadrature *quadrature);
 
-/* A domain: centre, half edges d1 and d2, and r = 0, in cells from node 0. */
+/* A domain: centre, domain vectors d1 and d2, and r = 0, in cells from node 0. */
 struct parallelogram {
     long double centre[2], zero;
-    double half_edge[2][2];
+    double domain_vector[2][2];
     bool radial; /* the weight is r, else one; then the value of T <r> is S */
 };
 

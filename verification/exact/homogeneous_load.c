@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* What a root is looked for in. */
+/* The interval of the search for a root. */
 struct problem {
     const struct compression_material *material;
     double axial, traction, power;

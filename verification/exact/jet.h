@@ -15,7 +15,7 @@
 struct jet {
     lanes f;
     lanes x, y, t;        /* first derivatives */
-    lanes xx, xy, yy, tt; /* second ones; those of place and time together nobody asks for */
+    lanes xx, xy, yy, tt; /* second ones; those of place and time together are not needed */
 };
 
 struct slope {

@@ -46,7 +46,7 @@ LANES_INLINE lanes lanes_root(lanes x)
     return x;
 }
 
-/* sin and cos of |x| < 1e5 to 2e-16: less a multiple of pi/2, itself in parts of 33 bits whose
+/* sin and cos of |x| < 1e5 to 2e-16: less a multiple of pi/2, itself in pieces of 33 bits whose
  * products with the multiple are exact, then Taylor series, which leave 5e-17 on [0, pi/4]. */
 LANES_INLINE void lanes_sin_cos(lanes x, lanes *sine, lanes *cosine)
 {
@@ -97,7 +97,7 @@ LANES_INLINE lanes lanes_inverse_cube_root(lanes x)
     static const double one = 1.0;
     int64_t bits_of_one;
     memcpy(&bits_of_one, &one, sizeof one);
-    /* of no overflow, whatever the bits of x: a body turned inside out asks for x < 0 */
+    /* of no overflow, whatever the bits of x: a body turned inside out has x < 0 */
     const lanes_mask guess = bits_of_one + bits_of_one / 3 - (lanes_mask)x / 3;
     lanes y = (lanes)guess * 0.96; /* it was 0 to 8 % too large */
     for (int k = 0; k < 2; k++) {

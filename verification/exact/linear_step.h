@@ -43,7 +43,7 @@ double linear_step_growth(const struct linear_row *row, double courant, double t
 
 /* The largest C, to 1e-4 of it, up to which growth <= 1 for the waves theta = pi k / cells,
  * k = 1 to cells - 1, that a bar of that many cells held at both ends has (cells >= 2; many
- * stand for an infinite row); 0 if there is none above 0.01, infinite if there is none below 10.
+ * represent an infinite row); 0 if there is none above 0.01, infinite if there is none below 10.
  * Eigenvalues that meet on the unit circle are known to half the digits only, so that growth
  * counts from 1e-6 on. Cost: about 0.1 ms times cells. */
 double linear_step_limit(const struct linear_row *row, int cells);

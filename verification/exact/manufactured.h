@@ -127,7 +127,7 @@ enum mpm_status manufactured_set(struct manufactured_problem *problem, const cha
 /* --------------------------------------------------------------- evaluation */
 
 /* All of it at the particle that started at `place`, at any time, before 0 as well: staggered
- * quantities of a start ask for that. Cost: 0.2 us. */
+ * quantities of a start need that. Cost: 0.2 us. */
 void manufactured_evaluate(const struct manufactured_problem *problem, const double place[2],
                            double time, struct manufactured_state *state);
 
@@ -143,7 +143,7 @@ void manufactured_load_evaluate(void *load, double time, size_t count, const uin
 
 /* Gives the simulation, still at its start, the field's velocities and deformation gradients, each
  * `lags` (mpm_scene_lags; zeros: all at t = 0) times `step` before t = 0. `places` as above.
- * MPM_ENVIRONMENT_FAILED: memory; or what mpm_simulation_set_start says. */
+ * MPM_ENVIRONMENT_FAILED: memory; or the status of mpm_simulation_set_start. */
 enum mpm_status manufactured_start(const struct manufactured_problem *problem, const double *places,
                                    const struct mpm_lags *lags, double step,
                                    struct mpm_simulation *simulation, struct mpm_error *error);
@@ -156,7 +156,7 @@ struct manufactured_activity {
     double acceleration[2]; /* share, by component of the motion */
     double divergence[2];
     double hoop[2];         /* of the terms with 1 / R; 0 in planar geometries */
-    double nonlinear;       /* of Div P that Hooke's law does not give; nothing asks for some */
+    double nonlinear;       /* of Div P that Hooke's law does not give; any amount is allowed */
     double velocity[2];     /* over its largest in a period: 0 at a turning point */
     double displacement[2]; /* the same: 0 on the way through the undeformed state */
     double nodes[2];        /* displacement at the nodes over that at all points */
@@ -167,7 +167,7 @@ struct manufactured_activity {
  * left that the equation of a component with any motion has, a turning point, a passage through
  * zero (5 % of the largest); cells whose nodes see nothing of the field (10 %). `cell` is the size
  * of cells of a grid with a node at the domain's low corner, or for annuli at the origin; at most
- * 10^6 nodes are looked at. Cost: 10 ms, and 0.2 us a node. */
+ * 10^6 nodes are tested. Cost: 10 ms, and 0.2 us a node. */
 enum mpm_status manufactured_activity(const struct manufactured_problem *problem, double time,
                                       const double cell[2], struct manufactured_activity *activity,
                                       struct mpm_error *error);
@@ -179,7 +179,7 @@ enum mpm_status manufactured_activity(const struct manufactured_problem *problem
  * of memory. Cost: 20 ms. */
 double manufactured_weak_residual(const struct manufactured_problem *problem, double time);
 
-/* What is left at a time of what the field says of its edges: the largest of displacements that
+/* What is left at a time of the field's conditions on its edges: the largest of displacements that
  * are held over the largest displacement, and of tractions P N that are zero over the largest |P|,
  * of both on a sample of the domain and its edges. */
 struct manufactured_edges_left {

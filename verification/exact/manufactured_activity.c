@@ -9,7 +9,7 @@ enum { AXES = 2, SAMPLES = 40, COARSE = 12, TIMES = 64 };
 static const double LEAST_TERM = 0.02, LEAST_MOTION = 0.05, LEAST_AT_NODES = 0.1;
 /* A component with less than this part of the other one's motion has none. */
 static const double NO_MOTION = 1e-9;
-/* Round-off, in parts of the amplitude, that a field may leave where it is zero. */
+/* Round-off, over the amplitude, that a field may leave where it is zero. */
 static const double ZERO = 1e-9;
 static const double MOST_NODES = 1e6;
 

@@ -1,4 +1,4 @@
-/* The weak form and the edges: what a field must satisfy, told without derivatives of P.
+/* The weak form and the edges: what a field must satisfy, without derivatives of P.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/exact/manufactured_sample.h"

@@ -6,7 +6,7 @@
 
 /* By GSL's Brent solver, to the relative `tolerance` (1e-14 is about what there is). NaN if the
  * function has the same sign at both ends, is not a number, or the root takes more than 200
- * rounds. The function may look for roots itself; GSL's own handler of errors is off meanwhile. */
+ * rounds. The function may find roots itself; GSL's own handler of errors is off meanwhile. */
 double root_between(double (*function)(double, void *), void *context, double low, double high,
                     double tolerance);
 

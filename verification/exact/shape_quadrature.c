@@ -18,7 +18,7 @@
  * and the ring around them. */
 enum { AXIS_NODES_MAX = 8, WORKSPACE_INTERVALS = 64 };
 
-/* What GSL is asked for, times the size of the integrand. Its estimate cannot fall below
+/* GSL's tolerance, times the size of the integrand. Its estimate cannot fall below
  * 50 eps = 1.1e-14 of the integral of the absolute value; a polynomial reaches that at once. */
 static const double TOLERANCE = 5e-14;
 
@@ -289,13 +289,13 @@ static void rectangle_node(const struct shape_quadrature *quadrature, size_t col
 
 /* ----------------------------------------------------------- parallelograms */
 
-/* Half edges in cells, N&G (31) with each component over its own axis' cell. */
-static void half_edges_set(const struct mpm_shape_query *query, double half_edge[2][2])
+/* Domain vectors in cells, N&G (31) with each component over its own axis' cell. */
+static void domain_vectors_set(const struct mpm_shape_query *query, double domain_vector[2][2])
 {
     const double *f = query->deformation_gradient; /* xx xy yx yy */
     for (size_t k = 0; k < 2; k++) {
-        half_edge[0][k] = f[2 * k] * query->half_size[0] / query->cell[k];
-        half_edge[1][k] = f[2 * k + 1] * query->half_size[1] / query->cell[k];
+        domain_vector[0][k] = f[2 * k] * query->half_size[0] / query->cell[k];
+        domain_vector[1][k] = f[2 * k + 1] * query->half_size[1] / query->cell[k];
     }
 }
 
@@ -303,7 +303,7 @@ static bool parallelogram_prepare(struct shape_quadrature *quadrature)
 {
     const struct mpm_shape_query *query = &quadrature->query;
     struct parallelogram *shape = &quadrature->parallelogram;
-    half_edges_set(query, shape->half_edge);
+    domain_vectors_set(query, shape->domain_vector);
     shape->radial = query->geometry == MPM_AXISYMMETRIC && query->axis != MPM_PLANAR;
     quadrature->domain.mean_radius = query->position[0];
     shape->zero = cells_from_origin(query, 0, 0);
@@ -311,10 +311,10 @@ static bool parallelogram_prepare(struct shape_quadrature *quadrature)
         shape->centre[k] = cells_from_origin(query, k, query->position[k]);
     }
     const double radius = (double)(shape->centre[0] - shape->zero);
-    double reach = fabs(shape->half_edge[0][0]) + fabs(shape->half_edge[1][0]);
+    double reach = fabs(shape->domain_vector[0][0]) + fabs(shape->domain_vector[1][0]);
     if (shape->radial && query->axis == MPM_TRUNCATED && reach > radius) {
         for (size_t i = 0; i < 4; i++) {
-            shape->half_edge[i / 2][i % 2] *= radius / reach;
+            shape->domain_vector[i / 2][i % 2] *= radius / reach;
         }
         reach = radius;
     }
@@ -322,7 +322,7 @@ static bool parallelogram_prepare(struct shape_quadrature *quadrature)
         domain_set_radius(&quadrature->domain, query->cell[0], radius, reach);
     }
     for (size_t k = 0; k < 2; k++) {
-        const double half = fabs(shape->half_edge[0][k]) + fabs(shape->half_edge[1][k]);
+        const double half = fabs(shape->domain_vector[0][k]) + fabs(shape->domain_vector[1][k]);
         window_set(&quadrature->domain, k, shape->centre[k] - (long double)half,
                    shape->centre[k] + (long double)half);
     }

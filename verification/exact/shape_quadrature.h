@@ -8,7 +8,7 @@
  *            split into one of r and one of z, each done by QAGP with break points on
  *            the grid lines and on r = 0. Truncated, the rectangle is cut at r = 0 and
  *            normalised by the area and the centroid of what remains.
- *   CPDI     N&G (30), (36): over the parallelogram with half edges d1 = F (half_r, 0)
+ *   CPDI     N&G (30), (36): over the parallelogram with domain vectors d1 = F (half_r, 0)
  *            and d2 = F (0, half_z), N_i replaced by its bilinear interpolation from the
  *            four corners; nested adaptive quadrature in (rho, zeta). Truncated, d1 and
  *            d2 shrink by r_p / (|d1r| + |d2r|) if that is less than one.

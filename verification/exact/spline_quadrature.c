@@ -8,7 +8,7 @@
 
 enum { WORKSPACE_INTERVALS = 64 };
 
-/* What GSL is asked for; the averages are of order one. It never claims less than 1.1e-14. */
+/* GSL's tolerance; the averages are of order one. It never claims less than 1.1e-14. */
 static const double TOLERANCE = 5e-14;
 
 struct spline_quadrature {

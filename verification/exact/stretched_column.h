@@ -18,7 +18,7 @@
  *               + stress N_i'(r_last) (xi_last + L d_last/2)
  *     v_p += dt S_p a - (1 - fraction) (v_p - S_p v)
  *     e_p += after dt G_p w,              w: v + dt a, or v_p extrapolated again
- *     xi_p += dt S_p u,                   u: as `position` says
+ *     xi_p += dt S_p u,                   u: by `position`
  *
  * d_p being e_p at the start of the step, as domains and gradients are those of the start and the
  * volume is that of now (solver/README.md, "One step"). A departure for

@@ -1,5 +1,5 @@
 /* The field around the tip of a crack whose faces are free, in an isotropic elastic body at small
- * strain: the terms of M. L. Williams (J. Appl. Mech. 24 (1957) 109-114) that K_I, K_II stand
+ * strain: the terms of M. L. Williams (J. Appl. Mech. 24 (1957) 109-114) that K_I, K_II are
  * for, and the stress T along the crack. Local axes at the tip: 1 away from the crack, 2 on the
  * left of it; theta from -pi to pi, the faces. With G the shear modulus, and
  *     kappa = 3 - 4 nu (plane strain) or (3 - nu)/(1 + nu) (plane stress):

@@ -20,7 +20,7 @@ struct axis_range axis_range_of(double low, double high);
 /* Place of a number, 0 at the low end and 1 at the high one. */
 double axis_place(const struct axis_range *range, double value);
 
-/* Room for labels in pixels: an axis of that length; labels along it (of x) stand beside each other
+/* Room for labels in pixels: an axis of that length; labels along it (of x) are beside each other
  * and may reach that far beyond its ends; labels across it (of y) are on top of each other and may
  * be that long. */
 struct axis_room {
@@ -44,7 +44,7 @@ size_t axis_tics(const struct axis_range *range, const struct axis_room *room,
                  struct axis_tic tics[AXIS_TICS_MAX]);
 
 /* Width of a text in pixels with letters of that size, in the widest of the usual fonts without
- * serifs: an upper bound for all. What stands in braces after ^ is written smaller. */
+ * serifs: an upper bound for all. What is in braces after ^ is written smaller. */
 double axis_text_width(const char *text, double font);
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "mpm.h"
 
-/* Tells in *passes whether `value` passes; a failure ends the search. */
+/* Sets *passes to whether `value` passes; a failure ends the search. */
 typedef enum mpm_status bisection_test(void *context, double value, bool *passes,
                                        struct mpm_error *error);
 

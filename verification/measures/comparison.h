@@ -19,7 +19,7 @@ enum comparison_better {
 const char *better_name(enum comparison_better better);
 
 /* A number that there is not is worse than any (FAILED: the variant should have had one), or
- * says nothing (ABSENT: it was not measured). */
+ * is meaningless (ABSENT: it was not measured). */
 enum comparison_state { COMPARISON_ABSENT, COMPARISON_FAILED, COMPARISON_NUMBER };
 
 struct comparison_cell {
@@ -79,8 +79,8 @@ size_t comparison_rank(const struct comparison_table *table, size_t row, size_t 
 size_t comparison_count(const struct comparison_table *table, size_t column);
 bool comparison_is_last(const struct comparison_table *table, size_t row, size_t column);
 
-/* Whether the column tells nothing: all numbers, two at least, are the same, to the last digit, and
- * no row has another or none, but for those that the column's own limit takes out. */
+/* Whether the column has no information: all numbers, two at least, are the same, to the last
+ * digit, and no row has another or none, but for those that the column's own limit takes out. */
 bool comparison_is_constant(const struct comparison_table *table, size_t column);
 
 /* How many times worse than the best number, or than the column's floor if that is larger:

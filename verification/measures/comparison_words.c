@@ -1,4 +1,4 @@
-/* What a comparison says, in words.
+/* A comparison in words.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/comparison_words.h"
@@ -103,7 +103,7 @@ char *comparison_run_words(const struct comparison_table *table, size_t row)
     }
     if (words == NULL)
         words = g_strdup(titles->len > 0                     ? titles->str
-                         : comparison_takes_part(table, row) ? "kept"
+                         : comparison_takes_part(table, row) ? "valid"
                                                              : "no number");
     g_string_free(titles, TRUE);
     return words;
@@ -242,7 +242,7 @@ char *comparison_sentence(const struct comparison_table *table, size_t row)
 
 /* -------------------------------------------------------------------- groups */
 
-/* What is said of each row (NULL: nothing; taken over), the names of those alike before it. */
+/* The words on each row (NULL: none; taken over), the names of those alike before it. */
 static char *grouped(const struct comparison_table *table, char **clauses)
 {
     GString *text = g_string_new(NULL);

@@ -1,4 +1,4 @@
-/* What a comparison says, in words computed from its numbers. Pure functions; all texts are
+/* A comparison in words computed from its numbers. Pure functions; all texts are
  * freed with g_free.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -10,7 +10,7 @@
 /* A number with three digits and its unit; "" for the unit "1". */
 char *comparison_number(double value, const char *unit);
 
-/* "3.2", "540", "1.2e+06"; "" where a factor says nothing. */
+/* "3.2", "540", "1.2e+06"; "" where a factor is meaningless. */
 char *comparison_factor_words(const struct comparison_table *table, size_t row, size_t column);
 
 /* "3.2 times the best", or where more is better "the best is 3.2 times it"; "" where a factor
@@ -20,7 +20,7 @@ char *comparison_times(const struct comparison_table *table, size_t row, size_t 
 /* "rank 3 of 14", "last of 14"; "" for a row without a rank. */
 char *comparison_rank_words(const struct comparison_table *table, size_t row, size_t column);
 
-/* How the run went: "kept", or what the first column with words of its own says of a number beyond
+/* How the run went: "valid", or what the first column with words of its own has for a number beyond
  * its limit ("broke at 43.3 %"), or "beyond the limit in X, Y"; "no number" if it has none. */
 char *comparison_run_words(const struct comparison_table *table, size_t row);
 

@@ -4,7 +4,7 @@
  * and not further than `reach`, belongs to the face above (left of the way along the crack) or
  * below. The face itself is where the particle's deformation carries the point: x_p + F_p w_p, with
  * the undeformed way w_p to it. At stations along the crack the two particles next to it, one on
- * each side, tell how far the faces are apart along the crack's normal now; where they have passed
+ * each side, show how far the faces are apart along the crack's normal now; where they have passed
  * each other that is negative. Apart from that, a particle is on the side of the moved crack that
  * it was on at first, or it has crossed.
  *

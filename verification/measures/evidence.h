@@ -4,7 +4,7 @@
 #ifndef VERIFICATION_MEASURES_EVIDENCE_H
 #define VERIFICATION_MEASURES_EVIDENCE_H
 
-/* What a check rests on: what stands against the solver's number. */
+/* What a check rests on: what the solver's number is compared with. */
 enum case_evidence {
     EVIDENCE_NOT_STATED,
     EVIDENCE_QUADRATURE,     /* the definition, integrated numerically */

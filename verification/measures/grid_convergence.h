@@ -1,6 +1,6 @@
 /* Grid-convergence index: an estimate, without the exact solution, of how far a computed number is
  * from its limit. P. J. Roache, Perspective: a method for uniform reporting of grid refinement
- * studies, J. Fluids Eng. 116 (1994) 405-413. With an exact solution at hand the suite can tell
+ * studies, J. Fluids Eng. 116 (1994) 405-413. With an exact solution at hand the suite can see
  * whether the index would have covered the true error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

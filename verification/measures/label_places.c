@@ -1,4 +1,4 @@
-/* Where the labels of points stand in a picture.
+/* Where the labels of points are in a picture.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/label_places.h"

@@ -1,4 +1,4 @@
-/* Where the labels of points stand in a picture, so that they cover neither points nor each
+/* Where the labels of points are in a picture, so that they cover neither points nor each
  * other. Pure functions.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

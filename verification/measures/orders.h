@@ -18,8 +18,8 @@ struct order_fit {
 /* Over `count` levels, 2 to ORDER_LEVELS_MAX, h and error positive and finite, not all h the same;
  * NaN otherwise. The interval holds the slope with a probability of 95 % if logarithms scatter
  * normally: Student's t with count - 2 degrees of freedom. Two levels have no scatter: half_width
- * is NaN. Errors of a smooth series do not scatter but bend; then the interval tells how far from a
- * straight line they are, and is wide with few levels (t = 4.3 with four). */
+ * is NaN. Errors of a smooth series do not scatter but bend; then the interval states how far from
+ * a straight line they are, and is wide with few levels (t = 4.3 with four). */
 struct order_fit order_fit(size_t count, const double *h, const double *error);
 
 /* The order of order_fit. */

@@ -1,4 +1,4 @@
-/* The particles of one body, followed through a run: which they are, where they
+/* The particles of one body, tracked through a run: which they are, where they
  * started, and the fields of the moment.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Stands where there is no particle; a number, since data files of figures hold no NaN. */
+/* The value where there is no particle; a number, since data files of figures hold no NaN. */
 #define RASTER_EMPTY (-1e30)
 
 struct raster {
@@ -24,7 +24,7 @@ bool raster_create(const double from[2], const double to[2], double pixel, struc
 void raster_free(struct raster *raster);
 
 /* Gives `value` to the pixels whose centres are inside the parallelogram about `centre` with the
- * columns of `edges` as its half edges: xx xy yx yy, so that edges[0], edges[2] is the first.
+ * columns of `edges` as its domain vectors: xx xy yx yy, so that edges[0], edges[2] is the first.
  * Overlapping ones: the last wins. Cost: pixels of its box. */
 void raster_add(struct raster *raster, const double centre[2], const double edges[4], double value);
 

@@ -23,7 +23,7 @@ enum run_change run_change_margin(double before, double after);
 /* Times of the same programs in two runs, one each: the median of after / before, and the
  * factor (>= 1.5) around it that counts as noise: three times the deviation of a normal
  * distribution with the median deviation of the logarithms. `work` has room for `count`.
- * Fewer than five times say nothing of noise: middle 1, factor 2. */
+ * Fewer than five times do not determine noise: middle 1, factor 2. */
 struct run_noise {
     double middle, factor;
 };

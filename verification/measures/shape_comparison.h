@@ -30,7 +30,7 @@ bool shape_comparison_add(struct shape_comparison *comparison, struct shape_quad
 
 /* The largest of the four; NaN if one of them is. */
 double shape_comparison_error(const struct shape_comparison *comparison);
-/* The largest error of the function that errs least; T only in axisymmetry. Zero tells that
+/* The largest error of the function that errs least; T only in axisymmetry. Zero means that
  * one of them was not compared. */
 double shape_comparison_least(const struct shape_comparison *comparison, bool has_t);
 double shape_comparison_estimate(const struct shape_comparison *comparison);

@@ -6,8 +6,8 @@
 
 #include <math.h>
 
-/* Half edges of the domain as placed: rows d1, d2. */
-static void half_edges(const struct mpm_shape_query *query, double d[2][2])
+/* Domain vectors as placed: rows d1, d2. */
+static void domain_vectors(const struct mpm_shape_query *query, double d[2][2])
 {
     const double *f = query->deformation_gradient; /* xx xy yx yy */
     const bool convected = query->shape == MPM_CPDI;
@@ -27,7 +27,7 @@ struct shape_moments shape_moments_of(const struct mpm_shape_query *query)
         return moments;
     }
     double d[2][2];
-    half_edges(query, d);
+    domain_vectors(query, d);
     double centre = query->position[0];
     double reach = fabs(d[0][0]) + fabs(d[1][0]);
     const bool cut = query->axis == MPM_TRUNCATED && reach > centre;

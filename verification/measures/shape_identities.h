@@ -2,7 +2,7 @@
  *
  * The hats reproduce constants and linear functions, sum N_i = 1 and sum x_i N_i = x, and
  * CPDI's interpolation from the corners keeps both over its parallelogram. Weighted with r
- * and averaged over the family's own domain (truncated if asked for):
+ * and averaged over the family's own domain (truncated if selected):
  *
  *   sum S = 1              sum G = 0            sum x_i (x) G = I
  *   sum x_i S = <w x>/<w>  with w = 1 (planar: the centre) or w = r (axisymmetric:

@@ -15,7 +15,7 @@ enum verdict_status {
     VERDICT_SKIP,
     VERDICT_EXPECTED_FAIL,   /* a known weakness shows itself as declared */
     VERDICT_UNEXPECTED_PASS, /* a known weakness is gone: the declaration must change */
-    VERDICT_INCONCLUSIVE,    /* measured, but what was looked for could not be determined */
+    VERDICT_INCONCLUSIVE,    /* measured, but the quantity could not be determined */
     VERDICT_STATUS_COUNT,
 };
 

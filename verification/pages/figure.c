@@ -36,7 +36,7 @@ static bool run_gnuplot(const char *home, const char *settings, const char *scri
     return ran;
 }
 
-/* The first line of what gnuplot said that tells something. */
+/* The first line of gnuplot's messages that has information. */
 static void take_complaint(const char *said, char *reason, size_t size)
 {
     char **lines = g_strsplit(said, "\n", -1);

@@ -19,7 +19,7 @@ struct figure_result {
 };
 
 /* Runs the gnuplot script at path `script` in the folder `home`, after `settings` (commands of
- * gnuplot: style, output and what else the script wants), and dresses the SVG file `output`
+ * gnuplot: style, output and what else the script needs), and dresses the SVG file `output`
  * that it writes there. DRAWN or FAILED. */
 struct figure_plot {
     const char *home, *script, *settings, *output, *title, *description;

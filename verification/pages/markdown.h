@@ -5,7 +5,7 @@
 #define VERIFICATION_PAGES_MARKDOWN_H
 
 /* Renders Markdown (with tables) for a page that has its own first heading: a leading
- * heading of level 1 is dropped, others go to level 2. Tables stand in boxes that scroll. Raw HTML
+ * heading of level 1 is dropped, others go to level 2. Tables are in boxes that scroll. Raw HTML
  * and unsafe links are left out. g_free. */
 char *markdown_html(const char *text);
 

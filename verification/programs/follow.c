@@ -5,14 +5,14 @@
 #include <string.h>
 
 static void sample_now(const struct follow *follow, const struct mpm_simulation *simulation,
-                       struct books *books)
+                       struct conservation *conservation)
 {
     struct mpm_ledger ledger;
     mpm_simulation_ledger(simulation, &ledger);
-    if (books->samples == 0)
-        books_open(books, &ledger);
+    if (conservation->samples == 0)
+        conservation_open(conservation, &ledger);
     else
-        books_add(books, &ledger);
+        conservation_add(conservation, &ledger);
     if (follow->sample != NULL)
         follow->sample(follow->context, simulation, &ledger);
 }
@@ -35,19 +35,19 @@ enum mpm_status follow_run(const struct follow *follow, struct mpm_simulation *s
     if (!(follow->interval > 0.0))
         return failure_set(error, MPM_BAD_INPUT, "case %s: samples every %g; allowed: above 0",
                            measurement_case(follow->measurement), follow->interval);
-    sample_now(follow, simulation, &result->books);
+    sample_now(follow, simulation, &result->conservation);
     uint64_t samples = 1; /* multiples of the interval passed, t = 0 among them */
     for (double time = 0.0; time < follow->end;) {
         TRY(follow_step(follow->measurement, simulation, follow->end, &result->finished, error));
         if (!result->finished) {
-            sample_now(follow, simulation, &result->books);
+            sample_now(follow, simulation, &result->conservation);
             break;
         }
         time = mpm_simulation_time(simulation);
         if (mpm_simulation_step(simulation) == 1)
             result->time_step = mpm_simulation_time_step(simulation);
         if (time >= follow->interval * (double)samples || time >= follow->end) {
-            sample_now(follow, simulation, &result->books);
+            sample_now(follow, simulation, &result->conservation);
             while (follow->interval * (double)samples <= time)
                 samples++;
         }
@@ -141,13 +141,15 @@ enum mpm_status follow_rows_check(const struct follow_rows *rows, struct mpm_err
 
 void follow_report(struct measurement *measurement, const struct follow_result *result, double arm)
 {
-    const struct books *const books = &result->books;
-    measurement_report(measurement, "energy_drift", 100.0 * books_energy_drift(books));
-    measurement_report(measurement, "reached", books->last.time);
+    const struct conservation *const conservation = &result->conservation;
+    measurement_report(measurement, "energy_drift",
+                       100.0 * conservation_energy_drift(conservation));
+    measurement_report(measurement, "reached", conservation->last.time);
     measurement_report(measurement, "finished", result->finished ? 1.0 : 0.0);
     if (arm > 0.0) {
-        measurement_report(measurement, "momentum_drift", books_momentum_drift(books));
+        measurement_report(measurement, "momentum_drift",
+                           conservation_momentum_drift(conservation));
         measurement_report(measurement, "angular_momentum_drift",
-                           books_angular_momentum_drift(books, arm));
+                           conservation_angular_momentum_drift(conservation, arm));
     }
 }

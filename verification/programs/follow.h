@@ -1,11 +1,11 @@
-/* Running a scene with its books kept: what every measuring program of energy, momentum and
+/* Running a scene and sampling its ledger: what every measuring program of energy, momentum and
  * waves does around its own samples.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef VERIFICATION_PROGRAMS_FOLLOW_H
 #define VERIFICATION_PROGRAMS_FOLLOW_H
 
-#include "verification/measures/books.h"
+#include "verification/measures/conservation.h"
 #include "verification/programs/programs.h"
 
 /* What a program does with a sample; the ledger is that of the moment. */
@@ -16,19 +16,19 @@ struct follow {
     struct measurement *measurement;
     double end;            /* time */
     double interval;       /* samples at t = 0, the first step at or after each multiple, the end */
-    follow_sample *sample; /* NULL: books alone */
+    follow_sample *sample; /* NULL: the ledger alone */
     void *context;
 };
 
 /* What came of it. */
 struct follow_result {
-    struct books books;
+    struct conservation conservation;
     double time_step; /* the first one */
     bool finished;    /* false: the guard ended the run, its message is a note of the variant */
 };
 
 /* Advances to the end or to where the run breaks, which is a result and no failure; then the
- * books hold the last good state. Adds the work to the measurement. */
+ * result describes the last good state. Adds the work to the measurement. */
 enum mpm_status follow_run(const struct follow *follow, struct mpm_simulation *simulation,
                            struct follow_result *result, struct mpm_error *error);
 
@@ -41,9 +41,9 @@ enum mpm_status follow_step(struct measurement *measurement, struct mpm_simulati
 enum mpm_status follow_to(struct measurement *measurement, struct mpm_simulation *simulation,
                           double time, bool *alive, struct mpm_error *error);
 
-/* Advances until the run is at rest, or to `end` where its scene does not ask for rest; *finished:
+/* Advances until the run is at rest, or to `end` where its scene has no `time.rest`; *finished:
  * it came to that. A run that its guard ends, or that is not at rest by `end`, is a result: a note
- * of the variant tells. Counts the work. */
+ * of the variant states it. Counts the work. */
 enum mpm_status follow_to_rest(struct measurement *measurement, struct mpm_simulation *simulation,
                                double end, bool *finished, struct mpm_error *error);
 
@@ -62,7 +62,7 @@ enum mpm_status follow_scene(struct measurement *measurement, const char *const 
                              struct mpm_error *error);
 
 /* Rows of numbers that a sample function collects for measurement_series; the first failure
- * to grow is kept, and later rows are dropped. Start from zeros with `columns` set. */
+ * to grow is stored, and later rows are dropped. Start from zeros with `columns` set. */
 struct follow_rows {
     size_t columns, count, capacity;
     double *values;
@@ -74,7 +74,7 @@ void follow_rows_free(struct follow_rows *rows);
 enum mpm_status follow_rows_check(const struct follow_rows *rows, struct mpm_error *error);
 
 /* Reports what every method is compared by: energy_drift (%), reached (time), finished (1 or 0);
- * and for free bodies, `arm` > 0, momentum_drift and angular_momentum_drift (books.h). */
+ * and for free bodies, `arm` > 0, momentum_drift and angular_momentum_drift (conservation.h). */
 void follow_report(struct measurement *measurement, const struct follow_result *result, double arm);
 
 #endif

@@ -67,7 +67,7 @@ static enum mpm_status read_frames(struct impact *impact, struct mpm_error *erro
                             &impact->frame_count, error);
 }
 
-/* A picture at the first look at or after each of its times. */
+/* A picture at the first sample at or after each of its times. */
 static void draw_frames(struct impact *impact)
 {
     const double time = mpm_simulation_time(impact->simulation);

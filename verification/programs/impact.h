@@ -1,7 +1,7 @@
 /* What runs of bodies with cracks that hit each other have in common: the cracks under watch, the
  * mirror symmetry about y = 0, and pictures at given times.
  *
- * Parameters: cell (length, which results are told in), reach (of the faces, in cells), spacing (of
+ * Parameters: cell (length, the unit of results), reach (of the faces, in cells), spacing (of
  * the stations, in cells); for pictures `picture` (picture.h) and `frames`, times in ascending
  * order.
  *
@@ -19,7 +19,7 @@ struct impact {
     const struct mpm_simulation *simulation;
     size_t count;
     double cell;
-    double *position, *gradient; /* of the last look */
+    double *position, *gradient; /* of the last sample */
     size_t *mirror;              /* per particle: the one at (x, -y) at t = 0 */
     double asymmetry;            /* so far: largest distance of a particle to its mirror's image */
     struct crack_watch *cracks;
@@ -39,13 +39,13 @@ enum mpm_status impact_open(struct impact *impact, struct measurement *measureme
                             struct mpm_error *error);
 void impact_close(struct impact *impact);
 
-/* Looks at the moment. */
+/* Samples the moment. */
 void impact_look(struct impact *impact);
 
 /* Reports asymmetry (cells) and of each crack k = 1, 2, ... opening_k (length), overlap_k
  * and depth_k (cells; of particles that crossed), range_k = 1 + overlap/opening, and kept_k (% of
- * the faces' particles that were on their side at all looks). Returns the first failure of the
- * looks. */
+ * the faces' particles that were on their side at all sampled times). Returns the first failure of
+ * the samples. */
 enum mpm_status impact_report(const struct impact *impact, struct mpm_error *error);
 
 #endif

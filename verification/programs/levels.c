@@ -38,7 +38,7 @@ void levels_report_value(struct measurement *measurement, const char *name, cons
     g_free(quantity);
 }
 
-/* NaN if an error is missing: no class tells that. */
+/* NaN if an error is missing: no class reports that. */
 static double class_of(size_t count, const double *h, const double *error)
 {
     for (size_t k = 0; k < count; k++)

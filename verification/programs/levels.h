@@ -34,7 +34,7 @@ enum mpm_status levels_report(struct measurement *measurement, const struct leve
                               const char *suffix, const double error[LEVELS_MAX],
                               struct mpm_error *failure);
 
-/* Reports `value` as the quantity <name><suffix>; inconclusive if it is NaN, which stands for a
+/* Reports `value` as the quantity <name><suffix>; inconclusive if it is NaN, which means a
  * run that did not come to its end. */
 void levels_report_value(struct measurement *measurement, const char *name, const char *suffix,
                          double value);

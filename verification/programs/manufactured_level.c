@@ -10,7 +10,7 @@ enum { AXES = 2, GRADIENT = 5, STRESS = 4, LARGEST = GRADIENT, SETTINGS = 3, COL
 
 const char *const manufactured_suffix[MANUFACTURED_QUANTITIES] = {"_u", "_v", "_F", "_stress"};
 
-/* The off-diagonal component of a symmetric tensor stands for two. */
+/* The off-diagonal component of a symmetric tensor counts twice. */
 static const double STRESS_MULTIPLE[STRESS] = {1.0, 1.0, 1.0, 2.0};
 static const double IDENTITY[GRADIENT] = {1.0, 0.0, 0.0, 1.0, 1.0};
 
@@ -37,7 +37,8 @@ struct run {
     double *places;           /* 2 a particle */
     double *mass, *weight;    /* of all; 0 near the edges, which are not measured */
     double *computed, *exact; /* LARGEST a particle each */
-    double product, square;   /* of computed and exact displacement, over particles and looks */
+    double product,
+        square; /* of computed and exact displacement, over particles and sampled times */
 };
 
 /* From a place of the initial state to the nearest edge of the domain; the axis of an axisymmetric
@@ -79,7 +80,7 @@ static void close_run(struct run *run)
 
 /* ------------------------------------------------------------ exact values */
 
-/* How far the quantity stands behind the time of the simulation. */
+/* How far the quantity is behind the time of the simulation. */
 static double lag_of(const struct run *run, enum manufactured_quantity quantity)
 {
     const double steps = quantity == MANUFACTURED_DISPLACEMENT ? run->lags.position
@@ -128,7 +129,7 @@ static enum mpm_status advance(struct run *run, struct measurement *m, unsigned 
 }
 
 /* Places become displacements since the start, F becomes F - I. The displacement counts from
- * where the scheme's first position stands in time. */
+ * the time of the scheme's first position. */
 static void make_comparable(struct run *run, enum manufactured_quantity quantity)
 {
     const size_t components = QUANTITIES[quantity].components;
@@ -204,7 +205,7 @@ static enum mpm_status write_fields(struct measurement *m, const struct run *run
                               COLUMNS, run->count, rows, error);
 }
 
-/* From look to look, to the end or to where the run breaks. */
+/* From sample to sample, to the end or to where the run breaks. */
 static enum mpm_status follow_looks(struct run *run, struct measurement *m,
                                     struct error_norms *const norms[], struct mpm_error *error)
 {

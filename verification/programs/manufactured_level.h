@@ -26,7 +26,7 @@ struct manufactured_level {
     unsigned looks; /* instants at which errors are measured, the last at the end; divides steps */
     double end;     /* time */
     double margin;  /* particles that start nearer than this to an edge are not measured */
-    bool at_once;   /* start with all quantities of time 0, whatever the scheme wants */
+    bool at_once;   /* start with all quantities of time 0, whatever the scheme requires */
     const char *series; /* of the fields at the end, or NULL */
 };
 
@@ -36,13 +36,14 @@ struct manufactured_outcome {
     /* of the computed displacement u in the exact one e: sum m u.e / sum m e.e over particles and
      * looks */
     double amplitude;
-    /* of the particles measured, weighted by mass, over all looks; NaN if not finished */
+    /* of the particles measured, weighted by mass, over all sampled times; NaN if not finished */
     struct error_norms norms[MANUFACTURED_QUANTITIES];
 };
 
 /* Starts the variant's scene with the field's velocities and deformation gradients, each at the
- * time that the scheme wants (mpm_scene_lags), drives it with the field's body force in `steps`
- * equal steps, and compares each quantity at each look with the exact one of its own time. */
+ * time that the scheme requires (mpm_scene_lags), drives it with the field's body force in `steps`
+ * equal steps, and compares each quantity at each sampled time with the exact one of its own time.
+ */
 enum mpm_status manufactured_level_run(struct measurement *measurement,
                                        const struct manufactured_problem *problem,
                                        const struct manufactured_level *level,

@@ -12,7 +12,7 @@ struct picture {
 };
 
 /* The variant's parameter `picture`, "x y x y pixel": lower left and upper right corner and the
- * side of a pixel; *asked tells whether there is one. MPM_BAD_INPUT: it is something else. */
+ * side of a pixel; *asked: whether there is one. MPM_BAD_INPUT: it is something else. */
 enum mpm_status picture_read(const struct measurement *measurement, struct picture *picture,
                              bool *asked, struct mpm_error *error);
 

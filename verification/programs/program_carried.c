@@ -16,7 +16,7 @@ struct parameters {
     double stress;   /* exact sigma_xx */
     double energy;   /* exact strain energy of the block, the scale of energies */
     double start;    /* from when on it is measured */
-    double interval; /* between two looks */
+    double interval; /* between two samples */
 };
 
 struct study {

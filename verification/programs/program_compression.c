@@ -21,7 +21,7 @@ struct parameters {
     double speed;        /* of the rim */
     double strain;       /* radial compression at which the fields are judged */
     double inner;        /* part of R0 that counts as inside */
-    double sampling;     /* radial compression between two looks */
+    double sampling;     /* radial compression between two samples */
     double spread_limit; /* broken: relative deviation of J above this, */
     double volume_limit; /* or a particle with J below this part of the exact one, */
     double stress_limit; /* or the mean stress off by more than this part */
@@ -45,7 +45,7 @@ struct study {
     struct parameters parameters;
     struct mpm_simulation *simulation;
     struct particle_set set;
-    size_t count[PARTS]; /* the inner particles stand first */
+    size_t count[PARTS]; /* the inner particles come first */
     double strain;       /* now */
     struct look look[PARTS];
     double broken[PARTS]; /* volume compression in % at which the part broke; 0: not yet */
@@ -166,9 +166,9 @@ static enum mpm_status look_now(struct study *study, struct mpm_error *error)
     return study->broken[ALL] == 0.0 ? keep_row(study, error) : MPM_OK;
 }
 
-/* The books: strain energy per radian over the exact density N&G (64) times the volume
+/* Energy: strain energy per radian over the exact density N&G (64) times the volume
  * R0^2/2 height, and the work of ring and supports over the energy gained. */
-static void report_books(struct study *study)
+static void report_energy(struct study *study)
 {
     const struct parameters *const p = &study->parameters;
     const double stretch[3] = {1.0 - study->strain, 1.0, 1.0 - study->strain};
@@ -283,7 +283,7 @@ static enum mpm_status follow(struct study *study, double end, struct mpm_error 
         if (!study->judged && study->strain >= p->strain * (1.0 - 1e-9)) {
             study->judged = true;
             study->judged_spread = study->look[ALL].spread;
-            report_books(study);
+            report_energy(study);
             TRY(report_fields(study, error));
         }
         if (last)

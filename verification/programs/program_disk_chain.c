@@ -2,7 +2,7 @@
  * through the row as it must, do the crack's faces meet without crossing, how many fringes does a
  * photoelastic disk show?
  *
- * Bodies stand along x: first the one that hits, then the disks, from x = 0 on.
+ * Bodies are in a row along x: first the one that hits, then the disks, from x = 0 on.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/programs/follow.h"
@@ -126,7 +126,7 @@ static void look(void *context, const struct mpm_simulation *simulation,
 
 /* ------------------------------------------------------------------- report */
 
-/* Times are told in the time that a wave takes through a disk. */
+/* The unit of times is the time that a wave takes through a disk. */
 static void report_arrivals(const struct study *study, struct measurement *m)
 {
     const double crossing = 2.0 * study->radius / study->wave_speed;
@@ -148,7 +148,7 @@ static enum mpm_status report(const struct study *study, struct measurement *m,
                               const struct follow_result *result, struct mpm_error *error)
 {
     follow_report(m, result, 0.0); /* angular momentum: asymmetry has it */
-    measurement_report(m, "momentum_drift", books_momentum_drift(&result->books));
+    measurement_report(m, "momentum_drift", conservation_momentum_drift(&result->conservation));
     measurement_report(m, "particles", (double)study->impact.count);
     measurement_report(m, "order", study->largest_order);
     report_arrivals(study, m);

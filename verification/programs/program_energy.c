@@ -1,7 +1,7 @@
 /* E1: total energy over time: how far it moves, which way, and when.
  *
- * Parameters: `interval` of looks; `from` and `to`, the window of mean_gain; `limit`, from which on
- * the energy counts as off (%).
+ * Parameters: `interval` of samples; `from` and `to`, the window of mean_gain; `limit`, from which
+ * on the energy counts as off (%).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/energy_curve.h"
@@ -41,7 +41,7 @@ static void report_time_off(struct measurement *m, const struct follow_result *r
     if (isfinite(off))
         measurement_report(m, "off_at", off);
     else if (!result->finished)
-        measurement_report(m, "off_at", result->books.last.time);
+        measurement_report(m, "off_at", result->conservation.last.time);
     else
         measurement_inconclusive(m, "off_at", "the energy is never off by %g %%", study->limit);
 }
@@ -49,29 +49,29 @@ static void report_time_off(struct measurement *m, const struct follow_result *r
 static enum mpm_status report(struct measurement *m, const struct follow_result *result,
                               const struct study *study, struct mpm_error *error)
 {
-    const struct books *const books = &result->books;
+    const struct conservation *const conservation = &result->conservation;
     const double *const values = study->rows.values;
     TRY(follow_rows_check(&study->rows, error));
     const struct energy_curve curve = {study->rows.count, COLUMNS, values + TIME, values + TOTAL,
                                        values + STRAIN};
-    const double end = 100.0 * books_energy_now(books);
+    const double end = 100.0 * conservation_energy_now(conservation);
     measurement_report(m, "gain", 100.0 * energy_curve_extreme(&curve));
     measurement_report(m, "end_gain", end);
-    if (books->last.time >= study->to)
+    if (conservation->last.time >= study->to)
         measurement_report(m, "mean_gain",
                            100.0 * energy_curve_mean(&curve, study->from, study->to));
     else
-        measurement_inconclusive(m, "mean_gain", "the run ended at %g, before %g", books->last.time,
-                                 study->to);
+        measurement_inconclusive(m, "mean_gain", "the run ended at %g, before %g",
+                                 conservation->last.time, study->to);
     if (result->finished)
         measurement_report(m, "swing", energy_curve_swing(&curve, result->time_step));
     else
         measurement_inconclusive(m, "swing", "the run ended early");
-    measurement_report(m, "slowest", 100.0 * books->smallest_kinetic);
+    measurement_report(m, "slowest", 100.0 * conservation->smallest_kinetic);
     report_time_off(m, result, study, &curve);
     follow_report(m, result, 0.0);
     measurement_note(m, "total energy between %+.5f %% and %+.5f %%, at the end %+.5f %%",
-                     100.0 * books->energy_low, 100.0 * books->energy_high, end);
+                     100.0 * conservation->energy_low, 100.0 * conservation->energy_high, end);
     return measurement_series(m, "energy",
                               "time total_over_start kinetic_over_start strain_over_start", COLUMNS,
                               study->rows.count, values, error);

@@ -36,7 +36,7 @@ struct record {
     double low, high;      /* extremes of E - W - start */
     double largest;        /* E, the scale */
     double j_min, j_max;   /* of all times */
-    struct mpm_ledger now; /* the last look */
+    struct mpm_ledger now; /* the last sample */
     double end;            /* of the run */
     double rows[ROWS * COLUMNS];
     size_t row_count;
@@ -75,7 +75,7 @@ static int ending_of(enum mpm_cause cause)
     return ENDINGS;
 }
 
-/* Runs to `end` and tells in *ending what stopped it. */
+/* Runs to `end` and sets *ending to what stopped it. */
 static enum mpm_status follow(struct measurement *m, struct mpm_simulation *simulation, double end,
                               struct record *record, int *ending, struct mpm_error *error)
 {

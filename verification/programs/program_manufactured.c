@@ -15,7 +15,7 @@
  *   levels          how many; from each to the next the factors (1 or 2) refine_space,
  *                   refine_time and refine_particles
  *   margin          if given, particles that start nearer to an edge are not measured
- *   start_at_once   if given, all starts at t = 0, whatever the times that the scheme wants
+ *   start_at_once   if given, all starts at t = 0, whatever the times that the scheme requires
  *   picture         if given, the fields of the last level are written at the end
  *
  * Reported, with a suffix for each quantity (_u, _v, _F, _stress), of errors over the size of the

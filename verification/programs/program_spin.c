@@ -14,7 +14,7 @@ struct study {
     size_t count;
     double *mass, *start, *position, *gradient;
     double gyration; /* sum m r^2 at the start */
-    double angle;    /* of the last look */
+    double angle;    /* of the last sample */
     struct follow_rows rows;
 };
 

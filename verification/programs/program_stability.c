@@ -90,8 +90,8 @@ static enum mpm_status read_parameters(struct study *study, struct mpm_error *er
 
 /* ------------------------------------------------------------------------ one run */
 
-/* Energy is looked at so often, and a run has so many times the steps that its Courant number
- * asks for: one that needs more has let its wave speed run away. */
+/* Energy is sampled so often, and a run has so many times the steps that its Courant number
+ * requires: one that needs more has let its wave speed run away. */
 enum { LOOK_STEPS = 8, STEPS_FACTOR = 10 };
 
 static double energy_of(const struct mpm_simulation *simulation)
@@ -182,7 +182,7 @@ static size_t place_of(const char *name, const char *const *names, size_t count)
 }
 
 /* `theory`: "SHAPE ORDER" of a bar of `cells` cells with `particles` along x in each, whose linear
- * theory stands beside the first problem. */
+ * theory is beside the first problem. */
 static enum mpm_status report_theory(const struct study *study, double limit,
                                      struct mpm_error *error)
 {

@@ -1,6 +1,6 @@
 /* T1, T3, T4 and the static R1: a body under load against its exact state of rest.
  *
- * The scene runs until it is at rest, or to its end if it does not ask for rest. Then all particles
+ * The scene runs until it is at rest, or to its end if it has no `time.rest`. Then all particles
  * are held against the exact state at their initial places. Errors are in percent of the largest
  * exact stress, displacement and strain.
  *

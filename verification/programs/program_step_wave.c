@@ -14,7 +14,7 @@ enum { STRESS = 4, AXES = 2, COLUMNS = 4 };
 
 struct parameters {
     struct step_wave wave;
-    double time;          /* when the front is looked at */
+    double time;          /* when the front is measured */
     double level_from;    /* the level of the stress is its mean between these parts of c t */
     double level_to;      /* */
     double dispersion, h; /* b and cells of the curve drawn beside the profile */
@@ -146,7 +146,7 @@ struct study {
     struct profile profile;
 };
 
-/* Up to the time of the look. */
+/* Up to the time of the measurement. */
 static enum mpm_status measure(void *context, struct measurement *m, const struct mpm_scene *scene,
                                struct mpm_simulation *simulation, struct mpm_error *error)
 {

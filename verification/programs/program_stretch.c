@@ -3,9 +3,9 @@
  *
  * The deviation is the root mean square velocity of the particles, sqrt(2 K/M). Parameters: `hold`,
  * the time at which the steps become those of the scene, and `careful`, the longest step before;
- * from then on the deviation is looked at every `interval`. Its growth rate is the slope of its
+ * from then on the deviation is sampled every `interval`. Its growth rate is the slope of its
  * logarithm by least squares, from where it last is below `from` to where it first exceeds `to`.
- * Beside it stands the rate of stretched_column.h for the state at `hold`, with `modulus`, the
+ * It also reports the rate of stretched_column.h for the state at `hold`, with `modulus`, the
  * slope of the force over the stretch, and the density of the unstretched column, `density`.
  * Series: `deviation` over time and, where it grows, `predicted`: the same growth at that rate.
  *
@@ -58,7 +58,7 @@ static enum mpm_status read_parameters(const struct measurement *m, struct study
     if (study->careful > 0.0 && study->interval > 0.0)
         return MPM_OK;
     return failure_set(error, MPM_BAD_INPUT,
-                       "case %s: steps of %g, looks every %g; allowed: above 0",
+                       "case %s: steps of %g, samples every %g; allowed: above 0",
                        measurement_case(m), study->careful, study->interval);
 }
 

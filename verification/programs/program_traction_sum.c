@@ -1,8 +1,8 @@
-/* T2: does a load give what it says? The force that a traction on one face exerts in a step, from
- * the change of momentum, against value times deformed area, edge by edge from F.
+/* T2: does a load give its stated force? The force that a traction on one face exerts in a step,
+ * from the change of momentum, against value times deformed area, edge by edge from F.
  *
  * Two runs of the scene agree until `time`, when the load of one of them begins; the first step
- * after that tells the force by the difference of their momenta. The body is a lattice of sites,
+ * after that yields the force by the difference of their momenta. The body is a lattice of sites,
  * `columns` by `rows`.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -24,7 +24,7 @@ static const char *const frame_names[FRAMES] = {"global", "edge"};
 
 struct parameters {
     double time;            /* when loads begin */
-    double half[AXES];      /* half edges of a particle at t = 0 */
+    double half[AXES];      /* half the size of a particle at t = 0 */
     double value[AXES];     /* of the load */
     unsigned columns, rows; /* of sites */
     unsigned axisymmetric;  /* 1 or 0 */
@@ -171,7 +171,7 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
             measurement_report(m, quantities[of], worst[of]);
         else
             measurement_inconclusive(m, quantities[of],
-                                     "a run ended before the step that tells the force");
+                                     "a run ended before the step that yields the force");
     free_step(&without);
     return status;
 }

@@ -19,7 +19,7 @@ struct study {
     size_t count;
     double *f, *stress, *volume;
     double traction, after;          /* stress that the ends bear; errors count from this time on */
-    double axial, transverse, shear; /* largest errors since, in parts of the traction */
+    double axial, transverse, shear; /* largest errors since, over the traction */
     double angle;                    /* turned so far, degrees */
     struct follow_rows rows;
 };
@@ -61,7 +61,7 @@ static void look_at(void *context, const struct mpm_simulation *simulation,
 static enum mpm_status report(struct measurement *m, const struct study *study,
                               const struct follow_result *result, struct mpm_error *error)
 {
-    const struct books *const books = &result->books;
+    const struct conservation *const conservation = &result->conservation;
     const struct {
         const char *name;
         double value;
@@ -71,7 +71,7 @@ static enum mpm_status report(struct measurement *m, const struct study *study,
         {"shear", 100.0 * study->shear},
         {"angle", study->angle},
         {"angular_momentum_change",
-         100.0 * books->angular_momentum / fabs(books->start.angular_momentum)},
+         100.0 * conservation->angular_momentum / fabs(conservation->start.angular_momentum)},
     };
     for (size_t k = 0; k < sizeof table / sizeof *table; k++)
         if (result->finished)

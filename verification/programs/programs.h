@@ -57,7 +57,7 @@ struct program_table programs_all(void);
 /* The program of that name, or NULL. */
 const struct measure_program *programs_find(struct program_table table, const char *name);
 
-/* ------------------------------------------------ what a program may ask for */
+/* ------------------------------------------------ what a program may read */
 
 const char *measurement_case(const struct measurement *measurement);
 const char *measurement_variant(const struct measurement *measurement);
@@ -124,11 +124,11 @@ enum mpm_status measurement_scene_file(const struct measurement *measurement, co
 void measurement_report(struct measurement *measurement, const char *quantity, double value);
 
 /* The quantity could not be determined, with the reason (the run ended before the
- * event looked for, say): its checks are `inconclusive`, which is red. */
+ * event, for example): its checks are `inconclusive`, which is red. */
 void measurement_inconclusive(struct measurement *measurement, const char *quantity,
                               const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* Nothing of this variant can be measured here and that is no fault (say, an optional
+/* Nothing of this variant can be measured here and that is no fault (for example, an optional
  * tool is not installed), with the reason: all its checks are skipped. */
 void measurement_skip(struct measurement *measurement, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

@@ -17,7 +17,7 @@ struct static_state {
 
 struct static_solution {
     const char *name;                                      /* as in the parameter `solution` */
-    double stress_scale, displacement_scale, strain_scale; /* what errors are told in parts of */
+    double stress_scale, displacement_scale, strain_scale; /* what errors are divided by */
     double numbers[6];                                     /* what the solution was read from */
     double centre[STATIC_AXES];                            /* of a body that nothing holds */
     struct static_state (*at)(const struct static_solution *solution, const double start[2]);

@@ -85,7 +85,7 @@ static bool is_measured(const struct records *records, const char *name, const c
     return false;
 }
 
-/* "timed out", "failed: what its log says last" */
+/* "timed out", "failed: the last line of its log" */
 static char *failure_of(const json_t *variant)
 {
     char *log = g_strdup(record_text(variant, "log_tail"));

@@ -9,8 +9,8 @@
 #include "verification/report/case_figure.h"
 #include "verification/report/comparison_plot.h"
 #include "verification/report/comparison_view.h"
-#include "verification/report/report_kept.h"
 #include "verification/report/report_site.h"
+#include "verification/report/report_stored.h"
 
 #include <glib.h>
 #include <glib/gstdio.h>
@@ -46,7 +46,7 @@ static GPtrArray *data_files(const char *home)
     return names;
 }
 
-/* Draws the figures of a case, then writes its page; a figure that failed is told after
+/* Draws the figures of a case, then writes its page; a figure that failed is reported after
  * the page is written. */
 static enum mpm_status write_case(const char *folder, struct report_site *site, const json_t *entry,
                                   struct mpm_error *error)
@@ -64,7 +64,7 @@ static enum mpm_status write_case(const char *folder, struct report_site *site, 
         }
     }
     char *home = g_build_filename(folder, "cases", record_text(entry, "case"), NULL);
-    g_mkdir_with_parents(home, 0777); /* a failure is told by the writing */
+    g_mkdir_with_parents(home, 0777); /* a failure is reported by the writing */
     GPtrArray *files = data_files(home);
     enum mpm_status status =
         write_owned(home, "index.html", report_case(site, entry, results, files), error);
@@ -112,7 +112,7 @@ static enum mpm_status write_cases(const char *folder, const char *reports,
         enum mpm_status drawn = write_case(folder, site, entry, &own);
         if (drawn == MPM_OK)
             drawn = write_comparison(folder, reports, site, entry, &own);
-        /* the first failure is the one to tell */
+        /* the first failure is the one to report */
         if (drawn != MPM_OK && status == MPM_OK)
             status = failure_set(error, drawn, "%s", own.message);
     }
@@ -170,7 +170,7 @@ static void clear_file(void *element)
 }
 
 static enum mpm_status render(const char *folder, const char *reports,
-                              const struct records *records, const struct report_kept *kept,
+                              const struct records *records, const struct report_stored *stored,
                               struct mpm_error *error)
 {
     struct report_style style;
@@ -178,9 +178,9 @@ static enum mpm_status render(const char *folder, const char *reports,
     struct report_site site = {
         .records = records,
         .style = &style,
-        .changes = kept->changes,
-        .mutants = kept->mutants,
-        .headroom = kept->headroom,
+        .changes = stored->changes,
+        .mutants = stored->mutants,
+        .headroom = stored->headroom,
         .benchmarks = has_benchmarks(folder),
         .compares = any_comparison(json_object_get(records->run, "cases")),
         .files = g_array_new(FALSE, TRUE, sizeof(struct report_file)),
@@ -202,12 +202,12 @@ static enum mpm_status render(const char *folder, const char *reports,
 enum mpm_status report_render(const char *folder, const char *reports, struct mpm_error *error)
 {
     struct records records;
-    struct report_kept kept;
+    struct report_stored stored;
     TRY(records_read(folder, &records, error));
-    enum mpm_status status = report_kept_read(folder, &kept, error);
+    enum mpm_status status = report_stored_read(folder, &stored, error);
     if (status == MPM_OK) {
-        status = render(folder, reports, &records, &kept, error);
-        report_kept_clear(&kept);
+        status = render(folder, reports, &records, &stored, error);
+        report_stored_clear(&stored);
     }
     records_clear(&records);
     return status;

@@ -15,7 +15,7 @@
  * in the folder, the style as well, or else that of `reports` (may be NULL). The same
  * folder gives the same bytes. MPM_BAD_INPUT: no such results. MPM_ENVIRONMENT_FAILED:
  * gnuplot is missing, a script failed, or a file cannot be written; all that can be
- * rendered has been, and the place of a missing figure says why. */
+ * rendered has been, and the place of a missing figure states why. */
 enum mpm_status report_render(const char *folder, const char *reports, struct mpm_error *error);
 
 /* The parts, each a whole file's text; g_free. */

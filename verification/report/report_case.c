@@ -304,7 +304,7 @@ static void add_commands(GString *html, const json_t *entry, const json_t *run)
         text_markup(html,
                     "<p class=\"about\">In a checkout of revision %s, <code>make</code> builds "
                     "<code>build/release/bin/mpm-verify</code>. The first command runs the whole "
-                    "case, each of the next one variant, the last says what is checked and "
+                    "case, each of the next one variant, the last states what is checked and "
                     "why.</p>\n<pre tabindex=\"0\"><code>mpm-verify run --tier %s --case %s "
                     "--output DIR\n",
                     record_text(run, "revision"), record_text(run, "tier"),
@@ -333,7 +333,7 @@ static void add_citation(GString *html, const json_t *entry, const json_t *run)
         "<h2 id=\"cite\">Cite and reproduce</h2>\n<p class=\"cite\">Touchstone %s, case %s: "
         "%s. Revision %s, size %s, run of %s, %s. Page <code>cases/%s/index.html</code> of "
         "the verification report.</p>\n<p class=\"about\">The address of the page and of its "
-        "parts stays the same from report to report; the revision says which solver it "
+        "parts stays the same from report to report; the revision states which solver it "
         "is about.</p>\n",
         record_text(run, "version"), name, record_text(entry, "title"),
         record_text(run, "revision"), record_text(run, "tier"), day, record_text(run, "compiler"),

@@ -46,9 +46,10 @@ void report_changes(GString *html, struct report_site *site)
 {
     g_string_append(html, "<h2 id=\"changes\">Changes since a baseline</h2>\n");
     if (site->changes == NULL) {
-        g_string_append(html, "<p class=\"about\">None is kept with this report; <code>mpm-verify "
-                              "report DIR --baseline OLD</code> compares with an earlier "
-                              "run.</p>\n");
+        g_string_append(html,
+                        "<p class=\"about\">None is stored with this report; <code>mpm-verify "
+                        "report DIR --baseline OLD</code> compares with an earlier "
+                        "run.</p>\n");
         return;
     }
     const json_t *before = json_object_get(site->changes, "before");

@@ -144,7 +144,7 @@ static void add_absences(GString *html, const struct comparison_view *view)
     g_string_free(items, TRUE);
 }
 
-/* Everything about every row, for who asks. */
+/* Everything about every row, on demand. */
 static void add_details(GString *html, const struct comparison_view *view)
 {
     g_string_append(html, "<details><summary>Every variant in every column</summary>\n"
@@ -162,7 +162,7 @@ static void add_losses(GString *html, const struct comparison_view *view)
     const struct comparison_table *table = &view->table;
     g_string_append(html,
                     "<h2 id=\"loses\">Where each one loses</h2>\n<p class=\"about\">Each variant "
-                    "stands once, by the column in which it is behind the best by the largest "
+                    "is listed once, by the column in which it is behind the best by the largest "
                     "factor.</p>\n<dl class=\"words\">\n");
     for (size_t column = 0; column < table->column_count; column++) {
         const size_t best = comparison_best(table, column);

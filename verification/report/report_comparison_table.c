@@ -159,7 +159,7 @@ static void add_row(GString *html, const struct comparison_view *view, size_t ro
 
 /* -------------------------------------------------------------- what it means */
 
-/* The columns that tell nothing, in one sentence. */
+/* The columns without information, in one sentence. */
 static void add_left_out(GString *html, const struct comparison_view *view)
 {
     const struct comparison_table *table = &view->table;
@@ -176,7 +176,7 @@ static void add_left_out(GString *html, const struct comparison_view *view)
     }
     if (text->len > 0)
         g_string_append_printf(html,
-                               "<p class=\"about\">Left out, the same for every run that was kept: "
+                               "<p class=\"about\">Left out, the same for every valid run: "
                                "%s.</p>\n",
                                text->str);
     g_string_free(text, TRUE);
@@ -246,10 +246,10 @@ void comparison_table_html(GString *html, const struct comparison_view *view)
 {
     g_string_append(
         html,
-        "<h2 id=\"table\">Every variant</h2>\n<p class=\"about\" id=\"how\">Run: kept is to its "
+        "<h2 id=\"table\">Every variant</h2>\n<p class=\"about\" id=\"how\">Run: valid is to its "
         "end "
         "and within every limit; others have no rank and stay last. A heading sorts, best first; "
-        "again turns round. Under each number: its rank among the runs that were kept, and how "
+        "again turns round. Under each number: its rank among the valid runs, and how "
         "many "
         "times the best it is (×) or, where more is better, the best is it (÷); where the best is "
         "smaller than the difference that counts as equal, how many times that.</p>\n<div "

@@ -8,7 +8,8 @@
 
 #include <string.h>
 
-/* Tags that say what kind of thing a feature is. A tag that is not here is a subject of its own. */
+/* Tags that state what kind of thing a feature is. A tag that is not here is a subject of its own.
+ */
 static const struct {
     const char *tag, *kind; /* "": no feature, but a kind of evidence or of case */
 } tags[] = {
@@ -59,7 +60,7 @@ static void add_feature(GArray *features, const char *name, const char *kind, co
         g_array_append_val(features, feature);
 }
 
-/* The tags of all cases and, where a comparison tells them, the parts of methods' names. */
+/* The tags of all cases and, where a comparison declares them, the parts of methods' names. */
 static GArray *features_of(const json_t *cases)
 {
     GArray *features = g_array_new(FALSE, TRUE, sizeof(struct feature));
@@ -161,7 +162,7 @@ void report_coverage(GString *html, struct report_site *site)
         add_row(table, &g_array_index(features, struct feature, i), all);
     report_table_sort(table);
     g_string_append(html, "<h2 id=\"coverage\">What is covered by which evidence</h2>\n"
-                          "<p class=\"about\">Checks of this run, by what stands against the "
+                          "<p class=\"about\">Checks of this run, by what is compared with the "
                           "solver’s number: its <a href=\"glossary.html#evidence\">evidence</a>. "
                           "“none” is a hole. A check counts for every feature that its case or "
                           "its variant has.</p>\n");

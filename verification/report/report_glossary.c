@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* What the parts of methods' names mean, from the first comparison that tells. */
+/* What the parts of methods' names mean, from the first comparison that declares them. */
 static void add_parts(GString *html, struct report_site *site)
 {
     static const struct report_column columns[] = {

@@ -12,7 +12,7 @@
 
 /* ------------------------------------------------------------------------ rows */
 
-/* In the order of what to look at first. */
+/* In the order of urgency. */
 static const struct {
     enum headroom judged;
     const char *word, *mark, *class;
@@ -64,7 +64,7 @@ static void add_row(struct report_table *table, const struct headroom_table *hea
     g_free(href);
 }
 
-/* Verdicts, and what is wrong: in words, since one build alone does not tell. */
+/* Verdicts, and what is wrong: in words, since one build alone does not show it. */
 static void add_counts(GString *html, const struct headroom_table *table, bool compared)
 {
     g_string_append(html, "<ul class=\"counts\">");
@@ -86,7 +86,7 @@ static void add_counts(GString *html, const struct headroom_table *table, bool c
     if (sound)
         g_string_append(html,
                         "<p class=\"notice good\">Every check has a value in every build that "
-                        "ran it, and is within 1.5 to 100 or says why not.</p>\n");
+                        "ran it, and is within 1.5 to 100 or states why not.</p>\n");
     if (!compared)
         g_string_append(html, "<p class=\"about\">This run alone; <code>make headroom</code> "
                               "compares builds.</p>\n");

@@ -105,10 +105,11 @@ static size_t add_breaking(GString *html, struct report_site *site)
     }
     const size_t rows = report_table_rows(table);
     report_table_sort(table);
-    g_string_append(html, "<h2 id=\"breaking\">Where methods break</h2>\n<p class=\"about\">Runs "
-                          "that did not reach their end or left the limits that the case sets for "
-                          "a run to count; the comparison of the case says by how much and beside "
-                          "which others.</p>\n");
+    g_string_append(html,
+                    "<h2 id=\"breaking\">Where methods break</h2>\n<p class=\"about\">Runs "
+                    "that did not reach their end or left the limits that the case sets for "
+                    "a run to count; the comparison of the case states by how much and beside "
+                    "which others.</p>\n");
     report_site_table(site, table, "Runs that do not count", "breaking.csv", html);
     return rows;
 }

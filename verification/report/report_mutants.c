@@ -4,12 +4,12 @@
 #include "verification/common/record.h"
 #include "verification/common/text.h"
 #include "verification/pages/html.h"
-#include "verification/report/report_kept.h"
 #include "verification/report/report_site.h"
+#include "verification/report/report_stored.h"
 
 #include <string.h>
 
-/* In the order of what to look at first. */
+/* In the order of urgency. */
 static const struct {
     const char *outcome, *mark, *class;
 } looks[] = {
@@ -171,7 +171,7 @@ static void add_killers(GString *html, struct report_site *site, const json_t *m
     g_string_append(
         html, "<h2 id=\"killers\">What each check is worth</h2>\n<p class=\"about\">"
               "A mutant meets the slower tests and checks only while quicker ones leave it alive: "
-              "of one that alone kills a mutant here, see first what all of them say "
+              "of one that alone kills a mutant here, see first what all of them report "
               "(<code>mutants.py run --thorough</code>).</p>\n");
     report_site_table(site, table, "Mutants killed by each check and test", "killers.csv", html);
     g_array_unref(killers);

@@ -12,9 +12,9 @@
 struct report_site {
     const struct records *records;
     const struct report_style *style;
-    const json_t *changes;  /* since a baseline; NULL if none is kept */
-    const json_t *mutants;  /* NULL if none are kept */
-    const json_t *headroom; /* other builds' runs; NULL if none are kept */
+    const json_t *changes;  /* since a baseline; NULL if none is stored */
+    const json_t *mutants;  /* NULL if none are stored */
+    const json_t *headroom; /* other builds' runs; NULL if none are stored */
     bool benchmarks;        /* ../bench/index.html is there */
     bool compares;          /* a case declares a comparison */
     GArray *files;          /* struct report_file; written when all are made */
@@ -50,7 +50,7 @@ void report_front_page(struct report_site *site);
 /* Parts of the front page. */
 void report_coverage(GString *html, struct report_site *site);
 void report_changes(GString *html, struct report_site *site);
-/* What the pages of comparisons say together: purposes with the variant for each, and a table of
+/* The pages of comparisons in one: purposes with the variant for each, and a table of
  * all variants by the number that decides; nothing if no case declares one. */
 void report_comparisons(GString *html, struct report_site *site);
 

@@ -48,7 +48,7 @@ void report_table_html(const struct report_table *table, const char *caption, co
 /* The same cells as CSV of RFC 4180, numbers with all digits; g_free. */
 char *report_table_csv(const struct report_table *table);
 
-/* Appends a text in quotes as RFC 4180 says. */
+/* Appends a text in quotes by RFC 4180. */
 void report_csv_text(GString *csv, const char *text);
 
 #endif

@@ -6,7 +6,8 @@
  *
  * Of fields: reference.csv, the reference at those points and times, in the layout of results;
  * body_force.csv, where the problem has one that the scene does not state: per unit mass, at the
- * same points, and four times as often. Of numbers (numbers.h): the tables that they are told from.
+ * same points, and four times as often. Of numbers (numbers.h): the tables that they are computed
+ * from.
  *
  * All that `mpm-verify score` needs is in the bundle.
  *

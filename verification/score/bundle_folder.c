@@ -12,7 +12,7 @@
 
 /* ------------------------------------------------------------------------- JSON */
 
-/* The sections of a scene that say what the problem is, not how the solver takes it. */
+/* The sections of a scene that state what the problem is, not how the solver takes it. */
 static json_t *problem_of(const json_t *scene)
 {
     static const char *const sections[] = {"title",    "thickness", "materials", "bodies",
@@ -104,7 +104,7 @@ void bundle_words_of_laws(GString *text, const json_t *json)
 char *bundle_words_end(const struct catalogue_case *entry, GString *text)
 {
     g_string_append_printf(text,
-                           "\n---\n\nWhat the suite itself says of the case, of its own solver "
+                           "\n---\n\nThe suite's own text on the case, of its own solver "
                            "included:\n\n%s",
                            entry->readme);
     return g_string_free(text, FALSE);

@@ -149,7 +149,7 @@ static json_t *criterion_json(const struct case_criterion *criterion)
     return object;
 }
 
-/* What a solver must write: where points were, and what the criteria look at. */
+/* What a solver must write: where points were, and what the criteria use. */
 static json_t *columns_json(const struct writing *writing)
 {
     bool wanted[SCORE_COLUMNS] = {false};
@@ -287,7 +287,7 @@ static enum mpm_status write_files(const struct writing *writing, const char *ho
     return status;
 }
 
-/* Criteria may ask for columns of the reference alone. */
+/* Criteria may use columns of the reference alone. */
 static enum mpm_status check_criteria(const struct writing *writing, struct mpm_error *error)
 {
     for (unsigned i = 0; i < writing->bundle->criteria_count; i++)

@@ -1,6 +1,6 @@
 /* The columns by which bundles and results are written: one name, one meaning, one unit.
  *
- * Rows are material points at instants. `initial_*` is where a point stands in the undeformed
+ * Rows are material points at instants. `initial_*` is where a point is in the undeformed
  * state, stress is Cauchy stress, relative_volume is det F. Axisymmetric problems have r, z, t
  * (hoop) in place of x, y, z.
  *

@@ -1,7 +1,7 @@
 /* The points at which a bundle states its reference, and what is between them.
  *
  * A lattice of count[0] x count[1] initial positions, the first axis running fastest, over a
- * rectangle, or over a sector of a ring: radius and angle. A count of 1 says that the reference
+ * rectangle, or over a sector of a ring: radius and angle. A count of 1 means that the reference
  * does not depend on that axis. Between points the reference is the product of cubic polynomials
  * through the four nearest (error about (3/128) h^4 times the fourth derivative), or linear where
  * it jumps.

@@ -16,7 +16,7 @@ enum { NUMBER, VALUE, UNIT, CELLS };
 
 static const char *const cell_names[CELLS] = {"number", "value", "unit"};
 
-/* Names that the bundle does not ask for and the report lists. */
+/* Names that the bundle does not have and the report lists. */
 enum { UNREAD_LISTED = 20 };
 
 /* What the lines of the results are read into. */

@@ -17,7 +17,7 @@ enum mpm_status numbers_write(const struct catalogue_case *entry, const char *fo
 
 /* Appends a row of rows.h for each criterion, with the value that the file of results has.
  * MPM_BAD_INPUT: it cannot be read, a number of the bundle is missing, twice there, not finite or
- * in another unit. Numbers that the bundle does not ask for are noted as not read. */
+ * in another unit. Numbers that the bundle does not have are noted as not read. */
 enum mpm_status numbers_rows(const struct bundle *bundle, const char *path, GString *rows,
                              struct mpm_error *error);
 

@@ -99,7 +99,7 @@ static GArray *next_numbers(struct words *words, size_t count, enum mpm_status *
     return values;
 }
 
-/* An array of points; outside of POINT_DATA only the time is looked at. */
+/* An array of points; outside of POINT_DATA only the time is read. */
 static enum mpm_status take(struct words *words, const char *name, size_t components, size_t count,
                             struct score_table *table, struct mpm_error *error)
 {

@@ -297,7 +297,7 @@ enum mpm_status score_read_vtk_xml(const char *path, const struct score_format *
     enum mpm_status status = MPM_OK;
     if (!g_markup_parse_context_parse(context, text, (gssize)length, &failure) ||
         !g_markup_parse_context_end_parse(context, &failure)) {
-        /* ours has file and line; the parser's own says the line itself */
+        /* ours has file and line; the parser's own has the line itself */
         status = own.status != MPM_OK
                      ? failure_set(error, MPM_BAD_INPUT, "%s", own.message)
                      : failure_set(error, MPM_BAD_INPUT, "%s: %s", path, failure->message);

@@ -36,7 +36,7 @@ enum mpm_status score_read_vtk_xml(const char *path, const struct score_format *
 /* ------------------------------------------------ shared by the readers of VTK */
 
 /* Puts an array of `rows` x `components` values into the columns that its name and number of
- * components stand for: position, displacement, initial_position, velocity (2 or 3), stress (4: as
+ * components are of: position, displacement, initial_position, velocity (2 or 3), stress (4: as
  * the columns; 6: xx yy zz xy yz xz; 9: by rows), deformation_gradient (9), or one of the columns'
  * own names (1). Any other is noted as unread. MPM_BAD_INPUT: the number of components, the number
  * of rows if the table has some already, a value that is not finite. */
@@ -44,7 +44,7 @@ enum mpm_status score_take_array(const char *path, const struct score_format *fo
                                  const char *name, size_t components, const GArray *values,
                                  struct score_table *table, struct mpm_error *error);
 
-/* Fills the column of times, or says that the file has none. */
+/* Fills the column of times, or reports that the file has none. */
 enum mpm_status score_take_time(const char *path, double time, struct score_table *table,
                                 struct mpm_error *error);
 

@@ -15,7 +15,7 @@ typedef enum mpm_status read_function(const char *path, const struct score_forma
 
 static read_function read_pvd;
 
-/* In the order in which a folder is looked through. Kinds of the same rank are read together. */
+/* In the order in which a folder is searched. Kinds of the same rank are read together. */
 static const struct kind {
     const char *suffix;
     unsigned rank;
@@ -191,7 +191,7 @@ static enum mpm_status keep_body(const char *path, struct score_table *table, in
     }
     if (kept == 0)
         return failure_set(error, MPM_BAD_INPUT,
-                           "%s: none of the %zu rows is of body %d, which the problem asks for",
+                           "%s: none of the %zu rows is of body %d, which the problem requires",
                            path, table->rows, body);
     table->rows = kept;
     for (int c = 0; c < SCORE_COLUMNS; c++)

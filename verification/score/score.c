@@ -13,9 +13,9 @@ static const double TIME_TOLERANCE = 1e-6;
 
 enum { PARTS = 4 }; /* of each axis, that must hold a point each */
 
-/* --------------------------------------------------------------------- what is asked */
+/* --------------------------------------------------------------------- what is required */
 
-/* Whether the reference depends on that axis, so that points must say where they started. */
+/* Whether the reference depends on that axis, so that points must state where they started. */
 static bool depends_on(const struct bundle *bundle, size_t axis)
 {
     return bundle->lattice.polar || bundle->lattice.count[axis] > 1;

@@ -13,14 +13,14 @@
 struct score_table {
     GArray *column[SCORE_COLUMNS]; /* of double; NULL: the results do not have it */
     size_t rows;
-    GPtrArray *unread; /* names that are none of the columns; told, never judged */
+    GPtrArray *unread; /* names that are none of the columns; reported, never judged */
 };
 
-/* What the readers of files are told, and what they fill. */
+/* Input and output of the readers of files. */
 struct score_format {
     enum mpm_geometry geometry;
     struct score_units units;
-    int body; /* whose rows are kept where the results have a column of bodies */
+    int body; /* whose rows are used where the results have a column of bodies */
 };
 
 void score_table_open(struct score_table *table);

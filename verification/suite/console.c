@@ -1,4 +1,4 @@
-/* What a run says.
+/* What a run prints.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/console.h"

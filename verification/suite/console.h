@@ -1,4 +1,4 @@
-/* What a run says while it runs and at its end: a table and a progress bar on a
+/* What a run prints while it runs and at its end: a table and a progress bar on a
  * terminal, plain lines in a pipe.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -25,7 +25,7 @@ void console_begin(struct console *console, const struct plan *plan);
 void console_progress(void *context, size_t done, size_t total);
 void console_finished(void *context, size_t job, const struct job_result *result);
 
-/* Says which quantities were measured that no case checks or compares (unchecked.h), if any. */
+/* States which quantities were measured that no case checks or compares (unchecked.h), if any. */
 void console_unchecked(const struct console *console, const GPtrArray *quantities);
 
 /* Failures, expected failures, where the report is (`output` NULL: there is none whole),

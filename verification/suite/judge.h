@@ -11,7 +11,7 @@ enum job_outcome {
     JOB_RETURNED,  /* code: its exit status */
     JOB_CRASHED,   /* code: the signal */
     JOB_TIMED_OUT, /* killed after its time-out */
-    JOB_NOT_RUN,   /* could not be started: rows say why */
+    JOB_NOT_RUN,   /* could not be started: rows state why */
 };
 
 /* What a job left behind. */
@@ -23,7 +23,7 @@ struct job_result {
     char *rows; /* see rows.h */
 };
 
-/* What the judge says of one check. */
+/* The judge's verdict on one check. */
 struct check_verdict {
     struct verdict verdict;
     bool has_value; /* a finite value was reported */

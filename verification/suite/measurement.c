@@ -1,4 +1,4 @@
-/* One run of a measuring program: what it may ask for and report.
+/* One run of a measuring program: what it may read and report.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/measurement.h"
@@ -21,7 +21,7 @@ struct measurement {
     int write_error; /* errno of the first row that could not be written */
 };
 
-/* ------------------------------------------------------------------ asking */
+/* ----------------------------------------------------------------- reading */
 
 const char *measurement_case(const struct measurement *measurement)
 {

@@ -41,7 +41,7 @@ enum mpm_status plan_read_only(const char *path, GHashTable **only, struct mpm_e
 enum mpm_status plan_make(const struct catalogue *catalogue, const struct plan_selection *selection,
                           struct plan *plan, struct mpm_error *error);
 /* Reads the scene of each job that a method was made into: MPM_BAD_INPUT names case, method
- * and what the scene says against it, before anything runs. */
+ * and the scene's objection to it, before anything runs. */
 enum mpm_status plan_check_methods(const struct plan *plan, struct mpm_error *error);
 
 void plan_clear(struct plan *plan);

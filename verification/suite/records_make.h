@@ -12,7 +12,7 @@ struct record_context {
     const char *output; /* folder: the ends of logs are read from it */
     const char *command;
     const struct plan_selection *selection;
-    enum mpm_kernels kernels; /* that were asked for */
+    enum mpm_kernels kernels; /* as selected */
     unsigned jobs;
     const char *started; /* UTC, ISO 8601 */
     double seconds;

@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The unit that the case declares for a quantity; "" if it says nothing of it. */
+/* The unit that the case declares for a quantity; "" if it declares none. */
 static const char *unit_of(const struct case_file *file, const char *quantity)
 {
     for (unsigned i = 0; i < file->checks_count; i++)

@@ -5,7 +5,7 @@
 
 #include "verification/common/machine.h"
 #include "verification/report/report.h"
-#include "verification/report/report_kept.h"
+#include "verification/report/report_stored.h"
 #include "verification/suite/output_folder.h"
 #include "verification/suite/records_make.h"
 #include "verification/suite/schedule.h"
@@ -76,11 +76,11 @@ static enum mpm_status conclude(const struct run_options *options,
     enum mpm_status status = records_write(options->output, &records, error);
     const struct report_additions additions = {.baseline = options->baseline};
     if (status == MPM_OK)
-        status = report_keep(options->output, &additions, error);
+        status = report_store(options->output, &additions, error);
     if (status == MPM_OK)
         status = report_render(options->output, options->reports, error);
     say_unchecked(console, catalogue, plan, &records);
-    /* said on any outcome: the counts are known even if they could not be written */
+    /* printed on any outcome: the counts are known even if they could not be written */
     console_end(console, &records, status == MPM_OK ? options->output : NULL);
     records_clear(&records);
     return status;

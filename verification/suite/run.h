@@ -15,7 +15,7 @@ struct run_options {
     unsigned jobs;            /* programs at a time, >= 1 */
 };
 
-/* Runs the selected checks and writes the output folder. *counts tells how they came
+/* Runs the selected checks and writes the output folder. *counts: how they came
  * out: red checks are no failure of this function. MPM_BAD_INPUT: catalogue, selection
  * or output folder; MPM_ENVIRONMENT_FAILED: interrupted, cannot be written, or a figure cannot be
  * drawn (then *counts and all else are there). */

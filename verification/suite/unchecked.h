@@ -1,4 +1,4 @@
-/* Quantities that programs measure and nothing looks at.
+/* Quantities that programs measure and nothing checks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef VERIFICATION_SUITE_UNCHECKED_H

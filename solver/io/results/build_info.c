@@ -25,7 +25,7 @@
 #define COMPILER "unknown"
 #endif
 
-/* "2.3.3" of "2.3.3 (Release)"; the library tells it only through a parser. */
+/* "2.3.3" of "2.3.3 (Release)"; the library has it only through a parser. */
 static char *muparser_version(void)
 {
     const muParserHandle_t parser = mupCreate(muBASETYPE_FLOAT);

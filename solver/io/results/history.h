@@ -19,7 +19,7 @@ enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *s
                                    struct mpm_history **history, struct mpm_error *error);
 void mpm_history_free(struct mpm_history *history);
 
-/* Appends a row: the ledger, and what the simulation tells of cracks, which may be NULL where the
+/* Appends a row: the ledger, and the simulation's values of cracks, which may be NULL where the
  * scene has no such quantities; nothing if the last row is of the same step. MPM_RUN_FAILED: a J
  * integral has no value any more; its columns are nan, and the row is there. The row is handed to
  * the system at once, so a run that ends badly keeps it. A row that does not fit on the disk is

@@ -6,7 +6,7 @@
 
 #include "model/scene.h"
 
-/* Looks without touching: a path that is not a folder, or a folder that holds results
+/* Checks without touching: a path that is not a folder, or a folder that holds results
  * unless `overwrite`, is MPM_BAD_INPUT. A path where there is nothing is fine. */
 enum mpm_status mpm_results_folder_check(const char *folder, bool overwrite,
                                          struct mpm_error *error);

@@ -4,7 +4,7 @@
  *                 staggered, body_names, settings and the facts of io/results/provenance.h
  * /mpm/particles  one dataset per field of mpm_field_describe, with attributes unit,
  *                 description and components; integers are int64, the rest double; fringe
- *                 only where the scene asks for it
+ *                 only where the scene selects it
  * /mpm/cracks     in scenes with cracks: position and crack of the points of
  *                 mpm_simulation_crack_point, with the same attributes
  * /VTKHDF         version 1.0, UnstructuredGrid of vertices: Points is a dataset of its

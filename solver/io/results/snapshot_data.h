@@ -1,6 +1,6 @@
 /* Groups, attributes and datasets of a snapshot's file.
  *
- * Every HDF5 call goes through mpm_snapshot_checked: the first failure is kept as text, the calls
+ * Every HDF5 call goes through mpm_snapshot_checked: the first failure is stored as text, the calls
  * after it fail without harm, and the file is thrown away at the end. HDF5's hid_t is int64_t and
  * its hsize_t unsigned long long, written so here to keep its header out of this one.
  *

@@ -107,7 +107,7 @@ double mpm_raw_double(const char *text);
 void *mpm_reading_allocate(const struct mpm_reading *reading, size_t count, size_t size,
                            const char *what);
 
-/* Sorts the names of a list's entries, which stand `stride` bytes apart from `first` on;
+/* Sorts the names of a list's entries, which are `stride` bytes apart from `first` on;
  * refuses repeats. The caller frees *names. */
 enum mpm_status mpm_reading_index(const struct mpm_reading *reading, const char *list, size_t count,
                                   const char *first, size_t stride,

@@ -1,4 +1,4 @@
-/* What holds the surfaces of a crack together, and whether they are followed.
+/* What holds the surfaces of a crack together, and whether its opening is tracked.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
@@ -81,8 +81,8 @@ enum mpm_status mpm_build_cohesive(const struct mpm_reading *reading, const char
     if (raw->cohesive != NULL)
         MPM_TRY(build_law(reading, mpm_path_join(path, "cohesive", key), raw->cohesive,
                           &crack->cohesive));
-    const bool followed = crack->opening || crack->cohesive.law != NULL;
-    if (followed && reading->scene->crack_method == MPM_CRACKS_VISIBILITY)
+    const bool tracked = crack->opening || crack->cohesive.law != NULL;
+    if (tracked && reading->scene->crack_method == MPM_CRACKS_VISIBILITY)
         return mpm_reading_fault(reading, "method.cracks",
                                  "visibility with %s: its nodes have no field of their own for "
                                  "each surface; allowed: fields",

@@ -80,7 +80,7 @@ static bool in_a_body(const struct mpm_scene *scene, const double place[2])
     return false;
 }
 
-/* Looks at its ends and every half cell. */
+/* Checks its ends and every half cell. */
 static bool reaches_a_body(const struct mpm_scene *scene, const struct mpm_segment *segment)
 {
     const double count = ceil(distance(segment->a, segment->b) / (0.5 * shorter_side(scene)));
@@ -104,7 +104,7 @@ static enum mpm_status check_in_body(const struct mpm_reading *reading, const ch
     }
     return mpm_reading_fault(reading, path,
                              "outside every deformable body, from (%g, %g) on; allowed: a crack "
-                             "of which some part, looked at every half cell, lies in one",
+                             "of which some part, checked every half cell, lies in one",
                              crack->points[0][0], crack->points[0][1]);
 }
 
@@ -205,7 +205,7 @@ static enum mpm_status build_crack(const struct mpm_reading *reading, size_t ind
     return check_others(reading, points, index);
 }
 
-/* Segments are looked at pair by pair. */
+/* Segments are compared pair by pair. */
 static enum mpm_status check_point_count(const struct mpm_reading *reading)
 {
     size_t count = 0;

@@ -84,7 +84,7 @@ static enum mpm_status build_rest(const struct mpm_reading *reading)
     };
     if (scene->rest.after >= scene->end)
         return mpm_reading_fault(reading, "time.rest.after",
-                                 "rest is looked for from %g on, and the run ends at %g; allowed: "
+                                 "rest is tested from %g on, and the run ends at %g; allowed: "
                                  "below time.end",
                                  scene->rest.after, scene->end);
     return MPM_OK;

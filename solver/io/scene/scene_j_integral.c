@@ -25,7 +25,7 @@ static enum mpm_status check_others(const struct mpm_reading *reading, const cha
     return MPM_OK;
 }
 
-/* What points that are added have not: surfaces that are followed, and a place at t = 0 that
+/* What points that are added have not: openings that are tracked, and a place at t = 0 that
  * particles know. */
 static enum mpm_status check_growing(const struct mpm_reading *reading, const char *path,
                                      size_t index)
@@ -35,13 +35,14 @@ static enum mpm_status check_growing(const struct mpm_reading *reading, const ch
     const struct mpm_crack_spec *const crack = &scene->cracks[own->crack];
     if (mpm_crack_is_followed(crack))
         return mpm_reading_fault(reading, path,
-                                 "a crack whose opening is followed, or that is cohesive, does not "
+                                 "a crack whose opening is tracked, or that is cohesive, does not "
                                  "grow in this version; allowed: one of both");
     if (crack->contact != MPM_CONTACT_NONE && crack->detection != MPM_DETECT_CELL)
-        return mpm_reading_fault(reading, path,
-                                 "a crack whose contact is told by where its surfaces were at t = "
-                                 "0, and new ones were nowhere; allowed: contact: none, or "
-                                 "detection: cell");
+        return mpm_reading_fault(
+            reading, path,
+            "a crack whose contact is detected from where its surfaces were at t = "
+            "0, and new ones were nowhere; allowed: contact: none, or "
+            "detection: cell");
     for (size_t i = 0; i < index; i++)
         if (scene->j_integrals[i].crack == own->crack &&
             scene->j_integrals[i].at_start == own->at_start &&

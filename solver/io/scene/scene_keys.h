@@ -2,7 +2,7 @@
  * how it fills them, the checks of type and range, the defaults and `mpm schema`.
  *
  * A line is X(S, shape, key, value, where, need, unit, default, range, help):
- *   S        what the user of the list wants to know in each line: the list's name
+ *   S        what the user of the list needs in each line: the list's name
  *   shape    ONE value, a PAIR of values, a list of POINTS (pairs), a CHOICE among names,
  *            a GROUP of keys, a LIST of groups
  *   value    kind of the value; for a CHOICE its list below; for GROUP and LIST the list
@@ -10,8 +10,8 @@
  *   where    geometry that the key belongs to: ANYWHERE, PLANAR, AXISYMMETRIC
  *   unit     its dimension: MPM_DIMENSION_... without the prefix
  *   range    of values; for POINTS how many
- *   default  YAML that stands in for a missing OPTIONAL key, or NULL: then the key stays
- *            missing and `help` tells what that means
+ *   default  YAML used for a missing OPTIONAL key, or NULL: then the key stays
+ *            missing and `help` states what that means
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_IO_SCENE_KEYS_H
@@ -151,7 +151,7 @@
     X(S, ONE, steps, INTEGER, ANYWHERE, OPTIONAL, NONE, "10", FROM_TO(1, 1000000),                   \
       "both must be below for so many steps in a row")                                             \
     X(S, ONE, after, NUMBER, ANYWHERE, OPTIONAL, TIME, "0", AT_LEAST(0),                         \
-      "rest is not looked for before: when the loads are complete")                                \
+      "rest is not tested before: when the loads are complete")                                    \
     X(S, ONE, patience, INTEGER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(1, 1000000000),             \
       "the run has failed if the residual, above its threshold, has not fallen by 10 % for so many steps; without it, it goes on to the end")
 
@@ -255,7 +255,7 @@
       "velocity that it gives to the nodes it reaches, in coordinates and t")
 
 #define KEYS_body(X, S)                                                                            \
-    X(S, ONE, name, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "name, one only in the scene")        \
+    X(S, ONE, name, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "unique name")                      \
     X(S, ONE, material, NAME, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                                   \
       "name of its material, for a deformable body")                                               \
     X(S, GROUP, rigid, rigid, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                                   \
@@ -298,11 +298,11 @@
     X(S, ONE, longest, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ABOVE(0),                       \
       "length that there is room for; the run fails when the tip would grow further")              \
     X(S, ONE, increment, NUMBER, ANYWHERE, OPTIONAL, NONE, "0.5", FROM_TO(0.05, 1),                  \
-      "length of one growth, in parts of the shorter cell side")                                   \
+      "length of one growth, as a fraction of the shorter cell side")                              \
     X(S, CHOICE, direction, growth_direction, ANYWHERE, OPTIONAL, NONE, "straight", ANY,             \
       "straight on, or across the largest hoop stress of the field of K_I and K_II")               \
     X(S, ONE, every, INTEGER, ANYWHERE, OPTIONAL, NONE, "1", FROM_TO(1, 1e9),                        \
-      "steps from one look at J to the next; one growth at each")
+      "steps from one evaluation of J to the next; one growth at each")
 
 #define KEYS_j_integral(X, S)                                                                      \
     X(S, CHOICE, tip, tip, ANYWHERE, OPTIONAL, NONE, "end", ANY, "of the chain of points")           \
@@ -343,7 +343,7 @@
     X(S, ONE, touching, NUMBER, ANYWHERE, OPTIONAL, NONE, "1.1", ABOVE(1),                           \
       "surfaces touch above this relative volume at a node; between both, if they approach (V_contact)") \
     X(S, ONE, spacing, NUMBER, ANYWHERE, OPTIONAL, NONE, "0.5", FROM_TO(0.05, 1),                    \
-      "longest distance of the massless points that carry it, in parts of the shorter cell side") \
+      "longest distance of the massless points that carry it, over the shorter cell side")         \
     X(S, ONE, opening, BOOLEAN, ANYWHERE, OPTIONAL, NONE, "false", ANY,                              \
       "follow both surfaces, and write how far they have opened and slid to history.csv, at an end outside of bodies where the chain enters one; with cohesive they always are") \
     X(S, GROUP, cohesive, cohesive, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                             \

@@ -8,7 +8,7 @@
 #include "io/yaml/keys.h"
 #include "model/scene.h"
 
-enum { MPM_POINTS_MAX = 10000 }; /* crossing edges are looked for pair by pair */
+enum { MPM_POINTS_MAX = 10000 }; /* crossing edges are searched pair by pair */
 
 /* ------------------------------------------------- what a scene's tree fills */
 

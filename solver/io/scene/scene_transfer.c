@@ -50,7 +50,7 @@ static enum mpm_status build_transfer(const struct mpm_reading *reading)
 struct order {
     const char *name;
     bool with, without; /* re-extrapolation is defined, the step without it is */
-    const char *hint;   /* what to ask for instead */
+    const char *hint;   /* what to use instead */
 };
 
 static const struct order orders[] = {

@@ -16,7 +16,8 @@ char *mpm_schema_text(void);
  * for such scenes only, else null. `required`. `unit`: "" for none. `default`: YAML text, null
  * where there is none. `low`, `high`: range of the values, of the number of points for points;
  * null: no limit; `low_open`, `high_open`: the end itself is not allowed. `choices`: names, null
- * where any value of the kind may stand. `help`. The caller frees the text; NULL without memory. */
+ * where any value of the kind is allowed. `help`. The caller frees the text; NULL without memory.
+ */
 char *mpm_schema_json(void);
 
 #endif

@@ -15,7 +15,7 @@ struct mpm_indexed_name {
 /* Sorts by text, equal texts by index. O(n log n). */
 void mpm_names_sort(struct mpm_indexed_name *names, size_t count);
 
-/* In a sorted index: does a text stand twice? Gives the indices of the first such pair. */
+/* In a sorted index: does a text occur twice? Gives the indices of the first such pair. */
 bool mpm_names_repeat(const struct mpm_indexed_name *names, size_t count, size_t *first,
                       size_t *second);
 

@@ -111,7 +111,7 @@ enum mpm_status mpm_tree_fault(struct mpm_error *error, const struct mpm_source 
     va_start(arguments, format);
     (void)vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    /* The end of a long path tells more than its start, and the message must fit. */
+    /* The end of a long path says more than its start, and the message must fit. */
     const size_t length = strlen(source->path);
     const bool cut = length > PATH_SHOWN_MAX;
     if (origin.setting > 0)

@@ -4,7 +4,8 @@
 #include <math.h>
 
 /* A direction along which less than this part of the mobility is left, where the crack makes an
- * angle of less than 1e-6 with it, counts as held: below, round-off would say which way it goes. */
+ * angle of less than 1e-6 with it, counts as held: below, round-off would decide which way it goes.
+ */
 static const double HELD_ALONG = 1e-12;
 
 /* S and dv. */

@@ -2,9 +2,9 @@
  *
  * Fields of any owner: sides of a crack, bodies, materials. Whether they touch, along which normal
  * and by which law is for their owner to say; the exchange is a function of (field, field, normal,
- * law), see contact_impulse.h for its equations. Momentum is kept; components that conditions hold
- * stay as they are, and what the exchange would change of them the condition bears. Images beyond
- * planes of symmetry follow.
+ * law), see contact_impulse.h for its equations. Momentum is conserved; components that conditions
+ * hold stay as they are, and what the exchange would change of them the condition bears. Images
+ * beyond planes of symmetry follow.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_EXCHANGE_H

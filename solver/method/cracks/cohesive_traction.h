@@ -1,10 +1,10 @@
 /* Cohesive tractions between the surfaces of cracks, in CRAMP's Task 3: forces
  *     -+ t(delta) A w_i
  * on the fields above and below each point of a crack, with the weights that move its surfaces
- * (crack_opening.h). Both sum to t A: momentum is kept. They work t A . d delta/dt, which is what
- * the law integrates.
+ * (crack_opening.h). Both sum to t A: momentum is conserved. They work t A . d delta/dt, which is
+ * what the law integrates.
  *
- * A is the undeformed area that the point stands for, from both segments beside it: the integral of
+ * A is the undeformed area that belongs to the point, from both segments beside it: the integral of
  * the point's linear function, times the thickness, or over r ds in axisymmetry. Toughness is work
  * per undeformed area therefore.
  *

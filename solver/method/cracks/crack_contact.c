@@ -23,8 +23,8 @@ static bool is_shared(const struct mpm_state *state, const struct mpm_crack_node
     return has_mass(state, node, side) && node->face[side]->crack != node->face[side]->last;
 }
 
-/* Do the fields not tell which surfaces they have? Also where three have mass of which two lie
- * beyond one crack, as it may ask for that bends within a node's reach. */
+/* Is it unknown which surfaces the fields have? Also where three have mass of which two lie
+ * beyond one crack, as a crack may have that bends within a node's reach. */
 static bool is_crowded(const struct mpm_state *state, const struct mpm_crack_node *node)
 {
     return is_shared(state, node, MPM_CRACK_ABOVE) || is_shared(state, node, MPM_CRACK_BELOW) ||

@@ -3,9 +3,10 @@
  * Whenever nodal velocities change, two fields of a node that are found in contact exchange
  * momentum, CRAMP (12)-(19): no more than stops their approach along the crack's normal
  * (frictionless), with it no more than Coulomb's law allows along the crack (friction), or all of
- * what they differ by (stick). Momentum is kept: one normal serves both sides. A component that a
- * velocity condition holds stays as it is: what the exchange would change of it, the condition
- * bears (contact_impulse.h). A node between two cracks has three fields and two exchanges.
+ * what they differ by (stick). Momentum is conserved: one normal serves both sides. A component
+ * that a velocity condition holds stays as it is: what the exchange would change of it, the
+ * condition bears (contact_impulse.h). A node between two cracks has three fields and two
+ * exchanges.
  *
  * In contact are fields whose relative volume V_rel, see crack_detection.h, is above `touching`;
  * none whose is below `separated`; between the two, those that approach each other.
@@ -21,7 +22,7 @@
 void mpm_crack_contact_resolve(struct mpm_state *state, enum mpm_exchange_when when);
 
 /* Nodes of the last step beside this crack whose fields contact leaves alone: a crack that bends
- * within a node's reach may ask for three fields with mass, and particles beyond two cracks share a
+ * within a node's reach may have three fields with mass, and particles beyond two cracks share a
  * field if they see the node from the same side (above, or below) of both. */
 size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack);
 

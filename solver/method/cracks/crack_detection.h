@@ -39,8 +39,8 @@ static inline bool mpm_crack_has_contact(const struct mpm_scene *scene, size_t c
 /* Or of any? */
 bool mpm_cracks_have_contact(const struct mpm_scene *scene);
 
-/* Is contact of any crack told by where its surfaces are? Particles carry their place at t = 0
- * then. */
+/* Is contact of any crack detected from where its surfaces are? Particles carry their place at t =
+ * 0 then. */
 bool mpm_crack_detection_needs_surfaces(const struct mpm_scene *scene);
 
 /* Task 1, second part: normals and sums of the nodes with several fields. Cost: the stencils of the

@@ -157,7 +157,7 @@ static double largest_size(const double *values, size_t count)
     return -hull.low > hull.high ? -hull.low : hull.high;
 }
 
-/* Particles that are looked at together. */
+/* Particles that are tested together. */
 enum { CHUNK = 32 };
 
 struct chunk {
@@ -326,7 +326,7 @@ bool mpm_crack_map_draw(struct mpm_state *state)
     return true;
 }
 
-/* ---------------------------------------------------------------------- asking */
+/* --------------------------------------------------------------------- look-up */
 
 static const struct mpm_crack_site *put_together(const struct mpm_state *state,
                                                  const struct mpm_cell_block *block, uint32_t crack,

@@ -2,7 +2,7 @@
  *
  * The nodes of a particle span a block of cells. A listed cell has, for each crack, the segments
  * that meet the block of `span` by `span` cells from it on to the right and upwards. So a particle
- * looks at one cell, the first of its block; where its domain is wider than the span, at every
+ * tests one cell, the first of its block; where its domain is wider than the span, every
  * `span`-th cell of the block.
  *
  *     span = 2
@@ -14,7 +14,7 @@
  *     listed.low, listed.high: the first and the last listed column of each row. Particles whose
  *     blocks lie outside of them are passed over, 32 at a time.
  *
- * Cost: in proportion to the length of the cracks, and a look at a strip's particles, a few
+ * Cost: in proportion to the length of the cracks, and a test of a strip's particles, a few
  * together, where its nodes come near one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -29,7 +29,7 @@ struct mpm_cell_block {
     int64_t low[2], high[2];
 };
 
-/* What a listed cell says of one crack. */
+/* What a listed cell has of one crack. */
 struct mpm_crack_site {
     int64_t cell;
     uint32_t crack;

@@ -9,8 +9,8 @@
 
 /* Fields of less than this part of the largest mass of their side count for less. */
 static const double FULL_MASS = 0.1;
-/* How far a surface lies from the crack where it is asked what lies on its side, in cells: enough
- * for it to be off the crack whatever the round-off. */
+/* How far a surface lies from the crack where the search for bodies on its side is made, in cells:
+ * enough for it to be off the crack whatever the round-off. */
 static const double ASIDE = 1e-6;
 /* And how far back from its end, where a crack cuts the edge of a body: the line from a surface
  * there to any node of the other side crosses the crack, which from a tip it need not. */
@@ -131,7 +131,7 @@ static void find_surface(const struct mpm_state *state, const double from[2], co
     weigh(state, surface);
 }
 
-/* From where sides are told: the point, or a little back from the edge of a body. */
+/* The place that sides are seen from: the point, or a little back from the edge of a body. */
 static void view_point(const struct mpm_state *state, size_t crack, size_t point,
                        const double normal[2], double view[2])
 {

@@ -1,15 +1,15 @@
 /* The surfaces of a crack, at each point of its chain: how far they have moved apart.
  *
- * CRAMP moves a crack with the mass centre of both sides, (32), which says nothing of its opening.
- * A surface moves with its own side: as a massless particle would that lies just above (below) the
- * crack at the point. At each corner of the cell that the surface is in, it takes the field that
- * such a particle has there; ahead of a crack's tip both take the same. The opening is delta =
- * u_above - u_below,  d delta/dt = sum_above w_i v_i - sum_below w_i v_i with the velocities v_i
- * that update the stress, where the order of the step has that: an opening is a strain. The
- * velocities that move particles have a part that no particle takes up: where all particles of a
- * stressed body are at rest, nodes beside a crack still have it, and an opening that follows them
- * drifts and feeds on it (seen with MUSL, USF and USAVG). The surfaces lie half of the opening to
- * both sides of the point.
+ * CRAMP moves a crack with the mass centre of both sides, (32), which does not determine its
+ * opening. A surface moves with its own side: as a massless particle would that lies just above
+ * (below) the crack at the point. At each corner of the cell that the surface is in, it takes the
+ * field that such a particle has there; ahead of a crack's tip both take the same. The opening is
+ * delta = u_above - u_below,  d delta/dt = sum_above w_i v_i - sum_below w_i v_i with the
+ * velocities v_i that update the stress, where the order of the step has that: an opening is a
+ * strain. The velocities that move particles have a part that no particle takes up: where all
+ * particles of a stressed body are at rest, nodes beside a crack still have it, and an opening that
+ * follows them drifts and feeds on it (seen with MUSL, USF and USAVG). The surfaces lie half of the
+ * opening to both sides of the point.
  *
  * The weights w_i are the linear functions N_i there, taken down at nodes that the side hardly
  * reaches: w_i ~ N_i min(1, m_i / (m_max/10)),  sum w_i = 1, m_max the largest mass of the side's
@@ -20,7 +20,7 @@
  * Where surfaces lie is known as well as a field with an edge knows it: a node's velocity is that
  * of the mass centre of what it sees, up to half a cell inside. So an opening has the strain of
  * that layer in it, and surfaces that turn by an angle seem to slide by as much as the angle times
- * half a cell. Scenes that do not ask for it run none of this.
+ * half a cell. Scenes that do not track openings run none of this.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_CRACK_OPENING_H
@@ -28,7 +28,7 @@
 
 #include "method/state.h"
 
-/* Are the surfaces of this crack followed? */
+/* Is the opening of this crack tracked? */
 static inline bool mpm_crack_is_followed(const struct mpm_crack_spec *spec)
 {
     return spec->opening || spec->cohesive.law != NULL;

@@ -18,7 +18,8 @@ struct mpm_crack_surface {
     double weight[4];
 };
 
-/* The surfaces of cracks that ask for it; all NULL where none does. See crack_opening.h. */
+/* The surfaces of cracks whose openings are tracked; all NULL where none is. See crack_opening.h.
+ */
 struct mpm_crack_openings {
     double *vector[2]; /* per point: place of the surface above minus that of the one below */
     double *largest;   /* per point, cohesive: the largest effective opening so far */

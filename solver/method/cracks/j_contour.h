@@ -25,7 +25,7 @@ struct mpm_j_tip {
     double place[2], direction[2];
 };
 
-/* Nodes kept around the rectangle: those of particles that reach it. */
+/* Nodes stored around the rectangle: those of particles that reach it. */
 enum { MPM_J_MARGIN = 4 };
 
 struct mpm_j_contour {
@@ -54,7 +54,7 @@ static inline struct mpm_j_node *mpm_j_node_at(const struct mpm_j_contour *conto
                            (at[0] - contour->low[0] + MPM_J_MARGIN)];
 }
 
-/* From which side, of the first crack that tells, is the place `to` seen from `from`? `crack`,
+/* From which side, of the first crack that decides it, is the place `to` seen from `from`? `crack`,
  * unless NULL, gets that crack. */
 enum mpm_crack_side mpm_j_side(const struct mpm_j_contour *contour, const double from[2],
                                const double to[2], size_t *crack);

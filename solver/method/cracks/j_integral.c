@@ -178,7 +178,7 @@ static void add_to_sums(const struct mpm_state *state, const struct carried *own
         loaded * (own->tau[MPM_SYM_XY] * entry->g[0] + own->tau[MPM_SYM_YY] * entry->g[1]);
 }
 
-/* Of a stencil's node: its column and row. False: not one of those that are kept. */
+/* Of a stencil's node: its column and row. False: not one of those that are stored. */
 static bool find_node(const struct mpm_j_contour *contour, const struct mpm_stencil_node *entry,
                       int64_t at[2])
 {
@@ -257,17 +257,17 @@ static double share_of(const struct mpm_j_contour *contour, const int64_t at[2])
     return share;
 }
 
-/* What the nodes tell a particle. */
-struct told {
+/* Values of the nodes at a particle. */
+struct nodal {
     double share;       /* of it inside the contour */
     double force[2];    /* per mass: a - b */
     double gradient[4]; /* of the velocity, at the particle: xx xy yx yy */
 };
 
-static struct told told_to(const struct mpm_j_contour *contour, const struct carried *own)
+static struct nodal nodal_values(const struct mpm_j_contour *contour, const struct carried *own)
 {
     struct mpm_stencil stencil;
-    struct told told = {.share = 0.0};
+    struct nodal nodal = {.share = 0.0};
     mpm_particle_plain_stencil(contour->state, own->p, &stencil);
     for (int k = 0; k < stencil.count; k++) {
         const struct mpm_stencil_node *const entry = &stencil.node[k];
@@ -275,16 +275,16 @@ static struct told told_to(const struct mpm_j_contour *contour, const struct car
         if (!find_node(contour, entry, at))
             continue;
         const struct mpm_j_sums *const sums = sums_for(contour, own, at);
-        told.share += share_of(contour, at) * entry->s;
+        nodal.share += share_of(contour, at) * entry->s;
         if (!(sums->mass > 0.0)) /* no weight on it: of a particle on a line of nodes */
             continue;
         for (int i = 0; i < 2; i++) {
-            told.force[i] += entry->s * sums->force[i] / sums->mass;
-            told.gradient[2 * i] += entry->g[0] * sums->momentum[i] / sums->mass;
-            told.gradient[2 * i + 1] += entry->g[1] * sums->momentum[i] / sums->mass;
+            nodal.force[i] += entry->s * sums->force[i] / sums->mass;
+            nodal.gradient[2 * i] += entry->g[0] * sums->momentum[i] / sums->mass;
+            nodal.gradient[2 * i + 1] += entry->g[1] * sums->momentum[i] / sums->mass;
         }
     }
-    return told;
+    return nodal;
 }
 
 /* (F - C)_ik */
@@ -295,15 +295,15 @@ static double slope_of(const struct mpm_j_contour *contour, const struct carried
 
 /* rho_0 [ (a - b)_i (F - C)_ik - v_i v_i,k ] */
 static void dynamic_term(const struct mpm_j_contour *contour, const struct carried *own,
-                         const struct told *told, double term[2])
+                         const struct nodal *nodal, double term[2])
 {
     for (int k = 0; k < 2; k++) {
-        const double *const l = told->gradient;
+        const double *const l = nodal->gradient;
         double sum = 0.0;
         for (int i = 0; i < 2; i++) {
             const double u = slope_of(contour, own, i, k);
             const double v = l[2 * i] * own->f[k] + l[2 * i + 1] * own->f[2 + k];
-            sum += told->force[i] * u - own->v[i] * v;
+            sum += nodal->force[i] * u - own->v[i] * v;
         }
         term[k] = own->density * sum;
     }
@@ -357,15 +357,15 @@ static double curved_term(const struct mpm_j_contour *contour, const struct carr
 static void add_area(const struct mpm_j_contour *contour, size_t p, double j[2])
 {
     const struct carried own = carried_by(contour, p);
-    const struct told told = told_to(contour, &own);
+    const struct nodal nodal = nodal_values(contour, &own);
     double curved[2], dynamic[2] = {0.0, 0.0};
-    if (told.share == 0.0)
+    if (nodal.share == 0.0)
         return;
     const double weight = curved_term(contour, &own, curved);
     if (contour->spec->dynamic)
-        dynamic_term(contour, &own, &told, dynamic);
+        dynamic_term(contour, &own, &nodal, dynamic);
     for (int k = 0; k < 2; k++)
-        j[k] += told.share * own.area * (weight * dynamic[k] - curved[k]);
+        j[k] += nodal.share * own.area * (weight * dynamic[k] - curved[k]);
 }
 
 /* Particles outside of the contour by less than their reach have a share as well. */

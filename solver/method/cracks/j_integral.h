@@ -69,7 +69,7 @@ void mpm_j_tip_place(const struct mpm_state *state, const struct mpm_j_integral_
 
 /* MPM_RUN_FAILED, with the reason: the contour leaves the grid or the bodies, or reaches the axis;
  * there is more than one material in it; it meets or surrounds another crack, or meets its own
- * other than once; a particle of CPDI near it is longer than a cell to one side. Cost: a look at
+ * other than once; a particle of CPDI near it is longer than a cell to one side. Cost: a test of
  * each particle (CPDI: its corners); a stencil of each particle within the contour or six cells of
  * it, and another one where there is an area term. */
 enum mpm_status mpm_j_evaluate(const struct mpm_state *state,

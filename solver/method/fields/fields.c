@@ -76,7 +76,7 @@ void mpm_fields_layout(struct mpm_state *state, struct mpm_arena *arena)
 
 /* ---------------------------------------------------------------- beginning */
 
-static size_t uses_kept(const struct mpm_fields *fields)
+static size_t uses_listed(const struct mpm_fields *fields)
 {
     return fields->use_count < fields->use_capacity ? fields->use_count : fields->use_capacity;
 }
@@ -95,7 +95,7 @@ static void open_layers(struct mpm_state *state)
 void mpm_fields_begin(struct mpm_state *state)
 {
     struct mpm_fields *const fields = &state->fields;
-    const size_t uses = uses_kept(fields);
+    const size_t uses = uses_listed(fields);
     open_layers(state);
     if (fields->keys == 0)
         return;
@@ -112,7 +112,7 @@ void mpm_fields_begin(struct mpm_state *state)
     mpm_bands_clear(state, &fields->beside);
 }
 
-/* ------------------------------------------------------------------- asking */
+/* ----------------------------------------------------------------- requests */
 
 void mpm_field_ask(const struct mpm_state *state, struct mpm_field_use *use, int k,
                    const int64_t place[2], int key)
@@ -141,11 +141,11 @@ size_t mpm_field_keep(struct mpm_state *state, int64_t strip, const struct mpm_f
     const size_t place = atomic_fetch_add_explicit(&fields->use_count, 1, memory_order_relaxed);
     if (place >= fields->use_capacity)
         return SIZE_MAX;
-    struct mpm_field_use *const kept = &fields->uses[place];
-    kept->particle = use->particle;
-    kept->keys = use->keys;
-    kept->stencil.count = use->stencil.count;
-    memcpy(kept->stencil.node, use->stencil.node,
+    struct mpm_field_use *const listed = &fields->uses[place];
+    listed->particle = use->particle;
+    listed->keys = use->keys;
+    listed->stencil.count = use->stencil.count;
+    memcpy(listed->stencil.node, use->stencil.node,
            (size_t)use->stencil.count * sizeof *use->stencil.node);
     fields->use_of[use->particle] = (uint32_t)place + 1;
     add_to_spans(state, strip, use->particle);
@@ -228,7 +228,7 @@ static void divert(const struct mpm_state *state, struct mpm_field_use *use)
                 diverted(state, use->stencil.node[k].node, (int)(keys & 15u));
 }
 
-/* What this step has asked for is not to reach the next one. */
+/* Requests of this step must not reach the next one. */
 static enum mpm_fields_lack drop(struct mpm_state *state, enum mpm_fields_lack lack)
 {
     memset(state->fields.asked, 0, (size_t)mpm_layer_size(state) * sizeof *state->fields.asked);

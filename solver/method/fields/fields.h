@@ -1,4 +1,4 @@
-/* Additional velocity fields of nodes, whoever asks for them.
+/* Additional velocity fields of nodes, whatever they are for.
  *
  * Ordinarily particles share one velocity field: a node has one mass, momentum and force. A client
  * (cracks: CRAMP, section 2.1; later contact between bodies or materials) may give some particles
@@ -23,22 +23,21 @@
  * are the grid's; conditions, mirrors and planes of symmetry treat its nodes as their parents.
  * Packed fields are not for particles of such a body.
  *
- * Keys, for particles that leave their node's own field here and there. A key is who asks: the side
- * of a crack, or a body, or a material; cracks have the first two. In each step a client
- *     looks at particles by strips, in their order (mpm_strips_run), and names keys for nodes of
- *         their plain stencils (mpm_field_ask), and keeps those that have some (mpm_field_keep);
- *     has rows made for them (mpm_fields_settle), which puts the fields into the stencils that
- *         mpm_particle_stencil returns in this step.
- * Particles that are kept take the reference kernels, in spans of a strip (split.h). A particle has
- * one field at a node: clients that meet at one node look at a particle together, and a pair of
- * their keys is a key of its own. Limits: MPM_FIELD_KEYS keys in a scene, as many additional
- * fields of a node, and the capacities of mpm_fields. A client that has more to keep for a field
- * has an array of its own, by the field's place in `list` (crack_fields.h).
+ * Keys, for particles that leave their node's own field here and there. A key is the owner: the
+ * side of a crack, or a body, or a material; cracks have the first two. In each step a client looks
+ * at particles by strips, in their order (mpm_strips_run), and names keys for nodes of their plain
+ * stencils (mpm_field_ask), and keeps those that have some (mpm_field_keep); has rows made for them
+ * (mpm_fields_settle), which puts the fields into the stencils that mpm_particle_stencil returns in
+ * this step. Listed particles take the reference kernels, in spans of a strip (split.h). A
+ * particle has one field at a node: clients that meet at one node treat a particle together, and
+ * a pair of their keys is a key of its own. Limits: MPM_FIELD_KEYS keys in a scene, as many
+ * additional fields of a node, and the capacities of mpm_fields. A client that has more to keep for
+ * a field has an array of its own, by the field's place in `list` (crack_fields.h).
  *
- * A new client claims its keys or layers when the simulation is created, and asks in `begin` of
- * step.c; passes, loads, conditions and sums over nodes stay as they are. Fields exchange momentum
- * by mpm_exchange (contact/exchange.h), which knows two fields, a normal and a law.
- * tests/solver/method/test_fields.c has such clients: bodies that pass through each other.
+ * A new client claims its keys or layers when the simulation is created, and requests fields in
+ * `begin` of step.c; passes, loads, conditions and sums over nodes stay as they are. Fields
+ * exchange momentum by mpm_exchange (contact/exchange.h), which knows two fields, a normal and a
+ * law. tests/solver/method/test_fields.c has such clients: bodies that pass through each other.
  *
  * Scenes without clients run none of this and have no memory for it.
  *
@@ -64,21 +63,21 @@ void mpm_fields_layout(struct mpm_state *state, struct mpm_arena *arena);
 /* Forgets the fields of the last step. After mpm_grid_find_active. */
 void mpm_fields_begin(struct mpm_state *state);
 
-/* Asks for the field of `key` at node k of a particle's plain stencil, which is at that column and
+/* Requests the field of `key` at node k of a particle's plain stencil, which is at that column and
  * row. Strips of one colour have no row of nodes in common: one worker sets the bits of a node. */
 void mpm_field_ask(const struct mpm_state *state, struct mpm_field_use *use, int k,
                    const int64_t place[2], int key);
 
-/* Keeps a particle of the strip for which fields were asked, in ascending order within the strip.
- * Returns its place in `uses`, or SIZE_MAX: there is no room, which mpm_fields_settle reports.
- * Places depend on which strip is first; what is found there does not. */
+/* Lists a particle of the strip for which fields were requested, in ascending order within the
+ * strip. Returns its place in `uses`, or SIZE_MAX: there is no room, which mpm_fields_settle
+ * reports. Places depend on which strip is first; what is found there does not. */
 size_t mpm_field_keep(struct mpm_state *state, int64_t strip, const struct mpm_field_use *use);
 
 /* What the step's fields have no room for. */
 enum mpm_fields_lack { MPM_FIELDS_LACK_NOTHING, MPM_FIELDS_LACK_USES, MPM_FIELDS_LACK_NODES };
 
 /* Lists the nodes that have several fields and gives these their rows; puts them into the stencils
- * that are kept. If there is no room all that was asked for is dropped. */
+ * that are listed. If there is no room all requests are dropped. */
 enum mpm_fields_lack mpm_fields_settle(struct mpm_state *state);
 
 /* Puts the particle's fields into the nodes of one of its edges, `plain` being its plain stencil.
@@ -145,7 +144,7 @@ static inline const struct mpm_field_use *mpm_field_use_of(const struct mpm_stat
     return &state->fields.uses[state->fields.use_of[p] - 1];
 }
 
-/* Where the step's spans of a strip stand: those with particles that are kept, and with the
+/* Where the step's spans of a strip are: those with listed particles, and with the
  * particles between them where those are fewer than MPM_FIELD_GAP. */
 enum { MPM_FIELD_GAP = 16 };
 static inline struct mpm_span *mpm_field_spans(const struct mpm_state *state, int64_t strip)

@@ -25,7 +25,7 @@ struct mpm_bands {
 /* A field of a node besides its own. */
 struct mpm_additional_field {
     uint32_t node; /* the parent's place in `nodes` */
-    uint8_t key;   /* who asks for it: 1..keys */
+    uint8_t key;   /* of its owner: 1..keys */
     uint8_t held;  /* bits of the components that conditions hold */
     uint8_t free;  /* bits of the axes across which it is on a free surface, where its parent is on
                     * a plane of symmetry */
@@ -56,7 +56,7 @@ struct mpm_fields {
     size_t use_capacity;
     uint32_t *use_of;       /* per particle: one more than its place in `uses`, or 0 */
     struct mpm_span *spans; /* see mpm_field_spans */
-    uint16_t *asked;        /* per node of the grid: bits of the keys that some particle asks for */
+    uint16_t *asked;        /* per node of the grid: bits of the keys that some particle requests */
     struct mpm_bands asked_at;
     struct mpm_bands beside; /* cells with a corner that has several fields */
     uint32_t *node_of;       /* per node of the grid: one more than its place in `nodes`, or 0 */

@@ -49,8 +49,8 @@ static void run_piece(struct mpm_state *state, int64_t index, int worker, mpm_pa
     add_box(sums, strip);
 }
 
-/* Puts back what no piece has told anew. The kinetic energy of a step comes from one pass of each
- * set of kernels, but not always the same one: it adds up from pass to pass. */
+/* Restores what no piece has computed anew. The kinetic energy of a step comes from one pass of
+ * each set of kernels, but not always the same one: it adds up from pass to pass. */
 static void finish_strip(struct mpm_strip *strip, const struct mpm_strip *before,
                          const struct sums *sums)
 {

@@ -1,10 +1,10 @@
 /* Passes of scenes with packed velocity fields (fields.h), as cracks have them: fast kernels for
  * all particles but those that have such fields in their stencils.
  *
- * These take the reference kernels, spans of a strip at a
- * time; the rest of the strip takes the fast ones. What the strip sums up is put together of both.
- * Both agree to round-off, not to the bit: particles of such scenes keep their stress in the last
- * good state (simulation/backup.c), which is found again from F elsewhere.
+ * These particles take the reference kernels, one span of a strip at a time; the rest of the strip
+ * takes the fast ones. The sums of a strip are made of both. Both sets of kernels agree to
+ * round-off, not to the bit: the last good state of such scenes has the particles' stress
+ * (simulation/backup.c), which is computed again from F in other scenes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_SPLIT_H

@@ -79,7 +79,7 @@ static inline void append(struct mpm_state *state, struct mpm_active_condition c
 }
 
 /* For the node's images beyond planes of symmetry too, so that they stay images. Conditions that
- * are given for nodes beyond are not looked at. */
+ * are given for nodes beyond are not used. */
 static inline void append_with_images(struct mpm_state *state,
                                       struct mpm_active_condition condition)
 {
@@ -248,7 +248,7 @@ static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *e
 
 /* ------------------------------------------------------------------- mirrors */
 
-/* Their velocities are told when they are applied, after all others. */
+/* Their velocities are known when they are applied, after all others. */
 static void gather_mirrors(struct mpm_state *state)
 {
     for (int64_t row = state->first_row; row <= state->last_row; row++)

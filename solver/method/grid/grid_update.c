@@ -63,7 +63,7 @@ static inline void start_row(const struct mpm_state *state, int64_t row, bool ma
 {
     const struct mpm_grid *const grid = &state->grid;
     const struct mpm_row_span span = mpm_row_span(state, row);
-    const bool stress_before = state->order->before > 0.0; /* else nobody asks yet */
+    const bool stress_before = state->order->before > 0.0; /* else not needed yet */
     for (int64_t node = span.first; node < span.end; node++) {
         if (mass_in_sums) {
             grid->mass[node] = grid->sum[node][0].force;
@@ -95,12 +95,12 @@ static inline void update_row(const struct mpm_state *state, int64_t row, bool b
     const struct mpm_grid *const grid = &state->grid;
     const struct mpm_row_span span = mpm_row_span(state, row);
     const bool extrapolate = state->order->extrapolate;
-    const bool stress_after = state->order->after > 0.0; /* else nobody asks any more */
+    const bool stress_after = state->order->after > 0.0; /* else no longer needed */
     for (int64_t node = span.first; node < span.end; node++) {
         const double inverse = mpm_inverse_mass(grid->mass[node]);
         struct mpm_node_motion *const motion = &grid->motion[node];
         for (int axis = 0; axis < 2; axis++) {
-            if (body_force) /* stays in the sum: reactions at conditions are told from it */
+            if (body_force) /* stays in the sum: reactions at conditions follow from it */
                 grid->sum[node][axis].force += grid->mass[node] * state->uniform_force[axis];
             motion->acceleration[axis] = grid->sum[node][axis].force * inverse;
             motion->end[axis] =

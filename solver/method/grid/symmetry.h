@@ -8,7 +8,7 @@
  *
  * Packed velocity fields of nodes near a crack are not folded: a particle whose line to a node
  * beyond the plane crosses a crack is on a free surface there, and so is one at a node on the plane
- * if the crack lies on the plane. Fields at nodes on the plane that other cracks ask for are held
+ * if the crack lies on the plane. Fields at nodes on the plane that belong to other cracks are held
  * by conditions.c. Points of cracks that lie on the plane stay on it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

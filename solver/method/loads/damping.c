@@ -65,7 +65,7 @@ enum mpm_status mpm_damping_begin(struct mpm_state *state, struct mpm_error *err
     MPM_TRY(
         uniform_rate(state, "damping.particle", damping->particle, &damping->particle_rate, error));
     MPM_TRY(find_pic_rate(state, error));
-    damping->grid_rate += damping->books.rate;
+    damping->grid_rate += damping->totals.rate;
     return mpm_rate_is_allowed(damping->grid_rate, state->time_step)
                ? MPM_OK
                : refuse_rate(state, "damping.grid with the thermostat's rate", damping->grid_rate,
@@ -144,7 +144,7 @@ static enum mpm_status collect_rows(struct mpm_state *state, struct mpm_error *e
                            place[1]);
             return refuse_rate(state, what, sums->rate, error);
         }
-        state->damping.books.dissipated += sums->dissipated;
+        state->damping.totals.dissipated += sums->dissipated;
     }
     return MPM_OK;
 }
@@ -161,7 +161,7 @@ enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_erro
         const double place_rate = varying ? varying_rate(state, active->node, 0) : 0.0;
         if (!mpm_node_is_inside(state, active->node))
             continue;
-        state->damping.books.dissipated -=
+        state->damping.totals.dissipated -=
             taken(state, active->node, active->component, state->damping.grid_rate + place_rate);
     }
     return MPM_OK;
@@ -242,15 +242,15 @@ static inline void spare_work(struct mpm_state *state, int64_t index, int worker
 {
     const struct mpm_particles *const particles = &state->particles;
     const double half = 0.5 * state->time_step * state->time_step;
-    double *const *const given = particles->given_force;
+    double *const *const user = particles->user_force;
     struct mpm_strip *const strip = &state->strips[index];
     strip->external_work = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         double b[2] = {state->uniform_force[0], state->uniform_force[1]};
         if (varying && !mpm_particle_body_force(state, p, worker, strip, b))
             continue;
-        for (int axis = 0; axis < 2 && given[axis] != NULL; axis++)
-            b[axis] += given[axis][p];
+        for (int axis = 0; axis < 2 && user[axis] != NULL; axis++)
+            b[axis] += user[axis][p];
         strip->external_work -=
             half * particles->mass[p] *
             (b[0] * state->damping.drag[0][p] + b[1] * state->damping.drag[1][p]);
@@ -281,10 +281,10 @@ void mpm_damping_find_drag(struct mpm_state *state)
         [MPM_UNIFORM_BODY_FORCE] = pass_spare_work,
         [MPM_VARYING_BODY_FORCE] = pass_spare_work_by_place,
     };
-    const bool given = state->given_force.caller.evaluate != NULL;
+    const bool user = state->user_force.caller.evaluate != NULL;
     mpm_pass *const work =
-        works[given && state->body_force_kind == MPM_NO_BODY_FORCE ? MPM_UNIFORM_BODY_FORCE
-                                                                   : state->body_force_kind];
+        works[user && state->body_force_kind == MPM_NO_BODY_FORCE ? MPM_UNIFORM_BODY_FORCE
+                                                                  : state->body_force_kind];
     if (!state->damping.particles)
         return;
     run_particles(state, drags[state->damping.pic != NULL][is_varying(state->damping.particle)]);
@@ -362,7 +362,7 @@ static void settle(struct mpm_state *state)
         return;
     run_particles(state, midpoint ? pass_settle_midpoint : pass_settle);
     for (int64_t s = 0; s < state->strip_count; s++)
-        state->damping.books.dissipated += state->strips[s].dissipated;
+        state->damping.totals.dissipated += state->strips[s].dissipated;
 }
 
 /* -------------------------------------------------------------- thermostat */
@@ -370,19 +370,19 @@ static void settle(struct mpm_state *state)
 static void advance_thermostat(struct mpm_state *state)
 {
     const struct mpm_damping_spec *const spec = &state->scene->damping;
-    struct mpm_damping_books *const books = &state->damping.books;
+    struct mpm_damping_totals *const totals = &state->damping.totals;
     double kinetic = 0.0;
     if (!spec->thermostat)
         return;
     for (int64_t s = 0; s < state->strip_count; s++)
         kinetic += state->strips[s].kinetic_energy;
-    if (kinetic > books->largest_kinetic)
-        books->largest_kinetic = kinetic;
-    const double scale = spec->scale > 0.0 ? spec->scale : books->largest_kinetic;
+    if (kinetic > totals->largest_kinetic)
+        totals->largest_kinetic = kinetic;
+    const double scale = spec->scale > 0.0 ? spec->scale : totals->largest_kinetic;
     if (scale > 0.0)
-        books->rate += state->time_step * spec->gain * (kinetic - spec->target) / scale;
-    if (books->rate < 0.0)
-        books->rate = 0.0;
+        totals->rate += state->time_step * spec->gain * (kinetic - spec->target) / scale;
+    if (totals->rate < 0.0)
+        totals->rate = 0.0;
 }
 
 void mpm_damping_finish(struct mpm_state *state)

@@ -28,14 +28,14 @@
  * a target of 0 leads to alpha^2 = gain D/scale once the energy D has been taken out: the rate
  * stays finite, and with a scale near the energy to be lost and a gain of (2 omega)^2 it comes
  * to critical damping of the frequency omega. That, and that it needs no global extremes
- * or sudden changes of velocity, is why it stands here rather than a release at energy peaks.
+ * or sudden changes of velocity, is why it is here rather than a release at energy peaks.
  *
  * What damping takes out is booked as force times mean velocity times dt,
  *     sum m_i alpha_g v_i^n . (v_i^n + v_i^{n+1})/2 dt + sum m_p q_p . (v_p^n + v_p^{n+1})/2 dt,
  * as the work of external forces is. The mean velocity of a body force has its part of the drag,
  * - dt/2 q_p.
  *
- * Nothing is done where a scene does not ask for it.
+ * Nothing is done in a scene without damping.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_DAMPING_H

@@ -1,4 +1,4 @@
-/* What damping keeps; see damping.h.
+/* The state of damping; see damping.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_DAMPING_STATE_H
@@ -6,8 +6,8 @@
 
 #include "base/expression.h"
 
-/* What damping remembers from step to step. */
-struct mpm_damping_books {
+/* Values that a step adds to; part of the last good state. */
+struct mpm_damping_totals {
     double dissipated;      /* energy taken out since t = 0 */
     double rate;            /* alpha of the thermostat */
     double largest_kinetic; /* energy so far */
@@ -21,7 +21,7 @@ struct mpm_damping {
     double particle_rate; /* of all particles: a particle(t) */
     double pic_rate;      /* (1 - beta)/dt */
     double *drag[2];      /* per particle: the deceleration of this step */
-    struct mpm_damping_books books;
+    struct mpm_damping_totals totals;
 };
 
 #endif

@@ -1,4 +1,4 @@
-/* How far a step's forces are from balance, for scenes that ask for rest.
+/* How far a step's forces are from balance, for scenes with `time.rest`.
  *
  * Forces are those that the momentum update uses, damping left out; a component that a
  * condition holds has a reaction and counts as balanced. All sums are of |f_x| + |f_y|. Nothing is

@@ -6,13 +6,13 @@
 
 #include <stdint.h>
 
-/* The forces of a step, |f_x| + |f_y| over nodes, for scenes that ask for rest. */
+/* The forces of a step, |f_x| + |f_y| over nodes, for scenes with `time.rest`. */
 struct mpm_balance {
     double internal;   /* of all nodes */
     double unbalanced; /* of the components that nothing holds */
 };
 
-/* What passes over rows leave for a sum in the rows' order; where a scene damps nodes, asks for
+/* What passes over rows leave for a sum in the rows' order; where a scene damps nodes, requires
  * rest or measures its energy balance. */
 struct mpm_row_sums {
     double dissipated;

@@ -41,7 +41,7 @@ struct mpm_edge_line mpm_edge_find(const struct mpm_shape_family *family,
                                    const struct mpm_shape_grid *grid,
                                    const struct mpm_shape_domain *domain, enum mpm_edge edge);
 
-/* Its area, for the depth B or (there B is not looked at) per radian. */
+/* Its area, for the depth B or (there B is not used) per radian. */
 double mpm_edge_area(const struct mpm_shape_grid *grid, const struct mpm_edge_line *line,
                      double depth);
 

@@ -46,8 +46,8 @@ struct mpm_shape_grid mpm_shape_grid_describe(const double origin[2], const doub
 /* One particle's domain. */
 struct mpm_shape_domain {
     double position[2];
-    double half_size[2]; /* undeformed half edges: uGIMP */
-    double edge[4];      /* half edges d1x d1y d2x d2y: CPDI */
+    double half_size[2]; /* half the undeformed size: uGIMP */
+    double edge[4];      /* domain vectors d1x d1y d2x d2y, half of its edges: CPDI */
 };
 
 struct mpm_shape_family {
@@ -92,8 +92,8 @@ extern const struct mpm_shape_family mpm_shape_cpdi;
 extern const struct mpm_shape_family mpm_shape_bspline2;
 extern const struct mpm_shape_family mpm_shape_bspline3;
 
-/* Half edges that would pass r = 0 shrink, both, until the domain touches the axis. The smallest
- * radius of its corners is r - (|d1r| + |d2r|). */
+/* Domain vectors that would pass r = 0 shrink, both, until the domain touches the axis. The
+ * smallest radius of its corners is r - (|d1r| + |d2r|). */
 static inline void mpm_shape_shrink_to_axis(double r, double d[4])
 {
     const double extent = fabs(d[0]) + fabs(d[2]);
@@ -104,7 +104,7 @@ static inline void mpm_shape_shrink_to_axis(double r, double d[4])
         d[k] *= scale;
 }
 
-/* Half edges of a convected domain: the initial ones, half_size along each axis, pushed
+/* Domain vectors of a convected domain: the initial ones, half_size along each axis, pushed
  * forward by F (xx xy yx yy first). N&G (31) prints this for square cells and l_p = 1/2. */
 static inline void mpm_shape_push_forward(const double f[], const double half_size[2],
                                           double edge[4])

@@ -50,7 +50,7 @@ static struct line quadratic_line(double home, double coordinate, int64_t low, i
     };
 }
 
-/* Knots are the nodes. In a cell at the edge u or 1 - u stands where a cubic did. */
+/* Knots are the nodes. In a cell at the edge u or 1 - u replaces the cubic. */
 static struct line cubic_line(double home, double coordinate, int64_t low, int64_t high)
 {
     const double place = mpm_shape_cells(coordinate);

@@ -1,4 +1,4 @@
-/* CPDI: chi_p is 1 on the particle's parallelogram with half edges d1, d2, and N_i is
+/* CPDI: chi_p is 1 on the particle's parallelogram with domain vectors d1, d2, and N_i is
  * replaced inside it by its interpolation between the four corners (N&G (30)-(39)).
  *
  * Corners go counter clockwise from the lower left, N&G Fig. 4. The weights below are

@@ -35,7 +35,7 @@ static void look_around(const struct mpm_state *state, size_t p, struct surround
     around->moment[2] = xy;
 }
 
-/* C_p, xx xy yx yy: kept as it is where D_p may be singular, B_p D_p^{-1} for others */
+/* C_p, xx xy yx yy: stored as it is where D_p may be singular, B_p D_p^{-1} for others */
 static void affine_of(const struct mpm_state *state, size_t p, const struct surroundings *around,
                       double c[4])
 {

@@ -12,7 +12,7 @@
  * m_p (y_p cross v_p + B_yx - B_xy), its spin the latter, and takes exactly that back: in planar
  * geometry both transfers keep the sum to round-off, internal forces do, and so does the
  * position update grid_velocity, which moves x_p along v_p; midpoint does not. That is why B_p is
- * kept from step to step, and C_p made of it when the particle has moved.
+ * stored from step to step, and C_p made of it when the particle has moved.
  *
  * With classic functions a particle on a node reaches that one alone: there D_p is singular, and
  * C_p = sum v_i^{n+1} G_ip^T, which is B_p D_p^{-1} wherever that is defined. It is what they
@@ -23,7 +23,7 @@
  * edge lose one direction to a particle just there: then no node with a weight is at a distance
  * along it, C_p (x_i - y_p) takes nothing of it, and its column is 0.
  *
- * At the start the scene tells particles' velocities and no gradients: B_p = 0. Kinetic energy
+ * At the start the scene has particles' velocities and no gradients: B_p = 0. Kinetic energy
  * is that of v_p alone, as for every transfer.
  *
  * Passes of the reference kernels; signature and use: mpm_strips_run.

@@ -73,7 +73,7 @@ void mpm_smoothing_run(struct mpm_state *state, int workers)
 /* ---------------------------------------------------------------- to the motion */
 
 /* What particles read back becomes: velocity over dt for the acceleration, since they have
- * none, and for the end that from which the position update gets what `moves` says. */
+ * none, and for the end that from which the position update gets what `moves` selects. */
 struct read_back {
     double velocity;
     double moves; /* velocity at the end of the step, as position and strain see it */

@@ -26,7 +26,7 @@ const struct mpm_stencil *mpm_particle_read_weights(const struct mpm_state *stat
                                                     struct mpm_stencil *weights);
 /* The particle's domain with the edges that its F carries, whatever the family. */
 struct mpm_shape_domain mpm_particle_carried_domain(const struct mpm_state *state, size_t p);
-/* Puts the domain of a particle's F into its place, where domains are kept. */
+/* Puts the domain of a particle's F into its place, where domains are stored. */
 void mpm_particle_set_domain(const struct mpm_state *state, size_t p);
 
 /* A body force that varies in space, where the particle is; false, with a record, if it is not
@@ -71,8 +71,8 @@ void mpm_pass_stress_and_position(void *state, int64_t strip, int worker);
  *
  * What it is not: nodes at a body's edge have little mass, so that sum G p_i / M has the slope of
  * the mass in it, and a rigid translation strains there (of the order v / cell); and the sum of
- * the particles' momenta is not kept. Where m_i is the same at all nodes of a particle both forms
- * are one. */
+ * the particles' momenta is not conserved. Where m_i is the same at all nodes of a particle both
+ * forms are one. */
 void mpm_pass_stress_and_force_by_momentum(void *state, int64_t strip, int worker);
 void mpm_pass_flip_fraction_by_momentum(void *state, int64_t strip, int worker);
 void mpm_pass_velocity_by_momentum(void *state, int64_t strip, int worker);

@@ -265,7 +265,7 @@ START_TEST(a_deeply_nested_expression_has_its_value)
 }
 END_TEST
 
-/* `0*x` too is looked up at a place. */
+/* `0*x` too is evaluated at a place. */
 START_TEST(an_expression_without_coordinates_is_uniform)
 {
     static const struct {

@@ -119,7 +119,8 @@ START_TEST(a_job_is_over_when_its_slowest_item_is_done)
 }
 END_TEST
 
-/* Each pause is 20 times what a helper looks for work; a busy machine may take many of them. */
+/* Each pause is 20 times as long as a helper looks for work; a busy machine may take many of them.
+ */
 START_TEST(helpers_without_work_go_to_sleep)
 {
     enum { PAUSES = 10000 };

@@ -7,7 +7,6 @@
 #include "support/crack_block.h"
 #include "support/near.h"
 #include "support/scene_files.h"
-#include "support/transfer_block.h"
 
 #include <glib.h>
 #include <math.h>
@@ -275,7 +274,8 @@ START_TEST(a_crack_that_stays_closed_does_nothing)
 END_TEST
 
 /* Halves torn apart: the crack takes its toughness times its area out of their kinetic energy, and
- * the books close. What the step's scheme does to energy is allowed 1 % of it; USL dissipates. */
+ * the energies balance. What the step's scheme does to energy is allowed 1 % of it; USL dissipates.
+ */
 START_TEST(a_torn_crack_has_taken_its_toughness_times_its_area)
 {
     const int method = _i % CRACK_BLOCK_METHODS;
@@ -363,7 +363,7 @@ START_TEST(cracks_that_are_not_followed_keep_nothing_of_openings)
 }
 END_TEST
 
-/* Of the second crack of two, which alone is asked for. */
+/* Of the second crack of two, which alone has it. */
 START_TEST(the_history_tells_how_far_a_crack_has_opened_and_slid)
 {
     static const struct {

@@ -284,7 +284,7 @@ static void assert_condition(const struct mpm_state *state,
         ck_assert(state->grid.gradient[node][axis][k] == active->end);
 }
 
-/* Mirrors have what the condition says of the re-extrapolated velocity too, not of the end. */
+/* Mirrors have the condition's value of the re-extrapolated velocity too, not of the end. */
 static void assert_mirror(const struct mpm_state *state, const struct mpm_active_condition *mirror)
 {
     ck_assert(state->grid.start[mirror->node][0] == mirror->start);

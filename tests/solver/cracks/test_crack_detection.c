@@ -81,8 +81,8 @@ static const double PRESSED_CLOSE = 0.06;
 
 /* The scene with cracks and without, and what is between; `margin`: of pairs from the first point.
  */
-static void assert_kept_apart(const struct settings *settings, const struct cracks *cracks,
-                              const char *more, double margin)
+static void assert_separate(const struct settings *settings, const struct cracks *cracks,
+                            const char *more, double margin)
 {
     struct settings cracked = {.count = 0}, plain = {.count = 0};
     for (guint k = 0; k < settings->count; k++) {
@@ -147,7 +147,7 @@ START_TEST(pressed_cracks_beside_each_other_stay_closed)
     for (size_t k = 0; k < G_N_ELEMENTS(shapes); k++) {
         struct settings settings = {.count = 0};
         settings_add_formatted(&settings, "method={shape: %s, stress_update: usavg}", shapes[k]);
-        assert_kept_apart(&settings, cracks, more, 1.0);
+        assert_separate(&settings, cracks, more, 1.0);
         settings_clear(&settings);
     }
     g_free(more);
@@ -206,7 +206,7 @@ START_TEST(the_area_of_a_cell_is_halved_where_a_node_sees_half_of_it)
                                mirrored ? ", axis: planar, axis_nodes: mirrored" : "");
         for (int i = 0; i < 4 && edges[_i].settings[i] != NULL; i++)
             settings_add(&settings, edges[_i].settings[i]);
-        assert_kept_apart(&settings, &cracks, "contact: frictionless, detection: cell", 0.0);
+        assert_separate(&settings, &cracks, "contact: frictionless, detection: cell", 0.0);
         settings_clear(&settings);
     }
 }

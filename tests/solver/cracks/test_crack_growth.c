@@ -37,7 +37,7 @@ static const double TOUGHNESS = 0.002, INCREMENT = 0.4; /* half of the shorter s
 /* The block is its own mirror image but for round-off, which steps make grow. */
 static const double STRAIGHT = 1e-8;
 
-START_TEST(a_tip_grows_straight_on_by_increments_and_books_its_work)
+START_TEST(a_tip_grows_straight_on_by_increments_and_counts_its_work)
 {
     const char *const settings[] = {_i == 0 ? "method.shape=ugimp" : "method.shape=bspline2", GROWS,
                                     NULL};
@@ -248,7 +248,7 @@ Suite *suite_crack_growth(void)
 {
     Suite *suite = suite_create("crack_growth");
     TCase *growth = tcase_create("growth");
-    tcase_add_loop_test(growth, a_tip_grows_straight_on_by_increments_and_books_its_work, 0, 2);
+    tcase_add_loop_test(growth, a_tip_grows_straight_on_by_increments_and_counts_its_work, 0, 2);
     tcase_add_test(growth, a_tough_crack_is_one_that_does_not_grow);
     tcase_add_test(growth, a_growing_crack_gives_the_same_bits_for_any_number_of_threads);
     tcase_add_loop_test(growth, a_run_whose_crack_cannot_grow_goes_back_by_growing_again, 0,

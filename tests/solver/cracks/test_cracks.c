@@ -261,8 +261,8 @@ START_TEST(a_crack_that_sticks_is_none_while_it_is_pressed)
 }
 END_TEST
 
-/* Two halves that meet: the total is kept over a hundred steps. */
-START_TEST(momentum_is_kept_over_a_collision)
+/* Two halves that meet: the total is conserved over a hundred steps. */
+START_TEST(momentum_is_conserved_over_a_collision)
 {
     static const char *const laws[] = {"frictionless", "friction, friction: 0.4", "stick"};
     for (int law = 0; law < 3 && !crack_block_amplifies(_i); law++) {
@@ -398,7 +398,7 @@ START_TEST(a_run_that_cannot_go_on_says_why_and_goes_back_with_its_cracks)
 }
 END_TEST
 
-/* Stress is not kept but found again from F, of all particles by one kernel, and those near cracks
+/* Stress is not saved but found again from F, of all particles by one kernel, and those near cracks
  * had another one. */
 START_TEST(steps_beside_cracks_are_repeated_with_the_same_bits)
 {
@@ -442,7 +442,7 @@ Suite *suite_cracks(void)
     tcase_add_loop_test(contact, friction_that_is_not_overcome_sticks, 0, CRACK_BLOCK_METHODS);
     tcase_add_loop_test(contact, a_crack_that_sticks_is_none_while_it_is_pressed, 0,
                         CRACK_BLOCK_METHODS);
-    tcase_add_loop_test(contact, momentum_is_kept_over_a_collision, 0, CRACK_BLOCK_METHODS);
+    tcase_add_loop_test(contact, momentum_is_conserved_over_a_collision, 0, CRACK_BLOCK_METHODS);
     suite_add_tcase(suite, contact);
     TCase *runs = tcase_create("runs");
     tcase_add_loop_test(runs, results_are_the_same_bits_for_any_number_of_threads, 0, 2);

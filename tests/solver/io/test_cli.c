@@ -205,7 +205,7 @@ START_TEST(check_prints_the_cost_and_writes_nothing)
 }
 END_TEST
 
-/* What the command says is what the library chooses. */
+/* What the command prints is what the library chooses. */
 START_TEST(check_tells_the_kernels_and_why)
 {
     static const struct {

@@ -139,7 +139,7 @@ START_TEST(a_snapshot_reads_back_as_the_bits_of_the_simulation)
 }
 END_TEST
 
-/* CRAMP (23) of the stress that stands beside it; rigid particles have none. */
+/* CRAMP (23) of the stress beside it; rigid particles have none. */
 START_TEST(fringes_are_the_cosine_of_the_difference_of_principal_stresses)
 {
     static const double CONSTANT = 0.7;
@@ -271,7 +271,7 @@ START_TEST(a_snapshot_tells_where_it_comes_from)
 }
 END_TEST
 
-/* Neither dates nor leftovers of memory: `ctime` and the like are 0 where none is kept. */
+/* Neither dates nor leftovers of memory: `ctime` and the like are 0 where none is stored. */
 START_TEST(the_same_state_makes_the_same_bytes)
 {
     struct mpm_simulation *simulation = simulate(3);

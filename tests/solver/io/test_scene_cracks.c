@@ -1,4 +1,4 @@
-/* Cracks and planes of symmetry: what scenes say of them, what is refused, which nodes a plane
+/* Cracks and planes of symmetry: how scenes state them, what is refused, which nodes a plane
  * holds.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -77,7 +77,7 @@ END_TEST
 
 /* ----------------------------------------------------------------- refusals */
 
-/* A scene of two bodies, and what stands around: cracks begin in line 11. In axisymmetry the grid
+/* A scene of two bodies, and the rest of the file: cracks begin in line 11. In axisymmetry the grid
  * has a column of cells behind the axis. */
 static char *scene_with(const char *geometry, const char *method, const char *rest)
 {
@@ -181,7 +181,7 @@ START_TEST(a_crack_or_plane_that_cannot_be_is_refused_with_its_place)
 }
 END_TEST
 
-/* Segments are looked at pair by pair, so that points are limited. */
+/* Segments are compared pair by pair, so that points are limited. */
 START_TEST(all_cracks_together_may_have_10000_points)
 {
     enum { HALF = 5000 };

@@ -84,7 +84,7 @@ START_TEST(a_setting_can_replace_whole_sections)
     ck_assert_double_eq(scene->cell[0], 0.5);
     ck_assert_int_eq(scene->bodies[0].region.kind, MPM_REGION_DISK);
     ck_assert_str_eq(scene->materials[0].law->name, "linear_elastic");
-    ck_assert_int_eq(scene->materials[0].line, 0); /* it stands in no line of the file */
+    ck_assert_int_eq(scene->materials[0].line, 0); /* it is in no line of the file */
     mpm_scene_free(scene);
 }
 END_TEST

@@ -383,7 +383,7 @@ static const struct {
     {"damping={grid: 5, thermostat: {gain: 60}}", "damping.grid with the thermostat's rate"},
 };
 
-/* The last good state has the books of that state: those of a run that stops there. */
+/* The last good state has the damping totals of that state: those of a run that stops there. */
 START_TEST(a_rate_that_goes_astray_fails_the_run)
 {
     const char *const settings[] = {failing[_i].setting, NULL};

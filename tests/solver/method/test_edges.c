@@ -60,7 +60,7 @@ static struct sample draw(GRand *random, int index)
     return sample;
 }
 
-/* What the text of edge.h says, by corners: the undeformed rectangle, cut at r = 0, or the
+/* The definition in edge.h, by corners: the undeformed rectangle, cut at r = 0, or the
  * parallelogram, shrunk there. */
 static void corners_of(const struct sample *sample, double ends[2][2])
 {

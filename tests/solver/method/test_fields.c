@@ -95,7 +95,7 @@ static void layout(struct mpm_state *state, struct mpm_arena *arena)
         MPM_TAKE(arena, struct mpm_active_condition, BODIES * state->conditions.active_capacity);
 }
 
-/* Memory for what has been claimed since the simulation was created: no scene asks for it. */
+/* Memory for what has been claimed since the simulation was created: no scene claims it. */
 static struct mpm_arena make_room(struct mpm_state *state)
 {
     struct mpm_arena arena = {0};
@@ -235,11 +235,11 @@ END_TEST
 
 /* --------------------------------------------------------------------- keys */
 
-/* Bodies but the first have a key. They ask for their field at nodes that another one reaches. */
+/* Bodies but the first have a key. They request their field at nodes that another one reaches. */
 struct asking {
     struct mpm_state *state;
     uint8_t *reached; /* per node: bits of the bodies */
-    bool by_id;       /* else a particle's key is its id's, and it asks everywhere */
+    bool by_id;       /* else a particle's key is its id's, and it requests fields everywhere */
 };
 
 static void look(void *context, int64_t strip, int worker)

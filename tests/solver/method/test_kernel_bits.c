@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The scene `text` twice, as the sides say. */
+/* The scene `text` twice, as the sides state. */
 static struct kernel_pair open_pair(const char *text, const struct kernel_side sides[2])
 {
     char *folder = test_folder_create();

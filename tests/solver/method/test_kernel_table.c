@@ -116,7 +116,7 @@ static double noise_after(const char *text, const struct settings *settings, uin
     return part;
 }
 
-/* Fails the test unless both sides agree; the message names the settings, and tells how far a
+/* Fails the test unless both sides agree; the message names the settings, and states how far a
  * rounding error gets. */
 static void check_pair(const struct kernel_pair *pair, const char *text,
                        const struct settings *settings)

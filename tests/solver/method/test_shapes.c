@@ -127,7 +127,7 @@ END_TEST
 
 /* ---------------------------------------------------------------------- scenes */
 
-/* A disk whose nodes are told v_r = -0.1 r. */
+/* A disk whose nodes have the condition v_r = -0.1 r. */
 static const char DISK[] =
     "format: 1\n"
     "title: A disk\n"

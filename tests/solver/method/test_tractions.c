@@ -176,7 +176,7 @@ START_TEST(a_particle_force_gives_its_value_times_the_area_at_the_start)
 }
 END_TEST
 
-/* One particle to a cell stands on a knot of the quadratic splines: the span beyond has a node
+/* One particle to a cell is on a knot of the quadratic splines: the span beyond has a node
  * without mass, in reach of the upper edge. */
 START_TEST(no_force_is_lost_on_a_node_without_mass)
 {
@@ -256,7 +256,7 @@ static double balance(int index, const char *list, int steps)
 }
 
 /* A transfer by FLIP loses energy in proportion to the step, some percent of so little here:
- * steps of 0.01 and 0.005 tell what is left of the balance at none, to second order, 0.001. */
+ * steps of 0.01 and 0.005 show what is left of the balance at none, to second order, 0.001. */
 START_TEST(tractions_and_particle_forces_work_what_the_energy_gains)
 {
     static const char *const lists[] = {"tractions", "particle_forces"};
@@ -292,7 +292,8 @@ START_TEST(a_face_is_made_of_edges_without_a_neighbour_whatever_the_region)
     static const char TOP[] = "{body: block, edge: top, value: [0, 1]}";
     static const char LEFT[] = "{body: block, edge: left, value: [1, 0]}";
     static const char PRESSURE[] = "{body: block, edge: all, value: [-1, 0], frame: edge}";
-    /* stairs: as wide as the disk, 4, and as the hole besides; sites of 0.5 by 0.4 */
+    /* staircase approximations: as wide as the disk, 4, and as the hole besides; sites of 0.5 by
+     * 0.4 */
     ck_assert_near(area_of(DISK, TOP, 1), 4.0, MOMENTUM_ROUND_OFF);
     ck_assert_near(area_of(DISK, LEFT, 0), 4.0, MOMENTUM_ROUND_OFF);
     ck_assert_near(area_of(RING, TOP, 1), 4.0 + 2.0, MOMENTUM_ROUND_OFF);

@@ -34,7 +34,7 @@ static void place(struct chain *made, size_t count, const double (*points)[2])
 
 static const double SLACK = 1e-12;
 
-/* By both ways, which must tell the same: with a slack without end nothing by the line alone. */
+/* By both ways, which must agree: with a slack without end nothing by the line alone. */
 static enum mpm_crack_side side_of(const struct chain *made, const double particle[2],
                                    const double node[2])
 {
@@ -368,7 +368,7 @@ END_TEST
 
 /* ------------------------------------------------------------------- round-off */
 
-/* Of particles that come as near as numbers allow to a slanted chain none is told to be on the
+/* Of particles that come as near as numbers allow to a slanted chain none is found to be on the
  * other side of it, whatever the node, nor on both sides of one node. */
 START_TEST(particles_near_the_crack_are_on_one_side_of_it_for_all_nodes)
 {
@@ -396,7 +396,7 @@ START_TEST(particles_near_the_crack_are_on_one_side_of_it_for_all_nodes)
 END_TEST
 
 /* A straight crack through nodes, cut into parts whose points are rounded: a node near it has no
- * particle above that is told to be below, or on the node's side while another is not. */
+ * particle above that is found to be below, or on the node's side while another is not. */
 START_TEST(a_straight_crack_of_rounded_points_has_two_sides)
 {
     enum { PARTS = 40 };

@@ -1,5 +1,5 @@
 /* The guard of the total energy: what it stops, what it lets go on, where it leaves a run that it
- * stops; the bound that it asks first.
+ * stops; the bound that it evaluates first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
@@ -101,7 +101,7 @@ START_TEST(a_run_whose_strain_energy_blows_up_fails_for_its_energy)
 }
 END_TEST
 
-/* In whatever step the look falls that finds it. */
+/* In whatever step the evaluation falls that finds it. */
 START_TEST(the_last_good_state_is_that_before_the_energy_was_too_large_to_the_bit)
 {
     struct mpm_error error = {0};

@@ -1,4 +1,4 @@
-/* Filling bodies: rows of sites are read by their ends, and give the sites that a look at each one
+/* Filling bodies: rows of sites are read by their ends, and give the sites that a test of each one
  * gives.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -90,7 +90,7 @@ START_TEST(rows_of_sites_hold_what_a_look_at_each_site_finds)
         double points[POINTS_MAX][2];
         const struct mpm_region region = draw_region(random, kinds[_i], points);
         const double step = steps[k % (int)G_N_ELEMENTS(steps)];
-        const double far = k % 5 == 0 ? 1e6 : 0.0; /* sites left of what is asked for */
+        const double far = k % 5 == 0 ? 1e6 : 0.0; /* sites left of the range */
         struct mpm_region_rows rows;
         struct mpm_site_row row = {
             .origin = -step * far, .step = step, .first = (int64_t)far, .end = (int64_t)far};

@@ -225,7 +225,7 @@ START_TEST(every_field_stays_with_its_particle_in_the_sort)
                 mpm_particle_cell(&GRID, 1, now->position[1][p], HALF_SIZE) * GRID.cells[0] +
                 mpm_particle_cell(&GRID, 0, now->position[0][p], HALF_SIZE);
             ck_assert_msg(cell > last || (cell == last && now->id[p - 1] < now->id[p]),
-                          "particle %u of cell %lld stands after cell %lld", now->id[p],
+                          "particle %u of cell %lld comes after cell %lld", now->id[p],
                           (long long)cell, (long long)last);
             last = cell;
         }

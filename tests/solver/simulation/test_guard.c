@@ -1,4 +1,4 @@
-/* Failing runs: they stop, say where, and leave the last good state; and what a scene
+/* Failing runs: they stop, state where, and leave the last good state; and what a scene
  * can only be refused for once it is built.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

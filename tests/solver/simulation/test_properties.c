@@ -102,7 +102,7 @@ START_TEST(a_homogeneous_deformation_stays_homogeneous)
     else
         settings_add(&settings,
                      "boundary=[{region: all, velocity: ['0.3*x+0.1*y', '-0.2*x+0.05*y']}]");
-    if (c.axisymmetric) /* no node may be told two velocities */
+    if (c.axisymmetric) /* no node may have two velocities */
         settings_add(&settings, "bodies.block.velocity=['0.3*r', '-0.2*z']");
     else
         settings_add(&settings, "bodies.block.velocity=['0.3*x+0.1*y', '-0.2*x+0.05*y']");
@@ -147,7 +147,7 @@ START_TEST(mass_and_linear_momentum_are_conserved_to_round_off)
 }
 END_TEST
 
-START_TEST(energy_is_nearly_conserved_by_usavg_and_the_books_balance)
+START_TEST(energy_is_nearly_conserved_by_usavg_and_work_balances_it)
 {
     enum { STEPS = 200 };
     /* velocities vary within a cell here: part of their energy is none of the grid's */
@@ -386,12 +386,12 @@ Suite *suite_properties(void)
     tcase_add_loop_test(motions, a_rigid_rotation_keeps_angular_momentum_and_volume, 0,
                         TEST_COMBINATIONS);
     suite_add_tcase(suite, motions);
-    TCase *const books = tcase_create("books");
-    tcase_add_loop_test(books, mass_and_linear_momentum_are_conserved_to_round_off, 0,
+    TCase *const conservation = tcase_create("conservation");
+    tcase_add_loop_test(conservation, mass_and_linear_momentum_are_conserved_to_round_off, 0,
                         TEST_COMBINATIONS);
-    tcase_add_loop_test(books, energy_is_nearly_conserved_by_usavg_and_the_books_balance, 0,
+    tcase_add_loop_test(conservation, energy_is_nearly_conserved_by_usavg_and_work_balances_it, 0,
                         TEST_SHAPES * TEST_GEOMETRIES);
-    suite_add_tcase(suite, books);
+    suite_add_tcase(suite, conservation);
     TCase *const symmetry = tcase_create("symmetry");
     tcase_add_loop_test(symmetry, a_symmetric_problem_stays_symmetric, 0, TEST_COMBINATIONS);
     tcase_add_loop_test(symmetry, plane_stress_holds_through_a_run, 0, TEST_SHAPES);

@@ -1,4 +1,5 @@
-/* Damped motion against its exact decay, rest and the static solution, and what a run says of it.
+/* Damped motion against its exact decay, rest and the static solution, and what a run reports of
+ * it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/simulation.h"
@@ -151,7 +152,7 @@ enum { DAMPINGS = G_N_ELEMENTS(dampings), SHAPES = G_N_ELEMENTS(shapes) };
 static const double RESIDUAL = 1e-5;
 #define RESTS "time.rest={residual: 1e-5, kinetic_energy: 1e-9}"
 
-/* The section at Y, in the column as it was, carries what stands above it, since it cannot grow
+/* The section at Y, in the column as it was, carries what is above it, since it cannot grow
  * wide: sigma_yy = - rho g (L - Y). Linear shape functions make that constant in each cell, as at
  * its centre. All unbalanced forces are below RESIDUAL times all internal ones: twice the weight
  * 2 rho g L, and the walls' 2 (sigma_xx / sigma_yy = 1/3) rho g L^2 / 2 = 10/3 rho g L; over the
@@ -189,7 +190,7 @@ START_TEST(the_thermostat_grows_with_what_it_takes_out)
     const char *const settings[] = {STANDS, dampings[2], NULL};
     struct test_run run = test_run_open(COLUMN, settings, 1);
     run_to(&run, 60.0);
-    const double rate = run.simulation->state.damping.books.rate;
+    const double rate = run.simulation->state.damping.totals.rate;
     const double dissipated = test_run_ledger(&run).damping_dissipation;
     ck_assert_near(rate * rate, 0.222 * dissipated / 1.48e-10, 0.12 * rate * rate);
     test_run_close(&run);
@@ -205,7 +206,7 @@ START_TEST(the_thermostat_leads_to_its_target_and_adds_no_energy)
     for (int k = 0; k < 500; k++) {
         test_run_steps(&run, 1);
         const double now = test_run_ledger(&run).damping_dissipation;
-        ck_assert(now >= before && run.simulation->state.damping.books.rate >= 0.0);
+        ck_assert(now >= before && run.simulation->state.damping.totals.rate >= 0.0);
         before = now;
     }
     test_run_close(&run);
@@ -273,7 +274,7 @@ START_TEST(patience_begins_anew_when_the_residual_leaves_its_bound)
 }
 END_TEST
 
-/* ------------------------------------------------------------ what runs say */
+/* --------------------------------------------------------- what runs report */
 
 static const char STANDING[] = COLUMN "loads: {body_force: [0, -0.001]}\n";
 
@@ -375,7 +376,7 @@ static const char *const refused[][2] = {
     {"{end: 9, rest: {residual: .nan, kinetic_energy: 0.1}}", "time.rest.residual: not a number"},
     {"{end: 9, rest: {residual: 0.1, kinetic_energy: 0.1, steps: 0}}", "time.rest.steps: out of"},
     {"{end: 9, rest: {residual: 0.1, kinetic_energy: 0.1, after: 9}}",
-     "rest is looked for from 9 on, and the run ends at 9"},
+     "rest is tested from 9 on, and the run ends at 9"},
     {"{end: 9, rest: {residual: 0.1, kinetic_energy: 0.1, velocity: 1}}", "unknown key"},
 };
 

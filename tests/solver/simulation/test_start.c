@@ -71,7 +71,7 @@ START_TEST(a_start_is_read_back_by_id_and_stress_and_energy_follow_from_it)
             continue; /* the wall's particles */
         for (size_t c = 0; c < AXES; c++)
             ck_assert(v[c] == start.velocity[AXES * k + c]);
-        for (size_t c = 0; c < GRADIENT - 1; c++) /* F_zz is asked for below */
+        for (size_t c = 0; c < GRADIENT - 1; c++) /* F_zz is tested below */
             ck_assert(f[c] == start.deformation[GRADIENT * k + c]);
         const double j = (f[0] * f[3] - f[1] * f[2]) * f[4], factor = shear / cbrt(j * j);
         const double trace = f[0] * f[0] + f[1] * f[1] + f[2] * f[2] + f[3] * f[3] + f[4] * f[4];
@@ -96,7 +96,7 @@ START_TEST(a_start_is_read_back_by_id_and_stress_and_energy_follow_from_it)
 }
 END_TEST
 
-/* The scene's own velocity is one start, the caller's the other. Also where domains are kept. */
+/* The scene's own velocity is one start, the caller's the other. Also where domains are stored. */
 START_TEST(a_velocity_is_the_same_from_the_scene_and_from_the_caller)
 {
     const char *const shape = _i == 0 ? "method.shape=ugimp" : "method.shape=cpdi";

@@ -122,7 +122,7 @@ static const struct {
     {"usavg", "midpoint", 0.5, 0.5},    {"usl", "midpoint", 0.5, 0.0},
 };
 
-/* A free fall, y = -t^2/4 and v = -t/2, is followed exactly by steps whose velocities stand in
+/* A free fall, y = -t^2/4 and v = -t/2, is computed exactly by steps whose velocities are in
  * their middle: then places and velocities of each scheme are those of their own times. */
 START_TEST(what_particles_carry_stands_at_the_times_that_the_lags_say)
 {

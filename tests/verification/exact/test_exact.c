@@ -2,6 +2,7 @@
  * integrals done by hand, radial compression against N&G's numbers and its own energy.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "suites.h"
 #include "verification/exact/compression.h"
 #include "verification/exact/shape_quadrature.h"
 #include "verification/measures/fields.h"
@@ -10,10 +11,7 @@
 #include "verification/measures/shape_lines.h"
 #include "verification/measures/shape_samples.h"
 
-#include <check.h>
 #include <math.h>
-
-Suite *suite_exact(void);
 
 enum { FAMILIES = MPM_SHAPE_COUNT };
 

@@ -143,7 +143,7 @@ END_TEST
 
 /* ------------------------------------------------------------------- stress */
 
-/* The solver gets F as a start and says which stress follows from it. */
+/* The solver gets F as a start and states which stress follows from it. */
 START_TEST(stress_is_what_the_solver_makes_of_the_same_f)
 {
     static const char BLOCK[] =

@@ -2,16 +2,14 @@
  * evaluation of their own, waves of a step, the spinning disk.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "suites.h"
 #include "verification/exact/radial_mode.h"
 #include "verification/exact/spinning_disk.h"
 #include "verification/exact/step_wave.h"
 
-#include <check.h>
 #include <glib.h>
 #include <math.h>
 #include <stddef.h>
-
-Suite *suite_modes(void);
 
 /* ---------------------------------------------------------- breathing modes */
 

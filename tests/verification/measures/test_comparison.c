@@ -88,8 +88,8 @@ START_TEST(a_row_beyond_a_limit_takes_no_part)
 {
     static const bool part[ROWS] = {true, false, false, false, true};
     static const size_t ranks[ROWS] = {1, 0, 0, 0, 2};
-    static const char *const words[ROWS] = {"kept", "wrong by 2 %", "beyond the limit in Drift",
-                                            "lost", "kept"};
+    static const char *const words[ROWS] = {"valid", "wrong by 2 %", "beyond the limit in Drift",
+                                            "lost", "valid"};
     size_t better;
     for (size_t row = 0; row < ROWS; row++) {
         char *said = comparison_run_words(&BOUNDED, row);

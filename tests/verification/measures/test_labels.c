@@ -45,7 +45,7 @@ static const struct axis_room rooms[] = {
 };
 enum { ROOMS = sizeof rooms / sizeof *rooms };
 
-/* The number that a label says: "0.02", "1e-05", "2·10^{-5}". */
+/* The number of a label: "0.02", "1e-05", "2·10^{-5}". */
 static double number_of(const char *text)
 {
     char *power = strstr(text, "10^{"), *point = strstr(text, "·");
@@ -74,7 +74,7 @@ static void check_tics(double low, double high, const struct axis_room *room, si
         ck_assert(tics[i].value >= range.low && tics[i].value <= range.high);
         ck_assert_msg(fabs(number_of(tics[i].text) - tics[i].value) <=
                           1e-3 * (range.high / 2 - range.low / 2) + 1e-12 * fabs(tics[i].value),
-                      "'%s' stands at %.17g", tics[i].text, tics[i].value);
+                      "'%s' is at %.17g", tics[i].text, tics[i].value);
         ck_assert(room->along || width <= room->across);
         end = at + half;
     }
@@ -167,7 +167,7 @@ static size_t check_labels(struct label_place *labels, size_t count)
     return placed;
 }
 
-/* Where points stand: anywhere, in one place, on a line, in a corner, in a few places, close. */
+/* Where points are: anywhere, in one place, on a line, in a corner, in a few places, close. */
 static void draw_point(GRand *random, int kind, struct label_place *label)
 {
     const double x = g_rand_double(random), y = g_rand_double(random);

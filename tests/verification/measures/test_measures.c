@@ -1,19 +1,17 @@
-/* Tests of what long runs are measured by: books of energy and momentum, the fit of an
+/* Tests of what long runs are measured by: conservation of energy and momentum, the fit of an
  * oscillation, what a curve of energies shows.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/measures/books.h"
+#include "suites.h"
+#include "verification/measures/conservation.h"
 #include "verification/measures/energy_curve.h"
 #include "verification/measures/oscillation.h"
 
-#include <check.h>
 #include <math.h>
-
-Suite *suite_measures(void);
 
 static const double TWO_PI = 6.28318530717958647692;
 
-/* ------------------------------------------------------------------- books */
+/* ------------------------------------------------------------------- conservation */
 
 static struct mpm_ledger ledger_at(double energy, double work, double px, double py, double spin)
 {
@@ -26,39 +24,39 @@ static struct mpm_ledger ledger_at(double energy, double work, double px, double
                                .total_energy = energy};
 }
 
-START_TEST(books_hold_the_largest_drift_either_way_less_the_work_from_outside)
+START_TEST(the_largest_drift_either_way_excludes_the_work_from_outside)
 {
-    struct books books;
+    struct conservation conservation;
     const struct mpm_ledger rows[] = {ledger_at(4, 0, 1, 1, 5), ledger_at(5, 0.5, 1, 1, 5),
                                       ledger_at(3, 0.5, 4, 5, 3), ledger_at(4, 0, 1, 1, 5)};
-    books_open(&books, &rows[0]);
+    conservation_open(&conservation, &rows[0]);
     for (size_t k = 1; k < 4; k++)
-        books_add(&books, &rows[k]);
-    ck_assert_uint_eq(books.samples, 4);
-    ck_assert_double_eq(books.energy_high, 0.125);
-    ck_assert_double_eq(books.energy_low, -0.375);
-    ck_assert_double_eq(books_energy_drift(&books), 0.375);
-    ck_assert_double_eq(books_energy_now(&books), 0);
-    ck_assert_double_eq(books.smallest_kinetic, 0.1875);
+        conservation_add(&conservation, &rows[k]);
+    ck_assert_uint_eq(conservation.samples, 4);
+    ck_assert_double_eq(conservation.energy_high, 0.125);
+    ck_assert_double_eq(conservation.energy_low, -0.375);
+    ck_assert_double_eq(conservation_energy_drift(&conservation), 0.375);
+    ck_assert_double_eq(conservation_energy_now(&conservation), 0);
+    ck_assert_double_eq(conservation.smallest_kinetic, 0.1875);
     /* sqrt(2 * 2 * 4) = 4; the momentum moved by (3, 4), the angular momentum by 2 */
-    ck_assert_double_eq(books_momentum_drift(&books), 1.25);
-    ck_assert_double_eq(books_angular_momentum_drift(&books, 2), 0.25);
+    ck_assert_double_eq(conservation_momentum_drift(&conservation), 1.25);
+    ck_assert_double_eq(conservation_angular_momentum_drift(&conservation, 2), 0.25);
 }
 END_TEST
 
-START_TEST(a_nan_in_one_ledger_stays_in_the_books)
+START_TEST(a_nan_in_one_ledger_stays_in_the_drifts)
 {
-    struct books books;
+    struct conservation conservation;
     struct mpm_ledger row = ledger_at(4, 0, 1, 1, 5);
-    books_open(&books, &row);
+    conservation_open(&conservation, &row);
     row = ledger_at((double)NAN, 0, (double)NAN, 0, (double)NAN);
-    books_add(&books, &row);
+    conservation_add(&conservation, &row);
     row = ledger_at(4, 0, 1, 1, 5);
-    books_add(&books, &row);
-    ck_assert_double_nan(books_energy_drift(&books));
-    ck_assert_double_nan(books_momentum_drift(&books));
-    ck_assert_double_nan(books_angular_momentum_drift(&books, 1));
-    ck_assert_double_nan(books.smallest_kinetic);
+    conservation_add(&conservation, &row);
+    ck_assert_double_nan(conservation_energy_drift(&conservation));
+    ck_assert_double_nan(conservation_momentum_drift(&conservation));
+    ck_assert_double_nan(conservation_angular_momentum_drift(&conservation, 1));
+    ck_assert_double_nan(conservation.smallest_kinetic);
 }
 END_TEST
 
@@ -215,14 +213,14 @@ END_TEST
 Suite *suite_measures(void)
 {
     Suite *suite = suite_create("measures");
-    TCase *books = tcase_create("books"), *fits = tcase_create("oscillation");
-    tcase_add_test(books, books_hold_the_largest_drift_either_way_less_the_work_from_outside);
-    tcase_add_test(books, a_nan_in_one_ledger_stays_in_the_books);
+    TCase *conservation = tcase_create("conservation"), *fits = tcase_create("oscillation");
+    tcase_add_test(conservation, the_largest_drift_either_way_excludes_the_work_from_outside);
+    tcase_add_test(conservation, a_nan_in_one_ledger_stays_in_the_drifts);
     tcase_add_loop_test(fits, a_fit_finds_frequency_and_decay_over_a_hundred_periods, 0, 5);
     tcase_add_test(fits, the_bound_of_a_fit_holds_with_an_overtone);
     tcase_add_test(fits, a_frequency_that_moves_shows_in_the_bound);
     tcase_add_test(fits, what_is_no_oscillation_is_not_fitted);
-    suite_add_tcase(suite, books);
+    suite_add_tcase(suite, conservation);
     suite_add_tcase(suite, fits);
     TCase *curves = tcase_create("energy curves");
     tcase_add_test(curves, the_swing_of_symplectic_euler_has_its_sign_and_size_beside_a_drift);

@@ -1,5 +1,5 @@
 /* What pictures of particles and the faces of cracks are made of: pixels and distances against what
- * can be said beforehand.
+ * is known beforehand.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
@@ -16,8 +16,8 @@ static const double ROUND_OFF = 1e-14;
 
 /* ------------------------------------------------------------------- raster */
 
-/* A parallelogram of half edges (1, 0) and (1, 1): area 4, that is 100 of 0.2 by 0.2, those on its
- * slanted edges in or out. */
+/* A parallelogram of domain vectors (1, 0) and (1, 1): area 4, that is 100 of 0.2 by 0.2, those on
+ * its slanted edges in or out. */
 START_TEST(a_raster_has_a_particle_where_its_deformed_domain_is)
 {
     static const double edges[] = {1.0, 1.0, 0.0, 1.0}, centre[] = {0.1, -0.2};

@@ -55,7 +55,7 @@ START_TEST(the_page_has_a_row_for_each_variant_and_the_csv_its_numbers)
                                         "was not part of this run",
                                         "; from case crash</span>", /* which has no page here */
                                         "not measured",
-                                        "kept: Points (1000)",
+                                        "valid run: Points (1000)",
                                         "Use cubic (Integral &amp; more: 1 %), the best of the 2",
                                         "Where each one loses",
                                         "data-first=\"descending\""};

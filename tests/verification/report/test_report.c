@@ -1,5 +1,5 @@
 /* Reports: rendered from the result lines alone, well-formed, the same every time; a
- * figure that cannot be drawn is told.
+ * figure that cannot be drawn is reported.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
@@ -35,7 +35,7 @@ START_TEST(reports_are_well_formed_and_rendered_again_to_the_same_bytes)
         ck_assert_ptr_null(strstr(before[i], "<script>alert"));
         if (i != 3)
             continue;
-        /* as many results as the plan says */
+        /* as many results as in the plan */
         char *count = g_strdup_printf("\n1..%zu\n", (size_t)TEST_BEHAVIOURS + 2);
         ck_assert_ptr_nonnull(strstr(before[i], count));
         ck_assert_ptr_nonnull(strstr(before[i], "# SKIP no reference | data \\# here\n"));
@@ -106,7 +106,7 @@ START_TEST(a_figure_that_cannot_be_drawn_is_an_error_of_the_report)
         ck_assert_msg(
             strstr(said.err, i < G_N_ELEMENTS(table) ? table[i].message : "cannot be run") != NULL,
             "%s", said.err);
-        /* the results are there all the same, and the page says what is missing */
+        /* the results are there all the same, and the page states what is missing */
         ck_assert_str_eq(test_last_line(said.out), "2 passed, 0 failed, 0 skipped");
         char *page = test_folder_read(output, "cases/Q/index.html");
         ck_assert_ptr_nonnull(strstr(page, "could not be drawn"));

@@ -1,4 +1,4 @@
-/* The report's pages beside those of cases: tables as HTML and CSV, headroom, what is kept in the
+/* The report's pages beside those of cases: tables as HTML and CSV, headroom, what is stored in the
  * folder, coverage by declared evidence, limits, mutants.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -8,7 +8,7 @@
 #include "support/verify.h"
 
 #include "verification/records/headroom_table.h"
-#include "verification/report/report_kept.h"
+#include "verification/report/report_stored.h"
 #include "verification/report/report_table.h"
 
 #include <glib.h>
@@ -303,7 +303,7 @@ START_TEST(every_page_is_well_formed_and_limits_hold_the_weaknesses)
     }
     expect(folders.first, "table-weaknesses.csv", "\"Q\",\"ninth\",\"too few points\"");
     expect(folders.first, "mutants.html", "holds no run of mutants");
-    expect(folders.first, "index.html", "None is kept with this report");
+    expect(folders.first, "index.html", "None is stored with this report");
     expect(folders.first, "glossary.html", "id=\"evidence\"");
     expect(folders.first, "cases/Q/index.html", "Revision ");
     expect(folders.first, "cases/Q/index.html", "mpm-verify run --tier ci --case Q --output DIR\n");
@@ -325,7 +325,7 @@ static void change_a_value(void)
     g_free(text);
 }
 
-START_TEST(what_is_kept_is_shown_again_from_the_folder_alone)
+START_TEST(what_is_stored_is_shown_again_from_the_folder_alone)
 {
     run_into(folders.second);
     change_a_value();
@@ -354,7 +354,7 @@ START_TEST(what_is_kept_is_shown_again_from_the_folder_alone)
 }
 END_TEST
 
-/* Runs mpm-verify headroom on the second folder and compares what it says. */
+/* Runs mpm-verify headroom on the second folder and compares what it prints. */
 static void expect_headroom(int exit_status, const char *const *texts)
 {
     struct test_said said = test_verify_with("mpm-verify headroom @", folders.second, NULL);
@@ -446,7 +446,7 @@ Suite *suite_report_site(void)
     tcase_add_test(site, the_coverage_counts_checks_by_the_evidence_that_they_declare);
     tcase_add_test(site, evidence_that_is_none_of_the_kinds_is_refused);
     tcase_add_test(site, every_page_is_well_formed_and_limits_hold_the_weaknesses);
-    tcase_add_test(site, what_is_kept_is_shown_again_from_the_folder_alone);
+    tcase_add_test(site, what_is_stored_is_shown_again_from_the_folder_alone);
     tcase_add_test(site, headroom_without_a_reason_and_values_missing_elsewhere_are_told);
     tcase_add_test(site, additions_that_cannot_be_are_refused);
     suite_add_tcase(suite, site);

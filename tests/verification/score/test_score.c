@@ -60,7 +60,7 @@ static double largest_of(const struct bundle *bundle, const struct bundle_criter
     return largest;
 }
 
-/* Criteria that look at the same column turn red together; the others must not. */
+/* Criteria of the same column turn red together; the others must not. */
 static bool shares(const struct bundle_criterion *one, enum score_column column)
 {
     for (size_t c = 0; c < one->column_count; c++)

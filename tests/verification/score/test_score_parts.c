@@ -5,7 +5,6 @@
 
 #include "verification/score/score.h"
 
-#include <glib.h>
 #include <math.h>
 #include <string.h>
 

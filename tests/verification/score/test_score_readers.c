@@ -259,7 +259,7 @@ END_TEST
 
 /* A good text with one part replaced. */
 struct spoiled {
-    const char *name; /* of the file; its suffix tells the reader */
+    const char *name; /* of the file; its suffix selects the reader */
     char *(*good)(void);
     const char *from, *to;
     const char *message; /* part of the refusal */

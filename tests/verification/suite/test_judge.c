@@ -55,7 +55,7 @@ START_TEST(a_value_gets_the_status_that_its_band_says)
         ck_assert_msg(verdict.status == table[i].status, "row %zu: %s", i,
                       verdict_status_name(verdict.status));
         ck_assert_int_eq(verdict.has_margin, isfinite(table[i].value) != 0);
-        /* all but a pass says why */
+        /* all but a pass states why */
         ck_assert_int_eq(verdict.status == VERDICT_PASS, verdict.reason[0] == '\0');
     }
 }

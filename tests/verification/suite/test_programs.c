@@ -91,7 +91,8 @@ static const struct {
     {"energy", "E/E1", "interval=0 from=4 to=6 limit=5", "samples every 0; allowed: above 0"},
     {"stretch", "G/G4", STRETCH "careful=1 order=first",
      "is \"first\"; allowed: usl, musl, usf, usavg"},
-    {"stretch", "G/G4", STRETCH "order=usl careful=0", "steps of 0, looks every 1; allowed: above"},
+    {"stretch", "G/G4", STRETCH "order=usl careful=0",
+     "steps of 0, samples every 1; allowed: above"},
     {"crack_wave", "D/D6b", WAVE "4+6x", "\"contours\": \"4 6x\"; allowed: 1 to 4 numbers"},
     {"crack_wave", "D/D6b", WAVE "4+5+6+7+8", "allowed: 1 to 4 numbers"},
     {"crack_wave", "D/D6b", WAVE "+", "allowed: 1 to 4 numbers"},
@@ -109,7 +110,7 @@ START_TEST(a_parameter_that_means_nothing_is_refused_with_what_is_allowed)
 }
 END_TEST
 
-/* Loads that throw the body out of the grid: in the step that tells their force, or before. */
+/* Loads that throw the body out of the grid: in the step that determines their force, or before. */
 static const struct {
     const char *program, *folder, *parameters, *settings, *quantity;
 } BREAKING[] = {

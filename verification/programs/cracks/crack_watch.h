@@ -26,7 +26,7 @@ enum mpm_status crack_watch_create(const struct mpm_simulation *simulation, size
                                    struct mpm_error *error);
 void crack_watch_free(struct crack_watch *watch);
 
-/* Looks at the crack now; the fields position and deformation_gradient are the caller's. */
+/* Samples the crack now; the fields position and deformation_gradient are the caller's. */
 void crack_watch_look(struct crack_watch *watch, const struct mpm_simulation *simulation,
                       const double *position, const double *gradient);
 

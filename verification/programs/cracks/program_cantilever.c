@@ -1,12 +1,12 @@
 /* D2: a double cantilever beam at rest against a finite-element solution of it (CRAMP Fig. 2).
  *
  * The reference is a table of stresses at points of the upper arm, the particles of a grid of 1 mm.
- * A point stands for the square of a quarter of such a cell around it: on finer grids, the mean of
+ * A point represents the square of a quarter of such a cell around it: on finer grids, the mean of
  * the particles that began in it. On the mid-plane both are seen as nodes of the 1 mm grid see
  * them, by means over points with linear weights; the table of the finite elements has that curve
  * for each of their meshes. Differences are in percent of the beam's stress at the tip. What
- * four-node elements on the same grid get is told beside: their own error, and, with particles for
- * integration points, the limit of the material point method with hat functions.
+ * four-node elements on the same grid get is reported beside: their own error, and, with particles
+ * for integration points, the limit of the material point method with hat functions.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/fields.h"

@@ -1,7 +1,7 @@
 /* D7: a cohesive crack is torn, and what that took is held against toughness times area.
  *
  * One grip of the scene moves at the velocity that the parameter `speed` gives (of what carries the
- * load; with two grips that move apart, of both together), in time as `ramp` says: speed t/ramp,
+ * load; with two grips that move apart, of both together), in time by `ramp`: speed t/ramp,
  * from `ramp` on the speed. All that the program knows comes out of the history: the force on the
  * grip is the change of external work over its way. Two figures for the work of the tractions:
  *
@@ -11,7 +11,7 @@
  * over toughness times `area`, the area that is torn. Where the opening is uniform (`uniform: 1`),
  * force over area is compared with the law, which is written out here once more.
  *
- * With `arm` (a double cantilever beam), the area is not given but what the ledger says has been
+ * With `arm` (a double cantilever beam), the area is not given but what by the ledger has been
  * torn, and the load is compared with linear fracture mechanics of two beams of height `arm` from
  * the displacement `from` on: P^4 = (toughness E' b^2 h^3/12)^3 (8/(E' b h^3 Delta))^2.
  *
@@ -90,7 +90,7 @@ static double theory_load(const struct study *study, double displacement)
                0.25);
 }
 
-/* Force and opening are those of the middle between two looks. */
+/* Force and opening are those of the middle between two samples. */
 static void look(struct study *study, struct mpm_simulation *simulation)
 {
     mpm_simulation_ledger(simulation, &study->now);

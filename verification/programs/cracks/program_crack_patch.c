@@ -3,7 +3,7 @@
  * the same?
  *
  * Particles of the whole that lie in the half are compared with those of the half, all fields, at
- * each look. A difference is told over the largest value of that field in the half model so far.
+ * each sample. A difference is divided by the largest value of that field in the half model so far.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/fields.h"
@@ -172,7 +172,7 @@ static void report(const struct study *study, struct measurement *m, bool finish
     }
 }
 
-/* The first component of the stress of both, where the variant asks for it: CRAMP Fig. 1. */
+/* The first component of the stress of both, where the variant has a picture: CRAMP Fig. 1. */
 static enum mpm_status draw(const struct study *study, struct measurement *m,
                             struct mpm_error *error)
 {

@@ -26,7 +26,7 @@ struct study {
     double values, ratio; /* of J with inertia: how many, sum of it over the exact one */
     double spread[KINDS]; /* largest so far, of J over the exact one */
     struct follow_rows rows;
-    enum mpm_status status; /* of the looks */
+    enum mpm_status status; /* of the samples */
     struct mpm_error error;
 };
 

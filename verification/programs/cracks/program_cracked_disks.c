@@ -100,10 +100,10 @@ static enum mpm_status report(const struct study *study, const struct follow_res
                               double arm, struct mpm_error *error)
 {
     struct measurement *const m = study->measurement;
-    const struct books *const books = &result->books;
+    const struct conservation *const conservation = &result->conservation;
     follow_report(m, result, arm);
-    measurement_report(m, "end_drift", 100.0 * books_energy_now(books));
-    measurement_report(m, "slowest", 100.0 * books->smallest_kinetic);
+    measurement_report(m, "end_drift", 100.0 * conservation_energy_now(conservation));
+    measurement_report(m, "slowest", 100.0 * conservation->smallest_kinetic);
     measurement_report(m, "restitution", study->separation / study->approach);
     if (study->intact != NULL)
         measurement_report(m, "shadow", 100.0 * study->difference / study->largest);
@@ -172,7 +172,7 @@ static enum mpm_status measure(void *context, struct measurement *m, const struc
     return status;
 }
 
-/* Variants that are compared with the disks without cracks say how to take these away. */
+/* Variants that are compared with the disks without cracks state how to take these away. */
 static enum mpm_status open_intact(struct study *study, struct mpm_scene **scene,
                                    struct mpm_error *error)
 {

@@ -10,7 +10,6 @@
  * over the least at the start
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/measures/fields.h"
 #include "verification/programs/follow.h"
 
 #include <math.h>
@@ -21,7 +20,7 @@ enum { AXES = 2, SETTINGS = 8, TEXT = 1024 };
 
 struct parameters {
     double axis, wall; /* place of the wall along that axis */
-    double interval;   /* between two looks */
+    double interval;   /* between two samples */
 };
 
 struct model {

@@ -18,7 +18,7 @@ enum { BLOCK = 1, COLUMNS = 5 };
 struct parameters {
     double acceleration; /* exact; 0: the block does not slide */
     double start;        /* from when on it is measured */
-    double interval;     /* between two looks */
+    double interval;     /* between two samples */
 };
 
 /* One model, and the block's particles in it. */

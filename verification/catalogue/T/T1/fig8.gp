@@ -3,11 +3,11 @@
 load style
 set output output
 set xlabel 'initial distance from the loaded edge (mm)'
-set ylabel 'axial stress σ_{zz} over the stress asked for (%)'
+set ylabel 'axial stress σ_{zz} over the exact stress (%)'
 set xrange [0:40]
 set yrange [0:200]
 set key bottom right
-plot 100 with lines ls 1 title 'asked for', \
+plot 100 with lines ls 1 title 'exact', \
      141.12 with lines ls 8 title 'exact under forces: 1411 of 1000 MPa', \
      data.'/data-cpdi-profile.dat' using (40-$2):($4/10) with points ls 2 title 'CPDI, traction', \
      data.'/data-cpdi_force-profile.dat' using (40-$2):($4/10) with points ls 3 title 'CPDI, particle forces', \

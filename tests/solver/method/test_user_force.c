@@ -225,9 +225,9 @@ START_TEST(a_force_without_a_function_or_set_too_late_is_refused)
 }
 END_TEST
 
-Suite *suite_given(void)
+Suite *suite_user_force(void)
 {
-    Suite *suite = suite_create("given");
+    Suite *suite = suite_create("user_force");
     TCase *force = tcase_create("force");
     tcase_add_loop_test(force, a_uniform_force_is_the_same_from_the_scene_and_from_the_caller, 0,
                         TEST_COMBINATIONS * KERNEL_SETS);

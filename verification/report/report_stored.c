@@ -1,7 +1,7 @@
 /* What a report shows beside its own run.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/report/report_kept.h"
+#include "verification/report/report_stored.h"
 
 #include "verification/common/output.h"
 #include "verification/common/record.h"
@@ -13,7 +13,7 @@
 static const char changes_name[] = "changes.json", headroom_name[] = "headroom.json",
                   mutants_name[] = "mutants.json";
 
-/* Relative; as mpm-verify compare has it unless told. */
+/* Relative; the default of mpm-verify compare. */
 static const double change_shown = 1e-3;
 
 static enum mpm_status write_json(const char *folder, const char *name, json_t *object,
@@ -119,8 +119,8 @@ static enum mpm_status keep_mutants(const char *folder, const char *path, struct
     return status;
 }
 
-enum mpm_status report_keep(const char *folder, const struct report_additions *additions,
-                            struct mpm_error *error)
+enum mpm_status report_store(const char *folder, const struct report_additions *additions,
+                             struct mpm_error *error)
 {
     if (additions->baseline != NULL)
         TRY(keep_changes(folder, additions->baseline, error));
@@ -131,8 +131,8 @@ enum mpm_status report_keep(const char *folder, const struct report_additions *a
     return MPM_OK;
 }
 
-static enum mpm_status read_kept(const char *folder, const char *name, json_t **object,
-                                 struct mpm_error *error)
+static enum mpm_status read_stored(const char *folder, const char *name, json_t **object,
+                                   struct mpm_error *error)
 {
     char *path = g_build_filename(folder, name, NULL);
     enum mpm_status status = MPM_OK;
@@ -145,28 +145,28 @@ static enum mpm_status read_kept(const char *folder, const char *name, json_t **
     return status;
 }
 
-enum mpm_status report_kept_read(const char *folder, struct report_kept *kept,
-                                 struct mpm_error *error)
+enum mpm_status report_stored_read(const char *folder, struct report_stored *stored,
+                                   struct mpm_error *error)
 {
-    *kept = (struct report_kept){.changes = NULL};
+    *stored = (struct report_stored){.changes = NULL};
     const struct {
         const char *name;
         json_t **object;
-    } files[] = {{changes_name, &kept->changes},
-                 {headroom_name, &kept->headroom},
-                 {mutants_name, &kept->mutants}};
+    } files[] = {{changes_name, &stored->changes},
+                 {headroom_name, &stored->headroom},
+                 {mutants_name, &stored->mutants}};
     enum mpm_status status = MPM_OK;
     for (size_t i = 0; status == MPM_OK && i < G_N_ELEMENTS(files); i++)
-        status = read_kept(folder, files[i].name, files[i].object, error);
+        status = read_stored(folder, files[i].name, files[i].object, error);
     if (status != MPM_OK)
-        report_kept_clear(kept);
+        report_stored_clear(stored);
     return status;
 }
 
-void report_kept_clear(struct report_kept *kept)
+void report_stored_clear(struct report_stored *stored)
 {
-    json_decref(kept->changes);
-    json_decref(kept->headroom);
-    json_decref(kept->mutants);
-    *kept = (struct report_kept){.changes = NULL};
+    json_decref(stored->changes);
+    json_decref(stored->headroom);
+    json_decref(stored->mutants);
+    *stored = (struct report_stored){.changes = NULL};
 }

@@ -1,7 +1,7 @@
 /* What a scene may use, off and on.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "benchmarks/groups/pays_features.h"
+#include "benchmarks/groups/overhead_features.h"
 
 #include <string.h>
 
@@ -33,7 +33,7 @@
 #define MANY_PARTICLES "plain, 10^5 particles"
 #define ALONG_GRID     "crack along the grid"
 
-const struct pays_feature pays_features[] = {
+const struct overhead_feature overhead_features[] = {
     {STEPS_ALONE, NULL, false, PLANAR, {NULL}, "plane strain, uGIMP, MUSL, neo-Hookean, FLIP"},
     {"axisymmetry",
      STEPS_ALONE,
@@ -127,7 +127,8 @@ const struct pays_feature pays_features[] = {
      PLANAR,
      {MANY, "cracks=[{points: " ALONG ", contact: none, j_integral: [{contour: 10, propagation: "
             "{toughness: 1e30, longest: 1, every: 32}}]}]"},
-     "a look at each particle, two stencils of those near the tip: under 3 %, so that J every 100 "
+     "one pass over the particles, two stencils of those near the tip: under 3 %, so that J every "
+     "100 "
      "steps is under 1 %"},
     {START_AND_END, NULL, true, PLANAR, {RUN, SLOW, "output={}"}, "steps and files of a whole run"},
     {"ledger every 100 steps",
@@ -143,12 +144,12 @@ const struct pays_feature pays_features[] = {
      {RUN, SLOW, "output={history: 0.03, snapshots: 0.3}"},
      "a row every 10 steps and a snapshot every 100: a tenth of the run"},
 };
-const size_t pays_feature_count = sizeof pays_features / sizeof *pays_features;
+const size_t overhead_feature_count = sizeof overhead_features / sizeof *overhead_features;
 
-size_t pays_feature_find(const char *name)
+size_t overhead_feature_find(const char *name)
 {
     size_t i = 0;
-    while (strcmp(pays_features[i].name, name) != 0)
+    while (strcmp(overhead_features[i].name, name) != 0)
         i++;
     return i;
 }

@@ -1,4 +1,4 @@
-/* What a report shows beside its own run: kept in its folder, so that the folder alone gives the
+/* What a report shows beside its own run: stored in its folder, so that the folder alone gives the
  * same report again. reports/README.md has the formats.
  *
  *     changes.json    what changed since a baseline
@@ -6,13 +6,13 @@
  *     mutants.json    which spoiled solvers the tests and the suite noticed
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef VERIFICATION_REPORT_REPORT_KEPT_H
-#define VERIFICATION_REPORT_REPORT_KEPT_H
+#ifndef VERIFICATION_REPORT_REPORT_STORED_H
+#define VERIFICATION_REPORT_REPORT_STORED_H
 
 #include "verification/common/failure.h"
 #include "verification/common/record.h"
 
-/* What to keep; NULL keeps what the folder has. */
+/* What to store; NULL leaves what the folder has. */
 struct report_additions {
     const char *baseline;        /* folder of an earlier run */
     const char *mutants;         /* a file */
@@ -21,17 +21,17 @@ struct report_additions {
 
 /* Works them out for the run in `folder` and writes them there. MPM_BAD_INPUT: a folder without
  * results, an entry that is not NAME=DIR, a file of mutants that is not as described. */
-enum mpm_status report_keep(const char *folder, const struct report_additions *additions,
-                            struct mpm_error *error);
+enum mpm_status report_store(const char *folder, const struct report_additions *additions,
+                             struct mpm_error *error);
 
-struct report_kept {
-    json_t *changes, *headroom, *mutants; /* NULL: none kept */
+struct report_stored {
+    json_t *changes, *headroom, *mutants; /* NULL: none stored */
 };
 
 /* MPM_BAD_INPUT: a file that is there and not as described. */
-enum mpm_status report_kept_read(const char *folder, struct report_kept *kept,
-                                 struct mpm_error *error);
-void report_kept_clear(struct report_kept *kept);
+enum mpm_status report_stored_read(const char *folder, struct report_stored *stored,
+                                   struct mpm_error *error);
+void report_stored_clear(struct report_stored *stored);
 
 /* Whether the object is as mutants.json is described; else what is wrong, with `path` before it. */
 enum mpm_status mutants_check(const json_t *object, const char *path, struct mpm_error *error);

@@ -1,7 +1,7 @@
-/* What a caller gives that a scene cannot state: a body force, a start.
+/* Input of the caller that a scene cannot state: a user force, a start.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/loads/given_force.h"
+#include "method/loads/user_force.h"
 #include "method/transfer/law_state.h"
 #include "simulation/simulation.h"
 
@@ -25,15 +25,16 @@ enum mpm_status mpm_simulation_set_body_force(struct mpm_simulation *simulation,
     if (force != NULL && force->evaluate == NULL)
         return mpm_error_set(error, MPM_BAD_INPUT,
                              "body force: evaluate is NULL; allowed: a function");
-    state->given_force = (struct mpm_given_force){0};
-    mpm_particles_layout_field(&state->particles, MPM_PARTICLE_GIVEN_FORCE, 0, &simulation->given);
-    mpm_arena_free(&simulation->given);
+    state->user_force = (struct mpm_user_force){0};
+    mpm_particles_layout_field(&state->particles, MPM_PARTICLE_USER_FORCE, 0,
+                               &simulation->user_force);
+    mpm_arena_free(&simulation->user_force);
     if (force == NULL)
         return MPM_OK;
-    mpm_given_force_layout(state, &simulation->given);
-    MPM_TRY(mpm_arena_allocate(&simulation->given, error));
-    mpm_given_force_layout(state, &simulation->given);
-    state->given_force.caller = *force;
+    mpm_user_force_layout(state, &simulation->user_force);
+    MPM_TRY(mpm_arena_allocate(&simulation->user_force, error));
+    mpm_user_force_layout(state, &simulation->user_force);
+    state->user_force.caller = *force;
     return MPM_OK;
 }
 

@@ -1,4 +1,4 @@
-/* The group `pays`: what a scene pays for each feature that it uses.
+/* The group `overhead`: the overhead of each feature that a scene uses.
  *
  * Every feature is timed against the same scene without it, in the rounds of timing.h, and
  * its instructions and branches are counted beside. Times are of this machine and its noise;
@@ -7,13 +7,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/common/findings.h"
 #include "benchmarks/common/scratch.h"
-#include "benchmarks/groups/pays_features.h"
+#include "benchmarks/groups/overhead_features.h"
 #include "benchmarks/measuring/instructions.h"
 #include "benchmarks/measuring/timing.h"
 #include "verification/common/failure.h"
 #include "verification/common/resources.h"
 
-static const char group[] = "pays";
+static const char group[] = "overhead";
 
 /* 10^4 particles; a count in the quick tier takes 3600. */
 #define REFINE       "grid.refine=10"
@@ -26,7 +26,7 @@ enum { TIMED_STEPS = 160, COUNTED_STEPS = 32, TIMED_RUN = 501, COUNTED_RUN = 101
 /* ------------------------------------------------------------------ whole runs */
 
 struct run_probe {
-    const struct pays_feature *feature;
+    const struct overhead_feature *feature;
     struct mpm_simulation_options simulation;
     char *scene;
 };
@@ -60,12 +60,12 @@ static enum mpm_status run_feature(const void *context, struct bench_sample *sam
                                    struct mpm_error *error)
 {
     const struct run_probe *probe = context;
-    const char *settings[PAYS_SETTINGS + 2];
+    const char *settings[OVERHEAD_SETTINGS + 2];
     size_t count = 0;
     char *folder = NULL, *steps = g_strdup_printf("time.steps=%d", TIMED_RUN);
     struct mpm_scene *scene = NULL;
     settings[count++] = REFINE;
-    for (size_t i = 0; i < PAYS_SETTINGS && probe->feature->settings[i] != NULL; i++)
+    for (size_t i = 0; i < OVERHEAD_SETTINGS && probe->feature->settings[i] != NULL; i++)
         settings[count++] = probe->feature->settings[i];
     settings[count++] = steps;
     enum mpm_status status = mpm_scene_read(probe->scene, settings, count, &scene, error);
@@ -83,7 +83,7 @@ static enum mpm_status run_feature(const void *context, struct bench_sample *sam
 
 static struct bench_point *add_point(GArray *points, const struct run_probe *probe)
 {
-    const struct pays_feature *feature = probe->feature;
+    const struct overhead_feature *feature = probe->feature;
     if (feature->writes)
         return bench_points_add_probe(points, run_feature, probe, "particle_steps_per_second",
                                       "1/s", feature->name);
@@ -91,7 +91,7 @@ static struct bench_point *add_point(GArray *points, const struct run_probe *pro
         bench_points_add(points, probe->scene, &probe->simulation, "%s", feature->name);
     point->steps = TIMED_STEPS;
     bench_point_set(point, REFINE);
-    for (size_t i = 0; i < PAYS_SETTINGS && feature->settings[i] != NULL; i++)
+    for (size_t i = 0; i < OVERHEAD_SETTINGS && feature->settings[i] != NULL; i++)
         bench_point_set(point, "%s", feature->settings[i]);
     return point;
 }
@@ -101,8 +101,8 @@ static enum mpm_status time_features(struct bench_context *context, const struct
 {
     const double seconds = context->tier == BENCH_QUICK ? 10.0 : 50.0;
     GArray *points = bench_points_new();
-    for (size_t i = 0; i < pays_feature_count; i++) {
-        const struct pays_feature *feature = &pays_features[i];
+    for (size_t i = 0; i < overhead_feature_count; i++) {
+        const struct overhead_feature *feature = &overhead_features[i];
         struct bench_point *point = add_point(points, &probes[i]);
         point->against = g_strdup(feature->against);
         bench_point_text(point, "feature", feature->name);
@@ -121,9 +121,9 @@ static enum mpm_status count_feature(const struct run_probe *probe, enum bench_t
 {
     static const char *const with_files[] = {"mpm_simulation_advance", "mpm_simulation_ledger",
                                              "mpm_history_write", "mpm_series_write", NULL};
-    const struct pays_feature *feature = probe->feature;
-    const char *settings[PAYS_SETTINGS + 2] = {tier == BENCH_QUICK ? REFINE_QUICK : REFINE};
-    for (size_t i = 0; i < PAYS_SETTINGS; i++)
+    const struct overhead_feature *feature = probe->feature;
+    const char *settings[OVERHEAD_SETTINGS + 2] = {tier == BENCH_QUICK ? REFINE_QUICK : REFINE};
+    for (size_t i = 0; i < OVERHEAD_SETTINGS; i++)
         settings[i + 1] = feature->settings[i];
     const struct instructions_request request = {
         .program = program,
@@ -136,7 +136,7 @@ static enum mpm_status count_feature(const struct run_probe *probe, enum bench_t
     return instructions_count(&request, counted, error);
 }
 
-static void write_counts(struct bench_context *context, const struct pays_feature *feature,
+static void write_counts(struct bench_context *context, const struct overhead_feature *feature,
                          const struct instructions *counted, const struct instructions *base)
 {
     json_t *settings =
@@ -159,16 +159,17 @@ static void write_counts(struct bench_context *context, const struct pays_featur
 static enum mpm_status count_features(struct bench_context *context, const struct run_probe *probes,
                                       const char *program, struct mpm_error *error)
 {
-    struct instructions *counted = g_new0(struct instructions, pays_feature_count);
+    struct instructions *counted = g_new0(struct instructions, overhead_feature_count);
     enum mpm_status status = MPM_OK;
-    for (size_t i = 0; i < pays_feature_count && status == MPM_OK; i++) {
-        const struct pays_feature *feature = &pays_features[i];
-        bench_console_progress(context->console, i + 1, pays_feature_count, feature->name);
+    for (size_t i = 0; i < overhead_feature_count && status == MPM_OK; i++) {
+        const struct overhead_feature *feature = &overhead_features[i];
+        bench_console_progress(context->console, i + 1, overhead_feature_count, feature->name);
         status = count_feature(&probes[i], context->tier, program, &counted[i], error);
         if (status == MPM_OK)
             write_counts(context, feature, &counted[i],
-                         feature->against == NULL ? NULL
-                                                  : &counted[pays_feature_find(feature->against)]);
+                         feature->against == NULL
+                             ? NULL
+                             : &counted[overhead_feature_find(feature->against)]);
     }
     g_free(counted);
     return status;
@@ -176,20 +177,20 @@ static enum mpm_status count_features(struct bench_context *context, const struc
 
 /* ----------------------------------------------------------------------- group */
 
-enum mpm_status bench_pays(struct bench_context *context, struct mpm_error *error)
+enum mpm_status bench_overhead(struct bench_context *context, struct mpm_error *error)
 {
-    struct run_probe *probes = g_new0(struct run_probe, pays_feature_count);
+    struct run_probe *probes = g_new0(struct run_probe, overhead_feature_count);
     char *program = resources_program(context->executable, "mpm");
-    for (size_t i = 0; i < pays_feature_count; i++)
-        probes[i] = (struct run_probe){&pays_features[i], context->simulation,
-                                       bench_scene(context, pays_features[i].scene)};
+    for (size_t i = 0; i < overhead_feature_count; i++)
+        probes[i] = (struct run_probe){&overhead_features[i], context->simulation,
+                                       bench_scene(context, overhead_features[i].scene)};
     enum mpm_status status = time_features(context, probes, error);
     struct mpm_error missing;
     if (status == MPM_OK && instructions_available(&missing) != MPM_OK)
         fprintf(context->console->out, "  skipped: %s\n", missing.message);
     else if (status == MPM_OK)
         status = count_features(context, probes, program, error);
-    for (size_t i = 0; i < pays_feature_count; i++)
+    for (size_t i = 0; i < overhead_feature_count; i++)
         g_free(probes[i].scene);
     g_free(probes);
     g_free(program);

@@ -1,4 +1,4 @@
-/* Section: what a scene pays for each feature.
+/* Section: the overhead of each feature.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/report/report_sections.h"
@@ -22,7 +22,7 @@ static void cell_count(struct report *report, const json_t *line, const char *qu
                   NULL);
 }
 
-void report_pays(struct report *report)
+void report_overhead(struct report *report)
 {
     static const char *const columns[] = {"Feature",
                                           ">Time ratio",
@@ -31,10 +31,10 @@ void report_pays(struct report *report)
                                           ">Instructions/particle-step",
                                           ">Branches/particle-step",
                                           NULL};
-    document_heading(report->document, 2, "What a scene pays");
-    if (!report_has(report, "pays", "What a scene pays"))
+    document_heading(report->document, 2, "Overhead of features");
+    if (!report_has(report, "overhead", "Overhead of features"))
         return;
-    GPtrArray *lines = report_lines(report, "result", "pays", rate);
+    GPtrArray *lines = report_lines(report, "result", "overhead", rate);
     document_table(report->document,
                    "Each feature on, against the same scene without it: time a particle-step, and "
                    "counted instructions beside it, which are the same on every run.",
