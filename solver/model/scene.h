@@ -170,7 +170,7 @@ enum mpm_growth_direction {
 /* A tip that grows when J_1 reaches the toughness. */
 struct mpm_growth_spec {
     double toughness; /* energy per area; 0: it does not grow */
-    double increment; /* in parts of the shorter cell side */
+    double increment; /* fraction of the shorter cell side */
     double longest;   /* length that it may grow by in all */
     enum mpm_growth_direction direction;
     int64_t every; /* steps: J is looked at in one of so many */

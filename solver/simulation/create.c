@@ -320,7 +320,7 @@ static void describe_method(struct mpm_simulation *simulation, int threads)
 }
 
 /* Numbers that are finite one by one may have sums that are not. */
-static enum mpm_status open_books(struct mpm_simulation *simulation, struct mpm_error *error)
+static enum mpm_status begin_totals(struct mpm_simulation *simulation, struct mpm_error *error)
 {
     struct mpm_ledger ledger;
     mpm_simulation_ledger(simulation, &ledger);
@@ -363,7 +363,7 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
     simulation->wave_speed_start = wave_speed;
     simulation->particle_speed = mpm_particle_speed(&state->particles, 0, state->particles.count);
     simulation->lightest = lightest_particle(&state->particles);
-    MPM_TRY(open_books(simulation, error));
+    MPM_TRY(begin_totals(simulation, error));
     MPM_TRY(mpm_time_step_check(simulation, error));
     MPM_TRY(mpm_damping_check_start(simulation, error));
     MPM_TRY(mpm_openings_check_start(simulation, error));

@@ -206,7 +206,7 @@
     X(S, ONE, key, NUMBER, ANYWHERE, OPTIONAL, dimension, NULL, range, help)
 
 #define KEYS_material(X, S)                                                                        \
-    X(S, ONE, name, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "name, one only in the scene")        \
+    X(S, ONE, name, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "unique name")                         \
     X(S, ONE, law, LAW, ANYWHERE, REQUIRED, NONE, NULL, ANY, "constitutive law")                     \
     X(S, ONE, density, NUMBER, ANYWHERE, REQUIRED, DENSITY, NULL, ABOVE(0),                \
       "initial density")                                                                           \
