@@ -84,8 +84,7 @@ double mpm_scene_end_time(const struct mpm_scene *scene);
  * step. Velocities are those of the middle of the last step. F is that of the step's force when the
  * stress is updated last (usl, musl: 0), a step earlier when it is updated first (usf: 1), and
  * between (usavg: 1/2). Positions moved by the mean of old and new velocity (midpoint) lag half a
- * step. A start with these lags makes a run second order in time; a start without them adds one
- * error of first order. */
+ * step. Without these lags in its start, a run has one more error of first order in time. */
 struct mpm_lags {
     double position, velocity, deformation;
 };
@@ -93,9 +92,8 @@ struct mpm_lags mpm_scene_lags(const struct mpm_scene *scene);
 /* Does the scene require checkpoints? This version writes none. */
 bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene);
 
-/* Two sets of kernels take a step. The reference kernels go particle by particle and are
- * meant to be read beside the papers; the fast ones take several at once. Both agree to
- * round-off. */
+/* Two sets of kernels take a step. The reference kernels go particle by particle, to be read beside
+ * the papers; the fast ones take several at once. Both agree to round-off. */
 enum mpm_kernels {
     MPM_KERNELS_AUTO, /* fast wherever the scene allows */
     MPM_KERNELS_REFERENCE,
@@ -231,9 +229,10 @@ enum mpm_status mpm_simulation_set_body_force(struct mpm_simulation *simulation,
  * from F; in plane stress F_zz is made the one without stress, found from the caller's. With orders
  * that stagger velocity or stress against time, the caller gives each at its own time.
  * MPM_BAD_INPUT, and nothing is changed: after the first step; a value that is not finite; F with
- * F_xx F_yy - F_xy F_yx or F_zz not above 0; F_zz of plane strain other than 1. MPM_BAD_INPUT, and
- * the simulation can take no step: a fixed time step beyond the stability limit of this start; a
- * domain (CPDI) that F carries beyond the grid's ghost rows. */
+ * F_xx F_yy - F_xy F_yx or F_zz not above 0; F_zz of plane strain other than 1; F other than 1 for
+ * a law without energy. MPM_BAD_INPUT, and the simulation can take no step: a fixed time step
+ * beyond the stability limit of this start; a domain (CPDI) that F carries beyond the grid's ghost
+ * rows. */
 enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, const double *velocity,
                                          const double *deformation_gradient,
                                          struct mpm_error *error);

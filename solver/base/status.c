@@ -27,7 +27,7 @@ static const struct mpm_cause_info causes[MPM_CAUSE_COUNT] = {
                          "two rigid bodies that give one node different velocities"},
     [MPM_CAUSE_DAMPING] = {"damping_out_of_range", "damping out of range",
                            "a rate of damping that the time step does not allow"},
-    [MPM_CAUSE_CRACK] = {"crack", "crack beyond what can be followed",
+    [MPM_CAUSE_CRACK] = {"crack", "crack beyond what can be tracked",
                          "a crack that is stretched, grown or near others too far"},
     [MPM_CAUSE_J_INTEGRAL] = {"no_j_integral", "J integral without a value",
                               "a contour that left its body or meets another crack"},

@@ -20,7 +20,7 @@
 /* The parameters of all laws, beside the density: name, key of a material in a scene, dimension
  * (MPM_DIMENSION_... without the prefix), range as in io/scene/scene_keys.h, help. The reader of
  * scenes, `mpm schema` and the struct of a material follow from it. A and B are passed on. A law
- * lists those that it has. */
+ * lists those that it has; it has both moduli or none, and these are not optional. */
 #define MPM_LAW_PARAMETERS(ROW, A, B)                                                              \
     ROW(A, B, BULK, bulk, STRESS, ABOVE(0), "bulk modulus, together with shear")                   \
     ROW(A, B, SHEAR, shear, STRESS, ABOVE(0), "shear modulus, together with bulk")
@@ -82,14 +82,16 @@ struct mpm_material_law {
     void (*stress)(const struct mpm_material *material, const double f[MPM_GRADIENT_SIZE],
                    double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
     /* A law of the path: changes `state`, its state variables, from the start of the step to its
-     * end. Without a step (duration 0) it finds the stress of the state at hand. */
+     * end. Without a step (duration 0) it leaves `state` as it is, and finds the stress of the state
+     * at hand. */
     void (*update)(const struct mpm_material *material, const struct mpm_law_step *step,
                    double *state, double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
 
     /* What follows may be NULL. */
 
     /* Strain energy per unit mass; may use logarithms. Without it, each particle carries the work
-     * of the stress since t = 0 as one more state variable, which takes its place. */
+     * of the stress since t = 0 as one more state variable, which takes its place; a caller may then not
+     * give it a deformed start. */
     double (*energy)(const struct mpm_material *material, const double f[MPM_GRADIENT_SIZE],
                      const double *state);
     /* For the energy guard, without logarithms and roots: a number that is not below the sum of

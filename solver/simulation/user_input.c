@@ -49,8 +49,16 @@ static double smallest_stretch(const double f[MPM_GRADIENT_SIZE])
     return isfinite(plane * f[MPM_ZZ]) ? fmin(plane, f[MPM_ZZ]) : (double)NAN;
 }
 
+static bool is_undeformed(const double f[MPM_GRADIENT_SIZE])
+{
+    return f[MPM_XX] == 1.0 && f[MPM_YY] == 1.0 && f[MPM_ZZ] == 1.0 && f[MPM_XY] == 0.0 &&
+           f[MPM_YX] == 0.0;
+}
+
+/* Without `has_energy`, the work that took the particle to F is not known. */
 static enum mpm_status check_particle(const struct mpm_simulation *simulation, uint32_t id,
-                                      const double *v, const double *f, struct mpm_error *error)
+                                      bool has_energy, const double *v, const double *f,
+                                      struct mpm_error *error)
 {
     for (int axis = 0; v != NULL && axis < AXES; axis++)
         if (!isfinite(v[axis]))
@@ -59,6 +67,11 @@ static enum mpm_status check_particle(const struct mpm_simulation *simulation, u
                                  id, v[axis]);
     if (f == NULL)
         return MPM_OK;
+    if (!has_energy && !is_undeformed(f))
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "start: deformation gradient of particle %u is %g %g %g %g %g; "
+                             "allowed for a law without a strain energy: 1 0 0 1 1",
+                             id, f[MPM_XX], f[MPM_XY], f[MPM_YX], f[MPM_YY], f[MPM_ZZ]);
     if (!(smallest_stretch(f) > 0.0))
         return mpm_error_set(error, MPM_BAD_INPUT,
                              "start: deformation gradient of particle %u is %g %g %g %g %g; "
@@ -108,7 +121,9 @@ enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, cons
         const double *const v = velocity == NULL ? NULL : velocity + AXES * id;
         const double *const f =
             deformation_gradient == NULL ? NULL : deformation_gradient + MPM_GRADIENT_SIZE * id;
-        MPM_TRY(check_particle(simulation, particles->id[p], v, f, error));
+        const bool has_energy =
+            simulation->state.bodies[particles->body[p]].material.law->energy != NULL;
+        MPM_TRY(check_particle(simulation, particles->id[p], has_energy, v, f, error));
     }
     for (size_t p = 0; p < particles->count; p++) {
         const size_t id = particles->id[p];
@@ -117,6 +132,7 @@ enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, cons
         if (deformation_gradient != NULL)
             set_deformation(simulation, p, deformation_gradient + MPM_GRADIENT_SIZE * id);
     }
+    mpm_law_states_begin(&simulation->state);
     mpm_step_recompute(&simulation->state);
     struct mpm_error why = {0};
     const enum mpm_status status =

@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 from schema import unit_exponents, visit
 
 ABSENT = object()  # of a key that a scene does not have
-MODULI = {"bulk", "shear"}
+MODULI, OTHER_PAIR = {"bulk", "shear"}, {"young", "poisson"}
 
 
 def short(value):
@@ -59,16 +59,18 @@ class Canvas:
 
     # ------------------------------------------------------------------------- laws
     def law_requires(self, key):
-        """Of a key of a material: does its law require it? None: its law does not have it."""
-        own = self.laws[self.notes["group"]["law"]]
-        if key.name in ("young", "poisson"):  # for the pair of moduli
-            return None if own.keys() & MODULI != MODULI else False
-        return own.get(key.name)
+        """Of a parameter of laws: does the material's law require it? None: it does not have it."""
+        return self.laws[self.notes["group"]["law"]].get(key.name)
 
     def is_parameter(self, key):
         """Is the key a parameter of laws?"""
-        names = {"young", "poisson"}.union(*self.laws.values())
-        return key.path.startswith("materials[].") and key.name in names
+        return key.path.startswith("materials[].") and key.name in set().union(*self.laws.values())
+
+    def without_pair(self, entry):
+        """The material without the other pair of moduli, which is drawn first, if its law has none."""
+        if "law" in entry and self.laws[entry["law"]].keys() & MODULI != MODULI:
+            return {name: value for name, value in entry.items() if name not in OTHER_PAIR}
+        return entry
 
     # ----------------------------------------------------------------------- scales
     @property
@@ -196,6 +198,8 @@ def draw_key(canvas, key, tables):
             canvas.path.append(position)
             canvas.notes[key.path] = entries
             entries.append(draw_group(canvas, key, tables))
+            if key.path == "materials":
+                entries[-1] = canvas.without_pair(entries[-1])
             canvas.path.pop()
         return entries if entries or key.required else ABSENT
     if key.shape == "group":

@@ -47,7 +47,7 @@ OPEN = ("time.rest.",)
 FIRST = {
     "": ("format", "geometry", "units", "grid", "materials", "bodies", "boundary", "cracks"),
     "grid": ("cell",),
-    "materials": ("law", "young", "poisson"),
+    "materials": ("young", "poisson"),
     "cracks": ("points", "contact", "j_integral"),
     "method": ("shape", "axis", "stress_update", "form", "transfer"),
     "loads": ("tractions", "particle_forces"),

@@ -88,10 +88,10 @@ static enum mpm_status check_moduli(const struct mpm_reading *reading)
     for (size_t k = 0; k < scene->material_count; k++) {
         const struct mpm_material_law *const law = scene->materials[k].law;
         if (mpm_law_parameter(law, MPM_PARAMETER_BULK) == NULL ||
-            mpm_law_parameter(law, MPM_PARAMETER_SHEAR) == NULL)
+            mpm_law_parameter(law, MPM_PARAMETER_SHEAR) == NULL || law->update != NULL)
             return mpm_reading_fault(reading, scene->j_integrals[0].key,
-                                     "the law %s of material %s has no moduli; allowed with J "
-                                     "integrals: laws with bulk and shear",
+                                     "the law %s of material %s is not elastic; allowed with J "
+                                     "integrals: laws of F alone with bulk and shear",
                                      law->name, scene->materials[k].name);
     }
     return MPM_OK;

@@ -345,7 +345,7 @@
     X(S, ONE, spacing, NUMBER, ANYWHERE, OPTIONAL, NONE, "0.5", FROM_TO(0.05, 1),                    \
       "longest distance of the massless points that carry it, over the shorter cell side")         \
     X(S, ONE, opening, BOOLEAN, ANYWHERE, OPTIONAL, NONE, "false", ANY,                              \
-      "follow both surfaces, and write how far they have opened and slid to history.csv, at an end outside of bodies where the chain enters one; with cohesive they always are") \
+      "track both surfaces, and write how far they have opened and slid to history.csv, at an end outside of bodies where the chain enters one; with cohesive they always are") \
     X(S, GROUP, cohesive, cohesive, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                             \
       "traction between its surfaces; without it there is none") \
     X(S, LIST, j_integral, j_integral, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                          \

@@ -49,8 +49,9 @@ static enum mpm_status refuse_others(const struct mpm_reading *reading, const ch
     if (other == NULL)
         return MPM_OK;
     char allowed[MPM_PATH_SIZE];
-    return mpm_reading_fault(reading, path, "the law %s has no parameter %s; allowed: %s",
-                             law->name, other, keys_of(law, allowed, sizeof allowed));
+    return mpm_reading_fault(reading, path, "the law %s has no parameter %s; allowed: %s%s",
+                             law->name, other, keys_of(law, allowed, sizeof allowed),
+                             is_elastic(law) ? ", or young, poisson for the moduli" : "");
 }
 
 /* ------------------------------------------------------------ elastic constants */

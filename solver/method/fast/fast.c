@@ -55,6 +55,9 @@ const char *mpm_fast_lacks(const struct mpm_scene *scene)
     for (size_t k = 0; k < scene->material_count; k++)
         if (!has_vectors(scene->materials[k].law))
             return "there are no fast kernels for the law of a material";
+    for (size_t k = 0; k < scene->material_count; k++)
+        if (mpm_law_state_count(scene->materials[k].law) > 0)
+            return "there are no fast kernels for laws with state variables";
     if (scene->form == MPM_FORM_MOMENTUM)
         return "there are no fast kernels for method.form: momentum";
     return NULL;

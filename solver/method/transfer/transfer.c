@@ -368,7 +368,7 @@ MPM_SEPARATE void update_with_state(const struct mpm_state *state, size_t p,
                                     const struct mpm_stencil *stencil, double part,
                                     struct mpm_strip *strip)
 {
-    double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], wave_speed_squared = 0.0;
+    double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE] = {0.0}, wave_speed_squared = 0.0;
     const double j = deform(state, p, stencil, part, f);
     if (j > 0.0)
         mpm_particle_update_law(state, p, f, part * state->time_step, stress, &wave_speed_squared);

@@ -19,14 +19,12 @@
 static struct mpm_simulation *simulate(int steps)
 {
     struct mpm_simulation *simulation = NULL;
-    ck_assert_int_eq(mpm_simulation_create(test_results.scene,
-                                           &(struct mpm_simulation_options){.threads = 1},
-                                           &simulation, NULL),
+    const struct mpm_simulation_options options = {.threads = 1};
+    ck_assert_int_eq(mpm_simulation_create(test_results.scene, &options, &simulation, NULL),
                      MPM_OK);
+    const double end = mpm_scene_end_time(test_results.scene);
     for (int i = 0; i < steps; i++)
-        ck_assert_int_eq(
-            mpm_simulation_advance(simulation, mpm_scene_end_time(test_results.scene), NULL),
-            MPM_OK);
+        ck_assert_int_eq(mpm_simulation_advance(simulation, end, NULL), MPM_OK);
     return simulation;
 }
 
@@ -75,9 +73,9 @@ static void check_ranges(const struct mpm_simulation *simulation, enum mpm_field
     mpm_simulation_field(simulation, field, whole);
     for (size_t k = 0; k < G_N_ELEMENTS(sizes); k++)
         for (size_t first = 0; first + sizes[k] <= count; first++) {
+            const size_t size = sizes[k] * components * sizeof *part;
             mpm_simulation_field_range(simulation, field, first, sizes[k], part);
-            ck_assert_mem_eq(part, whole + first * components,
-                             sizes[k] * components * sizeof *part);
+            ck_assert_mem_eq(part, whole + first * components, size);
         }
     g_free(whole);
     g_free(part);

@@ -11,6 +11,7 @@
 #include "simulation/simulation.h"
 
 #include <float.h>
+#include <glib.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -96,6 +97,27 @@ static struct test_run open_with(const struct mpm_material_law *law, struct sett
     return run;
 }
 
+#define TWO_SCENE_HEAD                                                                             \
+    "format: 1\ngeometry: plane_strain\n"                                                          \
+    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [14, 12]}\n"                                    \
+    "time: {end: 1000, step: 0.02}\nmaterials: ["
+#define TWO_SCENE_MIDDLE "]\nbodies:\n"
+
+/* A scene of two materials with those laws. */
+static struct test_run open_two(const char *text, const struct mpm_material_law *const laws[2])
+{
+    struct mpm_error error = {0};
+    struct test_run run = test_run_open(text, NULL, 1);
+    mpm_simulation_free(run.simulation);
+    for (int k = 0; k < 2; k++)
+        run.scene->materials[k].law = laws[k];
+    const struct mpm_simulation_options options = {.threads = 1};
+    const enum mpm_status status =
+        mpm_simulation_create(run.scene, &options, &run.simulation, &error);
+    ck_assert_msg(status == MPM_OK, "%s", error.message);
+    return run;
+}
+
 /* Of plane strain and axisymmetry, as laws of the path have no plane stress here. */
 static bool combination_settings(int index, struct settings *settings)
 {
@@ -115,6 +137,15 @@ static void deformation_of(const struct test_run *run, size_t p, double f[MPM_GR
 {
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
         f[k] = particles_of(run)->deformation[k][p];
+}
+
+/* Where the particle with that id is. */
+static size_t place_of(const struct test_run *run, uint32_t id)
+{
+    size_t p = 0;
+    while (particles_of(run)->id[p] != id)
+        p++;
+    return p;
 }
 
 /* Without a step the law gives the stress of F and the state: that is what the particle has. */
@@ -275,6 +306,67 @@ START_TEST(a_given_start_has_the_stress_of_the_state_at_the_start)
 }
 END_TEST
 
+/* Its energy would be unknown. Undeformed, it may have velocities. */
+START_TEST(without_an_energy_no_deformed_start_is_accepted)
+{
+    static const double deformed[] = {1.1, 0.02, 0.0, 1.05, 1.0}, none[] = {1, 0, 0, 1, 1};
+    struct mpm_error error = {0};
+    struct settings settings = test_combination_settings(0);
+    struct test_run run = open_with(&viscous, &settings);
+    const size_t count = particles_of(&run)->count;
+    double *const f = calloc(count * MPM_GRADIENT_SIZE, sizeof *f);
+    ck_assert_ptr_nonnull(f);
+    for (size_t p = 0; p < count; p++)
+        memcpy(f + MPM_GRADIENT_SIZE * p, none, sizeof none);
+    ck_assert_int_eq(mpm_simulation_set_start(run.simulation, NULL, f, &error), MPM_OK);
+    memcpy(f, deformed, sizeof deformed);
+    ck_assert_int_eq(mpm_simulation_set_start(run.simulation, NULL, f, &error), MPM_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(error.message, "without a strain energy"));
+    free(f);
+    test_run_close(&run);
+}
+END_TEST
+
+/* One with a state variable and an energy, one with the work of its stress alone: each carries its
+ * own, and moves as it does alone. The bodies are apart. */
+START_TEST(bodies_with_different_laws_have_state_variables_of_their_own)
+{
+    enum { STEPS = 50 };
+    static const char ONE[] = "  - {name: one, material: rubber, velocity: ['0.1*(x-4)', 0], "
+                              "region: {rectangle: {from: [3, 3.2], to: [5, 5.6]}}}\n";
+    static const char OTHER[] = "  - {name: other, material: hard, velocity: [0, '0.1*(y-4)'], "
+                                "region: {rectangle: {from: [8, 3.2], to: [10, 5.6]}}}\n";
+    static const char MATERIALS[] =
+        "{name: rubber, law: neo_hookean, density: 1, bulk: 80, shear: 48}, "
+        "{name: hard, law: neo_hookean, density: 2, bulk: 80, shear: 48}";
+    const struct mpm_material_law law = without_energy();
+    const struct mpm_material_law *const laws[] = {&relaxing, &law};
+    const char *const bodies[] = {ONE, OTHER};
+    char *const both = g_strconcat(TWO_SCENE_HEAD, MATERIALS, TWO_SCENE_MIDDLE, ONE, OTHER, NULL);
+    struct test_run together = open_two(both, laws);
+    test_run_steps(&together, STEPS);
+    size_t first = 0;
+    for (int k = 0; k < 2; k++) {
+        char *const single =
+            g_strconcat(TWO_SCENE_HEAD, MATERIALS, TWO_SCENE_MIDDLE, bodies[k], NULL);
+        struct test_run alone = open_two(single, laws);
+        test_run_steps(&alone, STEPS);
+        for (size_t p = 0; p < particles_of(&alone)->count; p++) {
+            const size_t own = place_of(&alone, (uint32_t)p);
+            const size_t there = place_of(&together, (uint32_t)(first + p));
+            ck_assert_double_ne(particles_of(&alone)->law_state[0][own], 0.0);
+            ck_assert_double_eq(particles_of(&together)->law_state[0][there],
+                                particles_of(&alone)->law_state[0][own]);
+        }
+        first += particles_of(&alone)->count;
+        test_run_close(&alone);
+        g_free(single);
+    }
+    test_run_close(&together);
+    g_free(both);
+}
+END_TEST
+
 /* In the undeformed body: K + 4 G / 3 + M, over the density 1. */
 START_TEST(the_wave_speed_at_the_start_is_that_of_the_law)
 {
@@ -300,6 +392,14 @@ START_TEST(a_law_without_equations_on_vectors_has_reference_kernels)
 }
 END_TEST
 
+START_TEST(no_law_has_more_state_variables_than_there_is_room_for)
+{
+    const struct mpm_material_law *law;
+    for (size_t k = 0; (law = mpm_material_law_at(k)) != NULL; k++)
+        ck_assert_uint_le(mpm_law_state_count(law), MPM_LAW_STATES);
+}
+END_TEST
+
 Suite *suite_law_state(void)
 {
     Suite *const suite = suite_create("law_state");
@@ -313,6 +413,9 @@ Suite *suite_law_state(void)
                         TEST_COMBINATIONS);
     tcase_add_test(tests, a_given_start_has_the_stress_of_the_state_at_the_start);
     tcase_add_test(tests, the_wave_speed_at_the_start_is_that_of_the_law);
+    tcase_add_test(tests, without_an_energy_no_deformed_start_is_accepted);
+    tcase_add_test(tests, bodies_with_different_laws_have_state_variables_of_their_own);
+    tcase_add_test(tests, no_law_has_more_state_variables_than_there_is_room_for);
     tcase_add_test(tests, a_law_without_equations_on_vectors_has_reference_kernels);
     suite_add_tcase(suite, tests);
     return suite;
