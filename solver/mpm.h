@@ -238,8 +238,7 @@ enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, cons
                                          struct mpm_error *error);
 
 /* One line for a user whose first step has a larger Courant number than mpm_scene_stability knows
- * to be bounded; "" where it is within. Advice, not an error: the limits are those of a few
- * problems, and a body may be stable beyond. */
+ * to be bounded; else "". Advice, no error: a few problems were measured, others may differ. */
 const char *mpm_simulation_advice(const struct mpm_simulation *simulation);
 
 double mpm_simulation_time(const struct mpm_simulation *simulation);
