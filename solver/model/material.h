@@ -82,16 +82,16 @@ struct mpm_material_law {
     void (*stress)(const struct mpm_material *material, const double f[MPM_GRADIENT_SIZE],
                    double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
     /* A law of the path: changes `state`, its state variables, from the start of the step to its
-     * end. Without a step (duration 0) it leaves `state` as it is, and finds the stress of the state
-     * at hand. */
+     * end. Without a step (duration 0) it leaves `state` as it is, and finds the stress of the
+     * state at hand. */
     void (*update)(const struct mpm_material *material, const struct mpm_law_step *step,
                    double *state, double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
 
     /* What follows may be NULL. */
 
     /* Strain energy per unit mass; may use logarithms. Without it, each particle carries the work
-     * of the stress since t = 0 as one more state variable, which takes its place; a caller may then not
-     * give it a deformed start. */
+     * of the stress since t = 0 as one more state variable, which takes its place; a caller may
+     * then not give it a deformed start. */
     double (*energy)(const struct mpm_material *material, const double f[MPM_GRADIENT_SIZE],
                      const double *state);
     /* For the energy guard, without logarithms and roots: a number that is not below the sum of
