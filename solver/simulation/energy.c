@@ -9,12 +9,13 @@
  * body before it does any work: with the stiffness K of the nodes, their masses M and the changes
  * v, by dt^2 v.K v/2, which is (omega dt)^2 K_c at most, omega^2 being the largest v.K v / v.M v. A
  * step that is stable has omega dt <= 2. (A whole side of a body that jumps by v strains its cells
- * by v dt/h: with a Courant number C, by 2 C^2 K_c.) A condition that goes on moving a body with
- * which its particles move changes nothing, and does not hide what grows. The factor is 1 in an exact run and E / E_0 in one without
- * work. Strain energy costs too much for each step: it is asked for before each sort, which is when
- * the last good state is replaced, and wherever results are written; first its upper bound, and
- * itself only where that is not low enough. A run that failed, or whose energy is found too large,
- * is repeated from the last good state with a look at each step.
+ * by v dt/h: with a Courant number C, by 2 C^2 K_c.) A condition that moves a body with which its
+ * particles already move changes nothing, and does not hide what grows. The factor is 1 in an exact
+ * run and E / E_0 in one without work. Strain energy costs too much for each step: it is judged
+ * before each sort, which is when the last good state is replaced, and wherever results are
+ * written; first its upper bound, and itself only where that is not low enough. A run that failed,
+ * or whose energy is found too large, is repeated from the last good state with a look at each
+ * step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/strips.h"
