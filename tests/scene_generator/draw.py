@@ -68,7 +68,8 @@ class Canvas:
 
     def without_pair(self, entry):
         """The material without the other pair of moduli, which is drawn first, if its law has none."""
-        if "law" in entry and self.laws[entry["law"]].keys() & MODULI != MODULI:
+        law = self.laws.get(entry.get("law"))
+        if law is not None and law.keys() & MODULI != MODULI:
             return {name: value for name, value in entry.items() if name not in OTHER_PAIR}
         return entry
 

@@ -56,7 +56,7 @@ def read_schema(mpm):
         parent = key.path[:-len(key.name)].rstrip(".").removesuffix("[]")
         (keys[parent] if parent else root).children.append(key)
     root.laws = {law["law"]: {own["key"]: own["required"] for own in law["parameters"]}
-                 for law in schema["laws"]}
+                 for law in schema.get("laws", [])}
     return root, keys
 
 
