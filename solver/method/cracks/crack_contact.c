@@ -121,8 +121,17 @@ void mpm_crack_contact_resolve(struct mpm_state *state, enum mpm_exchange_when w
 /* ------------------------------------------------------------------- motion */
 
 /* Velocities at the end of a step have no bound at nodes of little mass, which a force divides by;
- * those at the start are means of the particles' velocities. */
-static const double LIGHT = 250.0; /* of the least mass */
+ * those at the start are means of the particles' velocities. The part of the end grows with the
+ * mass, from 0 at the first of these to 1 at the second, in least masses (1/8 and 3/8 of the
+ * lightest particle). A jump would let round-off decide: a row of particles gives its nodes simple
+ * fractions of a particle's mass. */
+static const double LIGHT[2] = {125.0, 375.0};
+
+static double part_of_end(const struct mpm_state *state, double mass)
+{
+    const double part = (mass / state->cracks.least_mass - LIGHT[0]) / (LIGHT[1] - LIGHT[0]);
+    return fmin(fmax(part, 0.0), 1.0);
+}
 
 /* Momentum and mass of all fields of a node. */
 static double node_momentum(const struct mpm_state *state, int64_t parent, double momentum[2])
@@ -134,12 +143,12 @@ static double node_momentum(const struct mpm_state *state, int64_t parent, doubl
     for (int k = 0; k <= (node == NULL ? 0 : node->count); k++) {
         const int64_t field = k == 0 ? parent : others + k - 1;
         const double m = state->grid.mass[field];
-        const double *const velocity = m < LIGHT * state->cracks.least_mass
-                                           ? state->grid.start[field]
-                                           : state->grid.motion[field].end;
+        const double *const start = state->grid.start[field];
+        const double part = part_of_end(state, m);
+        const double *const end = part > 0.0 ? state->grid.motion[field].end : start;
         mass += m;
         for (int axis = 0; axis < 2; axis++)
-            momentum[axis] += m * velocity[axis];
+            momentum[axis] += m * ((1.0 - part) * start[axis] + part * end[axis]);
     }
     return mass;
 }
