@@ -156,7 +156,6 @@ static enum mpm_status refuse_repeats(struct parsing *parsing, const struct mpm_
         return no_memory(parsing);
     for (size_t i = 0; i < mapping->count; i++)
         names[i] = (struct mpm_indexed_name){.text = mapping->entries[i].key, .index = i};
-    mpm_names_sort(names, mapping->count);
     size_t first = 0, second = 0;
     const bool repeated = mpm_names_repeat(names, mapping->count, &first, &second);
     free(names);
