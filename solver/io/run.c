@@ -280,21 +280,13 @@ static enum mpm_status write_record(struct run *run, enum mpm_status status,
     if (run->series == NULL)
         return status;
     struct mpm_run_record *record = &run->record;
+    record->simulation = run->simulation;
     record->status = status;
-    const char *const advice = mpm_simulation_advice(run->simulation);
     record->cause = status == MPM_OK ? MPM_CAUSE_NONE : error->cause;
-    record->warnings[0] = advice[0] != '\0' ? advice : NULL;
-    record->warnings[1] = run->growth_warning;
-    (void)mpm_simulation_energy_growth(run->simulation, &record->growth);
     record->reason = status != MPM_OK ? error->message : end_reason(run);
+    record->growth_warning = run->growth_warning;
     record->scene_path = run->options->scene_path;
-    record->kernels = mpm_simulation_kernels(run->simulation);
-    record->simd = mpm_simulation_simd(run->simulation);
-    record->threads = mpm_simulation_threads(run->simulation);
-    record->steps = mpm_simulation_step(run->simulation);
-    record->particles = mpm_simulation_particle_count(run->simulation);
-    record->bytes = mpm_simulation_bytes(run->simulation) + mpm_series_bytes(run->series);
-    mpm_simulation_phases(run->simulation, &record->phases);
+    record->output_bytes = mpm_series_bytes(run->series);
     struct mpm_error second = {.status = MPM_OK};
     if (mpm_run_record_write(run->options->output, run->scene, record, &second) == MPM_OK ||
         status != MPM_OK)
@@ -303,22 +295,14 @@ static enum mpm_status write_record(struct run *run, enum mpm_status status,
     return add_state(run, second.status, error);
 }
 
-static enum mpm_status check_options(const struct mpm_run_options *options, struct mpm_error *error)
-{
-    if (options->simulation.threads < 1)
-        return mpm_error_set(error, MPM_BAD_INPUT, "threads: %d; at least 1 is needed",
-                             options->simulation.threads);
-    return options->output != NULL
-               ? mpm_results_folder_check(options->output, options->overwrite, error)
-               : MPM_OK;
-}
-
 enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_run_options *options,
                               struct mpm_error *error)
 {
     struct mpm_error failure = {.status = MPM_OK};
     struct run run = {.scene = scene, .options = options};
-    enum mpm_status status = check_options(options, &failure);
+    enum mpm_status status = MPM_OK;
+    if (options->output != NULL)
+        status = mpm_results_folder_check(options->output, options->overwrite, &failure);
     if (status == MPM_OK)
         status = set_up(&run, &failure);
     if (status == MPM_OK)

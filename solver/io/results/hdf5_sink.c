@@ -1,6 +1,4 @@
-/* An HDF5 file driver for writing one new file to a disk that may be full.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/hdf5_sink.h"
 
 #include "io/results/file_write.h"

@@ -1,6 +1,4 @@
-/* history.csv: the sums over all particles, one row per sample.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/history.h"
 
 #include "io/results/file_write.h"
@@ -20,32 +18,27 @@ static const struct column {
     struct mpm_dimension dimension;
     bool (*belongs)(const struct mpm_scene *); /* NULL: to all scenes */
 } columns[] = {
-    {"time", offsetof(struct mpm_ledger, time), false, MPM_DIMENSION_TIME, NULL},
+#define COLUMN(member, unit, belongs)                                                              \
+    {                                                                                              \
+#member, offsetof(struct mpm_ledger, member), false, MPM_DIMENSION_##unit, belongs         \
+    }
+    COLUMN(time, TIME, NULL),
     {"step", offsetof(struct mpm_ledger, step), true, MPM_DIMENSION_NONE, NULL},
-    {"mass", offsetof(struct mpm_ledger, mass), false, MPM_DIMENSION_MASS, NULL},
+    COLUMN(mass, MASS, NULL),
     {"momentum_x", offsetof(struct mpm_ledger, momentum[0]), false, MPM_DIMENSION_MOMENTUM, NULL},
     {"momentum_y", offsetof(struct mpm_ledger, momentum[1]), false, MPM_DIMENSION_MOMENTUM, NULL},
-    {"angular_momentum", offsetof(struct mpm_ledger, angular_momentum), false,
-     MPM_DIMENSION_ANGULAR_MOMENTUM, NULL},
-    {"kinetic_energy", offsetof(struct mpm_ledger, kinetic_energy), false, MPM_DIMENSION_ENERGY,
-     NULL},
-    {"strain_energy", offsetof(struct mpm_ledger, strain_energy), false, MPM_DIMENSION_ENERGY,
-     NULL},
-    {"external_work", offsetof(struct mpm_ledger, external_work), false, MPM_DIMENSION_ENERGY,
-     NULL},
-    {"total_energy", offsetof(struct mpm_ledger, total_energy), false, MPM_DIMENSION_ENERGY, NULL},
-    {"j_min", offsetof(struct mpm_ledger, j_min), false, MPM_DIMENSION_NONE, NULL},
-    {"j_max", offsetof(struct mpm_ledger, j_max), false, MPM_DIMENSION_NONE, NULL},
-    {"damping_dissipation", offsetof(struct mpm_ledger, damping_dissipation), false,
-     MPM_DIMENSION_ENERGY, mpm_scene_is_damped},
-    {"cohesive_stored", offsetof(struct mpm_ledger, cohesive_stored), false, MPM_DIMENSION_ENERGY,
-     mpm_scene_is_cohesive},
-    {"cohesive_dissipated", offsetof(struct mpm_ledger, cohesive_dissipated), false,
-     MPM_DIMENSION_ENERGY, mpm_scene_is_cohesive},
-    {"transfer_loss", offsetof(struct mpm_ledger, transfer_loss), false, MPM_DIMENSION_ENERGY,
-     mpm_scene_has_energy_balance},
-    {"contact_loss", offsetof(struct mpm_ledger, contact_loss), false, MPM_DIMENSION_ENERGY,
-     mpm_scene_has_contact_loss},
+    COLUMN(angular_momentum, ANGULAR_MOMENTUM, NULL),
+    COLUMN(kinetic_energy, ENERGY, NULL),
+    COLUMN(strain_energy, ENERGY, NULL),
+    COLUMN(external_work, ENERGY, NULL),
+    COLUMN(total_energy, ENERGY, NULL),
+    COLUMN(j_min, NONE, NULL),
+    COLUMN(j_max, NONE, NULL),
+    COLUMN(damping_dissipation, ENERGY, mpm_scene_is_damped),
+    COLUMN(cohesive_stored, ENERGY, mpm_scene_is_cohesive),
+    COLUMN(cohesive_dissipated, ENERGY, mpm_scene_is_cohesive),
+    COLUMN(transfer_loss, ENERGY, mpm_scene_has_energy_balance),
+    COLUMN(contact_loss, ENERGY, mpm_scene_has_contact_loss),
 };
 
 struct mpm_history {

@@ -1,6 +1,4 @@
-/* The folder that a run writes to.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/results_folder.h"
 
 #include "io/results/file_write.h"
