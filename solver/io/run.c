@@ -96,13 +96,8 @@ static enum mpm_status write_history(struct run *run, struct mpm_error *error)
     struct mpm_ledger ledger;
     mpm_simulation_ledger(run->simulation, &ledger);
     const enum mpm_status status = mpm_history_write(run->history, &ledger, run->simulation, error);
-    if (status != MPM_RUN_FAILED)
-        return status;
-    const enum mpm_cause cause = error->cause;
-    char *message = g_strdup(error->message);
-    (void)mpm_error_fail(error, cause, "%s at step %" PRIu64 ", time %g: %s",
-                         mpm_cause_describe(cause)->words, ledger.step, ledger.time, message);
-    g_free(message);
+    if (status == MPM_RUN_FAILED)
+        mpm_error_locate(error, ledger.step, ledger.time);
     return status;
 }
 

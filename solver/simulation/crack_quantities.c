@@ -51,36 +51,28 @@ static struct mpm_crack_gap gap_at_end(const struct mpm_simulation *simulation, 
     return mpm_crack_gap_at(state, &piece, first, end == 0 ? 0 : piece.count - 1);
 }
 
-static double opening_first(const struct mpm_simulation *simulation, size_t crack)
+static double opening_at(const struct mpm_simulation *simulation, size_t crack, int end)
 {
-    return gap_at_end(simulation, crack, 0).opening;
+    return gap_at_end(simulation, crack, end).opening;
 }
 
-static double sliding_first(const struct mpm_simulation *simulation, size_t crack)
+static double sliding_at(const struct mpm_simulation *simulation, size_t crack, int end)
 {
-    return gap_at_end(simulation, crack, 0).sliding;
+    return gap_at_end(simulation, crack, end).sliding;
 }
 
-static double opening_last(const struct mpm_simulation *simulation, size_t crack)
+static double opening_largest(const struct mpm_simulation *simulation, size_t crack, int end)
 {
-    return gap_at_end(simulation, crack, 1).opening;
-}
-
-static double sliding_last(const struct mpm_simulation *simulation, size_t crack)
-{
-    return gap_at_end(simulation, crack, 1).sliding;
-}
-
-static double opening_largest(const struct mpm_simulation *simulation, size_t crack)
-{
+    (void)end;
     double largest = -HUGE_VAL;
     for (size_t k = 0; k <= last_of(simulation, crack); k++)
         largest = fmax(largest, gap_at(simulation, crack, k).opening);
     return largest;
 }
 
-static double sliding_largest(const struct mpm_simulation *simulation, size_t crack)
+static double sliding_largest(const struct mpm_simulation *simulation, size_t crack, int end)
 {
+    (void)end;
     double largest = 0.0;
     for (size_t k = 0; k <= last_of(simulation, crack); k++) {
         const double sliding = gap_at(simulation, crack, k).sliding;
@@ -97,8 +89,9 @@ static bool is_cohesive(const struct mpm_scene *scene, size_t crack)
 }
 
 /* Over the area. */
-static double opening_mean(const struct mpm_simulation *simulation, size_t crack)
+static double opening_mean(const struct mpm_simulation *simulation, size_t crack, int end)
 {
+    (void)end;
     const struct mpm_state *const state = &simulation->state;
     const size_t first = mpm_crack_first_point(state, crack);
     double sum = 0.0, area = 0.0;
@@ -112,8 +105,9 @@ static double opening_mean(const struct mpm_simulation *simulation, size_t crack
 
 /* ------------------------------------------------------------------ contact */
 
-static double nodes_without_contact(const struct mpm_simulation *simulation, size_t crack)
+static double nodes_without_contact(const struct mpm_simulation *simulation, size_t crack, int end)
 {
+    (void)end;
     return (double)mpm_crack_contact_crowded(&simulation->state, crack);
 }
 
@@ -124,25 +118,26 @@ static const struct quantity {
     struct mpm_dimension dimension;
     const char *description;
     bool (*asked)(const struct mpm_scene *scene, size_t crack);
-    double (*value)(const struct mpm_simulation *simulation, size_t crack);
+    double (*value)(const struct mpm_simulation *simulation, size_t crack, int end);
+    int end; /* of the chain: 0 or 1 */
 } quantities[] = {
     {"opening_first", MPM_DIMENSION_LENGTH,
      "normal opening at its first point, or where it enters a body behind that", is_followed,
-     opening_first},
-    {"sliding_first", MPM_DIMENSION_LENGTH, "tangential opening there", is_followed, sliding_first},
+     opening_at, 0},
+    {"sliding_first", MPM_DIMENSION_LENGTH, "tangential opening there", is_followed, sliding_at, 0},
     {"opening_last", MPM_DIMENSION_LENGTH,
      "normal opening at its last point, or where it leaves a body before that", is_followed,
-     opening_last},
-    {"sliding_last", MPM_DIMENSION_LENGTH, "tangential opening there", is_followed, sliding_last},
+     opening_at, 1},
+    {"sliding_last", MPM_DIMENSION_LENGTH, "tangential opening there", is_followed, sliding_at, 1},
     {"opening_largest", MPM_DIMENSION_LENGTH, "largest normal opening", is_followed,
-     opening_largest},
+     opening_largest, 0},
     {"sliding_largest", MPM_DIMENSION_LENGTH,
-     "tangential opening, where it is largest in magnitude", is_followed, sliding_largest},
+     "tangential opening, where it is largest in magnitude", is_followed, sliding_largest, 0},
     {"opening_mean", MPM_DIMENSION_LENGTH, "mean of the normal opening over its cohesive area",
-     is_cohesive, opening_mean},
+     is_cohesive, opening_mean, 0},
     {"nodes_without_contact", MPM_DIMENSION_NONE,
      "nodes beside it in the last step whose velocity fields contact leaves alone",
-     mpm_crack_has_contact, nodes_without_contact},
+     mpm_crack_has_contact, nodes_without_contact, 0},
 };
 enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
 
@@ -182,5 +177,5 @@ double mpm_simulation_crack_quantity(const struct mpm_simulation *simulation, si
 {
     size_t crack, counted;
     const struct quantity *const quantity = find(simulation->scene, index, &crack, &counted);
-    return quantity->value(simulation, crack);
+    return quantity->value(simulation, crack, quantity->end);
 }

@@ -122,19 +122,11 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
     mpm_crack_fields_layout(state, arena);
 }
 
-static double lightest(const struct mpm_particles *particles)
-{
-    double least = HUGE_VAL;
-    for (size_t p = 0; p < particles->count; p++)
-        least = fmin(least, particles->mass[p]);
-    return least;
-}
-
 void mpm_cracks_fill(struct mpm_state *state)
 {
     if (state->cracks.point_count > 0) {
         place_cracks(state);
-        state->cracks.least_mass = 1e-3 * lightest(&state->particles);
+        state->cracks.least_mass = 1e-3 * mpm_lightest_particle(&state->particles);
     }
     keep_origins(state);
 }

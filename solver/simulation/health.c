@@ -39,9 +39,7 @@ static enum mpm_cause cause_of(enum mpm_failure_kind kind)
 static void describe(const struct mpm_simulation *simulation, const struct mpm_failure *failure,
                      char *text, size_t size)
 {
-    const bool axisymmetric = simulation->scene->geometry == MPM_AXISYMMETRIC;
-    const char *const names[2] = {axisymmetric ? "r" : "x", axisymmetric ? "z" : "y"};
-    const char *const name = names[failure->axis];
+    const char *const name = mpm_scene_coordinates(simulation->scene)[failure->axis];
     const struct mpm_grid *const grid = &simulation->state.grid;
     const double low = grid->origin[failure->axis];
     const double high = low + (double)grid->cells[failure->axis] * grid->cell[failure->axis];
@@ -113,26 +111,19 @@ enum mpm_status mpm_health_refuse_start(const struct mpm_simulation *simulation,
 enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, struct mpm_error *error)
 {
     const struct mpm_failure *const failure = &simulation->state.failure;
-    const unsigned long long step = (unsigned long long)simulation->step + 1;
-    const double time = simulation->state.time + simulation->state.time_step;
     const enum mpm_cause cause = cause_of(failure->kind);
+    char text[256];
     if (failure->kind == MPM_UNIFORM_LOAD_NOT_FINITE)
-        return mpm_error_fail(
-            error, cause, "%s at step %llu, time %g: the body force loads.body_force.%d = %g",
-            mpm_cause_describe(cause)->words, step, time, failure->axis, failure->value);
+        return mpm_error_fail(error, cause, "the body force loads.body_force.%d = %g",
+                              failure->axis, failure->value);
     if (failure->kind != MPM_NO_FAILURE) {
-        char text[256];
         describe(simulation, failure, text, sizeof text);
-        return mpm_error_fail(error, cause, "%s at step %llu, time %g: particle %u (body '%s') %s",
-                              mpm_cause_describe(cause)->words, step, time, failure->particle,
+        return mpm_error_fail(error, cause, "particle %u (body '%s') %s", failure->particle,
                               mpm_body_of_particle(simulation, failure->particle), text);
     }
     if (!(simulation->wave_speed <= RUNAWAY_WAVE * simulation->wave_speed_start))
-        return mpm_error_fail(error, MPM_CAUSE_WAVES,
-                              "%s at step %llu, time %g: wave speed %g; allowed: up to %g, %g "
-                              "times that of the start",
-                              mpm_cause_describe(MPM_CAUSE_WAVES)->words, step, time,
-                              simulation->wave_speed, RUNAWAY_WAVE * simulation->wave_speed_start,
-                              RUNAWAY_WAVE);
+        return mpm_error_fail(
+            error, MPM_CAUSE_WAVES, "wave speed %g; allowed: up to %g, %g times that of the start",
+            simulation->wave_speed, RUNAWAY_WAVE * simulation->wave_speed_start, RUNAWAY_WAVE);
     return MPM_OK;
 }

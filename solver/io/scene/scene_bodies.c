@@ -12,18 +12,11 @@
 
 /* ------------------------------------------------------------- expressions */
 
-const char *const *mpm_coordinate_names(const struct mpm_scene *scene)
-{
-    static const char *const planar[2] = {"x", "y"};
-    static const char *const axisymmetric[2] = {"r", "z"};
-    return scene->geometry == MPM_AXISYMMETRIC ? axisymmetric : planar;
-}
-
 static enum mpm_status check_expression(const struct mpm_reading *reading, const char *path,
                                         const char *text, bool has_time, const double place[2],
                                         double *value)
 {
-    const char *const *names = mpm_coordinate_names(reading->scene);
+    const char *const *names = mpm_scene_coordinates(reading->scene);
     char excerpt[MPM_EXCERPT_SIZE];
     struct mpm_expression *expression = NULL;
     struct mpm_error mistake;

@@ -63,9 +63,6 @@ enum mpm_status mpm_build_boundary_region(const struct mpm_reading *reading, con
                                           const struct mpm_raw_boundary_region *raw,
                                           struct mpm_region *region);
 
-/* The names of the coordinates: x and y, or r and z. */
-const char *const *mpm_coordinate_names(const struct mpm_scene *scene);
-
 /* A place in a region, off its centre, where formulas such as x/sqrt(x^2+y^2) have values. */
 void mpm_region_sample(const struct mpm_scene *scene, const struct mpm_region *region,
                        double place[2]);

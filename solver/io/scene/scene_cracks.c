@@ -65,7 +65,7 @@ static enum mpm_status check_inside_grid(const struct mpm_reading *reading, cons
             return mpm_reading_fault(reading, path,
                                      "point %zu is outside the grid, got %s = %g; allowed: %g to "
                                      "%g",
-                                     i, mpm_coordinate_names(scene)[axis], place,
+                                     i, mpm_scene_coordinates(scene)[axis], place,
                                      radius ? fmax(first, 0.0) : first, last);
         }
     return MPM_OK;

@@ -149,6 +149,12 @@ void mpm_scene_free(struct mpm_scene *scene)
     free(scene);
 }
 
+const char *const *mpm_scene_coordinates(const struct mpm_scene *scene)
+{
+    static const char *const planar[2] = {"x", "y"}, *const radial[2] = {"r", "z"};
+    return scene->geometry == MPM_AXISYMMETRIC ? radial : planar;
+}
+
 size_t mpm_scene_body_count(const struct mpm_scene *scene)
 {
     return scene->body_count;

@@ -186,7 +186,6 @@ static enum mpm_status check_inside_grid(const struct mpm_reading *reading, cons
                                          const struct mpm_region *region)
 {
     const struct mpm_scene *scene = reading->scene;
-    const char *const axes = scene->geometry == MPM_AXISYMMETRIC ? "rz" : "xy";
     double low[2], high[2];
     mpm_region_bounds(region, low, high);
     if (scene->geometry == MPM_AXISYMMETRIC && high[0] <= 0.0)
@@ -200,8 +199,8 @@ static enum mpm_status check_inside_grid(const struct mpm_reading *reading, cons
         const double slack = 1e-9 * scene->cell[i];
         if (low[i] < first - slack || high[i] > last + slack)
             return mpm_reading_fault(reading, path,
-                                     "outside the grid, %c from %g to %g; allowed: %g to %g",
-                                     axes[i], low[i], high[i], first, last);
+                                     "outside the grid, %s from %g to %g; allowed: %g to %g",
+                                     mpm_scene_coordinates(scene)[i], low[i], high[i], first, last);
     }
     return MPM_OK;
 }

@@ -13,7 +13,7 @@ static enum mpm_status check_place(const struct mpm_reading *reading, const char
                                    double place)
 {
     const struct mpm_scene *const scene = reading->scene;
-    const char *const name = mpm_coordinate_names(scene)[normal];
+    const char *const name = mpm_scene_coordinates(scene)[normal];
     const double index = (place - scene->origin[normal]) / scene->cell[normal];
     const double nearest = fmin(fmax(nearbyint(index), 0.0), (double)scene->cells[normal]);
     if (scene->geometry == MPM_AXISYMMETRIC && normal == 0 &&
