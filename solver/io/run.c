@@ -9,7 +9,6 @@
 #include <glib.h>
 #include <inttypes.h>
 #include <math.h>
-#include <string.h>
 
 /* An instant this close to the next one, in intervals, is taken to be it: products of
  * the interval carry round-off, and a last sliver of a step would serve nobody. */

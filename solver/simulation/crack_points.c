@@ -199,9 +199,9 @@ void mpm_crack_points_place(const struct mpm_scene *scene, const struct mpm_crac
 }
 
 void mpm_crack_points_mouths(const struct mpm_scene *scene, const struct mpm_crack_spec *spec,
-                             size_t mouths[2])
+                             size_t first, size_t mouths[2])
 {
     const struct walk walk = walk_chain(scene, spec, NULL, NULL);
     for (int end = 0; end < 2; end++)
-        mouths[end] = walk.at[end];
+        mouths[end] = walk.at[end] == SIZE_MAX ? SIZE_MAX : first + walk.at[end];
 }

@@ -6,8 +6,6 @@
 #include "model/region.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 static void read_pair(char *const texts[2], double pair[2])
 {

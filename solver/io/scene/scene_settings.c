@@ -4,7 +4,6 @@
 #include "base/status.h"
 #include "io/scene/scene_schema.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
