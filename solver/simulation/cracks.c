@@ -10,8 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-/* ------------------------------------------------------------------- cracks */
-
 /* With what it may grow to. */
 static size_t count_with_room(const struct mpm_scene *scene, size_t crack)
 {
@@ -93,8 +91,6 @@ static void keep_origins(struct mpm_state *state)
         memcpy(particles->origin[axis], particles->position[axis],
                particles->count * sizeof(double));
 }
-
-/* ----------------------------------------------------------------- creating */
 
 void mpm_cracks_create(struct mpm_state *state)
 {

@@ -34,6 +34,14 @@ void mpm_vector_field_free(struct mpm_vector_field *field)
     *field = (struct mpm_vector_field){0};
 }
 
+/* An array of calloc, or NULL. */
+static void free_fields(struct mpm_vector_field *fields, size_t count)
+{
+    for (size_t k = 0; fields != NULL && k < count; k++)
+        mpm_vector_field_free(&fields[k]);
+    free(fields);
+}
+
 static enum mpm_body_force_kind body_force_kind(const struct mpm_vector_field *field)
 {
     enum mpm_body_force_kind kind = MPM_NO_BODY_FORCE;
@@ -447,18 +455,13 @@ void mpm_simulation_free(struct mpm_simulation *simulation)
     if (simulation == NULL)
         return;
     struct mpm_state *const state = &simulation->state;
-    for (size_t k = 0;
-         state->conditions.boundary_velocity != NULL && k < simulation->scene->boundary_count; k++)
-        mpm_vector_field_free(&state->conditions.boundary_velocity[k]);
-    for (size_t k = 0; state->conditions.body_velocity != NULL && k < simulation->scene->body_count;
-         k++)
-        mpm_vector_field_free(&state->conditions.body_velocity[k]);
+    const struct mpm_scene *const scene = simulation->scene;
+    free_fields(state->conditions.boundary_velocity, scene->boundary_count);
+    free_fields(state->conditions.body_velocity, scene->body_count);
+    free_fields(state->edge_loads.value, scene->edge_load_count);
     mpm_vector_field_free(&state->body_force);
-    mpm_edge_loads_free(state);
     free(state->symmetries.planes);
     mpm_damping_free(&state->damping);
-    free(state->conditions.boundary_velocity);
-    free(state->conditions.body_velocity);
     free(state->conditions.list);
     mpm_arena_free(&simulation->user_force);
     mpm_arena_free(&simulation->arena);

@@ -5,7 +5,6 @@
 
 #include "simulation/simulation.h"
 
-
 static enum mpm_status create_rate(const struct mpm_simulation *simulation, const char *text,
                                    struct mpm_expression **rate, struct mpm_error *error)
 {

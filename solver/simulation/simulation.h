@@ -128,7 +128,6 @@ void mpm_edge_loads_layout(struct mpm_state *state, struct mpm_arena *arena);
 enum mpm_status mpm_edge_loads_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulation,
                                            struct mpm_error *error);
-void mpm_edge_loads_free(struct mpm_state *state);
 
 /* cracks.c: how many points cracks get; their memory; where they are. */
 void mpm_cracks_create(struct mpm_state *state);

@@ -38,8 +38,6 @@ enum mpm_status mpm_simulation_set_body_force(struct mpm_simulation *simulation,
     return MPM_OK;
 }
 
-/* -------------------------------------------------------------------- start */
-
 enum { AXES = 2 };
 
 /* NaN if a value is not finite */

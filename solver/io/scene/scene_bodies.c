@@ -1,4 +1,4 @@
-/* Bodies, boundaries and loads of a scene.
+/* Expressions, bodies and boundaries of a scene.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
@@ -12,9 +12,9 @@
 
 /* ------------------------------------------------------------- expressions */
 
-static enum mpm_status check_expression(const struct mpm_reading *reading, const char *path,
-                                        const char *text, bool has_time, const double place[2],
-                                        double *value)
+enum mpm_status mpm_build_expression(const struct mpm_reading *reading, const char *path,
+                                     const char *text, bool has_time, const double place[2],
+                                     char **copy, double *value)
 {
     const char *const *names = mpm_scene_coordinates(reading->scene);
     char excerpt[MPM_EXCERPT_SIZE];
@@ -30,19 +30,11 @@ static enum mpm_status check_expression(const struct mpm_reading *reading, const
     *value = mpm_expression_value(expression, 0, place, 0.0);
     mpm_expression_free(expression);
     if (isfinite(*value))
-        return MPM_OK;
+        return mpm_reading_copy(reading, text, copy);
     return mpm_reading_fault(reading, path, "%s is %s at %s = %g, %s = %g%s; allowed: finite",
                              mpm_excerpt(text, excerpt),
                              isnan(*value) ? "not a number" : "infinite", names[0], place[0],
                              names[1], place[1], has_time ? ", t = 0" : "");
-}
-
-enum mpm_status mpm_build_expression(const struct mpm_reading *reading, const char *path,
-                                     const char *text, bool has_time, const double place[2],
-                                     char **copy, double *value)
-{
-    MPM_TRY(check_expression(reading, path, text, has_time, place, value));
-    return mpm_reading_copy(reading, text, copy);
 }
 
 enum mpm_status mpm_build_expressions(const struct mpm_reading *reading, const char *path,
@@ -57,6 +49,15 @@ enum mpm_status mpm_build_expressions(const struct mpm_reading *reading, const c
                                      place, &vector->text[i], &value));
     }
     return MPM_OK;
+}
+
+void mpm_drop_constant(char **text, double idle)
+{
+    double value;
+    if (*text == NULL || !mpm_number_parse(*text, &value) || value != idle)
+        return;
+    free(*text);
+    *text = NULL;
 }
 
 /* A velocity that drives nodes: at least one component. */
@@ -140,7 +141,7 @@ enum mpm_status mpm_build_bodies(const struct mpm_reading *reading)
                                    sizeof scene->bodies[0]);
 }
 
-/* ----------------------------------------------------- boundaries and loads */
+/* -------------------------------------------------------------- boundaries */
 
 static enum mpm_status build_boundary(const struct mpm_reading *reading, const char *path,
                                       const struct mpm_raw_boundary *raw,
@@ -171,29 +172,5 @@ enum mpm_status mpm_build_boundaries(const struct mpm_reading *reading)
     for (size_t i = 0; i < count; i++)
         MPM_TRY(build_boundary(reading, mpm_path_entry("boundary", i).text,
                                &reading->raw->boundary[i], &scene->boundaries[i]));
-    return MPM_OK;
-}
-
-void mpm_drop_constant(char **text, double idle)
-{
-    double value;
-    if (*text == NULL || !mpm_number_parse(*text, &value) || value != idle)
-        return;
-    free(*text);
-    *text = NULL;
-}
-
-enum mpm_status mpm_build_loads(const struct mpm_reading *reading)
-{
-    struct mpm_scene *scene = reading->scene;
-    const struct mpm_region everywhere = {.kind = MPM_REGION_ALL};
-    double place[2];
-    mpm_region_sample(scene, &everywhere, place);
-    MPM_TRY(mpm_build_edge_loads(reading));
-    scene->line_body_force = mpm_reading_line(reading, "loads.body_force");
-    MPM_TRY(mpm_build_expressions(reading, "loads.body_force", reading->raw->loads->body_force,
-                                  true, place, &scene->body_force));
-    for (int axis = 0; axis < 2; axis++)
-        mpm_drop_constant(&scene->body_force.text[axis], 0.0);
     return MPM_OK;
 }

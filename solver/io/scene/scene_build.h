@@ -42,8 +42,6 @@ enum mpm_status mpm_build_symmetry(const struct mpm_reading *reading, const char
                                    const struct mpm_raw_boundary *raw,
                                    struct mpm_boundary_spec *boundary);
 enum mpm_status mpm_build_loads(const struct mpm_reading *reading);
-/* A part of it: tractions and particle forces. */
-enum mpm_status mpm_build_edge_loads(const struct mpm_reading *reading);
 /* Cracks, and whether the method takes them. */
 enum mpm_status mpm_build_cracks(const struct mpm_reading *reading);
 /* A part of it: what holds its surfaces together, once its points are known. */

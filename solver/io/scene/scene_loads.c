@@ -1,4 +1,4 @@
-/* Loads on the edges of particles: tractions and particle forces of a scene.
+/* Loads of a scene: body force, and tractions and particle forces on the edges of particles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
@@ -40,7 +40,7 @@ static enum mpm_status build_load(const struct mpm_reading *reading, const char 
     return MPM_OK;
 }
 
-enum mpm_status mpm_build_edge_loads(const struct mpm_reading *reading)
+static enum mpm_status build_edge_loads(const struct mpm_reading *reading)
 {
     const struct mpm_raw_loads *const raw = reading->raw->loads;
     struct mpm_scene *const scene = reading->scene;
@@ -64,5 +64,20 @@ enum mpm_status mpm_build_edge_loads(const struct mpm_reading *reading)
             (void)snprintf(load->key, sizeof load->key, "%s.%zu", lists[list].path, i);
             MPM_TRY(build_load(reading, load->key, &lists[list].entries[i], load));
         }
+    return MPM_OK;
+}
+
+enum mpm_status mpm_build_loads(const struct mpm_reading *reading)
+{
+    struct mpm_scene *scene = reading->scene;
+    const struct mpm_region everywhere = {.kind = MPM_REGION_ALL};
+    double place[2];
+    mpm_region_sample(scene, &everywhere, place);
+    MPM_TRY(build_edge_loads(reading));
+    scene->line_body_force = mpm_reading_line(reading, "loads.body_force");
+    MPM_TRY(mpm_build_expressions(reading, "loads.body_force", reading->raw->loads->body_force,
+                                  true, place, &scene->body_force));
+    for (int axis = 0; axis < 2; axis++)
+        mpm_drop_constant(&scene->body_force.text[axis], 0.0);
     return MPM_OK;
 }

@@ -31,8 +31,6 @@ static enum mpm_status check_keys(const struct mpm_reading *reading, const char 
                              law->name, other, allowed);
 }
 
-/* ------------------------------------------------------------ elastic constants */
-
 static enum mpm_status check_pairs(const struct mpm_reading *reading, const char *path,
                                    const struct mpm_raw_material *raw)
 {
@@ -66,8 +64,6 @@ static enum mpm_status build_moduli(const struct mpm_reading *reading, const cha
                              "shear modulus %g; allowed: finite, above 0",
                              *bulk, *shear);
 }
-
-/* ------------------------------------------------------------------- parameters */
 
 enum mpm_status mpm_build_parameters(const struct mpm_reading *reading, const char *path,
                                      const struct mpm_material_law *law,
