@@ -106,15 +106,15 @@ static enum mpm_status add_state(const struct run *run, enum mpm_status status,
 {
     double time = 0.0;
     const char *last = mpm_series_last(run->series, &time);
-    char *message = g_strdup(error->message);
-    char *complete = last != NULL ? g_strdup_printf("%s of time %.9g", last, time) : NULL;
+    const struct mpm_error why = *error;
+    char complete[64] = "none";
+    if (last != NULL)
+        g_snprintf(complete, sizeof complete, "%s of time %.9g", last, time);
     (void)mpm_error_set(error, status,
                         "%s; the run stopped at step %" PRIu64
                         ", time %.9g; last complete snapshot: %s",
-                        message, mpm_simulation_step(run->simulation),
-                        mpm_simulation_time(run->simulation), complete != NULL ? complete : "none");
-    g_free(complete);
-    g_free(message);
+                        why.message, mpm_simulation_step(run->simulation),
+                        mpm_simulation_time(run->simulation), complete);
     return status;
 }
 
@@ -154,16 +154,14 @@ static enum mpm_status write_due_results(struct run *run, struct mpm_error *erro
 static enum mpm_status keep_last_good_state(struct run *run, enum mpm_status failed,
                                             struct mpm_error *error)
 {
-    const enum mpm_cause cause = error->cause;
+    const struct mpm_error first = *error;
     struct mpm_error second = {.status = MPM_OK};
     const enum mpm_status status = write_results(run, true, true, &second);
     if (status == MPM_OK || status == MPM_RUN_FAILED)
         return failed;
-    char *message = g_strdup(error->message);
-    (void)mpm_error_set(error, failed, "%s; and the last good state cannot be written: %s", message,
-                        second.message);
-    error->cause = cause;
-    g_free(message);
+    (void)mpm_error_set(error, failed, "%s; and the last good state cannot be written: %s",
+                        first.message, second.message);
+    error->cause = first.cause;
     return failed;
 }
 

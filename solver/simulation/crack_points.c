@@ -187,15 +187,10 @@ static struct walk walk_chain(const struct mpm_scene *scene, const struct mpm_cr
     return walk;
 }
 
-size_t mpm_crack_points_count(const struct mpm_scene *scene, const struct mpm_crack_spec *spec)
+size_t mpm_crack_points_place(const struct mpm_scene *scene, const struct mpm_crack_spec *spec,
+                              double *x, double *y)
 {
-    return walk_chain(scene, spec, NULL, NULL).count;
-}
-
-void mpm_crack_points_place(const struct mpm_scene *scene, const struct mpm_crack_spec *spec,
-                            double *x, double *y)
-{
-    (void)walk_chain(scene, spec, x, y);
+    return walk_chain(scene, spec, x, y).count;
 }
 
 void mpm_crack_points_mouths(const struct mpm_scene *scene, const struct mpm_crack_spec *spec,

@@ -14,11 +14,9 @@
 
 #include "model/scene.h"
 
-size_t mpm_crack_points_count(const struct mpm_scene *scene, const struct mpm_crack_spec *spec);
-
-/* So many coordinates. */
-void mpm_crack_points_place(const struct mpm_scene *scene, const struct mpm_crack_spec *spec,
-                            double *x, double *y);
+/* How many there are; their coordinates, unless x is NULL. */
+size_t mpm_crack_points_place(const struct mpm_scene *scene, const struct mpm_crack_spec *spec,
+                              double *x, double *y);
 
 /* The mouths' points, where that of the chain's first point is `first`, seen from its first point
  * and from its last; SIZE_MAX: none. */

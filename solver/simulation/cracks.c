@@ -13,7 +13,7 @@
 /* With what it may grow to. */
 static size_t count_with_room(const struct mpm_scene *scene, size_t crack)
 {
-    return mpm_crack_points_count(scene, &scene->cracks[crack]) +
+    return mpm_crack_points_place(scene, &scene->cracks[crack], NULL, NULL) +
            mpm_crack_room(scene, crack, true) + mpm_crack_room(scene, crack, false);
 }
 
@@ -57,10 +57,9 @@ static void place_cracks(struct mpm_state *state)
         const size_t before = mpm_crack_room(state->scene, k, true);
         double *const x = cracks->position[0] + first + before;
         double *const y = cracks->position[1] + first + before;
-        mpm_crack_points_place(state->scene, spec, x, y);
         cracks->chains[k].x = x;
         cracks->chains[k].y = y;
-        cracks->chains[k].count = mpm_crack_points_count(state->scene, spec);
+        cracks->chains[k].count = mpm_crack_points_place(state->scene, spec, x, y);
         first += count_with_room(state->scene, k);
     }
 }

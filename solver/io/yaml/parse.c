@@ -6,7 +6,6 @@
 #include "io/yaml/tree.h"
 
 #include <glib.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <yaml.h>
@@ -192,12 +191,10 @@ static enum mpm_status read_content(struct parsing *parsing, const yaml_event_t 
 {
     if (node->kind == MPM_TREE_SCALAR)
         return read_scalar(parsing, event, node);
-    if (depth > MPM_TREE_DEPTH_MAX) {
-        char message[64];
-        (void)snprintf(message, sizeof message, "nested too deeply; allowed: %d levels",
-                       MPM_TREE_DEPTH_MAX);
-        return refuse(parsing, event, message);
-    }
+    if (depth > MPM_TREE_DEPTH_MAX)
+        return mpm_tree_fault(parsing->error, parsing->source,
+                              origin_at(parsing, event->start_mark.line), "",
+                              "nested too deeply; allowed: %d levels", MPM_TREE_DEPTH_MAX);
     return node->kind == MPM_TREE_LIST ? read_list(parsing, depth, node)
                                        : read_mapping(parsing, depth, node);
 }
