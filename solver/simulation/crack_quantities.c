@@ -96,8 +96,7 @@ static double opening_mean(const struct mpm_simulation *simulation, size_t crack
     const size_t first = mpm_crack_first_point(state, crack);
     double sum = 0.0, area = 0.0;
     for (size_t k = 0; k <= last_of(simulation, crack); k++) {
-        sum += state->cracks.openings.area[first + k] *
-               mpm_crack_gap_at(state, &state->cracks.chains[crack], first, k).opening;
+        sum += state->cracks.openings.area[first + k] * gap_at(simulation, crack, k).opening;
         area += state->cracks.openings.area[first + k];
     }
     return area > 0.0 ? sum / area : 0.0;
