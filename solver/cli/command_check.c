@@ -48,14 +48,14 @@ static void print_plan(const struct mpm_scene *scene, const struct mpm_plan *pla
 int cli_check(struct cli_arguments *arguments)
 {
     struct mpm_scene *scene = NULL;
-    int status = cli_scene_read(arguments, &scene);
-    if (status != MPM_OK)
-        return status;
+    const int read = cli_scene_read(arguments, &scene);
+    if (read != MPM_OK)
+        return read;
     struct mpm_plan plan = {.particles = 0};
     struct mpm_error error = {.status = MPM_OK};
-    status = mpm_scene_plan(scene, &arguments->simulation, &plan, &error);
+    const enum mpm_status status = mpm_scene_plan(scene, &arguments->simulation, &plan, &error);
     if (status == MPM_OK)
         print_plan(scene, &plan);
     mpm_scene_free(scene);
-    return status == MPM_OK ? MPM_OK : cli_fail((enum mpm_status)status, "%s", error.message);
+    return status == MPM_OK ? MPM_OK : cli_fail(status, "%s", error.message);
 }

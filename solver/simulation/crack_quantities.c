@@ -115,28 +115,28 @@ static double nodes_without_contact(const struct mpm_simulation *simulation, siz
 static const struct quantity {
     const char *name;
     struct mpm_dimension dimension;
+    int end; /* of the chain, 0 or 1, for a value at one of them */
     const char *description;
     bool (*asked)(const struct mpm_scene *scene, size_t crack);
     double (*value)(const struct mpm_simulation *simulation, size_t crack, int end);
-    int end; /* of the chain: 0 or 1 */
 } quantities[] = {
-    {"opening_first", MPM_DIMENSION_LENGTH,
+    {"opening_first", MPM_DIMENSION_LENGTH, 0,
      "normal opening at its first point, or where it enters a body behind that", is_followed,
-     opening_at, 0},
-    {"sliding_first", MPM_DIMENSION_LENGTH, "tangential opening there", is_followed, sliding_at, 0},
-    {"opening_last", MPM_DIMENSION_LENGTH,
+     opening_at},
+    {"sliding_first", MPM_DIMENSION_LENGTH, 0, "tangential opening there", is_followed, sliding_at},
+    {"opening_last", MPM_DIMENSION_LENGTH, 1,
      "normal opening at its last point, or where it leaves a body before that", is_followed,
-     opening_at, 1},
-    {"sliding_last", MPM_DIMENSION_LENGTH, "tangential opening there", is_followed, sliding_at, 1},
-    {"opening_largest", MPM_DIMENSION_LENGTH, "largest normal opening", is_followed,
-     opening_largest, 0},
-    {"sliding_largest", MPM_DIMENSION_LENGTH,
-     "tangential opening, where it is largest in magnitude", is_followed, sliding_largest, 0},
-    {"opening_mean", MPM_DIMENSION_LENGTH, "mean of the normal opening over its cohesive area",
-     is_cohesive, opening_mean, 0},
-    {"nodes_without_contact", MPM_DIMENSION_NONE,
+     opening_at},
+    {"sliding_last", MPM_DIMENSION_LENGTH, 1, "tangential opening there", is_followed, sliding_at},
+    {"opening_largest", MPM_DIMENSION_LENGTH, 0, "largest normal opening", is_followed,
+     opening_largest},
+    {"sliding_largest", MPM_DIMENSION_LENGTH, 0,
+     "tangential opening, where it is largest in magnitude", is_followed, sliding_largest},
+    {"opening_mean", MPM_DIMENSION_LENGTH, 0, "mean of the normal opening over its cohesive area",
+     is_cohesive, opening_mean},
+    {"nodes_without_contact", MPM_DIMENSION_NONE, 0,
      "nodes beside it in the last step whose velocity fields contact leaves alone",
-     mpm_crack_has_contact, nodes_without_contact, 0},
+     mpm_crack_has_contact, nodes_without_contact},
 };
 enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
 

@@ -79,6 +79,7 @@ enum mpm_status mpm_reading_allocate(const struct mpm_reading *reading, size_t c
 {
     void *const memory = calloc(count > 0 ? count : 1, size);
     memcpy(array, &memory, sizeof memory);
+    /* cppcheck-suppress memleak ; the caller's pointer has it */
     return memory != NULL ? MPM_OK : mpm_error_memory(reading->error, count * size, what);
 }
 
