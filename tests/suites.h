@@ -62,6 +62,7 @@
     SUITE(scene_run)                                                                               \
     SUITE(budget)                                                                                  \
     SUITE(scene_limits)                                                                            \
+    SUITE(scene_materials)                                                                         \
     SUITE(scene_cracks)                                                                            \
     SUITE(crack_line)                                                                              \
     SUITE(j_integral)                                                                              \

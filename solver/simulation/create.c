@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/memory.h"
 #include "base/strips.h"
 #include "method/cracks/crack_detection.h"
 #include "method/fields/fields.h"
@@ -12,22 +11,15 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* -------------------------------------------------------------- expressions */
-
-static const char *const *coordinate_names(const struct mpm_scene *scene)
-{
-    static const char *const planar[2] = {"x", "y"}, *const radial[2] = {"r", "z"};
-    return scene->geometry == MPM_AXISYMMETRIC ? radial : planar;
-}
 
 enum mpm_status mpm_vector_field_create(const struct mpm_scene *scene,
                                         const struct mpm_vector_expression *text, bool has_time,
                                         int workers, struct mpm_vector_field *field,
                                         struct mpm_error *error)
 {
-    const char *const *const names = coordinate_names(scene);
+    const char *const *const names = mpm_scene_coordinates(scene);
     for (int axis = 0; axis < 2; axis++)
         if (text->text[axis] != NULL)
             MPM_TRY(mpm_expression_create(text->text[axis], names, has_time, workers,
@@ -40,6 +32,14 @@ void mpm_vector_field_free(struct mpm_vector_field *field)
     for (int axis = 0; axis < 2; axis++)
         mpm_expression_free(field->component[axis]);
     *field = (struct mpm_vector_field){0};
+}
+
+/* An array of calloc, or NULL. */
+static void free_fields(struct mpm_vector_field *fields, size_t count)
+{
+    for (size_t k = 0; fields != NULL && k < count; k++)
+        mpm_vector_field_free(&fields[k]);
+    free(fields);
 }
 
 static enum mpm_body_force_kind body_force_kind(const struct mpm_vector_field *field)
@@ -77,7 +77,7 @@ static enum mpm_status create_expressions(struct mpm_simulation *simulation,
     MPM_TRY(mpm_vector_field_create(scene, &scene->body_force, true, state->workers,
                                     &state->body_force, error));
     state->body_force_kind = body_force_kind(&state->body_force);
-    return mpm_damping_create(simulation, coordinate_names(scene), error);
+    return mpm_damping_create(simulation, error);
 }
 
 static double boundary_value(const void *context, int32_t boundary, int32_t component,
@@ -293,7 +293,7 @@ static double initial_wave_speed(const struct mpm_simulation *simulation)
     return sqrt(fastest);
 }
 
-static double lightest_particle(const struct mpm_particles *particles)
+double mpm_lightest_particle(const struct mpm_particles *particles)
 {
     double mass = particles->mass[0];
     for (size_t p = 1; p < particles->count; p++)
@@ -362,7 +362,7 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
     simulation->wave_speed = wave_speed;
     simulation->wave_speed_start = wave_speed;
     simulation->particle_speed = mpm_particle_speed(&state->particles, 0, state->particles.count);
-    simulation->lightest = lightest_particle(&state->particles);
+    simulation->lightest = mpm_lightest_particle(&state->particles);
     MPM_TRY(begin_totals(simulation, error));
     MPM_TRY(mpm_time_step_check(simulation, error));
     MPM_TRY(mpm_damping_check_start(simulation, error));
@@ -455,18 +455,13 @@ void mpm_simulation_free(struct mpm_simulation *simulation)
     if (simulation == NULL)
         return;
     struct mpm_state *const state = &simulation->state;
-    for (size_t k = 0;
-         state->conditions.boundary_velocity != NULL && k < simulation->scene->boundary_count; k++)
-        mpm_vector_field_free(&state->conditions.boundary_velocity[k]);
-    for (size_t k = 0; state->conditions.body_velocity != NULL && k < simulation->scene->body_count;
-         k++)
-        mpm_vector_field_free(&state->conditions.body_velocity[k]);
+    const struct mpm_scene *const scene = simulation->scene;
+    free_fields(state->conditions.boundary_velocity, scene->boundary_count);
+    free_fields(state->conditions.body_velocity, scene->body_count);
+    free_fields(state->edge_loads.value, scene->edge_load_count);
     mpm_vector_field_free(&state->body_force);
-    mpm_edge_loads_free(state);
     free(state->symmetries.planes);
     mpm_damping_free(&state->damping);
-    free(state->conditions.boundary_velocity);
-    free(state->conditions.body_velocity);
     free(state->conditions.list);
     mpm_arena_free(&simulation->user_force);
     mpm_arena_free(&simulation->arena);

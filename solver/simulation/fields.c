@@ -67,22 +67,17 @@ struct quantity {
 };
 
 static const struct quantity quantities[MPM_FIELD_COUNT] = {
-    [MPM_FIELD_STRESS] = {NULL,
-                          {"stress", 4, false, MPM_DIMENSION_STRESS,
-                           "Cauchy stress xx yy zz xy; in axisymmetry rr zz tt rz"},
-                          find_stress,
-                          NULL},
-    [MPM_FIELD_VOLUME] = {NULL,
-                          {"volume", 1, false, MPM_DIMENSION_VOLUME,
-                           "current volume, for the thickness or per radian"},
-                          find_volume,
-                          NULL},
-    [MPM_FIELD_FRINGE] = {NULL,
-                          {"fringe", 1, false, MPM_DIMENSION_NONE,
-                           "photoelastic fringes: cos(k sqrt((xx - yy)^2 + 4 xy^2)) of the Cauchy "
-                           "stress, k the scene's output.fringe"},
-                          find_fringe,
-                          fringe_without_stress},
+    [MPM_FIELD_STRESS] = {.info = {"stress", 4, false, MPM_DIMENSION_STRESS,
+                                   "Cauchy stress xx yy zz xy; in axisymmetry rr zz tt rz"},
+                          .find = find_stress},
+    [MPM_FIELD_VOLUME] = {.info = {"volume", 1, false, MPM_DIMENSION_VOLUME,
+                                   "current volume, for the thickness or per radian"},
+                          .find = find_volume},
+    [MPM_FIELD_FRINGE] = {.info = {"fringe", 1, false, MPM_DIMENSION_NONE,
+                                   "photoelastic fringes: cos(k sqrt((xx - yy)^2 + 4 xy^2)) of the "
+                                   "Cauchy stress, k the scene's output.fringe"},
+                          .find = find_fringe,
+                          .rigid = fringe_without_stress},
 #define MPM_ROW(name, ...) [MPM_FIELD_##name] = {.stored = &mpm_particle_rows[MPM_PARTICLE_##name]},
     MPM_WRITTEN_PARTICLE_FIELDS(MPM_ROW)
 #undef MPM_ROW
