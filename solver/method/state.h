@@ -95,7 +95,7 @@ struct mpm_state {
     struct mpm_grid grid;
     int64_t node_zero; /* index of node (0, 0): stencil offsets count from it */
     struct mpm_particles particles;
-    struct mpm_particles rigid;
+    struct mpm_rigid_particles rigid;
     struct mpm_body *bodies;
 
     struct mpm_strip *strips;

@@ -80,7 +80,8 @@ void mpm_fast_tail_fill(struct fast_tail *tail, const struct mpm_particles *part
             else
                 for (size_t lane = 0; lane < MPM_VECTOR_SIZE; lane++)
                     value->number[lane] = number[from[lane]];
-            mpm_particle_set_array(&tail->particles, field, k, value);
+            if (k < mpm_particle_rows[field].info.components)
+                mpm_particle_set_array(&tail->particles, field, k, value);
         }
     for (size_t lane = count; lane < MPM_VECTOR_SIZE; lane++)
         tail->particles.mass[lane] = 0.0;

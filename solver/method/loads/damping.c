@@ -210,7 +210,7 @@ static inline void find_drag(struct mpm_state *state, int64_t index, int worker,
         for (int axis = 0; axis < 2; axis++) {
             const double v = particles->velocity[axis][p];
             const double q = rate * v + (pic ? damping->pic_rate * (v - grid[axis]) : 0.0);
-            damping->drag[axis][p] = q;
+            particles->drag[axis][p] = q;
             power += particles->mass[p] * q * v;
         }
     }
@@ -251,9 +251,8 @@ static inline void spare_work(struct mpm_state *state, int64_t index, int worker
             continue;
         for (int axis = 0; axis < 2 && user[axis] != NULL; axis++)
             b[axis] += user[axis][p];
-        strip->external_work -=
-            half * particles->mass[p] *
-            (b[0] * state->damping.drag[0][p] + b[1] * state->damping.drag[1][p]);
+        strip->external_work -= half * particles->mass[p] *
+                                (b[0] * particles->drag[0][p] + b[1] * particles->drag[1][p]);
     }
 }
 
@@ -305,7 +304,7 @@ static void pass_take_drag(void *context, int64_t index, int worker)
     (void)worker;
     for (int axis = 0; axis < 2; axis++) {
         double *const velocity = state->particles.velocity[axis];
-        const double *const drag = state->damping.drag[axis];
+        const double *const drag = state->particles.drag[axis];
         for (size_t p = strip->begin; p < strip->end; p++)
             velocity[p] -= state->time_step * drag[p];
     }
@@ -325,8 +324,8 @@ static void pass_settle(void *context, int64_t index, int worker)
     double power = 0.0;
     (void)worker;
     for (size_t p = strip->begin; p < strip->end; p++)
-        power += particles->mass[p] * (state->damping.drag[0][p] * particles->velocity[0][p] +
-                                       state->damping.drag[1][p] * particles->velocity[1][p]);
+        power += particles->mass[p] * (particles->drag[0][p] * particles->velocity[0][p] +
+                                       particles->drag[1][p] * particles->velocity[1][p]);
     strip->dissipated += 0.5 * state->time_step * power;
 }
 
@@ -342,7 +341,7 @@ static void pass_settle_midpoint(void *context, int64_t index, int worker)
     for (size_t p = strip->begin; p < strip->end; p++) {
         double step[2];
         for (int axis = 0; axis < 2; axis++) {
-            step[axis] = -back * state->damping.drag[axis][p];
+            step[axis] = -back * state->particles.drag[axis][p];
             state->particles.position[axis][p] += step[axis];
         }
         struct mpm_placement placement = mpm_particle_placement(state, p);

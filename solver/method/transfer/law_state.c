@@ -22,7 +22,8 @@ void mpm_law_states_begin(struct mpm_state *state)
     for (size_t p = 0; carried > 0 && p < particles->count; p++) {
         const struct mpm_material_law *const law = state->bodies[particles->body[p]].material.law;
         for (size_t k = 0; k < carried; k++)
-            particles->law_state[k][p] = k < law->variable_count ? law->variables[k].start : 0.0;
+            *mpm_particle_law_state(particles, p, k) =
+                k < law->variable_count ? law->variables[k].start : 0.0;
     }
 }
 
@@ -63,16 +64,17 @@ void mpm_particle_update_law(const struct mpm_state *state, size_t p,
     for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
         old_stress[k] = particles->stress[k][p];
     for (size_t k = 0; k < law->variable_count; k++)
-        variables[k] = particles->law_state[k][p];
+        variables[k] = *mpm_particle_law_state(particles, p, k);
     const struct mpm_law_step step = {old_f, f, duration, (double)NAN};
     if (law->update != NULL)
         law->update(material, &step, variables, stress, wave_speed_squared);
     else
         law->stress(material, f, stress, wave_speed_squared);
     for (size_t k = 0; k < law->variable_count; k++)
-        particles->law_state[k][p] = variables[k];
+        *mpm_particle_law_state(particles, p, k) = variables[k];
     if (law->energy == NULL)
-        particles->law_state[law->variable_count][p] += stress_work(old_stress, stress, &step);
+        *mpm_particle_law_state(particles, p, law->variable_count) +=
+            stress_work(old_stress, stress, &step);
 }
 
 void mpm_particle_find_stress(const struct mpm_state *state, size_t p,
@@ -83,7 +85,7 @@ void mpm_particle_find_stress(const struct mpm_state *state, size_t p,
     double f[MPM_GRADIENT_SIZE];
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
         f[k] = particles->deformation[k][p];
-    if (particles->law_state[0] == NULL)
+    if (particles->law_state == NULL)
         material->law->stress(material, f, stress, wave_speed_squared);
     else
         mpm_particle_update_law(state, p, f, 0.0, stress, wave_speed_squared);
@@ -96,10 +98,10 @@ double mpm_particle_strain_energy(const struct mpm_state *state, size_t p)
     const struct mpm_material_law *const law = material->law;
     double f[MPM_GRADIENT_SIZE], variables[MPM_LAW_STATES];
     if (law->energy == NULL)
-        return particles->law_state[law->variable_count][p];
+        return *mpm_particle_law_state(particles, p, law->variable_count);
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
         f[k] = particles->deformation[k][p];
     for (size_t k = 0; k < law->variable_count; k++)
-        variables[k] = particles->law_state[k][p];
+        variables[k] = *mpm_particle_law_state(particles, p, k);
     return law->energy(material, f, variables);
 }

@@ -382,7 +382,7 @@ static void update_stress(const struct mpm_state *state, size_t p,
     const struct mpm_particles *const particles = &state->particles;
     const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
     double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
-    if (particles->law_state[0] != NULL) {
+    if (particles->law_state != NULL) {
         update_with_state(state, p, stencil, part, strip);
         return;
     }
