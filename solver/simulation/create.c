@@ -104,7 +104,7 @@ static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulatio
     uses |= keeps_domains(&simulation->state) ? MPM_USE_DOMAINS : 0;
     uses |= mpm_transfer_of(scene->transfer)->carries;
     uses |= mpm_crack_detection_needs_surfaces(scene) ? MPM_USE_ORIGINS : 0;
-    uses |= scene->crack_count > 0 ? MPM_USE_KEPT_STRESS : 0; /* see method/fields/split.h */
+    uses |= simulation->state.fields.keys > 0 ? MPM_USE_KEPT_STRESS : 0; /* see split.h */
     uses |= simulation->state.damping.particles ? MPM_USE_DRAG : 0;
     const size_t law_states = mpm_law_states_of(scene);
     uses |= law_states > 0 ? MPM_USE_LAW_STATE : 0;
@@ -377,8 +377,8 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
     return MPM_OK;
 }
 
-/* Refuses a scene that is too large before loads, cracks and conditions look at its particles and
- * nodes; what these take is not in the estimate. */
+/* Refuses a scene that is too large before loads and conditions look at its particles and nodes;
+ * what these take is not in the estimate. */
 static enum mpm_status check_memory(struct mpm_simulation *simulation,
                                     const struct mpm_fill_counts *counts, struct mpm_error *error)
 {
@@ -394,12 +394,12 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     struct mpm_state *const state = &simulation->state;
     struct mpm_fill_counts counts;
     describe_method(simulation, options->threads);
-    MPM_TRY(mpm_kernels_choose(scene, options, &state->kernels, error));
+    mpm_cracks_create(state);
+    MPM_TRY(mpm_kernels_choose(scene, state->fields.keys > 0, options, &state->kernels, error));
     MPM_TRY(create_expressions(simulation, error));
     MPM_TRY(mpm_bodies_count(scene, &state->grid, &counts, error));
     MPM_TRY(check_memory(simulation, &counts, error));
     MPM_TRY(mpm_edge_loads_create(simulation, error));
-    mpm_cracks_create(state);
     MPM_TRY(mpm_symmetries_create(simulation, error));
     MPM_TRY(mpm_conditions_list(scene, &state->grid, boundary_value, state, &state->conditions.list,
                                 &state->conditions.count, error));

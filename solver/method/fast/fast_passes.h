@@ -250,7 +250,7 @@ MPM_INLINE void block_to_grid(const struct fast_spec *spec, const struct fast_bl
         if (spec->force) {
             load_stress(block->particles, p, &load);
             spread(spec, block->k, &stencil[v], &load);
-        } else { /* no forces yet: masses take their place, see mpm_row_start_from_sums */
+        } else { /* no forces yet: masses, see struct mpm_node_sum */
             const mpm_vector values[4] = {load.momentum[0], load.mass, load.momentum[1]};
             spread_values(spec, block->k, &stencil[v], block->k->sum, values);
         }

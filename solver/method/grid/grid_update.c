@@ -54,7 +54,7 @@ void mpm_row_gather_mass(void *context, int64_t row, int worker)
     const struct mpm_row_span span = mpm_row_span(state, row);
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++) {
-        state->grid.mass[node] += state->grid.sum[node][0].force;
+        state->grid.mass[node] += state->grid.sum[node][0].mass;
         state->grid.sum[node][0].force = 0.0;
     }
 }
@@ -66,7 +66,7 @@ static inline void start_row(const struct mpm_state *state, int64_t row, bool ma
     const bool stress_before = state->order->before > 0.0; /* else not needed yet */
     for (int64_t node = span.first; node < span.end; node++) {
         if (mass_in_sums) {
-            grid->mass[node] = grid->sum[node][0].force;
+            grid->mass[node] = grid->sum[node][0].mass;
             grid->sum[node][0].force = 0.0;
         }
         const double inverse = mpm_inverse_mass(grid->mass[node]);

@@ -53,21 +53,30 @@ static void next_order(void *context, int64_t row, int worker)
     }
 }
 
-void mpm_smoothing_run(struct mpm_state *state, int workers)
+static void smooth(struct mpm_state *state, int workers, mpm_pass *begin)
 {
-    const bool after_update = state->scene->transfer == MPM_TRANSFER_FMPM;
     const struct mpm_projection filter = {
         .from = (const double *)state->grid.smoothed, /* w at its acceleration */
         .to = (double *)state->grid.gradient,
         .components = 2,
     };
-    mpm_grid_rows_run(state, after_update ? begin_with_end : begin_with_start);
+    mpm_grid_rows_run(state, begin);
     for (int order = 1; order < state->scene->transfer_order; order++) {
         mpm_projection_run(state, workers, &filter);
         mpm_symmetries_reflect_extrapolated(state);
         mpm_grid_rows_run(state, next_order);
         mpm_conditions_apply_smoothed(state);
     }
+}
+
+void mpm_smooth_start(struct mpm_state *state, int workers)
+{
+    smooth(state, workers, begin_with_start);
+}
+
+void mpm_smooth_end(struct mpm_state *state, int workers)
+{
+    smooth(state, workers, begin_with_end);
 }
 
 /* ---------------------------------------------------------------- to the motion */
