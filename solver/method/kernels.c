@@ -9,9 +9,7 @@
 
 static const struct mpm_passes *reference_passes(const struct mpm_scene *scene)
 {
-    const struct mpm_transfer *const transfer = mpm_transfer_of(scene->transfer);
-    return &(scene->form == MPM_FORM_MOMENTUM ? transfer->by_momentum
-                                              : transfer->passes)[scene->stress_update];
+    return &mpm_transfer_of(scene->transfer)->passes[scene->stress_update];
 }
 
 /* What transfers do besides the passes. The reference kernels have a pass for a fraction; the fast
@@ -28,9 +26,7 @@ static void choose_transfer(const struct mpm_scene *scene, bool fast,
         choice->flip_rows = mpm_row_flip_fraction;
         choice->flip_particles = mpm_pass_keep_fraction;
     } else if (scene->flip_fraction < 1.0) {
-        choice->flip_particles = scene->form == MPM_FORM_MOMENTUM
-                                     ? mpm_pass_flip_fraction_by_momentum
-                                     : mpm_pass_flip_fraction;
+        choice->flip_particles = mpm_pass_flip_fraction;
     }
 }
 

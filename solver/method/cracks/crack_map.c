@@ -103,11 +103,13 @@ static struct mpm_cell_block block_of(const struct mpm_state *state, size_t p)
 static struct mpm_cell_block strip_block(const struct mpm_state *state,
                                          const struct mpm_strip *strip)
 {
-    return (struct mpm_cell_block){
-        {within(strip->column_low + MPM_GHOST_ROWS, state->grid.columns),
-         within(strip->row_low + MPM_GHOST_ROWS, state->grid.rows)},
-        {within(strip->column_high + MPM_GHOST_ROWS, state->grid.columns),
-         within(strip->row_high + MPM_GHOST_ROWS, state->grid.rows)}};
+    const int64_t counts[2] = {state->grid.columns, state->grid.rows};
+    struct mpm_cell_block block;
+    for (int axis = 0; axis < 2; axis++) {
+        block.low[axis] = within(strip->box.low[axis] + MPM_GHOST_ROWS, counts[axis]);
+        block.high[axis] = within(strip->box.high[axis] + MPM_GHOST_ROWS, counts[axis]);
+    }
+    return block;
 }
 
 /* -------------------------------------------------------------------- visiting */

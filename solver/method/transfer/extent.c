@@ -79,20 +79,17 @@ void mpm_strip_set_box(const struct mpm_state *state, struct mpm_strip *strip,
                        const struct mpm_extent *extent)
 {
     const struct mpm_grid *const grid = &state->grid;
-    int64_t low[2] = {0, 0}, high[2] = {-1, -1};
+    struct mpm_node_box box = MPM_NO_BOX;
     for (int axis = 0; axis < 2 && strip->begin < strip->end; axis++) {
         const double scale = grid->inverse_cell[axis], origin = grid->origin[axis];
-        low[axis] = (int64_t)floor((extent->low[axis] - origin) * scale - BOX_SLACK);
-        high[axis] = (int64_t)floor((extent->high[axis] - origin) * scale + BOX_SLACK) +
-                     state->family->nodes_past_end;
+        box.low[axis] = (int64_t)floor((extent->low[axis] - origin) * scale - BOX_SLACK);
+        box.high[axis] = (int64_t)floor((extent->high[axis] - origin) * scale + BOX_SLACK) +
+                         state->family->nodes_past_end;
         /* no domain reaches beyond the ghost rows, so no node there is visited */
-        if (high[axis] > grid->cells[axis] + MPM_GHOST_ROWS)
-            high[axis] = grid->cells[axis] + MPM_GHOST_ROWS;
-        if (low[axis] < -MPM_GHOST_ROWS)
-            low[axis] = -MPM_GHOST_ROWS;
+        if (box.high[axis] > grid->cells[axis] + MPM_GHOST_ROWS)
+            box.high[axis] = grid->cells[axis] + MPM_GHOST_ROWS;
+        if (box.low[axis] < -MPM_GHOST_ROWS)
+            box.low[axis] = -MPM_GHOST_ROWS;
     }
-    strip->column_low = low[0];
-    strip->column_high = high[0];
-    strip->row_low = low[1];
-    strip->row_high = high[1];
+    strip->box = box;
 }

@@ -22,20 +22,10 @@ static inline void begin_row(const struct mpm_state *state, int64_t row, bool af
     }
 }
 
-static void begin_with_start(void *context, int64_t row, int worker)
-{
-    (void)worker;
-    begin_row(context, row, false);
-}
+static MPM_PASS(begin_with_start, begin_row, false) static MPM_PASS(begin_with_end, begin_row, true)
 
-static void begin_with_end(void *context, int64_t row, int worker)
-{
-    (void)worker;
-    begin_row(context, row, true);
-}
-
-/* w_{r+1} = v + w_r - S+ S w_r */
-static void next_order(void *context, int64_t row, int worker)
+    /* w_{r+1} = v + w_r - S+ S w_r */
+    static void next_order(void *context, int64_t row, int worker)
 {
     static const double nothing_yet[2] = {0.0, 0.0};
     const struct mpm_state *const state = context;

@@ -14,8 +14,7 @@ struct mpm_transfer {
     bool fraction, order;
     /* Bits of enum mpm_particle_use for what its particles carry. */
     unsigned carries;
-    /* Reference kernels by order of the stress update; those of form: momentum, or NULL. */
-    const struct mpm_passes *passes, *by_momentum;
+    const struct mpm_passes *passes; /* reference kernels, by order of the stress update */
     /* From order 2 on, before particles read back: smooths velocities over all nodes, and makes the
      * motion that particles read of them. NULL: nothing. */
     void (*smooth)(struct mpm_state *state, int workers);
