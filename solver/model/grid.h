@@ -60,6 +60,12 @@ static inline int64_t mpm_grid_nodes(const struct mpm_grid *grid)
     return grid->columns * (grid->rows + grid->field_rows);
 }
 
+/* The coordinate at which the cells end along an axis. */
+static inline double mpm_grid_end(const struct mpm_grid *grid, int axis)
+{
+    return grid->origin[axis] + (double)grid->cells[axis] * grid->cell[axis];
+}
+
 /* Index of node (column, row), counted from the first cell's corner; ghosts are
  * negative or beyond cells. */
 static inline int64_t mpm_grid_index(const struct mpm_grid *grid, int64_t column, int64_t row)

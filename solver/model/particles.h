@@ -160,6 +160,13 @@ static inline void mpm_particle_set_array(struct mpm_particles *particles, size_
 void mpm_particles_layout_field(struct mpm_particles *particles, size_t field, size_t components,
                                 struct mpm_arena *arena);
 
+static inline void mpm_particle_deformation(const struct mpm_particles *particles, size_t p,
+                                            double f[MPM_GRADIENT_SIZE])
+{
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        f[k] = particles->deformation[k][p];
+}
+
 /* State variable k of a particle. */
 static inline double *mpm_particle_law_state(const struct mpm_particles *particles, size_t p,
                                              size_t k)

@@ -39,9 +39,8 @@ void mpm_crack_map_fill(struct mpm_state *state)
     struct mpm_crack_map *const map = state->cracks.map;
     double widest = 0.0, farthest = 0.0;
     for (int axis = 0; axis < 2; axis++) {
-        const double end = grid->origin[axis] + (double)grid->cells[axis] * grid->cell[axis];
         widest = fmax(widest, 2.0 * state->cracks.widest[axis] * grid->inverse_cell[axis]);
-        farthest = fmax(farthest, fmax(fabs(grid->origin[axis]), fabs(end)));
+        farthest = fmax(farthest, fmax(fabs(grid->origin[axis]), fabs(mpm_grid_end(grid, axis))));
     }
     map->span = (int64_t)ceil(widest - CELL_SLACK) + 1 + cells_past_end(state);
     map->slack = PLACE_SLACK * farthest;

@@ -302,7 +302,7 @@ enum mpm_status mpm_rigid_advance(struct mpm_state *state, struct mpm_error *err
         }
         for (int axis = 0; axis < 2; axis++) {
             const double x = rigid->position[axis][p], low = state->grid.origin[axis];
-            const double high = low + (double)state->grid.cells[axis] * state->grid.cell[axis];
+            const double high = mpm_grid_end(&state->grid, axis);
             const bool past_axis = axis == 0 && state->shape_grid.axisymmetric && !(x > 0.0);
             if (x >= low && x < high && !past_axis)
                 continue;

@@ -14,8 +14,7 @@ static void edges_of(const struct mpm_state *state, size_t p, double edge[4])
 {
     const struct mpm_particles *const particles = &state->particles;
     double f[MPM_GRADIENT_SIZE];
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        f[k] = particles->deformation[k][p];
+    mpm_particle_deformation(particles, p, f);
     mpm_shape_push_forward(f, state->bodies[particles->body[p]].half_size, edge);
 }
 
@@ -93,9 +92,9 @@ const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, si
     return room;
 }
 
-static const struct mpm_stencil *momentum_weights(const struct mpm_state *state,
-                                                  const struct mpm_stencil *stencil,
-                                                  struct mpm_stencil *weights)
+MPM_SEPARATE const struct mpm_stencil *momentum_weights(const struct mpm_state *state,
+                                                        const struct mpm_stencil *stencil,
+                                                        struct mpm_stencil *weights)
 {
     double mass = 0.0;
     for (int k = 0; k < stencil->count; k++)
@@ -115,12 +114,30 @@ static const struct mpm_stencil *momentum_weights(const struct mpm_state *state,
     return weights;
 }
 
-const struct mpm_stencil *mpm_particle_read_weights(const struct mpm_state *state,
-                                                    const struct mpm_stencil *stencil,
-                                                    struct mpm_stencil *weights)
+static bool reads_by_momentum(const struct mpm_state *state)
 {
-    return state->scene->form == MPM_FORM_MOMENTUM ? momentum_weights(state, stencil, weights)
-                                                   : stencil;
+    return state->scene->form == MPM_FORM_MOMENTUM;
+}
+
+/* The weights of what a particle reads back: the stencil itself, or `weights` in the momentum form,
+ * Notes 5.2, (67), (73)-(78). With the mass M = sum S m_i that the nodes have at the particle,
+ * (sum S p_i) / M is sum (S m_i / M) v_i, and so for gradients and for forces, f_i = m_i a_i:
+ * velocities with other weights. M > 0, since the particle is part of it; p_i = m_i v_i of held
+ * nodes is that of the velocity they are held at.
+ *
+ * (79) read to the letter adds the nodes' force to the particle's momentum, which divides by m_p:
+ * dt (sum S f_i) / m_p, a velocity that grows with the number of particles in a cell. Taken
+ * instead, as in (76): v_p += dt (sum S f_i) / M.
+ *
+ * What it is not: nodes at a body's edge have little mass, so that sum G p_i / M has the slope of
+ * the mass in it, and a rigid translation strains there (of the order v / cell); and the sum of
+ * the particles' momenta is not conserved. Where m_i is the same at all nodes of a particle both
+ * forms are one. */
+MPM_INLINE const struct mpm_stencil *read_weights(const struct mpm_state *state, bool by_momentum,
+                                                  const struct mpm_stencil *stencil,
+                                                  struct mpm_stencil *weights)
+{
+    return by_momentum ? momentum_weights(state, stencil, weights) : stencil;
 }
 
 /* ------------------------------------------------------ particles to grid */
@@ -217,7 +234,8 @@ void mpm_particle_grid_velocity(const struct mpm_state *state, size_t p, double 
 {
     struct mpm_stencil room, weights;
     const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-    const struct mpm_stencil *const read = mpm_particle_read_weights(state, stencil, &weights);
+    const struct mpm_stencil *const read =
+        read_weights(state, reads_by_momentum(state), stencil, &weights);
     v[0] = v[1] = 0.0;
     for (int k = 0; k < read->count; k++) {
         const double *const start = state->grid.start[state->node_zero + read->node[k].node];
@@ -258,11 +276,12 @@ void mpm_pass_keep_fraction(void *context, int64_t index, int worker)
 MPM_INLINE void to_particles(struct mpm_state *state, int64_t index, bool extrapolate)
 {
     struct mpm_strip *const strip = &state->strips[index];
+    const bool by_momentum = reads_by_momentum(state);
     strip->kinetic_energy = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil room, weights;
         const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-        const struct mpm_stencil *const read = mpm_particle_read_weights(state, stencil, &weights);
+        const struct mpm_stencil *const read = read_weights(state, by_momentum, stencil, &weights);
         mpm_particle_update_velocity(state, p, read, strip);
         if (!extrapolate)
             continue;
@@ -308,8 +327,7 @@ MPM_INLINE double deform(const struct mpm_state *state, size_t p, const struct m
     double h[MPM_GRADIENT_SIZE], df[MPM_GRADIENT_SIZE];
     displacement_gradient(state, stencil, part * state->time_step, h);
     mpm_deformation_increment(h, state->scene->deformation_terms, df);
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        f[k] = particles->deformation[k][p];
+    mpm_particle_deformation(particles, p, f);
     mpm_deformation_compose(df, f);
     const double j = mpm_determinant(f);
     if (!(j > 0.0) || state->scene->geometry != MPM_PLANE_STRESS)
@@ -365,12 +383,13 @@ void mpm_pass_stress_and_force(void *context, int64_t index, int worker)
 {
     const struct mpm_state *const state = context;
     struct mpm_strip *const strip = &state->strips[index];
+    const bool by_momentum = reads_by_momentum(state);
     (void)worker;
     strip->wave_speed_squared = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil room, weights;
         const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-        const struct mpm_stencil *const read = mpm_particle_read_weights(state, stencil, &weights);
+        const struct mpm_stencil *const read = read_weights(state, by_momentum, stencil, &weights);
         update_stress(state, p, read, state->order->before, strip);
         mpm_particle_add_internal_force(state, p, stencil);
     }
@@ -431,12 +450,13 @@ MPM_INLINE void finish(struct mpm_state *state, int64_t index, bool stress)
 {
     struct mpm_strip *const strip = &state->strips[index];
     struct mpm_extent extent = MPM_NO_EXTENT;
+    const bool by_momentum = reads_by_momentum(state);
     if (stress)
         strip->wave_speed_squared = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil room, weights;
         const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-        const struct mpm_stencil *const read = mpm_particle_read_weights(state, stencil, &weights);
+        const struct mpm_stencil *const read = read_weights(state, by_momentum, stencil, &weights);
         if (stress)
             update_stress(state, p, read, state->order->after, strip);
         update_position(state, p, read, strip, &extent);

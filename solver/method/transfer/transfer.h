@@ -17,23 +17,6 @@ const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, si
 void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
                                 struct mpm_stencil *stencil);
 
-/* The weights of what a particle reads back: the stencil itself, or `weights` in the momentum form,
- * Notes 5.2, (67), (73)-(78). With the mass M = sum S m_i that the nodes have at the particle,
- * (sum S p_i) / M is sum (S m_i / M) v_i, and so for gradients and for forces, f_i = m_i a_i:
- * velocities with other weights. M > 0, since the particle is part of it; p_i = m_i v_i of held
- * nodes is that of the velocity they are held at.
- *
- * (79) read to the letter adds the nodes' force to the particle's momentum, which divides by m_p:
- * dt (sum S f_i) / m_p, a velocity that grows with the number of particles in a cell. Taken
- * instead, as in (76): v_p += dt (sum S f_i) / M.
- *
- * What it is not: nodes at a body's edge have little mass, so that sum G p_i / M has the slope of
- * the mass in it, and a rigid translation strains there (of the order v / cell); and the sum of
- * the particles' momenta is not conserved. Where m_i is the same at all nodes of a particle both
- * forms are one. */
-const struct mpm_stencil *mpm_particle_read_weights(const struct mpm_state *state,
-                                                    const struct mpm_stencil *stencil,
-                                                    struct mpm_stencil *weights);
 /* The particle's domain with the edges that its F carries, whatever the family. */
 struct mpm_shape_domain mpm_particle_carried_domain(const struct mpm_state *state, size_t p);
 /* Puts the domain of a particle's F into its place, where domains are stored. */
