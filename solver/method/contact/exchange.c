@@ -48,8 +48,10 @@ static void change_end(const struct mpm_state *state, int64_t node, const double
 
 static void change_extrapolated(const struct mpm_state *state, int64_t node, const double by[2])
 {
-    double(*const v)[2] = state->grid.gradient[node];
-    mpm_node_set_gradient(&state->grid, node, (const double[2]){v[0][0] + by[0], v[1][0] + by[1]});
+    for (int axis = 0; axis < 2; axis++) {
+        double *const v = state->grid.gradient[node][axis];
+        v[0] = v[1] = v[0] + by[axis];
+    }
 }
 
 static const struct velocities velocities_of[] = {

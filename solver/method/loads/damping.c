@@ -280,9 +280,15 @@ static void pass_settle_midpoint(void *context, int64_t index, int worker)
     pass_settle(context, index, worker);
     for (size_t p = strip->begin; p < strip->end; p++) {
         double step[2];
-        for (int axis = 0; axis < 2; axis++)
+        for (int axis = 0; axis < 2; axis++) {
             step[axis] = -back * state->particles.drag[axis][p];
-        mpm_particle_move(state, p, step, strip, &extent);
+            state->particles.position[axis][p] += step[axis];
+        }
+        struct mpm_placement placement = mpm_particle_placement(state, p);
+        placement.step[0] = step[0];
+        placement.step[1] = step[1];
+        if (mpm_placement_check(state, &placement, state->particles.id[p], strip))
+            mpm_extent_add(&extent, &placement);
     }
     if (strip->failure.kind == MPM_NO_FAILURE)
         mpm_strip_set_box(state, strip, &extent);

@@ -397,7 +397,7 @@ void mpm_pass_stress_and_force(void *context, int64_t index, int worker)
 
 /* -------------------------------------------------------- position update */
 
-struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p)
+static struct mpm_placement placement_of(const struct mpm_state *state, size_t p)
 {
     const struct mpm_shape_domain domain = domain_of(state, p);
     struct mpm_placement placement = {.position = {domain.position[0], domain.position[1]}};
@@ -408,17 +408,9 @@ struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_
     return placement;
 }
 
-void mpm_particle_move(const struct mpm_state *state, size_t p, const double step[2],
-                       struct mpm_strip *strip, struct mpm_extent *extent)
+struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p)
 {
-    for (int axis = 0; axis < 2; axis++)
-        state->particles.position[axis][p] += step[axis];
-    mpm_particle_set_domain(state, p);
-    struct mpm_placement placement = mpm_particle_placement(state, p);
-    placement.step[0] = step[0];
-    placement.step[1] = step[1];
-    if (mpm_placement_check(state, &placement, state->particles.id[p], strip))
-        mpm_extent_add(extent, &placement);
+    return placement_of(state, p);
 }
 
 /* The grid's velocity at the particle over the step: v^{n+1}, or the mean of start and
@@ -443,7 +435,14 @@ static void update_position(const struct mpm_state *state, size_t p,
     }
     const double rate = hoop ? particles->position[0][p] * hoop_rate : v[0];
     const double step[2] = {state->time_step * rate, state->time_step * v[1]};
-    mpm_particle_move(state, p, step, strip, extent);
+    particles->position[0][p] += step[0];
+    particles->position[1][p] += step[1];
+    mpm_particle_set_domain(state, p);
+    struct mpm_placement placement = placement_of(state, p);
+    placement.step[0] = step[0];
+    placement.step[1] = step[1];
+    if (mpm_placement_check(state, &placement, particles->id[p], strip))
+        mpm_extent_add(extent, &placement);
 }
 
 MPM_INLINE void finish(struct mpm_state *state, int64_t index, bool stress)

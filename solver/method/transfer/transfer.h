@@ -30,9 +30,6 @@ bool mpm_particle_body_force(const struct mpm_state *state, size_t p, int worker
 void mpm_particle_grid_velocity(const struct mpm_state *state, size_t p, double v[2]);
 /* Its place with the reach of its domain; no way gone. */
 struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p);
-/* Goes so far, with the domain of its F; checks the place, and adds it to the extent. */
-void mpm_particle_move(const struct mpm_state *state, size_t p, const double step[2],
-                       struct mpm_strip *strip, struct mpm_extent *extent);
 
 /* m_i, p_i: CRAMP (26), Notes (23), (25) */
 void mpm_pass_momentum(void *state, int64_t strip, int worker);
