@@ -24,18 +24,13 @@ struct fast_corners {
 static const double fast_sign1[MPM_CORNERS] = {-1.0, 1.0, 1.0, -1.0};
 static const double fast_sign2[MPM_CORNERS] = {-1.0, -1.0, 1.0, 1.0};
 
-/* Half edges that would pass r = 0 shrink until the domain touches it. Returns 1/r; planar: 0. */
-MPM_INLINE mpm_vector shrink_to_axis_vector(const struct fast_spec *spec,
-                                            const struct fast_constants *k, mpm_vector r,
-                                            mpm_vector d[4])
+/* Half edges that would pass r = 0 shrink until the domain touches it. */
+MPM_INLINE void shrink_to_axis_vector(mpm_vector r, mpm_vector d[4])
 {
-    if (!spec->axisymmetric)
-        return mpm_splat(0.0);
     const mpm_vector extent = mpm_absolute(d[0]) + mpm_absolute(d[2]);
     const mpm_vector scale = mpm_select(mpm_at_most(extent, r), mpm_splat(1.0), r / extent);
-    for (int i = 0; i < 4 && k->truncated; i++)
-        d[i] *= scale;
-    return 1.0 / r;
+    for (int k = 0; k < 4; k++)
+        d[k] *= scale;
 }
 
 MPM_INLINE void corner_weights_vector(const struct fast_spec *spec, const mpm_vector d[4],
@@ -67,7 +62,12 @@ MPM_INLINE void fast_corners_evaluate(const struct fast_spec *spec, const struct
                                       struct fast_corners *corners)
 {
     mpm_vector d[4] = {edge[0], edge[1], edge[2], edge[3]};
-    const mpm_vector inverse_r = shrink_to_axis_vector(spec, k, position[0], d);
+    mpm_vector inverse_r = mpm_splat(0.0);
+    if (spec->axisymmetric) {
+        inverse_r = 1.0 / position[0];
+        if (k->truncated)
+            shrink_to_axis_vector(position[0], d);
+    }
     corner_weights_vector(spec, d, inverse_r, corners);
 #pragma GCC unroll 4
     for (int c = 0; c < MPM_CORNERS; c++) {

@@ -191,13 +191,17 @@ MPM_INLINE void fast_cpdi_evaluate(const struct fast_spec *spec, const struct fa
                                    const mpm_vector position[2], const mpm_vector edge[4],
                                    struct fast_cpdi *cpdi)
 {
-    mpm_vector d[4] = {edge[0], edge[1], edge[2], edge[3]};
+    mpm_vector d[4] = {edge[0], edge[1], edge[2], edge[3]}, inverse_r = mpm_splat(0.0);
     mpm_vector first[2], hats[2][MPM_CORNERS][MPM_BLOCK_EDGE];
     if (takes_corners(spec)) {
         fast_corners_evaluate(spec, k, position, edge, &cpdi->corners);
         return;
     }
-    const mpm_vector inverse_r = shrink_to_axis_vector(spec, k, position[0], d);
+    if (spec->axisymmetric) {
+        inverse_r = 1.0 / position[0];
+        if (k->truncated)
+            shrink_to_axis_vector(position[0], d);
+    }
     cpdi->near = true;
     for (int axis = 0; axis < 2; axis++) {
         mpm_vector place[MPM_CORNERS];
