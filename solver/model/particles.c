@@ -73,7 +73,8 @@ struct mpm_particles mpm_rigid_particles_set(const struct mpm_rigid_particles *r
     struct mpm_particles set = {.count = rigid->count, .needs = {.uses = MPM_USE_RIGID}};
 #define ROW(name, type, member, ...)                                                               \
     memcpy(&set.member, &rigid->member, sizeof set.member);                                        \
-    set.components[MPM_PARTICLE_##name] = sizeof set.member / sizeof(type *);
+    set.components[MPM_PARTICLE_##name] =                                                          \
+        (uint8_t)mpm_particle_rows[MPM_PARTICLE_##name].info.components;
     MPM_RIGID_PARTICLE_FIELDS(ROW)
 #undef ROW
     return set;
