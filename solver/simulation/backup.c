@@ -21,10 +21,10 @@ static void copy_points(struct mpm_simulation *simulation, bool back)
 void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena)
 {
     struct mpm_backup *const backup = &simulation->backup;
+    const struct mpm_particles rigid = mpm_rigid_particles_set(&simulation->state.rigid);
     backup->particles =
         MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&simulation->state.particles));
-    backup->rigid =
-        MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&simulation->state.rigid));
+    backup->rigid = MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&rigid));
     mpm_growth_layout(simulation, arena);
     const size_t all = simulation->state.cracks.point_count;
     const size_t followed = mpm_openings_points(&simulation->state);
@@ -38,7 +38,8 @@ void mpm_backup_save(struct mpm_simulation *simulation)
 {
     const struct mpm_state *const state = &simulation->state;
     struct mpm_backup *const backup = &simulation->backup;
-    mpm_particles_keep(&state->rigid, backup->rigid);
+    const struct mpm_particles rigid = mpm_rigid_particles_set(&state->rigid);
+    mpm_particles_keep(&rigid, backup->rigid);
     copy_points(simulation, false);
     mpm_growth_save(simulation);
     backup->time = state->time;
@@ -55,8 +56,9 @@ static void copy_back(struct mpm_simulation *simulation)
 {
     struct mpm_state *const state = &simulation->state;
     const struct mpm_backup *const backup = &simulation->backup;
+    const struct mpm_particles rigid = mpm_rigid_particles_set(&state->rigid);
     mpm_particles_put_back(&state->particles, backup->particles);
-    mpm_particles_put_back(&state->rigid, backup->rigid);
+    mpm_particles_put_back(&rigid, backup->rigid);
     copy_points(simulation, true);
     mpm_growth_restore(simulation);
     state->time = backup->time;

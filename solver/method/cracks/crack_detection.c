@@ -100,15 +100,6 @@ static void add_surface(const struct mpm_state *state, uint32_t crack, double we
         sum[axis] += weight * (made->surface[axis] - place[axis]);
 }
 
-static void add_normal(const struct mpm_state *state, const struct mpm_crack_crossing *crossing,
-                       struct mpm_crack_face *face)
-{
-    double normal[2];
-    mpm_crack_segment_normal(&state->cracks.chains[crossing->crack], crossing->segment, normal);
-    face->normal[0] += normal[0];
-    face->normal[1] += normal[1];
-}
-
 /* To the sums of one field. */
 static void add_sums(const struct mpm_stencil_node *entry, const struct contribution *made,
                      struct mpm_crack_sums *sums)
@@ -139,13 +130,15 @@ static void add_to_additional(const struct mpm_state *state, const struct mpm_st
                               struct contribution *made)
 {
     struct mpm_crack_field *const additional = &state->cracks.fields[field];
-    double place[2];
+    double place[2], normal[2];
     mpm_grid_position(&state->grid, state->fields.nodes[state->fields.list[field].node].node,
                       place);
+    mpm_crack_segment_normal(&state->cracks.chains[crossing->crack], crossing->segment, normal);
     add_sums(entry, made, &additional->sums);
     add_surface(state, additional->face.crack, made->area * entry->s, place, made,
                 additional->face.beyond);
-    add_normal(state, crossing, &additional->face);
+    for (int axis = 0; axis < 2; axis++)
+        additional->face.normal[axis] += normal[axis];
 }
 
 /* Has one of the particle's nodes additional fields? */
