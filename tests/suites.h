@@ -5,7 +5,7 @@
 #ifndef TESTS_SUITES_H
 #define TESTS_SUITES_H
 
-#include <check.h>
+#include "support/marks.h"
 
 #define SUITES(SUITE)                                                                              \
     SUITE(support)                                                                                 \
