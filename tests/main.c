@@ -14,6 +14,7 @@
 #include "suites.h"
 #include "support/skip.h"
 
+#include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,13 +22,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+enum way { TOGETHER, APART, APART_AGAIN };
+
 static const struct {
     Suite *(*create)(void);
     const char *name;
+    enum way way;
 } suites[] = {
-#define SUITE_ROW(name) {suite_##name, #name},
-    SUITES(SUITE_ROW)
-#undef SUITE_ROW
+#define SUITE_TOGETHER(name) {suite_##name, #name, TOGETHER},
+#define SUITE_APART(name)    {suite_##name, #name, APART},
+    SUITES(SUITE_TOGETHER, SUITE_APART)
+#undef SUITE_TOGETHER
+#undef SUITE_APART
 };
 enum { SUITE_COUNT = sizeof suites / sizeof *suites };
 
@@ -38,12 +44,25 @@ struct counts {
 /* One suite, or all of them where Check is told which to run. */
 struct job {
     size_t first, count;
-    enum { TOGETHER, APART, APART_AGAIN } way;
+    enum way way;
     pid_t process; /* 0: not running */
 };
 
 /* The counts of each job, written by its process. */
 static FILE *counted;
+
+/* Jobs are groups of their own: what ends this process has to be passed on to them. */
+static volatile sig_atomic_t groups[SUITE_COUNT];
+
+static const int passed_on[] = {SIGINT, SIGTERM, SIGHUP};
+
+static void pass_on(int number)
+{
+    for (size_t i = 0; i < SUITE_COUNT; i++)
+        if (groups[i] > 0)
+            (void)kill(-(pid_t)groups[i], SIGTERM);
+    _exit(128 + number);
+}
 
 static struct counts run_suites(size_t first, size_t count, enum fork_status forks)
 {
@@ -73,17 +92,23 @@ static unsigned seconds_of_suite(void)
                       from_environment("CK_TIMEOUT_MULTIPLIER", 1));
 }
 
+/* A job is a group of processes: at its alarm, Check ends the group that it is in. */
 static bool start(struct job *job)
 {
-    const struct counts none = {0, 0};
+    const struct counts none = {-1, -1};
     const off_t place = (off_t)(job->first * sizeof none);
     (void)fflush(NULL);
     if (pwrite(fileno(counted), &none, sizeof none, place) != (ssize_t)sizeof none)
         return false;
     job->process = fork();
-    if (job->process != 0)
+    if (job->process != 0) {
+        groups[job->first] = job->process;
         return job->process > 0;
+    }
+    for (size_t i = 0; i < sizeof passed_on / sizeof *passed_on; i++)
+        (void)signal(passed_on[i], SIG_DFL);
 
+    (void)setpgid(0, 0);
     test_skip_run((int)(2 * job->first) + (job->way == APART_AGAIN));
     if (job->way == TOGETHER)
         (void)alarm(seconds_of_suite());
@@ -100,9 +125,11 @@ static bool add_counts(struct job *job, int status, struct counts *sum)
     struct counts counts = {0, 0};
     const ssize_t size =
         pread(fileno(counted), &counts, sizeof counts, (off_t)(job->first * sizeof counts));
-    const bool ended = status == 0 && size == (ssize_t)sizeof counts;
+    /* A test that calls exit(0) leaves the count as start() wrote it. */
+    const bool ended = status == 0 && size == (ssize_t)sizeof counts && counts.run >= 0;
     const char *const name = job->count == 1 ? suites[job->first].name : "chosen";
     job->process = 0;
+    groups[job->first] = 0;
     if (job->way == TOGETHER && (!ended || counts.failed > 0)) {
         (void)printf("suite %s: runs again, with a process for each test\n", name);
         test_skip_ignore((int)(2 * job->first));
@@ -111,7 +138,7 @@ static bool add_counts(struct job *job, int status, struct counts *sum)
     }
     if (!ended) {
         (void)printf("suite %s: its process ended before it reported\n", name);
-        counts = (struct counts){counts.run + 1, counts.failed + 1};
+        counts = (struct counts){1, 1};
     } else if (job->way == APART_AGAIN && counts.failed == 0) {
         (void)printf("suite %s: fails in one process, passes with a process for each test\n", name);
         counts = (struct counts){counts.run + 1, 1};
@@ -151,16 +178,30 @@ static struct counts run_jobs(struct job *jobs, size_t count, long processes)
     return sum;
 }
 
+/* A case can be one of any suite. */
+static enum way way_of_choice(const char *suite)
+{
+    for (size_t i = 0; suite != NULL && i < SUITE_COUNT; i++)
+        if (strcmp(suites[i].name, suite) == 0)
+            return suites[i].way;
+    return suite != NULL ? TOGETHER : APART;
+}
+
 static struct counts run_all(void)
 {
-    const char *const forks = getenv("CK_FORK");
+    const char *const forks = getenv("CK_FORK"), *const suite = getenv("CK_RUN_SUITE");
     if (forks != NULL && strcmp(forks, "no") == 0)
         return run_suites(0, SUITE_COUNT, CK_NOFORK);
-    const bool chosen = getenv("CK_RUN_SUITE") != NULL || getenv("CK_RUN_CASE") != NULL;
+    for (size_t i = 0; i < sizeof passed_on / sizeof *passed_on; i++)
+        (void)signal(passed_on[i], pass_on);
+    if (suite != NULL || getenv("CK_RUN_CASE") != NULL) {
+        struct job all = {0, SUITE_COUNT, forks != NULL ? APART : way_of_choice(suite), 0};
+        return run_jobs(&all, 1, 1);
+    }
     struct job jobs[SUITE_COUNT];
     for (size_t i = 0; i < SUITE_COUNT; i++)
-        jobs[i] = (struct job){i, chosen ? SUITE_COUNT : 1, forks != NULL ? APART : TOGETHER, 0};
-    return run_jobs(jobs, chosen ? 1 : SUITE_COUNT, from_environment("MPM_TEST_PROCESSES", 1));
+        jobs[i] = (struct job){i, 1, forks != NULL ? APART : suites[i].way, 0};
+    return run_jobs(jobs, SUITE_COUNT, from_environment("MPM_TEST_PROCESSES", 1));
 }
 
 int main(void)

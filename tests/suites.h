@@ -1,5 +1,7 @@
-/* The test suites, in the order they run. A new file test_<module>.c exports
- * `Suite *suite_<module>(void)`, includes this header and is one line here.
+/* The test suites, in the order they run: those that take longest first, so that no processor waits
+ * for the last one. A new file test_<module>.c exports `Suite *suite_<module>(void)`, includes this
+ * header and is one line here. APART: each test needs a process of its own, with a comment in its
+ * file that states why.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TESTS_SUITES_H
@@ -7,11 +9,11 @@
 
 #include "support/marks.h"
 
-#define SUITES(SUITE)                                                                              \
+#define SUITES(SUITE, APART)                                                                       \
     SUITE(support)                                                                                 \
     SUITE(status)                                                                                  \
     SUITE(base)                                                                                    \
-    SUITE(workers)                                                                                 \
+    APART(workers)                                                                                 \
     SUITE(expression)                                                                              \
     SUITE(material)                                                                                \
     SUITE(particles)                                                                               \
@@ -95,7 +97,7 @@
     SUITE(stability)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
-SUITES(SUITE_DECLARE)
+SUITES(SUITE_DECLARE, SUITE_DECLARE)
 #undef SUITE_DECLARE
 
 #endif
