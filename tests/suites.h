@@ -10,6 +10,25 @@
 #include "support/marks.h"
 
 #define SUITES(SUITE, APART)                                                                       \
+    SUITE(docs)                                                                                    \
+    SUITE(kernels)                                                                                 \
+    SUITE(cli)                                                                                     \
+    SUITE(properties)                                                                              \
+    SUITE(energy_balance)                                                                          \
+    SUITE(j_integral)                                                                              \
+    SUITE(damping)                                                                                 \
+    SUITE(crack_growth)                                                                            \
+    SUITE(score)                                                                                   \
+    SUITE(user_force)                                                                              \
+    SUITE(loads)                                                                                   \
+    SUITE(cohesive)                                                                                \
+    SUITE(contact_conditions)                                                                      \
+    SUITE(rest_loads)                                                                              \
+    SUITE(tractions)                                                                               \
+    SUITE(transfers)                                                                               \
+    SUITE(score_numbers)                                                                           \
+    SUITE(law_state)                                                                               \
+    SUITE(forms)                                                                                   \
     SUITE(support)                                                                                 \
     SUITE(status)                                                                                  \
     SUITE(base)                                                                                    \
@@ -18,25 +37,15 @@
     SUITE(material)                                                                                \
     SUITE(particles)                                                                               \
     SUITE(scene)                                                                                   \
-    SUITE(properties)                                                                              \
     SUITE(energy)                                                                                  \
     SUITE(guard)                                                                                   \
-    SUITE(transfers)                                                                               \
     SUITE(transfer_series)                                                                         \
     SUITE(projection)                                                                              \
-    SUITE(law_state)                                                                               \
-    SUITE(forms)                                                                                   \
-    SUITE(loads)                                                                                   \
-    SUITE(user_force)                                                                              \
     SUITE(start)                                                                                   \
-    SUITE(energy_balance)                                                                          \
-    SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
-    SUITE(rest_loads)                                                                              \
     SUITE(time_step)                                                                               \
     SUITE(fill)                                                                                    \
     SUITE(edges)                                                                                   \
-    SUITE(tractions)                                                                               \
     SUITE(shapes)                                                                                  \
     SUITE(exact)                                                                                   \
     SUITE(fracture)                                                                                \
@@ -45,7 +54,6 @@
     SUITE(manufactured)                                                                            \
     SUITE(activity)                                                                                \
     SUITE(results)                                                                                 \
-    SUITE(cli)                                                                                     \
     SUITE(cli_check)                                                                               \
     SUITE(catalogue)                                                                               \
     SUITE(methods)                                                                                 \
@@ -57,24 +65,17 @@
     SUITE(score_parts)                                                                             \
     SUITE(score_readers)                                                                           \
     SUITE(score_snapshots)                                                                         \
-    SUITE(score_numbers)                                                                           \
-    SUITE(score)                                                                                   \
-    SUITE(docs)                                                                                    \
     SUITE(report_site)                                                                             \
     SUITE(scene_run)                                                                               \
     SUITE(budget)                                                                                  \
     SUITE(scene_limits)                                                                            \
     SUITE(scene_cracks)                                                                            \
     SUITE(crack_line)                                                                              \
-    SUITE(j_integral)                                                                              \
-    SUITE(crack_growth)                                                                            \
     SUITE(cracks)                                                                                  \
-    SUITE(contact_conditions)                                                                      \
     SUITE(crack_detection)                                                                         \
     SUITE(crack_kernels)                                                                           \
     SUITE(fields)                                                                                  \
     SUITE(crack_mouths)                                                                            \
-    SUITE(cohesive)                                                                                \
     SUITE(cohesive_laws)                                                                           \
     SUITE(symmetry)                                                                                \
     SUITE(scene_settings)                                                                          \
@@ -82,7 +83,6 @@
     SUITE(suite)                                                                                   \
     SUITE(bench)                                                                                   \
     SUITE(timing)                                                                                  \
-    SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
     SUITE(kernel_bits)                                                                             \
     SUITE(pareto)                                                                                  \
