@@ -12,8 +12,10 @@
 #define SUITES(SUITE, APART)                                                                       \
     SUITE(docs)                                                                                    \
     SUITE(kernels)                                                                                 \
+    SUITE(kernel_table)                                                                            \
     SUITE(cli)                                                                                     \
     SUITE(properties)                                                                              \
+    SUITE(kernel_bits)                                                                             \
     SUITE(energy_balance)                                                                          \
     SUITE(j_integral)                                                                              \
     SUITE(damping)                                                                                 \
@@ -27,8 +29,10 @@
     SUITE(tractions)                                                                               \
     SUITE(transfers)                                                                               \
     SUITE(score_numbers)                                                                           \
+    SUITE(stability)                                                                               \
     SUITE(law_state)                                                                               \
     SUITE(forms)                                                                                   \
+    SUITE(accuracy)                                                                                \
     SUITE(support)                                                                                 \
     SUITE(status)                                                                                  \
     SUITE(base)                                                                                    \
@@ -83,18 +87,14 @@
     SUITE(suite)                                                                                   \
     SUITE(bench)                                                                                   \
     SUITE(timing)                                                                                  \
-    SUITE(kernel_table)                                                                            \
-    SUITE(kernel_bits)                                                                             \
     SUITE(pareto)                                                                                  \
-    SUITE(accuracy)                                                                                \
     SUITE(bench_report)                                                                            \
     SUITE(programs)                                                                                \
     SUITE(orders)                                                                                  \
     SUITE(pictures)                                                                                \
     SUITE(measures)                                                                                \
     SUITE(modes)                                                                                   \
-    SUITE(dispersion)                                                                              \
-    SUITE(stability)
+    SUITE(dispersion)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE, SUITE_DECLARE)
