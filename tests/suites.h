@@ -69,6 +69,7 @@
     SUITE(cracks)                                                                                  \
     SUITE(contact_conditions)                                                                      \
     SUITE(crack_detection)                                                                         \
+    SUITE(crack_transfers)                                                                         \
     SUITE(crack_kernels)                                                                           \
     SUITE(fields)                                                                                  \
     SUITE(crack_mouths)                                                                            \
