@@ -5,11 +5,12 @@
 #include "support/crack_block.h"
 #include "support/near.h"
 
+#include <float.h>
 #include <glib.h>
 #include <math.h>
 #include <stdlib.h>
 
-enum { AXES = 2, STEPS = 10, SCENES = 3 };
+enum { AXES = 2, STEPS = 10, SCENES = 3, SHAPES = 4, CONTACTS = 4 };
 
 #define PLANAR_VELOCITY "['0.3*sin(2*y)+0.1*x', '0.4*cos(x)-0.2*y']"
 
@@ -113,6 +114,32 @@ START_TEST(sides_of_a_crack_through_a_block_move_as_each_does_alone)
 }
 END_TEST
 
+/* What two fields of a node exchange acts at one place. */
+START_TEST(apic_keeps_momenta_beside_cracks_whatever_their_contact)
+{
+    static const char *const contacts[CONTACTS] = {"none", "frictionless",
+                                                   "friction, friction: 0.3", "stick"};
+    static const char *const shapes[SHAPES] = {"ugimp", "cpdi", "bspline2", "bspline3"};
+    struct settings settings = {.count = 0};
+    settings_add_formatted(&settings, "method={shape: %s, transfer: {kind: apic}}",
+                           shapes[_i % SHAPES]);
+    settings_add_formatted(&settings, "cracks=[{points: [[4, 4], [7.3, 7.1]], contact: %s}]",
+                           contacts[_i / SHAPES]);
+    settings_add(&settings, "bodies.block.velocity=['1-0.2*(y-5)+sin(y)', '0.2*x+cos(1.2*y)']");
+    struct test_run run = crack_block_open(&settings);
+    const struct mpm_ledger start = test_run_ledger(&run);
+    test_run_steps(&run, 40);
+    const struct mpm_ledger end = test_run_ledger(&run);
+    /* sums of m (x v_y - y v_x), each up to 14 m, of which the nodes round each */
+    const double round_off = 40 * 14.0 * 64 * DBL_EPSILON * start.mass;
+    ck_assert(fabs(start.angular_momentum) > 1e6 * round_off);
+    ck_assert_near(end.angular_momentum, start.angular_momentum, round_off);
+    for (int axis = 0; axis < AXES; axis++)
+        ck_assert_near(end.momentum[axis], start.momentum[axis], round_off);
+    test_run_close(&run);
+}
+END_TEST
+
 Suite *suite_crack_transfers(void)
 {
     Suite *suite = suite_create("crack_transfers");
@@ -120,5 +147,9 @@ Suite *suite_crack_transfers(void)
     tcase_add_loop_test(alone, sides_of_a_crack_through_a_block_move_as_each_does_alone, 0,
                         SCENES * CRACK_BLOCK_METHODS);
     suite_add_tcase(suite, alone);
+    TCase *momenta = tcase_create("momenta");
+    tcase_add_loop_test(momenta, apic_keeps_momenta_beside_cracks_whatever_their_contact, 0,
+                        SHAPES * CONTACTS);
+    suite_add_tcase(suite, momenta);
     return suite;
 }
