@@ -32,10 +32,10 @@ static void copy_openings(struct mpm_simulation *simulation, bool back)
 void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena)
 {
     struct mpm_backup *const backup = &simulation->backup;
+    const struct mpm_particles rigid = mpm_rigid_particles_set(&simulation->state.rigid);
     backup->particles =
         MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&simulation->state.particles));
-    backup->rigid =
-        MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&simulation->state.rigid));
+    backup->rigid = MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&rigid));
     for (int axis = 0; axis < 2; axis++)
         backup->crack_position[axis] =
             MPM_TAKE(arena, double, simulation->state.cracks.point_count);
@@ -51,7 +51,8 @@ void mpm_backup_save(struct mpm_simulation *simulation)
 {
     const struct mpm_state *const state = &simulation->state;
     struct mpm_backup *const backup = &simulation->backup;
-    mpm_particles_keep(&state->rigid, backup->rigid);
+    const struct mpm_particles rigid = mpm_rigid_particles_set(&state->rigid);
+    mpm_particles_keep(&rigid, backup->rigid);
     for (int axis = 0; axis < 2 && state->cracks.point_count > 0; axis++)
         memcpy(backup->crack_position[axis], state->cracks.position[axis],
                state->cracks.point_count * sizeof(double));
@@ -71,8 +72,9 @@ static void copy_back(struct mpm_simulation *simulation)
 {
     struct mpm_state *const state = &simulation->state;
     const struct mpm_backup *const backup = &simulation->backup;
+    const struct mpm_particles rigid = mpm_rigid_particles_set(&state->rigid);
     mpm_particles_put_back(&state->particles, backup->particles);
-    mpm_particles_put_back(&state->rigid, backup->rigid);
+    mpm_particles_put_back(&rigid, backup->rigid);
     for (int axis = 0; axis < 2 && state->cracks.point_count > 0; axis++)
         memcpy(state->cracks.position[axis], backup->crack_position[axis],
                state->cracks.point_count * sizeof(double));

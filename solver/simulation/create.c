@@ -104,7 +104,8 @@ static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulatio
     uses |= keeps_domains(&simulation->state) ? MPM_USE_DOMAINS : 0;
     uses |= mpm_transfer_of(scene->transfer)->carries;
     uses |= mpm_crack_detection_needs_surfaces(scene) ? MPM_USE_ORIGINS : 0;
-    uses |= scene->crack_count > 0 ? MPM_USE_KEPT_STRESS : 0; /* see method/fields/split.h */
+    uses |= simulation->state.fields.keys > 0 ? MPM_USE_KEPT_STRESS : 0; /* see split.h */
+    uses |= simulation->state.damping.particles ? MPM_USE_DRAG : 0;
     const size_t law_states = mpm_law_states_of(scene);
     uses |= law_states > 0 ? MPM_USE_LAW_STATE : 0;
     return (struct mpm_particle_needs){.uses = uses, .law_states = (uint8_t)law_states};
@@ -119,8 +120,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     const size_t rows = (size_t)(grid->rows + grid->field_rows);
     const size_t longest = (size_t)(grid->rows > grid->columns ? grid->rows : grid->columns);
     mpm_particles_layout(&state->particles, counts->deformable, needs_of(simulation), arena);
-    mpm_particles_layout(&state->rigid, counts->rigid,
-                         (struct mpm_particle_needs){.uses = MPM_USE_RIGID}, arena);
+    mpm_rigid_particles_layout(&state->rigid, counts->rigid, arena);
     mpm_grid_layout(grid, state->kernels.smooth != NULL, arena);
     state->bodies = MPM_TAKE(arena, struct mpm_body, simulation->scene->body_count);
     state->strips = MPM_TAKE(arena, struct mpm_strip, (size_t)state->strip_count);
@@ -209,7 +209,7 @@ static enum mpm_status set_velocities(struct mpm_simulation *simulation, struct 
 
 static void set_rigid_velocities(struct mpm_state *state)
 {
-    struct mpm_particles *const rigid = &state->rigid;
+    struct mpm_rigid_particles *const rigid = &state->rigid;
     for (size_t p = 0; p < rigid->count; p++) {
         const double position[2] = {rigid->position[0][p], rigid->position[1][p]};
         for (int axis = 0; axis < 2; axis++) {
@@ -258,7 +258,7 @@ static enum mpm_status check_start(const struct mpm_simulation *simulation, stru
     const struct mpm_scene *const scene = simulation->scene;
     const struct mpm_state *const state = &simulation->state;
     const struct mpm_particles *const particles = &state->particles;
-    const struct mpm_particles *const rigid = &state->rigid;
+    const struct mpm_rigid_particles *const rigid = &state->rigid;
     for (size_t k = 0; k < state->conditions.count; k++) {
         const struct mpm_condition *const condition = &state->conditions.list[k];
         double position[2];
@@ -377,8 +377,8 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
     return MPM_OK;
 }
 
-/* Refuses a scene that is too large before loads, cracks and conditions look at its particles and
- * nodes; what these take is not in the estimate. */
+/* Refuses a scene that is too large before loads and conditions look at its particles and nodes;
+ * what these take is not in the estimate. */
 static enum mpm_status check_memory(struct mpm_simulation *simulation,
                                     const struct mpm_fill_counts *counts, struct mpm_error *error)
 {
@@ -394,12 +394,12 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     struct mpm_state *const state = &simulation->state;
     struct mpm_fill_counts counts;
     describe_method(simulation, options->threads);
-    MPM_TRY(mpm_kernels_choose(scene, options, &state->kernels, error));
+    mpm_cracks_create(state);
+    MPM_TRY(mpm_kernels_choose(scene, state->fields.keys > 0, options, &state->kernels, error));
     MPM_TRY(create_expressions(simulation, error));
     MPM_TRY(mpm_bodies_count(scene, &state->grid, &counts, error));
     MPM_TRY(check_memory(simulation, &counts, error));
     MPM_TRY(mpm_edge_loads_create(simulation, error));
-    mpm_cracks_create(state);
     MPM_TRY(mpm_symmetries_create(simulation, error));
     MPM_TRY(mpm_conditions_list(scene, &state->grid, boundary_value, state, &state->conditions.list,
                                 &state->conditions.count, error));

@@ -40,9 +40,6 @@ void mpm_damping_free(struct mpm_damping *damping)
 
 void mpm_damping_layout(struct mpm_state *state, struct mpm_arena *arena)
 {
-    if (state->damping.particles)
-        for (int axis = 0; axis < 2; axis++)
-            state->damping.drag[axis] = MPM_TAKE(arena, double, state->particles.count);
     if (state->damping.nodes || state->scene->rest.asked || state->scene->energy_balance)
         state->row_sums = MPM_TAKE(arena, struct mpm_row_sums,
                                    (size_t)(state->grid.rows + state->grid.field_rows));

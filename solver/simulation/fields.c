@@ -137,15 +137,15 @@ void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_fiel
     const struct mpm_particles *const particles = &simulation->state.particles;
     for (size_t p = 0; p < particles->count; p++)
         copy(simulation, field, particles, p, values + components * particles->id[p]);
-    const struct mpm_particles *const rigid = &simulation->state.rigid;
-    for (size_t p = 0; p < rigid->count; p++)
-        copy(simulation, field, rigid, p, values + components * rigid->id[p]);
+    const struct mpm_particles rigid = mpm_rigid_particles_set(&simulation->state.rigid);
+    for (size_t p = 0; p < rigid.count; p++)
+        copy(simulation, field, &rigid, p, values + components * rigid.id[p]);
 }
 
 /* -------------------------------------------------------------- by ranges of ids */
 
 /* How many rigid particles have a smaller id: theirs ascend. */
-static size_t rigid_before(const struct mpm_particles *rigid, size_t id)
+static size_t rigid_before(const struct mpm_rigid_particles *rigid, size_t id)
 {
     size_t low = 0, high = rigid->count;
     while (low < high) {
@@ -163,7 +163,7 @@ static size_t rigid_before(const struct mpm_particles *rigid, size_t id)
 static void find_places(const struct mpm_simulation *simulation)
 {
     const struct mpm_particles *const particles = &simulation->state.particles;
-    const struct mpm_particles *const rigid = &simulation->state.rigid;
+    const struct mpm_rigid_particles *const rigid = &simulation->state.rigid;
     uint32_t *const order = mpm_particles_order(particles);
     for (size_t p = 0; p < particles->count; p++)
         order[particles->id[p] - rigid_before(rigid, particles->id[p])] = (uint32_t)p;
@@ -185,12 +185,12 @@ static size_t place_of(const struct mpm_simulation *simulation, size_t id, size_
 void mpm_simulation_field_range(const struct mpm_simulation *simulation, enum mpm_field field,
                                 size_t first, size_t count, double *values)
 {
-    const struct mpm_particles *const rigid = &simulation->state.rigid;
+    const struct mpm_particles rigid = mpm_rigid_particles_set(&simulation->state.rigid);
     const size_t components = mpm_field_describe(field)->components;
-    size_t next = rigid_before(rigid, first);
+    size_t next = rigid_before(&simulation->state.rigid, first);
     for (size_t id = first; id < first + count; id++, values += components)
-        if (next < rigid->count && rigid->id[next] == id)
-            copy(simulation, field, rigid, next++, values);
+        if (next < rigid.count && rigid.id[next] == id)
+            copy(simulation, field, &rigid, next++, values);
         else
             copy(simulation, field, &simulation->state.particles,
                  place_of(simulation, id, id - next), values);

@@ -209,8 +209,7 @@ static enum mpm_status advance_point(const struct mpm_state *state, size_t crack
     const struct mpm_cracks *const cracks = &state->cracks;
     const double place[2] = {cracks->position[0][k], cracks->position[1][k]};
     for (int axis = 0; axis < 2; axis++) {
-        const double low = state->grid.origin[axis];
-        const double high = low + (double)state->grid.cells[axis] * state->grid.cell[axis];
+        const double low = state->grid.origin[axis], high = mpm_grid_end(&state->grid, axis);
         const bool held = (cracks->held[k] >> axis & 1) != 0;
         const double moved = place[axis] + (held ? 0.0 : state->time_step * v[axis]);
         const double slack = MPM_CRACK_EDGE_SLACK * state->grid.cell[axis];

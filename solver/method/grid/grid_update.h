@@ -89,13 +89,11 @@ static inline int64_t mpm_grid_next_row(const struct mpm_state *state, int64_t r
 void mpm_grid_find_active(struct mpm_state *state);
 
 void mpm_row_clear(void *state, int64_t row, int worker);
-/* m_i: adds the masses that fast kernels leave in the place of forces, which are zero from here on
- */
+/* m_i: adds the masses that fast kernels leave in the sums (struct mpm_node_sum) */
 void mpm_row_gather_mass(void *state, int64_t row, int worker);
 /* v_i = p_i / m_i: N&G (11), Notes (28) */
 void mpm_row_start_velocity(void *state, int64_t row, int worker);
-/* the same, where the masses came with the momenta: in the place of the forces f_x, which are
- * zero from here on */
+/* the same, where the masses came with the momenta (struct mpm_node_sum) */
 void mpm_row_start_from_sums(void *state, int64_t row, int worker);
 /* a_i = f_i / m_i, v_i^{n+1} = v_i^n + dt a_i: CRAMP (29), Notes (24) */
 void mpm_row_update(void *state, int64_t row, int worker);

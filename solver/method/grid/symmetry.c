@@ -11,11 +11,6 @@ static inline void fold(double *inside, double *beyond, double sign)
     *beyond = sign * *inside;
 }
 
-static inline double sign_of(const struct mpm_symmetry *plane, int axis)
-{
-    return axis == plane->axis ? -1.0 : 1.0;
-}
-
 int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, double sign[2])
 {
     const int64_t columns = state->grid.columns;
@@ -32,57 +27,26 @@ int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, doubl
     return node;
 }
 
-static void fold_momentum(const struct mpm_state *state, const struct mpm_symmetry *plane,
-                          int64_t inside, int64_t beyond)
-{
-    const struct mpm_grid *const grid = &state->grid;
-    fold(&grid->mass[inside], &grid->mass[beyond], 1.0);
-    for (int axis = 0; axis < 2; axis++)
-        fold(&grid->sum[inside][axis].momentum, &grid->sum[beyond][axis].momentum,
-             sign_of(plane, axis));
-}
-
-static void hold_momentum(const struct mpm_state *state, int axis, int64_t node)
-{
-    state->grid.sum[node][axis].momentum = 0.0;
-}
-
-static void fold_force(const struct mpm_state *state, const struct mpm_symmetry *plane,
-                       int64_t inside, int64_t beyond)
-{
-    for (int axis = 0; axis < 2; axis++)
-        fold(&state->grid.sum[inside][axis].force, &state->grid.sum[beyond][axis].force,
-             sign_of(plane, axis));
-}
-
-static void hold_force(const struct mpm_state *state, int axis, int64_t node)
-{
-    state->grid.sum[node][axis].force = 0.0;
-}
-
-static void fold_extrapolated(const struct mpm_state *state, const struct mpm_symmetry *plane,
-                              int64_t inside, int64_t beyond)
-{
-    for (int axis = 0; axis < 2; axis++)
-        fold(&state->grid.gradient[inside][axis][0], &state->grid.gradient[beyond][axis][0],
-             sign_of(plane, axis));
-}
-
-static void hold_extrapolated(const struct mpm_state *state, int axis, int64_t node)
-{
-    state->grid.gradient[node][axis][0] = 0.0;
-}
-
-/* What is done to a pair of images, and to a node on the plane. */
-struct reflection {
-    void (*fold)(const struct mpm_state *, const struct mpm_symmetry *, int64_t, int64_t);
-    void (*hold)(const struct mpm_state *, int axis, int64_t node);
+/* A scalar of the nodes, or NULL, and a vector, whose component k is number 2 k of a node's values.
+ */
+struct spread {
+    double *scalar, *vector;
 };
 
+static void fold_nodes(const struct spread *spread, int axis, int64_t inside, int64_t beyond)
+{
+    double *const vector = spread->vector;
+    if (spread->scalar != NULL)
+        fold(&spread->scalar[inside], &spread->scalar[beyond], 1.0);
+    for (int k = 0; k < 2; k++)
+        fold(&vector[MPM_NODE_VALUES * inside + 2 * k], &vector[MPM_NODE_VALUES * beyond + 2 * k],
+             k == axis ? -1.0 : 1.0);
+}
+
 /* All nodes of the grid or of a layer beyond the plane that are active; images inside are reached
- * by the same particles. */
+ * by the same particles. Nodes on the plane have nothing along its normal. */
 static void reflect_across(const struct mpm_state *state, const struct mpm_symmetry *plane,
-                           const struct reflection *reflection, int64_t shift)
+                           const struct spread *spread, int64_t shift)
 {
     const int64_t columns = state->grid.columns;
     for (int64_t row = state->first_row; row <= state->last_row; row++)
@@ -92,33 +56,33 @@ static void reflect_across(const struct mpm_state *state, const struct mpm_symme
             const int64_t node = shift + row * columns + column;
             const int64_t stride = plane->axis == 0 ? 1 : columns;
             if (depth == 0)
-                reflection->hold(state, plane->axis, node);
+                spread->vector[MPM_NODE_VALUES * node + 2 * plane->axis] = 0.0;
             else if (depth > 0)
-                reflection->fold(state, plane, node + 2 * depth * plane->inside * stride, node);
+                fold_nodes(spread, plane->axis, node + 2 * depth * plane->inside * stride, node);
         }
 }
 
-static void reflect(struct mpm_state *state, const struct reflection *reflection)
+static void reflect(struct mpm_state *state, struct spread spread)
 {
     for (size_t k = 0; k < state->symmetries.count; k++)
         for (int64_t layer = 0; layer <= state->fields.layers; layer++)
-            reflect_across(state, &state->symmetries.planes[k], reflection,
+            reflect_across(state, &state->symmetries.planes[k], &spread,
                            mpm_layer_shift(state, layer));
 }
 
 void mpm_symmetries_reflect_momentum(struct mpm_state *state)
 {
-    reflect(state, &(struct reflection){fold_momentum, hold_momentum});
+    reflect(state, (struct spread){state->grid.mass, &state->grid.sum[0][0].momentum});
 }
 
 void mpm_symmetries_reflect_force(struct mpm_state *state)
 {
-    reflect(state, &(struct reflection){fold_force, hold_force});
+    reflect(state, (struct spread){NULL, &state->grid.sum[0][0].force});
 }
 
 void mpm_symmetries_reflect_extrapolated(struct mpm_state *state)
 {
-    reflect(state, &(struct reflection){fold_extrapolated, hold_extrapolated});
+    reflect(state, (struct spread){NULL, state->grid.gradient[0][0]});
 }
 
 /* ------------------------------------------------------------------- images */

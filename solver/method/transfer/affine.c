@@ -103,17 +103,8 @@ static inline void to_grid(const struct mpm_state *state, int64_t index, bool fo
     }
 }
 
-void mpm_pass_affine_momentum(void *state, int64_t strip, int worker)
-{
-    (void)worker;
-    to_grid(state, strip, false);
-}
-
-void mpm_pass_affine_momentum_and_force(void *state, int64_t strip, int worker)
-{
-    (void)worker;
-    to_grid(state, strip, true);
-}
+MPM_PASS(mpm_pass_affine_momentum, to_grid, false)
+MPM_PASS(mpm_pass_affine_momentum_and_force, to_grid, true)
 
 /* B_p, or sum v_i G_ip^T */
 static void update_affine(const struct mpm_state *state, size_t p,
@@ -164,17 +155,8 @@ static inline void to_particles(struct mpm_state *state, int64_t index, bool ext
     }
 }
 
-void mpm_pass_affine_velocity(void *state, int64_t strip, int worker)
-{
-    (void)worker;
-    to_particles(state, strip, false);
-}
-
-void mpm_pass_affine_velocity_and_momentum(void *state, int64_t strip, int worker)
-{
-    (void)worker;
-    to_particles(state, strip, true);
-}
+MPM_PASS(mpm_pass_affine_velocity, to_particles, false)
+MPM_PASS(mpm_pass_affine_velocity_and_momentum, to_particles, true)
 
 double mpm_particle_spin(const struct mpm_state *state, size_t p)
 {
