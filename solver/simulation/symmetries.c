@@ -65,6 +65,13 @@ static enum mpm_status find_inside(const struct mpm_simulation *simulation,
     return MPM_OK;
 }
 
+/* How far from a plane nodes of particles on the other side are, with a cell for bodies that are
+ * stretched. */
+static double reach_across(const struct mpm_state *state, const struct mpm_symmetry *plane)
+{
+    return state->cracks.widest[plane->axis] + 2.0 * state->grid.cell[plane->axis];
+}
+
 /* A crack that passes the plane: at one of its ends, straight across within reach of particles'
  * functions on both sides, so that the part beyond is an image of the part inside. */
 static bool passes_straight(const struct mpm_state *state, const struct mpm_symmetry *plane,
@@ -73,7 +80,7 @@ static bool passes_straight(const struct mpm_state *state, const struct mpm_symm
     const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
     const double *const along = plane->axis == 0 ? chain->x : chain->y;
     const double *const across = plane->axis == 0 ? chain->y : chain->x;
-    const double reach = state->cracks.widest[plane->axis] + state->grid.cell[plane->axis];
+    const double reach = reach_across(state, plane);
     const double inward = (double)plane->inside;
     size_t crossings = 0;
     for (size_t k = 0; k + 1 < chain->count; k++) {
@@ -96,7 +103,7 @@ static void list_images(struct mpm_state *state, const struct mpm_symmetry *plan
     struct mpm_cracks *const cracks = &state->cracks;
     const size_t first = mpm_crack_first_point(state, crack), count = cracks->chains[crack].count;
     double *const along = cracks->position[plane->axis] + first;
-    const double reach = cracks->widest[plane->axis] + state->grid.cell[plane->axis];
+    const double reach = reach_across(state, plane);
     const bool at_start = (along[0] - place) * (double)plane->inside < 0.0;
     const size_t end = at_start ? 0 : count - 1, step = at_start ? 1 : SIZE_MAX; /* inwards */
     const double slack = 1e-6 * state->grid.cell[plane->axis];
@@ -106,7 +113,8 @@ static void list_images(struct mpm_state *state, const struct mpm_symmetry *plan
     size_t inside = beyond + step;
     while (fabs(along[inside] - place) <= slack)
         inside += step;
-    for (; (along[inside] - place) * (double)plane->inside < reach; inside += step, beyond -= step) {
+    for (; (along[inside] - place) * (double)plane->inside < reach;
+         inside += step, beyond -= step) {
         cracks->images[cracks->image_count++] =
             (struct mpm_crack_image){first + beyond, first + inside, plane->axis, place};
         if (left-- == 0)
@@ -148,9 +156,7 @@ static enum mpm_status hold_points(struct mpm_simulation *simulation,
                                    "a crack that meets the plane of symmetry at %g; allowed: on it "
                                    "as a whole, inside, or past it in a straight line across it, "
                                    "%g or more to both sides",
-                                   place,
-                                   state->cracks.widest[plane->axis] +
-                                       state->grid.cell[plane->axis]);
+                                   place, reach_across(state, plane));
         list_images(state, plane, place, crack);
         state->cracks.passes[crack] |= (uint8_t)(1u << plane->axis);
         state->symmetries.passed = true;

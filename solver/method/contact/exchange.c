@@ -73,8 +73,9 @@ static void change_field(const struct mpm_state *state, const struct velocities 
         const int64_t image =
             packed ? mpm_symmetry_packed_image(state, field, &images[k]) : images[k].node;
         if (image >= 0)
-            velocities->change(state, image, (const double[2]){images[k].sign[0] * by[0],
-                                                               images[k].sign[1] * by[1]});
+            velocities->change(
+                state, image,
+                (const double[2]){images[k].sign[0] * by[0], images[k].sign[1] * by[1]});
     }
 }
 

@@ -237,9 +237,9 @@ static void fold_node(struct mpm_state *state, int axis, const struct mpm_field_
             continue;
         passes = true;
         fold_field(state, axis, i,
-                   beyond == NULL ? -1
-                                  : mpm_field_of(state, beyond, field->key) -
-                                        mpm_fields_first(state));
+                   beyond == NULL
+                       ? -1
+                       : mpm_field_of(state, beyond, field->key) - mpm_fields_first(state));
     }
     if (!passes)
         return;

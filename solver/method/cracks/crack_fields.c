@@ -190,12 +190,12 @@ static void join_names(struct mpm_state *state, int axis, const struct mpm_field
         const int64_t image = mpm_field_of(state, beyond, one->key) - mpm_fields_first(state);
         if (image < 0)
             continue;
-        struct mpm_crack_face *const face =
-            &state->cracks.fields[inside->first + (uint32_t)i].face;
+        struct mpm_crack_face *const face = &state->cracks.fields[inside->first + (uint32_t)i].face;
         struct mpm_crack_face *const other = &state->cracks.fields[image].face;
         one->passes |= state->fields.list[image].passes;
         state->fields.list[image].passes = one->passes;
-        if (face->crack == MPM_NO_CRACK || (other->crack != MPM_NO_CRACK && other->last > face->last))
+        if (face->crack == MPM_NO_CRACK ||
+            (other->crack != MPM_NO_CRACK && other->last > face->last))
             face->last = other->last;
         face->crack = other->crack < face->crack ? other->crack : face->crack;
         other->crack = face->crack;
