@@ -78,6 +78,7 @@
     SUITE(crack_line)                                                                              \
     SUITE(cracks)                                                                                  \
     SUITE(crack_detection)                                                                         \
+    SUITE(crack_transfers)                                                                         \
     SUITE(crack_kernels)                                                                           \
     SUITE(fields)                                                                                  \
     SUITE(crack_mouths)                                                                            \

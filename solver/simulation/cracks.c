@@ -112,6 +112,9 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
     for (int axis = 0; axis < 2; axis++)
         cracks->position[axis] = MPM_TAKE(arena, double, cracks->point_count);
     cracks->held = MPM_TAKE(arena, uint8_t, cracks->point_count);
+    cracks->passes = MPM_TAKE(arena, uint8_t, state->scene->crack_count);
+    cracks->images = MPM_TAKE(arena, struct mpm_crack_image,
+                              state->symmetries.count > 0 ? cracks->point_count : 0);
     mpm_crack_map_layout(state, nodes_around(state, state->scene->crack_count), arena);
     state->fields.use_capacity = particles_listed(state);
     mpm_crack_fields_layout(state, arena);

@@ -100,7 +100,7 @@ static enum mpm_status check_planes(const struct mpm_state *state, size_t crack,
 {
     const struct mpm_scene *const scene = state->scene;
     for (size_t k = 0; k < state->cracks.chains[crack].count; k++)
-        if (state->cracks.held[first + k] != 0)
+        if (state->cracks.held[first + k] != 0 && state->cracks.passes[crack] == 0)
             return mpm_scene_error(error, scene, scene->cracks[crack].line, "cracks.points",
                                    "opening or cohesive of a crack on a plane of symmetry, beyond "
                                    "which its other surface has no particles; allowed: inside");

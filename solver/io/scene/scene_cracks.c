@@ -214,21 +214,15 @@ static enum mpm_status check_point_count(const struct mpm_reading *reading)
                              MPM_POINTS_MAX);
 }
 
-/* What a method does at nodes that have one velocity, and these have several. */
 static enum mpm_status check_method(const struct mpm_reading *reading)
 {
     const struct mpm_transfer *const transfer = mpm_transfer_of(reading->scene->transfer);
-    if (transfer->no_fields != NULL)
-        return mpm_reading_fault(reading, "method.transfer.kind",
-                                 "%s is not implemented with cracks in this version: it %s, and "
-                                 "nodes at a crack have several; allowed: flip and pic",
-                                 transfer->name, transfer->no_fields);
-    if (reading->scene->form == MPM_FORM_MOMENTUM)
-        return mpm_reading_fault(reading, "method.form",
-                                 "momentum is not implemented with cracks in this version: it "
-                                 "divides by the mass of nodes of one velocity field, and nodes "
-                                 "at a crack have several; allowed: velocity");
-    return MPM_OK;
+    if (reading->scene->crack_method != MPM_CRACKS_VISIBILITY || transfer->no_visibility == NULL)
+        return MPM_OK;
+    return mpm_reading_fault(reading, "method.cracks",
+                             "visibility is not defined with transfer %s: it %s, and a crack hides "
+                             "some; allowed: fields",
+                             transfer->name, transfer->no_visibility);
 }
 
 enum mpm_status mpm_build_cracks(const struct mpm_reading *reading)

@@ -60,18 +60,25 @@ static const struct velocities velocities_of[] = {
     [MPM_EXCHANGE_EXTRAPOLATED] = {extrapolated_of, change_extrapolated, false},
 };
 
-/* A node of the grid or of a layer changes together with its images beyond planes of symmetry. */
+/* A field changes together with its images beyond planes of symmetry. */
 static void change_field(const struct mpm_state *state, const struct velocities *velocities,
                          int64_t field, const double by[2])
 {
     struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES];
+    const bool packed = field >= mpm_fields_first(state);
     velocities->change(state, field, by);
-    if (state->symmetries.count == 0 || field >= mpm_fields_first(state))
+    if (state->symmetries.count == 0 || (packed && !state->symmetries.passed))
         return;
-    const int count = mpm_symmetry_images(state, field, images);
-    for (int k = 0; k < count; k++)
-        velocities->change(state, images[k].node,
-                           (const double[2]){images[k].sign[0] * by[0], images[k].sign[1] * by[1]});
+    const int count =
+        mpm_symmetry_images(state, packed ? mpm_field_parent(state, field) : field, images);
+    for (int k = 0; k < count; k++) {
+        const int64_t image =
+            packed ? mpm_symmetry_packed_image(state, field, &images[k]) : images[k].node;
+        if (image >= 0)
+            velocities->change(
+                state, image,
+                (const double[2]){images[k].sign[0] * by[0], images[k].sign[1] * by[1]});
+    }
 }
 
 /* A condition that holds a component gives the opposite of the impulse there, and works along its

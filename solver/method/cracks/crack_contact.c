@@ -4,6 +4,7 @@
 #include "method/cracks/crack_detection.h"
 #include "method/cracks/crack_fields.h"
 #include "method/grid/grid_update.h"
+#include "method/grid/symmetry.h"
 
 #include <math.h>
 #include <string.h>
@@ -45,7 +46,7 @@ static bool is_beside(const struct mpm_crack_node *node, size_t crack)
 size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack)
 {
     size_t count = 0;
-    for (size_t k = 0; k < state->fields.node_count; k++) {
+    for (size_t k = 0; k < state->fields.nodes_inside; k++) {
         const struct mpm_crack_node node = mpm_crack_node_of(state, k);
         count += is_beside(&node, crack) && is_crowded(state, &node);
     }
@@ -109,7 +110,7 @@ void mpm_crack_contact_resolve(struct mpm_state *state, enum mpm_exchange_when w
 {
     if (!mpm_cracks_have_contact(state->scene))
         return;
-    for (size_t k = 0; k < state->fields.node_count; k++) {
+    for (size_t k = 0; k < state->fields.nodes_inside; k++) {
         const struct mpm_crack_node node = mpm_crack_node_of(state, k);
         struct mpm_crack_pair pairs[PAIRS];
         const int count = find_pairs(state, &node, pairs);
@@ -127,8 +128,9 @@ void mpm_crack_contact_resolve(struct mpm_state *state, enum mpm_exchange_when w
  * fractions of a particle's mass. */
 static const double LIGHT[2] = {125.0, 375.0};
 
-static double part_of_end(const struct mpm_state *state, double mass)
+static double part_of_end(const struct mpm_state *state, int64_t field)
 {
+    const double mass = mpm_symmetry_whole_mass(state, field);
     const double part = (mass / state->cracks.least_mass - LIGHT[0]) / (LIGHT[1] - LIGHT[0]);
     return fmin(fmax(part, 0.0), 1.0);
 }
@@ -144,7 +146,7 @@ static double node_momentum(const struct mpm_state *state, int64_t parent, doubl
         const int64_t field = k == 0 ? parent : others + k - 1;
         const double m = state->grid.mass[field];
         const double *const start = state->grid.start[field];
-        const double part = part_of_end(state, m);
+        const double part = part_of_end(state, field);
         const double *const end = part > 0.0 ? state->grid.motion[field].end : start;
         mass += m;
         for (int axis = 0; axis < 2; axis++)
@@ -244,6 +246,17 @@ static enum mpm_status check_lengths(const struct mpm_state *state, size_t crack
     return MPM_OK;
 }
 
+void mpm_cracks_reflect(struct mpm_state *state)
+{
+    double *const *const position = state->cracks.position;
+    for (size_t k = 0; k < state->cracks.image_count; k++) {
+        const struct mpm_crack_image *const image = &state->cracks.images[k];
+        const int other = 1 - image->axis;
+        position[image->axis][image->point] = 2.0 * image->plane - position[image->axis][image->of];
+        position[other][image->point] = position[other][image->of];
+    }
+}
+
 enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *error)
 {
     for (size_t crack = 0; crack < state->scene->crack_count; crack++) {
@@ -262,7 +275,9 @@ enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *er
             }
             MPM_TRY(advance_point(state, crack, k, v, error));
         }
-        MPM_TRY(check_lengths(state, crack, error));
     }
+    mpm_cracks_reflect(state);
+    for (size_t crack = 0; crack < state->scene->crack_count; crack++)
+        MPM_TRY(check_lengths(state, crack, error));
     return MPM_OK;
 }

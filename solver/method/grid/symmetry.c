@@ -62,12 +62,56 @@ static void reflect_across(const struct mpm_state *state, const struct mpm_symme
         }
 }
 
+/* Packed fields of cracks that pass the plane. */
+static void reflect_packed(struct mpm_state *state, int axis, const struct mpm_field_node *inside,
+                           const struct mpm_field_node *beyond, const void *context)
+{
+    const struct spread *const spread = context;
+    const struct mpm_additional_field *const list = state->fields.list + inside->first;
+    const int64_t first = mpm_fields_first(state) + inside->first;
+    for (int i = 0; i < inside->count; i++) {
+        const int64_t image = beyond == NULL ? -1 : mpm_field_of(state, beyond, list[i].key);
+        if ((list[i].passes >> axis & 1) == 0)
+            continue;
+        if (beyond == NULL)
+            spread->vector[MPM_NODE_VALUES * (first + i) + 2 * axis] = 0.0;
+        else if (image >= 0)
+            fold_nodes(spread, axis, first + i, image);
+    }
+}
+
+static void visit_across(struct mpm_state *state, const struct mpm_symmetry *plane,
+                         mpm_symmetry_visit *visit, const void *context)
+{
+    const int64_t columns = state->grid.columns;
+    const struct mpm_fields *const fields = &state->fields;
+    for (size_t k = 0; k < fields->node_count; k++) {
+        const struct mpm_field_node *const node = &fields->nodes[k];
+        const int64_t place[2] = {node->node % columns, node->node / columns};
+        const int64_t depth = (plane->line - place[plane->axis]) * plane->inside;
+        const int64_t stride = plane->axis == 0 ? 1 : columns;
+        const struct mpm_field_node *const inside =
+            mpm_field_node_at(state, node->node + 2 * depth * plane->inside * stride);
+        if (depth >= 0 && inside != NULL)
+            visit(state, plane->axis, inside, depth == 0 ? NULL : node, context);
+    }
+}
+
+void mpm_symmetries_visit(struct mpm_state *state, mpm_symmetry_visit *visit, const void *context)
+{
+    for (size_t k = 0; state->symmetries.passed && k < state->symmetries.count; k++)
+        visit_across(state, &state->symmetries.planes[k], visit, context);
+}
+
 static void reflect(struct mpm_state *state, struct spread spread)
 {
-    for (size_t k = 0; k < state->symmetries.count; k++)
+    for (size_t k = 0; k < state->symmetries.count; k++) {
+        const struct mpm_symmetry *const plane = &state->symmetries.planes[k];
         for (int64_t layer = 0; layer <= state->fields.layers; layer++)
-            reflect_across(state, &state->symmetries.planes[k], &spread,
-                           mpm_layer_shift(state, layer));
+            reflect_across(state, plane, &spread, mpm_layer_shift(state, layer));
+        if (state->symmetries.passed)
+            visit_across(state, plane, reflect_packed, &spread);
+    }
 }
 
 void mpm_symmetries_reflect_momentum(struct mpm_state *state)
@@ -120,8 +164,45 @@ int mpm_symmetry_images(const struct mpm_state *state, int64_t node,
     return count;
 }
 
+int64_t mpm_symmetry_packed_image(const struct mpm_state *state, int64_t field,
+                                  const struct mpm_symmetry_image *image)
+{
+    const struct mpm_additional_field *const packed =
+        &state->fields.list[field - mpm_fields_first(state)];
+    const struct mpm_field_node *const node = mpm_field_node_at(state, image->node);
+    for (int axis = 0; axis < 2; axis++)
+        if (image->sign[axis] < 0.0 && (packed->passes >> axis & 1) == 0)
+            return -1;
+    return node == NULL ? -1 : mpm_field_of(state, node, packed->key);
+}
+
+/* Both have what one of them has. */
+static void join(struct mpm_state *state, const struct mpm_symmetry *plane, const int64_t place[2])
+{
+    const int64_t columns = state->grid.columns;
+    uint16_t *const asked = state->fields.asked;
+    struct mpm_symmetry_image image;
+    const struct mpm_symmetry_image itself = {place[1] * columns + place[0], {1.0, 1.0}};
+    if (asked[itself.node] == 0 || !find_image(state, plane, &itself, &image))
+        return;
+    asked[itself.node] |= asked[image.node];
+    asked[image.node] = asked[itself.node];
+    mpm_bands_mark(&state->fields.asked_at, image.node % columns, image.node / columns);
+}
+
+void mpm_symmetries_join_requests(struct mpm_state *state)
+{
+    const struct mpm_bands *const at = &state->fields.asked_at;
+    for (size_t k = 0; state->symmetries.passed && k < state->symmetries.count; k++)
+        for (int64_t row = 0; row < state->grid.rows; row++)
+            for (int64_t column = at->low[row]; column <= at->high[row]; column++)
+                join(state, &state->symmetries.planes[k], (const int64_t[2]){column, row});
+}
+
 double mpm_symmetry_whole_mass(const struct mpm_state *state, int64_t node)
 {
+    if (state->symmetries.count == 0)
+        return state->grid.mass[node];
     const int64_t columns = state->grid.columns, parent = mpm_field_parent(state, node);
     const int64_t first = mpm_fields_first(state);
     const unsigned free = node < first ? 0u : state->fields.list[node - first].free;

@@ -141,6 +141,8 @@ static void assert_carried(struct settings *settings)
     test_run_close(&run);
 }
 
+/* Not with the momentum form, which strains a moving body at its edges, a crack's sides among them.
+ */
 START_TEST(a_crack_moves_at_the_velocity_of_its_body)
 {
     struct settings settings = crack_block_method(_i % CRACK_BLOCK_METHODS);
@@ -162,7 +164,8 @@ START_TEST(a_crack_that_is_wide_open_moves_as_a_whole)
 }
 END_TEST
 
-/* Three particles in a cell give nodes beside the crack a quarter of a particle's mass, to round-off. */
+/* Three particles in a cell give nodes beside the crack a quarter of a particle's mass, to
+ * round-off. */
 START_TEST(a_crack_and_its_mirror_image_move_as_mirror_images)
 {
     static const char *const scenes[2][2] = {
@@ -462,7 +465,7 @@ Suite *suite_cracks(void)
     tcase_add_loop_test(fields, sides_of_a_penny_crack_are_free_with_mirrored_nodes, 0,
                         2 * TEST_ORDERS);
     tcase_add_loop_test(fields, a_crack_moves_at_the_velocity_of_its_body, 0,
-                        CRACK_BLOCK_EXCHANGES * CRACK_BLOCK_METHODS);
+                        CRACK_BLOCK_WAYS * CRACK_BLOCK_FORM * CRACK_BLOCK_METHODS);
     tcase_add_loop_test(fields, a_crack_that_is_wide_open_moves_as_a_whole, 0, CRACK_BLOCK_METHODS);
     tcase_add_loop_test(fields, a_crack_and_its_mirror_image_move_as_mirror_images, 0,
                         CRACK_BLOCK_METHODS);
