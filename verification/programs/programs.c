@@ -25,6 +25,7 @@
     PROGRAM(cohesive)                                                                              \
     PROGRAM(crack_wave)                                                                            \
     PROGRAM(fracture)                                                                              \
+    PROGRAM(slanted_crack)                                                                         \
     PROGRAM(cantilever)                                                                            \
     PROGRAM(carried)                                                                               \
     PROGRAM(manufactured)                                                                          \
