@@ -157,6 +157,10 @@ static struct slanted_crack_intensity slanted(double part, double height, double
     return found;
 }
 
+/* Polynomials up to the order 47 over a plate 2.5 times as high as wide: 1e-16 times the condition
+ * of their coefficients, which is 1e9 or so. */
+static const double MIRRORED = 1e-6;
+
 /* Isida's numbers are those of a long plate; 0.1 % is the handbook's. */
 START_TEST(a_crack_across_the_tension_has_the_numbers_of_isidas_series)
 {
@@ -164,7 +168,7 @@ START_TEST(a_crack_across_the_tension_has_the_numbers_of_isidas_series)
     for (int k = 0; k < 6; k++) {
         const struct slanted_crack_intensity found = slanted(0.1 * (k + 1), 2.5, 0.0);
         ck_assert_near(found.mode_1, series[k], 1e-3 * series[k]);
-        ck_assert_near(found.mode_2, 0.0, 1e-8); /* polynomials of order 47 */
+        ck_assert_near(found.mode_2, 0.0, MIRRORED);
     }
 }
 END_TEST
@@ -188,8 +192,8 @@ START_TEST(the_edges_of_a_plate_with_a_slanted_crack_have_their_tractions)
         const struct slanted_crack_intensity found = slanted(0.5, 1.0, degrees);
         const struct slanted_crack_intensity mirrored = slanted(0.5, 1.0, -degrees);
         ck_assert(found.residual < 1e-3);
-        ck_assert_near(found.mode_1, mirrored.mode_1, 1e-12);
-        ck_assert_near(found.mode_2, -mirrored.mode_2, 1e-12);
+        ck_assert_near(found.mode_1, mirrored.mode_1, MIRRORED);
+        ck_assert_near(found.mode_2, -mirrored.mode_2, MIRRORED);
     }
 }
 END_TEST
