@@ -25,6 +25,9 @@
     PROGRAM(cohesive)                                                                              \
     PROGRAM(crack_wave)                                                                            \
     PROGRAM(fracture)                                                                              \
+    PROGRAM(slip_threshold)                                                                        \
+    PROGRAM(crack_release)                                                                         \
+    PROGRAM(slanted_crack)                                                                         \
     PROGRAM(cantilever)                                                                            \
     PROGRAM(carried)                                                                               \
     PROGRAM(manufactured)                                                                          \

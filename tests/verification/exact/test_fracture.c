@@ -6,8 +6,10 @@
 #include "verification/exact/cantilever_crack.h"
 #include "verification/exact/centre_crack.h"
 #include "verification/exact/penny_crack.h"
+#include "verification/exact/slanted_crack.h"
 #include "verification/exact/struck_crack.h"
 #include "verification/exact/williams_field.h"
+#include "verification/measures/interaction_integral.h"
 
 #include <math.h>
 
@@ -143,6 +145,103 @@ START_TEST(a_wave_that_rises_within_no_time_is_a_step_and_others_are_sums_of_ste
 }
 END_TEST
 
+/* a/W, height over width, angle in degrees */
+static struct slanted_crack_intensity slanted(double part, double height, double degrees)
+{
+    const struct slanted_crack crack = {part, 1.0, height, degrees * PI / 180.0, 2.0};
+    struct slanted_crack_intensity found;
+    struct mpm_error error;
+    ck_assert_int_eq(slanted_crack_solve(&crack, &found, &error), MPM_OK);
+    found.mode_1 /= 2.0 * sqrt(PI * part);
+    found.mode_2 /= 2.0 * sqrt(PI * part);
+    return found;
+}
+
+/* Polynomials up to the order 47 over a plate 2.5 times as high as wide: 1e-16 times the condition
+ * of their coefficients, which is 1e9 or so. */
+static const double MIRRORED = 1e-6;
+
+/* Isida's numbers are those of a long plate; 0.1 % is the handbook's. */
+START_TEST(a_crack_across_the_tension_has_the_numbers_of_isidas_series)
+{
+    static const double series[] = {1.0060, 1.0246, 1.0577, 1.1094, 1.1867, 1.3033};
+    for (int k = 0; k < 6; k++) {
+        const struct slanted_crack_intensity found = slanted(0.1 * (k + 1), 2.5, 0.0);
+        ck_assert_near(found.mode_1, series[k], 1e-3 * series[k]);
+        ck_assert_near(found.mode_2, 0.0, MIRRORED);
+    }
+}
+END_TEST
+
+/* The finite plate adds some (a/W)^2 of them: 1e-3 for a/W = 0.02. */
+START_TEST(a_small_slanted_crack_is_one_in_an_infinite_plate)
+{
+    for (double degrees = -75.0; degrees <= 75.0; degrees += 15.0) {
+        const struct slanted_crack_intensity found = slanted(0.02, 1.0, degrees);
+        const double c = cos(degrees * PI / 180.0), s = sin(degrees * PI / 180.0);
+        ck_assert_near(found.mode_1, c * c, 1e-3);
+        ck_assert_near(found.mode_2, s * c, 1e-3);
+    }
+}
+END_TEST
+
+/* Equilibrium and free faces hold by construction, so the edges decide. */
+START_TEST(the_edges_of_a_plate_with_a_slanted_crack_have_their_tractions)
+{
+    for (double degrees = -60.0; degrees <= 60.0; degrees += 15.0) {
+        const struct slanted_crack_intensity found = slanted(0.5, 1.0, degrees);
+        const struct slanted_crack_intensity mirrored = slanted(0.5, 1.0, -degrees);
+        ck_assert(found.residual < 1e-3);
+        ck_assert_near(found.mode_1, mirrored.mode_1, MIRRORED);
+        ck_assert_near(found.mode_2, -mirrored.mode_2, MIRRORED);
+    }
+}
+END_TEST
+
+START_TEST(a_slanted_crack_that_leaves_its_plate_is_refused)
+{
+    const struct slanted_crack crack = {1.2, 1.0, 1.0, 0.25 * PI, 1.0},
+                               steep = {1.2, 2.0, 1.0, 1.5, 1.0};
+    struct slanted_crack_intensity found;
+    struct mpm_error error;
+    ck_assert_int_eq(slanted_crack_solve(&crack, &found, &error), MPM_OK);
+    ck_assert_int_eq(slanted_crack_solve(&steep, &found, &error), MPM_BAD_INPUT);
+}
+END_TEST
+
+/* Particles on a lattice of 0.05 with the field of a tip. Sums over cells of a smooth function that
+ * ends smoothly have an error by the jump across the crack alone, h/r of it. */
+START_TEST(the_interaction_integral_finds_the_modes_of_a_tip)
+{
+    enum { SIDE = 80, COUNT = SIDE * SIDE };
+    static double place[2 * COUNT], gradient[5 * COUNT], stress[4 * COUNT], volume[COUNT];
+    const struct williams_field field = field_of(_i);
+    for (int p = 0; p < COUNT; p++) {
+        double u[4];
+        place[2 * p] = field.tip[0] - 2.0 + 0.05 * (p % SIDE + 0.5);
+        place[2 * p + 1] = field.tip[1] - 2.0 + 0.05 * (p / SIDE + 0.5);
+        williams_field_gradient(&field, place + 2 * p, u);
+        const double lame = field.shear * (3.0 - field.kappa) / (field.kappa - 1.0);
+        gradient[5 * p] = 1.0 + u[0];
+        gradient[5 * p + 1] = u[1];
+        gradient[5 * p + 2] = u[2];
+        gradient[5 * p + 3] = 1.0 + u[3];
+        stress[4 * p] = 2.0 * field.shear * u[0] + lame * (u[0] + u[3]);
+        stress[4 * p + 1] = 2.0 * field.shear * u[3] + lame * (u[0] + u[3]);
+        stress[4 * p + 3] = field.shear * (u[1] + u[2]);
+        volume[p] = 0.05 * 0.05;
+    }
+    double found[2];
+    interaction_integral(&(struct interaction_particles){COUNT, place, gradient, stress, volume},
+                         &field, 0.5, 1.8, found);
+    ck_assert_near(found[0], field.mode_1, 0.02);
+    ck_assert_near(found[1], field.mode_2, 0.02);
+    interaction_integral(&(struct interaction_particles){COUNT, place, gradient, stress, volume},
+                         &field, 5.0, 6.0, found);
+    ck_assert(isnan(found[0]) && isnan(found[1]));
+}
+END_TEST
+
 Suite *suite_fracture(void)
 {
     Suite *suite = suite_create("fracture");
@@ -157,5 +256,12 @@ Suite *suite_fracture(void)
     tcase_add_test(handbook,
                    a_wave_that_rises_within_no_time_is_a_step_and_others_are_sums_of_steps);
     suite_add_tcase(suite, handbook);
+    TCase *slanted_cracks = tcase_create("slanted cracks");
+    tcase_add_test(slanted_cracks, a_crack_across_the_tension_has_the_numbers_of_isidas_series);
+    tcase_add_test(slanted_cracks, a_small_slanted_crack_is_one_in_an_infinite_plate);
+    tcase_add_test(slanted_cracks, the_edges_of_a_plate_with_a_slanted_crack_have_their_tractions);
+    tcase_add_test(slanted_cracks, a_slanted_crack_that_leaves_its_plate_is_refused);
+    tcase_add_loop_test(slanted_cracks, the_interaction_integral_finds_the_modes_of_a_tip, 0, 4);
+    suite_add_tcase(suite, slanted_cracks);
     return suite;
 }

@@ -11,6 +11,10 @@
  * over toughness times `area`, the area that is torn. Where the opening is uniform (`uniform: 1`),
  * force over area is compared with the law, which is written out here once more.
  *
+ * A crack that is not across the pull but `tilt` degrees from it, counter clockwise, opens along
+ * the pull by its normal opening over cos(tilt), and slides by tan(tilt) of the normal opening, if
+ * both halves move as rigid bodies: its last point reports the latter.
+ *
  * With `arm` (a double cantilever beam), the area is not given but what by the ledger has been
  * torn, and the load is compared with linear fracture mechanics of two beams of height `arm` from
  * the displacement `from` on: P^4 = (toughness E' b^2 h^3/12)^3 (8/(E' b h^3 Delta))^2.
@@ -34,7 +38,9 @@ struct study {
     struct law law;
     double area, speed, ramp, interval, uniform;
     double arm, modulus, from;
-    size_t opening; /* the quantity: mean opening of the crack */
+    double tilt;    /* radians */
+    size_t opening; /* the quantity: mean normal opening of the crack */
+    double last[2]; /* normal opening and sliding of its last point, at the end */
     struct mpm_ledger before, now;
     double opening_before, opening_now, displacement_before;
     double force_work, largest_opening;
@@ -96,7 +102,8 @@ static void look(struct study *study, struct mpm_simulation *simulation)
     mpm_simulation_ledger(simulation, &study->now);
     const double displacement = displacement_at(study, study->now.time);
     const double way = displacement - study->displacement_before;
-    study->opening_now = mpm_simulation_crack_quantity(simulation, study->opening);
+    study->opening_now =
+        mpm_simulation_crack_quantity(simulation, study->opening) / cos(study->tilt);
     if (way > 0.0) {
         const double force = (study->now.external_work - study->before.external_work) / way;
         const double opening = 0.5 * (study->opening_now + study->opening_before);
@@ -136,6 +143,8 @@ static void report(const struct study *study, struct measurement *m, bool finish
             measurement_report(m, "curve", study->curve / study->law.strength);
         }
     }
+    if (study->tilt != 0.0)
+        measurement_report(m, "sliding", study->last[1] / (study->last[0] * tan(study->tilt)));
     if (study->arm > 0.0) {
         measurement_report(m, "torn", dissipated / study->law.toughness);
         measurement_report(m, "load_over_theory", study->load / study->loads);
@@ -144,15 +153,29 @@ static void report(const struct study *study, struct measurement *m, bool finish
 
 /* ------------------------------------------------------------------ running */
 
-static enum mpm_status find_opening(const struct mpm_scene *scene, struct study *study,
-                                    struct mpm_error *error)
+/* The place of a quantity of the scene's first crack. */
+static enum mpm_status find_quantity(const struct mpm_scene *scene, const char *name, size_t *place,
+                                     struct mpm_error *error)
 {
     const size_t count = mpm_scene_crack_quantity_count(scene);
-    for (study->opening = 0; study->opening < count; study->opening++)
-        if (strcmp(mpm_scene_crack_quantity(scene, study->opening).name, "crack_0_opening_mean") ==
-            0)
+    for (*place = 0; *place < count; ++*place)
+        if (strcmp(mpm_scene_crack_quantity(scene, *place).name, name) == 0)
             return MPM_OK;
-    return failure_set(error, MPM_BAD_INPUT, "the scene's first crack is not cohesive");
+    return failure_set(error, MPM_BAD_INPUT, "the scene's first crack is not cohesive: no %s",
+                       name);
+}
+
+static enum mpm_status look_at_last(const struct mpm_scene *scene,
+                                    const struct mpm_simulation *simulation, double last[2],
+                                    struct mpm_error *error)
+{
+    static const char *const names[] = {"crack_0_opening_last", "crack_0_sliding_last"};
+    for (int k = 0; k < 2; k++) {
+        size_t place;
+        TRY(find_quantity(scene, names[k], &place, error));
+        last[k] = mpm_simulation_crack_quantity(simulation, place);
+    }
+    return MPM_OK;
 }
 
 static enum mpm_status follow(void *context, struct measurement *m, const struct mpm_scene *scene,
@@ -161,7 +184,7 @@ static enum mpm_status follow(void *context, struct measurement *m, const struct
     struct study *const study = context;
     const double end = mpm_scene_end_time(scene);
     bool alive = true;
-    TRY(find_opening(scene, study, error));
+    TRY(find_quantity(scene, "crack_0_opening_mean", &study->opening, error));
     mpm_simulation_ledger(simulation, &study->before);
     study->rows.columns = COLUMNS;
     for (size_t k = 1; alive && study->now.time < end; k++) {
@@ -169,11 +192,21 @@ static enum mpm_status follow(void *context, struct measurement *m, const struct
         if (alive)
             look(study, simulation);
     }
+    TRY(look_at_last(scene, simulation, study->last, error));
     report(study, m, alive);
     follow_count_work(m, simulation);
     TRY(follow_rows_check(&study->rows, error));
     return measurement_series(m, "crack", "displacement force opening law work", COLUMNS,
                               study->rows.count, study->rows.values, error);
+}
+
+static enum mpm_status read_tilt(const struct measurement *m, double *tilt, struct mpm_error *error)
+{
+    double degrees = 0.0;
+    if (measurement_has(m, "tilt"))
+        TRY(measurement_number(m, "tilt", &degrees, error));
+    *tilt = degrees * acos(-1.0) / 180.0;
+    return MPM_OK;
 }
 
 static enum mpm_status run(struct measurement *m, struct mpm_error *error)
@@ -195,6 +228,7 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
         {"from", &study.from},
     };
     TRY(measurement_numbers(m, table, sizeof table / sizeof *table, error));
+    TRY(read_tilt(m, &study.tilt, error));
     TRY(measurement_choice(m, "law", law_names, sizeof law_names / sizeof *law_names,
                            &study.law.kind, error));
     const enum mpm_status status = follow_scene(m, NULL, 0, follow, &study, error);

@@ -4,7 +4,8 @@
  * The block is body 1 of the scene, and its velocity and displacement are means over its mass. In a
  * scene in which it slides, the acceleration is the slope of the line through the velocities from
  * `start` on, by least squares. With `acceleration: 0` the scene `intact`, which has no crack,
- * runs beside, and the block's displacements in the two are compared.
+ * runs beside, and the block's displacements in the two are compared. Along the crack is along x,
+ * unless the parameter `tilt` turns it, in degrees counter clockwise: 90 is along z in axisymmetry.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/fields.h"
@@ -19,6 +20,7 @@ struct parameters {
     double acceleration; /* exact; 0: the block does not slide */
     double start;        /* from when on it is measured */
     double interval;     /* between two samples */
+    double along[2];     /* unit vector along the crack */
 };
 
 /* One model, and the block's particles in it. */
@@ -29,7 +31,7 @@ struct model {
     double *values;     /* scratch: 2 a particle of the model */
     double *mass;       /* 0 but in the block */
     double start[2];    /* its place */
-    double velocity[2]; /* of the moment */
+    double velocity[2]; /* of the moment, along the crack and on the left of it; and so */
     double displacement[2];
 };
 
@@ -63,12 +65,22 @@ static void block_mean(const struct model *model, enum mpm_field field, double m
         mean[axis] /= mass;
 }
 
-static void read_block(struct model *model)
+/* From the axes of the grid to those of the crack. */
+static void turn(const double along[2], double vector[2])
+{
+    const double left = along[0] * vector[1] - along[1] * vector[0];
+    vector[0] = along[0] * vector[0] + along[1] * vector[1];
+    vector[1] = left;
+}
+
+static void read_block(struct model *model, const double along[2])
 {
     block_mean(model, MPM_FIELD_VELOCITY, model->velocity);
     block_mean(model, MPM_FIELD_POSITION, model->displacement);
     for (int axis = 0; axis < 2; axis++)
         model->displacement[axis] -= model->start[axis];
+    turn(along, model->velocity);
+    turn(along, model->displacement);
 }
 
 static enum mpm_status open_model(const struct measurement *m, struct model *model,
@@ -119,9 +131,9 @@ static void look(struct study *study)
     const double time = mpm_simulation_time(study->cracked.simulation);
     const double *const moved = study->cracked.displacement, *const other =
                                                                  study->intact.displacement;
-    read_block(&study->cracked);
+    read_block(&study->cracked, study->parameters.along);
     if (study->intact.simulation != NULL)
-        read_block(&study->intact);
+        read_block(&study->intact, study->parameters.along);
     if (time >= study->parameters.start)
         add_to_line(&study->line, time, study->cracked.velocity[0]);
     study->slip = field_larger(study->slip, fabs(moved[0] - other[0]));
@@ -145,6 +157,7 @@ static void report(const struct study *study, struct measurement *m, bool finish
     }
     if (exact > 0.0) {
         measurement_report(m, "acceleration_ratio", found / exact);
+        measurement_report(m, "rise", study->sink);
         return;
     }
     measurement_report(m, "slip", 100.0 * study->slip / study->elastic);
@@ -187,6 +200,17 @@ static enum mpm_status open_models(struct study *study, struct measurement *m,
     return open_model(m, &study->intact, error);
 }
 
+static enum mpm_status read_direction(const struct measurement *m, double along[2],
+                                      struct mpm_error *error)
+{
+    double tilt = 0.0;
+    if (measurement_has(m, "tilt"))
+        TRY(measurement_number(m, "tilt", &tilt, error));
+    along[0] = cos(tilt * acos(-1.0) / 180.0);
+    along[1] = sin(tilt * acos(-1.0) / 180.0);
+    return MPM_OK;
+}
+
 static enum mpm_status run(struct measurement *measurement, struct mpm_error *error)
 {
     struct study study = {0};
@@ -196,6 +220,7 @@ static enum mpm_status run(struct measurement *measurement, struct mpm_error *er
         {"interval", &study.parameters.interval},
     };
     TRY(measurement_numbers(measurement, table, sizeof table / sizeof *table, error));
+    TRY(read_direction(measurement, study.parameters.along, error));
     enum mpm_status status = open_models(&study, measurement, error);
     if (status == MPM_OK)
         status = follow(&study, measurement, error);
