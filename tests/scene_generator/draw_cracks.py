@@ -33,7 +33,10 @@ def draw_crack_points(canvas, _):
         order = reversed(first) if canvas.chance(50) else first
         return [place(canvas, [point[k] + across[k] for k in range(2)]) for point in order]
     width = [high[k] - low[k] for k in range(2)]
-    if canvas.notes["fracture"]:
+    plane = plane_at(canvas, low, high)
+    if plane is not None and not canvas.notes["fracture"] and canvas.chance(60):
+        chain = chain_past(canvas, plane, low, high)
+    elif canvas.notes["fracture"]:
         height = low[1] + width[1] // 2 + 0.4371
         outside = 0 if canvas.axisymmetric and low[0] <= canvas.notes["axis"] else 2
         chain = [[low[0] - outside, height], [low[0] + width[0] // 2 + 0.3419, height]]
@@ -60,6 +63,29 @@ def draw_crack_points(canvas, _):
             chain.insert(1, kink)
     canvas.notes["chain"] = chain
     return [place(canvas, point) for point in chain]
+
+
+def plane_at(canvas, low, high):
+    """A plane of symmetry at a face of the body, with room on both sides for a crack that passes it:
+    its axis, where it is, and the direction towards the body."""
+    for axis, along in canvas.notes.get("planes", []):
+        inward = 1 if along <= low[axis] else -1
+        if along in (low[axis], high[axis]) and high[axis] - low[axis] >= 5 and \
+                not (canvas.axisymmetric and axis == 0):
+            return axis, along, inward
+    return None
+
+
+def chain_past(canvas, plane, low, high):
+    """A chain straight across a plane of symmetry, from either end."""
+    axis, along, inward = plane
+    across = low[1 - axis] + (high[1 - axis] - low[1 - axis]) * canvas.number(0.4, 0.6, 4) + 0.0837
+    chain = [[0, 0], [0, 0]]
+    for point, depth in zip(chain, (-3.7, canvas.pick([3.6, 4.2]))):
+        point[axis], point[1 - axis] = along + inward * depth, across
+    if canvas.chance(50):
+        chain.reverse()
+    return chain
 
 
 def draw_contact(canvas, key):
