@@ -303,7 +303,7 @@ bench: all ## speed, memory, scaling, error against run time (about 9 min); buil
 CLANG_FORMAT ?= $(or $(shell command -v clang-format-14),clang-format)
 CLANG_TIDY   ?= $(or $(shell command -v clang-tidy-14),clang-tidy)
 CHECKS := check-format check-source check-includes check-warnings check-cppcheck check-tidy \
-          check-bits check-budget check-reference check-mutants
+          check-bits check-budget check-reference check-mutants check-runner
 .PHONY: check check-all $(CHECKS) format
 check: ## format, lint, include directions, warnings and bits of both compilers, checksums
 	+@$(MAKE) --keep-going check-all
@@ -356,6 +356,10 @@ check-reference:
 # A mutant whose lines have changed no longer applies: whoever changes them mends it.
 check-mutants:
 	@tests/mutants/mutants.py check
+
+# The unit tests' own runner, with suites that crash, hang, leak, leave and fail.
+check-runner:
+	@.ci/check-runner $(CC)
 
 format: ## rewrite the sources in the house format
 	$(CLANG_FORMAT) -i $(SOURCES) $(HEADERS)

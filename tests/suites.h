@@ -1,40 +1,55 @@
-/* The test suites, in the order they run. A new file test_<module>.c exports
- * `Suite *suite_<module>(void)`, includes this header and is one line here.
+/* The test suites, in the order they run: those that take longest first, so that no processor waits
+ * for the last one. A new file test_<module>.c exports `Suite *suite_<module>(void)`, includes this
+ * header and is one line here. APART: each test needs a process of its own, with a comment in its
+ * file that states why.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TESTS_SUITES_H
 #define TESTS_SUITES_H
 
-#include <check.h>
+#include "support/marks.h"
 
-#define SUITES(SUITE)                                                                              \
+#define SUITES(SUITE, APART)                                                                       \
+    SUITE(docs)                                                                                    \
+    SUITE(kernels)                                                                                 \
+    SUITE(kernel_table)                                                                            \
+    SUITE(cli)                                                                                     \
+    SUITE(properties)                                                                              \
+    SUITE(kernel_bits)                                                                             \
+    SUITE(energy_balance)                                                                          \
+    SUITE(j_integral)                                                                              \
+    SUITE(damping)                                                                                 \
+    SUITE(crack_growth)                                                                            \
+    SUITE(score)                                                                                   \
+    SUITE(user_force)                                                                              \
+    SUITE(loads)                                                                                   \
+    SUITE(cohesive)                                                                                \
+    SUITE(contact_conditions)                                                                      \
+    SUITE(rest_loads)                                                                              \
+    SUITE(tractions)                                                                               \
+    SUITE(transfers)                                                                               \
+    SUITE(score_numbers)                                                                           \
+    SUITE(stability)                                                                               \
+    SUITE(law_state)                                                                               \
+    SUITE(forms)                                                                                   \
+    SUITE(accuracy)                                                                                \
     SUITE(support)                                                                                 \
     SUITE(status)                                                                                  \
     SUITE(base)                                                                                    \
-    SUITE(workers)                                                                                 \
+    APART(workers)                                                                                 \
     SUITE(expression)                                                                              \
     SUITE(material)                                                                                \
     SUITE(particles)                                                                               \
     SUITE(scene)                                                                                   \
-    SUITE(properties)                                                                              \
     SUITE(energy)                                                                                  \
     SUITE(guard)                                                                                   \
-    SUITE(transfers)                                                                               \
     SUITE(transfer_series)                                                                         \
     SUITE(projection)                                                                              \
-    SUITE(law_state)                                                                               \
-    SUITE(forms)                                                                                   \
-    SUITE(loads)                                                                                   \
-    SUITE(user_force)                                                                              \
     SUITE(start)                                                                                   \
-    SUITE(energy_balance)                                                                          \
-    SUITE(damping)                                                                                 \
     SUITE(rest)                                                                                    \
-    SUITE(rest_loads)                                                                              \
     SUITE(time_step)                                                                               \
     SUITE(fill)                                                                                    \
     SUITE(edges)                                                                                   \
-    SUITE(tractions)                                                                               \
     SUITE(shapes)                                                                                  \
     SUITE(exact)                                                                                   \
     SUITE(fracture)                                                                                \
@@ -43,7 +58,6 @@
     SUITE(manufactured)                                                                            \
     SUITE(activity)                                                                                \
     SUITE(results)                                                                                 \
-    SUITE(cli)                                                                                     \
     SUITE(cli_check)                                                                               \
     SUITE(catalogue)                                                                               \
     SUITE(methods)                                                                                 \
@@ -55,24 +69,19 @@
     SUITE(score_parts)                                                                             \
     SUITE(score_readers)                                                                           \
     SUITE(score_snapshots)                                                                         \
-    SUITE(score_numbers)                                                                           \
-    SUITE(score)                                                                                   \
-    SUITE(docs)                                                                                    \
     SUITE(report_site)                                                                             \
     SUITE(scene_run)                                                                               \
     SUITE(budget)                                                                                  \
     SUITE(scene_limits)                                                                            \
+    SUITE(scene_materials)                                                                         \
     SUITE(scene_cracks)                                                                            \
     SUITE(crack_line)                                                                              \
-    SUITE(j_integral)                                                                              \
-    SUITE(crack_growth)                                                                            \
     SUITE(cracks)                                                                                  \
-    SUITE(contact_conditions)                                                                      \
     SUITE(crack_detection)                                                                         \
+    SUITE(crack_transfers)                                                                         \
     SUITE(crack_kernels)                                                                           \
     SUITE(fields)                                                                                  \
     SUITE(crack_mouths)                                                                            \
-    SUITE(cohesive)                                                                                \
     SUITE(cohesive_laws)                                                                           \
     SUITE(symmetry)                                                                                \
     SUITE(scene_settings)                                                                          \
@@ -80,22 +89,17 @@
     SUITE(suite)                                                                                   \
     SUITE(bench)                                                                                   \
     SUITE(timing)                                                                                  \
-    SUITE(kernels)                                                                                 \
-    SUITE(kernel_table)                                                                            \
-    SUITE(kernel_bits)                                                                             \
     SUITE(pareto)                                                                                  \
-    SUITE(accuracy)                                                                                \
     SUITE(bench_report)                                                                            \
     SUITE(programs)                                                                                \
     SUITE(orders)                                                                                  \
     SUITE(pictures)                                                                                \
     SUITE(measures)                                                                                \
     SUITE(modes)                                                                                   \
-    SUITE(dispersion)                                                                              \
-    SUITE(stability)
+    SUITE(dispersion)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
-SUITES(SUITE_DECLARE)
+SUITES(SUITE_DECLARE, SUITE_DECLARE)
 #undef SUITE_DECLARE
 
 #endif

@@ -3,10 +3,9 @@
 #define _DEFAULT_SOURCE /* NOLINT */
 #include "base/arena.h"
 
-#include "base/memory.h"
-
 #include <stdlib.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 enum { CACHE_LINE = 64 };
 
@@ -38,6 +37,16 @@ void *mpm_arena_take(struct mpm_arena *arena, size_t count, size_t size)
     unsigned char *const start = arena->base == NULL ? NULL : arena->base + arena->used;
     arena->used += bytes;
     return start;
+}
+
+enum mpm_status mpm_memory_check(size_t bytes, struct mpm_error *error)
+{
+    const double machine = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+    if ((double)bytes > machine)
+        return mpm_error_set(error, MPM_ENVIRONMENT_FAILED,
+                             "memory: the scene needs %.3g GB, the machine has %.3g GB",
+                             (double)bytes * 1e-9, machine * 1e-9);
+    return MPM_OK;
 }
 
 enum mpm_status mpm_arena_allocate(struct mpm_arena *arena, struct mpm_error *error)

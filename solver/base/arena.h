@@ -18,6 +18,10 @@ struct mpm_arena {
  * measuring. A total beyond the address space leaves `used` at SIZE_MAX. */
 void *mpm_arena_take(struct mpm_arena *arena, size_t count, size_t size);
 
+/* Has the machine so many bytes, used or not? MPM_ENVIRONMENT_FAILED: no; the message has both
+ * numbers. */
+enum mpm_status mpm_memory_check(size_t bytes, struct mpm_error *error);
+
 /* Turns a measuring arena into a real one of the size measured, and empties it.
  * More than the machine's memory: MPM_ENVIRONMENT_FAILED, nothing allocated. */
 enum mpm_status mpm_arena_allocate(struct mpm_arena *arena, struct mpm_error *error);

@@ -262,12 +262,11 @@ enum mpm_status mpm_expression_create(const char *text, const char *const names[
     struct mpm_expression *made = calloc(1, sizeof *made);
     if (made == NULL)
         return mpm_error_memory(error, sizeof *made, "an expression");
-    made->text = malloc(length + 1);
+    made->text = strdup(text);
     if (made->text == NULL) {
         free(made);
         return mpm_error_memory(error, length + 1, "an expression");
     }
-    memcpy(made->text, text, length + 1);
     const enum mpm_status status = parse(made, names, has_time, workers, error);
     if (status != MPM_OK) {
         mpm_expression_free(made);
@@ -298,11 +297,6 @@ double mpm_expression_value(const struct mpm_expression *expression, int worker,
     own->place[1] = position[1];
     own->time = time;
     return mupEval(own->parser);
-}
-
-bool mpm_expression_is_constant(const struct mpm_expression *expression)
-{
-    return expression->constant;
 }
 
 bool mpm_expression_is_uniform(const struct mpm_expression *expression)

@@ -27,7 +27,6 @@ void mpm_expression_free(struct mpm_expression *expression);
 double mpm_expression_value(const struct mpm_expression *expression, int worker,
                             const double position[2], double time);
 
-bool mpm_expression_is_constant(const struct mpm_expression *expression);
 /* No coordinate is in the text: one value for all places at a time. 0*x has one. */
 bool mpm_expression_is_uniform(const struct mpm_expression *expression);
 const char *mpm_expression_text(const struct mpm_expression *expression);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/status.h"
 
+#include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -41,9 +42,14 @@ const struct mpm_cause_info *mpm_cause_describe(enum mpm_cause cause)
     return &causes[cause];
 }
 
-/* The rest of an error whose message is there: one line, status and cause. */
-static void finish(struct mpm_error *error, enum mpm_status status, enum mpm_cause cause)
+/* The text becomes one line. */
+__attribute__((format(printf, 4, 0))) static void set(struct mpm_error *error,
+                                                      enum mpm_status status, enum mpm_cause cause,
+                                                      const char *format, va_list arguments)
 {
+    if (error == NULL)
+        return;
+    (void)vsnprintf(error->message, sizeof error->message, format, arguments);
     for (char *c = error->message; *c != '\0'; c++)
         if ((unsigned char)*c < 0x20 || *c == 0x7f)
             *c = '?';
@@ -54,27 +60,31 @@ static void finish(struct mpm_error *error, enum mpm_status status, enum mpm_cau
 enum mpm_status mpm_error_set(struct mpm_error *error, enum mpm_status status, const char *format,
                               ...)
 {
-    if (error == NULL)
-        return status;
     va_list arguments;
     va_start(arguments, format);
-    (void)vsnprintf(error->message, sizeof error->message, format, arguments);
+    set(error, status, MPM_CAUSE_NONE, format, arguments);
     va_end(arguments);
-    finish(error, status, MPM_CAUSE_NONE);
     return status;
 }
 
 enum mpm_status mpm_error_fail(struct mpm_error *error, enum mpm_cause cause, const char *format,
                                ...)
 {
-    if (error == NULL)
-        return MPM_RUN_FAILED;
     va_list arguments;
     va_start(arguments, format);
-    (void)vsnprintf(error->message, sizeof error->message, format, arguments);
+    set(error, MPM_RUN_FAILED, cause, format, arguments);
     va_end(arguments);
-    finish(error, MPM_RUN_FAILED, cause);
     return MPM_RUN_FAILED;
+}
+
+void mpm_error_locate(struct mpm_error *error, uint64_t step, double time)
+{
+    if (error == NULL)
+        return;
+    const struct mpm_error why = *error;
+    (void)mpm_error_set(error, why.status, "%s at step %" PRIu64 ", time %g: %s",
+                        causes[why.cause].words, step, time, why.message);
+    error->cause = why.cause;
 }
 
 enum mpm_status mpm_error_memory(struct mpm_error *error, size_t bytes, const char *what)

@@ -16,6 +16,9 @@ enum mpm_status mpm_error_set(struct mpm_error *error, enum mpm_status status, c
 enum mpm_status mpm_error_fail(struct mpm_error *error, enum mpm_cause cause, const char *format,
                                ...) __attribute__((format(printf, 3, 4)));
 
+/* Puts the cause in words, step and time in front of the message of a run that failed. */
+void mpm_error_locate(struct mpm_error *error, uint64_t step, double time);
+
 /* "out of memory: N bytes for WHAT" */
 enum mpm_status mpm_error_memory(struct mpm_error *error, size_t bytes, const char *what);
 

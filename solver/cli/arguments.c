@@ -5,6 +5,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 int cli_fail(enum mpm_status status, const char *format, ...)
 {
@@ -18,50 +19,13 @@ int cli_fail(enum mpm_status status, const char *format, ...)
     return (int)status;
 }
 
-static enum cli_outcome bad_usage(const struct cli_command *command, const char *problem,
-                                  const char *value)
+static int bad_usage(const struct cli_command *command, const char *problem, const char *value)
 {
-    (void)cli_fail(MPM_BAD_INPUT, "%s: %s%s; see 'mpm %s --help'", command->name, problem, value,
-                   command->name);
-    return CLI_BAD_USAGE;
-}
-
-/* Takes exactly the operands that the command has. */
-static enum cli_outcome take_scene(const struct cli_command *command, char **operands, char **scene)
-{
-    const guint count = operands != NULL ? g_strv_length(operands) : 0;
-    const guint wanted = scene != NULL ? 1 : 0;
-    if (count < wanted)
-        return bad_usage(command, "a scene file is missing", "");
-    if (count > wanted)
-        return bad_usage(command, "unexpected argument ", operands[wanted]);
-    if (scene != NULL)
-        *scene = g_strdup(operands[0]);
-    return CLI_GO_ON;
+    return cli_fail(MPM_BAD_INPUT, "%s: %s%s; see 'mpm %s --help'", command->name, problem, value,
+                    command->name);
 }
 
 enum { THREADS_MAX = 1024 };
-
-/* --kernels, --simd and --threads as given; NULL where not. */
-struct simulation_texts {
-    char *kernels, *simd, *threads;
-};
-
-static void add_simulation_options(GOptionContext *context, struct simulation_texts *given)
-{
-    const GOptionEntry options[] = {
-        {"kernels", 0, 0, G_OPTION_ARG_FILENAME, &given->kernels,
-         "auto (the default: fast wherever the scene allows), reference or fast", "KERNELS"},
-        {"simd", 0, 0, G_OPTION_ARG_FILENAME, &given->simd,
-         "Instructions of the fast kernels: auto (the default: the widest of this machine), "
-         "baseline or x86-64-v3",
-         "LEVEL"},
-        {"threads", 0, 0, G_OPTION_ARG_FILENAME, &given->threads,
-         "Compute with at most so many threads (OMP_NUM_THREADS, or all processors)", "N"},
-        {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
-    };
-    g_option_context_add_main_entries(context, options, NULL);
-}
 
 /* OMP_NUM_THREADS may be a list: the first number of it. All processors if that is no whole number
  * from 1 on. */
@@ -77,100 +41,127 @@ static int default_threads(void)
     return (int)MIN(number, (guint64)THREADS_MAX);
 }
 
-static enum cli_outcome take_threads(const struct cli_command *command, const char *text,
-                                     struct mpm_simulation_options *simulation)
-{
-    guint64 number = 0;
-    simulation->threads = default_threads();
-    if (text == NULL)
-        return CLI_GO_ON;
-    if (!g_ascii_string_to_unsigned(text, 10, 1, THREADS_MAX, &number, NULL)) {
-        (void)cli_fail(
-            MPM_BAD_INPUT,
-            "%s: --threads: '%s' is not a whole number from 1 to %d; see 'mpm %s --help'",
-            command->name, text, THREADS_MAX, command->name);
-        return CLI_BAD_USAGE;
-    }
-    simulation->threads = (int)number;
-    return CLI_GO_ON;
-}
+/* What is a text on the command line and has to be looked at; NULL where not given. */
+struct texts {
+    char *kernels, *simd, *threads, **operands;
+};
 
-static enum cli_outcome take_simulation(const struct cli_command *command,
-                                        const struct simulation_texts *given,
-                                        struct mpm_simulation_options *simulation)
+static int take_simulation(const struct cli_command *command, const struct texts *given,
+                           struct mpm_simulation_options *simulation)
 {
     struct mpm_error error = {.status = MPM_OK};
-    if (simulation == NULL)
-        return CLI_GO_ON;
+    guint64 threads = (guint64)default_threads();
     if (given->kernels != NULL &&
         mpm_kernels_find(given->kernels, &simulation->kernels, &error) != MPM_OK)
         return bad_usage(command, "--kernels: ", error.message);
     if (given->simd != NULL && mpm_simd_find(given->simd, &simulation->simd, &error) != MPM_OK)
         return bad_usage(command, "--simd: ", error.message);
-    return take_threads(command, given->threads, simulation);
+    if (given->threads != NULL &&
+        !g_ascii_string_to_unsigned(given->threads, 10, 1, THREADS_MAX, &threads, NULL))
+        return cli_fail(
+            MPM_BAD_INPUT,
+            "%s: --threads: '%s' is not a whole number from 1 to %d; see 'mpm %s --help'",
+            command->name, given->threads, THREADS_MAX, command->name);
+    simulation->threads = (int)threads;
+    return MPM_OK;
 }
 
-static GOptionContext *describe(const struct cli_arguments *arguments, const GOptionEntry *common,
-                                struct simulation_texts *simulation)
+/* Takes exactly the operands that the command has. */
+static int take_scene(const struct cli_command *command, char **operands, char **scene)
 {
-    GOptionContext *context = g_option_context_new(arguments->command->operands);
+    const guint count = operands != NULL ? g_strv_length(operands) : 0;
+    const guint wanted = command->operands[0] != '\0' ? 1 : 0;
+    if (count < wanted)
+        return bad_usage(command, "a scene file is missing", "");
+    if (count > wanted)
+        return bad_usage(command, "unexpected argument ", operands[wanted]);
+    *scene = wanted > 0 ? g_strdup(operands[0]) : NULL;
+    return MPM_OK;
+}
+
+static GOptionContext *describe(const struct cli_command *command, const GOptionEntry *options)
+{
+    GOptionContext *context = g_option_context_new(command->operands);
     g_option_context_set_help_enabled(context, FALSE); /* GLib's own would exit */
-    g_option_context_set_summary(context, arguments->command->summary);
-    g_option_context_set_description(context, arguments->description);
-    if (arguments->options != NULL)
-        g_option_context_add_main_entries(context, arguments->options, NULL);
-    if (arguments->simulation != NULL)
-        add_simulation_options(context, simulation);
-    g_option_context_add_main_entries(context, common, NULL);
+    g_option_context_set_summary(context, command->summary);
+    g_option_context_set_description(context, command->description);
+    for (; options->long_name != NULL; options++) {
+        const GOptionEntry one[] = {*options, {.long_name = NULL}};
+        if (g_strv_contains(command->options, options->long_name) ||
+            strcmp(options->long_name, "help") == 0 ||
+            strcmp(options->long_name, G_OPTION_REMAINING) == 0)
+            g_option_context_add_main_entries(context, one, NULL);
+    }
     return context;
 }
 
-enum cli_outcome cli_arguments_read(const struct cli_arguments *arguments, int argc, char **argv,
-                                    char **scene)
+static int run(const struct cli_command *command, const struct texts *given,
+               struct cli_arguments *arguments)
 {
-    const struct cli_command *command = arguments->command;
-    struct simulation_texts simulation = {NULL, NULL, NULL};
+    int status = take_simulation(command, given, &arguments->simulation);
+    if (status == MPM_OK)
+        status = take_scene(command, given->operands, &arguments->scene);
+    return status == MPM_OK ? command->run(arguments) : status;
+}
+
+int cli_command_run(const struct cli_command *command, int argc, char **argv)
+{
+    struct cli_arguments read = {.scene = NULL};
+    struct texts given = {.kernels = NULL};
     gboolean help = FALSE;
-    char **operands = NULL;
-    const GOptionEntry common[] = {
+    const GOptionEntry options[] = {
+        {"output", 'o', 0, G_OPTION_ARG_FILENAME, &read.output, "Folder for the results", "DIR"},
+        {"overwrite", 0, 0, G_OPTION_ARG_NONE, &read.overwrite,
+         "Replace the results that DIR holds", NULL},
+        {"resume", 0, 0, G_OPTION_ARG_NONE, &read.resume, "Go on from the checkpoint in DIR", NULL},
+        {"set", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &read.settings,
+         "Set a value of the scene; the last one wins", "PATH=VALUE"},
+        {"quiet", 'q', 0, G_OPTION_ARG_NONE, &read.quiet, "Print nothing but errors", NULL},
+        {"json", 0, 0, G_OPTION_ARG_NONE, &read.json, "Print the keys as JSON, for programs", NULL},
+        {"kernels", 0, 0, G_OPTION_ARG_FILENAME, &given.kernels,
+         "auto (the default: fast wherever the scene allows), reference or fast", "KERNELS"},
+        {"simd", 0, 0, G_OPTION_ARG_FILENAME, &given.simd,
+         "Instructions of the fast kernels: auto (the default: the widest of this machine), "
+         "baseline or x86-64-v3",
+         "LEVEL"},
+        {"threads", 0, 0, G_OPTION_ARG_FILENAME, &given.threads,
+         "Compute with at most so many threads (OMP_NUM_THREADS, or all processors)", "N"},
         {"help", 'h', 0, G_OPTION_ARG_NONE, &help, "Show this help", NULL},
-        {G_OPTION_REMAINING, 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &operands, NULL, NULL},
-        {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
+        {G_OPTION_REMAINING, 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &given.operands, NULL, NULL},
+        {.long_name = NULL},
     };
     char *program = g_strdup_printf("mpm %s", command->name);
     g_set_prgname(program);
-    GOptionContext *context = describe(arguments, common, &simulation);
-
+    GOptionContext *context = describe(command, options);
     GError *failure = NULL;
-    enum cli_outcome outcome = CLI_HELP_SHOWN;
+    int status = MPM_OK;
     if (!g_option_context_parse(context, &argc, &argv, &failure)) {
-        outcome = bad_usage(command, failure->message, "");
+        status = bad_usage(command, failure->message, "");
     } else if (help) {
         char *text = g_option_context_get_help(context, TRUE, NULL);
         (void)fputs(text, stdout);
         g_free(text);
     } else {
-        outcome = take_simulation(command, &simulation, arguments->simulation);
-        if (outcome == CLI_GO_ON)
-            outcome = take_scene(command, operands, scene);
+        status = run(command, &given, &read);
     }
     g_clear_error(&failure);
-    g_strfreev(operands);
-    g_free(simulation.kernels);
-    g_free(simulation.simd);
-    g_free(simulation.threads);
     g_option_context_free(context);
-    g_free(program);
-    return outcome;
+    char *const texts[] = {read.scene, read.output,   given.kernels,
+                           given.simd, given.threads, program};
+    for (size_t i = 0; i < G_N_ELEMENTS(texts); i++)
+        g_free(texts[i]);
+    g_strfreev(read.settings);
+    g_strfreev(given.operands);
+    return status;
 }
 
-int cli_scene_read(const char *path, char *const *settings, struct mpm_scene **scene)
+int cli_scene_read(const struct cli_arguments *arguments, struct mpm_scene **scene)
 {
+    const char *const *settings = (const char *const *)arguments->settings;
     size_t count = 0;
     while (settings != NULL && settings[count] != NULL)
         count++;
     struct mpm_error error = {.status = MPM_OK};
-    const enum mpm_status status =
-        mpm_scene_read(path, (const char *const *)settings, count, scene, &error);
+    const enum mpm_status status = mpm_scene_read(arguments->scene, settings, count, scene, &error);
     return status == MPM_OK ? MPM_OK : cli_fail(status, "%s", error.message);
 }

@@ -45,39 +45,17 @@ static void print_plan(const struct mpm_scene *scene, const struct mpm_plan *pla
     (void)printf("threads    %d (%s)\n", plan->threads, plan->threads_reason);
 }
 
-static int print_check(const struct mpm_scene *scene,
-                       const struct mpm_simulation_options *simulation)
+int cli_check(struct cli_arguments *arguments)
 {
+    struct mpm_scene *scene = NULL;
+    const int read = cli_scene_read(arguments, &scene);
+    if (read != MPM_OK)
+        return read;
     struct mpm_plan plan = {.particles = 0};
     struct mpm_error error = {.status = MPM_OK};
-    const enum mpm_status status = mpm_scene_plan(scene, simulation, &plan, &error);
-    if (status != MPM_OK)
-        return cli_fail(status, "%s", error.message);
-    print_plan(scene, &plan);
-    return MPM_OK;
-}
-
-int cli_check(const struct cli_command *command, int argc, char **argv)
-{
-    char **settings = NULL;
-    char *path = NULL;
-    const GOptionEntry options[] = {
-        {"set", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &settings,
-         "Set a value of the scene; the last one wins", "PATH=VALUE"},
-        {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
-    };
-    struct mpm_simulation_options simulation = {.kernels = MPM_KERNELS_AUTO};
-    const struct cli_arguments arguments = {
-        .command = command, .options = options, .simulation = &simulation};
-    const enum cli_outcome outcome = cli_arguments_read(&arguments, argc, argv, &path);
-    int status = outcome == CLI_BAD_USAGE ? MPM_BAD_INPUT : MPM_OK;
-    struct mpm_scene *scene = NULL;
-    if (outcome == CLI_GO_ON)
-        status = cli_scene_read(path, settings, &scene);
-    if (scene != NULL)
-        status = print_check(scene, &simulation);
+    const enum mpm_status status = mpm_scene_plan(scene, &arguments->simulation, &plan, &error);
+    if (status == MPM_OK)
+        print_plan(scene, &plan);
     mpm_scene_free(scene);
-    g_strfreev(settings);
-    g_free(path);
-    return status;
+    return status == MPM_OK ? MPM_OK : cli_fail(status, "%s", error.message);
 }

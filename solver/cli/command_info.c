@@ -8,12 +8,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-int cli_info(const struct cli_command *command, int argc, char **argv)
+int cli_info(struct cli_arguments *arguments)
 {
-    const struct cli_arguments arguments = {.command = command};
-    const enum cli_outcome outcome = cli_arguments_read(&arguments, argc, argv, NULL);
-    if (outcome != CLI_GO_ON)
-        return outcome == CLI_BAD_USAGE ? MPM_BAD_INPUT : MPM_OK;
+    (void)arguments;
     const struct mpm_build_info *build = mpm_build_info();
     const struct {
         const char *name, *value;
@@ -26,23 +23,12 @@ int cli_info(const struct cli_command *command, int argc, char **argv)
     return MPM_OK;
 }
 
-int cli_schema(const struct cli_command *command, int argc, char **argv)
+int cli_schema(struct cli_arguments *arguments)
 {
-    gboolean json = FALSE;
-    const GOptionEntry options[] = {
-        {"json", 0, 0, G_OPTION_ARG_NONE, &json, "Print the keys as JSON, for programs", NULL},
-        {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
-    };
-    const struct cli_arguments arguments = {.command = command, .options = options};
-    const enum cli_outcome outcome = cli_arguments_read(&arguments, argc, argv, NULL);
-    if (outcome != CLI_GO_ON)
-        return outcome == CLI_BAD_USAGE ? MPM_BAD_INPUT : MPM_OK;
-    char *text = json ? mpm_schema_json() : mpm_schema_text();
+    char *text = arguments->json ? mpm_schema_json() : mpm_schema_text();
     if (text == NULL)
         return cli_fail(MPM_ENVIRONMENT_FAILED, "out of memory for the schema");
-    (void)fputs(text, stdout);
-    if (json)
-        (void)fputc('\n', stdout);
+    (void)printf("%s%s", text, arguments->json ? "\n" : "");
     free(text);
     return MPM_OK;
 }

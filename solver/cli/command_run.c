@@ -8,46 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char description[] =
-    "The results go to the folder DIR, or to NAME-results in the current folder for\n"
-    "a scene NAME.yaml: run.json, history.csv, particles-NNNNNN.hdf and\n"
-    "particles.hdf.series, which ParaView opens. A folder that holds results is\n"
-    "refused unless --overwrite is given, which removes them first.\n"
-    "Results are the same for any number of threads, and for any LEVEL of SIMD. 'mpm\n"
-    "check' states which kernels and how many threads a scene gets, and why. PATH is a\n"
-    "place in the scene, such as grid.refine, materials.polymer.bulk or\n"
-    "bodies.0.velocity.1; VALUE is YAML.";
-
-struct run_arguments {
-    char *scene, *output;
-    char **settings;
-    struct mpm_simulation_options simulation;
-    gboolean resume, overwrite, quiet;
-};
-
-static enum cli_outcome read_arguments(const struct cli_command *command, int argc, char **argv,
-                                       struct run_arguments *read)
-{
-    const GOptionEntry options[] = {
-        {"output", 'o', 0, G_OPTION_ARG_FILENAME, &read->output, "Folder for the results", "DIR"},
-        {"overwrite", 0, 0, G_OPTION_ARG_NONE, &read->overwrite,
-         "Replace the results that DIR holds", NULL},
-        {"resume", 0, 0, G_OPTION_ARG_NONE, &read->resume, "Go on from the checkpoint in DIR",
-         NULL},
-        {"set", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &read->settings,
-         "Set a value of the scene; the last one wins", "PATH=VALUE"},
-        {"quiet", 'q', 0, G_OPTION_ARG_NONE, &read->quiet, "Print nothing but errors", NULL},
-        {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
-    };
-    const struct cli_arguments arguments = {
-        .command = command,
-        .options = options,
-        .description = description,
-        .simulation = &read->simulation,
-    };
-    return cli_arguments_read(&arguments, argc, argv, &read->scene);
-}
-
 /* "disk-results" for the scene "scenes/disk.yaml". */
 static char *default_output(const char *scene)
 {
@@ -60,14 +20,6 @@ static char *default_output(const char *scene)
     return output;
 }
 
-static int refuse_resume(const struct run_arguments *arguments)
-{
-    return cli_fail(MPM_BAD_INPUT,
-                    "--resume: there is no checkpoint in '%s'; this version writes "
-                    "none, run the scene from its start",
-                    arguments->output);
-}
-
 static void print_summary(const struct cli_progress *progress, const char *output)
 {
     const double particle_steps = (double)progress->step * (double)progress->particles;
@@ -77,12 +29,17 @@ static void print_summary(const struct cli_progress *progress, const char *outpu
     (void)printf(", results in %s\n", output);
 }
 
-static int run_scene(struct run_arguments *arguments)
+int cli_run(struct cli_arguments *arguments)
 {
     struct mpm_scene *scene = NULL;
-    int status = arguments->resume ? refuse_resume(arguments) : MPM_OK;
-    if (status == MPM_OK)
-        status = cli_scene_read(arguments->scene, arguments->settings, &scene);
+    if (arguments->output == NULL)
+        arguments->output = default_output(arguments->scene);
+    if (arguments->resume)
+        return cli_fail(MPM_BAD_INPUT,
+                        "--resume: there is no checkpoint in '%s'; this version writes none, run "
+                        "the scene from its start",
+                        arguments->output);
+    const int status = cli_scene_read(arguments, &scene);
     if (status != MPM_OK)
         return status;
     if (mpm_scene_wants_checkpoints(scene) && !arguments->quiet)
@@ -107,20 +64,4 @@ static int run_scene(struct run_arguments *arguments)
     if (!arguments->quiet)
         print_summary(&progress, arguments->output);
     return MPM_OK;
-}
-
-int cli_run(const struct cli_command *command, int argc, char **argv)
-{
-    struct run_arguments arguments = {.scene = NULL};
-    const enum cli_outcome outcome = read_arguments(command, argc, argv, &arguments);
-    int status = outcome == CLI_BAD_USAGE ? MPM_BAD_INPUT : MPM_OK;
-    if (outcome == CLI_GO_ON) {
-        if (arguments.output == NULL)
-            arguments.output = default_output(arguments.scene);
-        status = run_scene(&arguments);
-    }
-    g_free(arguments.scene);
-    g_free(arguments.output);
-    g_strfreev(arguments.settings);
-    return status;
 }

@@ -9,11 +9,36 @@
 #include <string.h>
 
 static const struct cli_command commands[] = {
-    {"run", "SCENE", "Run a scene and write its results.", cli_run},
-    {"check", "SCENE", "Validate a scene and print what running it costs.", cli_check},
-    {"info", "", "Print version, git revision, compiler, flags, libraries, SIMD in use.", cli_info},
-    {"schema", "", "Print every scene key: type, unit, default, range, one line of help.",
-     cli_schema},
+    {.name = "run",
+     .operands = "SCENE",
+     .options = (const char *const[]){"output", "overwrite", "resume", "set", "quiet", "kernels",
+                                      "simd", "threads", NULL},
+     .summary = "Run a scene and write its results.",
+     .description =
+         "The results go to the folder DIR, or to NAME-results in the current folder for\n"
+         "a scene NAME.yaml: run.json, history.csv, particles-NNNNNN.hdf and\n"
+         "particles.hdf.series, which ParaView opens. A folder that holds results is\n"
+         "refused unless --overwrite is given, which removes them first.\n"
+         "Results are the same for any number of threads, and for any LEVEL of SIMD. 'mpm\n"
+         "check' states which kernels and how many threads a scene gets, and why. PATH is a\n"
+         "place in the scene, such as grid.refine, materials.polymer.bulk or\n"
+         "bodies.0.velocity.1; VALUE is YAML.",
+     .run = cli_run},
+    {.name = "check",
+     .operands = "SCENE",
+     .options = (const char *const[]){"set", "kernels", "simd", "threads", NULL},
+     .summary = "Validate a scene and print what running it costs.",
+     .run = cli_check},
+    {.name = "info",
+     .operands = "",
+     .options = (const char *const[]){NULL},
+     .summary = "Print version, git revision, compiler, flags, libraries, SIMD in use.",
+     .run = cli_info},
+    {.name = "schema",
+     .operands = "",
+     .options = (const char *const[]){"json", NULL},
+     .summary = "Print every scene key: type, unit, default, range, one line of help.",
+     .run = cli_schema},
 };
 
 static int print_help(void)
@@ -49,7 +74,7 @@ static int dispatch(int argc, char **argv)
         return print_version();
     for (size_t i = 0; i < G_N_ELEMENTS(commands); i++)
         if (strcmp(argv[1], commands[i].name) == 0)
-            return commands[i].run(&commands[i], argc - 1, argv + 1);
+            return cli_command_run(&commands[i], argc - 1, argv + 1);
     return cli_fail(MPM_BAD_INPUT,
                     "unknown command '%s': allowed are run, check, info, schema; "
                     "see 'mpm --help'",

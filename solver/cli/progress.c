@@ -1,6 +1,4 @@
-/* How far a run is: a bar on a terminal, a line at each tenth elsewhere.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/progress.h"
 
 #include <inttypes.h>

@@ -9,7 +9,6 @@
 #include <glib.h>
 #include <inttypes.h>
 #include <math.h>
-#include <string.h>
 
 /* An instant this close to the next one, in intervals, is taken to be it: products of
  * the interval carry round-off, and a last sliver of a step would serve nobody. */
@@ -96,13 +95,8 @@ static enum mpm_status write_history(struct run *run, struct mpm_error *error)
     struct mpm_ledger ledger;
     mpm_simulation_ledger(run->simulation, &ledger);
     const enum mpm_status status = mpm_history_write(run->history, &ledger, run->simulation, error);
-    if (status != MPM_RUN_FAILED)
-        return status;
-    const enum mpm_cause cause = error->cause;
-    char *message = g_strdup(error->message);
-    (void)mpm_error_fail(error, cause, "%s at step %" PRIu64 ", time %g: %s",
-                         mpm_cause_describe(cause)->words, ledger.step, ledger.time, message);
-    g_free(message);
+    if (status == MPM_RUN_FAILED)
+        mpm_error_locate(error, ledger.step, ledger.time);
     return status;
 }
 
@@ -112,15 +106,15 @@ static enum mpm_status add_state(const struct run *run, enum mpm_status status,
 {
     double time = 0.0;
     const char *last = mpm_series_last(run->series, &time);
-    char *message = g_strdup(error->message);
-    char *complete = last != NULL ? g_strdup_printf("%s of time %.9g", last, time) : NULL;
+    const struct mpm_error why = *error;
+    char complete[64] = "none";
+    if (last != NULL)
+        g_snprintf(complete, sizeof complete, "%s of time %.9g", last, time);
     (void)mpm_error_set(error, status,
                         "%s; the run stopped at step %" PRIu64
                         ", time %.9g; last complete snapshot: %s",
-                        message, mpm_simulation_step(run->simulation),
-                        mpm_simulation_time(run->simulation), complete != NULL ? complete : "none");
-    g_free(complete);
-    g_free(message);
+                        why.message, mpm_simulation_step(run->simulation),
+                        mpm_simulation_time(run->simulation), complete);
     return status;
 }
 
@@ -160,16 +154,14 @@ static enum mpm_status write_due_results(struct run *run, struct mpm_error *erro
 static enum mpm_status keep_last_good_state(struct run *run, enum mpm_status failed,
                                             struct mpm_error *error)
 {
-    const enum mpm_cause cause = error->cause;
+    const struct mpm_error first = *error;
     struct mpm_error second = {.status = MPM_OK};
     const enum mpm_status status = write_results(run, true, true, &second);
     if (status == MPM_OK || status == MPM_RUN_FAILED)
         return failed;
-    char *message = g_strdup(error->message);
-    (void)mpm_error_set(error, failed, "%s; and the last good state cannot be written: %s", message,
-                        second.message);
-    error->cause = cause;
-    g_free(message);
+    (void)mpm_error_set(error, failed, "%s; and the last good state cannot be written: %s",
+                        first.message, second.message);
+    error->cause = first.cause;
     return failed;
 }
 
@@ -280,21 +272,13 @@ static enum mpm_status write_record(struct run *run, enum mpm_status status,
     if (run->series == NULL)
         return status;
     struct mpm_run_record *record = &run->record;
+    record->simulation = run->simulation;
     record->status = status;
-    const char *const advice = mpm_simulation_advice(run->simulation);
     record->cause = status == MPM_OK ? MPM_CAUSE_NONE : error->cause;
-    record->warnings[0] = advice[0] != '\0' ? advice : NULL;
-    record->warnings[1] = run->growth_warning;
-    (void)mpm_simulation_energy_growth(run->simulation, &record->growth);
     record->reason = status != MPM_OK ? error->message : end_reason(run);
+    record->growth_warning = run->growth_warning;
     record->scene_path = run->options->scene_path;
-    record->kernels = mpm_simulation_kernels(run->simulation);
-    record->simd = mpm_simulation_simd(run->simulation);
-    record->threads = mpm_simulation_threads(run->simulation);
-    record->steps = mpm_simulation_step(run->simulation);
-    record->particles = mpm_simulation_particle_count(run->simulation);
-    record->bytes = mpm_simulation_bytes(run->simulation) + mpm_series_bytes(run->series);
-    mpm_simulation_phases(run->simulation, &record->phases);
+    record->output_bytes = mpm_series_bytes(run->series);
     struct mpm_error second = {.status = MPM_OK};
     if (mpm_run_record_write(run->options->output, run->scene, record, &second) == MPM_OK ||
         status != MPM_OK)
@@ -303,22 +287,14 @@ static enum mpm_status write_record(struct run *run, enum mpm_status status,
     return add_state(run, second.status, error);
 }
 
-static enum mpm_status check_options(const struct mpm_run_options *options, struct mpm_error *error)
-{
-    if (options->simulation.threads < 1)
-        return mpm_error_set(error, MPM_BAD_INPUT, "threads: %d; at least 1 is needed",
-                             options->simulation.threads);
-    return options->output != NULL
-               ? mpm_results_folder_check(options->output, options->overwrite, error)
-               : MPM_OK;
-}
-
 enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_run_options *options,
                               struct mpm_error *error)
 {
     struct mpm_error failure = {.status = MPM_OK};
     struct run run = {.scene = scene, .options = options};
-    enum mpm_status status = check_options(options, &failure);
+    enum mpm_status status = MPM_OK;
+    if (options->output != NULL)
+        status = mpm_results_folder_check(options->output, options->overwrite, &failure);
     if (status == MPM_OK)
         status = set_up(&run, &failure);
     if (status == MPM_OK)

@@ -1,6 +1,4 @@
-/* Names of units, made of the scene's own units.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/units.h"
 
 #include <glib.h>

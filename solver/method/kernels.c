@@ -4,15 +4,12 @@
 #include "method/fast/fast.h"
 #include "method/fields/split.h"
 #include "method/grid/grid_update.h"
-#include "method/transfer/smoothing.h"
 #include "method/transfer/transfer.h"
 #include "method/transfer/transfers.h"
 
 static const struct mpm_passes *reference_passes(const struct mpm_scene *scene)
 {
-    const struct mpm_transfer *const transfer = mpm_transfer_of(scene->transfer);
-    return &(scene->form == MPM_FORM_MOMENTUM ? transfer->by_momentum
-                                              : transfer->passes)[scene->stress_update];
+    return &mpm_transfer_of(scene->transfer)->passes[scene->stress_update];
 }
 
 /* What transfers do besides the passes. The reference kernels have a pass for a fraction; the fast
@@ -20,18 +17,16 @@ static const struct mpm_passes *reference_passes(const struct mpm_scene *scene)
 static void choose_transfer(const struct mpm_scene *scene, bool fast,
                             struct mpm_kernel_choice *choice)
 {
-    mpm_pass *const smoothed_rows = mpm_transfer_of(scene->transfer)->smoothed_rows;
-    if (smoothed_rows != NULL && scene->transfer_order > 1) { /* order 1 is PIC */
-        choice->smooth = mpm_smoothing_run;
-        choice->flip_rows = smoothed_rows;
+    const struct mpm_transfer *const transfer = mpm_transfer_of(scene->transfer);
+    if (transfer->smooth != NULL && scene->transfer_order > 1) { /* order 1 is PIC */
+        choice->smooth = transfer->smooth;
+        choice->flip_rows = transfer->smoothed_rows;
         choice->flip_particles = mpm_pass_keep_fraction;
     } else if (scene->flip_fraction < 1.0 && fast) {
         choice->flip_rows = mpm_row_flip_fraction;
         choice->flip_particles = mpm_pass_keep_fraction;
     } else if (scene->flip_fraction < 1.0) {
-        choice->flip_particles = scene->form == MPM_FORM_MOMENTUM
-                                     ? mpm_pass_flip_fraction_by_momentum
-                                     : mpm_pass_flip_fraction;
+        choice->flip_particles = mpm_pass_flip_fraction;
     }
 }
 
@@ -59,17 +54,18 @@ static void choose_reference(const struct mpm_scene *scene, const char *reason,
     choose_transfer(scene, false, choice);
 }
 
-/* Cracks and planes of symmetry need masses of nodes before velocities are made of them. */
+/* Planes of symmetry need masses of nodes before velocities are made of them. */
 static bool reads_masses(const struct mpm_scene *scene)
 {
-    bool any = scene->crack_count > 0;
+    bool any = false;
     for (size_t k = 0; k < scene->boundary_count; k++)
         any = any || scene->boundaries[k].symmetry;
     return any;
 }
 
-static enum mpm_status choose_fast(const struct mpm_scene *scene, enum mpm_simd simd,
-                                   struct mpm_kernel_choice *choice, struct mpm_error *error)
+static enum mpm_status choose_fast(const struct mpm_scene *scene, bool packed_fields,
+                                   enum mpm_simd simd, struct mpm_kernel_choice *choice,
+                                   struct mpm_error *error)
 {
     const bool without_forces = mpm_stress_order(scene->stress_update)->before > 0.0;
     *choice = (struct mpm_kernel_choice){
@@ -84,13 +80,13 @@ static enum mpm_status choose_fast(const struct mpm_scene *scene, enum mpm_simd 
                              "simd: %s is not what this build and this machine have; allowed: "
                              "auto, baseline",
                              simd_names[simd]);
-    if (scene->crack_count > 0) {
+    if (packed_fields) {
         choice->plain = choice->passes;
         choice->general = reference_passes(scene);
         choice->passes = &mpm_split_passes;
         choice->reason = "all features of the scene have them; reference kernels near cracks";
     }
-    if (without_forces && reads_masses(scene)) {
+    if (without_forces && (packed_fields || reads_masses(scene))) {
         choice->gather_rows = mpm_row_gather_mass;
         choice->start_rows = mpm_row_start_velocity;
     }
@@ -98,7 +94,7 @@ static enum mpm_status choose_fast(const struct mpm_scene *scene, enum mpm_simd 
     return MPM_OK;
 }
 
-enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
+enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene, bool packed_fields,
                                    const struct mpm_simulation_options *options,
                                    struct mpm_kernel_choice *choice, struct mpm_error *error)
 {
@@ -115,6 +111,6 @@ enum mpm_status mpm_kernels_choose(const struct mpm_scene *scene,
     else if (lacking != NULL)
         choose_reference(scene, lacking, choice);
     else
-        return choose_fast(scene, simd, choice, error);
+        return choose_fast(scene, packed_fields, simd, choice, error);
     return MPM_OK;
 }

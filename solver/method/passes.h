@@ -9,6 +9,14 @@
 /* One pass over the particles of a strip; see mpm_strips_run. */
 typedef void mpm_pass(void *state, int64_t strip, int worker);
 
+/* Defines a pass that is `body(state, strip, ...)`, one of several with other constants. */
+#define MPM_PASS(name, body, ...)                                                                  \
+    void name(void *state, int64_t strip, int worker)                                              \
+    {                                                                                              \
+        (void)worker;                                                                              \
+        (body)(state, strip, __VA_ARGS__);                                                         \
+    }
+
 /* The passes of one step, in their order; NULL: nothing to do there. */
 struct mpm_passes {
     mpm_pass *to_grid;       /* Task 1; with the stress at hand also Task 3 */

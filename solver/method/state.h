@@ -59,11 +59,16 @@ struct mpm_failure {
     size_t load; /* index in the scene's edge_loads */
 };
 
+/* A box of nodes: columns and rows, ghosts not counted; empty if low > high. */
+struct mpm_node_box {
+    int64_t low[2], high[2];
+};
+#define MPM_NO_BOX ((struct mpm_node_box){{0, 0}, {-1, -1}})
+
 struct mpm_strip {
-    size_t begin, end;               /* its particles */
-    size_t span_count;               /* of those with additional velocity fields */
-    int64_t column_low, column_high; /* box of the nodes that they reach; empty if low > high */
-    int64_t row_low, row_high;
+    size_t begin, end;       /* its particles */
+    size_t span_count;       /* of those with additional velocity fields */
+    struct mpm_node_box box; /* of the nodes that they reach */
     double kinetic_energy;
     double strain_energy;      /* when it was last computed */
     double wave_speed_squared; /* largest */
@@ -95,7 +100,7 @@ struct mpm_state {
     struct mpm_grid grid;
     int64_t node_zero; /* index of node (0, 0): stencil offsets count from it */
     struct mpm_particles particles;
-    struct mpm_particles rigid;
+    struct mpm_rigid_particles rigid;
     struct mpm_body *bodies;
 
     struct mpm_strip *strips;

@@ -55,9 +55,9 @@ static bool strips_touch(const struct mpm_state *state)
         const struct mpm_strip *const strip = &state->strips[s];
         if (strip->begin == strip->end)
             continue;
-        if (strip->row_low <= reached[s % 2])
+        if (strip->box.low[1] <= reached[s % 2])
             return true;
-        reached[s % 2] = strip->row_high;
+        reached[s % 2] = strip->box.high[1];
     }
     return false;
 }

@@ -256,7 +256,7 @@ enum mpm_status mpm_bodies_count(const struct mpm_scene *scene, const struct mpm
 struct filler {
     const struct mpm_scene *scene;
     struct mpm_particles *particles;
-    struct mpm_particles *rigid;
+    struct mpm_rigid_particles *rigid;
     double half_size[2];
     size_t deformable_count, rigid_count;
     uint32_t id;
@@ -264,7 +264,7 @@ struct filler {
 
 static enum mpm_status fill_rigid(struct filler *filler, size_t body, const double site[2])
 {
-    struct mpm_particles *const rigid = filler->rigid;
+    struct mpm_rigid_particles *const rigid = filler->rigid;
     const size_t p = filler->rigid_count++;
     rigid->position[0][p] = site[0];
     rigid->position[1][p] = site[1];
@@ -298,7 +298,7 @@ static enum mpm_status fill_site(void *context, size_t body, const double site[2
 }
 
 enum mpm_status mpm_bodies_fill(const struct mpm_scene *scene, const struct mpm_grid *grid,
-                                struct mpm_particles *particles, struct mpm_particles *rigid,
+                                struct mpm_particles *particles, struct mpm_rigid_particles *rigid,
                                 struct mpm_error *error)
 {
     struct filler filler = {.scene = scene, .particles = particles, .rigid = rigid};

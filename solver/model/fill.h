@@ -32,7 +32,7 @@ enum mpm_status mpm_bodies_count(const struct mpm_scene *scene, const struct mpm
 /* Fills positions, mass, id, body; F = I; everything else stays 0. The arrays must
  * have the sizes that mpm_bodies_count gave. MPM_ENVIRONMENT_FAILED: as above. */
 enum mpm_status mpm_bodies_fill(const struct mpm_scene *scene, const struct mpm_grid *grid,
-                                struct mpm_particles *particles, struct mpm_particles *rigid,
+                                struct mpm_particles *particles, struct mpm_rigid_particles *rigid,
                                 struct mpm_error *error);
 
 /* Half edges of a body's undeformed particle domain, l_p cell / 2. */

@@ -10,9 +10,16 @@
 
 enum { MPM_GHOST_ROWS = 2, MPM_ROW_PADDING = 4 };
 
-/* What particles spread along one axis: sum of m_p v_p S_ip, and internal and body forces. */
+/* What particles spread along one axis: sum of m_p v_p S_ip, and internal and body forces. While
+ * there are no forces yet (USF, USAVG), fast kernels spread masses with the momenta, beside that
+ * along the first axis; from the velocities at the start on, mpm_grid.mass has them, and the place
+ * is that of the force, zero. */
 struct mpm_node_sum {
-    double momentum, force;
+    double momentum;
+    union {
+        double force;
+        double mass;
+    };
 };
 
 /* What they read back: along both axes. */
@@ -51,6 +58,12 @@ void mpm_grid_layout(struct mpm_grid *grid, bool smooths, struct mpm_arena *aren
 static inline int64_t mpm_grid_nodes(const struct mpm_grid *grid)
 {
     return grid->columns * (grid->rows + grid->field_rows);
+}
+
+/* The coordinate at which the cells end along an axis. */
+static inline double mpm_grid_end(const struct mpm_grid *grid, int axis)
+{
+    return grid->origin[axis] + (double)grid->cells[axis] * grid->cell[axis];
 }
 
 /* Index of node (column, row), counted from the first cell's corner; ghosts are

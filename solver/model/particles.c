@@ -35,12 +35,13 @@ void mpm_particles_layout_field(struct mpm_particles *particles, size_t field, s
                                 struct mpm_arena *arena)
 {
     const struct mpm_particle_row *const row = &mpm_particle_rows[field];
-    assert(components <= row->info.components);
+    const size_t pointers = row->info.components;
+    const size_t length = pointers == 1 ? components * particles->count : particles->count;
+    assert(pointers == 1 || components <= pointers);
     particles->components[field] = (uint8_t)components;
-    for (size_t k = 0; k < row->info.components; k++)
+    for (size_t k = 0; k < pointers; k++)
         mpm_particle_set_array(particles, field, k,
-                               k < components ? mpm_arena_take(arena, particles->count, row->size)
-                                              : NULL);
+                               k < components ? mpm_arena_take(arena, length, row->size) : NULL);
 }
 
 void mpm_particles_layout(struct mpm_particles *particles, size_t count,
@@ -54,6 +55,29 @@ void mpm_particles_layout(struct mpm_particles *particles, size_t count,
                 particles, field,
                 row->present == MPM_USE_LAW_STATE ? needs.law_states : row->info.components, arena);
     }
+}
+
+void mpm_rigid_particles_layout(struct mpm_rigid_particles *rigid, size_t count,
+                                struct mpm_arena *arena)
+{
+    struct mpm_particles set;
+    mpm_particles_layout(&set, count, (struct mpm_particle_needs){.uses = MPM_USE_RIGID}, arena);
+    rigid->count = count;
+#define ROW(name, type, member, ...) memcpy(&rigid->member, &set.member, sizeof rigid->member);
+    MPM_RIGID_PARTICLE_FIELDS(ROW)
+#undef ROW
+}
+
+struct mpm_particles mpm_rigid_particles_set(const struct mpm_rigid_particles *rigid)
+{
+    struct mpm_particles set = {.count = rigid->count, .needs = {.uses = MPM_USE_RIGID}};
+#define ROW(name, type, member, ...)                                                               \
+    memcpy(&set.member, &rigid->member, sizeof set.member);                                        \
+    set.components[MPM_PARTICLE_##name] =                                                          \
+        (uint8_t)mpm_particle_rows[MPM_PARTICLE_##name].info.components;
+    MPM_RIGID_PARTICLE_FIELDS(ROW)
+#undef ROW
+    return set;
 }
 
 /* ---------------------------------------------------------- the last good state */

@@ -28,17 +28,19 @@ enum mpm_particle_use {
     MPM_USE_KEPT_STRESS = 32, /* stress is not a function of F to the last bit */
     MPM_USE_LAW_STATE = 64,   /* laws with state variables */
     MPM_USE_USER_FORCE = 128,
+    MPM_USE_DRAG = 256, /* damping at the particles */
 };
 
 /* State variables of a law, at most: two tensors of four components and two scalars. */
 enum { MPM_LAW_STATES = 10 };
 
-/* The table. Columns: name of the row; type, member, and [components] where there are several;
- * its dimension, MPM_DIMENSION_... without the prefix; uses that need the field; uses that need a
- * copy in the last good state, since the field changes and cannot be computed from others; bits of
- * the components that are 1 for a rigid particle, which does not carry the field, the others being
- * 0; name and description for users. */
-#define MPM_WRITTEN_PARTICLE_FIELDS(ROW) /* snapshots have these: MPM_FIELD_<name> */              \
+/* The table. Columns: name of the row; type, member, and [components] where there are several,
+ * a pointer each (as many as law_state has depends on the scene, and one follows the other behind
+ * one pointer); its dimension, MPM_DIMENSION_... without the prefix; uses that need the field; uses
+ * that need a copy in the last good state, since the field changes and cannot be computed from
+ * others; bits of the components that are 1 for a rigid particle, which does not carry the field,
+ * the others being 0; name and description for users. */
+#define MPM_RIGID_PARTICLE_FIELDS(ROW) /* rigid particles have these, and no others */             \
     ROW(ID, uint32_t, id, , NONE, MPM_USE_ALL, 0, 0, "id",                                         \
         "number of the particle in creation order")                                                \
     ROW(BODY, uint32_t, body, , NONE, MPM_USE_ALL, 0, 0, "body",                                   \
@@ -46,7 +48,9 @@ enum { MPM_LAW_STATES = 10 };
     ROW(POSITION, double, position, [2], LENGTH, MPM_USE_ALL, MPM_USE_ALL, 0, "position",          \
         "centre of the particle: x y, or r z")                                                     \
     ROW(VELOCITY, double, velocity, [2], VELOCITY, MPM_USE_ALL, MPM_USE_ALL, 0, "velocity",        \
-        "velocity of the particle")                                                                \
+        "velocity of the particle")
+#define MPM_WRITTEN_PARTICLE_FIELDS(ROW) /* snapshots have these: MPM_FIELD_<name> */              \
+    MPM_RIGID_PARTICLE_FIELDS(ROW)                                                                 \
     ROW(DEFORMATION_GRADIENT, double, deformation, [MPM_GRADIENT_SIZE], NONE, MPM_USE_DEFORMABLE,  \
         MPM_USE_DEFORMABLE, 1 << MPM_XX | 1 << MPM_YY | 1 << MPM_ZZ, "deformation_gradient",       \
         "xx xy yx yy zz; in axisymmetry rr rz zr zz tt")                                           \
@@ -62,13 +66,15 @@ enum { MPM_LAW_STATES = 10 };
         "half edges d1x d1y d2x d2y of the domain")                                                \
     ROW(ORIGIN, double, origin, [2], LENGTH, MPM_USE_ORIGINS, 0, 0, "origin",                      \
         "centre of the particle at t = 0")                                                         \
-    ROW(LAW_STATE, double, law_state, [MPM_LAW_STATES], NONE, MPM_USE_LAW_STATE,                   \
-        MPM_USE_LAW_STATE, 0, "law_state", "state variables of the particle's law")
+    ROW(LAW_STATE, double, law_state, , NONE, MPM_USE_LAW_STATE, MPM_USE_LAW_STATE, 0,             \
+        "law_state", "state variables of the particle's law")
 #define MPM_STEP_PARTICLE_FIELDS(ROW) /* of a step, not sorted: the sort works in their memory */  \
     ROW(CARRIED, double, carried, [2], LENGTH, MPM_USE_DEFORMABLE, 0, 0, "carried",                \
         "position at the end of the step, known before its last task")                             \
     ROW(USER_FORCE, double, user_force, [2], ACCELERATION, MPM_USE_USER_FORCE, 0, 0, "user_force", \
-        "user force of the step, per mass; see user_force.h")
+        "user force of the step, per mass; see user_force.h")                                      \
+    ROW(DRAG, double, drag, [2], ACCELERATION, MPM_USE_DRAG, 0, 0, "drag",                         \
+        "deceleration of the step by damping; see damping.h")
 #define MPM_PARTICLE_FIELDS(ROW)                                                                   \
     MPM_WRITTEN_PARTICLE_FIELDS(ROW)                                                               \
     MPM_INNER_PARTICLE_FIELDS(ROW)                                                                 \
@@ -104,14 +110,23 @@ struct mpm_particles {
 #undef MPM_ROW
 };
 
-/* Arrays that all fields have together, at most. */
+/* Particles of rigid bodies. */
+struct mpm_rigid_particles {
+    size_t count;
+#define MPM_ROW(name, type, member, several, ...) type *member several;
+    MPM_RIGID_PARTICLE_FIELDS(MPM_ROW)
+#undef MPM_ROW
+};
+
+/* Components that all fields have together, at most. */
 enum {
     MPM_PARTICLE_ARRAYS =
-        (sizeof(struct mpm_particles) - offsetof(struct mpm_particles, id)) / sizeof(void *)
+        (sizeof(struct mpm_particles) - offsetof(struct mpm_particles, id)) / sizeof(void *) - 1 +
+        MPM_LAW_STATES
 };
 
 struct mpm_particle_row {
-    struct mpm_field_info info; /* components: those that there is room for */
+    struct mpm_field_info info; /* components: those that have a pointer */
     size_t place;               /* of the member in struct mpm_particles */
     size_t size;                /* of one value */
     unsigned present, kept;     /* bits of enum mpm_particle_use */
@@ -124,12 +139,14 @@ extern const struct mpm_particle_row mpm_particle_rows[MPM_PARTICLE_FIELD_COUNT]
 static inline void *mpm_particle_array(const struct mpm_particles *particles, size_t field,
                                        size_t component)
 {
-    void *array;
+    const struct mpm_particle_row *const row = &mpm_particle_rows[field];
+    const bool has_pointer = component < row->info.components;
+    unsigned char *array;
     memcpy(&array,
-           (const unsigned char *)particles + mpm_particle_rows[field].place +
-               component * sizeof array,
+           (const unsigned char *)particles + row->place +
+               (has_pointer ? component * sizeof array : 0),
            sizeof array);
-    return array;
+    return has_pointer ? array : array + component * particles->count * row->size;
 }
 
 static inline void mpm_particle_set_array(struct mpm_particles *particles, size_t field,
@@ -143,9 +160,28 @@ static inline void mpm_particle_set_array(struct mpm_particles *particles, size_
 void mpm_particles_layout_field(struct mpm_particles *particles, size_t field, size_t components,
                                 struct mpm_arena *arena);
 
+static inline void mpm_particle_deformation(const struct mpm_particles *particles, size_t p,
+                                            double f[MPM_GRADIENT_SIZE])
+{
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        f[k] = particles->deformation[k][p];
+}
+
+/* State variable k of a particle. */
+static inline double *mpm_particle_law_state(const struct mpm_particles *particles, size_t p,
+                                             size_t k)
+{
+    return &particles->law_state[k * particles->count + p];
+}
+
 /* Takes all arrays of the fields that are needed. */
 void mpm_particles_layout(struct mpm_particles *particles, size_t count,
                           struct mpm_particle_needs needs, struct mpm_arena *arena);
+void mpm_rigid_particles_layout(struct mpm_rigid_particles *rigid, size_t count,
+                                struct mpm_arena *arena);
+
+/* The arrays of rigid particles, for what works on any set. */
+struct mpm_particles mpm_rigid_particles_set(const struct mpm_rigid_particles *rigid);
 
 /* The last good state of particles: bytes that their copies take, in one block; copies them there,
  * and back. */

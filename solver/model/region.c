@@ -48,26 +48,25 @@ bool mpm_region_contains(const struct mpm_region *region, const double point[2],
     return false;
 }
 
-bool mpm_region_touches(const struct mpm_region *region, const double point[2],
-                        const double slack[2])
-{
-    if (region->kind == MPM_REGION_ALL)
-        return true;
-    for (int axis = 0; axis < 2; axis++) {
-        const double low = fmin(region->a[axis], region->b[axis]);
-        const double high = fmax(region->a[axis], region->b[axis]);
-        if (point[axis] < low - slack[axis] || point[axis] > high + slack[axis])
-            return false;
-    }
-    return true;
-}
-
 static void box(const double a[2], const double b[2], double low[2], double high[2])
 {
     for (int axis = 0; axis < 2; axis++) {
         low[axis] = fmin(a[axis], b[axis]);
         high[axis] = fmax(a[axis], b[axis]);
     }
+}
+
+bool mpm_region_touches(const struct mpm_region *region, const double point[2],
+                        const double slack[2])
+{
+    double low[2], high[2];
+    if (region->kind == MPM_REGION_ALL)
+        return true;
+    box(region->a, region->b, low, high);
+    for (int axis = 0; axis < 2; axis++)
+        if (point[axis] < low[axis] - slack[axis] || point[axis] > high[axis] + slack[axis])
+            return false;
+    return true;
 }
 
 void mpm_region_bounds(const struct mpm_region *region, double low[2], double high[2])

@@ -36,19 +36,14 @@ static int64_t find_break(const struct row_end *end, const struct mpm_site_row *
     int64_t low = row->first, high = row->end; /* the answer is in low..high */
     const double guess = floor((end->guess - row->origin) / row->step);
     const double near = fmin(fmax(guess, (double)row->first), (double)row->end);
-    const int64_t from = (int64_t)near - 1, to = (int64_t)near + 2;
-    if (from > low) {
-        if (is_before(end, row, from))
-            low = from + 1;
-        else
-            high = from;
-    }
-    if (to > low && to < high) {
-        if (is_before(end, row, to))
-            low = to + 1;
-        else
-            high = to;
-    }
+    const int64_t probes[2] = {(int64_t)near - 1, (int64_t)near + 2};
+    for (int k = 0; k < 2; k++)
+        if (probes[k] > low && probes[k] < high) {
+            if (is_before(end, row, probes[k]))
+                low = probes[k] + 1;
+            else
+                high = probes[k];
+        }
     while (low < high) {
         const int64_t column = low + (high - low) / 2;
         if (is_before(end, row, column))

@@ -264,6 +264,9 @@ struct mpm_scene {
     size_t setting_count;
 };
 
+/* The names of the coordinates: x and y, or r and z. */
+const char *const *mpm_scene_coordinates(const struct mpm_scene *scene);
+
 /* MPM_BAD_INPUT "path:line: key: message". line 0 leaves the line out. */
 enum mpm_status mpm_scene_error(struct mpm_error *error, const struct mpm_scene *scene, int line,
                                 const char *key, const char *format, ...)

@@ -38,28 +38,17 @@ static enum mpm_status fail(struct mpm_simulation *simulation, uint64_t step,
     return MPM_RUN_FAILED;
 }
 
-/* Puts the cause in words, step and time in front of a failure's reason. */
-static enum mpm_status tell_when(const struct mpm_simulation *simulation, enum mpm_status status,
-                                 struct mpm_error *error)
-{
-    const struct mpm_state *const state = &simulation->state;
-    const struct mpm_error why = *error;
-    (void)mpm_error_set(
-        error, status, "%s at step %llu, time %g: %s", mpm_cause_describe(why.cause)->words,
-        (unsigned long long)simulation->step + 1, state->time + state->time_step, why.message);
-    error->cause = why.cause;
-    return status;
-}
-
 static enum mpm_status take_step(struct mpm_simulation *simulation, struct mpm_error *error)
 {
     struct mpm_state *const state = &simulation->state;
     enum mpm_status status = mpm_step_advance(state, simulation->seconds, error);
-    if (status != MPM_OK && state->failure.kind == MPM_NO_FAILURE)
-        return tell_when(simulation, status, error);
-    MPM_TRY(mpm_health_check(simulation, error));
-    status = mpm_cracks_grow(simulation, error);
-    return status == MPM_OK ? MPM_OK : tell_when(simulation, status, error);
+    if (status == MPM_OK || state->failure.kind != MPM_NO_FAILURE)
+        status = mpm_health_check(simulation, error);
+    if (status == MPM_OK)
+        status = mpm_cracks_grow(simulation, error);
+    if (status != MPM_OK)
+        mpm_error_locate(error, simulation->step + 1, state->time + state->time_step);
+    return status;
 }
 
 enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double time_limit,

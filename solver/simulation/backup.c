@@ -4,26 +4,15 @@
 #include <assert.h>
 #include <string.h>
 
-/* What steps change of the surfaces of cracks, array by array. */
-enum { OPENING_ARRAYS = 3 };
-static void opening_arrays(const struct mpm_crack_openings *openings,
-                           const struct mpm_backup *backup, double *now[OPENING_ARRAYS],
-                           double *saved[OPENING_ARRAYS])
-{
-    for (int axis = 0; axis < 2; axis++) {
-        now[axis] = openings->vector[axis];
-        saved[axis] = backup->crack_opening[axis];
-    }
-    now[2] = openings->largest;
-    saved[2] = backup->largest_opening;
-}
-
-static void copy_openings(struct mpm_simulation *simulation, bool back)
+/* What steps change of the points of cracks; NULL where a scene has none of it. */
+static void copy_points(struct mpm_simulation *simulation, bool back)
 {
     const struct mpm_cracks *const cracks = &simulation->state.cracks;
-    double *now[OPENING_ARRAYS], *saved[OPENING_ARRAYS];
-    opening_arrays(&cracks->openings, &simulation->backup, now, saved);
-    for (int k = 0; k < OPENING_ARRAYS; k++)
+    double *const now[MPM_CRACK_ARRAYS] = {cracks->position[0], cracks->position[1],
+                                           cracks->openings.vector[0], cracks->openings.vector[1],
+                                           cracks->openings.largest};
+    double *const *const saved = simulation->backup.crack_points;
+    for (int k = 0; k < MPM_CRACK_ARRAYS; k++)
         if (now[k] != NULL)
             memcpy(back ? now[k] : saved[k], back ? saved[k] : now[k],
                    cracks->point_count * sizeof(double));
@@ -32,30 +21,26 @@ static void copy_openings(struct mpm_simulation *simulation, bool back)
 void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena)
 {
     struct mpm_backup *const backup = &simulation->backup;
+    const struct mpm_particles rigid = mpm_rigid_particles_set(&simulation->state.rigid);
     backup->particles =
         MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&simulation->state.particles));
-    backup->rigid =
-        MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&simulation->state.rigid));
-    for (int axis = 0; axis < 2; axis++)
-        backup->crack_position[axis] =
-            MPM_TAKE(arena, double, simulation->state.cracks.point_count);
+    backup->rigid = MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&rigid));
     mpm_growth_layout(simulation, arena);
+    const size_t all = simulation->state.cracks.point_count;
     const size_t followed = mpm_openings_points(&simulation->state);
-    for (int axis = 0; axis < 2; axis++)
-        backup->crack_opening[axis] = MPM_TAKE(arena, double, followed);
-    backup->largest_opening =
-        MPM_TAKE(arena, double, mpm_scene_is_cohesive(simulation->scene) ? followed : 0);
+    const size_t cohesive = mpm_scene_is_cohesive(simulation->scene) ? followed : 0;
+    const size_t counts[MPM_CRACK_ARRAYS] = {all, all, followed, followed, cohesive};
+    for (int k = 0; k < MPM_CRACK_ARRAYS; k++)
+        backup->crack_points[k] = MPM_TAKE(arena, double, counts[k]);
 }
 
 void mpm_backup_save(struct mpm_simulation *simulation)
 {
     const struct mpm_state *const state = &simulation->state;
     struct mpm_backup *const backup = &simulation->backup;
-    mpm_particles_keep(&state->rigid, backup->rigid);
-    for (int axis = 0; axis < 2 && state->cracks.point_count > 0; axis++)
-        memcpy(backup->crack_position[axis], state->cracks.position[axis],
-               state->cracks.point_count * sizeof(double));
-    copy_openings(simulation, false);
+    const struct mpm_particles rigid = mpm_rigid_particles_set(&state->rigid);
+    mpm_particles_keep(&rigid, backup->rigid);
+    copy_points(simulation, false);
     mpm_growth_save(simulation);
     backup->time = state->time;
     backup->external_work = state->external_work;
@@ -71,12 +56,10 @@ static void copy_back(struct mpm_simulation *simulation)
 {
     struct mpm_state *const state = &simulation->state;
     const struct mpm_backup *const backup = &simulation->backup;
+    const struct mpm_particles rigid = mpm_rigid_particles_set(&state->rigid);
     mpm_particles_put_back(&state->particles, backup->particles);
-    mpm_particles_put_back(&state->rigid, backup->rigid);
-    for (int axis = 0; axis < 2 && state->cracks.point_count > 0; axis++)
-        memcpy(state->cracks.position[axis], backup->crack_position[axis],
-               state->cracks.point_count * sizeof(double));
-    copy_openings(simulation, true);
+    mpm_particles_put_back(&rigid, backup->rigid);
+    copy_points(simulation, true);
     mpm_growth_restore(simulation);
     state->time = backup->time;
     state->external_work = backup->external_work;

@@ -13,7 +13,6 @@
 #include "simulation/simulation.h"
 
 #include <math.h>
-#include <string.h>
 
 static double increment_of(const struct mpm_scene *scene, const struct mpm_growth_spec *growth)
 {

@@ -187,21 +187,16 @@ static struct walk walk_chain(const struct mpm_scene *scene, const struct mpm_cr
     return walk;
 }
 
-size_t mpm_crack_points_count(const struct mpm_scene *scene, const struct mpm_crack_spec *spec)
+size_t mpm_crack_points_place(const struct mpm_scene *scene, const struct mpm_crack_spec *spec,
+                              double *x, double *y)
 {
-    return walk_chain(scene, spec, NULL, NULL).count;
-}
-
-void mpm_crack_points_place(const struct mpm_scene *scene, const struct mpm_crack_spec *spec,
-                            double *x, double *y)
-{
-    (void)walk_chain(scene, spec, x, y);
+    return walk_chain(scene, spec, x, y).count;
 }
 
 void mpm_crack_points_mouths(const struct mpm_scene *scene, const struct mpm_crack_spec *spec,
-                             size_t mouths[2])
+                             size_t first, size_t mouths[2])
 {
     const struct walk walk = walk_chain(scene, spec, NULL, NULL);
     for (int end = 0; end < 2; end++)
-        mouths[end] = walk.at[end];
+        mouths[end] = walk.at[end] == SIZE_MAX ? SIZE_MAX : first + walk.at[end];
 }

@@ -14,16 +14,14 @@
 
 #include "model/scene.h"
 
-size_t mpm_crack_points_count(const struct mpm_scene *scene, const struct mpm_crack_spec *spec);
+/* How many there are; their coordinates, unless x is NULL. */
+size_t mpm_crack_points_place(const struct mpm_scene *scene, const struct mpm_crack_spec *spec,
+                              double *x, double *y);
 
-/* So many coordinates. */
-void mpm_crack_points_place(const struct mpm_scene *scene, const struct mpm_crack_spec *spec,
-                            double *x, double *y);
-
-/* The mouths' points, from the first of the chain on, seen from its first point and from its last;
- * SIZE_MAX: none. */
+/* The mouths' points, where that of the chain's first point is `first`, seen from its first point
+ * and from its last; SIZE_MAX: none. */
 void mpm_crack_points_mouths(const struct mpm_scene *scene, const struct mpm_crack_spec *spec,
-                             size_t mouths[2]);
+                             size_t first, size_t mouths[2]);
 
 /* Is one of the places around it in a deformable body? Edges count, whichever side they are on. */
 bool mpm_crack_point_is_in_a_body(const struct mpm_scene *scene, const double place[2]);

@@ -51,36 +51,28 @@ static struct mpm_crack_gap gap_at_end(const struct mpm_simulation *simulation, 
     return mpm_crack_gap_at(state, &piece, first, end == 0 ? 0 : piece.count - 1);
 }
 
-static double opening_first(const struct mpm_simulation *simulation, size_t crack)
+static double opening_at(const struct mpm_simulation *simulation, size_t crack, int end)
 {
-    return gap_at_end(simulation, crack, 0).opening;
+    return gap_at_end(simulation, crack, end).opening;
 }
 
-static double sliding_first(const struct mpm_simulation *simulation, size_t crack)
+static double sliding_at(const struct mpm_simulation *simulation, size_t crack, int end)
 {
-    return gap_at_end(simulation, crack, 0).sliding;
+    return gap_at_end(simulation, crack, end).sliding;
 }
 
-static double opening_last(const struct mpm_simulation *simulation, size_t crack)
+static double opening_largest(const struct mpm_simulation *simulation, size_t crack, int end)
 {
-    return gap_at_end(simulation, crack, 1).opening;
-}
-
-static double sliding_last(const struct mpm_simulation *simulation, size_t crack)
-{
-    return gap_at_end(simulation, crack, 1).sliding;
-}
-
-static double opening_largest(const struct mpm_simulation *simulation, size_t crack)
-{
+    (void)end;
     double largest = -HUGE_VAL;
     for (size_t k = 0; k <= last_of(simulation, crack); k++)
         largest = fmax(largest, gap_at(simulation, crack, k).opening);
     return largest;
 }
 
-static double sliding_largest(const struct mpm_simulation *simulation, size_t crack)
+static double sliding_largest(const struct mpm_simulation *simulation, size_t crack, int end)
 {
+    (void)end;
     double largest = 0.0;
     for (size_t k = 0; k <= last_of(simulation, crack); k++) {
         const double sliding = gap_at(simulation, crack, k).sliding;
@@ -97,14 +89,14 @@ static bool is_cohesive(const struct mpm_scene *scene, size_t crack)
 }
 
 /* Over the area. */
-static double opening_mean(const struct mpm_simulation *simulation, size_t crack)
+static double opening_mean(const struct mpm_simulation *simulation, size_t crack, int end)
 {
+    (void)end;
     const struct mpm_state *const state = &simulation->state;
     const size_t first = mpm_crack_first_point(state, crack);
     double sum = 0.0, area = 0.0;
     for (size_t k = 0; k <= last_of(simulation, crack); k++) {
-        sum += state->cracks.openings.area[first + k] *
-               mpm_crack_gap_at(state, &state->cracks.chains[crack], first, k).opening;
+        sum += state->cracks.openings.area[first + k] * gap_at(simulation, crack, k).opening;
         area += state->cracks.openings.area[first + k];
     }
     return area > 0.0 ? sum / area : 0.0;
@@ -112,8 +104,9 @@ static double opening_mean(const struct mpm_simulation *simulation, size_t crack
 
 /* ------------------------------------------------------------------ contact */
 
-static double nodes_without_contact(const struct mpm_simulation *simulation, size_t crack)
+static double nodes_without_contact(const struct mpm_simulation *simulation, size_t crack, int end)
 {
+    (void)end;
     return (double)mpm_crack_contact_crowded(&simulation->state, crack);
 }
 
@@ -122,25 +115,26 @@ static double nodes_without_contact(const struct mpm_simulation *simulation, siz
 static const struct quantity {
     const char *name;
     struct mpm_dimension dimension;
+    int end; /* of the chain, 0 or 1, for a value at one of them */
     const char *description;
     bool (*asked)(const struct mpm_scene *scene, size_t crack);
-    double (*value)(const struct mpm_simulation *simulation, size_t crack);
+    double (*value)(const struct mpm_simulation *simulation, size_t crack, int end);
 } quantities[] = {
-    {"opening_first", MPM_DIMENSION_LENGTH,
+    {"opening_first", MPM_DIMENSION_LENGTH, 0,
      "normal opening at its first point, or where it enters a body behind that", is_followed,
-     opening_first},
-    {"sliding_first", MPM_DIMENSION_LENGTH, "tangential opening there", is_followed, sliding_first},
-    {"opening_last", MPM_DIMENSION_LENGTH,
+     opening_at},
+    {"sliding_first", MPM_DIMENSION_LENGTH, 0, "tangential opening there", is_followed, sliding_at},
+    {"opening_last", MPM_DIMENSION_LENGTH, 1,
      "normal opening at its last point, or where it leaves a body before that", is_followed,
-     opening_last},
-    {"sliding_last", MPM_DIMENSION_LENGTH, "tangential opening there", is_followed, sliding_last},
-    {"opening_largest", MPM_DIMENSION_LENGTH, "largest normal opening", is_followed,
+     opening_at},
+    {"sliding_last", MPM_DIMENSION_LENGTH, 1, "tangential opening there", is_followed, sliding_at},
+    {"opening_largest", MPM_DIMENSION_LENGTH, 0, "largest normal opening", is_followed,
      opening_largest},
-    {"sliding_largest", MPM_DIMENSION_LENGTH,
+    {"sliding_largest", MPM_DIMENSION_LENGTH, 0,
      "tangential opening, where it is largest in magnitude", is_followed, sliding_largest},
-    {"opening_mean", MPM_DIMENSION_LENGTH, "mean of the normal opening over its cohesive area",
+    {"opening_mean", MPM_DIMENSION_LENGTH, 0, "mean of the normal opening over its cohesive area",
      is_cohesive, opening_mean},
-    {"nodes_without_contact", MPM_DIMENSION_NONE,
+    {"nodes_without_contact", MPM_DIMENSION_NONE, 0,
      "nodes beside it in the last step whose velocity fields contact leaves alone",
      mpm_crack_has_contact, nodes_without_contact},
 };
@@ -182,5 +176,5 @@ double mpm_simulation_crack_quantity(const struct mpm_simulation *simulation, si
 {
     size_t crack, counted;
     const struct quantity *const quantity = find(simulation->scene, index, &crack, &counted);
-    return quantity->value(simulation, crack);
+    return quantity->value(simulation, crack, quantity->end);
 }

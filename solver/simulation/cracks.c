@@ -10,12 +10,10 @@
 #include <math.h>
 #include <string.h>
 
-/* ------------------------------------------------------------------- cracks */
-
 /* With what it may grow to. */
 static size_t count_with_room(const struct mpm_scene *scene, size_t crack)
 {
-    return mpm_crack_points_count(scene, &scene->cracks[crack]) +
+    return mpm_crack_points_place(scene, &scene->cracks[crack], NULL, NULL) +
            mpm_crack_room(scene, crack, true) + mpm_crack_room(scene, crack, false);
 }
 
@@ -59,10 +57,9 @@ static void place_cracks(struct mpm_state *state)
         const size_t before = mpm_crack_room(state->scene, k, true);
         double *const x = cracks->position[0] + first + before;
         double *const y = cracks->position[1] + first + before;
-        mpm_crack_points_place(state->scene, spec, x, y);
         cracks->chains[k].x = x;
         cracks->chains[k].y = y;
-        cracks->chains[k].count = mpm_crack_points_count(state->scene, spec);
+        cracks->chains[k].count = mpm_crack_points_place(state->scene, spec, x, y);
         first += count_with_room(state->scene, k);
     }
 }
@@ -94,8 +91,6 @@ static void keep_origins(struct mpm_state *state)
                particles->count * sizeof(double));
 }
 
-/* ----------------------------------------------------------------- creating */
-
 void mpm_cracks_create(struct mpm_state *state)
 {
     struct mpm_cracks *const cracks = &state->cracks;
@@ -117,24 +112,19 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
     for (int axis = 0; axis < 2; axis++)
         cracks->position[axis] = MPM_TAKE(arena, double, cracks->point_count);
     cracks->held = MPM_TAKE(arena, uint8_t, cracks->point_count);
+    cracks->passes = MPM_TAKE(arena, uint8_t, state->scene->crack_count);
+    cracks->images = MPM_TAKE(arena, struct mpm_crack_image,
+                              state->symmetries.count > 0 ? cracks->point_count : 0);
     mpm_crack_map_layout(state, nodes_around(state, state->scene->crack_count), arena);
     state->fields.use_capacity = particles_listed(state);
     mpm_crack_fields_layout(state, arena);
-}
-
-static double lightest(const struct mpm_particles *particles)
-{
-    double least = HUGE_VAL;
-    for (size_t p = 0; p < particles->count; p++)
-        least = fmin(least, particles->mass[p]);
-    return least;
 }
 
 void mpm_cracks_fill(struct mpm_state *state)
 {
     if (state->cracks.point_count > 0) {
         place_cracks(state);
-        state->cracks.least_mass = 1e-3 * lightest(&state->particles);
+        state->cracks.least_mass = 1e-3 * mpm_lightest_particle(&state->particles);
     }
     keep_origins(state);
 }

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/memory.h"
 #include "base/strips.h"
 #include "method/cracks/crack_detection.h"
 #include "method/fields/fields.h"
@@ -12,22 +11,15 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* -------------------------------------------------------------- expressions */
-
-static const char *const *coordinate_names(const struct mpm_scene *scene)
-{
-    static const char *const planar[2] = {"x", "y"}, *const radial[2] = {"r", "z"};
-    return scene->geometry == MPM_AXISYMMETRIC ? radial : planar;
-}
 
 enum mpm_status mpm_vector_field_create(const struct mpm_scene *scene,
                                         const struct mpm_vector_expression *text, bool has_time,
                                         int workers, struct mpm_vector_field *field,
                                         struct mpm_error *error)
 {
-    const char *const *const names = coordinate_names(scene);
+    const char *const *const names = mpm_scene_coordinates(scene);
     for (int axis = 0; axis < 2; axis++)
         if (text->text[axis] != NULL)
             MPM_TRY(mpm_expression_create(text->text[axis], names, has_time, workers,
@@ -40,6 +32,14 @@ void mpm_vector_field_free(struct mpm_vector_field *field)
     for (int axis = 0; axis < 2; axis++)
         mpm_expression_free(field->component[axis]);
     *field = (struct mpm_vector_field){0};
+}
+
+/* An array of calloc, or NULL. */
+static void free_fields(struct mpm_vector_field *fields, size_t count)
+{
+    for (size_t k = 0; fields != NULL && k < count; k++)
+        mpm_vector_field_free(&fields[k]);
+    free(fields);
 }
 
 static enum mpm_body_force_kind body_force_kind(const struct mpm_vector_field *field)
@@ -77,7 +77,7 @@ static enum mpm_status create_expressions(struct mpm_simulation *simulation,
     MPM_TRY(mpm_vector_field_create(scene, &scene->body_force, true, state->workers,
                                     &state->body_force, error));
     state->body_force_kind = body_force_kind(&state->body_force);
-    return mpm_damping_create(simulation, coordinate_names(scene), error);
+    return mpm_damping_create(simulation, error);
 }
 
 static double boundary_value(const void *context, int32_t boundary, int32_t component,
@@ -104,7 +104,8 @@ static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulatio
     uses |= keeps_domains(&simulation->state) ? MPM_USE_DOMAINS : 0;
     uses |= mpm_transfer_of(scene->transfer)->carries;
     uses |= mpm_crack_detection_needs_surfaces(scene) ? MPM_USE_ORIGINS : 0;
-    uses |= scene->crack_count > 0 ? MPM_USE_KEPT_STRESS : 0; /* see method/fields/split.h */
+    uses |= simulation->state.fields.keys > 0 ? MPM_USE_KEPT_STRESS : 0; /* see split.h */
+    uses |= simulation->state.damping.particles ? MPM_USE_DRAG : 0;
     const size_t law_states = mpm_law_states_of(scene);
     uses |= law_states > 0 ? MPM_USE_LAW_STATE : 0;
     return (struct mpm_particle_needs){.uses = uses, .law_states = (uint8_t)law_states};
@@ -119,8 +120,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     const size_t rows = (size_t)(grid->rows + grid->field_rows);
     const size_t longest = (size_t)(grid->rows > grid->columns ? grid->rows : grid->columns);
     mpm_particles_layout(&state->particles, counts->deformable, needs_of(simulation), arena);
-    mpm_particles_layout(&state->rigid, counts->rigid,
-                         (struct mpm_particle_needs){.uses = MPM_USE_RIGID}, arena);
+    mpm_rigid_particles_layout(&state->rigid, counts->rigid, arena);
     mpm_grid_layout(grid, state->kernels.smooth != NULL, arena);
     state->bodies = MPM_TAKE(arena, struct mpm_body, simulation->scene->body_count);
     state->strips = MPM_TAKE(arena, struct mpm_strip, (size_t)state->strip_count);
@@ -209,7 +209,7 @@ static enum mpm_status set_velocities(struct mpm_simulation *simulation, struct 
 
 static void set_rigid_velocities(struct mpm_state *state)
 {
-    struct mpm_particles *const rigid = &state->rigid;
+    struct mpm_rigid_particles *const rigid = &state->rigid;
     for (size_t p = 0; p < rigid->count; p++) {
         const double position[2] = {rigid->position[0][p], rigid->position[1][p]};
         for (int axis = 0; axis < 2; axis++) {
@@ -258,7 +258,7 @@ static enum mpm_status check_start(const struct mpm_simulation *simulation, stru
     const struct mpm_scene *const scene = simulation->scene;
     const struct mpm_state *const state = &simulation->state;
     const struct mpm_particles *const particles = &state->particles;
-    const struct mpm_particles *const rigid = &state->rigid;
+    const struct mpm_rigid_particles *const rigid = &state->rigid;
     for (size_t k = 0; k < state->conditions.count; k++) {
         const struct mpm_condition *const condition = &state->conditions.list[k];
         double position[2];
@@ -293,7 +293,7 @@ static double initial_wave_speed(const struct mpm_simulation *simulation)
     return sqrt(fastest);
 }
 
-static double lightest_particle(const struct mpm_particles *particles)
+double mpm_lightest_particle(const struct mpm_particles *particles)
 {
     double mass = particles->mass[0];
     for (size_t p = 1; p < particles->count; p++)
@@ -362,7 +362,7 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
     simulation->wave_speed = wave_speed;
     simulation->wave_speed_start = wave_speed;
     simulation->particle_speed = mpm_particle_speed(&state->particles, 0, state->particles.count);
-    simulation->lightest = lightest_particle(&state->particles);
+    simulation->lightest = mpm_lightest_particle(&state->particles);
     MPM_TRY(begin_totals(simulation, error));
     MPM_TRY(mpm_time_step_check(simulation, error));
     MPM_TRY(mpm_damping_check_start(simulation, error));
@@ -377,8 +377,8 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
     return MPM_OK;
 }
 
-/* Refuses a scene that is too large before loads, cracks and conditions look at its particles and
- * nodes; what these take is not in the estimate. */
+/* Refuses a scene that is too large before loads and conditions look at its particles and nodes;
+ * what these take is not in the estimate. */
 static enum mpm_status check_memory(struct mpm_simulation *simulation,
                                     const struct mpm_fill_counts *counts, struct mpm_error *error)
 {
@@ -394,12 +394,12 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     struct mpm_state *const state = &simulation->state;
     struct mpm_fill_counts counts;
     describe_method(simulation, options->threads);
-    MPM_TRY(mpm_kernels_choose(scene, options, &state->kernels, error));
+    mpm_cracks_create(state);
+    MPM_TRY(mpm_kernels_choose(scene, state->fields.keys > 0, options, &state->kernels, error));
     MPM_TRY(create_expressions(simulation, error));
     MPM_TRY(mpm_bodies_count(scene, &state->grid, &counts, error));
     MPM_TRY(check_memory(simulation, &counts, error));
     MPM_TRY(mpm_edge_loads_create(simulation, error));
-    mpm_cracks_create(state);
     MPM_TRY(mpm_symmetries_create(simulation, error));
     MPM_TRY(mpm_conditions_list(scene, &state->grid, boundary_value, state, &state->conditions.list,
                                 &state->conditions.count, error));
@@ -455,18 +455,13 @@ void mpm_simulation_free(struct mpm_simulation *simulation)
     if (simulation == NULL)
         return;
     struct mpm_state *const state = &simulation->state;
-    for (size_t k = 0;
-         state->conditions.boundary_velocity != NULL && k < simulation->scene->boundary_count; k++)
-        mpm_vector_field_free(&state->conditions.boundary_velocity[k]);
-    for (size_t k = 0; state->conditions.body_velocity != NULL && k < simulation->scene->body_count;
-         k++)
-        mpm_vector_field_free(&state->conditions.body_velocity[k]);
+    const struct mpm_scene *const scene = simulation->scene;
+    free_fields(state->conditions.boundary_velocity, scene->boundary_count);
+    free_fields(state->conditions.body_velocity, scene->body_count);
+    free_fields(state->edge_loads.value, scene->edge_load_count);
     mpm_vector_field_free(&state->body_force);
-    mpm_edge_loads_free(state);
     free(state->symmetries.planes);
     mpm_damping_free(&state->damping);
-    free(state->conditions.boundary_velocity);
-    free(state->conditions.body_velocity);
     free(state->conditions.list);
     mpm_arena_free(&simulation->user_force);
     mpm_arena_free(&simulation->arena);

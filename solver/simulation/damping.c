@@ -5,24 +5,22 @@
 
 #include "simulation/simulation.h"
 
-#include <math.h>
-
-static enum mpm_status create_rate(const char *text, const char *const names[2], int workers,
+static enum mpm_status create_rate(const struct mpm_simulation *simulation, const char *text,
                                    struct mpm_expression **rate, struct mpm_error *error)
 {
-    return text == NULL ? MPM_OK : mpm_expression_create(text, names, true, workers, rate, error);
+    return text == NULL ? MPM_OK
+                        : mpm_expression_create(text, mpm_scene_coordinates(simulation->scene),
+                                                true, simulation->state.workers, rate, error);
 }
 
-enum mpm_status mpm_damping_create(struct mpm_simulation *simulation, const char *const names[2],
-                                   struct mpm_error *error)
+enum mpm_status mpm_damping_create(struct mpm_simulation *simulation, struct mpm_error *error)
 {
     const struct mpm_scene *const scene = simulation->scene;
     const struct mpm_damping_spec *const spec = &scene->damping;
-    const int workers = simulation->state.workers;
     struct mpm_damping *const damping = &simulation->state.damping;
-    MPM_TRY(create_rate(spec->grid, names, workers, &damping->grid, error));
-    MPM_TRY(create_rate(spec->particle, names, workers, &damping->particle, error));
-    MPM_TRY(create_rate(spec->pic, names, workers, &damping->pic, error));
+    MPM_TRY(create_rate(simulation, spec->grid, &damping->grid, error));
+    MPM_TRY(create_rate(simulation, spec->particle, &damping->particle, error));
+    MPM_TRY(create_rate(simulation, spec->pic, &damping->pic, error));
     damping->nodes = damping->grid != NULL || spec->thermostat;
     damping->particles = damping->particle != NULL || damping->pic != NULL;
     if (damping->pic == NULL || mpm_expression_is_uniform(damping->pic))
@@ -40,9 +38,6 @@ void mpm_damping_free(struct mpm_damping *damping)
 
 void mpm_damping_layout(struct mpm_state *state, struct mpm_arena *arena)
 {
-    if (state->damping.particles)
-        for (int axis = 0; axis < 2; axis++)
-            state->damping.drag[axis] = MPM_TAKE(arena, double, state->particles.count);
     if (state->damping.nodes || state->scene->rest.asked || state->scene->energy_balance)
         state->row_sums = MPM_TAKE(arena, struct mpm_row_sums,
                                    (size_t)(state->grid.rows + state->grid.field_rows));

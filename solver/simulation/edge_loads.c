@@ -33,7 +33,7 @@ struct finder {
     const struct mpm_state *state;
     double half[2];
     uint32_t id;                 /* of the site in hand, or of the first one of the body */
-    size_t load;                 /* the one that is searched, or all */
+    size_t first, end;           /* loads that are searched */
     size_t count;                /* of edges found */
     struct mpm_edge_site *sites; /* NULL: only counts */
 };
@@ -86,20 +86,11 @@ static void find_edges(struct finder *finder, size_t load, const double site[2])
     }
 }
 
-static enum mpm_status count_site(void *context, size_t body, const double site[2])
+static enum mpm_status visit_site(void *context, size_t body, const double site[2])
 {
     struct finder *const finder = context;
-    (void)body;
-    find_edges(finder, finder->load, site);
-    return MPM_OK;
-}
-
-static enum mpm_status fill_site(void *context, size_t body, const double site[2])
-{
-    struct finder *const finder = context;
-    const struct mpm_scene *const scene = finder->state->scene;
-    for (size_t load = 0; load < scene->edge_load_count; load++)
-        if (scene->edge_loads[load].body == body)
+    for (size_t load = finder->first; load < finder->end; load++)
+        if (finder->state->scene->edge_loads[load].body == body)
             find_edges(finder, load, site);
     finder->id++;
     return MPM_OK;
@@ -110,10 +101,10 @@ static enum mpm_status count_edges(struct mpm_simulation *simulation, size_t loa
 {
     const struct mpm_scene *const scene = simulation->scene;
     const struct mpm_edge_load_spec *const spec = &scene->edge_loads[load];
-    struct finder finder = {.state = &simulation->state, .load = load};
+    struct finder finder = {.state = &simulation->state, .first = load, .end = load + 1};
     char key[KEY_SIZE];
     mpm_body_half_size(scene, &simulation->state.grid, spec->body, finder.half);
-    MPM_TRY(mpm_body_sites(scene, &simulation->state.grid, spec->body, count_site, &finder, error));
+    MPM_TRY(mpm_body_sites(scene, &simulation->state.grid, spec->body, visit_site, &finder, error));
     simulation->state.edge_loads.count += finder.count;
     if (finder.count > 0)
         return MPM_OK;
@@ -158,12 +149,13 @@ enum mpm_status mpm_edge_loads_fill(struct mpm_simulation *simulation, struct mp
 {
     const struct mpm_scene *const scene = simulation->scene;
     struct mpm_state *const state = &simulation->state;
-    struct finder finder = {.state = state, .sites = state->edge_loads.sites};
+    struct finder finder = {
+        .state = state, .end = scene->edge_load_count, .sites = state->edge_loads.sites};
     if (state->edge_loads.count == 0)
         return MPM_OK;
     for (size_t body = 0; body < scene->body_count; body++) {
         mpm_body_half_size(scene, &state->grid, body, finder.half);
-        MPM_TRY(mpm_body_sites(scene, &state->grid, body, fill_site, &finder, error));
+        MPM_TRY(mpm_body_sites(scene, &state->grid, body, visit_site, &finder, error));
     }
     return MPM_OK;
 }
@@ -186,12 +178,4 @@ enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulati
                                        spec->line, key_of(spec, "value", key), error));
     }
     return MPM_OK;
-}
-
-void mpm_edge_loads_free(struct mpm_state *state)
-{
-    for (size_t load = 0; state->edge_loads.value != NULL && load < state->scene->edge_load_count;
-         load++)
-        mpm_vector_field_free(&state->edge_loads.value[load]);
-    free(state->edge_loads.value);
 }

@@ -127,21 +127,20 @@ static enum mpm_status refuse(const struct mpm_simulation *simulation, double to
 {
     const struct mpm_state *const state = &simulation->state;
     const bool finite = isfinite(total) && isfinite(state->external_work);
-    const enum mpm_cause cause = finite ? MPM_CAUSE_ENERGY : MPM_CAUSE_NOT_FINITE;
-    const char *const words = mpm_cause_describe(cause)->words;
-    const unsigned long long step = (unsigned long long)simulation->step;
-    if (!finite)
-        return mpm_error_fail(error, cause,
-                              "%s at step %llu, time %g: total energy is %g, external work %g",
-                              words, step, state->time, total, state->external_work);
     const uint32_t fastest = fastest_particle(&state->particles);
-    return mpm_error_fail(
-        error, cause,
-        "%s at step %llu, time %g: total energy %g; allowed: up to %g, where %g of it would come "
-        "from nothing, %g times all that was put in; fastest is particle %u (body '%s')",
-        words, step, state->time, total, energy_at(simulation, FACTOR_UNSTABLE),
-        (FACTOR_UNSTABLE - 1.0) * put_in(simulation), FACTOR_UNSTABLE - 1.0, fastest,
-        mpm_body_of_particle(simulation, fastest));
+    if (finite)
+        (void)mpm_error_fail(
+            error, MPM_CAUSE_ENERGY,
+            "total energy %g; allowed: up to %g, where %g of it would come from nothing, %g times "
+            "all that was put in; fastest is particle %u (body '%s')",
+            total, energy_at(simulation, FACTOR_UNSTABLE),
+            (FACTOR_UNSTABLE - 1.0) * put_in(simulation), FACTOR_UNSTABLE - 1.0, fastest,
+            mpm_body_of_particle(simulation, fastest));
+    else
+        (void)mpm_error_fail(error, MPM_CAUSE_NOT_FINITE, "total energy is %g, external work %g",
+                             total, state->external_work);
+    mpm_error_locate(error, simulation->step, state->time);
+    return MPM_RUN_FAILED;
 }
 
 static void note_growth(struct mpm_simulation *simulation, double total)

@@ -67,22 +67,17 @@ struct quantity {
 };
 
 static const struct quantity quantities[MPM_FIELD_COUNT] = {
-    [MPM_FIELD_STRESS] = {NULL,
-                          {"stress", 4, false, MPM_DIMENSION_STRESS,
-                           "Cauchy stress xx yy zz xy; in axisymmetry rr zz tt rz"},
-                          find_stress,
-                          NULL},
-    [MPM_FIELD_VOLUME] = {NULL,
-                          {"volume", 1, false, MPM_DIMENSION_VOLUME,
-                           "current volume, for the thickness or per radian"},
-                          find_volume,
-                          NULL},
-    [MPM_FIELD_FRINGE] = {NULL,
-                          {"fringe", 1, false, MPM_DIMENSION_NONE,
-                           "photoelastic fringes: cos(k sqrt((xx - yy)^2 + 4 xy^2)) of the Cauchy "
-                           "stress, k the scene's output.fringe"},
-                          find_fringe,
-                          fringe_without_stress},
+    [MPM_FIELD_STRESS] = {.info = {"stress", 4, false, MPM_DIMENSION_STRESS,
+                                   "Cauchy stress xx yy zz xy; in axisymmetry rr zz tt rz"},
+                          .find = find_stress},
+    [MPM_FIELD_VOLUME] = {.info = {"volume", 1, false, MPM_DIMENSION_VOLUME,
+                                   "current volume, for the thickness or per radian"},
+                          .find = find_volume},
+    [MPM_FIELD_FRINGE] = {.info = {"fringe", 1, false, MPM_DIMENSION_NONE,
+                                   "photoelastic fringes: cos(k sqrt((xx - yy)^2 + 4 xy^2)) of the "
+                                   "Cauchy stress, k the scene's output.fringe"},
+                          .find = find_fringe,
+                          .rigid = fringe_without_stress},
 #define MPM_ROW(name, ...) [MPM_FIELD_##name] = {.stored = &mpm_particle_rows[MPM_PARTICLE_##name]},
     MPM_WRITTEN_PARTICLE_FIELDS(MPM_ROW)
 #undef MPM_ROW
@@ -137,15 +132,15 @@ void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_fiel
     const struct mpm_particles *const particles = &simulation->state.particles;
     for (size_t p = 0; p < particles->count; p++)
         copy(simulation, field, particles, p, values + components * particles->id[p]);
-    const struct mpm_particles *const rigid = &simulation->state.rigid;
-    for (size_t p = 0; p < rigid->count; p++)
-        copy(simulation, field, rigid, p, values + components * rigid->id[p]);
+    const struct mpm_particles rigid = mpm_rigid_particles_set(&simulation->state.rigid);
+    for (size_t p = 0; p < rigid.count; p++)
+        copy(simulation, field, &rigid, p, values + components * rigid.id[p]);
 }
 
 /* -------------------------------------------------------------- by ranges of ids */
 
 /* How many rigid particles have a smaller id: theirs ascend. */
-static size_t rigid_before(const struct mpm_particles *rigid, size_t id)
+static size_t rigid_before(const struct mpm_rigid_particles *rigid, size_t id)
 {
     size_t low = 0, high = rigid->count;
     while (low < high) {
@@ -163,7 +158,7 @@ static size_t rigid_before(const struct mpm_particles *rigid, size_t id)
 static void find_places(const struct mpm_simulation *simulation)
 {
     const struct mpm_particles *const particles = &simulation->state.particles;
-    const struct mpm_particles *const rigid = &simulation->state.rigid;
+    const struct mpm_rigid_particles *const rigid = &simulation->state.rigid;
     uint32_t *const order = mpm_particles_order(particles);
     for (size_t p = 0; p < particles->count; p++)
         order[particles->id[p] - rigid_before(rigid, particles->id[p])] = (uint32_t)p;
@@ -185,12 +180,12 @@ static size_t place_of(const struct mpm_simulation *simulation, size_t id, size_
 void mpm_simulation_field_range(const struct mpm_simulation *simulation, enum mpm_field field,
                                 size_t first, size_t count, double *values)
 {
-    const struct mpm_particles *const rigid = &simulation->state.rigid;
+    const struct mpm_particles rigid = mpm_rigid_particles_set(&simulation->state.rigid);
     const size_t components = mpm_field_describe(field)->components;
-    size_t next = rigid_before(rigid, first);
+    size_t next = rigid_before(&simulation->state.rigid, first);
     for (size_t id = first; id < first + count; id++, values += components)
-        if (next < rigid->count && rigid->id[next] == id)
-            copy(simulation, field, rigid, next++, values);
+        if (next < rigid.count && rigid.id[next] == id)
+            copy(simulation, field, &rigid, next++, values);
         else
             copy(simulation, field, &simulation->state.particles,
                  place_of(simulation, id, id - next), values);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/simulation.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 
 /* A wave speed grown by this factor has taken the time step with it: the run would go on
@@ -36,103 +37,93 @@ static enum mpm_cause cause_of(enum mpm_failure_kind kind)
     return causes[kind];
 }
 
-static void describe(const struct mpm_simulation *simulation, const struct mpm_failure *failure,
-                     char *text, size_t size)
+enum { TEXT_SIZE = 256 };
+
+__attribute__((format(printf, 2, 3))) static const char *print(char text[TEXT_SIZE],
+                                                               const char *format, ...)
 {
-    const bool axisymmetric = simulation->scene->geometry == MPM_AXISYMMETRIC;
-    const char *const names[2] = {axisymmetric ? "r" : "x", axisymmetric ? "z" : "y"};
-    const char *const name = names[failure->axis];
+    va_list arguments;
+    va_start(arguments, format);
+    (void)vsnprintf(text, TEXT_SIZE, format, arguments);
+    va_end(arguments);
+    return text;
+}
+
+/* What is wrong with the particle. */
+static const char *describe(const struct mpm_simulation *simulation,
+                            const struct mpm_failure *failure, char text[TEXT_SIZE])
+{
+    const char *const name = mpm_scene_coordinates(simulation->scene)[failure->axis];
     const struct mpm_grid *const grid = &simulation->state.grid;
     const double low = grid->origin[failure->axis];
     const double high = low + (double)grid->cells[failure->axis] * grid->cell[failure->axis];
     switch (failure->kind) {
     case MPM_INVERTED:
-        (void)snprintf(text, size, "has det F = %g; allowed: above 0", failure->value);
-        return;
+        return print(text, "has det F = %g; allowed: above 0", failure->value);
     case MPM_NOT_FINITE:
-        (void)snprintf(text, size, "has a velocity, position or stress that is not finite: %g",
-                       failure->value);
-        return;
+        return print(text, "has a velocity, position or stress that is not finite: %g",
+                     failure->value);
     case MPM_LEFT_GRID:
-        (void)snprintf(text, size, "is at %s = %g; allowed: %g to %g", name, failure->value, low,
-                       high);
-        return;
+        return print(text, "is at %s = %g; allowed: %g to %g", name, failure->value, low, high);
     case MPM_PAST_AXIS:
-        (void)snprintf(text, size, "is at r = %g; allowed: above 0", failure->value);
-        return;
+        return print(text, "is at r = %g; allowed: above 0", failure->value);
     case MPM_OUTRAN_CELL:
-        (void)snprintf(text, size, "moved %g cells along %s in one step; allowed: up to 1",
-                       failure->value, name);
-        return;
+        return print(text, "moved %g cells along %s in one step; allowed: up to 1", failure->value,
+                     name);
     case MPM_DOMAIN_TOO_BIG:
-        (void)snprintf(text, size,
-                       "has a domain that reaches %g cells along %s, beyond the ghost rows of "
-                       "the grid",
-                       failure->value, name);
-        return;
+        return print(text,
+                     "has a domain that reaches %g cells along %s, beyond the ghost rows of "
+                     "the grid",
+                     failure->value, name);
     case MPM_LOAD_NOT_FINITE:
-        (void)snprintf(text, size, "has a body force that is not finite: loads.body_force.%d = %g",
-                       failure->axis, failure->value);
-        return;
+        return print(text, "has a body force that is not finite: loads.body_force.%d = %g",
+                     failure->axis, failure->value);
     case MPM_TRACTION_NOT_FINITE:
-        (void)snprintf(text, size, "bears a load that is not finite: %s.value.%d = %g",
-                       simulation->scene->edge_loads[failure->load].key, failure->axis,
-                       failure->value);
-        return;
+        return print(text, "bears a load that is not finite: %s.value.%d = %g",
+                     simulation->scene->edge_loads[failure->load].key, failure->axis,
+                     failure->value);
     case MPM_TWO_CRACKS:
-        (void)snprintf(text, size, "reaches a node past two cracks; allowed: past one");
-        return;
+        return print(text, "reaches a node past two cracks; allowed: past one");
     case MPM_USER_FORCE_NOT_FINITE:
-        (void)snprintf(text, size, "is given a body force that is not finite: %g along %s",
-                       failure->value, name);
-        return;
+        return print(text, "is given a body force that is not finite: %g along %s", failure->value,
+                     name);
     case MPM_RATE_REFUSED:
-        (void)snprintf(text, size,
-                       "has damping.particle = %g; allowed: at least 0 and below %g, 1 over the "
-                       "time step",
-                       failure->value, 1.0 / simulation->state.time_step);
-        return;
+        return print(text,
+                     "has damping.particle = %g; allowed: at least 0 and below %g, 1 over the "
+                     "time step",
+                     failure->value, 1.0 / simulation->state.time_step);
     case MPM_UNIFORM_LOAD_NOT_FINITE:
     case MPM_NO_FAILURE:
         break;
     }
-    (void)snprintf(text, size, "is sound");
+    return "is sound";
 }
 
 enum mpm_status mpm_health_refuse_start(const struct mpm_simulation *simulation,
                                         struct mpm_error *error)
 {
     const struct mpm_failure *const failure = &simulation->state.failure;
-    char text[256];
-    describe(simulation, failure, text, sizeof text);
+    char text[TEXT_SIZE];
     return mpm_error_set(error, MPM_BAD_INPUT, "start: particle %u (body '%s') %s",
                          failure->particle, mpm_body_of_particle(simulation, failure->particle),
-                         text);
+                         describe(simulation, failure, text));
 }
 
 enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, struct mpm_error *error)
 {
     const struct mpm_failure *const failure = &simulation->state.failure;
-    const unsigned long long step = (unsigned long long)simulation->step + 1;
-    const double time = simulation->state.time + simulation->state.time_step;
     const enum mpm_cause cause = cause_of(failure->kind);
+    char text[TEXT_SIZE];
     if (failure->kind == MPM_UNIFORM_LOAD_NOT_FINITE)
-        return mpm_error_fail(
-            error, cause, "%s at step %llu, time %g: the body force loads.body_force.%d = %g",
-            mpm_cause_describe(cause)->words, step, time, failure->axis, failure->value);
-    if (failure->kind != MPM_NO_FAILURE) {
-        char text[256];
-        describe(simulation, failure, text, sizeof text);
-        return mpm_error_fail(error, cause, "%s at step %llu, time %g: particle %u (body '%s') %s",
-                              mpm_cause_describe(cause)->words, step, time, failure->particle,
-                              mpm_body_of_particle(simulation, failure->particle), text);
-    }
+        return mpm_error_fail(error, cause, "the body force loads.body_force.%d = %g",
+                              failure->axis, failure->value);
+    if (failure->kind != MPM_NO_FAILURE)
+        return mpm_error_fail(error, cause, "particle %u (body '%s') %s", failure->particle,
+                              mpm_body_of_particle(simulation, failure->particle),
+                              describe(simulation, failure, text));
     if (!(simulation->wave_speed <= RUNAWAY_WAVE * simulation->wave_speed_start))
-        return mpm_error_fail(error, MPM_CAUSE_WAVES,
-                              "%s at step %llu, time %g: wave speed %g; allowed: up to %g, %g "
-                              "times that of the start",
-                              mpm_cause_describe(MPM_CAUSE_WAVES)->words, step, time,
-                              simulation->wave_speed, RUNAWAY_WAVE * simulation->wave_speed_start,
-                              RUNAWAY_WAVE);
+        return mpm_error_fail(
+            error, MPM_CAUSE_WAVES, "wave speed %g; allowed: up to %g, %g times that of the start",
+            simulation->wave_speed, RUNAWAY_WAVE * simulation->wave_speed_start, RUNAWAY_WAVE);
     return MPM_OK;
 }

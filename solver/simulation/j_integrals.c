@@ -4,7 +4,6 @@
 #include "simulation/simulation.h"
 
 #include <math.h>
-#include <string.h>
 
 void mpm_j_integrals_layout(struct mpm_simulation *simulation, struct mpm_arena *arena)
 {

@@ -77,15 +77,6 @@ static enum mpm_status add_segment(const struct mpm_state *state, size_t crack, 
     return MPM_OK;
 }
 
-static enum mpm_status add_areas(const struct mpm_state *state, size_t crack, double *area,
-                                 struct mpm_error *error)
-{
-    const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
-    for (size_t k = 0; k + 1 < chain->count; k++)
-        MPM_TRY(add_segment(state, crack, k, area, error));
-    return MPM_OK;
-}
-
 /* ------------------------------------------------------------------ filling */
 
 /* Is there no body a little beyond the ends? */
@@ -104,20 +95,12 @@ static void find_cuts(const struct mpm_state *state, const struct mpm_crack_chai
     }
 }
 
-static void find_mouths(const struct mpm_scene *scene, size_t crack, size_t first, size_t mouths[2])
-{
-    mpm_crack_points_mouths(scene, &scene->cracks[crack], mouths);
-    for (int end = 0; end < 2; end++)
-        if (mouths[end] != SIZE_MAX)
-            mouths[end] += first;
-}
-
 static enum mpm_status check_planes(const struct mpm_state *state, size_t crack, size_t first,
                                     struct mpm_error *error)
 {
     const struct mpm_scene *const scene = state->scene;
     for (size_t k = 0; k < state->cracks.chains[crack].count; k++)
-        if (state->cracks.held[first + k] != 0)
+        if (state->cracks.held[first + k] != 0 && state->cracks.passes[crack] == 0)
             return mpm_scene_error(error, scene, scene->cracks[crack].line, "cracks.points",
                                    "opening or cohesive of a crack on a plane of symmetry, beyond "
                                    "which its other surface has no particles; allowed: inside");
@@ -134,10 +117,12 @@ enum mpm_status mpm_openings_fill(struct mpm_simulation *simulation, struct mpm_
         if (mpm_crack_is_followed(&scene->cracks[crack])) {
             MPM_TRY(check_planes(state, crack, first, error));
             find_cuts(state, chain, state->cracks.openings.cuts[crack]);
-            find_mouths(scene, crack, first, state->cracks.openings.mouths[crack]);
+            mpm_crack_points_mouths(scene, &scene->cracks[crack], first,
+                                    state->cracks.openings.mouths[crack]);
         }
         if (scene->cracks[crack].cohesive.law != NULL)
-            MPM_TRY(add_areas(state, crack, state->cracks.openings.area + first, error));
+            for (size_t k = 0; k + 1 < chain->count; k++)
+                MPM_TRY(add_segment(state, crack, k, state->cracks.openings.area + first, error));
     }
     return MPM_OK;
 }

@@ -21,13 +21,15 @@ struct mpm_chain_extent {
     size_t first, count;
 };
 
+/* Of the points of cracks: x, y, both components of the opening, the largest opening. */
+enum { MPM_CRACK_ARRAYS = 5 };
+
 /* The state after the last sort. A step is undone by going back to it and repeating
  * the steps since: they give the same bits, so nothing has to be copied each step. */
 struct mpm_backup {
     unsigned char *particles; /* filled by the sort */
     unsigned char *rigid;
-    double *crack_position[2];
-    double *crack_opening[2], *largest_opening;
+    double *crack_points[MPM_CRACK_ARRAYS];
     struct mpm_crack_tip *tips; /* these and the extents of chains: with J integrals */
     struct mpm_chain_extent *extents;
     double time, external_work, largest_work, sudden_energy, wave_speed;
@@ -96,8 +98,7 @@ void mpm_stability_advise(struct mpm_simulation *simulation);
 /* Kinetic energy of the deformable particles after the last step. */
 double mpm_kinetic_energy(const struct mpm_state *state);
 
-/* health.c: judges the step just taken. MPM_RUN_FAILED names cause, step, time, particle and
- * value. */
+/* health.c: judges the step just taken. MPM_RUN_FAILED names cause, particle and value. */
 enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, struct mpm_error *error);
 /* Name of the body that the particle with that id belongs to. */
 const char *mpm_body_of_particle(const struct mpm_simulation *simulation, uint32_t id);
@@ -114,8 +115,7 @@ enum mpm_status mpm_health_refuse_start(const struct mpm_simulation *simulation,
 
 /* damping.c: what the scene damps, and its memory; rates that are not allowed at t = 0 are
  * refused with MPM_BAD_INPUT once the particles are placed and the first time step is known. */
-enum mpm_status mpm_damping_create(struct mpm_simulation *simulation, const char *const names[2],
-                                   struct mpm_error *error);
+enum mpm_status mpm_damping_create(struct mpm_simulation *simulation, struct mpm_error *error);
 void mpm_damping_layout(struct mpm_state *state, struct mpm_arena *arena);
 enum mpm_status mpm_damping_check_start(const struct mpm_simulation *simulation,
                                         struct mpm_error *error);
@@ -128,7 +128,6 @@ void mpm_edge_loads_layout(struct mpm_state *state, struct mpm_arena *arena);
 enum mpm_status mpm_edge_loads_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulation,
                                            struct mpm_error *error);
-void mpm_edge_loads_free(struct mpm_state *state);
 
 /* cracks.c: how many points cracks get; their memory; where they are. */
 void mpm_cracks_create(struct mpm_state *state);
@@ -180,6 +179,9 @@ enum mpm_status mpm_vector_field_check(const struct mpm_simulation *simulation,
                                        const struct mpm_vector_field *field,
                                        const double position[2], int line, const char *key,
                                        struct mpm_error *error);
+
+/* create.c: the mass of the lightest one. */
+double mpm_lightest_particle(const struct mpm_particles *particles);
 
 /* create.c: what follows from the particles' start, whose fastest wave the caller knows: speeds and
  * the checks that need them, the energy against which the run is judged, the first sort and

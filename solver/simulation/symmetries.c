@@ -1,6 +1,7 @@
 /* Planes of symmetry: settled when the simulation is created.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/cracks/crack_contact.h"
 #include "method/cracks/crack_fields.h"
 #include "simulation/simulation.h"
 
@@ -64,13 +65,75 @@ static enum mpm_status find_inside(const struct mpm_simulation *simulation,
     return MPM_OK;
 }
 
-/* Points on a plane stay there. A crack lies on it as a whole or not at all: fields of nodes
- * beyond, of one that meets it at an angle, would have to be images of each other. */
-static enum mpm_status hold_points(const struct mpm_simulation *simulation,
+/* How far from a plane nodes of particles on the other side are, with a cell for bodies that are
+ * stretched. */
+static double reach_across(const struct mpm_state *state, const struct mpm_symmetry *plane)
+{
+    return state->cracks.widest[plane->axis] + 2.0 * state->grid.cell[plane->axis];
+}
+
+/* A crack that passes the plane: at one of its ends, straight across within reach of particles'
+ * functions on both sides, so that the part beyond is an image of the part inside. */
+static bool passes_straight(const struct mpm_state *state, const struct mpm_symmetry *plane,
+                            double place, size_t crack)
+{
+    const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
+    const double *const along = plane->axis == 0 ? chain->x : chain->y;
+    const double *const across = plane->axis == 0 ? chain->y : chain->x;
+    const double reach = reach_across(state, plane);
+    const double inward = (double)plane->inside;
+    size_t crossings = 0;
+    for (size_t k = 0; k + 1 < chain->count; k++) {
+        const double from = (along[k] - place) * inward, to = (along[k + 1] - place) * inward;
+        crossings += (from > 0.0) != (to > 0.0);
+        if (fmin(from, to) < reach &&
+            fabs(across[k + 1] - across[k]) > 1e-9 * state->grid.cell[1 - plane->axis])
+            return false;
+    }
+    const double first = (along[0] - place) * inward;
+    const double last = (along[chain->count - 1] - place) * inward;
+    return crossings == 1 && fmin(first, last) <= -reach && fmax(first, last) >= reach;
+}
+
+/* The points beyond become images of those inside, from the plane outwards as far as functions
+ * reach; farther ones are spread evenly. The crack is straight there: its shape stays. */
+static void list_images(struct mpm_state *state, const struct mpm_symmetry *plane, double place,
+                        size_t crack)
+{
+    struct mpm_cracks *const cracks = &state->cracks;
+    const size_t first = mpm_crack_first_point(state, crack), count = cracks->chains[crack].count;
+    double *const along = cracks->position[plane->axis] + first;
+    const double reach = reach_across(state, plane);
+    const bool at_start = (along[0] - place) * (double)plane->inside < 0.0;
+    const size_t end = at_start ? 0 : count - 1, step = at_start ? 1 : SIZE_MAX; /* inwards */
+    const double slack = 1e-6 * state->grid.cell[plane->axis];
+    size_t beyond = end, left = 0;
+    for (; (along[beyond + step] - place) * (double)plane->inside < -slack; beyond += step)
+        left++;
+    size_t inside = beyond + step;
+    while (fabs(along[inside] - place) <= slack)
+        inside += step;
+    for (; (along[inside] - place) * (double)plane->inside < reach;
+         inside += step, beyond -= step) {
+        cracks->images[cracks->image_count++] =
+            (struct mpm_crack_image){first + beyond, first + inside, plane->axis, place};
+        if (left-- == 0)
+            break;
+    }
+    mpm_cracks_reflect(state);
+    if (left + 1 == 0)
+        return;
+    const double from = along[beyond + step], way = along[end] - from;
+    for (size_t k = 1; k <= left; k++, beyond -= step)
+        along[beyond] = from + way * (double)k / (double)(left + 1);
+}
+
+/* Points on a plane stay there. */
+static enum mpm_status hold_points(struct mpm_simulation *simulation,
                                    const struct mpm_symmetry *plane, struct mpm_error *error)
 {
     const struct mpm_scene *const scene = simulation->scene;
-    const struct mpm_state *const state = &simulation->state;
+    struct mpm_state *const state = &simulation->state;
     const double place = place_of_plane(state, plane);
     const double slack = 1e-6 * state->grid.cell[plane->axis];
     for (size_t crack = 0; crack < scene->crack_count; crack++) {
@@ -86,11 +149,17 @@ static enum mpm_status hold_points(const struct mpm_simulation *simulation,
             held++;
             state->cracks.held[k] |= (uint8_t)(1u << plane->axis);
         }
-        if (held != count && inside != count)
+        if (held == count || inside == count)
+            continue;
+        if (!passes_straight(state, plane, place, crack))
             return mpm_scene_error(error, scene, scene->cracks[crack].line, "cracks.points",
-                                   "a crack that meets the plane of symmetry at %g, or passes it; "
-                                   "allowed: on it as a whole, or inside",
-                                   place);
+                                   "a crack that meets the plane of symmetry at %g; allowed: on it "
+                                   "as a whole, inside, or past it in a straight line across it, "
+                                   "%g or more to both sides",
+                                   place, reach_across(state, plane));
+        list_images(state, plane, place, crack);
+        state->cracks.passes[crack] |= (uint8_t)(1u << plane->axis);
+        state->symmetries.passed = true;
     }
     return MPM_OK;
 }

@@ -38,8 +38,6 @@ enum mpm_status mpm_simulation_set_body_force(struct mpm_simulation *simulation,
     return MPM_OK;
 }
 
-/* -------------------------------------------------------------------- start */
-
 enum { AXES = 2 };
 
 /* NaN if a value is not finite */
@@ -67,16 +65,13 @@ static enum mpm_status check_particle(const struct mpm_simulation *simulation, u
                                  id, v[axis]);
     if (f == NULL)
         return MPM_OK;
-    if (!has_energy && !is_undeformed(f))
+    const bool unknown = !has_energy && !is_undeformed(f);
+    if (unknown || !(smallest_stretch(f) > 0.0))
         return mpm_error_set(error, MPM_BAD_INPUT,
-                             "start: deformation gradient of particle %u is %g %g %g %g %g; "
-                             "allowed for a law without a strain energy: 1 0 0 1 1",
-                             id, f[MPM_XX], f[MPM_XY], f[MPM_YX], f[MPM_YY], f[MPM_ZZ]);
-    if (!(smallest_stretch(f) > 0.0))
-        return mpm_error_set(error, MPM_BAD_INPUT,
-                             "start: deformation gradient of particle %u is %g %g %g %g %g; "
-                             "allowed: finite, F_xx F_yy - F_xy F_yx > 0 and F_zz > 0",
-                             id, f[MPM_XX], f[MPM_XY], f[MPM_YX], f[MPM_YY], f[MPM_ZZ]);
+                             "start: deformation gradient of particle %u is %g %g %g %g %g; %s", id,
+                             f[MPM_XX], f[MPM_XY], f[MPM_YX], f[MPM_YY], f[MPM_ZZ],
+                             unknown ? "allowed for a law without a strain energy: 1 0 0 1 1"
+                                     : "allowed: finite, F_xx F_yy - F_xy F_yx > 0 and F_zz > 0");
     if (simulation->scene->geometry == MPM_PLANE_STRAIN && f[MPM_ZZ] != 1.0)
         return mpm_error_set(error, MPM_BAD_INPUT,
                              "start: F_zz of particle %u is %.17g; allowed: 1 in plane strain", id,

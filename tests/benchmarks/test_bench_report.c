@@ -288,8 +288,12 @@ START_TEST(a_figure_that_cannot_be_drawn_is_told_and_the_rest_is_written)
 {
     char *folder = whole();
     struct mpm_error error = {.status = MPM_OK};
+    char *path = g_strdup(g_getenv("PATH"));
     g_setenv("PATH", folder, TRUE); /* no gnuplot there */
-    ck_assert_int_eq(bench_report_write(folder, &error), MPM_ENVIRONMENT_FAILED);
+    const enum mpm_status status = bench_report_write(folder, &error);
+    g_setenv("PATH", path, TRUE);
+    g_free(path);
+    ck_assert_int_eq(status, MPM_ENVIRONMENT_FAILED);
     assert_holds(error.message, "gnuplot cannot be run");
     char *page = test_folder_read(folder, "index.html");
     assert_holds(page, "could not be drawn");

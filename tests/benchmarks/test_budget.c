@@ -249,6 +249,7 @@ START_TEST(the_same_program_counts_the_same_twice)
                   error.message);
     ck_assert(g_setenv("SOME_VARIABLE", "a longer environment than the first time", TRUE));
     ck_assert_int_eq(count_with("benchmarks/scenes/block.yaml", NULL, &second, &error), MPM_OK);
+    g_unsetenv("SOME_VARIABLE");
     ck_assert_uint_eq(first.counts.instructions, second.counts.instructions);
     ck_assert_uint_eq(first.counts.branches, second.counts.branches);
     ck_assert_uint_eq(first.steps, 3);
@@ -290,11 +291,15 @@ END_TEST
 
 START_TEST(without_valgrind_it_is_said_what_to_do)
 {
+    char *path = g_strdup(g_getenv("PATH"));
     ck_assert(g_setenv("PATH", "/no/such/folder", TRUE));
     struct instructions counted;
     struct mpm_error error;
-    ck_assert_int_eq(count_with("benchmarks/scenes/block.yaml", NULL, &counted, &error),
-                     MPM_ENVIRONMENT_FAILED);
+    const enum mpm_status status =
+        count_with("benchmarks/scenes/block.yaml", NULL, &counted, &error);
+    g_setenv("PATH", path, TRUE);
+    g_free(path);
+    ck_assert_int_eq(status, MPM_ENVIRONMENT_FAILED);
     test_contains(error.message, "make deps");
 }
 END_TEST

@@ -98,9 +98,33 @@ class Case:
         given = self.scene.get("method", {})
         transfer = given.get("transfer", {})
         return {"shape": given.get("shape", "ugimp"), "form": given.get("form", "velocity"),
+                "stress_update": given.get("stress_update", "musl"),
+                "extrapolate": given.get("extrapolate", True),
                 "axis": given.get("axis", "truncated"), "cracks": given.get("cracks", "fields"),
                 "kind": transfer.get("kind", "flip"),
                 "fraction": transfer.get("fraction", 1), "order": transfer.get("order", 1)}
+
+    @property
+    def deformable(self):
+        """The names of the bodies that are not rigid."""
+        return [body["name"] for body in self.scene["bodies"] if "rigid" not in body]
+
+    @property
+    def least_overlap(self):
+        """The least overlap of a particle's domain with the functions of a node in the brief run, as a
+        fraction of a cell, from the node's mass: it grows with the square of the overlap, and with
+        the overlap itself with classic functions. 1 where strains do not follow the velocities of the
+        momentum update (compare.py)."""
+        method = self.method
+        if method["stress_update"] != "usl" and \
+                (method["stress_update"] != "usavg" or method["extrapolate"]):
+            return 1.0
+        status, _, rows = self.runner.nodes(self.brief)
+        if status != 0 or len(rows) == 0:
+            return 1.0
+        start = self.plain.start
+        part = rows[:, 7].min() / start.mass[start.of_bodies(self.deformable)].min()
+        return min(1.0, part if method["shape"] == "classic" else math.sqrt(part))
 
     @property
     def cracks(self):

@@ -9,6 +9,13 @@ lies elsewhere and of the density: round-off, `UNIT`, is smaller than that by SH
 be its effect. `SLACK` is left for the worst direction and the number of steps. A fault that a tie
 switches on is much larger than that.
 
+**Overlaps.** A domain that reaches into a cell by d gives the node at its far side the mass d² and the
+force d, so that its velocity is 1/d, and its strain rate, with the gradient d, does not become less
+with d. Where the strain follows these velocities (USL, USAVG without extrapolation), a body's edge that
+passes a node's line by round-off alone is strained as one that passes it by more, and d, which has
+few digits or none, is in the result. So UNIT/d is allowed as well. MUSL extrapolates again from the
+particles, whose velocities are bounded: there nothing is.
+
 **Switches.** Contact of cracks is a decision at each node. Where the shaken scene moves as far as the
 difference, the decision hangs by a thread, and nothing follows from it: `judged` is False.
 
@@ -84,6 +91,7 @@ def shaken(scene):
     return new
 
 
-def allowed(response):
-    """How large a difference by round-off may be where SHAKE moves the answer by `response`."""
-    return max(ROUND_OFF, SLACK * UNIT / SHAKE * response)
+def allowed(response, overlap=1.0):
+    """How large a difference by round-off may be where SHAKE moves the answer by `response`, and
+    particles overlap the functions of all nodes that they have by `overlap` of a cell or more."""
+    return max(ROUND_OFF, SLACK * UNIT / SHAKE * response, SLACK * UNIT / overlap)

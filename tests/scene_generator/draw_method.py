@@ -35,16 +35,16 @@ def draw_always(canvas, key):
 
 
 def draw_form(canvas, key):
-    """momentum is defined without cracks."""
-    if canvas.notes["cracked"] or not canvas.chance(30):
+    """One scene in three has it."""
+    if not canvas.chance(30):
         return ABSENT
     return canvas.pick(key.choices)
 
 
 def draw_transfer(canvas, key):
-    """Those that the form and cracks go with."""
+    """Those that the form goes with."""
     kinds = key.child("kind").choices
-    if canvas.notes["cracked"] or canvas.notes["group"].get("form") == "momentum":
+    if canvas.notes["group"].get("form") == "momentum":
         kinds = [kind for kind in kinds if kind in ("flip", "pic")]
     if not canvas.chance(60):
         return ABSENT
@@ -60,11 +60,11 @@ def draw_transfer(canvas, key):
 
 
 def draw_crack_method(canvas, key):
-    """Goes with cracks; openings are tracked with fields only."""
+    """Goes with cracks; openings are tracked with fields only, and apic has all nodes."""
     cracks = canvas.scene.get("cracks", [])
     followed = any("opening" in crack or "cohesive" in crack or "j_integral" in crack
                    for crack in cracks)
-    if not cracks or followed or canvas.situation != "any" or not canvas.chance(30):
+    if not cracks or followed or canvas.notes.get("transfer") == "apic" or canvas.situation != "any" or not canvas.chance(30):
         return ABSENT
     return canvas.pick(key.choices)
 

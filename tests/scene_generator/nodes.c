@@ -2,12 +2,12 @@
  * line for each node with mass in every step, additional velocity fields of nodes near cracks
  * included:
  *
- *     step time time_step x y v_x v_y
+ *     step time time_step x y v_x v_y mass
  *
  * of the step that ends at `time`: the velocity of the node at its end, or with position_update:
- * midpoint the mean of both ends. Snapshots have particles alone; the tests of scenes hold the
- * nodes against the conditions of the scene. Nodes beyond the grid's edge are left out. Exit
- * status: that of a run of the scene.
+ * midpoint the mean of both ends, and the mass of the field. Snapshots have particles alone; the
+ * tests of scenes hold the nodes against the conditions of the scene. Nodes beyond the grid's edge
+ * are left out. Exit status: that of a run of the scene.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/fields/fields.h"
@@ -29,8 +29,9 @@ static void print_node(const struct mpm_simulation *simulation, int64_t node)
     for (int axis = 0; axis < 2; axis++)
         velocity[axis] = grid->motion[node].end[axis] -
                          (midpoint ? 0.5 * step * grid->motion[node].acceleration[axis] : 0.0);
-    (void)printf("%llu %.17g %.17g %.17g %.17g %.17g %.17g\n", (unsigned long long)simulation->step,
-                 simulation->state.time, step, position[0], position[1], velocity[0], velocity[1]);
+    (void)printf("%llu %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n",
+                 (unsigned long long)simulation->step, simulation->state.time, step, position[0],
+                 position[1], velocity[0], velocity[1], grid->mass[node]);
 }
 
 /* Nodes of active rows, in their order, rows of additional fields after those of the grid; what

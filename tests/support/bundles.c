@@ -3,8 +3,8 @@
 
 #include "support/command.h"
 #include "support/folder.h"
+#include "support/marks.h"
 
-#include <check.h>
 #include <glib.h>
 #include <string.h>
 

@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "support/command.h"
+#include "support/marks.h"
 
-#include <check.h>
 #include <glib.h>
 #include <stdarg.h>
 #include <string.h>

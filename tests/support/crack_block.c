@@ -20,14 +20,23 @@ struct settings crack_block_method(int index)
     return settings;
 }
 
-void crack_block_add_exchange(struct settings *settings, int index)
+int crack_block_add_exchange(struct settings *settings, int index)
 {
-    enum { WAYS = 2, TRANSFERS = CRACK_BLOCK_EXCHANGES / WAYS };
-    static const char *const transfers[TRANSFERS] = {"{kind: flip}", "{kind: flip, fraction: 0.95}",
-                                                     "{kind: flip, fraction: 0.5}", "{kind: pic}"};
-    settings_add_formatted(settings, "method.transfer=%s", transfers[index / WAYS]);
+    static const char *const transfers[CRACK_BLOCK_TRANSFERS] = {
+        "transfer={kind: flip}",
+        "transfer={kind: flip, fraction: 0.95}",
+        "transfer={kind: flip, fraction: 0.5}",
+        "transfer={kind: pic}",
+        "transfer={kind: xpic, order: 2}",
+        "transfer={kind: xpic, order: 5}",
+        "transfer={kind: fmpm, order: 3}",
+        [CRACK_BLOCK_APIC] = "transfer={kind: apic}",
+        [CRACK_BLOCK_FORM] = "form=momentum",
+    };
+    settings_add_formatted(settings, "method.%s", transfers[index / CRACK_BLOCK_WAYS]);
     settings_add_formatted(settings, "method.position_update=%s",
-                           index % WAYS == 0 ? "grid_velocity" : "midpoint");
+                           index % CRACK_BLOCK_WAYS == 0 ? "grid_velocity" : "midpoint");
+    return index / CRACK_BLOCK_WAYS;
 }
 
 bool crack_block_amplifies(int index)

@@ -18,10 +18,11 @@ enum { CRACK_BLOCK_FAMILIES = 4, CRACK_BLOCK_METHODS = CRACK_BLOCK_FAMILIES * TE
 /* Families first, then orders, then all over again. */
 struct settings crack_block_method(int index);
 
-/* The transfers that cracks have, each with both ways to move particles, added as keys of the
- * method. */
-enum { CRACK_BLOCK_EXCHANGES = 8 };
-void crack_block_add_exchange(struct settings *settings, int index);
+/* Transfers and the momentum form, each with both ways to move particles, added as keys of the
+ * method. Returns which of the CRACK_BLOCK_TRANSFERS it is; the last is the momentum form. */
+enum { CRACK_BLOCK_WAYS = 2, CRACK_BLOCK_APIC = 7, CRACK_BLOCK_FORM, CRACK_BLOCK_TRANSFERS };
+enum { CRACK_BLOCK_EXCHANGES = CRACK_BLOCK_WAYS * CRACK_BLOCK_TRANSFERS };
+int crack_block_add_exchange(struct settings *settings, int index);
 
 /* Nodes of little mass at the edges make round-off grow without bound. */
 bool crack_block_amplifies(int index);

@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "support/folder.h"
+#include "support/marks.h"
 
-#include <check.h>
 #include <glib.h>
 #include <glib/gstdio.h>
 

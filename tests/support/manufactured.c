@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "support/manufactured.h"
+#include "support/marks.h"
 
-#include <check.h>
 #include <string.h>
 
 const char *const test_laws[TEST_LAWS] = {"neo_hookean", "linear_elastic"};

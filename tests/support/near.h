@@ -7,7 +7,8 @@
 #ifndef TESTS_SUPPORT_NEAR_H
 #define TESTS_SUPPORT_NEAR_H
 
-#include <check.h>
+#include "support/marks.h"
+
 #include <math.h>
 #include <stdbool.h>
 

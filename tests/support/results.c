@@ -6,8 +6,8 @@
 #include "io/results/history.h"
 #include "support/blocks.h"
 #include "support/folder.h"
+#include "support/marks.h"
 
-#include <check.h>
 #include <glib.h>
 #include <string.h>
 

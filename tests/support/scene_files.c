@@ -4,8 +4,8 @@
 #include "support/scene_files.h"
 
 #include "support/folder.h"
+#include "support/marks.h"
 
-#include <check.h>
 #include <glib.h>
 #include <string.h>
 

@@ -2,8 +2,8 @@
 #include "support/scenes.h"
 
 #include "support/folder.h"
+#include "support/marks.h"
 
-#include <check.h>
 #include <glib.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "support/settings.h"
+#include "support/marks.h"
 
-#include <check.h>
 #include <stdarg.h>
 
 void settings_add(struct settings *settings, const char *text)

@@ -30,6 +30,11 @@
 
 void test_skip_record(const char *test, const char *reason);
 
+/* For main: the number, below 1024, of the run that tests belong to from now on; what a run that is
+ * done again has skipped does not count. */
+void test_skip_run(int number);
+void test_skip_ignore(int number);
+
 /* For main: before the tests; after them, lists the skipped ones, returns how many. */
 bool test_skip_open(void);
 int test_skip_report(FILE *stream);

@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "support/snapshot.h"
+#include "support/marks.h"
 
-#include <check.h>
 #include <glib.h>
 
 double *test_dataset_read(hid_t file, const char *path, size_t *count)

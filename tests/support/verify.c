@@ -6,9 +6,9 @@
 #include "support/catalogue.h"
 #include "support/folder.h"
 
+#include "support/marks.h"
 #include "verification/cli/commands.h"
 
-#include <check.h>
 #include <glib.h>
 #include <string.h>
 

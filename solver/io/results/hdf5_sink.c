@@ -1,6 +1,4 @@
-/* An HDF5 file driver for writing one new file to a disk that may be full.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/hdf5_sink.h"
 
 #include "io/results/file_write.h"
@@ -15,10 +13,6 @@
 #if H5_VERSION_GE(1, 13, 0)
 #include <H5FDdevelop.h>
 #endif
-
-struct driver_info {
-    struct mpm_hdf5_sink *sink;
-};
 
 struct sink_file {
     H5FD_t base; /* first: HDF5 sees the file through it */
@@ -46,13 +40,13 @@ static void keep_error(struct mpm_hdf5_sink *sink, int error_number)
 static H5FD_t *sink_open(const char *name, unsigned flags, hid_t access, haddr_t maximum)
 {
     (void)name, (void)flags, (void)maximum;
-    const struct driver_info *info = H5Pget_driver_info(access);
+    struct mpm_hdf5_sink *const *sink = H5Pget_driver_info(access);
     struct sink_file *file = calloc(1, sizeof *file);
-    if (info == NULL || file == NULL) {
+    if (sink == NULL || file == NULL) {
         free(file);
         return NULL;
     }
-    file->sink = info->sink;
+    file->sink = *sink;
     return &file->base;
 }
 
@@ -144,7 +138,7 @@ static const H5FD_class_t sink_class = {
     .name = "sink",
     .maxaddr = ((haddr_t)1 << 62),
     .fc_degree = H5F_CLOSE_STRONG,
-    .fapl_size = sizeof(struct driver_info),
+    .fapl_size = sizeof(struct mpm_hdf5_sink *),
     .open = sink_open,
     .close = sink_close,
     .query = sink_query,
@@ -161,12 +155,11 @@ _Static_assert(sizeof(hid_t) == sizeof(int64_t), "HDF5 1.10 or later");
 
 int64_t mpm_hdf5_sink_access(struct mpm_hdf5_sink *sink)
 {
-    const struct driver_info info = {sink};
     const hid_t driver = H5FDregister(&sink_class);
     if (driver < 0)
         return -1;
     hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-    if (access >= 0 && H5Pset_driver(access, driver, &info) < 0) {
+    if (access >= 0 && H5Pset_driver(access, driver, &sink) < 0) {
         (void)H5Pclose(access);
         access = -1;
     }

@@ -1,6 +1,4 @@
-/* history.csv: the sums over all particles, one row per sample.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/history.h"
 
 #include "io/results/file_write.h"
@@ -20,42 +18,36 @@ static const struct column {
     struct mpm_dimension dimension;
     bool (*belongs)(const struct mpm_scene *); /* NULL: to all scenes */
 } columns[] = {
-    {"time", offsetof(struct mpm_ledger, time), false, MPM_DIMENSION_TIME, NULL},
+#define COLUMN(member, unit, belongs)                                                              \
+    {                                                                                              \
+#member, offsetof(struct mpm_ledger, member), false, MPM_DIMENSION_##unit, belongs         \
+    }
+    COLUMN(time, TIME, NULL),
     {"step", offsetof(struct mpm_ledger, step), true, MPM_DIMENSION_NONE, NULL},
-    {"mass", offsetof(struct mpm_ledger, mass), false, MPM_DIMENSION_MASS, NULL},
+    COLUMN(mass, MASS, NULL),
     {"momentum_x", offsetof(struct mpm_ledger, momentum[0]), false, MPM_DIMENSION_MOMENTUM, NULL},
     {"momentum_y", offsetof(struct mpm_ledger, momentum[1]), false, MPM_DIMENSION_MOMENTUM, NULL},
-    {"angular_momentum", offsetof(struct mpm_ledger, angular_momentum), false,
-     MPM_DIMENSION_ANGULAR_MOMENTUM, NULL},
-    {"kinetic_energy", offsetof(struct mpm_ledger, kinetic_energy), false, MPM_DIMENSION_ENERGY,
-     NULL},
-    {"strain_energy", offsetof(struct mpm_ledger, strain_energy), false, MPM_DIMENSION_ENERGY,
-     NULL},
-    {"external_work", offsetof(struct mpm_ledger, external_work), false, MPM_DIMENSION_ENERGY,
-     NULL},
-    {"total_energy", offsetof(struct mpm_ledger, total_energy), false, MPM_DIMENSION_ENERGY, NULL},
-    {"j_min", offsetof(struct mpm_ledger, j_min), false, MPM_DIMENSION_NONE, NULL},
-    {"j_max", offsetof(struct mpm_ledger, j_max), false, MPM_DIMENSION_NONE, NULL},
-    {"damping_dissipation", offsetof(struct mpm_ledger, damping_dissipation), false,
-     MPM_DIMENSION_ENERGY, mpm_scene_is_damped},
-    {"cohesive_stored", offsetof(struct mpm_ledger, cohesive_stored), false, MPM_DIMENSION_ENERGY,
-     mpm_scene_is_cohesive},
-    {"cohesive_dissipated", offsetof(struct mpm_ledger, cohesive_dissipated), false,
-     MPM_DIMENSION_ENERGY, mpm_scene_is_cohesive},
-    {"transfer_loss", offsetof(struct mpm_ledger, transfer_loss), false, MPM_DIMENSION_ENERGY,
-     mpm_scene_has_energy_balance},
-    {"contact_loss", offsetof(struct mpm_ledger, contact_loss), false, MPM_DIMENSION_ENERGY,
-     mpm_scene_has_contact_loss},
+    COLUMN(angular_momentum, ANGULAR_MOMENTUM, NULL),
+    COLUMN(kinetic_energy, ENERGY, NULL),
+    COLUMN(strain_energy, ENERGY, NULL),
+    COLUMN(external_work, ENERGY, NULL),
+    COLUMN(total_energy, ENERGY, NULL),
+    COLUMN(j_min, NONE, NULL),
+    COLUMN(j_max, NONE, NULL),
+    COLUMN(damping_dissipation, ENERGY, mpm_scene_is_damped),
+    COLUMN(cohesive_stored, ENERGY, mpm_scene_is_cohesive),
+    COLUMN(cohesive_dissipated, ENERGY, mpm_scene_is_cohesive),
+    COLUMN(transfer_loss, ENERGY, mpm_scene_has_energy_balance),
+    COLUMN(contact_loss, ENERGY, mpm_scene_has_contact_loss),
 };
 
 struct mpm_history {
+    const struct mpm_scene *scene;
     char *path;
     int file;
     off_t size;                                          /* of the complete rows */
     const struct column *columns[G_N_ELEMENTS(columns)]; /* of this scene */
-    size_t column_count, quantity_count;                 /* of columns, then of cracks, */
-    size_t integral_count;                               /* then of J integrals */
-    bool *growing;                                       /* per integral */
+    size_t column_count, quantity_count;                 /* of columns, then of cracks */
     bool has_row;
     uint64_t last_step;
 };
@@ -98,55 +90,39 @@ static void append_head(GString *names, GString *units, const struct mpm_scene *
     g_string_append_printf(units, "%s%s", units->len == 0 ? "# " : ",", unit);
 }
 
-/* K: stress times the root of length. */
-static void append_intensity_unit(GString *units, const struct mpm_scene *scene)
-{
-    char stress[MPM_UNIT_SIZE];
-    const char *const length = scene->units_length[0] != '\0' ? scene->units_length : "length";
-    mpm_unit_text(scene, (struct mpm_dimension)MPM_DIMENSION_TOUGHNESS, stress);
-    g_string_append_printf(units, ",%s %s^-0.5", stress, length);
-}
+/* The last two are of tips that grow. */
+static const struct {
+    const char *name;
+    struct mpm_dimension dimension;
+    bool over_root; /* of length: K is stress times the root of length */
+} integral_columns[] = {
+    {"j1", MPM_DIMENSION_TOUGHNESS, false}, {"j2", MPM_DIMENSION_TOUGHNESS, false},
+    {"k1", MPM_DIMENSION_TOUGHNESS, true},  {"k2", MPM_DIMENSION_TOUGHNESS, true},
+    {"grown", MPM_DIMENSION_LENGTH, false}, {"dissipated", MPM_DIMENSION_ENERGY, false},
+};
 
-static bool grows(const struct mpm_scene *scene, size_t integral)
+static size_t integral_column_count(const struct mpm_scene *scene, size_t integral)
 {
-    return scene->j_integrals[integral].growth.toughness > 0.0;
-}
-
-static void append_growth_head(GString *names, GString *units, const struct mpm_scene *scene,
-                               size_t place, size_t integral)
-{
-    const size_t crack = scene->j_integrals[integral].crack;
-    if (!grows(scene, integral))
-        return;
-    char *const grown = g_strdup_printf("crack_%zu_contour_%zu_grown", crack, place);
-    char *const dissipated = g_strdup_printf("crack_%zu_contour_%zu_dissipated", crack, place);
-    append_head(names, units, scene, grown, (struct mpm_dimension)MPM_DIMENSION_LENGTH);
-    append_head(names, units, scene, dissipated, (struct mpm_dimension)MPM_DIMENSION_ENERGY);
-    g_free(grown);
-    g_free(dissipated);
+    return G_N_ELEMENTS(integral_columns) -
+           (scene->j_integrals[integral].growth.toughness > 0.0 ? 0 : 2);
 }
 
 /* "crack_0_contour_1_j1": of cracks.0.j_integral.1 */
 static void append_integrals_head(GString *names, GString *units, const struct mpm_scene *scene)
 {
-    static const char *const columns_of_one[] = {"j1", "j2", "k1", "k2"};
+    const char *const length = scene->units_length[0] != '\0' ? scene->units_length : "length";
     size_t place = 0;
     for (size_t i = 0; i < scene->j_integral_count; i++) {
         const size_t crack = scene->j_integrals[i].crack;
         place = i > 0 && scene->j_integrals[i - 1].crack == crack ? place + 1 : 0;
-        for (size_t k = 0; k < G_N_ELEMENTS(columns_of_one); k++) {
+        for (size_t k = 0; k < integral_column_count(scene, i); k++) {
             char *const name =
-                g_strdup_printf("crack_%zu_contour_%zu_%s", crack, place, columns_of_one[k]);
-            if (k < 2) {
-                append_head(names, units, scene, name,
-                            (struct mpm_dimension)MPM_DIMENSION_TOUGHNESS);
-            } else {
-                g_string_append_printf(names, ",%s", name);
-                append_intensity_unit(units, scene);
-            }
+                g_strdup_printf("crack_%zu_contour_%zu_%s", crack, place, integral_columns[k].name);
+            append_head(names, units, scene, name, integral_columns[k].dimension);
+            if (integral_columns[k].over_root)
+                g_string_append_printf(units, " %s^-0.5", length);
             g_free(name);
         }
-        append_growth_head(names, units, scene, place, i);
     }
 }
 
@@ -176,10 +152,6 @@ static void choose_columns(struct mpm_history *history, const struct mpm_scene *
         if (columns[i].belongs == NULL || columns[i].belongs(scene))
             history->columns[history->column_count++] = &columns[i];
     history->quantity_count = mpm_scene_crack_quantity_count(scene);
-    history->integral_count = mpm_scene_j_integral_count(scene);
-    history->growing = g_new0(bool, history->integral_count + 1);
-    for (size_t i = 0; i < history->integral_count; i++)
-        history->growing[i] = grows(scene, i);
 }
 
 enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *scene,
@@ -187,6 +159,7 @@ enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *s
 {
     struct mpm_history *created = g_new0(struct mpm_history, 1);
     *history = NULL;
+    created->scene = scene;
     created->path = g_build_filename(folder, MPM_HISTORY_NAME, NULL);
     choose_columns(created, scene);
     created->file = open(created->path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
@@ -209,7 +182,6 @@ void mpm_history_free(struct mpm_history *history)
     if (history->file >= 0)
         (void)close(history->file);
     g_free(history->path);
-    g_free(history->growing);
     g_free(history);
 }
 
@@ -220,7 +192,7 @@ static enum mpm_status append_integrals(const struct mpm_history *history, GStri
 {
     const double none = (double)NAN;
     enum mpm_status status = MPM_OK;
-    for (size_t i = 0; i < history->integral_count; i++) {
+    for (size_t i = 0; i < history->scene->j_integral_count; i++) {
         struct mpm_j_integral found = {.grown = none, .dissipated = none};
         struct mpm_error second = {.status = MPM_OK};
         const enum mpm_status one =
@@ -231,8 +203,7 @@ static enum mpm_status append_integrals(const struct mpm_history *history, GStri
         const double values[] = {
             found.j[0],  found.j[1],      found.stress_intensity[0], found.stress_intensity[1],
             found.grown, found.dissipated};
-        const size_t count = G_N_ELEMENTS(values) - (history->growing[i] ? 0 : 2);
-        for (size_t k = 0; k < count; k++) {
+        for (size_t k = 0; k < integral_column_count(history->scene, i); k++) {
             g_string_append_c(row, ',');
             append_number(row, values[k]);
         }

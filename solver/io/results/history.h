@@ -14,7 +14,8 @@
 struct mpm_history;
 
 /* Makes the file in `folder`, in place of one that may be there, with its two first
- * lines. MPM_ENVIRONMENT_FAILED names the file and the system's reason. */
+ * lines; the scene must outlive it. MPM_ENVIRONMENT_FAILED names the file and the system's reason.
+ */
 enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *scene,
                                    struct mpm_history **history, struct mpm_error *error);
 void mpm_history_free(struct mpm_history *history);

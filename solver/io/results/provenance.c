@@ -1,18 +1,15 @@
-/* Where results come from: facts that every result file carries.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/provenance.h"
 
 #include <glib.h>
+#include <string.h>
 
 void mpm_provenance_fill(const struct mpm_scene *scene, struct mpm_provenance *provenance)
 {
     const struct mpm_build_info *build = mpm_build_info();
     for (size_t i = 0; i < sizeof scene->sha256; i++)
         g_snprintf(provenance->scene_sha256 + 2 * i, 3, "%02x", scene->sha256[i]);
-    const struct {
-        const char *name, *text;
-    } facts[MPM_FACT_COUNT] = {
+    const struct mpm_fact facts[MPM_FACT_COUNT] = {
         {"scene_sha256", provenance->scene_sha256},
         {"version", build->version},
         {"revision", build->revision},
@@ -20,8 +17,5 @@ void mpm_provenance_fill(const struct mpm_scene *scene, struct mpm_provenance *p
         {"flags", build->flags},
         {"libraries", build->libraries},
     };
-    for (size_t i = 0; i < MPM_FACT_COUNT; i++) {
-        provenance->facts[i].name = facts[i].name;
-        provenance->facts[i].text = facts[i].text;
-    }
+    memcpy(provenance->facts, facts, sizeof facts);
 }

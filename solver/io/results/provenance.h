@@ -8,10 +8,12 @@
 
 enum { MPM_FACT_COUNT = 6, MPM_SHA256_TEXT_SIZE = 65 };
 
+struct mpm_fact {
+    const char *name, *text;
+};
+
 struct mpm_provenance {
-    struct {
-        const char *name, *text;
-    } facts[MPM_FACT_COUNT];
+    struct mpm_fact facts[MPM_FACT_COUNT];
     char scene_sha256[MPM_SHA256_TEXT_SIZE];
 };
 

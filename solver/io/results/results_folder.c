@@ -1,6 +1,4 @@
-/* The folder that a run writes to.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/results_folder.h"
 
 #include "io/results/file_write.h"
@@ -39,6 +37,20 @@ static bool is_result_name(const char *name)
     return is_result;
 }
 
+/* The name of a result file in the folder (g_free), or NULL. */
+static char *find_result(const char *folder, GError **failure)
+{
+    GDir *directory = g_dir_open(folder, 0, failure);
+    if (directory == NULL)
+        return NULL;
+    const char *name = g_dir_read_name(directory);
+    while (name != NULL && !is_result_name(name))
+        name = g_dir_read_name(directory);
+    char *found = g_strdup(name);
+    g_dir_close(directory);
+    return found;
+}
+
 enum mpm_status mpm_results_folder_check(const char *folder, bool overwrite,
                                          struct mpm_error *error)
 {
@@ -50,40 +62,30 @@ enum mpm_status mpm_results_folder_check(const char *folder, bool overwrite,
         return mpm_error_set(error, MPM_BAD_INPUT, "output: '%s' is a file; a folder is needed",
                              folder);
     GError *failure = NULL;
-    GDir *directory = g_dir_open(folder, 0, &failure);
-    if (directory == NULL) {
-        (void)mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "output: %s", failure->message);
-        g_clear_error(&failure);
-        return MPM_ENVIRONMENT_FAILED;
-    }
+    char *name = find_result(folder, &failure);
     enum mpm_status status = MPM_OK;
-    for (const char *name = NULL;
-         !overwrite && status == MPM_OK && (name = g_dir_read_name(directory)) != NULL;)
-        if (is_result_name(name))
-            status = mpm_error_set(error, MPM_BAD_INPUT,
-                                   "output: '%s' holds results (%s); name another folder or "
-                                   "allow --overwrite",
-                                   folder, name);
-    g_dir_close(directory);
+    if (failure != NULL)
+        status = mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "output: %s", failure->message);
+    else if (name != NULL && !overwrite)
+        status = mpm_error_set(error, MPM_BAD_INPUT,
+                               "output: '%s' holds results (%s); name another folder or allow "
+                               "--overwrite",
+                               folder, name);
+    g_clear_error(&failure);
+    g_free(name);
     return status;
 }
 
 static enum mpm_status remove_results(const char *folder, struct mpm_error *error)
 {
-    GDir *directory = g_dir_open(folder, 0, NULL);
     enum mpm_status status = MPM_OK;
-    const char *name = NULL;
-    while (directory != NULL && status == MPM_OK && (name = g_dir_read_name(directory)) != NULL) {
-        if (!is_result_name(name))
-            continue;
+    for (char *name; status == MPM_OK && (name = find_result(folder, NULL)) != NULL; g_free(name)) {
         char *path = g_build_filename(folder, name, NULL);
         if (g_unlink(path) != 0)
             status = mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be removed: %s", path,
                                    g_strerror(errno));
         g_free(path);
     }
-    if (directory != NULL)
-        g_dir_close(directory);
     return status;
 }
 

@@ -1,13 +1,11 @@
-/* run.json: how a run ended, what it cost and where it comes from.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/run_record.h"
 
+#include "io/results/file_write.h"
 #include "io/results/provenance.h"
 
 #include <glib.h>
 #include <jansson.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/utsname.h>
 
@@ -55,28 +53,31 @@ static json_t *provenance_object(const struct mpm_scene *scene, const struct mpm
     char *processor = processor_name();
     json_object_set_new(object, "processor", text(processor));
     g_free(processor);
-    json_object_set_new(object, "threads", json_integer(record->threads));
+    json_object_set_new(object, "threads",
+                        json_integer(mpm_simulation_threads(record->simulation)));
     return object;
 }
 
 static json_t *seconds_object(const struct mpm_run_record *record)
 {
+    struct mpm_phases phases;
+    mpm_simulation_phases(record->simulation, &phases);
     json_t *object = json_pack("{s:f, s:f, s:f}", "setup", record->seconds_setup, "step",
                                record->seconds_step, "output", record->seconds_output);
-    for (size_t i = 0; i < record->phases.count; i++)
-        json_object_set_new(object, record->phases.name[i], json_real(record->phases.seconds[i]));
+    for (size_t i = 0; i < phases.count; i++)
+        json_object_set_new(object, phases.name[i], json_real(phases.seconds[i]));
     return object;
 }
 
 static json_t *counters_object(const struct mpm_run_record *record)
 {
-    const json_int_t steps = (json_int_t)record->steps;
-    const json_int_t particles = (json_int_t)record->particles;
-    const double per_particle =
-        record->particles > 0 ? (double)record->bytes / (double)record->particles : 0.0;
+    const json_int_t steps = (json_int_t)mpm_simulation_step(record->simulation);
+    const json_int_t particles = (json_int_t)mpm_simulation_particle_count(record->simulation);
+    const size_t bytes = mpm_simulation_bytes(record->simulation) + record->output_bytes;
+    const double per_particle = particles > 0 ? (double)bytes / (double)particles : 0.0;
     return json_pack("{s:I, s:I, s:I, s:o, s:{s:I, s:f}}", "steps", steps, "particles", particles,
                      "particle_steps", steps * particles, "seconds", seconds_object(record),
-                     "bytes", "total", (json_int_t)record->bytes, "per_particle", per_particle);
+                     "bytes", "total", (json_int_t)bytes, "per_particle", per_particle);
 }
 
 static json_t *cause_text(enum mpm_cause cause)
@@ -86,42 +87,36 @@ static json_t *cause_text(enum mpm_cause cause)
 
 static json_t *warnings_array(const struct mpm_run_record *record)
 {
+    const char *const advice = mpm_simulation_advice(record->simulation);
     json_t *array = json_array();
-    for (size_t i = 0; i < G_N_ELEMENTS(record->warnings); i++)
-        if (record->warnings[i] != NULL)
-            json_array_append_new(array, text(record->warnings[i]));
+    if (advice[0] != '\0')
+        json_array_append_new(array, text(advice));
+    if (record->growth_warning != NULL)
+        json_array_append_new(array, text(record->growth_warning));
     return array;
 }
 
-static json_t *growth_object(const struct mpm_energy_growth *growth)
+static json_t *growth_object(const struct mpm_run_record *record)
 {
-    if (!growth->seen)
+    struct mpm_energy_growth growth;
+    if (!mpm_simulation_energy_growth(record->simulation, &growth))
         return json_null();
-    return json_pack("{s:I, s:f, s:f, s:f}", "step", (json_int_t)growth->step, "time", growth->time,
-                     "largest_factor", growth->largest, "last_factor", growth->factor);
+    return json_pack("{s:I, s:f, s:f, s:f}", "step", (json_int_t)growth.step, "time", growth.time,
+                     "largest_factor", growth.largest, "last_factor", growth.factor);
 }
 
 enum mpm_status mpm_run_record_write(const char *folder, const struct mpm_scene *scene,
                                      const struct mpm_run_record *record, struct mpm_error *error)
 {
-    json_t *root =
-        json_pack("{s:s, s:o, s:o, s:i, s:o, s:o, s:o, s:o, s:o, s:o}", "outcome",
-                  record->status == MPM_OK ? "done" : "failed", "cause", cause_text(record->cause),
-                  "reason", text(record->reason), "exit_status", (int)record->status, "warnings",
-                  warnings_array(record), "energy_growth", growth_object(&record->growth),
-                  "counters", counters_object(record), "kernels", text(record->kernels), "simd",
-                  text(record->simd), "provenance", provenance_object(scene, record));
-    char *written = root != NULL ? json_dumps(root, JSON_INDENT(2)) : NULL;
+    json_t *root = json_pack(
+        "{s:s, s:o, s:o, s:i, s:o, s:o, s:o, s:o, s:o, s:o}", "outcome",
+        record->status == MPM_OK ? "done" : "failed", "cause", cause_text(record->cause), "reason",
+        text(record->reason), "exit_status", (int)record->status, "warnings",
+        warnings_array(record), "energy_growth", growth_object(record), "counters",
+        counters_object(record), "kernels", text(mpm_simulation_kernels(record->simulation)),
+        "simd", text(mpm_simulation_simd(record->simulation)), "provenance",
+        provenance_object(scene, record));
+    const enum mpm_status status = mpm_file_write_json(folder, MPM_RUN_RECORD_NAME, root, 2, error);
     json_decref(root);
-    if (written == NULL)
-        return mpm_error_memory(error, 0, MPM_RUN_RECORD_NAME);
-    char *path = g_build_filename(folder, MPM_RUN_RECORD_NAME, NULL);
-    GError *failure = NULL;
-    enum mpm_status status = MPM_OK;
-    if (!g_file_set_contents(path, written, -1, &failure))
-        status = mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "%s", failure->message);
-    g_clear_error(&failure);
-    g_free(path);
-    free(written);
     return status;
 }

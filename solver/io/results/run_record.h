@@ -9,20 +9,14 @@
 #define MPM_RUN_RECORD_NAME "run.json"
 
 struct mpm_run_record {
+    const struct mpm_simulation *simulation; /* at its end */
     enum mpm_status status;
-    enum mpm_cause cause;    /* of a failed run */
-    const char *reason;      /* why the run ended */
-    const char *warnings[2]; /* of a run that went on; NULL where there is none */
-    struct mpm_energy_growth growth;
-    const char *scene_path; /* NULL: as the scene names itself */
-    const char *kernels;    /* name of the set, */
-    const char *simd;       /* and the instructions that it uses */
-    int threads;
-    uint64_t steps;
-    size_t particles;
-    size_t bytes; /* of the simulation and the working space of its output */
+    enum mpm_cause cause;       /* of a failed run */
+    const char *reason;         /* why the run ended */
+    const char *growth_warning; /* of a run that went on; NULL where there is none */
+    const char *scene_path;     /* NULL: as the scene names itself */
+    size_t output_bytes;        /* working space of the output */
     double seconds_setup, seconds_step, seconds_output;
-    struct mpm_phases phases;
 };
 
 /* Writes run.json into `folder`, whole or not at all. `outcome` is "done" for MPM_OK

@@ -1,8 +1,7 @@
-/* The snapshots of a run and the list of them.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/series.h"
 
+#include "io/results/file_write.h"
 #include "io/results/snapshot.h"
 
 #include <glib.h>
@@ -63,22 +62,6 @@ const char *mpm_series_last(const struct mpm_series *series, double *time)
     return series->last_name;
 }
 
-static enum mpm_status list_write(const struct mpm_series *series, struct mpm_error *error)
-{
-    char *path = g_build_filename(series->folder, MPM_SERIES_LIST, NULL);
-    char *text = json_dumps(series->list, JSON_INDENT(1));
-    GError *failure = NULL;
-    enum mpm_status status = MPM_OK;
-    if (text == NULL)
-        status = mpm_error_memory(error, 0, MPM_SERIES_LIST);
-    else if (!g_file_set_contents(path, text, -1, &failure))
-        status = mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "%s", failure->message);
-    g_clear_error(&failure);
-    free(text);
-    g_free(path);
-    return status;
-}
-
 static enum mpm_status snapshot_write(const struct mpm_series *series, const char *name,
                                       const struct mpm_simulation *simulation,
                                       struct mpm_error *error)
@@ -109,5 +92,5 @@ enum mpm_status mpm_series_write(struct mpm_series *series, const struct mpm_sim
     series->last_time = time;
     series->last_step = step;
     (void)json_array_append_new(series->files, json_pack("{s:s, s:f}", "name", name, "time", time));
-    return list_write(series, error);
+    return mpm_file_write_json(series->folder, MPM_SERIES_LIST, series->list, 1, error);
 }

@@ -1,6 +1,4 @@
-/* One snapshot: all particles at one instant in one HDF5 file.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/snapshot.h"
 
 #include "io/results/file_write.h"
@@ -134,16 +132,21 @@ static void fill_field(const struct mpm_snapshot *snapshot,
     mpm_simulation_field_range(snapshot->simulation, source->field, first, count, snapshot->work);
 }
 
-static void describe_dataset(struct mpm_snapshot *snapshot, hid_t dataset,
-                             struct mpm_dimension dimension, const char *description,
-                             size_t components)
+/* A dataset with its attributes. */
+static void write_described(struct mpm_snapshot *snapshot, hid_t parent,
+                            const struct mpm_field_info *info, hsize_t rows,
+                            const struct mpm_snapshot_source *source)
 {
+    const hid_t dataset = mpm_snapshot_dataset(snapshot, parent, info->name,
+                                               info->integer ? H5T_STD_I64LE : H5T_IEEE_F64LE, rows,
+                                               info->components, MPM_STORED, source);
     char unit[MPM_UNIT_SIZE];
-    mpm_unit_text(snapshot->scene, dimension, unit);
+    mpm_unit_text(snapshot->scene, info->dimension, unit);
     mpm_snapshot_text(snapshot, dataset, "unit", unit);
-    mpm_snapshot_text(snapshot, dataset, "description", description);
+    mpm_snapshot_text(snapshot, dataset, "description", info->description);
     mpm_snapshot_text(snapshot, dataset, "components",
-                      components_text(snapshot->scene->geometry, components));
+                      components_text(snapshot->scene->geometry, info->components));
+    mpm_snapshot_checked(snapshot, H5Dclose(dataset));
 }
 
 static void write_field(struct mpm_snapshot *snapshot, hid_t particles, hid_t point_data,
@@ -151,11 +154,7 @@ static void write_field(struct mpm_snapshot *snapshot, hid_t particles, hid_t po
 {
     const struct mpm_field_info *info = mpm_field_describe(field);
     const struct mpm_snapshot_source source = {.fill = fill_field, .field = field};
-    const hid_t dataset = mpm_snapshot_dataset(
-        snapshot, particles, info->name, info->integer ? H5T_STD_I64LE : H5T_IEEE_F64LE,
-        snapshot->count, info->components, MPM_STORED, &source);
-    describe_dataset(snapshot, dataset, info->dimension, info->description, info->components);
-    mpm_snapshot_checked(snapshot, H5Dclose(dataset));
+    write_described(snapshot, particles, info, snapshot->count, &source);
     mpm_snapshot_checked(snapshot, H5Lcreate_hard(particles, info->name, point_data, info->name,
                                                   H5P_DEFAULT, H5P_DEFAULT));
 }
@@ -182,38 +181,18 @@ static void fill_crack_numbers(const struct mpm_snapshot *snapshot,
 
 static void write_cracks(struct mpm_snapshot *snapshot, hid_t mpm)
 {
-    const struct {
-        const char *name, *description;
-        hid_t type;
-        hsize_t columns;
-        struct mpm_dimension dimension;
-        struct mpm_snapshot_source source;
-    } datasets[] = {
-        {"position",
-         "points of the cracks, crack by crack, each from its first to its last",
-         H5T_IEEE_F64LE,
-         2,
-         MPM_DIMENSION_LENGTH,
-         {.fill = fill_crack_positions}},
-        {"crack",
-         "index of the point's crack in the scene",
-         H5T_STD_I64LE,
-         1,
-         MPM_DIMENSION_NONE,
-         {.fill = fill_crack_numbers}},
-    };
+    static const struct mpm_field_info
+        position = {"position", 2, false, MPM_DIMENSION_LENGTH,
+                    "points of the cracks, crack by crack, each from its first to its last"},
+        crack = {"crack", 1, true, MPM_DIMENSION_NONE, "index of the point's crack in the scene"};
+    const struct mpm_snapshot_source positions = {.fill = fill_crack_positions},
+                                     numbers = {.fill = fill_crack_numbers};
     const hsize_t points = mpm_simulation_crack_point_count(snapshot->simulation);
     if (points == 0)
         return;
     const hid_t cracks = mpm_snapshot_group(snapshot, mpm, "cracks");
-    for (size_t i = 0; i < G_N_ELEMENTS(datasets); i++) {
-        const hid_t dataset =
-            mpm_snapshot_dataset(snapshot, cracks, datasets[i].name, datasets[i].type, points,
-                                 datasets[i].columns, MPM_STORED, &datasets[i].source);
-        describe_dataset(snapshot, dataset, datasets[i].dimension, datasets[i].description,
-                         datasets[i].columns);
-        mpm_snapshot_checked(snapshot, H5Dclose(dataset));
-    }
+    write_described(snapshot, cracks, &position, points, &positions);
+    write_described(snapshot, cracks, &crack, points, &numbers);
     mpm_snapshot_checked(snapshot, H5Gclose(cracks));
 }
 
@@ -253,38 +232,27 @@ static void fill_numbers(const struct mpm_snapshot *snapshot,
         snapshot->work[i] = (double)(first + i);
 }
 
+static void write_grid_data(struct mpm_snapshot *snapshot, hid_t vtk, const char *name, hid_t type,
+                            hsize_t rows, const struct mpm_snapshot_source *source)
+{
+    mpm_snapshot_checked(snapshot, H5Dclose(mpm_snapshot_dataset(snapshot, vtk, name, type, rows, 1,
+                                                                 MPM_DEFLATED, source)));
+}
+
 /* Each particle is a cell of its own: one vertex. */
 static void write_grid(struct mpm_snapshot *snapshot, hid_t vtk)
 {
     enum { VTK_VERTEX = 1 };
     const hsize_t count = snapshot->count;
-    const struct {
-        const char *name;
-        hid_t type;
-        hsize_t rows, columns;
-        enum mpm_snapshot_compression compression;
-        struct mpm_snapshot_source source;
-    } datasets[] = {
-        {"Points",
-         H5T_IEEE_F64LE,
-         count,
-         POINT_COMPONENTS,
-         MPM_STORED,
-         {.fill = fill_points, .field = MPM_FIELD_POSITION}},
-        {"Connectivity", H5T_STD_I64LE, count, 1, MPM_DEFLATED, {.fill = fill_numbers}},
-        {"Offsets", H5T_STD_I64LE, count + 1, 1, MPM_DEFLATED, {.fill = fill_numbers}},
-        {"Types",
-         H5T_STD_U8LE,
-         count,
-         1,
-         MPM_DEFLATED,
-         {.fill = mpm_snapshot_fill_value, .value = VTK_VERTEX}},
-    };
-    for (size_t i = 0; i < G_N_ELEMENTS(datasets); i++)
-        mpm_snapshot_checked(
-            snapshot, H5Dclose(mpm_snapshot_dataset(
-                          snapshot, vtk, datasets[i].name, datasets[i].type, datasets[i].rows,
-                          datasets[i].columns, datasets[i].compression, &datasets[i].source)));
+    const struct mpm_snapshot_source points = {.fill = fill_points, .field = MPM_FIELD_POSITION},
+                                     numbers = {.fill = fill_numbers},
+                                     types = {.fill = mpm_snapshot_fill_value, .value = VTK_VERTEX};
+    mpm_snapshot_checked(
+        snapshot, H5Dclose(mpm_snapshot_dataset(snapshot, vtk, "Points", H5T_IEEE_F64LE, count,
+                                                POINT_COMPONENTS, MPM_STORED, &points)));
+    write_grid_data(snapshot, vtk, "Connectivity", H5T_STD_I64LE, count, &numbers);
+    write_grid_data(snapshot, vtk, "Offsets", H5T_STD_I64LE, count + 1, &numbers);
+    write_grid_data(snapshot, vtk, "Types", H5T_STD_U8LE, count, &types);
 }
 
 static void write_vtk(struct mpm_snapshot *snapshot, hid_t vtk)

@@ -1,6 +1,4 @@
-/* Groups, attributes and datasets of a snapshot's file.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/snapshot_data.h"
 
 #include <glib.h>

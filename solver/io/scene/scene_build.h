@@ -6,7 +6,6 @@
 #define MPM_IO_SCENE_BUILD_H
 
 #include "io/scene/scene_schema.h"
-#include "io/yaml/names.h"
 
 enum { MPM_PATH_SIZE = 256 };
 
@@ -32,6 +31,10 @@ enum mpm_status mpm_build_general(const struct mpm_reading *reading);
 /* A part of it: stress update, form and transfer. */
 enum mpm_status mpm_build_transfer(const struct mpm_reading *reading);
 enum mpm_status mpm_build_materials(const struct mpm_reading *reading);
+/* A part of it: the law's parameters, by enum mpm_parameter; `path` is that of the material. */
+enum mpm_status mpm_build_parameters(const struct mpm_reading *reading, const char *path,
+                                     const struct mpm_material_law *law,
+                                     const struct mpm_raw_material *raw, double *parameter);
 enum mpm_status mpm_build_bodies(const struct mpm_reading *reading);
 enum mpm_status mpm_build_boundaries(const struct mpm_reading *reading);
 /* A part of it: a plane of symmetry instead of a velocity; `path` is that of the boundary. */
@@ -39,8 +42,6 @@ enum mpm_status mpm_build_symmetry(const struct mpm_reading *reading, const char
                                    const struct mpm_raw_boundary *raw,
                                    struct mpm_boundary_spec *boundary);
 enum mpm_status mpm_build_loads(const struct mpm_reading *reading);
-/* A part of it: tractions and particle forces. */
-enum mpm_status mpm_build_edge_loads(const struct mpm_reading *reading);
 /* Cracks, and whether the method takes them. */
 enum mpm_status mpm_build_cracks(const struct mpm_reading *reading);
 /* A part of it: what holds its surfaces together, once its points are known. */
@@ -60,9 +61,6 @@ enum mpm_status mpm_build_boundary_region(const struct mpm_reading *reading, con
                                           const struct mpm_raw_boundary_region *raw,
                                           struct mpm_region *region);
 
-/* The names of the coordinates: x and y, or r and z. */
-const char *const *mpm_coordinate_names(const struct mpm_scene *scene);
-
 /* A place in a region, off its centre, where formulas such as x/sqrt(x^2+y^2) have values. */
 void mpm_region_sample(const struct mpm_scene *scene, const struct mpm_region *region,
                        double place[2]);
@@ -73,8 +71,9 @@ enum mpm_status mpm_build_expressions(const struct mpm_reading *reading, const c
                                       char *const texts[2], bool has_time, const double place[2],
                                       struct mpm_vector_expression *vector);
 
-/* A component of a load that is 0 costs a step nothing: becomes NULL. */
-void mpm_drop_zero(char **text);
+/* An expression that is this number everywhere and at all times costs a step nothing: becomes NULL.
+ */
+void mpm_drop_constant(char **text, double idle);
 
 /* The same for one text; *value at `place` and t = 0. */
 enum mpm_status mpm_build_expression(const struct mpm_reading *reading, const char *path,
@@ -94,24 +93,27 @@ bool mpm_reading_given(const struct mpm_reading *reading, const char *path);
 /* Line of the key in the file; 0 if it is not from there. */
 int mpm_reading_line(const struct mpm_reading *reading, const char *path);
 
-/* Appends ".key" to a path. */
-const char *mpm_path_join(const char *path, const char *key, char buffer[MPM_PATH_SIZE]);
-
-/* Path of an entry: "bodies.3". */
-const char *mpm_path_entry(const char *list, size_t position, char buffer[MPM_PATH_SIZE]);
+/* The path of a key; as an argument, mpm_path_join(path, "region").text lives until the call is
+ * over. */
+struct mpm_path {
+    char text[MPM_PATH_SIZE];
+};
+/* "bodies.3.region" */
+struct mpm_path mpm_path_join(const char *path, const char *key);
+/* "bodies.3" */
+struct mpm_path mpm_path_entry(const char *list, size_t position);
 
 /* The number that the checks found in a text; 0 for NULL. */
 double mpm_raw_double(const char *text);
 
-/* calloc; NULL with the error (MPM_ENVIRONMENT_FAILED) filled in. */
-void *mpm_reading_allocate(const struct mpm_reading *reading, size_t count, size_t size,
-                           const char *what);
+/* calloc: `array` is the address of a pointer to elements of `size` bytes.
+ * MPM_ENVIRONMENT_FAILED: no memory, and the pointer is NULL. */
+enum mpm_status mpm_reading_allocate(const struct mpm_reading *reading, size_t count, size_t size,
+                                     const char *what, void *array);
 
-/* Sorts the names of a list's entries, which are `stride` bytes apart from `first` on;
- * refuses repeats. The caller frees *names. */
-enum mpm_status mpm_reading_index(const struct mpm_reading *reading, const char *list, size_t count,
-                                  const char *first, size_t stride,
-                                  struct mpm_indexed_name **names);
+/* Refuses names of a list's entries that repeat; they are `stride` bytes apart from `first` on. */
+enum mpm_status mpm_reading_check_names(const struct mpm_reading *reading, const char *list,
+                                        size_t count, const char *first, size_t stride);
 
 /* A copy of a text. */
 enum mpm_status mpm_reading_copy(const struct mpm_reading *reading, const char *text, char **copy);

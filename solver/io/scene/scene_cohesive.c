@@ -16,15 +16,13 @@ static enum mpm_status check_knee_keys(const struct mpm_reading *reading, const 
         const char *key, *given;
     } keys[] = {{"knee_opening", raw->knee_opening}, {"knee_traction", raw->knee_traction}};
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
-        char key[MPM_PATH_SIZE];
-        (void)mpm_path_join(path, keys[k].key, key);
         if (has_knee(cohesive) && keys[k].given == NULL)
             return mpm_reading_fault(reading, path,
                                      "%s without %s; allowed: with knee_opening and "
                                      "knee_traction",
                                      cohesive->law->name, keys[k].key);
         if (!has_knee(cohesive) && keys[k].given != NULL)
-            return mpm_reading_fault(reading, key,
+            return mpm_reading_fault(reading, mpm_path_join(path, keys[k].key).text,
                                      "given with law: %s, got %s; allowed: with trilinear only",
                                      cohesive->law->name, keys[k].given);
     }
@@ -34,17 +32,16 @@ static enum mpm_status check_knee_keys(const struct mpm_reading *reading, const 
 static enum mpm_status check_knee(const struct mpm_reading *reading, const char *path,
                                   const struct mpm_cohesive *cohesive)
 {
-    char key[MPM_PATH_SIZE];
     const double onset = cohesive->strength / cohesive->stiffness;
     if (!has_knee(cohesive))
         return MPM_OK;
     if (!(cohesive->knee_opening > onset))
-        return mpm_reading_fault(reading, mpm_path_join(path, "knee_opening", key),
+        return mpm_reading_fault(reading, mpm_path_join(path, "knee_opening").text,
                                  "got %g; allowed: above %g, the opening strength/stiffness at "
                                  "which the traction begins to fall",
                                  cohesive->knee_opening, onset);
     if (!(cohesive->knee_traction <= cohesive->strength))
-        return mpm_reading_fault(reading, mpm_path_join(path, "knee_traction", key),
+        return mpm_reading_fault(reading, mpm_path_join(path, "knee_traction").text,
                                  "got %g; allowed: up to the strength, %g", cohesive->knee_traction,
                                  cohesive->strength);
     return MPM_OK;
@@ -53,7 +50,6 @@ static enum mpm_status check_knee(const struct mpm_reading *reading, const char 
 static enum mpm_status build_law(const struct mpm_reading *reading, const char *path,
                                  const struct mpm_raw_cohesive *raw, struct mpm_cohesive *cohesive)
 {
-    char key[MPM_PATH_SIZE];
     double least;
     cohesive->law = mpm_cohesive_law((enum mpm_cohesive_kind)raw->law);
     cohesive->strength = mpm_raw_double(raw->strength);
@@ -64,7 +60,7 @@ static enum mpm_status build_law(const struct mpm_reading *reading, const char *
     MPM_TRY(check_knee_keys(reading, path, raw, cohesive));
     MPM_TRY(check_knee(reading, path, cohesive));
     if (!mpm_cohesive_settle(cohesive, &least))
-        return mpm_reading_fault(reading, mpm_path_join(path, "toughness", key),
+        return mpm_reading_fault(reading, mpm_path_join(path, "toughness").text,
                                  "got %g; allowed: above %g, the work of what the other keys "
                                  "describe (%s)",
                                  cohesive->toughness, least,
@@ -76,10 +72,9 @@ static enum mpm_status build_law(const struct mpm_reading *reading, const char *
 enum mpm_status mpm_build_cohesive(const struct mpm_reading *reading, const char *path,
                                    const struct mpm_raw_crack *raw, struct mpm_crack_spec *crack)
 {
-    char key[MPM_PATH_SIZE];
     crack->opening = raw->opening;
     if (raw->cohesive != NULL)
-        MPM_TRY(build_law(reading, mpm_path_join(path, "cohesive", key), raw->cohesive,
+        MPM_TRY(build_law(reading, mpm_path_join(path, "cohesive").text, raw->cohesive,
                           &crack->cohesive));
     const bool tracked = crack->opening || crack->cohesive.law != NULL;
     if (tracked && reading->scene->crack_method == MPM_CRACKS_VISIBILITY)

@@ -65,7 +65,7 @@ static enum mpm_status check_inside_grid(const struct mpm_reading *reading, cons
             return mpm_reading_fault(reading, path,
                                      "point %zu is outside the grid, got %s = %g; allowed: %g to "
                                      "%g",
-                                     i, mpm_coordinate_names(scene)[axis], place,
+                                     i, mpm_scene_coordinates(scene)[axis], place,
                                      radius ? fmax(first, 0.0) : first, last);
         }
     return MPM_OK;
@@ -154,10 +154,8 @@ static enum mpm_status check_others(const struct mpm_reading *reading, const cha
 static enum mpm_status build_points(const struct mpm_reading *reading, const char *path,
                                     const struct mpm_raw_crack *raw, struct mpm_crack_spec *crack)
 {
-    crack->points =
-        mpm_reading_allocate(reading, raw->points_count, sizeof crack->points[0], "a crack");
-    if (crack->points == NULL)
-        return MPM_ENVIRONMENT_FAILED;
+    MPM_TRY(mpm_reading_allocate(reading, raw->points_count, sizeof crack->points[0], "a crack",
+                                 &crack->points));
     crack->point_count = raw->points_count;
     for (size_t i = 0; i < crack->point_count; i++)
         for (int axis = 0; axis < 2; axis++)
@@ -172,13 +170,12 @@ static enum mpm_status check_friction(const struct mpm_reading *reading, const c
                                       const struct mpm_raw_crack *raw)
 {
     const bool wanted = raw->contact == MPM_CONTACT_FRICTION;
-    char key[MPM_PATH_SIZE];
     if (wanted && raw->friction == NULL)
-        return mpm_reading_fault(reading, mpm_path_join(path, "contact", key),
+        return mpm_reading_fault(reading, mpm_path_join(path, "contact").text,
                                  "friction without its coefficient; allowed: friction: a number "
                                  "of at least 0 beside it");
     if (!wanted && raw->friction != NULL)
-        return mpm_reading_fault(reading, mpm_path_join(path, "friction", key),
+        return mpm_reading_fault(reading, mpm_path_join(path, "friction").text,
                                  "a coefficient, got %s, without contact: friction; allowed: with "
                                  "it only",
                                  raw->friction);
@@ -189,20 +186,19 @@ static enum mpm_status build_crack(const struct mpm_reading *reading, size_t ind
 {
     const struct mpm_raw_crack *const raw = &reading->raw->cracks[index];
     struct mpm_crack_spec *const crack = &reading->scene->cracks[index];
-    char path[MPM_PATH_SIZE], points[MPM_PATH_SIZE];
-    (void)mpm_path_entry("cracks", index, path);
-    (void)mpm_path_join(path, "points", points);
-    crack->line = mpm_reading_line(reading, path);
+    const struct mpm_path path = mpm_path_entry("cracks", index);
+    const struct mpm_path points = mpm_path_join(path.text, "points");
+    crack->line = mpm_reading_line(reading, path.text);
     crack->contact = (enum mpm_crack_contact)raw->contact;
     crack->detection = (enum mpm_crack_detection)raw->detection;
     crack->friction = mpm_raw_double(raw->friction);
     crack->separated = mpm_raw_double(raw->separated);
     crack->touching = mpm_raw_double(raw->touching);
     crack->spacing = mpm_raw_double(raw->spacing);
-    MPM_TRY(check_friction(reading, path, raw));
-    MPM_TRY(build_points(reading, points, raw, crack));
-    MPM_TRY(mpm_build_cohesive(reading, path, raw, crack));
-    return check_others(reading, points, index);
+    MPM_TRY(check_friction(reading, path.text, raw));
+    MPM_TRY(build_points(reading, points.text, raw, crack));
+    MPM_TRY(mpm_build_cohesive(reading, path.text, raw, crack));
+    return check_others(reading, points.text, index);
 }
 
 /* Segments are compared pair by pair. */
@@ -218,21 +214,15 @@ static enum mpm_status check_point_count(const struct mpm_reading *reading)
                              MPM_POINTS_MAX);
 }
 
-/* What a method does at nodes that have one velocity, and these have several. */
 static enum mpm_status check_method(const struct mpm_reading *reading)
 {
     const struct mpm_transfer *const transfer = mpm_transfer_of(reading->scene->transfer);
-    if (transfer->no_fields != NULL)
-        return mpm_reading_fault(reading, "method.transfer.kind",
-                                 "%s is not implemented with cracks in this version: it %s, and "
-                                 "nodes at a crack have several; allowed: flip and pic",
-                                 transfer->name, transfer->no_fields);
-    if (reading->scene->form == MPM_FORM_MOMENTUM)
-        return mpm_reading_fault(reading, "method.form",
-                                 "momentum is not implemented with cracks in this version: it "
-                                 "divides by the mass of nodes of one velocity field, and nodes "
-                                 "at a crack have several; allowed: velocity");
-    return MPM_OK;
+    if (reading->scene->crack_method != MPM_CRACKS_VISIBILITY || transfer->no_visibility == NULL)
+        return MPM_OK;
+    return mpm_reading_fault(reading, "method.cracks",
+                             "visibility is not defined with transfer %s: it %s, and a crack hides "
+                             "some; allowed: fields",
+                             transfer->name, transfer->no_visibility);
 }
 
 enum mpm_status mpm_build_cracks(const struct mpm_reading *reading)
@@ -248,9 +238,7 @@ enum mpm_status mpm_build_cracks(const struct mpm_reading *reading)
                    : MPM_OK;
     MPM_TRY(check_method(reading));
     MPM_TRY(check_point_count(reading));
-    scene->cracks = mpm_reading_allocate(reading, count, sizeof *scene->cracks, "cracks");
-    if (scene->cracks == NULL)
-        return MPM_ENVIRONMENT_FAILED;
+    MPM_TRY(mpm_reading_allocate(reading, count, sizeof *scene->cracks, "cracks", &scene->cracks));
     scene->crack_count = count;
     for (size_t i = 0; i < count; i++)
         MPM_TRY(build_crack(reading, i));

@@ -1,21 +1,7 @@
 /* Damping, and when a run is at rest.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/expression.h"
 #include "io/scene/scene_build.h"
-
-#include <math.h>
-#include <stdlib.h>
-
-/* A rate that is 0 everywhere and at all times costs a step nothing: it is left out. */
-static void drop(char **text, double idle)
-{
-    double value = 0.0;
-    if (!mpm_number_parse(*text, &value) || value != idle)
-        return;
-    free(*text);
-    *text = NULL;
-}
 
 static enum mpm_status build_rate(const struct mpm_reading *reading, const char *path,
                                   const char *raw, char **text)
@@ -29,7 +15,7 @@ static enum mpm_status build_rate(const struct mpm_reading *reading, const char 
     if (!(rate >= 0.0))
         return mpm_reading_fault(reading, path, "a negative rate, got %g; allowed: at least 0",
                                  rate);
-    drop(text, 0.0);
+    mpm_drop_constant(text, 0.0);
     return MPM_OK;
 }
 
@@ -54,7 +40,7 @@ static enum mpm_status build_pic(const struct mpm_reading *reading)
                                  "both damping.pic and a method.transfer that keeps %g of FLIP, "
                                  "which do the same to velocities; allowed: one of them",
                                  scene->flip_fraction);
-    drop(&scene->damping.pic, 1.0);
+    mpm_drop_constant(&scene->damping.pic, 1.0);
     return MPM_OK;
 }
 

@@ -57,10 +57,10 @@ static enum mpm_status build_growth(const struct mpm_reading *reading,
                                     const struct mpm_raw_propagation *raw, size_t index)
 {
     struct mpm_j_integral_spec *const own = &reading->scene->j_integrals[index];
-    char path[MPM_PATH_SIZE];
+    const struct mpm_path key = mpm_path_join(own->key, "propagation");
+    const char *const path = key.text;
     if (raw == NULL)
         return MPM_OK;
-    (void)mpm_path_join(own->key, "propagation", path);
     MPM_TRY(check_growing(reading, path, index));
     own->growth = (struct mpm_growth_spec){
         .toughness = mpm_raw_double(raw->toughness),
@@ -137,10 +137,8 @@ enum mpm_status mpm_build_j_integrals(const struct mpm_reading *reading)
         count += reading->raw->cracks[k].j_integral_count;
     if (count == 0)
         return MPM_OK;
-    scene->j_integrals =
-        mpm_reading_allocate(reading, count, sizeof *scene->j_integrals, "J integrals");
-    if (scene->j_integrals == NULL)
-        return MPM_ENVIRONMENT_FAILED;
+    MPM_TRY(mpm_reading_allocate(reading, count, sizeof *scene->j_integrals, "J integrals",
+                                 &scene->j_integrals));
     for (size_t k = 0; k < scene->crack_count; k++)
         for (size_t i = 0; i < reading->raw->cracks[k].j_integral_count; i++)
             MPM_TRY(build_one(reading, k, i));

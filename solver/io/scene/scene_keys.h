@@ -104,29 +104,14 @@
 
 /* NOLINTEND(readability-identifier-naming) */
 
+/* clang-format off */
 #define MPM_CHOICE_LISTS(L)                                                                        \
-    L(geometry)                                                                                    \
-    L(shape)                                                                                       \
-    L(axis)                                                                                        \
-    L(axis_nodes)                                                                                  \
-    L(stress_update)                                                                               \
-    L(position_update)                                                                             \
-    L(radius_update)                                                                               \
-    L(form)                                                                                        \
-    L(transfer_kind)                                                                               \
-    L(edge)                                                                                        \
-    L(frame)                                                                                       \
-    L(crack_method)                                                                                \
-    L(contact)                                                                                     \
-    L(detection)                                                                                   \
-    L(tip)                                                                                         \
-    L(j_form)                                                                                      \
-    L(growth_direction)                                                                            \
-    L(cohesive_law)
+    L(geometry) L(shape) L(axis) L(axis_nodes) L(stress_update) L(position_update) L(radius_update) \
+    L(form) L(transfer_kind) L(edge) L(frame) L(crack_method) L(contact) L(detection) L(tip)       \
+    L(j_form) L(growth_direction) L(cohesive_law)
 
 /* -------------------------------------------------------------------- keys */
 
-/* clang-format off */
 #define KEYS_units(X, S)                                                                           \
     X(S, ONE, length, NAME, ANYWHERE, OPTIONAL, NONE, "\"\"", ANY, "name of the unit of length")     \
     X(S, ONE, mass, NAME, ANYWHERE, OPTIONAL, NONE, "\"\"", ANY, "name of the unit of mass")         \

@@ -2,59 +2,34 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
-#include "io/scene/scene_schema.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
-/* The parameters of a material as the scene has them, by enum mpm_parameter; NULL where missing. */
+/* A key of a material that belongs to a parameter of laws; its text is NULL where it is missing. */
 struct given {
-    const char *text[MPM_PARAMETER_COUNT];
+    const char *key, *text;
+    enum mpm_parameter of;
 };
 
-static struct given parameters_of(const struct mpm_raw_material *raw)
+/* The law has all of them to which a key belongs that is given. */
+static enum mpm_status check_keys(const struct mpm_reading *reading, const char *path,
+                                  const struct mpm_material_law *law, const struct given *list,
+                                  size_t count)
 {
-#define PARAMETER_TEXT(a, b, name, key, ...) [MPM_PARAMETER_##name] = raw->key,
-    return (struct given){.text = {MPM_LAW_PARAMETERS(PARAMETER_TEXT, , )}};
-}
-
-/* "bulk, shear" */
-static const char *keys_of(const struct mpm_material_law *law, char *text, size_t size)
-{
-    size_t used = 0;
-    for (size_t k = 0; k < law->parameter_count && used < size; k++)
-        used += (size_t)snprintf(text + used, size - used, "%s%s", k > 0 ? ", " : "",
-                                 mpm_parameter_key(law->parameters[k].which));
-    return law->parameter_count > 0 ? text : "none";
-}
-
-static bool is_elastic(const struct mpm_material_law *law)
-{
-    return mpm_law_parameter(law, MPM_PARAMETER_BULK) != NULL &&
-           mpm_law_parameter(law, MPM_PARAMETER_SHEAR) != NULL;
-}
-
-static enum mpm_status refuse_others(const struct mpm_reading *reading, const char *path,
-                                     const struct mpm_material_law *law,
-                                     const struct mpm_raw_material *raw)
-{
-    const struct given given = parameters_of(raw);
+    char allowed[MPM_ALLOWED_SIZE] = "none";
     const char *other = NULL;
-    for (int k = 0; k < MPM_PARAMETER_COUNT; k++)
-        if (given.text[k] != NULL && mpm_law_parameter(law, (enum mpm_parameter)k) == NULL)
-            other = mpm_parameter_key((enum mpm_parameter)k);
-    if (!is_elastic(law) && (raw->young != NULL || raw->poisson != NULL))
-        other = raw->young != NULL ? "young" : "poisson";
+    for (size_t k = 0, used = 0; k < count && used < sizeof allowed; k++)
+        if (mpm_law_parameter(law, list[k].of) != NULL)
+            used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s",
+                                     used > 0 ? ", " : "", list[k].key);
+        else if (list[k].text != NULL)
+            other = list[k].key;
     if (other == NULL)
         return MPM_OK;
-    char allowed[MPM_PATH_SIZE];
-    return mpm_reading_fault(reading, path, "the law %s has no parameter %s; allowed: %s%s",
-                             law->name, other, keys_of(law, allowed, sizeof allowed),
-                             is_elastic(law) ? ", or young, poisson for the moduli" : "");
+    return mpm_reading_fault(reading, path, "the law %s has no parameter %s; allowed: %s",
+                             law->name, other, allowed);
 }
-
-/* ------------------------------------------------------------ elastic constants */
 
 static enum mpm_status check_pairs(const struct mpm_reading *reading, const char *path,
                                    const struct mpm_raw_material *raw)
@@ -90,11 +65,23 @@ static enum mpm_status build_moduli(const struct mpm_reading *reading, const cha
                              *bulk, *shear);
 }
 
-/* ------------------------------------------------------------------- parameters */
-
-static enum mpm_status check_required(const struct mpm_reading *reading, const char *path,
-                                      const struct mpm_material_law *law, const double *parameter)
+enum mpm_status mpm_build_parameters(const struct mpm_reading *reading, const char *path,
+                                     const struct mpm_material_law *law,
+                                     const struct mpm_raw_material *raw, double *parameter)
 {
+#define GIVEN(a, b, name, key, ...) {#key, raw->key, MPM_PARAMETER_##name},
+    const struct given list[] = {
+        MPM_LAW_PARAMETERS(GIVEN, , ){"young", raw->young, MPM_PARAMETER_BULK},
+        {"poisson", raw->poisson, MPM_PARAMETER_BULK}};
+    MPM_TRY(check_keys(reading, path, law, list, sizeof list / sizeof list[0]));
+    for (int k = 0; k < MPM_PARAMETER_COUNT; k++) {
+        const struct mpm_law_parameter *const own = mpm_law_parameter(law, (enum mpm_parameter)k);
+        parameter[k] = list[k].text != NULL           ? mpm_raw_double(list[k].text)
+                       : own != NULL && own->optional ? own->fallback
+                                                      : (double)NAN;
+    }
+    if (mpm_law_parameter(law, MPM_PARAMETER_BULK) != NULL)
+        MPM_TRY(build_moduli(reading, path, raw, parameter));
     for (size_t k = 0; k < law->parameter_count; k++)
         if (isnan(parameter[law->parameters[k].which]))
             return mpm_reading_fault(reading, path, "the law %s requires %s, which is missing",
@@ -102,30 +89,13 @@ static enum mpm_status check_required(const struct mpm_reading *reading, const c
     return MPM_OK;
 }
 
-static enum mpm_status build_parameters(const struct mpm_reading *reading, const char *path,
-                                        const struct mpm_material_law *law,
-                                        const struct mpm_raw_material *raw, double *parameter)
-{
-    const struct given given = parameters_of(raw);
-    MPM_TRY(refuse_others(reading, path, law, raw));
-    for (int k = 0; k < MPM_PARAMETER_COUNT; k++) {
-        const struct mpm_law_parameter *const own = mpm_law_parameter(law, (enum mpm_parameter)k);
-        parameter[k] = given.text[k] != NULL          ? mpm_raw_double(given.text[k])
-                       : own != NULL && own->optional ? own->fallback
-                                                      : (double)NAN;
-    }
-    if (is_elastic(law))
-        MPM_TRY(build_moduli(reading, path, raw, parameter));
-    return check_required(reading, path, law, parameter);
-}
-
 static enum mpm_status build_material(const struct mpm_reading *reading, size_t index)
 {
+    const struct mpm_path key = mpm_path_entry("materials", index);
     const struct mpm_raw_material *const raw = &reading->raw->materials[index];
     const struct mpm_material_law *const law = mpm_material_law_find(raw->law);
     struct mpm_material_spec *const material = &reading->scene->materials[index];
-    char path[MPM_PATH_SIZE];
-    (void)mpm_path_entry("materials", index, path);
+    const char *const path = key.text;
     (void)snprintf(material->name, MPM_NAME_SIZE, "%s", raw->name);
     material->law = law;
     material->density = mpm_raw_double(raw->density);
@@ -135,22 +105,18 @@ static enum mpm_status build_material(const struct mpm_reading *reading, size_t 
                                  "the law %s has no plane stress; allowed geometry: plane_strain, "
                                  "axisymmetric",
                                  law->name);
-    return build_parameters(reading, path, law, raw, material->parameter);
+    return mpm_build_parameters(reading, path, law, raw, material->parameter);
 }
 
 enum mpm_status mpm_build_materials(const struct mpm_reading *reading)
 {
     struct mpm_scene *scene = reading->scene;
     const size_t count = reading->raw->materials_count;
-    scene->materials = mpm_reading_allocate(reading, count, sizeof *scene->materials, "materials");
-    if (scene->materials == NULL)
-        return MPM_ENVIRONMENT_FAILED;
+    MPM_TRY(mpm_reading_allocate(reading, count, sizeof *scene->materials, "materials",
+                                 &scene->materials));
     scene->material_count = count;
     for (size_t i = 0; i < count; i++)
         MPM_TRY(build_material(reading, i));
-    struct mpm_indexed_name *names = NULL;
-    MPM_TRY(mpm_reading_index(reading, "materials", count, scene->materials[0].name,
-                              sizeof scene->materials[0], &names));
-    free(names);
-    return MPM_OK;
+    return mpm_reading_check_names(reading, "materials", count, scene->materials[0].name,
+                                   sizeof scene->materials[0]);
 }

@@ -8,7 +8,6 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* ---------------------------------------------------------------- messages */
 
@@ -35,6 +34,13 @@ static void hash_bytes(struct mpm_bytes bytes, struct mpm_scene *scene)
     g_checksum_free(checksum);
 }
 
+/* What reading a scene takes until it is done. */
+struct work {
+    struct mpm_bytes bytes;
+    struct mpm_tree_node *root;
+    struct mpm_raw_scene *raw;
+};
+
 static enum mpm_status build(const struct mpm_reading *reading)
 {
     MPM_TRY(mpm_build_general(reading));
@@ -47,44 +53,14 @@ static enum mpm_status build(const struct mpm_reading *reading)
     return mpm_build_damping(reading);
 }
 
-static enum mpm_status build_from_tree(struct mpm_scene *scene, struct mpm_tree_node *root,
-                                       struct mpm_error *error)
-{
-    const struct mpm_source source = mpm_scene_source(scene);
-    MPM_TRY(mpm_tree_apply_settings(&source, scene->setting_count, root, error));
-    MPM_TRY(mpm_tree_check(&source, &mpm_scene_root, root, error));
-    struct mpm_raw_scene *const raw = mpm_keys_fill(&mpm_scene_root, root);
-    if (raw == NULL)
-        return mpm_error_memory(error, sizeof *raw, "a scene's values");
-    const struct mpm_reading reading = {.scene = scene, .root = root, .raw = raw, .error = error};
-    const enum mpm_status status = build(&reading);
-    mpm_keys_free(&mpm_scene_root, raw);
-    return status;
-}
-
-static enum mpm_status build_from_bytes(struct mpm_scene *scene, struct mpm_bytes bytes,
-                                        struct mpm_error *error)
-{
-    const struct mpm_source source = mpm_scene_source(scene);
-    const struct mpm_origin origin = {.setting = MPM_FROM_FILE};
-    struct mpm_tree_node *root = NULL;
-    hash_bytes(bytes, scene);
-    MPM_TRY(mpm_tree_parse(&source, origin, bytes.data, bytes.length, &root, error));
-    const enum mpm_status status = build_from_tree(scene, root, error);
-    mpm_tree_free(root);
-    return status;
-}
-
 static enum mpm_status copy_arguments(struct mpm_scene *scene, const char *path,
                                       const char *const *settings, size_t setting_count,
                                       struct mpm_error *error)
 {
     const struct mpm_reading reading = {.scene = scene, .error = error};
     MPM_TRY(mpm_reading_copy(&reading, path, &scene->path));
-    scene->settings =
-        mpm_reading_allocate(&reading, setting_count, sizeof *scene->settings, "settings");
-    if (scene->settings == NULL)
-        return MPM_ENVIRONMENT_FAILED;
+    MPM_TRY(mpm_reading_allocate(&reading, setting_count, sizeof *scene->settings, "settings",
+                                 &scene->settings));
     for (size_t i = 0; i < setting_count; i++) {
         MPM_TRY(mpm_reading_copy(&reading, settings[i], &scene->settings[i]));
         scene->setting_count++;
@@ -92,18 +68,22 @@ static enum mpm_status copy_arguments(struct mpm_scene *scene, const char *path,
     return MPM_OK;
 }
 
-static enum mpm_status read_scene(struct mpm_scene *scene, const char *path,
-                                  const char *const *settings, size_t setting_count,
+static enum mpm_status read_scene(struct mpm_scene *scene, struct work *work,
                                   struct mpm_error *error)
 {
-    struct mpm_bytes bytes;
-    MPM_TRY(copy_arguments(scene, path, settings, setting_count, error));
     const struct mpm_source source = mpm_scene_source(scene);
-    enum mpm_status status = mpm_source_read(&source, &bytes, error);
-    if (status == MPM_OK)
-        status = build_from_bytes(scene, bytes, error);
-    free(bytes.data);
-    return status;
+    const struct mpm_origin origin = {.setting = MPM_FROM_FILE};
+    struct mpm_bytes *const bytes = &work->bytes;
+    MPM_TRY(mpm_source_read(&source, bytes, error));
+    hash_bytes(*bytes, scene);
+    MPM_TRY(mpm_tree_parse(&source, origin, bytes->data, bytes->length, &work->root, error));
+    MPM_TRY(mpm_tree_apply_settings(&source, scene->setting_count, work->root, error));
+    MPM_TRY(mpm_tree_check(&source, &mpm_scene_root, work->root, error));
+    work->raw = mpm_keys_fill(&mpm_scene_root, work->root);
+    if (work->raw == NULL)
+        return mpm_error_memory(error, sizeof *work->raw, "a scene's values");
+    return build(&(struct mpm_reading){
+        .scene = scene, .root = work->root, .raw = work->raw, .error = error});
 }
 
 enum mpm_status mpm_scene_read(const char *path, const char *const *settings, size_t setting_count,
@@ -113,7 +93,13 @@ enum mpm_status mpm_scene_read(const char *path, const char *const *settings, si
     struct mpm_scene *made = calloc(1, sizeof *made);
     if (made == NULL)
         return mpm_error_memory(error, sizeof *made, "a scene");
-    const enum mpm_status status = read_scene(made, path, settings, setting_count, error);
+    struct work work = {.root = NULL};
+    enum mpm_status status = copy_arguments(made, path, settings, setting_count, error);
+    if (status == MPM_OK)
+        status = read_scene(made, &work, error);
+    mpm_keys_free(&mpm_scene_root, work.raw);
+    mpm_tree_free(work.root);
+    free(work.bytes.data);
     if (status != MPM_OK) {
         mpm_scene_free(made);
         return status;
@@ -160,6 +146,12 @@ void mpm_scene_free(struct mpm_scene *scene)
     free(scene->title);
     free(scene->path);
     free(scene);
+}
+
+const char *const *mpm_scene_coordinates(const struct mpm_scene *scene)
+{
+    static const char *const planar[2] = {"x", "y"}, *const radial[2] = {"r", "z"};
+    return scene->geometry == MPM_AXISYMMETRIC ? radial : planar;
 }
 
 size_t mpm_scene_body_count(const struct mpm_scene *scene)

@@ -6,8 +6,6 @@
 #include "model/region.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 static void read_pair(char *const texts[2], double pair[2])
 {
@@ -158,24 +156,27 @@ static enum mpm_status build_polygon(const struct mpm_reading *reading, const ch
                                      const struct mpm_raw_polygon *raw, struct mpm_region *region)
 {
     region->kind = MPM_REGION_POLYGON;
-    region->points = mpm_reading_allocate(reading, raw->points_count, sizeof region->points[0],
-                                          "a polygon's points");
-    if (region->points == NULL)
-        return MPM_ENVIRONMENT_FAILED;
+    MPM_TRY(mpm_reading_allocate(reading, raw->points_count, sizeof region->points[0],
+                                 "a polygon's points", &region->points));
     region->point_count = raw->points_count;
     for (size_t i = 0; i < region->point_count; i++)
         read_pair(raw->points[i], region->points[i]);
-    char points[MPM_PATH_SIZE];
-    return check_polygon(reading, mpm_path_join(path, "points", points), region);
+    return check_polygon(reading, mpm_path_join(path, "points").text, region);
 }
 
 /* ----------------------------------------------------------------- regions */
 
-static enum mpm_status refuse_choice(const struct mpm_reading *reading, const char *path, int count,
-                                     const char *allowed)
+/* All that a region has is shapes. */
+static enum mpm_status check_one_shape(const struct mpm_reading *reading, const char *path,
+                                       const char *list)
 {
-    return mpm_reading_fault(reading, path, "%d shapes given; allowed: exactly one of %s", count,
-                             allowed);
+    const struct mpm_key *const entry = mpm_key_find(&mpm_scene_root, list);
+    const size_t count = mpm_tree_find(reading->root, path, NULL)->count;
+    char allowed[MPM_ALLOWED_SIZE];
+    if (count == 1)
+        return MPM_OK;
+    return mpm_reading_fault(reading, path, "%zu shapes given; allowed: exactly one of %s", count,
+                             mpm_key_children(mpm_key_find(entry, "region"), allowed));
 }
 
 /* A body must lie inside the grid; what it has at r <= 0 does not count in axisymmetry. */
@@ -183,7 +184,6 @@ static enum mpm_status check_inside_grid(const struct mpm_reading *reading, cons
                                          const struct mpm_region *region)
 {
     const struct mpm_scene *scene = reading->scene;
-    const char *const axes = scene->geometry == MPM_AXISYMMETRIC ? "rz" : "xy";
     double low[2], high[2];
     mpm_region_bounds(region, low, high);
     if (scene->geometry == MPM_AXISYMMETRIC && high[0] <= 0.0)
@@ -197,8 +197,8 @@ static enum mpm_status check_inside_grid(const struct mpm_reading *reading, cons
         const double slack = 1e-9 * scene->cell[i];
         if (low[i] < first - slack || high[i] > last + slack)
             return mpm_reading_fault(reading, path,
-                                     "outside the grid, %c from %g to %g; allowed: %g to %g",
-                                     axes[i], low[i], high[i], first, last);
+                                     "outside the grid, %s from %g to %g; allowed: %g to %g",
+                                     mpm_scene_coordinates(scene)[i], low[i], high[i], first, last);
     }
     return MPM_OK;
 }
@@ -207,21 +207,13 @@ static enum mpm_status build_body_shape(const struct mpm_reading *reading, const
                                         const struct mpm_raw_body_region *raw,
                                         struct mpm_region *region)
 {
-    const int count = (raw->rectangle != NULL) + (raw->disk != NULL) + (raw->annulus != NULL) +
-                      (raw->polygon != NULL);
-    char shape[MPM_PATH_SIZE], allowed[MPM_ALLOWED_SIZE];
-    if (count != 1) {
-        const struct mpm_key *bodies = mpm_key_find(&mpm_scene_root, "bodies");
-        return refuse_choice(reading, path, count,
-                             mpm_key_children(mpm_key_find(bodies, "region"), allowed));
-    }
     if (raw->rectangle != NULL)
-        return build_rectangle(reading, mpm_path_join(path, "rectangle", shape), raw->rectangle,
+        return build_rectangle(reading, mpm_path_join(path, "rectangle").text, raw->rectangle,
                                region);
     if (raw->annulus != NULL)
-        return build_annulus(reading, mpm_path_join(path, "annulus", shape), raw->annulus, region);
+        return build_annulus(reading, mpm_path_join(path, "annulus").text, raw->annulus, region);
     if (raw->polygon != NULL)
-        return build_polygon(reading, mpm_path_join(path, "polygon", shape), raw->polygon, region);
+        return build_polygon(reading, mpm_path_join(path, "polygon").text, raw->polygon, region);
     build_disk(raw->disk, region);
     return MPM_OK;
 }
@@ -230,6 +222,7 @@ enum mpm_status mpm_build_body_region(const struct mpm_reading *reading, const c
                                       const struct mpm_raw_body_region *raw,
                                       struct mpm_region *region)
 {
+    MPM_TRY(check_one_shape(reading, path, "bodies"));
     MPM_TRY(build_body_shape(reading, path, raw, region));
     return check_inside_grid(reading, path, region);
 }
@@ -238,22 +231,15 @@ enum mpm_status mpm_build_boundary_region(const struct mpm_reading *reading, con
                                           const struct mpm_raw_boundary_region *raw,
                                           struct mpm_region *region)
 {
-    char shape[MPM_PATH_SIZE], allowed[MPM_ALLOWED_SIZE];
-    (void)mpm_path_join(path, "all", shape);
-    const bool all_given = mpm_reading_given(reading, shape);
-    const int count = (raw->line != NULL) + (raw->rectangle != NULL) + all_given;
-    if (count != 1) {
-        const struct mpm_key *boundary = mpm_key_find(&mpm_scene_root, "boundary");
-        return refuse_choice(reading, path, count,
-                             mpm_key_children(mpm_key_find(boundary, "region"), allowed));
-    }
+    MPM_TRY(check_one_shape(reading, path, "boundary"));
     if (raw->line != NULL)
-        return build_line(reading, mpm_path_join(path, "line", shape), raw->line, region);
+        return build_line(reading, mpm_path_join(path, "line").text, raw->line, region);
     if (raw->rectangle != NULL)
-        return build_rectangle(reading, mpm_path_join(path, "rectangle", shape), raw->rectangle,
+        return build_rectangle(reading, mpm_path_join(path, "rectangle").text, raw->rectangle,
                                region);
     if (!raw->all)
-        return mpm_reading_fault(reading, shape, "got false; allowed: true");
+        return mpm_reading_fault(reading, mpm_path_join(path, "all").text,
+                                 "got false; allowed: true");
     region->kind = MPM_REGION_ALL;
     return MPM_OK;
 }

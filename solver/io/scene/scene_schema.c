@@ -1,6 +1,4 @@
-/* The schema of scenes as a table of keys.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_schema.h"
 
 #include "model/material.h"

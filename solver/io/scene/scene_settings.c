@@ -1,12 +1,9 @@
-/* `--set PATH=VALUE`: edits of a scene's tree before it is checked.
- *
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_settings.h"
 
 #include "base/status.h"
 #include "io/scene/scene_schema.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

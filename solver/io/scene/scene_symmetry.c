@@ -13,7 +13,7 @@ static enum mpm_status check_place(const struct mpm_reading *reading, const char
                                    double place)
 {
     const struct mpm_scene *const scene = reading->scene;
-    const char *const name = mpm_coordinate_names(scene)[normal];
+    const char *const name = mpm_scene_coordinates(scene)[normal];
     const double index = (place - scene->origin[normal]) / scene->cell[normal];
     const double nearest = fmin(fmax(nearbyint(index), 0.0), (double)scene->cells[normal]);
     if (scene->geometry == MPM_AXISYMMETRIC && normal == 0 &&
@@ -37,22 +37,22 @@ enum mpm_status mpm_build_symmetry(const struct mpm_reading *reading, const char
                                    struct mpm_boundary_spec *boundary)
 {
     const struct mpm_region *const region = &boundary->region;
-    char key[MPM_PATH_SIZE], line[MPM_PATH_SIZE];
-    (void)mpm_path_join(path, "symmetry", key);
-    (void)mpm_path_join(path, "region.line", line);
+    const struct mpm_path key = mpm_path_join(path, "symmetry");
+    const struct mpm_path line = mpm_path_join(path, "region.line");
     if (!raw->symmetry)
-        return mpm_reading_fault(reading, key, "got false; allowed: true, or a velocity instead");
+        return mpm_reading_fault(reading, key.text,
+                                 "got false; allowed: true, or a velocity instead");
     if (region->kind != MPM_REGION_LINE)
-        return mpm_reading_fault(reading, key,
+        return mpm_reading_fault(reading, key.text,
                                  "a plane of symmetry with a region other than a line; allowed: "
                                  "region: {line: ...}");
     if (region->a[0] == region->b[0] && region->a[1] == region->b[1])
-        return mpm_reading_fault(reading, line,
+        return mpm_reading_fault(reading, line.text,
                                  "a plane of symmetry that is a single point, got (%g, %g); "
                                  "allowed: a line with a length",
                                  region->a[0], region->a[1]);
     boundary->symmetry = true;
     boundary->normal = region->a[0] == region->b[0] ? 0 : 1;
-    MPM_TRY(check_place(reading, line, boundary->normal, region->a[boundary->normal]));
+    MPM_TRY(check_place(reading, line.text, boundary->normal, region->a[boundary->normal]));
     return mpm_reading_copy(reading, "0", &boundary->velocity.text[boundary->normal]);
 }

@@ -4,6 +4,7 @@
 #include "io/scene/scene_build.h"
 
 #include "base/expression.h"
+#include "io/yaml/names.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -51,16 +52,18 @@ int mpm_reading_line(const struct mpm_reading *reading, const char *path)
     return node != NULL ? node->origin.line : 0;
 }
 
-const char *mpm_path_join(const char *path, const char *key, char buffer[MPM_PATH_SIZE])
+struct mpm_path mpm_path_join(const char *path, const char *key)
 {
-    (void)snprintf(buffer, MPM_PATH_SIZE, "%s.%s", path, key);
-    return buffer;
+    struct mpm_path joined;
+    (void)snprintf(joined.text, sizeof joined.text, "%s.%s", path, key);
+    return joined;
 }
 
-const char *mpm_path_entry(const char *list, size_t position, char buffer[MPM_PATH_SIZE])
+struct mpm_path mpm_path_entry(const char *list, size_t position)
 {
-    (void)snprintf(buffer, MPM_PATH_SIZE, "%s.%zu", list, position);
-    return buffer;
+    struct mpm_path joined;
+    (void)snprintf(joined.text, sizeof joined.text, "%s.%zu", list, position);
+    return joined;
 }
 
 double mpm_raw_double(const char *text)
@@ -71,13 +74,13 @@ double mpm_raw_double(const char *text)
     return value;
 }
 
-void *mpm_reading_allocate(const struct mpm_reading *reading, size_t count, size_t size,
-                           const char *what)
+enum mpm_status mpm_reading_allocate(const struct mpm_reading *reading, size_t count, size_t size,
+                                     const char *what, void *array)
 {
-    void *memory = calloc(count > 0 ? count : 1, size);
-    if (memory == NULL)
-        (void)mpm_error_memory(reading->error, count * size, what);
-    return memory;
+    void *const memory = calloc(count > 0 ? count : 1, size);
+    memcpy(array, &memory, sizeof memory);
+    /* cppcheck-suppress memleak ; the caller's pointer has it */
+    return memory != NULL ? MPM_OK : mpm_error_memory(reading->error, count * size, what);
 }
 
 enum mpm_status mpm_reading_copy(const struct mpm_reading *reading, const char *text, char **copy)
@@ -86,25 +89,20 @@ enum mpm_status mpm_reading_copy(const struct mpm_reading *reading, const char *
     return *copy != NULL ? MPM_OK : mpm_error_memory(reading->error, strlen(text) + 1, "a text");
 }
 
-enum mpm_status mpm_reading_index(const struct mpm_reading *reading, const char *list, size_t count,
-                                  const char *first, size_t stride, struct mpm_indexed_name **names)
+enum mpm_status mpm_reading_check_names(const struct mpm_reading *reading, const char *list,
+                                        size_t count, const char *first, size_t stride)
 {
-    *names = NULL;
-    struct mpm_indexed_name *index = mpm_reading_allocate(reading, count, sizeof *index, "names");
-    if (index == NULL)
-        return MPM_ENVIRONMENT_FAILED;
+    struct mpm_indexed_name *names;
+    MPM_TRY(mpm_reading_allocate(reading, count, sizeof *names, "names", &names));
     for (size_t i = 0; i < count; i++)
-        index[i] = (struct mpm_indexed_name){.text = first + i * stride, .index = i};
-    mpm_names_sort(index, count);
-    size_t earlier = 0, later = 0;
-    if (!mpm_names_repeat(index, count, &earlier, &later)) {
-        *names = index;
+        names[i] = (struct mpm_indexed_name){.text = first + i * stride, .index = i};
+    size_t earlier, later;
+    const bool repeated = mpm_names_repeat(names, count, &earlier, &later);
+    free(names);
+    if (!repeated)
         return MPM_OK;
-    }
-    free(index);
-    char path[MPM_PATH_SIZE], name[MPM_EXCERPT_SIZE];
-    (void)snprintf(path, sizeof path, "%s.%zu.name", list, later);
-    return mpm_reading_fault(reading, path,
+    char name[MPM_EXCERPT_SIZE];
+    return mpm_reading_fault(reading, mpm_path_join(mpm_path_entry(list, later).text, "name").text,
                              "name repeated, got %s as in %s.%zu; allowed: a name of its own",
                              mpm_excerpt(first + later * stride, name), list, earlier);
 }

@@ -4,8 +4,6 @@
 #include "io/scene/scene_build.h"
 #include "method/transfer/transfers.h"
 
-/* ------------------------------------------------------------------ transfer */
-
 static enum mpm_status check_keys(const struct mpm_reading *reading,
                                   const struct mpm_transfer *transfer)
 {
@@ -44,8 +42,6 @@ static enum mpm_status build_transfer(const struct mpm_reading *reading)
                                  transfer->name, transfer->no_momentum);
     return MPM_OK;
 }
-
-/* -------------------------------------------------------------- stress update */
 
 struct order {
     const char *name;

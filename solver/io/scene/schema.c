@@ -12,20 +12,42 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLUMNS = 6, ROWS_MAX = 256, CELL_SIZE = 256 };
+enum { COLUMNS = 6, CELL_SIZE = 256 };
+
+/* Calls visit(context, key, path) for the keys of a group, each before its children. */
+static void visit_keys(const struct mpm_key *group, const char *prefix,
+                       void (*visit)(void *context, const struct mpm_key *key, const char *path),
+                       void *context)
+{
+    for (const struct mpm_key *key = group->children; key->name != NULL; key++) {
+        char path[CELL_SIZE], inner[CELL_SIZE];
+        (void)snprintf(path, sizeof path, "%s%s", prefix, key->name);
+        visit(context, key, path);
+        (void)snprintf(inner, sizeof inner, "%.200s%s.", path,
+                       key->shape == MPM_KEY_LIST ? "[]" : "");
+        if (key->children != NULL)
+            visit_keys(key, inner, visit, context);
+    }
+}
+
+/* -------------------------------------------------------------------- table */
 
 struct table {
-    size_t rows;
-    char cells[ROWS_MAX][COLUMNS][CELL_SIZE];
+    size_t width[COLUMNS];
+    FILE *out; /* NULL: rows are only measured */
 };
 
-static void add_row(struct table *table, const char *const cells[COLUMNS])
+static void put_row(struct table *table, const char *const cells[COLUMNS])
 {
-    if (table->rows == ROWS_MAX)
-        return; /* a test holds the table complete */
-    for (size_t i = 0; i < COLUMNS; i++)
-        (void)snprintf(table->cells[table->rows][i], CELL_SIZE, "%s", cells[i]);
-    table->rows++;
+    for (size_t i = 0; i < COLUMNS; i++) {
+        const size_t length = strlen(cells[i]);
+        const bool last = i + 1 == COLUMNS;
+        if (table->out == NULL && length > table->width[i])
+            table->width[i] = length;
+        if (table->out != NULL)
+            (void)fprintf(table->out, "%-*s%s", last ? 0 : (int)table->width[i] + 2, cells[i],
+                          last ? "\n" : "");
+    }
 }
 
 static const char *default_text(const struct mpm_key *key)
@@ -35,64 +57,42 @@ static const char *default_text(const struct mpm_key *key)
     return key->fallback != NULL ? key->fallback : "-";
 }
 
-static void add_keys(struct table *table, const struct mpm_key *group, const char *prefix)
+static void put_key(void *table, const struct mpm_key *key, const char *path)
 {
     static const char *const places[] = {
         [MPM_ANYWHERE] = "",
         [MPM_ONLY_PLANAR] = " (planar scenes only)",
         [MPM_ONLY_AXISYMMETRIC] = " (axisymmetric scenes only)",
     };
-    for (const struct mpm_key *key = group->children; key->name != NULL; key++) {
-        char path[CELL_SIZE], help[CELL_SIZE], range[MPM_ALLOWED_SIZE], unit[MPM_UNIT_SIZE];
-        (void)snprintf(path, sizeof path, "%s%s", prefix, key->name);
-        (void)snprintf(help, sizeof help, "%s%s", key->help, places[key->where]);
-        mpm_dimension_text(key->dimension, unit);
-        add_row(table,
-                (const char *const[COLUMNS]){path, mpm_key_type(key), unit, default_text(key),
-                                             mpm_key_range(key, range), help});
-        if (key->children == NULL)
-            continue;
-        char inner[CELL_SIZE];
-        (void)snprintf(inner, sizeof inner, "%.200s%s.", path,
-                       key->shape == MPM_KEY_LIST ? "[]" : "");
-        add_keys(table, key, inner);
-    }
+    char help[CELL_SIZE], range[MPM_ALLOWED_SIZE], unit[MPM_UNIT_SIZE];
+    (void)snprintf(help, sizeof help, "%s%s", key->help, places[key->where]);
+    mpm_dimension_text(key->dimension, unit);
+    put_row(table, (const char *const[COLUMNS]){path, mpm_key_type(key), unit, default_text(key),
+                                                mpm_key_range(key, range), help});
 }
 
-/* Writes the table to `text`, or only counts its characters if that is NULL. */
-static size_t write_rows(const struct table *table, const size_t width[COLUMNS], char *text)
+static void put_table(struct table *table)
 {
-    size_t used = 0;
-    for (size_t row = 0; row < table->rows; row++)
-        for (size_t i = 0; i < COLUMNS; i++) {
-            const char *cell = table->cells[row][i];
-            const bool last = i + 1 == COLUMNS;
-            const size_t length = last ? strlen(cell) : width[i] + 2;
-            if (text != NULL)
-                (void)sprintf(text + used, "%-*s%s", (int)length, cell, last ? "\n" : "");
-            used += length + last;
-        }
-    return used;
+    put_row(table,
+            (const char *const[COLUMNS]){"KEY", "TYPE", "UNIT", "DEFAULT", "RANGE", "MEANING"});
+    visit_keys(&mpm_scene_root, "", put_key, table);
 }
 
 char *mpm_schema_text(void)
 {
-    struct table *table = calloc(1, sizeof *table);
-    if (table == NULL)
+    struct table table = {.out = NULL};
+    char *text = NULL;
+    size_t size;
+    put_table(&table);
+    table.out = open_memstream(&text, &size);
+    if (table.out == NULL)
         return NULL;
-    add_row(table,
-            (const char *const[COLUMNS]){"KEY", "TYPE", "UNIT", "DEFAULT", "RANGE", "MEANING"});
-    add_keys(table, &mpm_scene_root, "");
-    size_t width[COLUMNS] = {0};
-    for (size_t row = 0; row < table->rows; row++)
-        for (size_t i = 0; i < COLUMNS; i++)
-            if (strlen(table->cells[row][i]) > width[i])
-                width[i] = strlen(table->cells[row][i]);
-    char *text = malloc(write_rows(table, width, NULL) + 1);
-    if (text != NULL)
-        (void)write_rows(table, width, text);
-    free(table);
-    return text;
+    put_table(&table);
+    const bool written = ferror(table.out) == 0;
+    if (fclose(table.out) == 0 && written)
+        return text;
+    free(text);
+    return NULL;
 }
 
 /* --------------------------------------------------------------------- JSON */
@@ -129,7 +129,7 @@ static json_t *choices_of(const struct mpm_key *key)
     return choices;
 }
 
-static json_t *describe_key(const struct mpm_key *key, const char *path)
+static void append_key(void *list, const struct mpm_key *key, const char *path)
 {
     static const char *const shapes[] = {
         [MPM_KEY_ONE] = "one",       [MPM_KEY_PAIR] = "pair",     [MPM_KEY_VALUES] = "values",
@@ -143,27 +143,14 @@ static json_t *describe_key(const struct mpm_key *key, const char *path)
     };
     char unit[MPM_UNIT_SIZE];
     mpm_dimension_text(key->dimension, unit);
-    return json_pack("{ss ss ss? ss? sb ss ss? so so sb sb so ss}", "key", path, "shape",
-                     shapes[key->shape], "value", key->value != NULL ? key->value->name : NULL,
-                     "geometry", places[key->where], "required", (int)key->required, "unit", unit,
-                     "default", key->fallback, "low", end_of_range(key->range.low), "high",
-                     end_of_range(key->range.high), "low_open", (int)key->range.low_open,
-                     "high_open", (int)key->range.high_open, "choices", choices_of(key), "help",
-                     key->help);
-}
-
-static void append_keys(json_t *list, const struct mpm_key *group, const char *prefix)
-{
-    for (const struct mpm_key *key = group->children; key->name != NULL; key++) {
-        char path[CELL_SIZE], inner[CELL_SIZE];
-        (void)snprintf(path, sizeof path, "%s%s", prefix, key->name);
-        (void)json_array_append_new(list, describe_key(key, path));
-        if (key->children == NULL)
-            continue;
-        (void)snprintf(inner, sizeof inner, "%.200s%s.", path,
-                       key->shape == MPM_KEY_LIST ? "[]" : "");
-        append_keys(list, key, inner);
-    }
+    json_t *const described =
+        json_pack("{ss ss ss? ss? sb ss ss? so so sb sb so ss}", "key", path, "shape",
+                  shapes[key->shape], "value", key->value != NULL ? key->value->name : NULL,
+                  "geometry", places[key->where], "required", (int)key->required, "unit", unit,
+                  "default", key->fallback, "low", end_of_range(key->range.low), "high",
+                  end_of_range(key->range.high), "low_open", (int)key->range.low_open, "high_open",
+                  (int)key->range.high_open, "choices", choices_of(key), "help", key->help);
+    (void)json_array_append_new(list, described);
 }
 
 static json_t *parameters_of(const struct mpm_material_law *law)
@@ -210,7 +197,7 @@ static json_t *describe_laws(void)
 char *mpm_schema_json(void)
 {
     json_t *list = json_array();
-    append_keys(list, &mpm_scene_root, "");
+    visit_keys(&mpm_scene_root, "", append_key, list);
     json_t *schema =
         json_pack("{si so so}", "format", (int)JSON_FORMAT, "keys", list, "laws", describe_laws());
     char *text = json_dumps(schema, JSON_INDENT(1));

@@ -61,22 +61,17 @@ typedef enum mpm_status shape_check(struct checking *checking, const struct mpm_
 static enum mpm_status check_node(struct checking *checking, const struct mpm_key *key,
                                   struct mpm_tree_node *node);
 
-static enum mpm_status check_one(struct checking *checking, const struct mpm_key *key,
-                                 struct mpm_tree_node *node)
-{
-    const char *wrong =
-        node->kind != MPM_TREE_SCALAR ? "not a single value" : key->value->fault(key, node);
-    return wrong == NULL ? MPM_OK : refuse(checking, key, node, wrong);
-}
-
-static enum mpm_status check_choice(struct checking *checking, const struct mpm_key *key,
+static enum mpm_status check_scalar(struct checking *checking, const struct mpm_key *key,
                                     struct mpm_tree_node *node)
 {
+    const char *wrong = NULL;
     if (node->kind != MPM_TREE_SCALAR)
-        return refuse(checking, key, node, "not a single value");
-    if (mpm_key_choice(key, node->text) == NULL)
-        return refuse(checking, key, node, "unknown choice");
-    return MPM_OK;
+        wrong = "not a single value";
+    else if (key->shape == MPM_KEY_ONE)
+        wrong = key->value->fault(key, node);
+    else if (mpm_key_choice(key, node->text) == NULL)
+        wrong = "unknown choice";
+    return wrong == NULL ? MPM_OK : refuse(checking, key, node, wrong);
 }
 
 /* What is wrong with a list as a whole, or NULL. */
@@ -231,9 +226,9 @@ static enum mpm_status check_node(struct checking *checking, const struct mpm_ke
                                   struct mpm_tree_node *node)
 {
     static shape_check *const checks[] = {
-        [MPM_KEY_ONE] = check_one,       [MPM_KEY_PAIR] = check_list,
+        [MPM_KEY_ONE] = check_scalar,    [MPM_KEY_PAIR] = check_list,
         [MPM_KEY_VALUES] = check_list,   [MPM_KEY_POINTS] = check_list,
-        [MPM_KEY_CHOICE] = check_choice, [MPM_KEY_GROUP] = check_group,
+        [MPM_KEY_CHOICE] = check_scalar, [MPM_KEY_GROUP] = check_group,
         [MPM_KEY_LIST] = check_list,
     };
     return checks[key->shape](checking, key, node);

@@ -131,22 +131,19 @@ void *mpm_keys_fill(const struct mpm_key *root, const struct mpm_tree_node *tree
 
 static void free_members(const struct mpm_key *group, void *data);
 
-static void free_texts(const struct mpm_key *key, size_t count, char **texts)
+/* What the entries in a row hold. */
+static void free_row(const struct mpm_key *key, size_t count, void *first)
 {
-    if (key->value->stored == MPM_STORED_TEXT)
-        for (size_t i = 0; i < count; i++)
-            free(texts[i]);
+    for (size_t i = 0; i < count; i++)
+        if (key->shape == MPM_KEY_LIST)
+            free_members(key, (char *)first + i * key->size);
+        else if (key->value->stored == MPM_STORED_TEXT)
+            free(((char **)first)[i]);
 }
 
 static void free_list(const struct mpm_key *list, size_t count, void *first)
 {
-    if (first == NULL)
-        return;
-    if (list->shape != MPM_KEY_LIST)
-        free_texts(list, list->shape == MPM_KEY_POINTS ? 2 * count : count, first);
-    else
-        for (size_t i = 0; i < count; i++)
-            free_members(list, (char *)first + i * list->size);
+    free_row(list, list->shape == MPM_KEY_POINTS ? 2 * count : count, first);
     free(first);
 }
 
@@ -155,7 +152,7 @@ static void free_key(const struct mpm_key *key, void *data, void *place)
     switch (key->shape) {
     case MPM_KEY_ONE:
     case MPM_KEY_PAIR:
-        free_texts(key, key->shape == MPM_KEY_PAIR ? 2 : 1, place);
+        free_row(key, key->shape == MPM_KEY_PAIR ? 2 : 1, place);
         return;
     case MPM_KEY_VALUES:
     case MPM_KEY_POINTS:

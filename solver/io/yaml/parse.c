@@ -6,7 +6,6 @@
 #include "io/yaml/tree.h"
 
 #include <glib.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <yaml.h>
@@ -156,7 +155,6 @@ static enum mpm_status refuse_repeats(struct parsing *parsing, const struct mpm_
         return no_memory(parsing);
     for (size_t i = 0; i < mapping->count; i++)
         names[i] = (struct mpm_indexed_name){.text = mapping->entries[i].key, .index = i};
-    mpm_names_sort(names, mapping->count);
     size_t first = 0, second = 0;
     const bool repeated = mpm_names_repeat(names, mapping->count, &first, &second);
     free(names);
@@ -193,12 +191,10 @@ static enum mpm_status read_content(struct parsing *parsing, const yaml_event_t 
 {
     if (node->kind == MPM_TREE_SCALAR)
         return read_scalar(parsing, event, node);
-    if (depth > MPM_TREE_DEPTH_MAX) {
-        char message[64];
-        (void)snprintf(message, sizeof message, "nested too deeply; allowed: %d levels",
-                       MPM_TREE_DEPTH_MAX);
-        return refuse(parsing, event, message);
-    }
+    if (depth > MPM_TREE_DEPTH_MAX)
+        return mpm_tree_fault(parsing->error, parsing->source,
+                              origin_at(parsing, event->start_mark.line), "",
+                              "nested too deeply; allowed: %d levels", MPM_TREE_DEPTH_MAX);
     return node->kind == MPM_TREE_LIST ? read_list(parsing, depth, node)
                                        : read_mapping(parsing, depth, node);
 }

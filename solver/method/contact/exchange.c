@@ -5,17 +5,26 @@
 #include "method/grid/grid_update.h"
 #include "method/grid/symmetry.h"
 
-/* How one of the velocities of a node is read, and changed. */
+/* One of the velocities of a node: where it is, and how it is changed. */
 struct velocities {
-    void (*read)(const struct mpm_state *, int64_t, double[2]);
+    double *(*component)(const struct mpm_state *, int64_t, int axis);
     void (*change)(const struct mpm_state *, int64_t, const double[2]);
     bool moves; /* particles: what conditions bear does work */
 };
 
-static void read_start(const struct mpm_state *state, int64_t node, double v[2])
+static double *start_of(const struct mpm_state *state, int64_t node, int axis)
 {
-    v[0] = state->grid.start[node][0];
-    v[1] = state->grid.start[node][1];
+    return &state->grid.start[node][axis];
+}
+
+static double *end_of(const struct mpm_state *state, int64_t node, int axis)
+{
+    return &state->grid.motion[node].end[axis];
+}
+
+static double *extrapolated_of(const struct mpm_state *state, int64_t node, int axis)
+{
+    return state->grid.gradient[node][axis];
 }
 
 static void change_start(const struct mpm_state *state, int64_t node, const double by[2])
@@ -24,12 +33,6 @@ static void change_start(const struct mpm_state *state, int64_t node, const doub
         state->grid.start[node][axis] += by[axis];
     if (state->order->before > 0.0)
         mpm_node_set_gradient(&state->grid, node, state->grid.start[node]);
-}
-
-static void read_end(const struct mpm_state *state, int64_t node, double v[2])
-{
-    v[0] = state->grid.motion[node].end[0];
-    v[1] = state->grid.motion[node].end[1];
 }
 
 static void change_end(const struct mpm_state *state, int64_t node, const double by[2])
@@ -43,37 +46,39 @@ static void change_end(const struct mpm_state *state, int64_t node, const double
         mpm_node_set_gradient(&state->grid, node, motion->end);
 }
 
-static void read_extrapolated(const struct mpm_state *state, int64_t node, double v[2])
-{
-    v[0] = state->grid.gradient[node][0][0];
-    v[1] = state->grid.gradient[node][1][0];
-}
-
 static void change_extrapolated(const struct mpm_state *state, int64_t node, const double by[2])
 {
-    double v[2];
-    read_extrapolated(state, node, v);
-    mpm_node_set_gradient(&state->grid, node, (const double[2]){v[0] + by[0], v[1] + by[1]});
+    for (int axis = 0; axis < 2; axis++) {
+        double *const v = state->grid.gradient[node][axis];
+        v[0] = v[1] = v[0] + by[axis];
+    }
 }
 
 static const struct velocities velocities_of[] = {
-    [MPM_EXCHANGE_START] = {read_start, change_start, false},
-    [MPM_EXCHANGE_END] = {read_end, change_end, true},
-    [MPM_EXCHANGE_EXTRAPOLATED] = {read_extrapolated, change_extrapolated, false},
+    [MPM_EXCHANGE_START] = {start_of, change_start, false},
+    [MPM_EXCHANGE_END] = {end_of, change_end, true},
+    [MPM_EXCHANGE_EXTRAPOLATED] = {extrapolated_of, change_extrapolated, false},
 };
 
-/* A node of the grid or of a layer changes together with its images beyond planes of symmetry. */
+/* A field changes together with its images beyond planes of symmetry. */
 static void change_field(const struct mpm_state *state, const struct velocities *velocities,
                          int64_t field, const double by[2])
 {
     struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES];
+    const bool packed = field >= mpm_fields_first(state);
     velocities->change(state, field, by);
-    if (state->symmetries.count == 0 || field >= mpm_fields_first(state))
+    if (state->symmetries.count == 0 || (packed && !state->symmetries.passed))
         return;
-    const int count = mpm_symmetry_images(state, field, images);
-    for (int k = 0; k < count; k++)
-        velocities->change(state, images[k].node,
-                           (const double[2]){images[k].sign[0] * by[0], images[k].sign[1] * by[1]});
+    const int count =
+        mpm_symmetry_images(state, packed ? mpm_field_parent(state, field) : field, images);
+    for (int k = 0; k < count; k++) {
+        const int64_t image =
+            packed ? mpm_symmetry_packed_image(state, field, &images[k]) : images[k].node;
+        if (image >= 0)
+            velocities->change(
+                state, image,
+                (const double[2]){images[k].sign[0] * by[0], images[k].sign[1] * by[1]});
+    }
 }
 
 /* A condition that holds a component gives the opposite of the impulse there, and works along its
@@ -97,10 +102,11 @@ static struct mpm_contact_side side_of(const struct mpm_state *state,
 {
     const double mobility = 1.0 / state->grid.mass[field->node];
     struct mpm_contact_side side = {.mobility = {mobility, mobility}};
-    velocities->read(state, field->node, side.velocity);
-    for (int axis = 0; axis < 2; axis++)
+    for (int axis = 0; axis < 2; axis++) {
+        side.velocity[axis] = *velocities->component(state, field->node, axis);
         if ((field->held >> axis & 1) != 0)
             side.mobility[axis] = 0.0;
+    }
     return side;
 }
 

@@ -6,44 +6,43 @@
 
 #include <math.h>
 
-/* The part of the opening that the law resists: all of it, but its normal part where surfaces
- * overlap. */
-static void resisted(const struct mpm_state *state, size_t crack, size_t first, size_t point,
-                     double opening[2])
+/* What a point of a crack has of its law. */
+struct point {
+    double opening[2]; /* that the law resists: all, but its normal part where surfaces overlap */
+    double effective, largest;
+    double secant;
+};
+
+static struct point point_of(const struct mpm_state *state, size_t crack, size_t first,
+                             size_t point)
 {
     const struct mpm_crack_openings *const openings = &state->cracks.openings;
+    struct point made;
     double n[2];
     mpm_crack_point_normal(&state->cracks.chains[crack], point, n);
     for (int axis = 0; axis < 2; axis++)
-        opening[axis] = openings->vector[axis][first + point];
-    const double overlap = fmin(opening[0] * n[0] + opening[1] * n[1], 0.0);
+        made.opening[axis] = openings->vector[axis][first + point];
+    const double overlap = fmin(made.opening[0] * n[0] + made.opening[1] * n[1], 0.0);
     for (int axis = 0; axis < 2; axis++)
-        opening[axis] -= overlap * n[axis];
+        made.opening[axis] -= overlap * n[axis];
+    made.effective = sqrt(made.opening[0] * made.opening[0] + made.opening[1] * made.opening[1]);
+    made.largest = fmax(openings->largest[first + point], made.effective);
+    made.secant = mpm_cohesive_secant(&state->scene->cracks[crack].cohesive, made.largest);
+    return made;
 }
 
 double mpm_cohesive_effective(const struct mpm_state *state, size_t crack, size_t first,
                               size_t point)
 {
-    double opening[2];
-    resisted(state, crack, first, point, opening);
-    return sqrt(opening[0] * opening[0] + opening[1] * opening[1]);
-}
-
-static double largest_opening(const struct mpm_state *state, size_t k, double now)
-{
-    return fmax(state->cracks.openings.largest[k], now);
+    return point_of(state, crack, first, point).effective;
 }
 
 void mpm_cohesive_traction_at(const struct mpm_state *state, size_t crack, size_t first,
                               size_t point, double traction[2])
 {
-    double opening[2];
-    resisted(state, crack, first, point, opening);
-    const double now = sqrt(opening[0] * opening[0] + opening[1] * opening[1]);
-    const double secant = mpm_cohesive_secant(&state->scene->cracks[crack].cohesive,
-                                              largest_opening(state, first + point, now));
+    const struct point at = point_of(state, crack, first, point);
     for (int axis = 0; axis < 2; axis++)
-        traction[axis] = -secant * opening[axis];
+        traction[axis] = -at.secant * at.opening[axis];
 }
 
 /* ---------------------------------------------------------------- spreading */
@@ -62,14 +61,13 @@ static void spread_point(const struct mpm_state *state, size_t crack, size_t fir
     const struct mpm_crack_openings *const openings = &state->cracks.openings;
     const size_t k = first + point;
     const struct mpm_crack_surface *const surfaces = openings->surfaces[k];
+    const struct point at = point_of(state, crack, first, point);
     double force[2];
-    mpm_cohesive_traction_at(state, crack, first, point, force);
-    openings->largest[k] =
-        largest_opening(state, k, mpm_cohesive_effective(state, crack, first, point));
+    openings->largest[k] = at.largest;
     if (surfaces[0].count == 0 || surfaces[1].count == 0)
         return;
     for (int axis = 0; axis < 2; axis++)
-        force[axis] *= openings->area[k];
+        force[axis] = -at.secant * at.opening[axis] * openings->area[k];
     add_force(state, &surfaces[0], force, 1.0);
     add_force(state, &surfaces[1], force, -1.0);
 }
@@ -138,13 +136,11 @@ static void add_energies(const struct mpm_state *state, size_t crack, size_t fir
     const struct mpm_crack_openings *const openings = &state->cracks.openings;
     const struct mpm_cohesive *const cohesive = &state->scene->cracks[crack].cohesive;
     for (size_t k = 0; k < state->cracks.chains[crack].count; k++) {
-        const double now = mpm_cohesive_effective(state, crack, first, k);
-        const double largest = largest_opening(state, first + k, now);
-        const double secant = mpm_cohesive_secant(cohesive, largest);
+        const struct point at = point_of(state, crack, first, k);
         const double area = openings->area[first + k];
-        *stored += area * 0.5 * secant * now * now;
-        *dissipated +=
-            area * (mpm_cohesive_work(cohesive, largest) - 0.5 * secant * largest * largest);
+        *stored += area * 0.5 * at.secant * at.effective * at.effective;
+        *dissipated += area * (mpm_cohesive_work(cohesive, at.largest) -
+                               0.5 * at.secant * at.largest * at.largest);
     }
 }
 

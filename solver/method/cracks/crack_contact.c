@@ -4,6 +4,7 @@
 #include "method/cracks/crack_detection.h"
 #include "method/cracks/crack_fields.h"
 #include "method/grid/grid_update.h"
+#include "method/grid/symmetry.h"
 
 #include <math.h>
 #include <string.h>
@@ -45,7 +46,7 @@ static bool is_beside(const struct mpm_crack_node *node, size_t crack)
 size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack)
 {
     size_t count = 0;
-    for (size_t k = 0; k < state->fields.node_count; k++) {
+    for (size_t k = 0; k < state->fields.nodes_inside; k++) {
         const struct mpm_crack_node node = mpm_crack_node_of(state, k);
         count += is_beside(&node, crack) && is_crowded(state, &node);
     }
@@ -109,7 +110,7 @@ void mpm_crack_contact_resolve(struct mpm_state *state, enum mpm_exchange_when w
 {
     if (!mpm_cracks_have_contact(state->scene))
         return;
-    for (size_t k = 0; k < state->fields.node_count; k++) {
+    for (size_t k = 0; k < state->fields.nodes_inside; k++) {
         const struct mpm_crack_node node = mpm_crack_node_of(state, k);
         struct mpm_crack_pair pairs[PAIRS];
         const int count = find_pairs(state, &node, pairs);
@@ -121,8 +122,18 @@ void mpm_crack_contact_resolve(struct mpm_state *state, enum mpm_exchange_when w
 /* ------------------------------------------------------------------- motion */
 
 /* Velocities at the end of a step have no bound at nodes of little mass, which a force divides by;
- * those at the start are means of the particles' velocities. */
-static const double LIGHT = 250.0; /* of the least mass */
+ * those at the start are means of the particles' velocities. The part of the end grows with the
+ * mass, from 0 at the first of these to 1 at the second, in least masses (1/8 and 3/8 of the
+ * lightest particle). A jump would let round-off decide: a row of particles gives its nodes simple
+ * fractions of a particle's mass. */
+static const double LIGHT[2] = {125.0, 375.0};
+
+static double part_of_end(const struct mpm_state *state, int64_t field)
+{
+    const double mass = mpm_symmetry_whole_mass(state, field);
+    const double part = (mass / state->cracks.least_mass - LIGHT[0]) / (LIGHT[1] - LIGHT[0]);
+    return fmin(fmax(part, 0.0), 1.0);
+}
 
 /* Momentum and mass of all fields of a node. */
 static double node_momentum(const struct mpm_state *state, int64_t parent, double momentum[2])
@@ -134,12 +145,12 @@ static double node_momentum(const struct mpm_state *state, int64_t parent, doubl
     for (int k = 0; k <= (node == NULL ? 0 : node->count); k++) {
         const int64_t field = k == 0 ? parent : others + k - 1;
         const double m = state->grid.mass[field];
-        const double *const velocity = m < LIGHT * state->cracks.least_mass
-                                           ? state->grid.start[field]
-                                           : state->grid.motion[field].end;
+        const double *const start = state->grid.start[field];
+        const double part = part_of_end(state, field);
+        const double *const end = part > 0.0 ? state->grid.motion[field].end : start;
         mass += m;
         for (int axis = 0; axis < 2; axis++)
-            momentum[axis] += m * velocity[axis];
+            momentum[axis] += m * ((1.0 - part) * start[axis] + part * end[axis]);
     }
     return mass;
 }
@@ -200,8 +211,7 @@ static enum mpm_status advance_point(const struct mpm_state *state, size_t crack
     const struct mpm_cracks *const cracks = &state->cracks;
     const double place[2] = {cracks->position[0][k], cracks->position[1][k]};
     for (int axis = 0; axis < 2; axis++) {
-        const double low = state->grid.origin[axis];
-        const double high = low + (double)state->grid.cells[axis] * state->grid.cell[axis];
+        const double low = state->grid.origin[axis], high = mpm_grid_end(&state->grid, axis);
         const bool held = (cracks->held[k] >> axis & 1) != 0;
         const double moved = place[axis] + (held ? 0.0 : state->time_step * v[axis]);
         const double slack = MPM_CRACK_EDGE_SLACK * state->grid.cell[axis];
@@ -236,6 +246,17 @@ static enum mpm_status check_lengths(const struct mpm_state *state, size_t crack
     return MPM_OK;
 }
 
+void mpm_cracks_reflect(struct mpm_state *state)
+{
+    double *const *const position = state->cracks.position;
+    for (size_t k = 0; k < state->cracks.image_count; k++) {
+        const struct mpm_crack_image *const image = &state->cracks.images[k];
+        const int other = 1 - image->axis;
+        position[image->axis][image->point] = 2.0 * image->plane - position[image->axis][image->of];
+        position[other][image->point] = position[other][image->of];
+    }
+}
+
 enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *error)
 {
     for (size_t crack = 0; crack < state->scene->crack_count; crack++) {
@@ -254,7 +275,9 @@ enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *er
             }
             MPM_TRY(advance_point(state, crack, k, v, error));
         }
-        MPM_TRY(check_lengths(state, crack, error));
     }
+    mpm_cracks_reflect(state);
+    for (size_t crack = 0; crack < state->scene->crack_count; crack++)
+        MPM_TRY(check_lengths(state, crack, error));
     return MPM_OK;
 }

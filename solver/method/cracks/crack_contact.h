@@ -37,13 +37,16 @@ size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack);
  * whatever method.position_update is: call it before a transfer replaces that velocity. By the
  * linear functions of the nodes that have mass: at least a thousandth of the lightest particle's.
  * Nodes that a body hardly reaches have velocities without bounds, which particles take no part of,
- * and points outside of the body would; below a quarter of that particle's mass a node's velocity
- * at the start of the step is taken, which is a mean of particles'. Points that no such node
+ * and points outside of the body would; from three eighths of that particle's mass down to an
+ * eighth, a node's velocity goes over from that at the end of the step to that at its start, a
+ * mean of particles' velocities. Points that no such node
  * reaches are in the gap of a crack that is wide open, if the crack has others on both sides of
  * them: they go with these, by linear interpolation; else they stay where they are. MPM_RUN_FAILED:
  * a point leaves the grid, or a segment has grown longer than MPM_CRACK_LONGEST shorter cell sides:
  * it would no longer follow the material between. */
 enum { MPM_CRACK_LONGEST = 4 };
+/* Points beyond planes of symmetry go where the images of those inside are. */
+void mpm_cracks_reflect(struct mpm_state *state);
 enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *error);
 
 #endif

@@ -4,6 +4,7 @@
 #include "base/segment.h"
 #include "base/strips.h"
 #include "method/cracks/crack_map.h"
+#include "method/grid/symmetry.h"
 #include "method/transfer/transfer.h"
 
 #include <math.h>
@@ -100,15 +101,6 @@ static void add_surface(const struct mpm_state *state, uint32_t crack, double we
         sum[axis] += weight * (made->surface[axis] - place[axis]);
 }
 
-static void add_normal(const struct mpm_state *state, const struct mpm_crack_crossing *crossing,
-                       struct mpm_crack_face *face)
-{
-    double normal[2];
-    mpm_crack_segment_normal(&state->cracks.chains[crossing->crack], crossing->segment, normal);
-    face->normal[0] += normal[0];
-    face->normal[1] += normal[1];
-}
-
 /* To the sums of one field. */
 static void add_sums(const struct mpm_stencil_node *entry, const struct contribution *made,
                      struct mpm_crack_sums *sums)
@@ -139,13 +131,15 @@ static void add_to_additional(const struct mpm_state *state, const struct mpm_st
                               struct contribution *made)
 {
     struct mpm_crack_field *const additional = &state->cracks.fields[field];
-    double place[2];
+    double place[2], normal[2];
     mpm_grid_position(&state->grid, state->fields.nodes[state->fields.list[field].node].node,
                       place);
+    mpm_crack_segment_normal(&state->cracks.chains[crossing->crack], crossing->segment, normal);
     add_sums(entry, made, &additional->sums);
     add_surface(state, additional->face.crack, made->area * entry->s, place, made,
                 additional->face.beyond);
-    add_normal(state, crossing, &additional->face);
+    for (int axis = 0; axis < 2; axis++)
+        additional->face.normal[axis] += normal[axis];
 }
 
 /* Has one of the particle's nodes additional fields? */
@@ -188,10 +182,72 @@ static void measure_strip(void *context, int64_t index, int worker)
     mpm_crack_bands_visit(state, &state->strips[index], &state->fields.beside, measure, context);
 }
 
+/* What mirrored particles would add at a node inside; nothing along the normal on the plane. */
+static void fold_vector(double inside[2], const double beyond[2], int axis)
+{
+    for (int k = 0; k < 2; k++)
+        inside[k] += k == axis ? -beyond[k] : beyond[k];
+}
+
+static void fold_sums(struct mpm_crack_sums *inside, const struct mpm_crack_sums *beyond, int axis)
+{
+    inside->area += beyond->area;
+    inside->seen += beyond->seen;
+    fold_vector(inside->gradient, beyond->gradient, axis);
+}
+
+static void fold_face(struct mpm_crack_face *inside, const struct mpm_crack_face *beyond, int axis)
+{
+    fold_vector(inside->normal, beyond->normal, axis);
+    fold_vector(inside->beyond, beyond->beyond, axis);
+    fold_vector(inside->own, beyond->own, axis);
+}
+
+static void fold_field(struct mpm_state *state, int axis, size_t field, int64_t image)
+{
+    struct mpm_crack_field *const fields = state->cracks.fields;
+    struct mpm_crack_face *const face = &fields[field].face;
+    if (image >= 0) {
+        fold_sums(&fields[field].sums, &fields[image].sums, axis);
+        fold_face(face, &fields[image].face, axis);
+    } else {
+        fields[field].sums.gradient[axis] = 0.0;
+        face->normal[axis] = face->beyond[axis] = face->own[axis] = 0.0;
+    }
+}
+
+/* Contact is resolved at nodes inside and on planes: these get the sums of the whole. */
+static void fold_node(struct mpm_state *state, int axis, const struct mpm_field_node *inside,
+                      const struct mpm_field_node *beyond, const void *context)
+{
+    struct mpm_crack_sums *const own = &state->cracks.sums[inside - state->fields.nodes];
+    const struct mpm_crack_sums nothing = {0.0, 0.0, {0.0, 0.0}};
+    bool passes = false;
+    (void)context;
+    for (size_t i = inside->first; i < (size_t)inside->first + inside->count; i++) {
+        const struct mpm_additional_field *const field = &state->fields.list[i];
+        if ((field->passes >> axis & 1) == 0)
+            continue;
+        passes = true;
+        fold_field(state, axis, i,
+                   beyond == NULL
+                       ? -1
+                       : mpm_field_of(state, beyond, field->key) - mpm_fields_first(state));
+    }
+    if (!passes)
+        return;
+    fold_sums(own, beyond == NULL ? &nothing : &state->cracks.sums[beyond - state->fields.nodes],
+              axis);
+    if (beyond == NULL)
+        own->gradient[axis] = 0.0;
+}
+
 void mpm_crack_detection_measure(struct mpm_state *state, int workers)
 {
-    if (state->fields.node_count > 0 && mpm_cracks_have_contact(state->scene))
-        mpm_strips_run(state->strip_count, workers, measure_strip, state);
+    if (state->fields.node_count == 0 || !mpm_cracks_have_contact(state->scene))
+        return;
+    mpm_strips_run(state->strip_count, workers, measure_strip, state);
+    mpm_symmetries_visit(state, fold_node, NULL);
 }
 
 /* ------------------------------------------------------------------ deciding */

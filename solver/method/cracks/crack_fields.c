@@ -3,6 +3,7 @@
 
 #include "base/strips.h"
 #include "method/cracks/crack_map.h"
+#include "method/grid/symmetry.h"
 #include "method/transfer/transfer.h"
 
 #include <string.h>
@@ -174,6 +175,31 @@ static void name_cracks(struct mpm_state *state, size_t place)
         face->last = face->crack == MPM_NO_CRACK || crack > face->last ? crack : face->last;
         face->crack = crack < face->crack ? crack : face->crack;
         state->fields.list[field].free |= state->cracks.held[mpm_crack_first_point(state, crack)];
+        state->fields.list[field].passes |= state->cracks.passes[crack];
+    }
+}
+
+/* A field that only mirrored particles would be in has the name that its image has. */
+static void join_names(struct mpm_state *state, int axis, const struct mpm_field_node *inside,
+                       const struct mpm_field_node *beyond, const void *context)
+{
+    (void)axis;
+    (void)context;
+    for (int i = 0; beyond != NULL && i < inside->count; i++) {
+        struct mpm_additional_field *const one = &state->fields.list[inside->first + (uint32_t)i];
+        const int64_t image = mpm_field_of(state, beyond, one->key) - mpm_fields_first(state);
+        if (image < 0)
+            continue;
+        struct mpm_crack_face *const face = &state->cracks.fields[inside->first + (uint32_t)i].face;
+        struct mpm_crack_face *const other = &state->cracks.fields[image].face;
+        one->passes |= state->fields.list[image].passes;
+        state->fields.list[image].passes = one->passes;
+        if (face->crack == MPM_NO_CRACK ||
+            (other->crack != MPM_NO_CRACK && other->last > face->last))
+            face->last = other->last;
+        face->crack = other->crack < face->crack ? other->crack : face->crack;
+        other->crack = face->crack;
+        other->last = face->last;
     }
 }
 
@@ -207,6 +233,7 @@ enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
     if (!mpm_crack_map_draw(state))
         return no_room("cells", state->cracks.map->capacity, error);
     mpm_strips_run(state->strip_count, workers, find_in_strip, state);
+    mpm_symmetries_join_requests(state);
     const enum mpm_fields_lack lack = mpm_fields_settle(state);
     if (lack == MPM_FIELDS_LACK_USES)
         return no_room("particles", fields->use_capacity, error);
@@ -219,5 +246,6 @@ enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
         if (state->scene->crack_method == MPM_CRACKS_VISIBILITY)
             hide(&fields->uses[k]);
     }
+    mpm_symmetries_visit(state, join_names, NULL);
     return MPM_OK;
 }

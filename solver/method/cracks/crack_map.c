@@ -39,9 +39,8 @@ void mpm_crack_map_fill(struct mpm_state *state)
     struct mpm_crack_map *const map = state->cracks.map;
     double widest = 0.0, farthest = 0.0;
     for (int axis = 0; axis < 2; axis++) {
-        const double end = grid->origin[axis] + (double)grid->cells[axis] * grid->cell[axis];
         widest = fmax(widest, 2.0 * state->cracks.widest[axis] * grid->inverse_cell[axis]);
-        farthest = fmax(farthest, fmax(fabs(grid->origin[axis]), fabs(end)));
+        farthest = fmax(farthest, fmax(fabs(grid->origin[axis]), fabs(mpm_grid_end(grid, axis))));
     }
     map->span = (int64_t)ceil(widest - CELL_SLACK) + 1 + cells_past_end(state);
     map->slack = PLACE_SLACK * farthest;
@@ -103,11 +102,13 @@ static struct mpm_cell_block block_of(const struct mpm_state *state, size_t p)
 static struct mpm_cell_block strip_block(const struct mpm_state *state,
                                          const struct mpm_strip *strip)
 {
-    return (struct mpm_cell_block){
-        {within(strip->column_low + MPM_GHOST_ROWS, state->grid.columns),
-         within(strip->row_low + MPM_GHOST_ROWS, state->grid.rows)},
-        {within(strip->column_high + MPM_GHOST_ROWS, state->grid.columns),
-         within(strip->row_high + MPM_GHOST_ROWS, state->grid.rows)}};
+    const int64_t counts[2] = {state->grid.columns, state->grid.rows};
+    struct mpm_cell_block block;
+    for (int axis = 0; axis < 2; axis++) {
+        block.low[axis] = within(strip->box.low[axis] + MPM_GHOST_ROWS, counts[axis]);
+        block.high[axis] = within(strip->box.high[axis] + MPM_GHOST_ROWS, counts[axis]);
+    }
+    return block;
 }
 
 /* -------------------------------------------------------------------- visiting */

@@ -4,6 +4,7 @@
 #include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_map.h"
 #include "method/grid/grid_update.h"
+#include "method/grid/symmetry.h"
 
 #include <math.h>
 
@@ -90,7 +91,8 @@ static int64_t field_of(const struct mpm_state *state, int64_t parent, enum mpm_
         const struct mpm_field_node *const node = mpm_field_node_at(state, parent);
         field = node == NULL ? -1 : mpm_field_of(state, node, (int)side);
     }
-    return field >= 0 && state->grid.mass[field] >= state->cracks.least_mass ? field : -1;
+    return field >= 0 && mpm_symmetry_whole_mass(state, field) >= state->cracks.least_mass ? field
+                                                                                           : -1;
 }
 
 static void add_node(struct mpm_crack_surface *surface, int64_t node, double weight)
@@ -103,9 +105,10 @@ static void weigh(const struct mpm_state *state, struct mpm_crack_surface *surfa
 {
     double largest = 0.0, sum = 0.0;
     for (int k = 0; k < surface->count; k++)
-        largest = fmax(largest, state->grid.mass[surface->node[k]]);
+        largest = fmax(largest, mpm_symmetry_whole_mass(state, surface->node[k]));
     for (int k = 0; k < surface->count; k++) {
-        surface->weight[k] *= fmin(1.0, state->grid.mass[surface->node[k]] / (FULL_MASS * largest));
+        const double mass = mpm_symmetry_whole_mass(state, surface->node[k]);
+        surface->weight[k] *= fmin(1.0, mass / (FULL_MASS * largest));
         sum += surface->weight[k];
     }
     for (int k = 0; k < surface->count; k++)

@@ -37,12 +37,22 @@ struct mpm_crack_crossing {
     uint32_t crack, segment;
 };
 
+/* A point beyond a plane of symmetry that its crack passes: the image of one inside. */
+struct mpm_crack_image {
+    size_t point, of; /* places among the points of all cracks */
+    int axis;         /* of the plane's normal */
+    double plane;     /* where it is along that axis */
+};
+
 /* Cracks; all empty where a scene has none. */
 struct mpm_cracks {
     struct mpm_crack_chain *chains; /* per crack of the scene */
     size_t point_count;
     double *position[2]; /* of all chains' points, one after the other */
     uint8_t *held;       /* per point: bits of the axes along which a symmetry plane holds it */
+    uint8_t *passes;     /* per crack: bits of the axes across which it passes such planes */
+    struct mpm_crack_image *images;
+    size_t image_count;
     double least_mass;   /* of a node that moves cracks; see mpm_cracks_advance */
     struct mpm_crack_openings openings;
     double widest[2]; /* reach of the largest undeformed domain */

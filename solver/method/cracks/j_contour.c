@@ -89,18 +89,13 @@ struct segment {
     double sign, length;
 };
 
-static void place_of(const struct mpm_j_contour *contour, const int64_t at[2], double place[2])
-{
-    mpm_grid_position(&contour->state->grid, at[1] * contour->state->grid.columns + at[0], place);
-}
-
 static enum mpm_status find_sample(const struct mpm_j_contour *contour, const int64_t at[2],
                                    enum mpm_crack_side side, struct sample *made,
                                    struct mpm_error *error)
 {
     const struct mpm_j_sums *const sums = &mpm_j_node_at(contour, at)->side[side];
     double place[2];
-    place_of(contour, at, place);
+    mpm_j_place(contour, at, place);
     if (!(sums->area > 0.0))
         return mpm_error_set(error, MPM_RUN_FAILED,
                              "%s: the contour's node at (%g, %g) has no particles on one side of "
@@ -156,7 +151,7 @@ static struct sample sample_beside(const struct mpm_j_contour *contour, const st
     double place[2];
     if (!(sums->area > 0.0))
         return *near;
-    place_of(contour, far, place);
+    mpm_j_place(contour, far, place);
     const struct sample behind = mean_of(sums, place[0]);
     return sample_between(near, &behind, part);
 }
@@ -168,8 +163,8 @@ static enum mpm_status add_cut(const struct mpm_j_contour *contour, const struct
 {
     struct sample from = {.x = 0.0}, to = {.x = 0.0};
     double a[2], b[2];
-    place_of(contour, segment->from, a);
-    place_of(contour, segment->to, b);
+    mpm_j_place(contour, segment->from, a);
+    mpm_j_place(contour, segment->to, b);
     MPM_TRY(find_sample(contour, segment->from, MPM_CRACK_SAME_SIDE, &from, error));
     MPM_TRY(find_sample(contour, segment->to, MPM_CRACK_SAME_SIDE, &to, error));
     const double part = crossing_part(contour, a, b);
@@ -215,7 +210,7 @@ static enum mpm_status check_crack(const struct mpm_j_contour *contour, size_t c
     double place[2];
     if (crack == contour->spec->crack)
         return MPM_OK;
-    place_of(contour, at, place);
+    mpm_j_place(contour, at, place);
     return mpm_error_set(error, MPM_RUN_FAILED,
                          "%s: the contour meets cracks.%zu near (%g, %g); allowed: its own crack "
                          "alone",
@@ -229,8 +224,8 @@ static enum mpm_status add_segment(const struct mpm_j_contour *contour,
 {
     double a[2], b[2];
     size_t crack = contour->spec->crack;
-    place_of(contour, segment->from, a);
-    place_of(contour, segment->to, b);
+    mpm_j_place(contour, segment->from, a);
+    mpm_j_place(contour, segment->to, b);
     const enum mpm_crack_side of_to = mpm_j_side(contour, a, b, &crack);
     const enum mpm_crack_side of_from = mpm_j_side(contour, b, a, &crack);
     MPM_TRY(check_crack(contour, crack, segment->to, error));
@@ -255,7 +250,7 @@ static enum mpm_status check_inside(const struct mpm_j_contour *contour, const i
     if (node->side[MPM_CRACK_SAME_SIDE].area >= 0.75 * cell ||
         node->side[MPM_CRACK_ABOVE].area > 0.0 || node->side[MPM_CRACK_BELOW].area > 0.0)
         return MPM_OK;
-    place_of(contour, at, place);
+    mpm_j_place(contour, at, place);
     return mpm_error_set(error, MPM_RUN_FAILED,
                          "%s: the contour's node at (%g, %g) sees particles of %g of a cell: it is "
                          "at an edge of the bodies, or outside; allowed: inside",

@@ -54,6 +54,12 @@ static inline struct mpm_j_node *mpm_j_node_at(const struct mpm_j_contour *conto
                            (at[0] - contour->low[0] + MPM_J_MARGIN)];
 }
 
+static inline void mpm_j_place(const struct mpm_j_contour *contour, const int64_t at[2],
+                               double place[2])
+{
+    mpm_grid_position(&contour->state->grid, at[1] * contour->state->grid.columns + at[0], place);
+}
+
 /* From which side, of the first crack that decides it, is the place `to` seen from `from`? `crack`,
  * unless NULL, gets that crack. */
 enum mpm_crack_side mpm_j_side(const struct mpm_j_contour *contour, const double from[2],

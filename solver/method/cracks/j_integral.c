@@ -144,8 +144,7 @@ static struct carried carried_by(const struct mpm_j_contour *contour, size_t p)
         .area = 4.0 * body->half_size[0] * body->half_size[1],
         .density = density,
     };
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        made.f[k] = particles->deformation[k][p];
+    mpm_particle_deformation(particles, p, made.f);
     for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
         made.tau[k] = density * particles->stress[k][p];
     made.plane = made.f[MPM_XX] * made.f[MPM_YY] - made.f[MPM_XY] * made.f[MPM_YX];
@@ -193,7 +192,7 @@ static struct mpm_j_sums *sums_for(const struct mpm_j_contour *contour, const st
                                    const int64_t at[2])
 {
     double place[2];
-    mpm_grid_position(&contour->state->grid, at[1] * contour->state->grid.columns + at[0], place);
+    mpm_j_place(contour, at, place);
     return &mpm_j_node_at(contour, at)->side[mpm_j_side(contour, own->place, place, NULL)];
 }
 

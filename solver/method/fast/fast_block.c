@@ -41,11 +41,9 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
         constants->edge_low[axis] = (double)state->shape_grid.edge_low[axis];
         constants->edge_high[axis] = (double)state->shape_grid.edge_high[axis];
         constants->longest_step[axis] = grid->cell[axis];
-        constants->lowest[axis] = grid->origin[axis];
-        constants->highest[axis] =
-            grid->origin[axis] + (double)grid->cells[axis] * grid->cell[axis];
-        constants->lowest_reach[axis] = constants->lowest[axis] - ghost;
-        constants->highest_reach[axis] = constants->highest[axis] + ghost;
+        constants->end[axis] = mpm_grid_end(grid, axis);
+        constants->lowest_reach[axis] = constants->origin[axis] - ghost;
+        constants->highest_reach[axis] = constants->end[axis] + ghost;
     }
 }
 
@@ -80,7 +78,8 @@ void mpm_fast_tail_fill(struct fast_tail *tail, const struct mpm_particles *part
             else
                 for (size_t lane = 0; lane < MPM_VECTOR_SIZE; lane++)
                     value->number[lane] = number[from[lane]];
-            mpm_particle_set_array(&tail->particles, field, k, value);
+            if (k < mpm_particle_rows[field].info.components)
+                mpm_particle_set_array(&tail->particles, field, k, value);
         }
     for (size_t lane = count; lane < MPM_VECTOR_SIZE; lane++)
         tail->particles.mass[lane] = 0.0;

@@ -18,7 +18,8 @@ struct fast_spec {
 };
 
 struct fast_constants {
-    double origin[2], inverse_cell[2];
+    double origin[2], end[2]; /* of the cells: where particles may be */
+    double inverse_cell[2];
     double half[2];                   /* half edges of the undeformed domain; the reach of points */
     double edge_low[2], edge_high[2]; /* first and last node, where B-splines fold */
     double axis;                      /* place of r = 0, in cells */
@@ -36,8 +37,7 @@ struct fast_constants {
     double time_step, stress_step; /* the latter is the part that this update stands for */
     double back;                   /* of the midpoint update: v^{n+1} - back a */
     int deformation_terms;
-    double lowest[2], highest[2];             /* where particles may be, */
-    double lowest_reach[2], highest_reach[2]; /* and their domains */
+    double lowest_reach[2], highest_reach[2]; /* where their domains may be */
     double longest_step[2];                   /* a cell */
     struct mpm_material material;
 };

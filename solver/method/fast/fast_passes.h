@@ -188,8 +188,8 @@ MPM_INLINE void update_position_vector(const struct fast_spec *spec, const struc
         const mpm_vector low = position[axis] - reach[axis], high = position[axis] + reach[axis];
         sums->low[axis] = mpm_smaller(low, sums->low[axis]);
         sums->high[axis] = mpm_larger(high, sums->high[axis]);
-        sound &= mpm_at_most(mpm_splat(k->lowest[axis]), position[axis]);
-        sound &= mpm_less(position[axis], mpm_splat(k->highest[axis]));
+        sound &= mpm_at_most(mpm_splat(k->origin[axis]), position[axis]);
+        sound &= mpm_less(position[axis], mpm_splat(k->end[axis]));
         if (spec->shape == MPM_CPDI) { /* others reach a cell at most */
             sound &= mpm_less(mpm_splat(k->lowest_reach[axis]), low);
             sound &= mpm_less(high, mpm_splat(k->highest_reach[axis]));
@@ -250,7 +250,7 @@ MPM_INLINE void block_to_grid(const struct fast_spec *spec, const struct fast_bl
         if (spec->force) {
             load_stress(block->particles, p, &load);
             spread(spec, block->k, &stencil[v], &load);
-        } else { /* no forces yet: masses take their place, see mpm_row_start_from_sums */
+        } else { /* no forces yet: masses, see struct mpm_node_sum */
             const mpm_vector values[4] = {load.momentum[0], load.mass, load.momentum[1]};
             spread_values(spec, block->k, &stencil[v], block->k->sum, values);
         }

@@ -105,8 +105,8 @@ void mpm_fields_begin(struct mpm_state *state)
         fields->use_of[fields->uses[k].particle] = 0;
     for (int64_t s = 0; s < state->strip_count; s++)
         state->strips[s].span_count = 0;
-    fields->node_count = 0;
-    fields->count = 0;
+    fields->node_count = fields->nodes_inside = 0;
+    fields->count = fields->inside = 0;
     fields->use_count = 0;
     mpm_bands_clear(state, &fields->asked_at);
     mpm_bands_clear(state, &fields->beside);
@@ -180,15 +180,18 @@ static bool add_node(struct mpm_state *state, int64_t node)
     return true;
 }
 
-/* In the order of the grid. */
-static bool list_nodes(struct mpm_state *state)
+/* In the order of the grid; images are those beyond planes of symmetry that a crack passes. */
+static bool list_nodes(struct mpm_state *state, bool images)
 {
     const struct mpm_fields *const fields = &state->fields;
     for (int64_t row = 0; row < state->grid.rows; row++)
         for (int64_t column = fields->asked_at.low[row]; column <= fields->asked_at.high[row];
              column++) {
             const int64_t node = row * state->grid.columns + column;
-            if (fields->asked[node] == 0)
+            const int64_t place[2] = {column, row};
+            if (fields->asked[node] == 0 ||
+                (state->symmetries.passed &&
+                 mpm_symmetries_have_beyond(&state->symmetries, place) != images))
                 continue;
             if (!add_node(state, node))
                 return false;
@@ -237,10 +240,14 @@ static enum mpm_fields_lack drop(struct mpm_state *state, enum mpm_fields_lack l
 
 enum mpm_fields_lack mpm_fields_settle(struct mpm_state *state)
 {
-    const struct mpm_fields *const fields = &state->fields;
+    struct mpm_fields *const fields = &state->fields;
     if (fields->use_count > fields->use_capacity)
         return drop(state, MPM_FIELDS_LACK_USES);
-    if (!list_nodes(state))
+    if (!list_nodes(state, false))
+        return drop(state, MPM_FIELDS_LACK_NODES);
+    fields->nodes_inside = fields->node_count;
+    fields->inside = fields->count;
+    if (state->symmetries.passed && !list_nodes(state, true))
         return drop(state, MPM_FIELDS_LACK_NODES);
     set_rows(state);
     for (size_t k = 0; k < fields->use_count; k++)

@@ -29,6 +29,7 @@ struct mpm_additional_field {
     uint8_t held;  /* bits of the components that conditions hold */
     uint8_t free;  /* bits of the axes across which it is on a free surface, where its parent is on
                     * a plane of symmetry */
+    uint8_t passes; /* bits of the axes across which it has images beyond planes of symmetry */
 };
 
 /* A node of the grid that has several fields. */
@@ -64,6 +65,10 @@ struct mpm_fields {
     size_t node_count, node_capacity;
     struct mpm_additional_field *list;
     int64_t count;
+    /* Where a crack passes a plane of symmetry, nodes beyond it come last: those before them, and
+     * their fields; else all. */
+    size_t nodes_inside;
+    int64_t inside;
 };
 
 #endif

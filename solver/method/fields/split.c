@@ -6,27 +6,22 @@
 /* What a pass leaves in its strip; a negative number: nothing yet. */
 struct sums {
     double kinetic, wave;
-    bool has_box;
-    int64_t column_low, column_high, row_low, row_high;
+    struct mpm_node_box box;
 };
 
-static void add_box(struct sums *sums, const struct mpm_strip *strip)
+static bool is_empty(const struct mpm_node_box *box)
 {
-    if (strip->row_low > strip->row_high)
-        return;
-    if (!sums->has_box) {
-        sums->column_low = strip->column_low;
-        sums->column_high = strip->column_high;
-        sums->row_low = strip->row_low;
-        sums->row_high = strip->row_high;
-        sums->has_box = true;
-        return;
+    return box->low[1] > box->high[1];
+}
+
+static void add_box(struct mpm_node_box *sum, const struct mpm_node_box *box)
+{
+    const bool first = is_empty(sum);
+    for (int axis = 0; axis < 2 && !is_empty(box); axis++) {
+        sum->low[axis] = first || box->low[axis] < sum->low[axis] ? box->low[axis] : sum->low[axis];
+        sum->high[axis] =
+            first || box->high[axis] > sum->high[axis] ? box->high[axis] : sum->high[axis];
     }
-    sums->column_low = strip->column_low < sums->column_low ? strip->column_low : sums->column_low;
-    sums->column_high =
-        strip->column_high > sums->column_high ? strip->column_high : sums->column_high;
-    sums->row_low = strip->row_low < sums->row_low ? strip->row_low : sums->row_low;
-    sums->row_high = strip->row_high > sums->row_high ? strip->row_high : sums->row_high;
 }
 
 /* One pass over one piece of the strip. */
@@ -39,14 +34,13 @@ static void run_piece(struct mpm_state *state, int64_t index, int worker, mpm_pa
     strip->begin = piece.begin;
     strip->end = piece.end;
     strip->kinetic_energy = strip->wave_speed_squared = -1.0;
-    strip->row_low = 0;
-    strip->row_high = -1;
+    strip->box = MPM_NO_BOX;
     pass(state, index, worker);
     if (strip->kinetic_energy >= 0.0)
         sums->kinetic = (sums->kinetic < 0.0 ? 0.0 : sums->kinetic) + strip->kinetic_energy;
     if (strip->wave_speed_squared > sums->wave)
         sums->wave = strip->wave_speed_squared;
-    add_box(sums, strip);
+    add_box(&sums->box, &strip->box);
 }
 
 /* Restores what no piece has computed anew. The kinetic energy of a step comes from one pass of
@@ -61,12 +55,8 @@ static void finish_strip(struct mpm_strip *strip, const struct mpm_strip *before
         strip->kinetic_energy += sums->kinetic;
     if (sums->wave >= 0.0)
         strip->wave_speed_squared = sums->wave;
-    if (!sums->has_box)
-        return;
-    strip->column_low = sums->column_low;
-    strip->column_high = sums->column_high;
-    strip->row_low = sums->row_low;
-    strip->row_high = sums->row_high;
+    if (!is_empty(&sums->box))
+        strip->box = sums->box;
 }
 
 static void run_split(struct mpm_state *state, int64_t index, int worker, mpm_pass *plain,
@@ -75,7 +65,7 @@ static void run_split(struct mpm_state *state, int64_t index, int worker, mpm_pa
     struct mpm_strip *const strip = &state->strips[index];
     const struct mpm_strip before = *strip;
     const struct mpm_span *const spans = mpm_field_spans(state, index);
-    struct sums sums = {.kinetic = -1.0, .wave = -1.0};
+    struct sums sums = {.kinetic = -1.0, .wave = -1.0, .box = MPM_NO_BOX};
     size_t place = before.begin;
     for (size_t k = 0; k < before.span_count; k++) {
         const struct mpm_span between = {place, spans[k].begin};

@@ -213,7 +213,7 @@ static enum mpm_status drive_node(struct mpm_state *state, size_t first_rigid, u
 
 static void rigid_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
 {
-    const struct mpm_particles *const rigid = &state->rigid;
+    const struct mpm_rigid_particles *const rigid = &state->rigid;
     const double *const half = state->bodies[rigid->body[p]].half_size;
     const struct mpm_shape_domain domain = {
         .position = {rigid->position[0][p], rigid->position[1][p]},
@@ -288,7 +288,7 @@ enum mpm_status mpm_conditions_gather(struct mpm_state *state, struct mpm_error 
 
 enum mpm_status mpm_rigid_advance(struct mpm_state *state, struct mpm_error *error)
 {
-    struct mpm_particles *const rigid = &state->rigid;
+    struct mpm_rigid_particles *const rigid = &state->rigid;
     for (size_t p = 0; p < rigid->count; p++) {
         const double start[2] = {rigid->position[0][p], rigid->position[1][p]};
         const struct mpm_vector_field *const field =
@@ -302,7 +302,7 @@ enum mpm_status mpm_rigid_advance(struct mpm_state *state, struct mpm_error *err
         }
         for (int axis = 0; axis < 2; axis++) {
             const double x = rigid->position[axis][p], low = state->grid.origin[axis];
-            const double high = low + (double)state->grid.cells[axis] * state->grid.cell[axis];
+            const double high = mpm_grid_end(&state->grid, axis);
             const bool past_axis = axis == 0 && state->shape_grid.axisymmetric && !(x > 0.0);
             if (x >= low && x < high && !past_axis)
                 continue;

@@ -25,10 +25,10 @@ void mpm_grid_find_active(struct mpm_state *state)
         const struct mpm_strip *const strip = &state->strips[s];
         if (strip->begin == strip->end)
             continue;
-        const int64_t first = strip->row_low + MPM_GHOST_ROWS;
-        const int64_t last = strip->row_high + MPM_GHOST_ROWS;
-        const int64_t low = strip->column_low + MPM_GHOST_ROWS;
-        const int64_t high = strip->column_high + MPM_GHOST_ROWS;
+        const int64_t low = strip->box.low[0] + MPM_GHOST_ROWS;
+        const int64_t high = strip->box.high[0] + MPM_GHOST_ROWS;
+        const int64_t first = strip->box.low[1] + MPM_GHOST_ROWS;
+        const int64_t last = strip->box.high[1] + MPM_GHOST_ROWS;
         for (int64_t row = first; row <= last; row++) {
             state->row_low[row] = low < state->row_low[row] ? low : state->row_low[row];
             state->row_high[row] = high > state->row_high[row] ? high : state->row_high[row];
@@ -54,7 +54,7 @@ void mpm_row_gather_mass(void *context, int64_t row, int worker)
     const struct mpm_row_span span = mpm_row_span(state, row);
     (void)worker;
     for (int64_t node = span.first; node < span.end; node++) {
-        state->grid.mass[node] += state->grid.sum[node][0].force;
+        state->grid.mass[node] += state->grid.sum[node][0].mass;
         state->grid.sum[node][0].force = 0.0;
     }
 }
@@ -66,7 +66,7 @@ static inline void start_row(const struct mpm_state *state, int64_t row, bool ma
     const bool stress_before = state->order->before > 0.0; /* else not needed yet */
     for (int64_t node = span.first; node < span.end; node++) {
         if (mass_in_sums) {
-            grid->mass[node] = grid->sum[node][0].force;
+            grid->mass[node] = grid->sum[node][0].mass;
             grid->sum[node][0].force = 0.0;
         }
         const double inverse = mpm_inverse_mass(grid->mass[node]);
@@ -77,17 +77,8 @@ static inline void start_row(const struct mpm_state *state, int64_t row, bool ma
     }
 }
 
-void mpm_row_start_velocity(void *context, int64_t row, int worker)
-{
-    (void)worker;
-    start_row(context, row, false);
-}
-
-void mpm_row_start_from_sums(void *context, int64_t row, int worker)
-{
-    (void)worker;
-    start_row(context, row, true);
-}
+MPM_PASS(mpm_row_start_velocity, start_row, false)
+MPM_PASS(mpm_row_start_from_sums, start_row, true)
 
 static inline void update_row(const struct mpm_state *state, int64_t row, bool body_force)
 {
@@ -111,17 +102,8 @@ static inline void update_row(const struct mpm_state *state, int64_t row, bool b
     }
 }
 
-void mpm_row_update(void *context, int64_t row, int worker)
-{
-    (void)worker;
-    update_row(context, row, false);
-}
-
-void mpm_row_update_with_body_force(void *context, int64_t row, int worker)
-{
-    (void)worker;
-    update_row(context, row, true);
-}
+MPM_PASS(mpm_row_update, update_row, false)
+MPM_PASS(mpm_row_update_with_body_force, update_row, true)
 
 void mpm_row_flip_fraction(void *context, int64_t row, int worker)
 {

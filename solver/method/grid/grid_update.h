@@ -4,7 +4,7 @@
 #ifndef MPM_METHOD_GRID_UPDATE_H
 #define MPM_METHOD_GRID_UPDATE_H
 
-#include "method/state.h"
+#include "method/fields/fields.h"
 
 /* The active nodes of a row: indices first..end - 1. */
 struct mpm_row_span {
@@ -39,6 +39,10 @@ static inline struct mpm_row_span mpm_row_span_inside(const struct mpm_state *st
 {
     struct mpm_row_span span = mpm_row_span(state, row);
     const int64_t place = state->symmetries.count == 0 ? -1 : mpm_layer_row(state, row);
+    if (place < 0 && state->symmetries.passed) {
+        const int64_t end = mpm_fields_first(state) + state->fields.inside;
+        span.end = span.end < end ? span.end : span.first < end ? end : span.first;
+    }
     for (size_t k = 0; place >= 0 && k < state->symmetries.count; k++) {
         const struct mpm_symmetry *const plane = &state->symmetries.planes[k];
         const int64_t on_plane = row * state->grid.columns + plane->line;
@@ -52,7 +56,7 @@ static inline struct mpm_row_span mpm_row_span_inside(const struct mpm_state *st
     return span;
 }
 
-/* Is a node none of those images? Packed fields are none. */
+/* Is a node none of those images? */
 static inline bool mpm_node_is_inside(const struct mpm_state *state, int64_t node)
 {
     if (state->symmetries.count == 0)
@@ -89,13 +93,11 @@ static inline int64_t mpm_grid_next_row(const struct mpm_state *state, int64_t r
 void mpm_grid_find_active(struct mpm_state *state);
 
 void mpm_row_clear(void *state, int64_t row, int worker);
-/* m_i: adds the masses that fast kernels leave in the place of forces, which are zero from here on
- */
+/* m_i: adds the masses that fast kernels leave in the sums (struct mpm_node_sum) */
 void mpm_row_gather_mass(void *state, int64_t row, int worker);
 /* v_i = p_i / m_i: N&G (11), Notes (28) */
 void mpm_row_start_velocity(void *state, int64_t row, int worker);
-/* the same, where the masses came with the momenta: in the place of the forces f_x, which are
- * zero from here on */
+/* the same, where the masses came with the momenta (struct mpm_node_sum) */
 void mpm_row_start_from_sums(void *state, int64_t row, int worker);
 /* a_i = f_i / m_i, v_i^{n+1} = v_i^n + dt a_i: CRAMP (29), Notes (24) */
 void mpm_row_update(void *state, int64_t row, int worker);

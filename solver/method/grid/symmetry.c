@@ -11,11 +11,6 @@ static inline void fold(double *inside, double *beyond, double sign)
     *beyond = sign * *inside;
 }
 
-static inline double sign_of(const struct mpm_symmetry *plane, int axis)
-{
-    return axis == plane->axis ? -1.0 : 1.0;
-}
-
 int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, double sign[2])
 {
     const int64_t columns = state->grid.columns;
@@ -32,57 +27,26 @@ int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, doubl
     return node;
 }
 
-static void fold_momentum(const struct mpm_state *state, const struct mpm_symmetry *plane,
-                          int64_t inside, int64_t beyond)
-{
-    const struct mpm_grid *const grid = &state->grid;
-    fold(&grid->mass[inside], &grid->mass[beyond], 1.0);
-    for (int axis = 0; axis < 2; axis++)
-        fold(&grid->sum[inside][axis].momentum, &grid->sum[beyond][axis].momentum,
-             sign_of(plane, axis));
-}
-
-static void hold_momentum(const struct mpm_state *state, int axis, int64_t node)
-{
-    state->grid.sum[node][axis].momentum = 0.0;
-}
-
-static void fold_force(const struct mpm_state *state, const struct mpm_symmetry *plane,
-                       int64_t inside, int64_t beyond)
-{
-    for (int axis = 0; axis < 2; axis++)
-        fold(&state->grid.sum[inside][axis].force, &state->grid.sum[beyond][axis].force,
-             sign_of(plane, axis));
-}
-
-static void hold_force(const struct mpm_state *state, int axis, int64_t node)
-{
-    state->grid.sum[node][axis].force = 0.0;
-}
-
-static void fold_extrapolated(const struct mpm_state *state, const struct mpm_symmetry *plane,
-                              int64_t inside, int64_t beyond)
-{
-    for (int axis = 0; axis < 2; axis++)
-        fold(&state->grid.gradient[inside][axis][0], &state->grid.gradient[beyond][axis][0],
-             sign_of(plane, axis));
-}
-
-static void hold_extrapolated(const struct mpm_state *state, int axis, int64_t node)
-{
-    state->grid.gradient[node][axis][0] = 0.0;
-}
-
-/* What is done to a pair of images, and to a node on the plane. */
-struct reflection {
-    void (*fold)(const struct mpm_state *, const struct mpm_symmetry *, int64_t, int64_t);
-    void (*hold)(const struct mpm_state *, int axis, int64_t node);
+/* A scalar of the nodes, or NULL, and a vector, whose component k is number 2 k of a node's values.
+ */
+struct spread {
+    double *scalar, *vector;
 };
 
+static void fold_nodes(const struct spread *spread, int axis, int64_t inside, int64_t beyond)
+{
+    double *const vector = spread->vector;
+    if (spread->scalar != NULL)
+        fold(&spread->scalar[inside], &spread->scalar[beyond], 1.0);
+    for (int k = 0; k < 2; k++)
+        fold(&vector[MPM_NODE_VALUES * inside + 2 * k], &vector[MPM_NODE_VALUES * beyond + 2 * k],
+             k == axis ? -1.0 : 1.0);
+}
+
 /* All nodes of the grid or of a layer beyond the plane that are active; images inside are reached
- * by the same particles. */
+ * by the same particles. Nodes on the plane have nothing along its normal. */
 static void reflect_across(const struct mpm_state *state, const struct mpm_symmetry *plane,
-                           const struct reflection *reflection, int64_t shift)
+                           const struct spread *spread, int64_t shift)
 {
     const int64_t columns = state->grid.columns;
     for (int64_t row = state->first_row; row <= state->last_row; row++)
@@ -92,33 +56,77 @@ static void reflect_across(const struct mpm_state *state, const struct mpm_symme
             const int64_t node = shift + row * columns + column;
             const int64_t stride = plane->axis == 0 ? 1 : columns;
             if (depth == 0)
-                reflection->hold(state, plane->axis, node);
+                spread->vector[MPM_NODE_VALUES * node + 2 * plane->axis] = 0.0;
             else if (depth > 0)
-                reflection->fold(state, plane, node + 2 * depth * plane->inside * stride, node);
+                fold_nodes(spread, plane->axis, node + 2 * depth * plane->inside * stride, node);
         }
 }
 
-static void reflect(struct mpm_state *state, const struct reflection *reflection)
+/* Packed fields of cracks that pass the plane. */
+static void reflect_packed(struct mpm_state *state, int axis, const struct mpm_field_node *inside,
+                           const struct mpm_field_node *beyond, const void *context)
 {
-    for (size_t k = 0; k < state->symmetries.count; k++)
+    const struct spread *const spread = context;
+    const struct mpm_additional_field *const list = state->fields.list + inside->first;
+    const int64_t first = mpm_fields_first(state) + inside->first;
+    for (int i = 0; i < inside->count; i++) {
+        const int64_t image = beyond == NULL ? -1 : mpm_field_of(state, beyond, list[i].key);
+        if ((list[i].passes >> axis & 1) == 0)
+            continue;
+        if (beyond == NULL)
+            spread->vector[MPM_NODE_VALUES * (first + i) + 2 * axis] = 0.0;
+        else if (image >= 0)
+            fold_nodes(spread, axis, first + i, image);
+    }
+}
+
+static void visit_across(struct mpm_state *state, const struct mpm_symmetry *plane,
+                         mpm_symmetry_visit *visit, const void *context)
+{
+    const int64_t columns = state->grid.columns;
+    const struct mpm_fields *const fields = &state->fields;
+    for (size_t k = 0; k < fields->node_count; k++) {
+        const struct mpm_field_node *const node = &fields->nodes[k];
+        const int64_t place[2] = {node->node % columns, node->node / columns};
+        const int64_t depth = (plane->line - place[plane->axis]) * plane->inside;
+        const int64_t stride = plane->axis == 0 ? 1 : columns;
+        const struct mpm_field_node *const inside =
+            mpm_field_node_at(state, node->node + 2 * depth * plane->inside * stride);
+        if (depth >= 0 && inside != NULL)
+            visit(state, plane->axis, inside, depth == 0 ? NULL : node, context);
+    }
+}
+
+void mpm_symmetries_visit(struct mpm_state *state, mpm_symmetry_visit *visit, const void *context)
+{
+    for (size_t k = 0; state->symmetries.passed && k < state->symmetries.count; k++)
+        visit_across(state, &state->symmetries.planes[k], visit, context);
+}
+
+static void reflect(struct mpm_state *state, struct spread spread)
+{
+    for (size_t k = 0; k < state->symmetries.count; k++) {
+        const struct mpm_symmetry *const plane = &state->symmetries.planes[k];
         for (int64_t layer = 0; layer <= state->fields.layers; layer++)
-            reflect_across(state, &state->symmetries.planes[k], reflection,
-                           mpm_layer_shift(state, layer));
+            reflect_across(state, plane, &spread, mpm_layer_shift(state, layer));
+        if (state->symmetries.passed)
+            visit_across(state, plane, reflect_packed, &spread);
+    }
 }
 
 void mpm_symmetries_reflect_momentum(struct mpm_state *state)
 {
-    reflect(state, &(struct reflection){fold_momentum, hold_momentum});
+    reflect(state, (struct spread){state->grid.mass, &state->grid.sum[0][0].momentum});
 }
 
 void mpm_symmetries_reflect_force(struct mpm_state *state)
 {
-    reflect(state, &(struct reflection){fold_force, hold_force});
+    reflect(state, (struct spread){NULL, &state->grid.sum[0][0].force});
 }
 
 void mpm_symmetries_reflect_extrapolated(struct mpm_state *state)
 {
-    reflect(state, &(struct reflection){fold_extrapolated, hold_extrapolated});
+    reflect(state, (struct spread){NULL, state->grid.gradient[0][0]});
 }
 
 /* ------------------------------------------------------------------- images */
@@ -156,8 +164,45 @@ int mpm_symmetry_images(const struct mpm_state *state, int64_t node,
     return count;
 }
 
+int64_t mpm_symmetry_packed_image(const struct mpm_state *state, int64_t field,
+                                  const struct mpm_symmetry_image *image)
+{
+    const struct mpm_additional_field *const packed =
+        &state->fields.list[field - mpm_fields_first(state)];
+    const struct mpm_field_node *const node = mpm_field_node_at(state, image->node);
+    for (int axis = 0; axis < 2; axis++)
+        if (image->sign[axis] < 0.0 && (packed->passes >> axis & 1) == 0)
+            return -1;
+    return node == NULL ? -1 : mpm_field_of(state, node, packed->key);
+}
+
+/* Both have what one of them has. */
+static void join(struct mpm_state *state, const struct mpm_symmetry *plane, const int64_t place[2])
+{
+    const int64_t columns = state->grid.columns;
+    uint16_t *const asked = state->fields.asked;
+    struct mpm_symmetry_image image;
+    const struct mpm_symmetry_image itself = {place[1] * columns + place[0], {1.0, 1.0}};
+    if (asked[itself.node] == 0 || !find_image(state, plane, &itself, &image))
+        return;
+    asked[itself.node] |= asked[image.node];
+    asked[image.node] = asked[itself.node];
+    mpm_bands_mark(&state->fields.asked_at, image.node % columns, image.node / columns);
+}
+
+void mpm_symmetries_join_requests(struct mpm_state *state)
+{
+    const struct mpm_bands *const at = &state->fields.asked_at;
+    for (size_t k = 0; state->symmetries.passed && k < state->symmetries.count; k++)
+        for (int64_t row = 0; row < state->grid.rows; row++)
+            for (int64_t column = at->low[row]; column <= at->high[row]; column++)
+                join(state, &state->symmetries.planes[k], (const int64_t[2]){column, row});
+}
+
 double mpm_symmetry_whole_mass(const struct mpm_state *state, int64_t node)
 {
+    if (state->symmetries.count == 0)
+        return state->grid.mass[node];
     const int64_t columns = state->grid.columns, parent = mpm_field_parent(state, node);
     const int64_t first = mpm_fields_first(state);
     const unsigned free = node < first ? 0u : state->fields.list[node - first].free;

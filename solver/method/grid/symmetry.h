@@ -6,10 +6,14 @@
  * the plane do not move along its normal. A half model then gives what the whole one does, to
  * round-off, for functions that reach beyond the plane too.
  *
- * Packed velocity fields of nodes near a crack are not folded: a particle whose line to a node
- * beyond the plane crosses a crack is on a free surface there, and so is one at a node on the plane
- * if the crack lies on the plane. Fields at nodes on the plane that belong to other cracks are held
- * by conditions.c. Points of cracks that lie on the plane stay on it.
+ * A crack may pass a plane at a right angle: it goes on beyond it as its own image, and its packed
+ * velocity fields are folded like the nodes' own. A field that particles request at a node is
+ * requested at the image as well, since mirrored particles would.
+ *
+ * Packed fields of other cracks are not folded: a particle whose line to a node beyond the plane
+ * crosses such a crack is on a free surface there, and so is one at a node on the plane if the
+ * crack lies on the plane. Fields at nodes on the plane that belong to other cracks are held by
+ * conditions.c. Points of cracks that lie on the plane stay on it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_SYMMETRY_H
@@ -26,14 +30,6 @@ int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, doubl
  * node is a field on the free surface of a crack that lies there. */
 double mpm_symmetry_whole_mass(const struct mpm_state *state, int64_t node);
 
-/* After masses and momenta are spread. */
-void mpm_symmetries_reflect_momentum(struct mpm_state *state);
-/* Once all forces are. */
-void mpm_symmetries_reflect_force(struct mpm_state *state);
-/* After each pass that sums momenta up in grid.gradient: the re-extrapolation, and those of XPIC
- * and FMPM. */
-void mpm_symmetries_reflect_extrapolated(struct mpm_state *state);
-
 /* The images of a node of the grid, or of a layer, across all planes, those that are active, with
  * the signs of their velocities. Returns how many they are: 0 of a node on a plane or far from all.
  */
@@ -44,5 +40,29 @@ struct mpm_symmetry_image {
 };
 int mpm_symmetry_images(const struct mpm_state *state, int64_t node,
                         struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES]);
+
+/* Where a crack passes a plane: requests each field of a node at its images too. After the
+ * particles' requests, before mpm_fields_settle. */
+void mpm_symmetries_join_requests(struct mpm_state *state);
+
+/* Where a crack passes a plane: calls `visit` for each node with packed fields beyond it and the one
+ * that it is an image of, which has fields of the same keys; and for each such node on the plane,
+ * `beyond` being NULL. */
+typedef void mpm_symmetry_visit(struct mpm_state *state, int axis,
+                                const struct mpm_field_node *inside,
+                                const struct mpm_field_node *beyond, const void *context);
+void mpm_symmetries_visit(struct mpm_state *state, mpm_symmetry_visit *visit, const void *context);
+
+/* The image of a packed field at the image of its parent, or -1. */
+int64_t mpm_symmetry_packed_image(const struct mpm_state *state, int64_t field,
+                                  const struct mpm_symmetry_image *image);
+
+/* After masses and momenta are spread. */
+void mpm_symmetries_reflect_momentum(struct mpm_state *state);
+/* Once all forces are. */
+void mpm_symmetries_reflect_force(struct mpm_state *state);
+/* After each pass that sums momenta up in grid.gradient: the re-extrapolation, and those of XPIC
+ * and FMPM. */
+void mpm_symmetries_reflect_extrapolated(struct mpm_state *state);
 
 #endif

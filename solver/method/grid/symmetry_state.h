@@ -4,6 +4,7 @@
 #ifndef MPM_METHOD_SYMMETRY_STATE_H
 #define MPM_METHOD_SYMMETRY_STATE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -17,6 +18,19 @@ struct mpm_symmetry {
 struct mpm_symmetries {
     struct mpm_symmetry *planes;
     size_t count;
+    bool passed; /* a crack passes one of them */
 };
+
+/* Is a node beyond a plane, an image of one inside? Its column and row. */
+static inline bool mpm_symmetries_have_beyond(const struct mpm_symmetries *symmetries,
+                                              const int64_t place[2])
+{
+    for (size_t k = 0; k < symmetries->count; k++) {
+        const struct mpm_symmetry *const plane = &symmetries->planes[k];
+        if ((plane->line - place[plane->axis]) * plane->inside > 0)
+            return true;
+    }
+    return false;
+}
 
 #endif

@@ -90,11 +90,12 @@ static inline double taken(const struct mpm_state *state, int64_t node, int axis
     return rate * state->grid.mass[node] * start * (0.5 * state->time_step * (start + end));
 }
 
-static inline void damp_row(const struct mpm_state *state, int64_t row, int worker, bool varying)
+static void row_damp(void *context, int64_t row, int worker)
 {
+    const struct mpm_state *const state = context;
     const struct mpm_grid *const grid = &state->grid;
     const struct mpm_row_span span = mpm_row_span(state, row);
-    const bool extrapolate = state->order->extrapolate;
+    const bool extrapolate = state->order->extrapolate, varying = is_varying(state->damping.grid);
     const struct mpm_row_span inside = mpm_row_span_inside(state, row);
     struct mpm_row_sums *const sums = &state->row_sums[row];
     double dissipated = 0.0;
@@ -122,16 +123,6 @@ static inline void damp_row(const struct mpm_state *state, int64_t row, int work
     sums->dissipated = dissipated;
 }
 
-static void row_damp(void *context, int64_t row, int worker)
-{
-    damp_row(context, row, worker, false);
-}
-
-static void row_damp_by_place(void *context, int64_t row, int worker)
-{
-    damp_row(context, row, worker, true);
-}
-
 static enum mpm_status collect_rows(struct mpm_state *state, struct mpm_error *error)
 {
     for (int64_t row = state->first_row; row >= 0; row = mpm_grid_next_row(state, row)) {
@@ -154,7 +145,7 @@ enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_erro
     const bool varying = is_varying(state->damping.grid);
     if (!state->damping.nodes)
         return MPM_OK;
-    mpm_grid_rows_run(state, varying ? row_damp_by_place : row_damp);
+    mpm_grid_rows_run(state, row_damp);
     MPM_TRY(collect_rows(state, error));
     for (size_t k = 0; k < state->conditions.active_count; k++) { /* held: not damped */
         const struct mpm_active_condition *const active = &state->conditions.active[k];
@@ -169,19 +160,6 @@ enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_erro
 
 /* --------------------------------------------------------------- particles */
 
-static void grid_velocity(const struct mpm_state *state, size_t p, double v[2])
-{
-    struct mpm_stencil room, weights;
-    const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-    const struct mpm_stencil *const read = mpm_particle_read_weights(state, stencil, &weights);
-    v[0] = v[1] = 0.0;
-    for (int k = 0; k < read->count; k++) {
-        const double *const start = state->grid.start[state->node_zero + read->node[k].node];
-        v[0] += read->node[k].s * start[0];
-        v[1] += read->node[k].s * start[1];
-    }
-}
-
 /* alpha_p(t, x_p); 0, with a record, if it is not allowed */
 static double particle_rate(const struct mpm_state *state, size_t p, int worker,
                             struct mpm_strip *strip)
@@ -194,52 +172,35 @@ static double particle_rate(const struct mpm_state *state, size_t p, int worker,
     return 0.0;
 }
 
-static inline void find_drag(struct mpm_state *state, int64_t index, int worker, bool varying,
-                             bool pic)
+static void pass_drag(void *context, int64_t index, int worker)
 {
+    struct mpm_state *const state = context;
     const struct mpm_damping *const damping = &state->damping;
     const struct mpm_particles *const particles = &state->particles;
     struct mpm_strip *const strip = &state->strips[index];
+    const bool varying = is_varying(damping->particle), pic = damping->pic != NULL;
     double power = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         const double rate =
             varying ? particle_rate(state, p, worker, strip) : damping->particle_rate;
         double grid[2] = {0.0, 0.0};
         if (pic)
-            grid_velocity(state, p, grid);
+            mpm_particle_grid_velocity(state, p, grid);
         for (int axis = 0; axis < 2; axis++) {
             const double v = particles->velocity[axis][p];
             const double q = rate * v + (pic ? damping->pic_rate * (v - grid[axis]) : 0.0);
-            damping->drag[axis][p] = q;
+            particles->drag[axis][p] = q;
             power += particles->mass[p] * q * v;
         }
     }
     strip->dissipated = 0.5 * state->time_step * power;
 }
 
-static void pass_drag(void *context, int64_t index, int worker)
+/* What the drag spares a body force of its work, m_p b . q_p dt^2/2. */
+static void pass_spare_work(void *context, int64_t index, int worker)
 {
-    find_drag(context, index, worker, false, false);
-}
-
-static void pass_drag_by_place(void *context, int64_t index, int worker)
-{
-    find_drag(context, index, worker, true, false);
-}
-
-static void pass_drag_pic(void *context, int64_t index, int worker)
-{
-    find_drag(context, index, worker, false, true);
-}
-
-static void pass_drag_pic_by_place(void *context, int64_t index, int worker)
-{
-    find_drag(context, index, worker, true, true);
-}
-
-/* What the drag spares a body force of its work, m_p b . q_p dt^2/2; two passes. */
-static inline void spare_work(struct mpm_state *state, int64_t index, int worker, bool varying)
-{
+    struct mpm_state *const state = context;
+    const bool varying = state->body_force_kind == MPM_VARYING_BODY_FORCE;
     const struct mpm_particles *const particles = &state->particles;
     const double half = 0.5 * state->time_step * state->time_step;
     double *const *const user = particles->user_force;
@@ -251,20 +212,9 @@ static inline void spare_work(struct mpm_state *state, int64_t index, int worker
             continue;
         for (int axis = 0; axis < 2 && user[axis] != NULL; axis++)
             b[axis] += user[axis][p];
-        strip->external_work -=
-            half * particles->mass[p] *
-            (b[0] * state->damping.drag[0][p] + b[1] * state->damping.drag[1][p]);
+        strip->external_work -= half * particles->mass[p] *
+                                (b[0] * particles->drag[0][p] + b[1] * particles->drag[1][p]);
     }
-}
-
-static void pass_spare_work(void *context, int64_t index, int worker)
-{
-    spare_work(context, index, worker, false);
-}
-
-static void pass_spare_work_by_place(void *context, int64_t index, int worker)
-{
-    spare_work(context, index, worker, true);
 }
 
 static void run_particles(struct mpm_state *state, mpm_pass *pass)
@@ -274,23 +224,12 @@ static void run_particles(struct mpm_state *state, mpm_pass *pass)
 
 void mpm_damping_find_drag(struct mpm_state *state)
 {
-    static mpm_pass *const drags[2][2] = {{pass_drag, pass_drag_by_place},
-                                          {pass_drag_pic, pass_drag_pic_by_place}};
-    static mpm_pass *const works[] = {
-        [MPM_NO_BODY_FORCE] = NULL,
-        [MPM_UNIFORM_BODY_FORCE] = pass_spare_work,
-        [MPM_VARYING_BODY_FORCE] = pass_spare_work_by_place,
-    };
-    const bool user = state->user_force.caller.evaluate != NULL;
-    mpm_pass *const work =
-        works[user && state->body_force_kind == MPM_NO_BODY_FORCE ? MPM_UNIFORM_BODY_FORCE
-                                                                  : state->body_force_kind];
     if (!state->damping.particles)
         return;
-    run_particles(state, drags[state->damping.pic != NULL][is_varying(state->damping.particle)]);
-    if (work == NULL)
+    run_particles(state, pass_drag);
+    if (state->body_force_kind == MPM_NO_BODY_FORCE && state->user_force.caller.evaluate == NULL)
         return;
-    run_particles(state, work);
+    run_particles(state, pass_spare_work);
     for (int64_t s = 0; s < state->strip_count; s++) {
         state->external_work += state->strips[s].external_work;
         if (state->energy.measured)
@@ -305,7 +244,7 @@ static void pass_take_drag(void *context, int64_t index, int worker)
     (void)worker;
     for (int axis = 0; axis < 2; axis++) {
         double *const velocity = state->particles.velocity[axis];
-        const double *const drag = state->damping.drag[axis];
+        const double *const drag = state->particles.drag[axis];
         for (size_t p = strip->begin; p < strip->end; p++)
             velocity[p] -= state->time_step * drag[p];
     }
@@ -325,8 +264,8 @@ static void pass_settle(void *context, int64_t index, int worker)
     double power = 0.0;
     (void)worker;
     for (size_t p = strip->begin; p < strip->end; p++)
-        power += particles->mass[p] * (state->damping.drag[0][p] * particles->velocity[0][p] +
-                                       state->damping.drag[1][p] * particles->velocity[1][p]);
+        power += particles->mass[p] * (particles->drag[0][p] * particles->velocity[0][p] +
+                                       particles->drag[1][p] * particles->velocity[1][p]);
     strip->dissipated += 0.5 * state->time_step * power;
 }
 
@@ -342,7 +281,7 @@ static void pass_settle_midpoint(void *context, int64_t index, int worker)
     for (size_t p = strip->begin; p < strip->end; p++) {
         double step[2];
         for (int axis = 0; axis < 2; axis++) {
-            step[axis] = -back * state->damping.drag[axis][p];
+            step[axis] = -back * state->particles.drag[axis][p];
             state->particles.position[axis][p] += step[axis];
         }
         struct mpm_placement placement = mpm_particle_placement(state, p);

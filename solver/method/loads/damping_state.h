@@ -20,7 +20,6 @@ struct mpm_damping {
     double grid_rate;     /* of all nodes in this step: a grid(t), and the thermostat's */
     double particle_rate; /* of all particles: a particle(t) */
     double pic_rate;      /* (1 - beta)/dt */
-    double *drag[2];      /* per particle: the deceleration of this step */
     struct mpm_damping_totals totals;
 };
 

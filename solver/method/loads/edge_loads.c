@@ -115,14 +115,6 @@ static void find_traction(const struct mpm_state *state, const struct mpm_shape_
     turn(state, edge->site, domain, edge->traction);
 }
 
-static void weigh_particle(const struct mpm_state *state, struct mpm_loaded_edge *edge)
-{
-    struct mpm_stencil room;
-    const struct mpm_stencil *const stencil = mpm_particle_stencil(state, edge->particle, &room);
-    edge->weights.count = 0;
-    mpm_edge_weights_add(&edge->weights, stencil, edge->site->area);
-}
-
 /* Into the velocity fields of its particle. */
 static void divert(const struct mpm_state *state, struct mpm_loaded_edge *edge)
 {
@@ -136,6 +128,13 @@ static void divert(const struct mpm_state *state, struct mpm_loaded_edge *edge)
     mpm_fields_divert_edge(state, edge->particle, &plain, &edge->weights);
 }
 
+static void give_by_shape(const struct mpm_state *state, struct mpm_loaded_edge *edge, double area)
+{
+    struct mpm_stencil room;
+    const struct mpm_stencil *const stencil = mpm_particle_stencil(state, edge->particle, &room);
+    mpm_edge_weights_add(&edge->weights, stencil, area);
+}
+
 static void prepare_strip(void *context, int64_t index, int worker)
 {
     struct mpm_state *const state = context;
@@ -144,13 +143,14 @@ static void prepare_strip(void *context, int64_t index, int worker)
         struct mpm_loaded_edge *const edge = &loads->edges[k];
         const struct mpm_shape_domain domain = mpm_particle_carried_domain(state, edge->particle);
         find_traction(state, &domain, worker, &state->strips[index], edge);
-        if (spec_of(state, edge->site)->on_particles)
-            weigh_particle(state, edge);
-        else
-            mpm_edge_integrate(state->family, &state->shape_grid, &domain, edge->site->edge,
-                               depth_of(state, edge->particle), &edge->weights);
-        if (!spec_of(state, edge->site)->on_particles)
-            divert(state, edge);
+        edge->weights.count = 0;
+        if (spec_of(state, edge->site)->on_particles) {
+            give_by_shape(state, edge, edge->site->area);
+            continue;
+        }
+        mpm_edge_integrate(state->family, &state->shape_grid, &domain, edge->site->edge,
+                           depth_of(state, edge->particle), &edge->weights);
+        divert(state, edge);
     }
 }
 
@@ -182,13 +182,6 @@ static double take_massless(const struct mpm_state *state, struct mpm_edge_weigh
             weights->entry[kept++] = weights->entry[k];
     weights->count = kept;
     return taken;
-}
-
-static void give_by_shape(const struct mpm_state *state, struct mpm_loaded_edge *edge, double area)
-{
-    struct mpm_stencil room;
-    const struct mpm_stencil *const stencil = mpm_particle_stencil(state, edge->particle, &room);
-    mpm_edge_weights_add(&edge->weights, stencil, area);
 }
 
 static void spread_strip(void *context, int64_t index, int worker)

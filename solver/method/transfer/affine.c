@@ -1,23 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/transfer/affine.h"
 
+#include "method/fields/fields.h"
 #include "method/transfer/particle_updates.h"
 #include "method/transfer/transfer.h"
 
 /* A particle's nodes as seen from the mean of their places. */
 struct surroundings {
-    struct mpm_stencil stencil;
+    const struct mpm_stencil *stencil;
     double away[MPM_STENCIL_MAX][2]; /* x_i - y_p */
     double moment[3];                /* D_p: xx, yy, xy */
 };
 
-static void look_around(const struct mpm_state *state, size_t p, struct surroundings *around)
+/* An additional field of a node is where its parent is. */
+static void look_around(const struct mpm_state *state, const struct mpm_stencil *stencil,
+                        struct surroundings *around)
 {
     double mean[2] = {0.0, 0.0};
-    mpm_particle_plain_stencil(state, p, &around->stencil); /* no APIC with cracks */
-    const struct mpm_stencil *const stencil = &around->stencil;
+    around->stencil = stencil;
     for (int k = 0; k < stencil->count; k++) {
-        mpm_grid_position(&state->grid, state->node_zero + stencil->node[k].node, around->away[k]);
+        const int64_t node = state->node_zero + stencil->node[k].node;
+        mpm_grid_position(&state->grid, mpm_field_parent(state, node), around->away[k]);
         for (int axis = 0; axis < 2; axis++)
             mean[axis] += stencil->node[k].s * around->away[k][axis];
     }
@@ -63,7 +66,7 @@ static void node_momentum(const struct mpm_state *state, size_t p,
                           const struct surroundings *around, const double c[4], int k,
                           double momentum[2])
 {
-    const double weight = state->particles.mass[p] * around->stencil.node[k].s;
+    const double weight = state->particles.mass[p] * around->stencil->node[k].s;
     for (int axis = 0; axis < 2; axis++) {
         const double v = state->particles.velocity[axis][p];
         const double change =
@@ -76,8 +79,8 @@ static void add_momentum(const struct mpm_state *state, size_t p, const struct s
 {
     double c[4];
     affine_of(state, p, around, c);
-    for (int k = 0; k < around->stencil.count; k++) {
-        const struct mpm_stencil_node *const entry = &around->stencil.node[k];
+    for (int k = 0; k < around->stencil->count; k++) {
+        const struct mpm_stencil_node *const entry = &around->stencil->node[k];
         const int64_t node = state->node_zero + entry->node;
         double momentum[2];
         node_momentum(state, p, around, c, k, momentum);
@@ -91,25 +94,17 @@ static inline void to_grid(const struct mpm_state *state, int64_t index, bool fo
 {
     const struct mpm_strip *const strip = &state->strips[index];
     for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil room;
         struct surroundings around;
-        look_around(state, p, &around);
+        look_around(state, mpm_particle_stencil(state, p, &room), &around);
         add_momentum(state, p, &around);
         if (force)
-            mpm_particle_add_internal_force(state, p, &around.stencil);
+            mpm_particle_add_internal_force(state, p, around.stencil);
     }
 }
 
-void mpm_pass_affine_momentum(void *state, int64_t strip, int worker)
-{
-    (void)worker;
-    to_grid(state, strip, false);
-}
-
-void mpm_pass_affine_momentum_and_force(void *state, int64_t strip, int worker)
-{
-    (void)worker;
-    to_grid(state, strip, true);
-}
+MPM_PASS(mpm_pass_affine_momentum, to_grid, false)
+MPM_PASS(mpm_pass_affine_momentum_and_force, to_grid, true)
 
 /* B_p, or sum v_i G_ip^T */
 static void update_affine(const struct mpm_state *state, size_t p,
@@ -117,8 +112,8 @@ static void update_affine(const struct mpm_state *state, size_t p,
 {
     const bool lone = state->family->lone_node;
     double sum[4] = {0.0, 0.0, 0.0, 0.0};
-    for (int k = 0; k < around->stencil.count; k++) {
-        const struct mpm_stencil_node *const entry = &around->stencil.node[k];
+    for (int k = 0; k < around->stencil->count; k++) {
+        const struct mpm_stencil_node *const entry = &around->stencil->node[k];
         const double *const v = state->grid.motion[state->node_zero + entry->node].end;
         for (int axis = 0; axis < 2; axis++) {
             const double along = lone ? entry->g[axis] : entry->s * around->away[k][axis];
@@ -135,10 +130,10 @@ static void add_extrapolated(const struct mpm_state *state, size_t p,
 {
     double c[4];
     affine_of(state, p, around, c);
-    for (int k = 0; k < around->stencil.count; k++) {
+    for (int k = 0; k < around->stencil->count; k++) {
         double momentum[2];
         double(*const sum)[2] =
-            state->grid.gradient[state->node_zero + around->stencil.node[k].node];
+            state->grid.gradient[state->node_zero + around->stencil->node[k].node];
         node_momentum(state, p, around, c, k, momentum);
         for (int axis = 0; axis < 2; axis++)
             sum[axis][0] += momentum[axis];
@@ -150,34 +145,28 @@ static inline void to_particles(struct mpm_state *state, int64_t index, bool ext
     struct mpm_strip *const strip = &state->strips[index];
     strip->kinetic_energy = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
+        struct mpm_stencil room;
         struct surroundings around;
-        look_around(state, p, &around);
-        mpm_particle_update_velocity(state, p, &around.stencil, strip);
+        look_around(state, mpm_particle_stencil(state, p, &room), &around);
+        mpm_particle_update_velocity(state, p, around.stencil, strip);
         update_affine(state, p, &around);
         if (extrapolate)
             add_extrapolated(state, p, &around);
     }
 }
 
-void mpm_pass_affine_velocity(void *state, int64_t strip, int worker)
-{
-    (void)worker;
-    to_particles(state, strip, false);
-}
-
-void mpm_pass_affine_velocity_and_momentum(void *state, int64_t strip, int worker)
-{
-    (void)worker;
-    to_particles(state, strip, true);
-}
+MPM_PASS(mpm_pass_affine_velocity, to_particles, false)
+MPM_PASS(mpm_pass_affine_velocity_and_momentum, to_particles, true)
 
 double mpm_particle_spin(const struct mpm_state *state, size_t p)
 {
     double *const *const kept = state->particles.affine;
     if (!state->family->lone_node)
         return kept[2][p] - kept[1][p];
+    struct mpm_stencil room;
     struct surroundings around;
-    look_around(state, p, &around);
+    mpm_particle_plain_stencil(state, p, &room); /* places of nodes alone count */
+    look_around(state, &room, &around);
     const double xx = around.moment[0], yy = around.moment[1], xy = around.moment[2];
     return (kept[2][p] * xx + kept[3][p] * xy) - (kept[0][p] * xy + kept[1][p] * yy);
 }

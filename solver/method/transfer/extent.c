@@ -9,11 +9,6 @@ void mpm_strip_record(struct mpm_strip *strip, enum mpm_failure_kind kind, uint3
     mpm_failure_merge(&strip->failure, &failure);
 }
 
-static double end_of(const struct mpm_grid *grid, int axis)
-{
-    return grid->origin[axis] + (double)grid->cells[axis] * grid->cell[axis];
-}
-
 static bool check_way(const struct mpm_state *state, const struct mpm_placement *placement,
                       uint32_t particle, struct mpm_strip *strip)
 {
@@ -24,7 +19,7 @@ static bool check_way(const struct mpm_state *state, const struct mpm_placement 
     }
     for (int axis = 0; axis < 2; axis++) {
         const double x = placement->position[axis];
-        if (!(x >= grid->origin[axis] && x < end_of(grid, axis))) {
+        if (!(x >= grid->origin[axis] && x < mpm_grid_end(grid, axis))) {
             mpm_strip_record(strip, isfinite(x) ? MPM_LEFT_GRID : MPM_NOT_FINITE, particle, axis,
                              x);
             return false;
@@ -46,7 +41,7 @@ bool mpm_domain_check(const struct mpm_state *state, const struct mpm_placement 
         const double ghost = mpm_ghost_reach(grid, axis);
         const double low = placement->position[axis] - placement->reach[axis];
         const double high = placement->position[axis] + placement->reach[axis];
-        if (!(low > grid->origin[axis] - ghost && high < end_of(grid, axis) + ghost)) {
+        if (!(low > grid->origin[axis] - ghost && high < mpm_grid_end(grid, axis) + ghost)) {
             mpm_strip_record(strip, MPM_DOMAIN_TOO_BIG, particle, axis,
                              placement->reach[axis] * grid->inverse_cell[axis]);
             return false;
@@ -79,20 +74,17 @@ void mpm_strip_set_box(const struct mpm_state *state, struct mpm_strip *strip,
                        const struct mpm_extent *extent)
 {
     const struct mpm_grid *const grid = &state->grid;
-    int64_t low[2] = {0, 0}, high[2] = {-1, -1};
+    struct mpm_node_box box = MPM_NO_BOX;
     for (int axis = 0; axis < 2 && strip->begin < strip->end; axis++) {
         const double scale = grid->inverse_cell[axis], origin = grid->origin[axis];
-        low[axis] = (int64_t)floor((extent->low[axis] - origin) * scale - BOX_SLACK);
-        high[axis] = (int64_t)floor((extent->high[axis] - origin) * scale + BOX_SLACK) +
-                     state->family->nodes_past_end;
+        box.low[axis] = (int64_t)floor((extent->low[axis] - origin) * scale - BOX_SLACK);
+        box.high[axis] = (int64_t)floor((extent->high[axis] - origin) * scale + BOX_SLACK) +
+                         state->family->nodes_past_end;
         /* no domain reaches beyond the ghost rows, so no node there is visited */
-        if (high[axis] > grid->cells[axis] + MPM_GHOST_ROWS)
-            high[axis] = grid->cells[axis] + MPM_GHOST_ROWS;
-        if (low[axis] < -MPM_GHOST_ROWS)
-            low[axis] = -MPM_GHOST_ROWS;
+        if (box.high[axis] > grid->cells[axis] + MPM_GHOST_ROWS)
+            box.high[axis] = grid->cells[axis] + MPM_GHOST_ROWS;
+        if (box.low[axis] < -MPM_GHOST_ROWS)
+            box.low[axis] = -MPM_GHOST_ROWS;
     }
-    strip->column_low = low[0];
-    strip->column_high = high[0];
-    strip->row_low = low[1];
-    strip->row_high = high[1];
+    strip->box = box;
 }

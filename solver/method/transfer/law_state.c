@@ -22,7 +22,8 @@ void mpm_law_states_begin(struct mpm_state *state)
     for (size_t p = 0; carried > 0 && p < particles->count; p++) {
         const struct mpm_material_law *const law = state->bodies[particles->body[p]].material.law;
         for (size_t k = 0; k < carried; k++)
-            particles->law_state[k][p] = k < law->variable_count ? law->variables[k].start : 0.0;
+            *mpm_particle_law_state(particles, p, k) =
+                k < law->variable_count ? law->variables[k].start : 0.0;
     }
 }
 
@@ -50,6 +51,13 @@ static double stress_work(const double old_stress[MPM_SYMMETRIC_SIZE],
     return 0.5 * (work_rate(old_stress, df, step->old_f) + work_rate(stress, df, step->f));
 }
 
+static void load_variables(const struct mpm_particles *particles, size_t p,
+                           const struct mpm_material_law *law, double variables[MPM_LAW_STATES])
+{
+    for (size_t k = 0; k < law->variable_count; k++)
+        variables[k] = *mpm_particle_law_state(particles, p, k);
+}
+
 void mpm_particle_update_law(const struct mpm_state *state, size_t p,
                              const double f[MPM_GRADIENT_SIZE], double duration,
                              double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared)
@@ -58,21 +66,20 @@ void mpm_particle_update_law(const struct mpm_state *state, size_t p,
     const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
     const struct mpm_material_law *const law = material->law;
     double old_f[MPM_GRADIENT_SIZE], old_stress[MPM_SYMMETRIC_SIZE], variables[MPM_LAW_STATES];
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        old_f[k] = particles->deformation[k][p];
+    mpm_particle_deformation(particles, p, old_f);
     for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
         old_stress[k] = particles->stress[k][p];
-    for (size_t k = 0; k < law->variable_count; k++)
-        variables[k] = particles->law_state[k][p];
+    load_variables(particles, p, law, variables);
     const struct mpm_law_step step = {old_f, f, duration, (double)NAN};
     if (law->update != NULL)
         law->update(material, &step, variables, stress, wave_speed_squared);
     else
         law->stress(material, f, stress, wave_speed_squared);
     for (size_t k = 0; k < law->variable_count; k++)
-        particles->law_state[k][p] = variables[k];
+        *mpm_particle_law_state(particles, p, k) = variables[k];
     if (law->energy == NULL)
-        particles->law_state[law->variable_count][p] += stress_work(old_stress, stress, &step);
+        *mpm_particle_law_state(particles, p, law->variable_count) +=
+            stress_work(old_stress, stress, &step);
 }
 
 void mpm_particle_find_stress(const struct mpm_state *state, size_t p,
@@ -81,9 +88,8 @@ void mpm_particle_find_stress(const struct mpm_state *state, size_t p,
     const struct mpm_particles *const particles = &state->particles;
     const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
     double f[MPM_GRADIENT_SIZE];
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        f[k] = particles->deformation[k][p];
-    if (particles->law_state[0] == NULL)
+    mpm_particle_deformation(particles, p, f);
+    if (particles->law_state == NULL)
         material->law->stress(material, f, stress, wave_speed_squared);
     else
         mpm_particle_update_law(state, p, f, 0.0, stress, wave_speed_squared);
@@ -96,10 +102,8 @@ double mpm_particle_strain_energy(const struct mpm_state *state, size_t p)
     const struct mpm_material_law *const law = material->law;
     double f[MPM_GRADIENT_SIZE], variables[MPM_LAW_STATES];
     if (law->energy == NULL)
-        return particles->law_state[law->variable_count][p];
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        f[k] = particles->deformation[k][p];
-    for (size_t k = 0; k < law->variable_count; k++)
-        variables[k] = particles->law_state[k][p];
+        return *mpm_particle_law_state(particles, p, law->variable_count);
+    mpm_particle_deformation(particles, p, f);
+    load_variables(particles, p, law, variables);
     return law->energy(material, f, variables);
 }

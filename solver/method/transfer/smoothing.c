@@ -22,20 +22,10 @@ static inline void begin_row(const struct mpm_state *state, int64_t row, bool af
     }
 }
 
-static void begin_with_start(void *context, int64_t row, int worker)
-{
-    (void)worker;
-    begin_row(context, row, false);
-}
+static MPM_PASS(begin_with_start, begin_row, false) static MPM_PASS(begin_with_end, begin_row, true)
 
-static void begin_with_end(void *context, int64_t row, int worker)
-{
-    (void)worker;
-    begin_row(context, row, true);
-}
-
-/* w_{r+1} = v + w_r - S+ S w_r */
-static void next_order(void *context, int64_t row, int worker)
+    /* w_{r+1} = v + w_r - S+ S w_r */
+    static void next_order(void *context, int64_t row, int worker)
 {
     static const double nothing_yet[2] = {0.0, 0.0};
     const struct mpm_state *const state = context;
@@ -53,15 +43,14 @@ static void next_order(void *context, int64_t row, int worker)
     }
 }
 
-void mpm_smoothing_run(struct mpm_state *state, int workers)
+static void smooth(struct mpm_state *state, int workers, mpm_pass *begin)
 {
-    const bool after_update = state->scene->transfer == MPM_TRANSFER_FMPM;
     const struct mpm_projection filter = {
         .from = (const double *)state->grid.smoothed, /* w at its acceleration */
         .to = (double *)state->grid.gradient,
         .components = 2,
     };
-    mpm_grid_rows_run(state, after_update ? begin_with_end : begin_with_start);
+    mpm_grid_rows_run(state, begin);
     for (int order = 1; order < state->scene->transfer_order; order++) {
         mpm_projection_run(state, workers, &filter);
         mpm_symmetries_reflect_extrapolated(state);
@@ -70,62 +59,46 @@ void mpm_smoothing_run(struct mpm_state *state, int workers)
     }
 }
 
+void mpm_smooth_start(struct mpm_state *state, int workers)
+{
+    smooth(state, workers, begin_with_start);
+}
+
+void mpm_smooth_end(struct mpm_state *state, int workers)
+{
+    smooth(state, workers, begin_with_end);
+}
+
 /* ---------------------------------------------------------------- to the motion */
 
 /* What particles read back becomes: velocity over dt for the acceleration, since they have
- * none, and for the end that from which the position update gets what `moves` selects. */
-struct read_back {
-    double velocity;
-    double moves; /* velocity at the end of the step, as position and strain see it */
-};
-
-static inline void set_motion(const struct mpm_state *state, int64_t node,
-                              const struct read_back back[2])
+ * none, and for the end that from which the position update gets `moves`: the velocity at the end
+ * of the step, as position and strain see it. */
+static inline void set_motion(const struct mpm_state *state, int64_t node, bool moves_smoothed)
 {
     const double midpoint =
         state->scene->position_update == MPM_MIDPOINT ? 0.5 * state->time_step : 0.0;
+    const double *const w = state->grid.smoothed[node].acceleration;
     struct mpm_node_motion *const motion = &state->grid.motion[node];
+    double moves[2];
     for (int axis = 0; axis < 2; axis++) {
-        const double acceleration = back[axis].velocity / state->time_step;
-        const double change = acceleration - motion->acceleration[axis];
+        const double before = motion->acceleration[axis];
+        const double velocity = moves_smoothed ? w[axis] : w[axis] + state->time_step * before;
+        const double acceleration = velocity / state->time_step;
+        moves[axis] = moves_smoothed ? w[axis] : motion->end[axis];
         motion->acceleration[axis] = acceleration;
-        motion->end[axis] = back[axis].moves + midpoint * change;
+        motion->end[axis] = moves[axis] + midpoint * (acceleration - before);
     }
-    if (!state->order->extrapolate) {
-        const double gradient[2] = {back[0].moves, back[1].moves};
-        mpm_node_set_gradient(&state->grid, node, gradient);
-    }
+    if (!state->order->extrapolate)
+        mpm_node_set_gradient(&state->grid, node, moves);
 }
 
-void mpm_row_xpic(void *context, int64_t row, int worker)
+static inline void set_row(const struct mpm_state *state, int64_t row, bool moves_smoothed)
 {
-    const struct mpm_state *const state = context;
     const struct mpm_row_span span = mpm_row_span(state, row);
-    (void)worker;
-    for (int64_t node = span.first; node < span.end; node++) {
-        const struct mpm_node_motion *const motion = &state->grid.motion[node];
-        struct read_back back[2];
-        for (int axis = 0; axis < 2; axis++)
-            back[axis] = (struct read_back){
-                .velocity = state->grid.smoothed[node].acceleration[axis] +
-                            state->time_step * motion->acceleration[axis],
-                .moves = motion->end[axis],
-            };
-        set_motion(state, node, back);
-    }
+    for (int64_t node = span.first; node < span.end; node++)
+        set_motion(state, node, moves_smoothed);
 }
 
-void mpm_row_fmpm(void *context, int64_t row, int worker)
-{
-    const struct mpm_state *const state = context;
-    const struct mpm_row_span span = mpm_row_span(state, row);
-    (void)worker;
-    for (int64_t node = span.first; node < span.end; node++) {
-        struct read_back back[2];
-        for (int axis = 0; axis < 2; axis++) {
-            const double w = state->grid.smoothed[node].acceleration[axis];
-            back[axis] = (struct read_back){.velocity = w, .moves = w};
-        }
-        set_motion(state, node, back);
-    }
-}
+MPM_PASS(mpm_row_xpic, set_row, false)
+MPM_PASS(mpm_row_fmpm, set_row, true)

@@ -35,10 +35,11 @@
 
 #include "method/state.h"
 
-/* After the momentum update and its conditions: makes w of the scene's order in grid.smoothed.
- * Uses grid.gradient for its sums and leaves zero there. Cost: (order - 1) gathers and
- * scatters. */
-void mpm_smoothing_run(struct mpm_state *state, int workers);
+/* After the momentum update and its conditions: makes w of the scene's order in grid.smoothed, of
+ * the velocities at the start of the step, or at its end. Uses grid.gradient for its sums and
+ * leaves zero there. Cost: (order - 1) gathers and scatters. */
+void mpm_smooth_start(struct mpm_state *state, int workers);
+void mpm_smooth_end(struct mpm_state *state, int workers);
 
 /* Puts w into the motion that particles read back, so that with v_p = 0 the velocity update as
  * it is gives the equations above, and the gradients where they are not to be extrapolated. */

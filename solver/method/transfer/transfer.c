@@ -14,8 +14,7 @@ static void edges_of(const struct mpm_state *state, size_t p, double edge[4])
 {
     const struct mpm_particles *const particles = &state->particles;
     double f[MPM_GRADIENT_SIZE];
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        f[k] = particles->deformation[k][p];
+    mpm_particle_deformation(particles, p, f);
     mpm_shape_push_forward(f, state->bodies[particles->body[p]].half_size, edge);
 }
 
@@ -93,14 +92,11 @@ const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, si
     return room;
 }
 
-MPM_INLINE const struct mpm_stencil *read_back_weights(const struct mpm_state *state,
-                                                       const struct mpm_stencil *stencil,
-                                                       bool by_momentum,
-                                                       struct mpm_stencil *weights)
+MPM_SEPARATE const struct mpm_stencil *momentum_weights(const struct mpm_state *state,
+                                                        const struct mpm_stencil *stencil,
+                                                        struct mpm_stencil *weights)
 {
     double mass = 0.0;
-    if (!by_momentum)
-        return stencil;
     for (int k = 0; k < stencil->count; k++)
         mass += stencil->node[k].s *
                 mpm_symmetry_whole_mass(state, state->node_zero + stencil->node[k].node);
@@ -118,25 +114,31 @@ MPM_INLINE const struct mpm_stencil *read_back_weights(const struct mpm_state *s
     return weights;
 }
 
-const struct mpm_stencil *mpm_particle_read_weights(const struct mpm_state *state,
-                                                    const struct mpm_stencil *stencil,
-                                                    struct mpm_stencil *weights)
+static bool reads_by_momentum(const struct mpm_state *state)
 {
-    return read_back_weights(state, stencil, state->scene->form == MPM_FORM_MOMENTUM, weights);
+    return state->scene->form == MPM_FORM_MOMENTUM;
 }
 
-/* A pass that reads back, in both forms. */
-#define BOTH_FORMS(pass)                                                                           \
-    void mpm_pass_##pass(void *state, int64_t strip, int worker)                                   \
-    {                                                                                              \
-        (void)worker;                                                                              \
-        (pass)(state, strip, false);                                                               \
-    }                                                                                              \
-    void mpm_pass_##pass##_by_momentum(void *state, int64_t strip, int worker)                     \
-    {                                                                                              \
-        (void)worker;                                                                              \
-        (pass)(state, strip, true);                                                                \
-    }
+/* The weights of what a particle reads back: the stencil itself, or `weights` in the momentum form,
+ * Notes 5.2, (67), (73)-(78). With the mass M = sum S m_i that the nodes have at the particle,
+ * (sum S p_i) / M is sum (S m_i / M) v_i, and so for gradients and for forces, f_i = m_i a_i:
+ * velocities with other weights. M > 0, since the particle is part of it; p_i = m_i v_i of held
+ * nodes is that of the velocity they are held at.
+ *
+ * (79) read to the letter adds the nodes' force to the particle's momentum, which divides by m_p:
+ * dt (sum S f_i) / m_p, a velocity that grows with the number of particles in a cell. Taken
+ * instead, as in (76): v_p += dt (sum S f_i) / M.
+ *
+ * What it is not: nodes at a body's edge have little mass, so that sum G p_i / M has the slope of
+ * the mass in it, and a rigid translation strains there (of the order v / cell); and the sum of
+ * the particles' momenta is not conserved. Where m_i is the same at all nodes of a particle both
+ * forms are one. */
+MPM_INLINE const struct mpm_stencil *read_weights(const struct mpm_state *state, bool by_momentum,
+                                                  const struct mpm_stencil *stencil,
+                                                  struct mpm_stencil *weights)
+{
+    return by_momentum ? momentum_weights(state, stencil, weights) : stencil;
+}
 
 /* ------------------------------------------------------ particles to grid */
 
@@ -154,28 +156,19 @@ static void add_momentum(const struct mpm_state *state, size_t p, const struct m
     }
 }
 
-void mpm_pass_momentum(void *context, int64_t strip, int worker)
+MPM_INLINE void to_grid(const struct mpm_state *state, int64_t index, bool force)
 {
-    struct mpm_state *const state = context;
-    (void)worker;
-    for (size_t p = state->strips[strip].begin; p < state->strips[strip].end; p++) {
+    for (size_t p = state->strips[index].begin; p < state->strips[index].end; p++) {
         struct mpm_stencil room;
         const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
         add_momentum(state, p, stencil);
+        if (force)
+            mpm_particle_add_internal_force(state, p, stencil);
     }
 }
 
-void mpm_pass_momentum_and_force(void *context, int64_t strip, int worker)
-{
-    struct mpm_state *const state = context;
-    (void)worker;
-    for (size_t p = state->strips[strip].begin; p < state->strips[strip].end; p++) {
-        struct mpm_stencil room;
-        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-        add_momentum(state, p, stencil);
-        mpm_particle_add_internal_force(state, p, stencil);
-    }
-}
+MPM_PASS(mpm_pass_momentum, to_grid, false)
+MPM_PASS(mpm_pass_momentum_and_force, to_grid, true)
 
 /* ------------------------------------------------------------ body forces */
 
@@ -237,29 +230,35 @@ void mpm_pass_body_work(void *context, int64_t index, int worker)
 
 /* -------------------------------------------------------- velocity update */
 
-MPM_INLINE void flip_fraction(struct mpm_state *state, int64_t index, bool by_momentum)
+void mpm_particle_grid_velocity(const struct mpm_state *state, size_t p, double v[2])
 {
+    struct mpm_stencil room, weights;
+    const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
+    const struct mpm_stencil *const read =
+        read_weights(state, reads_by_momentum(state), stencil, &weights);
+    v[0] = v[1] = 0.0;
+    for (int k = 0; k < read->count; k++) {
+        const double *const start = state->grid.start[state->node_zero + read->node[k].node];
+        v[0] += read->node[k].s * start[0];
+        v[1] += read->node[k].s * start[1];
+    }
+}
+
+void mpm_pass_flip_fraction(void *context, int64_t index, int worker)
+{
+    const struct mpm_state *const state = context;
     const struct mpm_strip *const strip = &state->strips[index];
     const double part = 1.0 - state->scene->flip_fraction;
+    (void)worker;
     for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil room, weights;
-        double grid[2] = {0.0, 0.0};
-        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-        const struct mpm_stencil *const read =
-            read_back_weights(state, stencil, by_momentum, &weights);
-        for (int k = 0; k < read->count; k++) {
-            const double *const start = state->grid.start[state->node_zero + read->node[k].node];
-            grid[0] += read->node[k].s * start[0];
-            grid[1] += read->node[k].s * start[1];
-        }
+        double grid[2];
+        mpm_particle_grid_velocity(state, p, grid);
         for (int axis = 0; axis < 2; axis++) {
             double *const v = &state->particles.velocity[axis][p];
             *v -= part * (*v - grid[axis]);
         }
     }
 }
-
-BOTH_FORMS(flip_fraction)
 
 void mpm_pass_keep_fraction(void *context, int64_t index, int worker)
 {
@@ -274,38 +273,26 @@ void mpm_pass_keep_fraction(void *context, int64_t index, int worker)
     }
 }
 
-MPM_INLINE void velocity(struct mpm_state *state, int64_t index, bool by_momentum)
+MPM_INLINE void to_particles(struct mpm_state *state, int64_t index, bool extrapolate)
 {
     struct mpm_strip *const strip = &state->strips[index];
+    const bool by_momentum = reads_by_momentum(state);
     strip->kinetic_energy = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil room, weights;
         const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-        const struct mpm_stencil *const read =
-            read_back_weights(state, stencil, by_momentum, &weights);
+        const struct mpm_stencil *const read = read_weights(state, by_momentum, stencil, &weights);
         mpm_particle_update_velocity(state, p, read, strip);
-    }
-}
-
-BOTH_FORMS(velocity)
-
-MPM_INLINE void velocity_and_momentum(struct mpm_state *state, int64_t index, bool by_momentum)
-{
-    struct mpm_strip *const strip = &state->strips[index];
-    strip->kinetic_energy = 0.0;
-    for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil room, weights;
-        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-        const struct mpm_stencil *const read =
-            read_back_weights(state, stencil, by_momentum, &weights);
-        mpm_particle_update_velocity(state, p, read, strip);
+        if (!extrapolate)
+            continue;
         const double px = state->particles.mass[p] * state->particles.velocity[0][p];
         const double py = state->particles.mass[p] * state->particles.velocity[1][p];
         mpm_particle_add_extrapolated(state, stencil, (const double[2]){px, py});
     }
 }
 
-BOTH_FORMS(velocity_and_momentum)
+MPM_PASS(mpm_pass_velocity, to_particles, false)
+MPM_PASS(mpm_pass_velocity_and_momentum, to_particles, true)
 
 /* ---------------------------------------------------------- stress update */
 
@@ -340,8 +327,7 @@ MPM_INLINE double deform(const struct mpm_state *state, size_t p, const struct m
     double h[MPM_GRADIENT_SIZE], df[MPM_GRADIENT_SIZE];
     displacement_gradient(state, stencil, part * state->time_step, h);
     mpm_deformation_increment(h, state->scene->deformation_terms, df);
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        f[k] = particles->deformation[k][p];
+    mpm_particle_deformation(particles, p, f);
     mpm_deformation_compose(df, f);
     const double j = mpm_determinant(f);
     if (!(j > 0.0) || state->scene->geometry != MPM_PLANE_STRESS)
@@ -382,7 +368,7 @@ static void update_stress(const struct mpm_state *state, size_t p,
     const struct mpm_particles *const particles = &state->particles;
     const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
     double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
-    if (particles->law_state[0] != NULL) {
+    if (particles->law_state != NULL) {
         update_with_state(state, p, stencil, part, strip);
         return;
     }
@@ -393,21 +379,21 @@ static void update_stress(const struct mpm_state *state, size_t p,
     mpm_particle_set_stress(particles, p, stress, wave_speed_squared, strip);
 }
 
-MPM_INLINE void stress_and_force(struct mpm_state *state, int64_t index, bool by_momentum)
+void mpm_pass_stress_and_force(void *context, int64_t index, int worker)
 {
+    const struct mpm_state *const state = context;
     struct mpm_strip *const strip = &state->strips[index];
+    const bool by_momentum = reads_by_momentum(state);
+    (void)worker;
     strip->wave_speed_squared = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil room, weights;
         const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-        const struct mpm_stencil *const read =
-            read_back_weights(state, stencil, by_momentum, &weights);
+        const struct mpm_stencil *const read = read_weights(state, by_momentum, stencil, &weights);
         update_stress(state, p, read, state->order->before, strip);
         mpm_particle_add_internal_force(state, p, stencil);
     }
 }
-
-BOTH_FORMS(stress_and_force)
 
 /* -------------------------------------------------------- position update */
 
@@ -420,6 +406,11 @@ static struct mpm_placement placement_of(const struct mpm_state *state, size_t p
         placement.reach[0] > domain.position[0])
         placement.reach[0] = domain.position[0];
     return placement;
+}
+
+struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p)
+{
+    return placement_of(state, p);
 }
 
 /* The grid's velocity at the particle over the step: v^{n+1}, or the mean of start and
@@ -454,43 +445,24 @@ static void update_position(const struct mpm_state *state, size_t p,
         mpm_extent_add(extent, &placement);
 }
 
-struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p)
-{
-    return placement_of(state, p);
-}
-
-MPM_INLINE void position(struct mpm_state *state, int64_t index, bool by_momentum)
+MPM_INLINE void finish(struct mpm_state *state, int64_t index, bool stress)
 {
     struct mpm_strip *const strip = &state->strips[index];
     struct mpm_extent extent = MPM_NO_EXTENT;
+    const bool by_momentum = reads_by_momentum(state);
+    if (stress)
+        strip->wave_speed_squared = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil room, weights;
         const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-        const struct mpm_stencil *const read =
-            read_back_weights(state, stencil, by_momentum, &weights);
+        const struct mpm_stencil *const read = read_weights(state, by_momentum, stencil, &weights);
+        if (stress)
+            update_stress(state, p, read, state->order->after, strip);
         update_position(state, p, read, strip, &extent);
     }
     if (strip->failure.kind == MPM_NO_FAILURE)
         mpm_strip_set_box(state, strip, &extent);
 }
 
-BOTH_FORMS(position)
-
-MPM_INLINE void stress_and_position(struct mpm_state *state, int64_t index, bool by_momentum)
-{
-    struct mpm_strip *const strip = &state->strips[index];
-    struct mpm_extent extent = MPM_NO_EXTENT;
-    strip->wave_speed_squared = 0.0;
-    for (size_t p = strip->begin; p < strip->end; p++) {
-        struct mpm_stencil room, weights;
-        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-        const struct mpm_stencil *const read =
-            read_back_weights(state, stencil, by_momentum, &weights);
-        update_stress(state, p, read, state->order->after, strip);
-        update_position(state, p, read, strip, &extent);
-    }
-    if (strip->failure.kind == MPM_NO_FAILURE)
-        mpm_strip_set_box(state, strip, &extent);
-}
-
-BOTH_FORMS(stress_and_position)
+MPM_PASS(mpm_pass_position, finish, false)
+MPM_PASS(mpm_pass_stress_and_position, finish, true)

@@ -17,13 +17,6 @@ const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, si
 void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
                                 struct mpm_stencil *stencil);
 
-/* The weights of what a particle reads back: the stencil itself, or in the momentum form, Notes
- * (67), (73)-(78), `weights`. With the mass M = sum S m_i that the nodes have at the particle,
- * (sum S p_i) / M is sum (S m_i / M) v_i, and so for gradients and for forces, f_i = m_i a_i:
- * velocities with other weights. M > 0, since the particle is part of it. */
-const struct mpm_stencil *mpm_particle_read_weights(const struct mpm_state *state,
-                                                    const struct mpm_stencil *stencil,
-                                                    struct mpm_stencil *weights);
 /* The particle's domain with the edges that its F carries, whatever the family. */
 struct mpm_shape_domain mpm_particle_carried_domain(const struct mpm_state *state, size_t p);
 /* Puts the domain of a particle's F into its place, where domains are stored. */
@@ -33,6 +26,8 @@ void mpm_particle_set_domain(const struct mpm_state *state, size_t p);
  * finite. */
 bool mpm_particle_body_force(const struct mpm_state *state, size_t p, int worker,
                              struct mpm_strip *strip, double b[2]);
+/* sum S v_i^n at the particle */
+void mpm_particle_grid_velocity(const struct mpm_state *state, size_t p, double v[2]);
 /* Its place with the reach of its domain; no way gone. */
 struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p);
 
@@ -60,25 +55,6 @@ void mpm_pass_velocity_and_momentum(void *state, int64_t strip, int worker);
 void mpm_pass_position(void *state, int64_t strip, int worker);
 /* stress update of the part `after` of the step, then the same */
 void mpm_pass_stress_and_position(void *state, int64_t strip, int worker);
-/* The same in the momentum form, Notes 5.2: what particles read back is (sum S p_i) / M for
- * sum S v_i, (sum S f_i) / M for sum S a_i and (sum G p_i) / M for the gradient, (67), (73)-(78),
- * with the mass M = sum S m_i that the nodes have at the particle; p_i = m_i v_i of held nodes is
- * that of the velocity they are held at.
- *
- * (79) read to the letter adds the nodes' force to the particle's momentum, which divides by m_p:
- * dt (sum S f_i) / m_p, a velocity that grows with the number of particles in a cell. Taken
- * instead, as in (76): v_p += dt (sum S f_i) / M.
- *
- * What it is not: nodes at a body's edge have little mass, so that sum G p_i / M has the slope of
- * the mass in it, and a rigid translation strains there (of the order v / cell); and the sum of
- * the particles' momenta is not conserved. Where m_i is the same at all nodes of a particle both
- * forms are one. */
-void mpm_pass_stress_and_force_by_momentum(void *state, int64_t strip, int worker);
-void mpm_pass_flip_fraction_by_momentum(void *state, int64_t strip, int worker);
-void mpm_pass_velocity_by_momentum(void *state, int64_t strip, int worker);
-void mpm_pass_velocity_and_momentum_by_momentum(void *state, int64_t strip, int worker);
-void mpm_pass_position_by_momentum(void *state, int64_t strip, int worker);
-void mpm_pass_stress_and_position_by_momentum(void *state, int64_t strip, int worker);
 /* stress and domain from F: they are functions of it */
 void mpm_pass_recompute(void *state, int64_t strip, int worker);
 /* the box of nodes that the strip's particles reach */

@@ -26,39 +26,31 @@ static const struct mpm_passes velocity_passes[MPM_ORDER_COUNT] = ORDERS(
     mpm_pass_momentum, mpm_pass_momentum_and_force, mpm_pass_stress_and_force, mpm_pass_velocity,
     mpm_pass_velocity_and_momentum, mpm_pass_position, mpm_pass_stress_and_position);
 
-static const struct mpm_passes momentum_passes[MPM_ORDER_COUNT] =
-    ORDERS(mpm_pass_momentum, mpm_pass_momentum_and_force, mpm_pass_stress_and_force_by_momentum,
-           mpm_pass_velocity_by_momentum, mpm_pass_velocity_and_momentum_by_momentum,
-           mpm_pass_position_by_momentum, mpm_pass_stress_and_position_by_momentum);
-
 static const struct mpm_passes affine_passes[MPM_ORDER_COUNT] =
     ORDERS(mpm_pass_affine_momentum, mpm_pass_affine_momentum_and_force, mpm_pass_stress_and_force,
            mpm_pass_affine_velocity, mpm_pass_affine_velocity_and_momentum, mpm_pass_position,
            mpm_pass_stress_and_position);
 
 static const struct mpm_transfer transfers[MPM_TRANSFER_COUNT] = {
-    [MPM_TRANSFER_FLIP] = {.name = "flip",
-                           .fraction = true,
-                           .passes = velocity_passes,
-                           .by_momentum = momentum_passes},
-    [MPM_TRANSFER_PIC] = {.name = "pic", .passes = velocity_passes, .by_momentum = momentum_passes},
+    [MPM_TRANSFER_FLIP] = {.name = "flip", .fraction = true, .passes = velocity_passes},
+    [MPM_TRANSFER_PIC] = {.name = "pic", .passes = velocity_passes},
     [MPM_TRANSFER_XPIC] = {.name = "xpic",
                            .order = true,
                            .passes = velocity_passes,
+                           .smooth = mpm_smooth_start,
                            .smoothed_rows = mpm_row_xpic,
-                           .no_momentum = "takes the weights back out of nodal velocities",
-                           .no_fields = "smooths over nodes of one velocity field"},
+                           .no_momentum = "takes the weights back out of nodal velocities"},
     [MPM_TRANSFER_FMPM] = {.name = "fmpm",
                            .order = true,
                            .passes = velocity_passes,
+                           .smooth = mpm_smooth_end,
                            .smoothed_rows = mpm_row_fmpm,
-                           .no_momentum = "makes other nodal velocities of the momenta",
-                           .no_fields = "smooths over nodes of one velocity field"},
+                           .no_momentum = "makes other nodal velocities of the momenta"},
     [MPM_TRANSFER_APIC] = {.name = "apic",
                            .carries = MPM_USE_APIC,
                            .passes = affine_passes,
                            .no_momentum = "carries the gradient of nodal velocities",
-                           .no_fields = "takes spin from nodes of one velocity field",
+                           .no_visibility = "takes a gradient from all of a particle's nodes",
                            .no_fast = "there are no fast kernels for method.transfer: apic"},
 };
 

@@ -14,14 +14,14 @@ struct mpm_transfer {
     bool fraction, order;
     /* Bits of enum mpm_particle_use for what its particles carry. */
     unsigned carries;
-    /* Reference kernels by order of the stress update; those of form: momentum, or NULL. */
-    const struct mpm_passes *passes, *by_momentum;
-    /* From order 2 on, before particles read back: makes the motion that they read of smoothed
-     * velocities. NULL: nothing. */
+    const struct mpm_passes *passes; /* reference kernels, by order of the stress update */
+    /* From order 2 on, before particles read back: smooths velocities over all nodes, and makes the
+     * motion that particles read of them. NULL: nothing. */
+    void (*smooth)(struct mpm_state *state, int workers);
     mpm_pass *smoothed_rows;
-    /* Why it is not with form: momentum, and not with additional velocity fields (with "it" before
-     * both), and has no fast kernels; NULL: it is. */
-    const char *no_momentum, *no_fields, *no_fast;
+    /* Why it is not with form: momentum, and not with cracks: visibility (with "it" before both), and
+     * has no fast kernels; NULL: it is. */
+    const char *no_momentum, *no_visibility, *no_fast;
 };
 
 const struct mpm_transfer *mpm_transfer_of(enum mpm_transfer_kind kind);

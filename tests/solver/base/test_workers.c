@@ -1,5 +1,7 @@
 /* Workers share the items of a job: each item once, each worker one at a time.
  *
+ * Helpers are counted from none, so each test has a process of its own (APART in suites.h).
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/workers.h"
 

@@ -57,11 +57,14 @@ static void assert_same_cracks(const struct kernel_pair *pair)
 
 START_TEST(fast_and_reference_kernels_agree_beside_cracks_for_every_transfer)
 {
-    static const char *const hiding[] = {"fields", "visibility"};
+    const bool hidden = _i / CRACK_BLOCK_METHODS == 1;
     for (int k = 0; k < CRACK_BLOCK_EXCHANGES; k++) {
         struct settings settings = crack_block_method(_i % CRACK_BLOCK_METHODS);
-        crack_block_add_exchange(&settings, k);
-        settings_add_formatted(&settings, "method.cracks=%s", hiding[_i / CRACK_BLOCK_METHODS]);
+        if (crack_block_add_exchange(&settings, k) >= CRACK_BLOCK_APIC) {
+            settings_clear(&settings); /* APIC and the momentum form have reference kernels only */
+            continue;
+        }
+        settings_add_formatted(&settings, "method.cracks=%s", hidden ? "visibility" : "fields");
         settings_add(&settings, "cracks=[{points: [[4, 4.1], [7.3, 7]], contact: none}]");
         settings_add(&settings, "bodies.block.velocity=['0.2*(x-6)', '-0.3*(y-6)']");
         const struct kernel_side sides[2] = {

@@ -154,7 +154,7 @@ static void assert_stress_is_of_the_state(const struct test_run *run)
     const struct mpm_particles *const particles = particles_of(run);
     for (size_t p = 0; p < particles->count; p++) {
         double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], unused;
-        double state = particles->law_state[0][p];
+        double state = *mpm_particle_law_state(particles, p, 0);
         deformation_of(run, p, f);
         const struct mpm_law_step none = {f, f, 0.0, (double)NAN};
         relaxing_update(&run->simulation->state.bodies[0].material, &none, &state, stress, &unused);
@@ -175,7 +175,7 @@ START_TEST(state_variables_stay_with_their_particles)
     struct test_run run = open_with(&relaxing, &settings);
     const struct mpm_particles *const particles = particles_of(&run);
     for (size_t p = 0; p < particles->count; p++)
-        ck_assert_double_eq(particles->law_state[0][p], START);
+        ck_assert_double_eq(*mpm_particle_law_state(particles, p, 0), START);
     test_run_steps(&run, STEPS);
     assert_stress_is_of_the_state(&run);
     double sum = 0.0, low = HUGE_VAL, high = -HUGE_VAL;
@@ -183,9 +183,9 @@ START_TEST(state_variables_stay_with_their_particles)
         double f[MPM_GRADIENT_SIZE];
         deformation_of(&run, p, f);
         sum += particles->mass[p] * relaxing_energy(&run.simulation->state.bodies[0].material, f,
-                                                    &particles->law_state[0][p]);
-        low = fmin(low, particles->law_state[0][p]);
-        high = fmax(high, particles->law_state[0][p]);
+                                                    mpm_particle_law_state(particles, p, 0));
+        low = fmin(low, *mpm_particle_law_state(particles, p, 0));
+        high = fmax(high, *mpm_particle_law_state(particles, p, 0));
     }
     ck_assert_double_gt(high - low, 1e-3); /* or a wrong order would not be seen */
     const double round_off = 1e-13 * sum;
@@ -222,7 +222,7 @@ START_TEST(a_state_variable_follows_its_equation_in_time)
     }
     const double rate = (START + 0.13) / THETA; /* not below |dq/dt| */
     ck_assert_double_gt(fabs(expected - START), 0.01);
-    ck_assert_near(particles_of(&run)->law_state[0][0], expected, 0.5 * STEP * rate);
+    ck_assert_near(*mpm_particle_law_state(particles_of(&run), 0, 0), expected, 0.5 * STEP * rate);
     test_run_close(&run);
 }
 END_TEST
@@ -244,9 +244,9 @@ START_TEST(the_last_good_state_has_state_variables_and_stress_to_the_bit)
     mpm_backup_restore(run.simulation, BACK);
     ck_assert(test_run_same_bits(&run, &good));
     for (size_t p = 0; p < particles_of(&run)->count; p++)
-        for (int k = 0; k < 2; k++)
-            ck_assert_double_eq(particles_of(&run)->law_state[k][p],
-                                particles_of(&good)->law_state[k][p]);
+        for (size_t k = 0; k < 2; k++)
+            ck_assert_double_eq(*mpm_particle_law_state(particles_of(&run), p, k),
+                                *mpm_particle_law_state(particles_of(&good), p, k));
     test_run_close(&run);
     test_run_close(&good);
 }
@@ -299,7 +299,7 @@ START_TEST(a_given_start_has_the_stress_of_the_state_at_the_start)
                MPM_GRADIENT_SIZE * sizeof *f);
     ck_assert_int_eq(mpm_simulation_set_start(run.simulation, NULL, f, &error), MPM_OK);
     for (size_t p = 0; p < count; p++)
-        ck_assert_double_eq(particles_of(&run)->law_state[0][p], START);
+        ck_assert_double_eq(*mpm_particle_law_state(particles_of(&run), p, 0), START);
     assert_stress_is_of_the_state(&run);
     free(f);
     test_run_close(&run);
@@ -354,9 +354,9 @@ START_TEST(bodies_with_different_laws_have_state_variables_of_their_own)
         for (size_t p = 0; p < particles_of(&alone)->count; p++) {
             const size_t own = place_of(&alone, (uint32_t)p);
             const size_t there = place_of(&together, (uint32_t)(first + p));
-            ck_assert_double_ne(particles_of(&alone)->law_state[0][own], 0.0);
-            ck_assert_double_eq(particles_of(&together)->law_state[0][there],
-                                particles_of(&alone)->law_state[0][own]);
+            ck_assert_double_ne(*mpm_particle_law_state(particles_of(&alone), own, 0), 0.0);
+            ck_assert_double_eq(*mpm_particle_law_state(particles_of(&together), there, 0),
+                                *mpm_particle_law_state(particles_of(&alone), own, 0));
         }
         first += particles_of(&alone)->count;
         test_run_close(&alone);

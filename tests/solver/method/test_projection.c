@@ -69,9 +69,9 @@ static double *add_field(struct mpm_state *state, size_t components)
     struct mpm_particles *const particles = &state->particles;
     double *const memory = g_new(double, particles->count *components);
     particles->components[MPM_PARTICLE_LAW_STATE] = (uint8_t)components;
+    particles->law_state = memory;
     for (size_t k = 0; k < components; k++) {
         double *const array = memory + k * particles->count;
-        mpm_particle_set_array(particles, MPM_PARTICLE_LAW_STATE, k, array);
         for (size_t p = 0; p < particles->count; p++)
             array[p] = number(particles->id[p] * COMPONENTS + k);
     }

@@ -137,21 +137,23 @@ START_TEST(particles_have_the_fields_that_are_needed_and_memory_for_no_other)
     enum { CACHE_LINE = 64 };
     struct set set = set_open(_i);
     const struct mpm_particle_needs needs = needs_of(_i);
-    size_t arrays = 0, bytes = 0;
+    size_t pointers = 0, bytes = 0;
     for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++) {
         const struct mpm_particle_row *const row = &mpm_particle_rows[field];
-        const size_t all =
-            field == MPM_PARTICLE_LAW_STATE ? needs.law_states : row->info.components;
+        const bool one_array = field == MPM_PARTICLE_LAW_STATE;
+        const size_t all = one_array ? needs.law_states : row->info.components;
         const size_t components = (row->present & needs.uses) != 0 ? all : 0;
         const size_t kept = (row->kept & needs.uses) != 0 ? all : 0;
         ck_assert_uint_eq(set.now.components[field], components);
         for (size_t k = 0; k < row->info.components; k++)
             ck_assert((mpm_particle_array(&set.now, field, k) != NULL) == (k < components));
-        arrays += row->info.components;
-        bytes += (components + kept) *
-                 ((set.now.count * row->size + CACHE_LINE - 1) / CACHE_LINE * CACHE_LINE);
+        const size_t array = (set.now.count * row->size + CACHE_LINE - 1) / CACHE_LINE * CACHE_LINE;
+        const size_t together =
+            (components * set.now.count * row->size + CACHE_LINE - 1) / CACHE_LINE * CACHE_LINE;
+        pointers += row->info.components;
+        bytes += (one_array ? together : components * array) + kept * array;
     }
-    ck_assert_uint_eq(arrays, MPM_PARTICLE_ARRAYS);
+    ck_assert_uint_eq(pointers + MPM_LAW_STATES - 1, MPM_PARTICLE_ARRAYS);
     ck_assert_uint_ge(set.arena.capacity, bytes);
     ck_assert_uint_le(set.arena.capacity, bytes + CACHE_LINE);
     mpm_arena_free(&set.arena);
@@ -294,16 +296,22 @@ END_TEST
 
 START_TEST(rigid_particles_have_places_velocities_and_names)
 {
-    struct mpm_particles rigid;
-    struct mpm_arena measure = {.base = NULL};
-    mpm_particles_layout(&rigid, 3, (struct mpm_particle_needs){.uses = MPM_USE_RIGID}, &measure);
+    struct mpm_rigid_particles rigid;
+    struct mpm_arena arena = {.base = NULL};
+    mpm_rigid_particles_layout(&rigid, 3, &arena);
+    ck_assert_int_eq(mpm_arena_allocate(&arena, NULL), MPM_OK);
+    mpm_rigid_particles_layout(&rigid, 3, &arena);
+    const struct mpm_particles set = mpm_rigid_particles_set(&rigid);
     const uint8_t expected[MPM_PARTICLE_FIELD_COUNT] = {
         [MPM_PARTICLE_ID] = 1,
         [MPM_PARTICLE_BODY] = 1,
         [MPM_PARTICLE_POSITION] = 2,
         [MPM_PARTICLE_VELOCITY] = 2,
     };
-    ck_assert_mem_eq(rigid.components, expected, sizeof expected);
+    ck_assert_mem_eq(set.components, expected, sizeof expected);
+    ck_assert_ptr_eq(set.velocity[1], rigid.velocity[1]);
+    ck_assert_ptr_nonnull(rigid.velocity[1]);
+    mpm_arena_free(&arena);
 }
 END_TEST
 

@@ -82,7 +82,8 @@ static void assert_half_of(const struct test_run *whole, const struct test_run *
     ck_assert_near(2.0 * part.damping_dissipation, all.damping_dissipation, HALF_ROUND_OFF);
 }
 
-static void assert_half_is_half(int index, const char *setting)
+/* Both have the settings, if any, a line each: the half its own ones. */
+static void assert_half_is_half(int index, const char *const setting[2])
 {
     const int pair = index / CRACK_BLOCK_METHODS;
     struct test_run runs[2];
@@ -92,8 +93,10 @@ static void assert_half_is_half(int index, const char *setting)
         settings_add_formatted(&settings, "loads={body_force: %s}", HALVES[pair].rest);
         settings_add(&settings, "damping={grid: 0.3}");
         settings_add(&settings, "time={end: 1000, step: 0.02}");
-        if (setting != NULL)
-            settings_add(&settings, setting);
+        gchar **const lines = g_strsplit(setting == NULL ? "" : setting[k], "\n", 2);
+        for (int line = 0; lines[line] != NULL; line++)
+            settings_add_formatted(&settings, "%s", lines[line]);
+        g_strfreev(lines);
         if (k == 1) {
             settings_add_formatted(&settings, "grid=%s", HALVES[pair].grid);
             settings_add_formatted(&settings, "bodies.block.region.rectangle=%s",
@@ -131,7 +134,65 @@ enum { TRANSFERS_COUNT = G_N_ELEMENTS(TRANSFERS) };
 
 START_TEST(half_a_block_is_half_of_the_whole_with_every_transfer)
 {
-    assert_half_is_half(_i / TRANSFERS_COUNT, TRANSFERS[_i % TRANSFERS_COUNT]);
+    const char *const transfer = TRANSFERS[_i % TRANSFERS_COUNT];
+    assert_half_is_half(_i / TRANSFERS_COUNT, (const char *const[2]){transfer, transfer});
+}
+END_TEST
+
+/* A crack passes the plane: across y, across x, on lines of nodes and between. A body on the edge
+ * of the grid has no room for what is beyond. */
+static const struct {
+    int half;
+    const char *points[2]; /* of the whole, its own image; of the half, longer beyond */
+} PASSING[] = {
+    {0,
+     {"[[6.3, 3.55], [6.3, 5.6], [6.3, 7.65]]",
+      "[[6.3, 1.2], [6.3, 3.55], [6.3, 5.6], [6.3, 7.65]]"}},
+    {0,
+     {"[[5.4, 3.55], [5.4, 5.6], [5.4, 7.65]]",
+      "[[5.4, 1.2], [5.4, 3.55], [5.4, 5.6], [5.4, 7.65]]"}},
+    {2,
+     {"[[3.45, 5.63], [6, 5.63], [8.55, 5.63]]",
+      "[[1.2, 5.63], [3.45, 5.63], [6, 5.63], [8.55, 5.63]]"}},
+    {2,
+     {"[[8.55, 5.3], [6, 5.3], [3.45, 5.3]]", "[[8.55, 5.3], [6, 5.3], [3.45, 5.3], [1.2, 5.3]]"}},
+};
+static const char *const SURFACES[] = {
+    "contact: none",
+    "contact: frictionless",
+    "contact: friction, friction: 0.3, detection: cell",
+    "contact: stick, detection: displacement",
+    "contact: none, opening: true",
+    "contact: none, cohesive: {law: linear, strength: 2, toughness: 0.05, stiffness: 200}"};
+enum { PASSING_COUNT = G_N_ELEMENTS(PASSING), SURFACES_COUNT = G_N_ELEMENTS(SURFACES) };
+
+START_TEST(half_a_block_with_a_crack_past_its_plane_is_half_of_the_whole)
+{
+    const int scene = _i / CRACK_BLOCK_METHODS % PASSING_COUNT;
+    const int surface = _i / CRACK_BLOCK_METHODS / PASSING_COUNT;
+    char *cracks[2];
+    for (int k = 0; k < 2; k++)
+        cracks[k] = g_strdup_printf("cracks=[{points: %s, %s}]", PASSING[scene].points[k],
+                                    SURFACES[surface]);
+    assert_half_is_half(PASSING[scene].half * CRACK_BLOCK_METHODS + _i % CRACK_BLOCK_METHODS,
+                        (const char *const[2]){cracks[0], cracks[1]});
+    g_free(cracks[0]);
+    g_free(cracks[1]);
+}
+END_TEST
+
+START_TEST(a_crack_past_a_plane_goes_with_every_transfer)
+{
+    const int scene = _i / TRANSFERS_COUNT / CRACK_BLOCK_METHODS;
+    const int method = _i / TRANSFERS_COUNT % CRACK_BLOCK_METHODS;
+    char *settings[2];
+    for (int k = 0; k < 2; k++)
+        settings[k] = g_strdup_printf("%s\ncracks=[{points: %s, contact: none}]",
+                                      TRANSFERS[_i % TRANSFERS_COUNT], PASSING[scene].points[k]);
+    assert_half_is_half(PASSING[scene].half * CRACK_BLOCK_METHODS + method,
+                        (const char *const[2]){settings[0], settings[1]});
+    g_free(settings[0]);
+    g_free(settings[1]);
 }
 END_TEST
 
@@ -146,6 +207,16 @@ static const struct {
      "loads.body_force: acts across a plane of symmetry, got '0*t'"},
     {"boundary: [{region: {line: {from: [0, 5.6], to: [14, 5.6]}}, symmetry: true}]\n",
      "bodies on both sides of the plane at 5.6; allowed: on one"},
+    {"boundary: [{region: {line: {from: [3, 0], to: [3, 12]}}, symmetry: true}]\n"
+     "cracks: [{points: [[0, 5.5], [3, 5.5], [7, 5.6]]}]\n",
+     "a crack that meets the plane of symmetry at 3; allowed: on it as a whole, inside, or past "
+     "it"},
+    {"boundary: [{region: {line: {from: [3, 0], to: [3, 12]}}, symmetry: true}]\n"
+     "cracks: [{points: [[3, 5.5], [7, 5.5]]}]\n",
+     "a crack that meets the plane of symmetry at 3"},
+    {"boundary: [{region: {line: {from: [3, 0], to: [3, 12]}}, symmetry: true}]\n"
+     "cracks: [{points: [[0, 5.5], [4.5, 5.5]]}]\n",
+     "a crack that meets the plane of symmetry at 3"},
     {"boundary: [{region: {line: {from: [6, 0], to: [6, 12]}}, symmetry: true}]\n",
      "bodies on both sides of the plane at 6; allowed: on one"},
 };
@@ -170,6 +241,10 @@ Suite *suite_symmetry(void)
 {
     Suite *suite = suite_create("symmetry");
     TCase *halves = tcase_create("halves");
+    tcase_add_loop_test(halves, half_a_block_with_a_crack_past_its_plane_is_half_of_the_whole, 0,
+                        CRACK_BLOCK_METHODS * PASSING_COUNT * SURFACES_COUNT);
+    tcase_add_loop_test(halves, a_crack_past_a_plane_goes_with_every_transfer, 0,
+                        CRACK_BLOCK_METHODS * PASSING_COUNT * TRANSFERS_COUNT);
     tcase_add_loop_test(halves, half_a_block_with_its_plane_of_symmetry_is_half_of_the_whole, 0,
                         HALVES_COUNT * CRACK_BLOCK_METHODS);
     tcase_add_loop_test(halves, half_a_block_is_half_of_the_whole_with_every_transfer, 0,

@@ -6,7 +6,6 @@
 #include "support/near.h"
 #include "verification/exact/bar_dispersion.h"
 
-#include <check.h>
 #include <glib.h>
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_eigen.h>

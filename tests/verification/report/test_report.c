@@ -92,6 +92,7 @@ START_TEST(a_figure_that_cannot_be_drawn_is_an_error_of_the_report)
         {"load style\nplot 'missing.dat', x\n", "missing.dat"},
         {"print 'nothing drawn'\n", "no SVG file"},
     };
+    char *path = g_strdup(g_getenv("PATH"));
     for (size_t i = 0; i <= G_N_ELEMENTS(table); i++) {
         char *catalogue = test_folder_create(), *output = test_folder_create();
         test_case_write_quadrature(catalogue);
@@ -101,6 +102,7 @@ START_TEST(a_figure_that_cannot_be_drawn_is_an_error_of_the_report)
             g_setenv("PATH", catalogue, TRUE); /* the last: no gnuplot at all */
         struct test_said said =
             test_verify_with("mpm-verify run --catalogue @ --output @", catalogue, output);
+        g_setenv("PATH", path, TRUE);
         ck_assert_int_eq(said.exit_status, 4);
         ck_assert_ptr_nonnull(strstr(said.err, "figure curve of case Q"));
         ck_assert_msg(
@@ -116,6 +118,7 @@ START_TEST(a_figure_that_cannot_be_drawn_is_an_error_of_the_report)
         test_folder_remove(output);
         test_folder_remove(catalogue);
     }
+    g_free(path);
 }
 END_TEST
 
