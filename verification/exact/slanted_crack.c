@@ -95,10 +95,11 @@ static double complex intensity_of(const struct slanted_crack *crack, double sca
                                    const gsl_vector *found)
 {
     double complex sum = 0.0;
-    for (int k = 0; k < TERMS; k++)
-        sum += number(gsl_vector_get(found, (size_t)(2 * k)),
-                      gsl_vector_get(found, (size_t)(2 * k + 1))) *
-               pow(crack->half_length / scale, 2 * k + 1);
+    for (size_t k = 0; k < TERMS; k++) {
+        const double complex coefficient =
+            number(gsl_vector_get(found, 2 * k), gsl_vector_get(found, 2 * k + 1));
+        sum += coefficient * pow(crack->half_length / scale, (double)(2 * k + 1));
+    }
     return 2.0 * sum * sqrt(acos(-1.0) / crack->half_length) * crack->stress;
 }
 

@@ -217,9 +217,10 @@ START_TEST(the_interaction_integral_finds_the_modes_of_a_tip)
     static double place[2 * COUNT], gradient[5 * COUNT], stress[4 * COUNT], volume[COUNT];
     const struct williams_field field = field_of(_i);
     for (int p = 0; p < COUNT; p++) {
+        const int row = p / SIDE, column = p % SIDE;
         double u[4];
-        place[2 * p] = field.tip[0] - 2.0 + 0.05 * (p % SIDE + 0.5);
-        place[2 * p + 1] = field.tip[1] - 2.0 + 0.05 * (p / SIDE + 0.5);
+        place[2 * p] = field.tip[0] - 2.0 + 0.05 * (column + 0.5);
+        place[2 * p + 1] = field.tip[1] - 2.0 + 0.05 * (row + 0.5);
         williams_field_gradient(&field, place + 2 * p, u);
         const double lame = field.shear * (3.0 - field.kappa) / (field.kappa - 1.0);
         gradient[5 * p] = 1.0 + u[0];

@@ -13,9 +13,9 @@
 #include <glib.h>
 #include <string.h>
 
-static const char *const asked[] = {"D1", "D2", "D3", "D4", "D6", "D6b", "D7",
+static const char *const asked[] = {"D1", "D2", "D3", "D4", "D6", "D6b", "D6c", "D7",
                                     "E1", "E2", "E4", "G2", "R1", "T2b", "T2c"};
-enum { ASKED = 14 };
+enum { ASKED = 15 };
 
 /* Results with the expected numbers, but for one. */
 static GString *rows_of(const struct bundle *bundle, size_t spoiled, double value)
