@@ -29,6 +29,8 @@
     SUITE(start)                                                                                   \
     SUITE(energy_balance)                                                                          \
     SUITE(damping)                                                                                 \
+    SUITE(grid_drag)                                                                               \
+    SUITE(nodal_force)                                                                             \
     SUITE(rest)                                                                                    \
     SUITE(rest_loads)                                                                              \
     SUITE(time_step)                                                                               \

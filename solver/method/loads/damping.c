@@ -4,32 +4,15 @@
 #include "base/strips.h"
 #include "method/fields/fields.h"
 #include "method/grid/grid_update.h"
-#include "method/grid/symmetry.h"
+#include "method/loads/damping_rate.h"
+#include "method/loads/grid_drag.h"
+#include "method/loads/nodal_force.h"
 #include "method/transfer/transfer.h"
 
 #include <float.h>
 #include <stdio.h>
 
-static double value_of(const struct mpm_expression *expression, const struct mpm_state *state,
-                       const double place[2], int worker)
-{
-    return mpm_expression_value(expression, worker, place, state->time);
-}
-
-static bool is_varying(const struct mpm_expression *rate)
-{
-    return rate != NULL && !mpm_expression_is_uniform(rate);
-}
-
 /* ----------------------------------------------------------------- uniform */
-
-static enum mpm_status refuse_rate(const struct mpm_state *state, const char *what, double rate,
-                                   struct mpm_error *error)
-{
-    return mpm_error_fail(error, MPM_CAUSE_DAMPING,
-                          "%s is %g; allowed: at least 0 and below %g, 1 over the time step", what,
-                          rate, 1.0 / state->time_step);
-}
 
 /* The rate of all places, or 0. */
 static enum mpm_status uniform_rate(const struct mpm_state *state, const char *what,
@@ -37,10 +20,12 @@ static enum mpm_status uniform_rate(const struct mpm_state *state, const char *w
                                     struct mpm_error *error)
 {
     static const double anywhere[2] = {0.0, 0.0};
-    *rate = expression == NULL || is_varying(expression) ? 0.0
-                                                         : value_of(expression, state, anywhere, 0);
-    return mpm_rate_is_allowed(*rate, state->time_step) ? MPM_OK
-                                                        : refuse_rate(state, what, *rate, error);
+    *rate = expression == NULL || mpm_rate_is_varying(expression)
+                ? 0.0
+                : mpm_rate_value(expression, state, anywhere, 0);
+    return mpm_rate_is_allowed(*rate, state->time_step)
+               ? MPM_OK
+               : mpm_rate_refuse(state, what, *rate, error);
 }
 
 static enum mpm_status find_pic_rate(struct mpm_state *state, struct mpm_error *error)
@@ -48,7 +33,7 @@ static enum mpm_status find_pic_rate(struct mpm_state *state, struct mpm_error *
     static const double anywhere[2] = {0.0, 0.0};
     if (state->damping.pic == NULL)
         return MPM_OK;
-    const double beta = value_of(state->damping.pic, state, anywhere, 0);
+    const double beta = mpm_rate_value(state->damping.pic, state, anywhere, 0);
     if (!(beta >= 0.0 && beta <= 1.0))
         return mpm_error_fail(error, MPM_CAUSE_DAMPING, "damping.pic is %g; allowed: from 0 to 1",
                               beta);
@@ -68,20 +53,11 @@ enum mpm_status mpm_damping_begin(struct mpm_state *state, struct mpm_error *err
     damping->grid_rate += damping->totals.rate;
     return mpm_rate_is_allowed(damping->grid_rate, state->time_step)
                ? MPM_OK
-               : refuse_rate(state, "damping.grid with the thermostat's rate", damping->grid_rate,
-                             error);
+               : mpm_rate_refuse(state, "damping.grid with the thermostat's rate",
+                                 damping->grid_rate, error);
 }
 
 /* ------------------------------------------------------------------- nodes */
-
-/* alpha_g(t, x_i) without the uniform part */
-static double varying_rate(const struct mpm_state *state, int64_t node, int worker)
-{
-    double place[2], sign[2];
-    const int64_t parent = mpm_field_parent(state, node);
-    mpm_grid_edge_position(&state->grid, mpm_symmetry_original(state, parent, sign), place);
-    return value_of(state->damping.grid, state, place, worker);
-}
 
 /* What alpha takes out of a node's motion along one axis in the step. */
 static inline double taken(const struct mpm_state *state, int64_t node, int axis, double rate)
@@ -101,7 +77,7 @@ static inline void damp_row(const struct mpm_state *state, int64_t row, int work
     sums->refused = -1;
     for (int64_t node = span.first; node < span.end; node++) {
         const double place_rate =
-            varying && grid->mass[node] != 0.0 ? varying_rate(state, node, worker) : 0.0;
+            varying && grid->mass[node] != 0.0 ? mpm_rate_of_node(state, node, worker) : 0.0;
         const double rate = state->damping.grid_rate + place_rate;
         struct mpm_node_motion *const motion = &grid->motion[node];
         if (varying && !(place_rate >= 0.0 && mpm_rate_is_allowed(rate, state->time_step))) {
@@ -142,7 +118,7 @@ static enum mpm_status collect_rows(struct mpm_state *state, struct mpm_error *e
             mpm_grid_edge_position(&state->grid, mpm_field_parent(state, sums->refused), place);
             (void)snprintf(what, sizeof what, "damping.grid at the node (%g, %g)", place[0],
                            place[1]);
-            return refuse_rate(state, what, sums->rate, error);
+            return mpm_rate_refuse(state, what, sums->rate, error);
         }
         state->damping.totals.dissipated += sums->dissipated;
     }
@@ -151,14 +127,18 @@ static enum mpm_status collect_rows(struct mpm_state *state, struct mpm_error *e
 
 enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_error *error)
 {
-    const bool varying = is_varying(state->damping.grid);
+    const bool varying = mpm_rate_is_varying(state->damping.grid);
+    if (state->damping.node_drag != NULL) {
+        mpm_grid_rows_run(state, mpm_row_grid_drag);
+        return collect_rows(state, error);
+    }
     if (!state->damping.nodes)
         return MPM_OK;
     mpm_grid_rows_run(state, varying ? row_damp_by_place : row_damp);
     MPM_TRY(collect_rows(state, error));
     for (size_t k = 0; k < state->conditions.active_count; k++) { /* held: not damped */
         const struct mpm_active_condition *const active = &state->conditions.active[k];
-        const double place_rate = varying ? varying_rate(state, active->node, 0) : 0.0;
+        const double place_rate = varying ? mpm_rate_of_node(state, active->node, 0) : 0.0;
         if (!mpm_node_is_inside(state, active->node))
             continue;
         state->damping.totals.dissipated -=
@@ -187,7 +167,7 @@ static double particle_rate(const struct mpm_state *state, size_t p, int worker,
                             struct mpm_strip *strip)
 {
     const double place[2] = {state->particles.position[0][p], state->particles.position[1][p]};
-    const double rate = value_of(state->damping.particle, state, place, worker);
+    const double rate = mpm_rate_value(state->damping.particle, state, place, worker);
     if (mpm_rate_is_allowed(rate, state->time_step))
         return rate;
     mpm_strip_record(strip, MPM_RATE_REFUSED, state->particles.id[p], 0, rate);
@@ -237,8 +217,9 @@ static void pass_drag_pic_by_place(void *context, int64_t index, int worker)
     find_drag(context, index, worker, true, true);
 }
 
-/* What the drag spares a body force of its work, m_p b . q_p dt^2/2; two passes. */
-static inline void spare_work(struct mpm_state *state, int64_t index, int worker, bool varying)
+/* What the drag spares a body force of its work, m_p b . q_p dt^2/2; three passes. */
+static inline void spare_work(struct mpm_state *state, int64_t index, int worker, bool varying,
+                              bool nodal)
 {
     const struct mpm_particles *const particles = &state->particles;
     const double half = 0.5 * state->time_step * state->time_step;
@@ -249,6 +230,8 @@ static inline void spare_work(struct mpm_state *state, int64_t index, int worker
         double b[2] = {state->uniform_force[0], state->uniform_force[1]};
         if (varying && !mpm_particle_body_force(state, p, worker, strip, b))
             continue;
+        if (nodal)
+            mpm_nodal_force_gather(state, p, b);
         for (int axis = 0; axis < 2 && user[axis] != NULL; axis++)
             b[axis] += user[axis][p];
         strip->external_work -=
@@ -259,12 +242,17 @@ static inline void spare_work(struct mpm_state *state, int64_t index, int worker
 
 static void pass_spare_work(void *context, int64_t index, int worker)
 {
-    spare_work(context, index, worker, false);
+    spare_work(context, index, worker, false, false);
 }
 
 static void pass_spare_work_by_place(void *context, int64_t index, int worker)
 {
-    spare_work(context, index, worker, true);
+    spare_work(context, index, worker, true, false);
+}
+
+static void pass_spare_work_of_nodes(void *context, int64_t index, int worker)
+{
+    spare_work(context, index, worker, false, true);
 }
 
 static void run_particles(struct mpm_state *state, mpm_pass *pass)
@@ -280,6 +268,7 @@ void mpm_damping_find_drag(struct mpm_state *state)
         [MPM_NO_BODY_FORCE] = NULL,
         [MPM_UNIFORM_BODY_FORCE] = pass_spare_work,
         [MPM_VARYING_BODY_FORCE] = pass_spare_work_by_place,
+        [MPM_NODAL_BODY_FORCE] = pass_spare_work_of_nodes,
     };
     const bool user = state->user_force.caller.evaluate != NULL;
     mpm_pass *const work =
@@ -287,7 +276,9 @@ void mpm_damping_find_drag(struct mpm_state *state)
                                                                   : state->body_force_kind];
     if (!state->damping.particles)
         return;
-    run_particles(state, drags[state->damping.pic != NULL][is_varying(state->damping.particle)]);
+    run_particles(state,
+                  drags[state->damping.pic != NULL][mpm_rate_is_varying(state->damping.particle)]);
+    mpm_grid_drag_find(state);
     if (work == NULL)
         return;
     run_particles(state, work);
@@ -330,19 +321,17 @@ static void pass_settle(void *context, int64_t index, int worker)
     strip->dissipated += 0.5 * state->time_step * power;
 }
 
-/* The midpoint's way, Notes (42), as the last task has left it without the particle's own
- * damping; its box anew. */
-static void pass_settle_midpoint(void *context, int64_t index, int worker)
+/* Takes `back` times a deceleration of each particle from the way on which the last task has moved
+ * it; its box anew. */
+static inline void settle_way(struct mpm_state *state, int64_t index, double *const taken_by[2],
+                              double back)
 {
-    struct mpm_state *const state = context;
     struct mpm_strip *const strip = &state->strips[index];
-    const double back = 0.5 * state->time_step * state->time_step;
     struct mpm_extent extent = MPM_NO_EXTENT;
-    pass_settle(context, index, worker);
     for (size_t p = strip->begin; p < strip->end; p++) {
         double step[2];
         for (int axis = 0; axis < 2; axis++) {
-            step[axis] = -back * state->damping.drag[axis][p];
+            step[axis] = -back * taken_by[axis][p];
             state->particles.position[axis][p] += step[axis];
         }
         struct mpm_placement placement = mpm_particle_placement(state, p);
@@ -355,12 +344,30 @@ static void pass_settle_midpoint(void *context, int64_t index, int worker)
         mpm_strip_set_box(state, strip, &extent);
 }
 
+/* The midpoint's way, Notes (42), (51) */
+static void pass_settle_midpoint(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    pass_settle(context, index, worker);
+    settle_way(state, index, state->damping.drag, 0.5 * state->time_step * state->time_step);
+}
+
+/* The way of the grid's velocity v_* = v_gp^{n+1} - dt alpha_g v_gp^n, Notes (56) */
+static void pass_settle_grid_velocity(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    pass_settle(context, index, worker);
+    settle_way(state, index, state->damping.grid_drag, state->time_step * state->time_step);
+}
+
 static void settle(struct mpm_state *state)
 {
     const bool midpoint = state->scene->position_update == MPM_MIDPOINT;
     if (!state->damping.particles)
         return;
-    run_particles(state, midpoint ? pass_settle_midpoint : pass_settle);
+    run_particles(state, midpoint                              ? pass_settle_midpoint
+                         : state->damping.grid_drag[0] == NULL ? pass_settle
+                                                               : pass_settle_grid_velocity);
     for (int64_t s = 0; s < state->strip_count; s++)
         state->damping.totals.dissipated += state->strips[s].dissipated;
 }

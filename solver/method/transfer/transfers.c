@@ -53,11 +53,13 @@ static const struct mpm_transfer transfers[MPM_TRANSFER_COUNT] = {
                            .passes = velocity_passes,
                            .smoothed_rows = mpm_row_fmpm,
                            .no_momentum = "makes other nodal velocities of the momenta",
+                           .no_grid_drag = "gives particles other velocities than the nodes'",
                            .no_fields = "smooths over nodes of one velocity field"},
     [MPM_TRANSFER_APIC] = {.name = "apic",
                            .carries = MPM_USE_APIC,
                            .passes = affine_passes,
                            .no_momentum = "carries the gradient of nodal velocities",
+                           .no_grid_drag = "carries the gradient of nodal velocities",
                            .no_fields = "takes spin from nodes of one velocity field",
                            .no_fast = "there are no fast kernels for method.transfer: apic"},
 };

@@ -19,9 +19,10 @@ struct mpm_transfer {
     /* From order 2 on, before particles read back: makes the motion that they read of smoothed
      * velocities. NULL: nothing. */
     mpm_pass *smoothed_rows;
-    /* Why it is not with form: momentum, and not with additional velocity fields (with "it" before
-     * both), and has no fast kernels; NULL: it is. */
-    const char *no_momentum, *no_fields, *no_fast;
+    /* Why it is not with form: momentum, not with additional velocity fields and not with grid
+     * damping at the particles (with "it" before all three), and has no fast kernels; NULL: it is.
+     */
+    const char *no_momentum, *no_fields, *no_grid_drag, *no_fast;
 };
 
 const struct mpm_transfer *mpm_transfer_of(enum mpm_transfer_kind kind);
