@@ -94,6 +94,7 @@
     SUITE(measures)                                                                                \
     SUITE(modes)                                                                                   \
     SUITE(dispersion)                                                                              \
+    SUITE(damped_motion)                                                                           \
     SUITE(stability)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
