@@ -22,6 +22,7 @@
     PROGRAM(cracked_disks)                                                                         \
     PROGRAM(crack_overhead)                                                                        \
     PROGRAM(crack_patch)                                                                           \
+    PROGRAM(crack_growth)                                                                          \
     PROGRAM(sliding)                                                                               \
     PROGRAM(pressed_crack)                                                                         \
     PROGRAM(cohesive)                                                                              \

@@ -80,14 +80,17 @@ START_TEST(damping_at_the_particles_is_that_at_the_nodes_after_extrapolation)
 }
 END_TEST
 
-/* (47): the same for a rate of time alone, in every order. */
+/* (47): the same for a rate of time alone, in every order; also where it is found place by place,
+ * beside a thermostat. */
 START_TEST(the_rate_at_the_particle_is_that_at_the_nodes_where_all_have_one)
 {
-    char *order = g_strdup_printf("method.stress_update=%s", test_orders[_i]);
+    char *order = g_strdup_printf("method.stress_update=%s", test_orders[_i % TEST_ORDERS]);
     struct test_run runs[2];
     for (int k = 0; k < 2; k++) {
         const char *const settings[] = {
-            order, "damping.grid=0.3+0.1*t",
+            order,
+            _i < TEST_ORDERS ? "damping={grid: '0.3+0.1*t'}"
+                             : "damping={grid: '0.3+0*x', thermostat: {gain: 0.1}}",
             k == 0 ? "damping.grid_form=particles" : "damping.grid_form=particle_rate", NULL};
         runs[k] = test_run_open(BLOCK, settings, 1);
         test_run_steps(&runs[k], STEPS);
@@ -224,7 +227,7 @@ Suite *suite_grid_drag(void)
     tcase_add_loop_test(forms, damping_at_the_particles_is_that_at_the_nodes_after_extrapolation, 0,
                         EXCHANGES * WAYS * TEST_SHAPES);
     tcase_add_loop_test(forms, the_rate_at_the_particle_is_that_at_the_nodes_where_all_have_one, 0,
-                        TEST_ORDERS);
+                        2 * TEST_ORDERS);
     tcase_add_loop_test(forms, one_step_has_the_rate_of_the_place_that_the_form_names, 0, 3);
     tcase_add_test(forms, strain_follows_nodes_that_are_not_damped);
     tcase_add_loop_test(forms, what_it_takes_out_is_booked, 0, 4);
