@@ -158,6 +158,36 @@ START_TEST(strain_follows_nodes_that_are_not_damped)
 }
 END_TEST
 
+/* A mirrored block with a mirrored rate and half of it, whose rate is a negative one beyond the
+ * plane: images have the rate of their originals. */
+START_TEST(a_half_model_is_damped_as_the_whole)
+{
+    static const char *const forms[] = {"damping.grid_form=nodes", "damping.grid_form=particles",
+                                        "damping.grid_form=particle_rate"};
+    struct mpm_ledger ledgers[2];
+    for (int half = 0; half < 2; half++) {
+        const char *const settings[] = {
+            "method.shape=bspline2",
+            "bodies.0.velocity=['0.05*sin(2*(x-6))', '0.04*cos(y)*cos(x-6)']",
+            half ? "damping.grid=0.2*max(x-6, 3*(6-x))" : "damping.grid=0.2*abs(x-6)",
+            half ? "bodies.0.region={rectangle: {from: [6, 3.2], to: [9, 7.2]}}"
+                 : "bodies.0.region={rectangle: {from: [3, 3.2], to: [9, 7.2]}}",
+            half ? "boundary=[{region: {line: {from: [6, 0], to: [6, 12]}}, symmetry: true}]"
+                 : "boundary=[]",
+            forms[_i],
+            NULL};
+        struct test_run run = test_run_open(BLOCK, settings, 1);
+        test_run_steps(&run, STEPS);
+        ledgers[half] = test_run_ledger(&run);
+        test_run_close(&run);
+    }
+    ck_assert(ledgers[0].damping_dissipation > 1e-3);
+    ck_assert_near(2.0 * ledgers[1].damping_dissipation, ledgers[0].damping_dissipation,
+                   TEST_SOFT_ROUND_OFF);
+    ck_assert_near(2.0 * ledgers[1].kinetic_energy, ledgers[0].kinetic_energy, TEST_SOFT_ROUND_OFF);
+}
+END_TEST
+
 static const char *const both_forms[] = {"damping.grid_form=particles",
                                          "damping.grid_form=particle_rate"};
 
@@ -230,6 +260,7 @@ Suite *suite_grid_drag(void)
                         2 * TEST_ORDERS);
     tcase_add_loop_test(forms, one_step_has_the_rate_of_the_place_that_the_form_names, 0, 3);
     tcase_add_test(forms, strain_follows_nodes_that_are_not_damped);
+    tcase_add_loop_test(forms, a_half_model_is_damped_as_the_whole, 0, 3);
     tcase_add_loop_test(forms, what_it_takes_out_is_booked, 0, 4);
     suite_add_tcase(suite, forms);
     TCase *runs = tcase_create("runs");
