@@ -90,7 +90,8 @@ static void describe(const struct mpm_simulation *simulation, const struct mpm_f
         (void)snprintf(text, size,
                        "has damping.%s = %g; allowed: at least 0 and below %g, 1 over the "
                        "time step",
-                       failure->axis == 0 ? "particle" : "grid", failure->value, 1.0 / simulation->state.time_step);
+                       failure->axis == 0 ? "particle" : "grid", failure->value,
+                       1.0 / simulation->state.time_step);
         return;
     case MPM_UNIFORM_LOAD_NOT_FINITE:
     case MPM_NO_FAILURE:

@@ -70,6 +70,10 @@ START_TEST(a_linear_force_along_z_accelerates_each_particle_by_its_value)
 }
 END_TEST
 
+#define HELD_FLOOR                                                                                 \
+    "boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, "                                 \
+    "velocity: [free, '0.02*sin(2*t)']}]"
+
 /* With each exchange of a step. A force that varies in time alone is the same both ways. */
 static const char *const exchanges[] = {
     "method.transfer={kind: flip, fraction: 0.95}",
@@ -79,8 +83,7 @@ static const char *const exchanges[] = {
     "method.form=momentum",
     "damping={particle: '0.2+0*x', grid: 0.1}",
     "damping={grid: 0.2, grid_form: particles, pic: 0.9}",
-    "boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, velocity: [free, "
-    "'0.02*sin(2*t)']}]",
+    HELD_FLOOR,
     "boundary=[{region: {line: {from: [3, 0], to: [3, 12]}}, symmetry: true}]",
 };
 enum { EXCHANGES = G_N_ELEMENTS(exchanges) };

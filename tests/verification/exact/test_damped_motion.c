@@ -190,6 +190,13 @@ static void advance(const struct damped_bar *bar, enum damped_bar_form form, boo
         strain[p] += dt * (after[p / 2 + 1] - after[p / 2]);
 }
 
+/* sin k X of a particle */
+static double shape_of(size_t p)
+{
+    const size_t cell = p / 2;
+    return sin(PI / 16.0 * ((double)cell + (p % 2 == 0 ? 0.25 : 0.75)));
+}
+
 /* The fitted decay of the particles' velocities projected onto the mode. */
 static double decay_of(const struct damped_bar *bar, enum damped_bar_form form, bool usl, double dt)
 {
@@ -197,14 +204,13 @@ static double decay_of(const struct damped_bar *bar, enum damped_bar_form form, 
     double velocity[COUNT], strain[COUNT] = {0.0}, time[STEPS], value[STEPS];
     struct oscillation fit;
     for (size_t p = 0; p < COUNT; p++)
-        velocity[p] = sin(PI / 16.0 * ((double)(p / 2) + (p % 2 == 0 ? 0.25 : 0.75)));
+        velocity[p] = shape_of(p);
     for (size_t n = 0; n < STEPS; n++) {
         advance(bar, form, usl, dt, velocity, strain);
         time[n] = dt * (double)(n + 1);
         value[n] = 0.0;
         for (size_t p = 0; p < COUNT; p++)
-            value[n] +=
-                velocity[p] * sin(PI / 16.0 * ((double)(p / 2) + (p % 2 == 0 ? 0.25 : 0.75)));
+            value[n] += velocity[p] * shape_of(p);
     }
     ck_assert(oscillation_fit(STEPS, time, value, PI / 16.0, &fit));
     return fit.decay;
