@@ -46,6 +46,8 @@
     SUITE(transfer_series)                                                                         \
     SUITE(projection)                                                                              \
     SUITE(start)                                                                                   \
+    SUITE(grid_drag)                                                                               \
+    SUITE(nodal_force)                                                                             \
     SUITE(rest)                                                                                    \
     SUITE(time_step)                                                                               \
     SUITE(fill)                                                                                    \
@@ -96,7 +98,8 @@
     SUITE(pictures)                                                                                \
     SUITE(measures)                                                                                \
     SUITE(modes)                                                                                   \
-    SUITE(dispersion)
+    SUITE(dispersion)                                                                              \
+    SUITE(damped_motion)
 
 #define SUITE_DECLARE(name) Suite *suite_##name(void);
 SUITES(SUITE_DECLARE, SUITE_DECLARE)

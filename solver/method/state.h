@@ -13,6 +13,7 @@
 #include "method/grid/symmetry_state.h"
 #include "method/loads/damping_state.h"
 #include "method/loads/edge_loads_state.h"
+#include "method/loads/nodal_force_state.h"
 #include "method/loads/rest_state.h"
 #include "method/loads/user_force_state.h"
 #include "method/passes.h"
@@ -45,7 +46,7 @@ enum mpm_failure_kind {
     MPM_DOMAIN_TOO_BIG,          /* value: its reach in cells */
     MPM_LOAD_NOT_FINITE,         /* value: the body force along the axis */
     MPM_UNIFORM_LOAD_NOT_FINITE, /* the same; of no particle */
-    MPM_RATE_REFUSED,            /* value: the particle's damping rate */
+    MPM_RATE_REFUSED,            /* value: damping.particle there; axis 1: damping.grid */
     MPM_TRACTION_NOT_FINITE,     /* value: a component of the load `load`'s value */
     MPM_TWO_CRACKS,              /* value: nothing */
     MPM_USER_FORCE_NOT_FINITE,   /* value: the caller's body force along the axis */
@@ -89,6 +90,7 @@ enum mpm_body_force_kind {
     MPM_NO_BODY_FORCE,
     MPM_UNIFORM_BODY_FORCE, /* a constant, or of time alone: all of it at the nodes */
     MPM_VARYING_BODY_FORCE, /* in space: at the particles */
+    MPM_NODAL_BODY_FORCE,   /* in space, taken at the nodes: nodal_force.h */
 };
 
 struct mpm_state {
@@ -117,6 +119,7 @@ struct mpm_state {
     enum mpm_body_force_kind body_force_kind;
     double uniform_force[2];   /* its value in this step */
     double (*row_momentum)[2]; /* per node row: sum m_i (v_i^n + v_i^{n+1}); for a uniform one */
+    struct mpm_nodal_force nodal_force;
 
     struct mpm_edge_loads edge_loads;
     struct mpm_fields fields;

@@ -14,6 +14,7 @@
 #include "method/grid/symmetry.h"
 #include "method/loads/damping.h"
 #include "method/loads/edge_loads.h"
+#include "method/loads/nodal_force.h"
 #include "method/loads/rest.h"
 #include "method/loads/user_force.h"
 #include "method/transfer/transfer.h"
@@ -192,6 +193,7 @@ static void finish_extrapolation(struct mpm_state *state)
 static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_force,
                                        struct mpm_error *error)
 {
+    MPM_TRY(mpm_nodal_force_add(state, error));
     mpm_grid_rows_run(state, uniform_force ? mpm_row_update_with_body_force : mpm_row_update);
     mpm_rest_measure_unbalanced(state);
     MPM_TRY(mpm_damping_apply_nodes(state, error));
@@ -202,6 +204,7 @@ static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_for
     mpm_mirrors_apply_end(state);
     if (uniform_force)
         state->external_work += uniform_work(state);
+    state->external_work += mpm_nodal_force_work(state);
     state->external_work += mpm_user_force_work(state);
     return MPM_OK;
 }

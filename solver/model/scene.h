@@ -188,10 +188,24 @@ struct mpm_j_integral_spec {
     int line;
 };
 
+/* Where a body force that varies in space is taken. */
+enum mpm_body_force_place {
+    MPM_BODY_FORCE_AT_PARTICLES, /* Notes (20) */
+    MPM_BODY_FORCE_AT_NODES,     /* Notes (22) */
+};
+
+/* Where the rates alpha_g act; see method/loads/damping.h. */
+enum mpm_grid_damping {
+    MPM_GRID_DAMPING_NODES,         /* in the momentum update, Notes (105) */
+    MPM_GRID_DAMPING_PARTICLES,     /* in the update of the particles, (46)-(57), (106) */
+    MPM_GRID_DAMPING_PARTICLE_RATE, /* the same with the rate at the particle, (107) */
+};
+
 /* Rates are expressions in the coordinates and t, NULL where there is none. */
 struct mpm_damping_spec {
     char *grid, *particle; /* alpha_g, alpha_p, 1/time */
-    char *pic;             /* beta(t), 0 to 1 */
+    enum mpm_grid_damping grid_form;
+    char *pic; /* beta(t), 0 to 1 */
     bool thermostat;
     double gain;   /* 1/time^2 */
     double target; /* kinetic energy to be reached */
@@ -245,7 +259,8 @@ struct mpm_scene {
     struct mpm_boundary_spec *boundaries;
     size_t boundary_count;
     struct mpm_vector_expression body_force; /* NULL components: none */
-    struct mpm_edge_load_spec *edge_loads;   /* tractions, then particle forces */
+    enum mpm_body_force_place body_force_at;
+    struct mpm_edge_load_spec *edge_loads; /* tractions, then particle forces */
     size_t edge_load_count;
     struct mpm_damping_spec damping;
     enum mpm_crack_method crack_method;

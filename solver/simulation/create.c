@@ -3,6 +3,7 @@
 #include "method/cracks/crack_detection.h"
 #include "method/fields/fields.h"
 #include "method/kernels.h"
+#include "method/loads/nodal_force.h"
 #include "method/transfer/law_state.h"
 #include "method/transfer/transfer.h"
 #include "method/transfer/transfers.h"
@@ -42,13 +43,14 @@ static void free_fields(struct mpm_vector_field *fields, size_t count)
     free(fields);
 }
 
-static enum mpm_body_force_kind body_force_kind(const struct mpm_vector_field *field)
+static enum mpm_body_force_kind body_force_kind(const struct mpm_vector_field *field,
+                                                enum mpm_body_force_place place)
 {
     enum mpm_body_force_kind kind = MPM_NO_BODY_FORCE;
     for (int axis = 0; axis < 2; axis++) {
         const struct mpm_expression *const force = field->component[axis];
         if (force != NULL && !mpm_expression_is_uniform(force))
-            return MPM_VARYING_BODY_FORCE;
+            return place == MPM_BODY_FORCE_AT_NODES ? MPM_NODAL_BODY_FORCE : MPM_VARYING_BODY_FORCE;
         if (force != NULL)
             kind = MPM_UNIFORM_BODY_FORCE;
     }
@@ -76,7 +78,7 @@ static enum mpm_status create_expressions(struct mpm_simulation *simulation,
                                             &state->conditions.body_velocity[k], error));
     MPM_TRY(mpm_vector_field_create(scene, &scene->body_force, true, state->workers,
                                     &state->body_force, error));
-    state->body_force_kind = body_force_kind(&state->body_force);
+    state->body_force_kind = body_force_kind(&state->body_force, scene->body_force_at);
     return mpm_damping_create(simulation, error);
 }
 
@@ -128,6 +130,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     state->row_high = MPM_TAKE(arena, int64_t, rows);
     if (state->body_force_kind == MPM_UNIFORM_BODY_FORCE)
         state->row_momentum = mpm_arena_take(arena, rows, sizeof *state->row_momentum);
+    mpm_nodal_force_layout(state, arena);
     mpm_damping_layout(state, arena);
     mpm_edge_loads_layout(state, arena);
     mpm_cracks_layout(state, arena);

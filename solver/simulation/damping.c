@@ -1,8 +1,8 @@
 /* What a scene damps: made when the simulation is created.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "method/loads/damping.h"
-
+#include "method/loads/damping_rate.h"
+#include "method/loads/grid_drag.h"
 #include "simulation/simulation.h"
 
 static enum mpm_status create_rate(const struct mpm_simulation *simulation, const char *text,
@@ -21,8 +21,11 @@ enum mpm_status mpm_damping_create(struct mpm_simulation *simulation, struct mpm
     MPM_TRY(create_rate(simulation, spec->grid, &damping->grid, error));
     MPM_TRY(create_rate(simulation, spec->particle, &damping->particle, error));
     MPM_TRY(create_rate(simulation, spec->pic, &damping->pic, error));
-    damping->nodes = damping->grid != NULL || spec->thermostat;
-    damping->particles = damping->particle != NULL || damping->pic != NULL;
+    const bool grid = damping->grid != NULL || spec->thermostat;
+    damping->grid_form = grid ? spec->grid_form : MPM_GRID_DAMPING_NODES;
+    damping->nodes = grid && spec->grid_form == MPM_GRID_DAMPING_NODES;
+    damping->particles =
+        damping->particle != NULL || damping->pic != NULL || (grid && !damping->nodes);
     if (damping->pic == NULL || mpm_expression_is_uniform(damping->pic))
         return MPM_OK;
     return mpm_scene_error(error, scene, scene->line_damping, "damping.pic",
@@ -38,7 +41,9 @@ void mpm_damping_free(struct mpm_damping *damping)
 
 void mpm_damping_layout(struct mpm_state *state, struct mpm_arena *arena)
 {
-    if (state->damping.nodes || state->scene->rest.asked || state->scene->energy_balance)
+    mpm_grid_drag_layout(state, arena);
+    if (state->damping.nodes || state->damping.grid_form == MPM_GRID_DAMPING_PARTICLES ||
+        state->scene->rest.asked || state->scene->energy_balance)
         state->row_sums = MPM_TAKE(arena, struct mpm_row_sums,
                                    (size_t)(state->grid.rows + state->grid.field_rows));
 }

@@ -89,9 +89,10 @@ static const char *describe(const struct mpm_simulation *simulation,
                      name);
     case MPM_RATE_REFUSED:
         return print(text,
-                     "has damping.particle = %g; allowed: at least 0 and below %g, 1 over the "
+                     "has damping.%s = %g; allowed: at least 0 and below %g, 1 over the "
                      "time step",
-                     failure->value, 1.0 / simulation->state.time_step);
+                     failure->axis == 0 ? "particle" : "grid", failure->value,
+                     1.0 / simulation->state.time_step);
     case MPM_UNIFORM_LOAD_NOT_FINITE:
     case MPM_NO_FAILURE:
         break;

@@ -117,6 +117,13 @@ def draw_body_force(canvas, key):
     return force
 
 
+def draw_body_force_at(canvas, key):
+    """Of a body force."""
+    if "body_force" not in canvas.notes["group"] or not canvas.chance(50):
+        return ABSENT
+    return canvas.pick(key.choices)
+
+
 def draw_particle_forces(canvas, key):
     """Rarer than tractions."""
     if canvas.situation != "any" or not canvas.chance(15):

@@ -71,12 +71,31 @@ def draw_crack_method(canvas, key):
 
 # ------------------------------------------------------------------------ damping
 def draw_grid_damping(canvas, key):
-    """Up to a twentieth of the inverse time of a wave through a cell."""
+    """Up to a twentieth of the inverse time of a wave through a cell; a square of a coordinate's distance
+    from the middle has that two cells away."""
     if canvas.situation == "pressed":
         return short(0.2 * canvas.scale(key.unit))
     if canvas.situation == "loaded":
         return short(canvas.pick([0.3, 0.15]) * canvas.scale(key.unit))
-    return short(canvas.pick([0.02, 0.05]) * canvas.scale(key.unit)) if canvas.chance(20) else ABSENT
+    if not canvas.chance(20):
+        return ABSENT
+    rate = canvas.pick([0.02, 0.05]) * canvas.scale(key.unit)
+    if canvas.chance(50):
+        return short(rate)
+    axis = canvas.integer(0, 1)
+    name = ("rz" if canvas.axisymmetric else "xy")[axis]
+    centre = short(canvas.notes["centre"][axis])
+    return f"{short(rate / canvas.cell[axis] ** 2 / 4)}*(({name}-({centre}))*({name}-({centre})))"
+
+
+def draw_grid_form(canvas, key):
+    """Of a rate of the grid, which particles can take with these transfers."""
+    method = canvas.scene.get("method", {})
+    if "grid" not in canvas.notes["group"] or method.get("radius_update") == "hoop" or \
+            method.get("transfer", {"kind": "flip"})["kind"] in ("fmpm", "apic") or \
+            not canvas.chance(60):
+        return ABSENT
+    return canvas.pick(key.choices)
 
 
 def draw_particle_damping(canvas, key):

@@ -21,6 +21,8 @@ def without_losses(case):
     a thermostat. Cracks stay where one is cohesive."""
     scene = smooth(case.scene)
     scene.get("damping", {}).pop("thermostat", None)
+    if "grid" not in scene.get("damping", {}):
+        scene.get("damping", {}).pop("grid_form", None)
     if any("cohesive" in crack for crack in case.cracks):
         scene["cracks"] = [{name: value for name, value in crack.items() if name not in OF_CONTACT}
                            for crack in copy.deepcopy(case.cracks)]

@@ -17,13 +17,13 @@ static double spread(unsigned particles)
 }
 
 /* One step for (e, v dt), as the header has it. */
-static void step(enum bar_dispersion_order order, double q, double s, double g, const double in[2],
-                 double out[2])
+static void step(enum bar_dispersion_order order, double q, double s, double g, double kept,
+                 const double in[2], double out[2])
 {
     const double e = in[0], v = in[1];
     switch (order) {
     case BAR_DISPERSION_USL:
-        out[0] = e + v - q * e;
+        out[0] = e + kept * v - q * e;
         out[1] = g * v - s * q * e;
         break;
     case BAR_DISPERSION_MUSL:
@@ -50,12 +50,13 @@ struct bar_dispersion_result bar_dispersion(const struct bar_dispersion *bar, do
     static const double UNIT[2][2] = {{1, 0}, {0, 1}};
     const double kh = wave_number * bar->cell;
     const double s = 1.0 - 2.0 * spread(bar->particles) * (1.0 - cos(kh));
-    const double g = bar->fraction + (1.0 - bar->fraction) * s;
+    const double g = bar->fraction + (1.0 - bar->fraction) * s - bar->drag * bar->step;
+    const double kept = 1.0 - bar->drag_end * bar->step;
     const double omega_grid = 2.0 / bar->cell * bar->speed * sin(0.5 * kh);
     const double q = omega_grid * omega_grid * bar->step * bar->step;
     double column[2][2];
     for (size_t k = 0; k < 2; k++)
-        step(bar->order, q, s, g, UNIT[k], column[k]);
+        step(bar->order, q, s, g, kept, UNIT[k], column[k]);
     const double determinant = column[0][0] * column[1][1] - column[1][0] * column[0][1];
     const double trace = column[0][0] + column[1][1];
     return (struct bar_dispersion_result){

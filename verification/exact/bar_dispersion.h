@@ -26,6 +26,10 @@
  * 2 sin(omega dt/2) = Omega dt sqrt(s) with MUSL, USF and USAVG; D = 1 - q (1 - s) with USL. So
  * omega = c k (1 - (k h)^2 (1/24 + c/2 - C^2/24)) to second order, C = c dt / h.
  *
+ * Damping (damped_bar.h) takes drag v from the particles' velocities in a unit of time, g - drag dt
+ * in the place of g, and drag_end v from the nodes' at the end of the step, v - drag_end dt v - q e
+ * in USL.
+ *
  * Own derivation; the dispersion of lumped linear elements, c = 0, is in any text on finite
  * elements.
  *
@@ -50,6 +54,8 @@ struct bar_dispersion {
     double speed;       /* sqrt(M/rho) > 0 */
     double cell;        /* h > 0 */
     double step;        /* dt > 0 */
+    double drag;        /* 1/time; 0 without damping */
+    double drag_end;    /* 1/time */
 };
 
 struct bar_dispersion_result {

@@ -13,6 +13,8 @@
     PROGRAM(compression)                                                                           \
     PROGRAM(energy)                                                                                \
     PROGRAM(vibration)                                                                             \
+    PROGRAM(damped_flight)                                                                         \
+    PROGRAM(damped_bar)                                                                            \
     PROGRAM(step_wave)                                                                             \
     PROGRAM(spin)                                                                                  \
     PROGRAM(collision)                                                                             \
@@ -20,6 +22,7 @@
     PROGRAM(cracked_disks)                                                                         \
     PROGRAM(crack_overhead)                                                                        \
     PROGRAM(crack_patch)                                                                           \
+    PROGRAM(crack_growth)                                                                          \
     PROGRAM(sliding)                                                                               \
     PROGRAM(pressed_crack)                                                                         \
     PROGRAM(cohesive)                                                                              \

@@ -129,7 +129,8 @@ static enum mpm_status read_lame(const struct measurement *m, struct static_solu
 
 static struct self_weight column_of(const struct static_solution *s)
 {
-    return (struct self_weight){s->numbers[0], s->numbers[1], s->numbers[2]};
+    const double *const n = s->numbers;
+    return (struct self_weight){.height = n[0], .weight = n[1], .modulus = n[2], .slope = n[3]};
 }
 
 static struct static_state column_at(const struct static_solution *s, const double start[2])
@@ -147,6 +148,8 @@ static enum mpm_status read_column(const struct measurement *m, struct static_so
 {
     static const char *const needs[] = {"height", "weight", "modulus"};
     TRY(read_numbers(m, needs, 3, solution->numbers, error));
+    if (measurement_has(m, "slope")) /* of a weight that grows with the height */
+        TRY(measurement_number(m, "slope", &solution->numbers[3], error));
     const struct self_weight column = column_of(solution);
     solution->at = column_at;
     solution->stress_scale = fabs(self_weight_stress(&column, 0.0));

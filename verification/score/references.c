@@ -74,7 +74,7 @@ static void self_weight(const struct reference_problem *problem, const double pl
 {
     (void)time;
     const double *n = problem->number;
-    const struct self_weight column = {n[0], n[1], n[2]};
+    const struct self_weight column = {.height = n[0], .weight = n[1], .modulus = n[2]};
     values[SCORE_DISPLACEMENT_Y] = self_weight_displacement(&column, place[1]);
     values[SCORE_STRESS_YY] = self_weight_stress(&column, place[1]);
 }

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
+#include "method/transfer/transfers.h"
 
 static enum mpm_status build_rate(const struct mpm_reading *reading, const char *path,
                                   const char *raw, char **text)
@@ -41,6 +42,32 @@ static enum mpm_status build_pic(const struct mpm_reading *reading)
                                  "which do the same to velocities; allowed: one of them",
                                  scene->flip_fraction);
     mpm_drop_constant(&scene->damping.pic, 1.0);
+    return MPM_OK;
+}
+
+/* Where alpha_g acts, once it is read. */
+static enum mpm_status build_grid_form(const struct mpm_reading *reading)
+{
+    const char *const path = "damping.grid_form";
+    const struct mpm_raw_damping *const raw = reading->raw->damping;
+    struct mpm_scene *const scene = reading->scene;
+    const struct mpm_transfer *const transfer = mpm_transfer_of(scene->transfer);
+    scene->damping.grid_form = (enum mpm_grid_damping)raw->grid_form;
+    if (scene->damping.grid_form == MPM_GRID_DAMPING_NODES)
+        return MPM_OK;
+    if (raw->grid == NULL && raw->thermostat == NULL)
+        return mpm_reading_fault(reading, path,
+                                 "without damping.grid and damping.thermostat, which it is of");
+    if (transfer->no_grid_drag != NULL)
+        return mpm_reading_fault(reading, path,
+                                 "damping at the particles with transfer %s, which %s; allowed: "
+                                 "with flip, pic and xpic, or grid_form: nodes",
+                                 transfer->name, transfer->no_grid_drag);
+    if (scene->radius_update == MPM_RADIUS_HOOP)
+        return mpm_reading_fault(reading, path,
+                                 "damping at the particles with radius_update: hoop, which moves r "
+                                 "with the nodes alone; allowed: radius_update: shape, or "
+                                 "grid_form: nodes");
     return MPM_OK;
 }
 
@@ -85,5 +112,6 @@ enum mpm_status mpm_build_damping(const struct mpm_reading *reading)
     MPM_TRY(build_rate(reading, "damping.particle", raw->particle, &damping->particle));
     MPM_TRY(build_pic(reading));
     build_thermostat(raw->thermostat, damping);
+    MPM_TRY(build_grid_form(reading));
     return build_rest(reading);
 }

@@ -97,6 +97,15 @@
     C("straight", MPM_GROWS_STRAIGHT)                                                              \
     C("hoop_stress", MPM_GROWS_HOOP)
 
+#define CHOICES_body_force_at(C)                                                                   \
+    C("particles", MPM_BODY_FORCE_AT_PARTICLES)                                                    \
+    C("nodes", MPM_BODY_FORCE_AT_NODES)
+
+#define CHOICES_grid_form(C)                                                                       \
+    C("nodes", MPM_GRID_DAMPING_NODES)                                                             \
+    C("particles", MPM_GRID_DAMPING_PARTICLES)                                                     \
+    C("particle_rate", MPM_GRID_DAMPING_PARTICLE_RATE)
+
 #define CHOICES_cohesive_law(C)                                                                    \
     C("linear", MPM_COHESIVE_LINEAR)                                                               \
     C("trilinear", MPM_COHESIVE_TRILINEAR)                                                         \
@@ -107,7 +116,7 @@
 /* clang-format off */
 #define MPM_CHOICE_LISTS(L)                                                                        \
     L(geometry) L(shape) L(axis) L(axis_nodes) L(stress_update) L(position_update) L(radius_update) \
-    L(form) L(transfer_kind) L(edge) L(frame) L(crack_method) L(contact) L(detection) L(tip)       \
+    L(form) L(body_force_at) L(grid_form) L(transfer_kind) L(edge) L(frame) L(crack_method) L(contact) L(detection) L(tip)       \
     L(j_form) L(growth_direction) L(cohesive_law)
 
 /* -------------------------------------------------------------------- keys */
@@ -272,6 +281,8 @@
 #define KEYS_loads(X, S)                                                                           \
     X(S, PAIR, body_force, EXPRESSION, ANYWHERE, OPTIONAL, ACCELERATION, "[0, 0]", ANY,         \
       "force per unit mass, in coordinates and t")                                                 \
+    X(S, CHOICE, body_force_at, body_force_at, ANYWHERE, OPTIONAL, NONE, "particles", ANY,           \
+      "coordinates in body_force: of the particles, whose shape functions spread it, or of the nodes, times their mass") \
     X(S, LIST, tractions, traction, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                             \
       "on edges of particles: value times the area of the deformed edge (ugimp: of the undeformed one)") \
     X(S, LIST, particle_forces, traction, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                       \
@@ -347,6 +358,8 @@
 #define KEYS_damping(X, S)                                                                         \
     X(S, ONE, grid, EXPRESSION, ANYWHERE, OPTIONAL, RATE, NULL, ANY,                           \
       "alpha_g: nodes slow down by alpha_g v, in coordinates of the node and t")                   \
+    X(S, CHOICE, grid_form, grid_form, ANYWHERE, OPTIONAL, NONE, "nodes", ANY,                       \
+      "where grid and thermostat act: in the nodes' momentum update, in the particles' update with alpha_g of the nodes, or there with alpha_g of the particle's place") \
     X(S, ONE, particle, EXPRESSION, ANYWHERE, OPTIONAL, RATE, NULL, ANY,                       \
       "alpha_p: particles slow down by alpha_p v, in coordinates of the particle and t")           \
     X(S, ONE, pic, EXPRESSION, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                                  \

@@ -79,5 +79,10 @@ enum mpm_status mpm_build_loads(const struct mpm_reading *reading)
                                   true, place, &scene->body_force));
     for (int axis = 0; axis < 2; axis++)
         mpm_drop_constant(&scene->body_force.text[axis], 0.0);
+    scene->body_force_at = (enum mpm_body_force_place)reading->raw->loads->body_force_at;
+    if (scene->body_force_at == MPM_BODY_FORCE_AT_NODES &&
+        !mpm_reading_given(reading, "loads.body_force"))
+        return mpm_reading_fault(reading, "loads.body_force_at",
+                                 "without loads.body_force, which it is of");
     return MPM_OK;
 }

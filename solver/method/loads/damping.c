@@ -4,32 +4,15 @@
 #include "base/strips.h"
 #include "method/fields/fields.h"
 #include "method/grid/grid_update.h"
-#include "method/grid/symmetry.h"
+#include "method/loads/damping_rate.h"
+#include "method/loads/grid_drag.h"
+#include "method/loads/nodal_force.h"
 #include "method/transfer/transfer.h"
 
 #include <float.h>
 #include <stdio.h>
 
-static double value_of(const struct mpm_expression *expression, const struct mpm_state *state,
-                       const double place[2], int worker)
-{
-    return mpm_expression_value(expression, worker, place, state->time);
-}
-
-static bool is_varying(const struct mpm_expression *rate)
-{
-    return rate != NULL && !mpm_expression_is_uniform(rate);
-}
-
 /* ----------------------------------------------------------------- uniform */
-
-static enum mpm_status refuse_rate(const struct mpm_state *state, const char *what, double rate,
-                                   struct mpm_error *error)
-{
-    return mpm_error_fail(error, MPM_CAUSE_DAMPING,
-                          "%s is %g; allowed: at least 0 and below %g, 1 over the time step", what,
-                          rate, 1.0 / state->time_step);
-}
 
 /* The rate of all places, or 0. */
 static enum mpm_status uniform_rate(const struct mpm_state *state, const char *what,
@@ -37,10 +20,12 @@ static enum mpm_status uniform_rate(const struct mpm_state *state, const char *w
                                     struct mpm_error *error)
 {
     static const double anywhere[2] = {0.0, 0.0};
-    *rate = expression == NULL || is_varying(expression) ? 0.0
-                                                         : value_of(expression, state, anywhere, 0);
-    return mpm_rate_is_allowed(*rate, state->time_step) ? MPM_OK
-                                                        : refuse_rate(state, what, *rate, error);
+    *rate = expression == NULL || mpm_rate_is_varying(expression)
+                ? 0.0
+                : mpm_rate_value(expression, state, anywhere, 0);
+    return mpm_rate_is_allowed(*rate, state->time_step)
+               ? MPM_OK
+               : mpm_rate_refuse(state, what, *rate, error);
 }
 
 static enum mpm_status find_pic_rate(struct mpm_state *state, struct mpm_error *error)
@@ -48,7 +33,7 @@ static enum mpm_status find_pic_rate(struct mpm_state *state, struct mpm_error *
     static const double anywhere[2] = {0.0, 0.0};
     if (state->damping.pic == NULL)
         return MPM_OK;
-    const double beta = value_of(state->damping.pic, state, anywhere, 0);
+    const double beta = mpm_rate_value(state->damping.pic, state, anywhere, 0);
     if (!(beta >= 0.0 && beta <= 1.0))
         return mpm_error_fail(error, MPM_CAUSE_DAMPING, "damping.pic is %g; allowed: from 0 to 1",
                               beta);
@@ -68,20 +53,11 @@ enum mpm_status mpm_damping_begin(struct mpm_state *state, struct mpm_error *err
     damping->grid_rate += damping->totals.rate;
     return mpm_rate_is_allowed(damping->grid_rate, state->time_step)
                ? MPM_OK
-               : refuse_rate(state, "damping.grid with the thermostat's rate", damping->grid_rate,
-                             error);
+               : mpm_rate_refuse(state, "damping.grid with the thermostat's rate",
+                                 damping->grid_rate, error);
 }
 
 /* ------------------------------------------------------------------- nodes */
-
-/* alpha_g(t, x_i) without the uniform part */
-static double varying_rate(const struct mpm_state *state, int64_t node, int worker)
-{
-    double place[2], sign[2];
-    const int64_t parent = mpm_field_parent(state, node);
-    mpm_grid_edge_position(&state->grid, mpm_symmetry_original(state, parent, sign), place);
-    return value_of(state->damping.grid, state, place, worker);
-}
 
 /* What alpha takes out of a node's motion along one axis in the step. */
 static inline double taken(const struct mpm_state *state, int64_t node, int axis, double rate)
@@ -95,14 +71,15 @@ static void row_damp(void *context, int64_t row, int worker)
     const struct mpm_state *const state = context;
     const struct mpm_grid *const grid = &state->grid;
     const struct mpm_row_span span = mpm_row_span(state, row);
-    const bool extrapolate = state->order->extrapolate, varying = is_varying(state->damping.grid);
+    const bool extrapolate = state->order->extrapolate,
+               varying = mpm_rate_is_varying(state->damping.grid);
     const struct mpm_row_span inside = mpm_row_span_inside(state, row);
     struct mpm_row_sums *const sums = &state->row_sums[row];
     double dissipated = 0.0;
     sums->refused = -1;
     for (int64_t node = span.first; node < span.end; node++) {
         const double place_rate =
-            varying && grid->mass[node] != 0.0 ? varying_rate(state, node, worker) : 0.0;
+            varying && grid->mass[node] != 0.0 ? mpm_rate_of_node(state, node, worker) : 0.0;
         const double rate = state->damping.grid_rate + place_rate;
         struct mpm_node_motion *const motion = &grid->motion[node];
         if (varying && !(place_rate >= 0.0 && mpm_rate_is_allowed(rate, state->time_step))) {
@@ -133,7 +110,7 @@ static enum mpm_status collect_rows(struct mpm_state *state, struct mpm_error *e
             mpm_grid_edge_position(&state->grid, mpm_field_parent(state, sums->refused), place);
             (void)snprintf(what, sizeof what, "damping.grid at the node (%g, %g)", place[0],
                            place[1]);
-            return refuse_rate(state, what, sums->rate, error);
+            return mpm_rate_refuse(state, what, sums->rate, error);
         }
         state->damping.totals.dissipated += sums->dissipated;
     }
@@ -142,14 +119,18 @@ static enum mpm_status collect_rows(struct mpm_state *state, struct mpm_error *e
 
 enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_error *error)
 {
-    const bool varying = is_varying(state->damping.grid);
+    const bool varying = mpm_rate_is_varying(state->damping.grid);
+    if (state->damping.node_drag != NULL) {
+        mpm_grid_rows_run(state, mpm_row_grid_drag);
+        return collect_rows(state, error);
+    }
     if (!state->damping.nodes)
         return MPM_OK;
     mpm_grid_rows_run(state, row_damp);
     MPM_TRY(collect_rows(state, error));
     for (size_t k = 0; k < state->conditions.active_count; k++) { /* held: not damped */
         const struct mpm_active_condition *const active = &state->conditions.active[k];
-        const double place_rate = varying ? varying_rate(state, active->node, 0) : 0.0;
+        const double place_rate = varying ? mpm_rate_of_node(state, active->node, 0) : 0.0;
         if (!mpm_node_is_inside(state, active->node))
             continue;
         state->damping.totals.dissipated -=
@@ -165,7 +146,7 @@ static double particle_rate(const struct mpm_state *state, size_t p, int worker,
                             struct mpm_strip *strip)
 {
     const double place[2] = {state->particles.position[0][p], state->particles.position[1][p]};
-    const double rate = value_of(state->damping.particle, state, place, worker);
+    const double rate = mpm_rate_value(state->damping.particle, state, place, worker);
     if (mpm_rate_is_allowed(rate, state->time_step))
         return rate;
     mpm_strip_record(strip, MPM_RATE_REFUSED, state->particles.id[p], 0, rate);
@@ -178,14 +159,14 @@ static void pass_drag(void *context, int64_t index, int worker)
     const struct mpm_damping *const damping = &state->damping;
     const struct mpm_particles *const particles = &state->particles;
     struct mpm_strip *const strip = &state->strips[index];
-    const bool varying = is_varying(damping->particle), pic = damping->pic != NULL;
+    const bool varying = mpm_rate_is_varying(damping->particle), pic = damping->pic != NULL;
     double power = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         const double rate =
             varying ? particle_rate(state, p, worker, strip) : damping->particle_rate;
         double grid[2] = {0.0, 0.0};
         if (pic)
-            mpm_particle_grid_velocity(state, p, grid);
+            mpm_particle_gather(state, p, state->grid.start, grid);
         for (int axis = 0; axis < 2; axis++) {
             const double v = particles->velocity[axis][p];
             const double q = rate * v + (pic ? damping->pic_rate * (v - grid[axis]) : 0.0);
@@ -201,6 +182,7 @@ static void pass_spare_work(void *context, int64_t index, int worker)
 {
     struct mpm_state *const state = context;
     const bool varying = state->body_force_kind == MPM_VARYING_BODY_FORCE;
+    const bool nodal = state->body_force_kind == MPM_NODAL_BODY_FORCE;
     const struct mpm_particles *const particles = &state->particles;
     const double half = 0.5 * state->time_step * state->time_step;
     double *const *const user = particles->user_force;
@@ -210,6 +192,8 @@ static void pass_spare_work(void *context, int64_t index, int worker)
         double b[2] = {state->uniform_force[0], state->uniform_force[1]};
         if (varying && !mpm_particle_body_force(state, p, worker, strip, b))
             continue;
+        if (nodal)
+            mpm_particle_gather(state, p, state->nodal_force.value, b);
         for (int axis = 0; axis < 2 && user[axis] != NULL; axis++)
             b[axis] += user[axis][p];
         strip->external_work -= half * particles->mass[p] *
@@ -227,6 +211,7 @@ void mpm_damping_find_drag(struct mpm_state *state)
     if (!state->damping.particles)
         return;
     run_particles(state, pass_drag);
+    mpm_grid_drag_find(state);
     if (state->body_force_kind == MPM_NO_BODY_FORCE && state->user_force.caller.evaluate == NULL)
         return;
     run_particles(state, pass_spare_work);
@@ -269,19 +254,17 @@ static void pass_settle(void *context, int64_t index, int worker)
     strip->dissipated += 0.5 * state->time_step * power;
 }
 
-/* The midpoint's way, Notes (42), as the last task has left it without the particle's own
- * damping; its box anew. */
-static void pass_settle_midpoint(void *context, int64_t index, int worker)
+/* Takes `back` times a deceleration of each particle from the way on which the last task has moved
+ * it; its box anew. */
+static inline void settle_way(struct mpm_state *state, int64_t index, double *const taken_by[2],
+                              double back)
 {
-    struct mpm_state *const state = context;
     struct mpm_strip *const strip = &state->strips[index];
-    const double back = 0.5 * state->time_step * state->time_step;
     struct mpm_extent extent = MPM_NO_EXTENT;
-    pass_settle(context, index, worker);
     for (size_t p = strip->begin; p < strip->end; p++) {
         double step[2];
         for (int axis = 0; axis < 2; axis++) {
-            step[axis] = -back * state->particles.drag[axis][p];
+            step[axis] = -back * taken_by[axis][p];
             state->particles.position[axis][p] += step[axis];
         }
         struct mpm_placement placement = mpm_particle_placement(state, p);
@@ -294,12 +277,30 @@ static void pass_settle_midpoint(void *context, int64_t index, int worker)
         mpm_strip_set_box(state, strip, &extent);
 }
 
+/* The midpoint's way, Notes (42), (51) */
+static void pass_settle_midpoint(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    pass_settle(context, index, worker);
+    settle_way(state, index, state->particles.drag, 0.5 * state->time_step * state->time_step);
+}
+
+/* The way of the grid's velocity v_* = v_gp^{n+1} - dt alpha_g v_gp^n, Notes (56) */
+static void pass_settle_grid_velocity(void *context, int64_t index, int worker)
+{
+    struct mpm_state *const state = context;
+    pass_settle(context, index, worker);
+    settle_way(state, index, state->damping.grid_drag, state->time_step * state->time_step);
+}
+
 static void settle(struct mpm_state *state)
 {
     const bool midpoint = state->scene->position_update == MPM_MIDPOINT;
     if (!state->damping.particles)
         return;
-    run_particles(state, midpoint ? pass_settle_midpoint : pass_settle);
+    run_particles(state, midpoint                              ? pass_settle_midpoint
+                         : state->damping.grid_drag[0] == NULL ? pass_settle
+                                                               : pass_settle_grid_velocity);
     for (int64_t s = 0; s < state->strip_count; s++)
         state->damping.totals.dissipated += state->strips[s].dissipated;
 }

@@ -6,6 +6,7 @@
  * where the velocity that it slows down lives; so it holds for all that use nodal velocities,
  * and needs no approximation (107). A ghost node has the rate of the edge node that it
  * continues. Components that a condition holds follow the condition, and are not damped.
+ * damping.grid_form has two other forms, in which alpha_g acts at the particles: grid_drag.h.
  *
  * At the particles, alpha_p(t, x_p) and PIC damping of the share beta(t), Notes (43), (44):
  *     q_p = alpha_p v_p^n + alpha_PIC (v_p^n - v_gp^n),    alpha_PIC = (1 - beta)/dt,
@@ -42,12 +43,6 @@
 #define MPM_METHOD_DAMPING_H
 
 #include "method/state.h"
-
-/* Is a rate finite, at least 0 and below 1/dt? */
-static inline bool mpm_rate_is_allowed(double rate, double time_step)
-{
-    return rate >= 0.0 && rate * time_step < 1.0;
-}
 
 /* Evaluates what is the same for all nodes or particles in this step. MPM_RUN_FAILED: a rate
  * or beta is out of range. */

@@ -230,17 +230,18 @@ void mpm_pass_body_work(void *context, int64_t index, int worker)
 
 /* -------------------------------------------------------- velocity update */
 
-void mpm_particle_grid_velocity(const struct mpm_state *state, size_t p, double v[2])
+void mpm_particle_gather(const struct mpm_state *state, size_t p, double (*const nodes)[2],
+                         double value[2])
 {
     struct mpm_stencil room, weights;
     const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
     const struct mpm_stencil *const read =
         read_weights(state, reads_by_momentum(state), stencil, &weights);
-    v[0] = v[1] = 0.0;
+    value[0] = value[1] = 0.0;
     for (int k = 0; k < read->count; k++) {
-        const double *const start = state->grid.start[state->node_zero + read->node[k].node];
-        v[0] += read->node[k].s * start[0];
-        v[1] += read->node[k].s * start[1];
+        const double *const node = nodes[state->node_zero + read->node[k].node];
+        value[0] += read->node[k].s * node[0];
+        value[1] += read->node[k].s * node[1];
     }
 }
 
@@ -252,7 +253,7 @@ void mpm_pass_flip_fraction(void *context, int64_t index, int worker)
     (void)worker;
     for (size_t p = strip->begin; p < strip->end; p++) {
         double grid[2];
-        mpm_particle_grid_velocity(state, p, grid);
+        mpm_particle_gather(state, p, state->grid.start, grid);
         for (int axis = 0; axis < 2; axis++) {
             double *const v = &state->particles.velocity[axis][p];
             *v -= part * (*v - grid[axis]);

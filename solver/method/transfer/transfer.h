@@ -26,8 +26,9 @@ void mpm_particle_set_domain(const struct mpm_state *state, size_t p);
  * finite. */
 bool mpm_particle_body_force(const struct mpm_state *state, size_t p, int worker,
                              struct mpm_strip *strip, double b[2]);
-/* sum S v_i^n at the particle */
-void mpm_particle_grid_velocity(const struct mpm_state *state, size_t p, double v[2]);
+/* sum S w_i at the particle, of a vector of the nodes; in the momentum form with its weights */
+void mpm_particle_gather(const struct mpm_state *state, size_t p, double (*nodes)[2],
+                         double value[2]);
 /* Its place with the reach of its domain; no way gone. */
 struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p);
 

@@ -45,12 +45,14 @@ static const struct mpm_transfer transfers[MPM_TRANSFER_COUNT] = {
                            .passes = velocity_passes,
                            .smooth = mpm_smooth_end,
                            .smoothed_rows = mpm_row_fmpm,
-                           .no_momentum = "makes other nodal velocities of the momenta"},
+                           .no_momentum = "makes other nodal velocities of the momenta",
+                           .no_grid_drag = "gives particles other velocities than the nodes'"},
     [MPM_TRANSFER_APIC] = {.name = "apic",
                            .carries = MPM_USE_APIC,
                            .passes = affine_passes,
                            .no_momentum = "carries the gradient of nodal velocities",
                            .no_visibility = "takes a gradient from all of a particle's nodes",
+                           .no_grid_drag = "carries the gradient of nodal velocities",
                            .no_fast = "there are no fast kernels for method.transfer: apic"},
 };
 

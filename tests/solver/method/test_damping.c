@@ -322,12 +322,15 @@ static const struct {
     {"damping={pic: 1.5}", "damping.pic: out of range, got 1.5; allowed: from 0 to 1"},
     {"damping={pic: -0.1}", "damping.pic: out of range"},
     {"damping={pic: '1-0.001*x'}", "damping.pic: '1-0.001*x' varies in space"},
-    {"damping={pic: 0.9, viscosity: 1}", "unknown key \"viscosity\"; allowed: grid, particle, pic, "
-                                         "thermostat"},
+    {"damping={pic: 0.9, viscosity: 1}", "unknown key \"viscosity\"; allowed: grid, grid_form, "
+                                         "particle, pic, thermostat"},
     {"damping={thermostat: {}}", "damping.thermostat.gain: missing"},
     {"damping={thermostat: {gain: 0}}", "damping.thermostat.gain: out of range"},
     {"damping={thermostat: {gain: 1, target: -1}}", "allowed: number at least 0"},
     {"damping={thermostat: {gain: 1, scale: 0}}", "damping.thermostat.scale: out of range"},
+    {"damping={particle: 0.1, grid_form: particles}", "damping.grid_form: without damping.grid"},
+    {"damping={grid: 0.1, grid_form: particle}", "damping.grid_form"},
+    {"loads={body_force_at: nodes}", "loads.body_force_at: without loads.body_force"},
 };
 
 static struct mpm_error refusal(const char *const *settings, size_t count)
@@ -352,6 +355,23 @@ START_TEST(damping_that_cannot_be_is_refused)
 {
     const struct mpm_error error = refusal(&refused[_i].setting, 1);
     ck_assert_msg(strstr(error.message, refused[_i].says) != NULL, "%s", error.message);
+}
+END_TEST
+
+START_TEST(damping_at_the_particles_with_velocities_of_other_nodes_is_refused)
+{
+    static const char *const others[][2] = {
+        {"method.transfer={kind: fmpm, order: 2}", "with transfer fmpm, which gives"},
+        {"method.transfer.kind=apic", "with transfer apic, which carries"},
+        {"method={radius_update: hoop}", "with radius_update: hoop"},
+    };
+    for (size_t k = 0; k < G_N_ELEMENTS(others); k++) {
+        const char *const settings[] = {"damping={grid: 0.1, grid_form: particle_rate}",
+                                        k == 2 ? "geometry=axisymmetric" : "geometry=plane_strain",
+                                        others[k][0]};
+        const struct mpm_error error = refusal(settings, 3);
+        ck_assert_msg(strstr(error.message, others[k][1]) != NULL, "%s", error.message);
+    }
 }
 END_TEST
 
@@ -426,6 +446,7 @@ Suite *suite_damping(void)
     suite_add_tcase(suite, kernels);
     TCase *refusals = tcase_create("refusals");
     tcase_add_loop_test(refusals, damping_that_cannot_be_is_refused, 0, G_N_ELEMENTS(refused));
+    tcase_add_test(refusals, damping_at_the_particles_with_velocities_of_other_nodes_is_refused);
     tcase_add_test(refusals, pic_damping_beside_what_does_the_same_is_refused);
     tcase_add_loop_test(refusals, a_rate_that_goes_astray_fails_the_run, 0, G_N_ELEMENTS(failing));
     suite_add_tcase(suite, refusals);

@@ -101,7 +101,8 @@ START_TEST(the_dispersion_is_that_of_the_tasks_of_a_step)
             amplitude[s] = v[2];
             advance(&row, order, cases[c].fraction, dt);
         }
-        const struct bar_dispersion bar = {order, cases[c].particles, cases[c].fraction, 1, 1, dt};
+        const struct bar_dispersion bar = {
+            order, cases[c].particles, cases[c].fraction, 1, 1, dt, 0, 0};
         const struct bar_dispersion_result result = bar_dispersion(&bar, k);
         const double radius = exp(-result.decay * dt);
         const double trace = 2 * radius * cos(result.frequency * dt);
@@ -116,7 +117,8 @@ END_TEST
 START_TEST(fine_grids_and_steps_give_the_exact_frequency_at_second_order)
 {
     for (int order = 0; order < BAR_DISPERSION_ORDERS; order++) {
-        const struct bar_dispersion bar = {(enum bar_dispersion_order)order, 2, 1, 3, 0.01, 0.001};
+        const struct bar_dispersion bar = {
+            (enum bar_dispersion_order)order, 2, 1, 3, 0.01, 0.001, 0, 0};
         const double kh = 0.02;
         const double courant = 0.3, error = 1.0 / 24 + 3.0 / 32 - courant * courant / 24;
         const struct bar_dispersion_result result = bar_dispersion(&bar, kh / bar.cell);
@@ -141,7 +143,7 @@ START_TEST(the_numbers_that_case_e3_states_are_those_of_the_theory)
         {BAR_DISPERSION_MUSL, 0.99, -0.4938, 0.28824},
     };
     for (size_t k = 0; k < sizeof stated / sizeof stated[0]; k++) {
-        const struct bar_dispersion bar = {stated[k].order, 2, stated[k].fraction, 1, 1, 0.4};
+        const struct bar_dispersion bar = {stated[k].order, 2, stated[k].fraction, 1, 1, 0.4, 0, 0};
         const struct bar_dispersion_result result = bar_dispersion(&bar, G_PI / 16);
         ck_assert_double_eq_tol(100 * (result.frequency / (G_PI / 16) - 1), stated[k].frequency,
                                 1e-5);
@@ -247,7 +249,8 @@ static double frequency_error(size_t cells, bool momentum)
 START_TEST(the_velocity_form_of_a_held_bar_has_the_frequency_of_its_dispersion)
 {
     const size_t cells = (size_t)8 << _i;
-    const struct bar_dispersion bar = {BAR_DISPERSION_USAVG, CELL_PARTICLES, 1, 1, 1, COURANT};
+    const struct bar_dispersion bar = {
+        BAR_DISPERSION_USAVG, CELL_PARTICLES, 1, 1, 1, COURANT, 0, 0};
     const double k = G_PI / (double)cells;
     const double stated = 100.0 * (bar_dispersion(&bar, k).frequency / k - 1.0);
     static const double ROUND_OFF_PERCENT = 1e-9;

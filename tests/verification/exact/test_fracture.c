@@ -5,6 +5,7 @@
 #include "support/near.h"
 #include "verification/exact/cantilever_crack.h"
 #include "verification/exact/centre_crack.h"
+#include "verification/exact/clamped_strip.h"
 #include "verification/exact/penny_crack.h"
 #include "verification/exact/slanted_crack.h"
 #include "verification/exact/struck_crack.h"
@@ -243,6 +244,27 @@ START_TEST(the_interaction_integral_finds_the_modes_of_a_tip)
 }
 END_TEST
 
+/* Energy of the strip ahead, M (delta/h)^2/2 over the height 2 h, is what growth sets free; and a
+ * crack that has grown as far as expected is where that is the toughness. */
+START_TEST(a_crack_in_a_strip_grows_to_where_the_energy_ahead_is_the_toughness)
+{
+    const struct clamped_strip strip = {.modulus = 2.0,
+                                        .height = 4.5,
+                                        .toughness = 8e-6,
+                                        .rate = 7.5e-6,
+                                        .gradient = 0.03,
+                                        .tip = 12.5};
+    const double delta = strip.rate * 700.0 * (1.0 - 0.03 * 5.0);
+    ck_assert_near(clamped_strip_release(&strip, 17.5, 700.0),
+                   0.5 * strip.modulus * delta * delta / (4.5 * 4.5) * 9.0, 1e-18);
+    ck_assert_double_eq(clamped_strip_growth(&strip, 100.0), 0.0);
+    for (double time = 800.0; time < 1600.0; time += 100.0)
+        ck_assert_near(
+            clamped_strip_release(&strip, 12.5 + clamped_strip_growth(&strip, time), time), 8e-6,
+            1e-18);
+}
+END_TEST
+
 Suite *suite_fracture(void)
 {
     Suite *suite = suite_create("fracture");
@@ -253,6 +275,7 @@ Suite *suite_fracture(void)
     TCase *handbook = tcase_create("handbook");
     tcase_add_test(handbook, tadas_formula_has_the_numbers_of_isidas_series);
     tcase_add_test(handbook, beam_theory_with_rotation_agrees_with_plane_elasticity);
+    tcase_add_test(handbook, a_crack_in_a_strip_grows_to_where_the_energy_ahead_is_the_toughness);
     tcase_add_test(handbook, a_small_disk_shaped_crack_is_one_in_an_infinite_body);
     tcase_add_test(handbook,
                    a_wave_that_rises_within_no_time_is_a_step_and_others_are_sums_of_steps);

@@ -91,17 +91,23 @@ START_TEST(the_cylinder_is_in_balance_and_follows_hooke)
 }
 END_TEST
 
+/* Also with a weight that grows with the height. */
 START_TEST(the_column_bears_what_is_above)
 {
-    const struct self_weight column = {50.0, -800.0, 1e6};
+    const double slope = _i == 0 ? 0.0 : -12.0;
+    const struct self_weight column = {50.0, -800.0, slope, 1e6};
     ck_assert_double_eq(self_weight_stress(&column, 50.0), 0.0);
-    ck_assert_double_eq(self_weight_stress(&column, 0.0), -40000.0);
-    ck_assert_double_eq(self_weight_displacement(&column, 50.0), -1.0);
+    ck_assert_double_eq(self_weight_stress(&column, 0.0), -40000.0 + 1250.0 * slope);
+    ck_assert_near(self_weight_displacement(&column, 50.0), -1.0 + 125e3 / 3e6 * slope, 1e-15);
     for (double y = 1.0; y < 50.0; y += 7.0) {
         const double strain = (self_weight_displacement(&column, y + DIFFERENCE) -
                                self_weight_displacement(&column, y - DIFFERENCE)) /
                               (2.0 * DIFFERENCE);
+        const double change = (self_weight_stress(&column, y + DIFFERENCE) -
+                               self_weight_stress(&column, y - DIFFERENCE)) /
+                              (2.0 * DIFFERENCE);
         ck_assert_near(column.modulus * strain, self_weight_stress(&column, y), 1e-4);
+        ck_assert_near(change, -column.weight - slope * y, 1e-4);
     }
 }
 END_TEST
@@ -115,7 +121,7 @@ Suite *suite_static_states(void)
     tcase_add_loop_test(states, a_rim_load_gives_the_state_of_radial_compression, 0, TRACTIONS);
     tcase_add_test(states, a_load_that_no_stretch_bears_has_no_state);
     tcase_add_test(states, the_cylinder_is_in_balance_and_follows_hooke);
-    tcase_add_test(states, the_column_bears_what_is_above);
+    tcase_add_loop_test(states, the_column_bears_what_is_above, 0, 2);
     suite_add_tcase(suite, states);
     return suite;
 }
