@@ -3,7 +3,6 @@
 
 #include "base/strips.h"
 #include "method/cracks/crack_map.h"
-#include "method/grid/symmetry.h"
 #include "method/transfer/transfer.h"
 
 #include <string.h>
@@ -179,30 +178,6 @@ static void name_cracks(struct mpm_state *state, size_t place)
     }
 }
 
-/* A field that only mirrored particles would be in has the name that its image has. */
-static void join_names(struct mpm_state *state, int axis, const struct mpm_field_node *inside,
-                       const struct mpm_field_node *beyond, const void *context)
-{
-    (void)axis;
-    (void)context;
-    for (int i = 0; beyond != NULL && i < inside->count; i++) {
-        struct mpm_additional_field *const one = &state->fields.list[inside->first + (uint32_t)i];
-        const int64_t image = mpm_field_of(state, beyond, one->key) - mpm_fields_first(state);
-        if (image < 0)
-            continue;
-        struct mpm_crack_face *const face = &state->cracks.fields[inside->first + (uint32_t)i].face;
-        struct mpm_crack_face *const other = &state->cracks.fields[image].face;
-        one->passes |= state->fields.list[image].passes;
-        state->fields.list[image].passes = one->passes;
-        if (face->crack == MPM_NO_CRACK ||
-            (other->crack != MPM_NO_CRACK && other->last > face->last))
-            face->last = other->last;
-        face->crack = other->crack < face->crack ? other->crack : face->crack;
-        other->crack = face->crack;
-        other->last = face->last;
-    }
-}
-
 /* Takes the nodes that the particle does not see out of its stencil. */
 static void hide(struct mpm_field_use *use)
 {
@@ -233,7 +208,6 @@ enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
     if (!mpm_crack_map_draw(state))
         return no_room("cells", state->cracks.map->capacity, error);
     mpm_strips_run(state->strip_count, workers, find_in_strip, state);
-    mpm_symmetries_join_requests(state);
     const enum mpm_fields_lack lack = mpm_fields_settle(state);
     if (lack == MPM_FIELDS_LACK_USES)
         return no_room("particles", fields->use_capacity, error);
@@ -246,6 +220,5 @@ enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
         if (state->scene->crack_method == MPM_CRACKS_VISIBILITY)
             hide(&fields->uses[k]);
     }
-    mpm_symmetries_visit(state, join_names, NULL);
     return MPM_OK;
 }

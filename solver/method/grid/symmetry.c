@@ -176,29 +176,6 @@ int64_t mpm_symmetry_packed_image(const struct mpm_state *state, int64_t field,
     return node == NULL ? -1 : mpm_field_of(state, node, packed->key);
 }
 
-/* Both have what one of them has. */
-static void join(struct mpm_state *state, const struct mpm_symmetry *plane, const int64_t place[2])
-{
-    const int64_t columns = state->grid.columns;
-    uint16_t *const asked = state->fields.asked;
-    struct mpm_symmetry_image image;
-    const struct mpm_symmetry_image itself = {place[1] * columns + place[0], {1.0, 1.0}};
-    if (asked[itself.node] == 0 || !find_image(state, plane, &itself, &image))
-        return;
-    asked[itself.node] |= asked[image.node];
-    asked[image.node] = asked[itself.node];
-    mpm_bands_mark(&state->fields.asked_at, image.node % columns, image.node / columns);
-}
-
-void mpm_symmetries_join_requests(struct mpm_state *state)
-{
-    const struct mpm_bands *const at = &state->fields.asked_at;
-    for (size_t k = 0; state->symmetries.passed && k < state->symmetries.count; k++)
-        for (int64_t row = 0; row < state->grid.rows; row++)
-            for (int64_t column = at->low[row]; column <= at->high[row]; column++)
-                join(state, &state->symmetries.planes[k], (const int64_t[2]){column, row});
-}
-
 double mpm_symmetry_whole_mass(const struct mpm_state *state, int64_t node)
 {
     if (state->symmetries.count == 0)

@@ -7,8 +7,8 @@
  * round-off, for functions that reach beyond the plane too.
  *
  * A crack may pass a plane at a right angle: it goes on beyond it as its own image, and its packed
- * velocity fields are folded like the nodes' own. A field that particles request at a node is
- * requested at the image as well, since mirrored particles would.
+ * velocity fields are folded like the nodes' own. A particle that requests a field at a node beyond
+ * requests it at the image inside too, which is nearer.
  *
  * Packed fields of other cracks are not folded: a particle whose line to a node beyond the plane
  * crosses such a crack is on a free surface there, and so is one at a node on the plane if the
@@ -41,13 +41,8 @@ struct mpm_symmetry_image {
 int mpm_symmetry_images(const struct mpm_state *state, int64_t node,
                         struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES]);
 
-/* Where a crack passes a plane: requests each field of a node at its images too. After the
- * particles' requests, before mpm_fields_settle. */
-void mpm_symmetries_join_requests(struct mpm_state *state);
-
 /* Where a crack passes a plane: calls `visit` for each node with packed fields beyond it and the one
- * that it is an image of, which has fields of the same keys; and for each such node on the plane,
- * `beyond` being NULL. */
+ * that it is an image of; and for each such node on the plane, `beyond` being NULL. */
 typedef void mpm_symmetry_visit(struct mpm_state *state, int axis,
                                 const struct mpm_field_node *inside,
                                 const struct mpm_field_node *beyond, const void *context);

@@ -60,8 +60,7 @@ static inline void add_drag(struct mpm_state *state, int64_t index, int worker, 
 {
     const struct mpm_damping *const damping = &state->damping;
     const struct mpm_particles *const particles = &state->particles;
-    double(*const nodes)[2] =
-        (const double(*)[2])(by_node ? damping->node_drag : state->grid.start);
+    double(*const nodes)[2] = by_node ? damping->node_drag : state->grid.start;
     struct mpm_strip *const strip = &state->strips[index];
     double power = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
