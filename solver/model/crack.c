@@ -174,33 +174,45 @@ static inline int crossing_of(const struct mpm_crack_chain *chain, size_t k,
     return crossing(particle, node, first, last, opens, closes);
 }
 
+/* Of segment k, if it is near enough. */
+static int crossing_near(const struct mpm_crack_chain *chain, size_t k, const double particle[2],
+                         const double node[2])
+{
+    double first[2], last[2];
+    place_of(chain, k, first);
+    place_of(chain, k + 1, last);
+    if (apart(particle[0], node[0], first[0], last[0]) ||
+        apart(particle[1], node[1], first[1], last[1]))
+        return 0;
+    return crossing_of(chain, k, particle, node, first, last);
+}
+
+/* Of several crossed segments *segment is the middle one. */
 static enum mpm_crack_side side_by_segments(const struct mpm_crack_chain *chain,
                                             const struct mpm_crack_part *part,
                                             const double particle[2], const double node[2],
                                             size_t *segment)
 {
     int count = 0, sum = 0;
+    size_t k = part->first;
     if (apart(particle[0], node[0], part->box.low[0], part->box.high[0]) ||
         apart(particle[1], node[1], part->box.low[1], part->box.high[1]))
         return MPM_CRACK_SAME_SIDE;
-    for (size_t k = part->first; k < part->end; k++) {
-        double first[2], last[2];
-        place_of(chain, k, first);
-        place_of(chain, k + 1, last);
-        if (apart(particle[0], node[0], first[0], last[0]) ||
-            apart(particle[1], node[1], first[1], last[1]))
-            continue;
-        const int from = crossing_of(chain, k, particle, node, first, last);
-        if (from == 0)
-            continue;
-        if (count == 0 && segment != NULL)
-            *segment = k;
-        count++;
+    for (size_t found = part->first; found < part->end; found++) {
+        const int from = crossing_near(chain, found, particle, node);
+        k = from != 0 && count == 0 ? found : k;
+        count += from != 0;
         sum += from;
     }
     /* an even number of crossings, or none, leaves both on one side */
     if (count % 2 == 0)
         return MPM_CRACK_SAME_SIDE;
+    for (int before = count / 2; before > 0; before--)
+        do
+            k++;
+        while (crossing_near(chain, k, particle, node) == 0);
+    if (segment != NULL)
+        *segment = k;
     return sum > 0 ? MPM_CRACK_ABOVE : MPM_CRACK_BELOW;
 }
 
@@ -212,15 +224,24 @@ static double beside_line(const struct mpm_crack_chain *chain, size_t point,
     return mpm_orientation(particle, node, place);
 }
 
-/* The first segment with points on both sides of the line; points on it count as on its right. */
-static size_t first_crossed(const struct mpm_crack_chain *chain, const struct mpm_crack_part *part,
-                            const double particle[2], const double node[2])
+/* The segment with points on both sides of the line; points on it count as on its right. A line at
+ * a small angle may cross several: the middle one of them, whichever end the chain begins at. */
+static size_t middle_crossed(const struct mpm_crack_chain *chain, const struct mpm_crack_part *part,
+                             const double particle[2], const double node[2])
 {
-    const bool right = beside_line(chain, part->first, particle, node) <= 0.0;
-    size_t k = part->first + 1;
-    while (k < part->end && (beside_line(chain, k, particle, node) <= 0.0) == right)
-        k++;
-    return k - 1;
+    size_t first = part->first, last = part->end;
+    bool right = beside_line(chain, first, particle, node) <= 0.0;
+    for (;; right = !right) {
+        size_t low = first + 1, high = last - 1;
+        while (low < last && (beside_line(chain, low, particle, node) <= 0.0) == right)
+            low++;
+        while (high >= low && (beside_line(chain, high, particle, node) <= 0.0) != right)
+            high--;
+        if (high < low)
+            return low - 1;
+        first = low;
+        last = high;
+    }
 }
 
 /* Is the node on a straight part, inside of it? Then *segment is the one that it is on: of two, the
@@ -259,7 +280,7 @@ static enum mpm_crack_side side_by_line(const struct mpm_crack_chain *chain,
     if ((first > 0.0) == (last > 0.0))
         return MPM_CRACK_SAME_SIDE;
     if (segment != NULL)
-        *segment = first_crossed(chain, part, particle, node);
+        *segment = middle_crossed(chain, part, particle, node);
     return mpm_crack_part_distance(part, particle) > 0.0 ? MPM_CRACK_ABOVE : MPM_CRACK_BELOW;
 }
 

@@ -63,8 +63,9 @@ def is_pressed(case):
 
 def surfaces_do_not_pass_through(case):
     """Closed surfaces come nearer by a quarter of a cell at most: contact begins within a tenth, and the
-    material between the centres of particles is compressed by as much again."""
-    if not is_pressed(case) or case.base.status != 0:
+    material between the centres of particles is compressed by as much again. Not where nodes between
+    two cracks are without contact (docs/scenes.md)."""
+    if not is_pressed(case) or case.base.status != 0 or without_contact(case.base):
         return False
     judged = False
     for index in range(len(case.cracks)):

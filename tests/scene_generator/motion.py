@@ -88,6 +88,8 @@ def conditions_hold_at_every_node(case):
     for region, component, drive in conditions:
         for row in rows[nodes_of(region, rows[:, 3:5], case.cell) &
                         inside_planes(case, rows[:, 3:5])]:
+            if case.axisymmetric and component == 0 and row[3] < 0:
+                continue  # v_r at r < 0 is what method.axis_nodes states
             place = {names[0]: row[3], names[1]: row[4]}
             wanted = evaluate(drive, t=row[1], **place)
             if midpoint:
