@@ -61,6 +61,14 @@ static int straight_axis_of(const struct mpm_crack_chain *chain, const struct mp
     return axis;
 }
 
+/* Of the way between two places against the part's line; without bound if it leads back. */
+static double slope_of(const struct mpm_crack_part *part, const double from[2], const double to[2])
+{
+    const double x = to[0] - from[0], y = to[1] - from[1];
+    const double along = part->normal[1] * x - part->normal[0] * y;
+    return along > 0.0 ? fabs(part->normal[0] * x + part->normal[1] * y) / along : HUGE_VAL;
+}
+
 struct mpm_crack_part mpm_crack_part_of(const struct mpm_crack_chain *chain, size_t first,
                                         size_t end, double slack)
 {
@@ -73,7 +81,7 @@ struct mpm_crack_part mpm_crack_part_of(const struct mpm_crack_chain *chain, siz
     const double along[2] = {place[0] - from[0], place[1] - from[1]};
     const double length = sqrt(along[0] * along[0] + along[1] * along[1]);
     const bool has_line = length > slack;
-    double farthest = 0.0;
+    double farthest = 0.0, before[2] = {from[0], from[1]};
     if (has_line) {
         part.normal[0] = -along[1] / length;
         part.normal[1] = along[0] / length;
@@ -83,6 +91,9 @@ struct mpm_crack_part mpm_crack_part_of(const struct mpm_crack_chain *chain, siz
         place_of(chain, k, place);
         include(&part.box, place);
         farthest = greatest(farthest, fabs(mpm_crack_part_distance(&part, place)));
+        part.steepest = greatest(part.steepest, slope_of(&part, before, place));
+        before[0] = place[0];
+        before[1] = place[1];
     }
     if (has_line)
         part.thickness = farthest + slack;
@@ -224,8 +235,27 @@ static double beside_line(const struct mpm_crack_chain *chain, size_t point,
     return mpm_orientation(particle, node, place);
 }
 
-/* The segment with points on both sides of the line; points on it count as on its right. A line at
- * a small angle may cross several: the middle one of them, whichever end the chain begins at. */
+/* The first segment with points on both sides of the line; points on it count as on its right. */
+static size_t first_crossed(const struct mpm_crack_chain *chain, const struct mpm_crack_part *part,
+                            const double particle[2], const double node[2])
+{
+    const bool right = beside_line(chain, part->first, particle, node) <= 0.0;
+    size_t k = part->first + 1;
+    while (k < part->end && (beside_line(chain, k, particle, node) <= 0.0) == right)
+        k++;
+    return k - 1;
+}
+
+/* A line that is steeper than all segments crosses one. */
+static bool crosses_one(const struct mpm_crack_part *part, const double particle[2],
+                        const double node[2])
+{
+    const double x = node[0] - particle[0], y = node[1] - particle[1];
+    return fabs(part->normal[0] * x + part->normal[1] * y) >
+           part->steepest * fabs(part->normal[1] * x - part->normal[0] * y);
+}
+
+/* Of several the middle one, whichever end the chain begins at. */
 static size_t middle_crossed(const struct mpm_crack_chain *chain, const struct mpm_crack_part *part,
                              const double particle[2], const double node[2])
 {
@@ -280,7 +310,8 @@ static enum mpm_crack_side side_by_line(const struct mpm_crack_chain *chain,
     if ((first > 0.0) == (last > 0.0))
         return MPM_CRACK_SAME_SIDE;
     if (segment != NULL)
-        *segment = middle_crossed(chain, part, particle, node);
+        *segment = crosses_one(part, particle, node) ? first_crossed(chain, part, particle, node)
+                                                     : middle_crossed(chain, part, particle, node);
     return mpm_crack_part_distance(part, particle) > 0.0 ? MPM_CRACK_ABOVE : MPM_CRACK_BELOW;
 }
 

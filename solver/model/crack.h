@@ -47,6 +47,7 @@ struct mpm_crack_part {
     /* all points lie within `thickness` of the line normal . x = offset from the first point to
      * the last; the normal points to the left. Infinite: no line is near to all. */
     double normal[2], offset, thickness;
+    double steepest; /* the largest slope of a segment against that line */
     /* Its points lie on one line to the last bit, in order along this axis; -1: they do not. */
     int straight_axis;
 };

@@ -53,7 +53,7 @@ struct mpm_cracks {
     uint8_t *passes;     /* per crack: bits of the axes across which it passes such planes */
     struct mpm_crack_image *images;
     size_t image_count;
-    double least_mass;   /* of a node that moves cracks; see mpm_cracks_advance */
+    double least_mass; /* of a node that moves cracks; see mpm_cracks_advance */
     struct mpm_crack_openings openings;
     double widest[2]; /* reach of the largest undeformed domain */
     /* Of the step */

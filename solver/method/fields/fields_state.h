@@ -24,11 +24,11 @@ struct mpm_bands {
 
 /* A field of a node besides its own. */
 struct mpm_additional_field {
-    uint32_t node; /* the parent's place in `nodes` */
-    uint8_t key;   /* of its owner: 1..keys */
-    uint8_t held;  /* bits of the components that conditions hold */
-    uint8_t free;  /* bits of the axes across which it is on a free surface, where its parent is on
-                    * a plane of symmetry */
+    uint32_t node;  /* the parent's place in `nodes` */
+    uint8_t key;    /* of its owner: 1..keys */
+    uint8_t held;   /* bits of the components that conditions hold */
+    uint8_t free;   /* bits of the axes across which it is on a free surface, where its parent is on
+                     * a plane of symmetry */
     uint8_t passes; /* bits of the axes across which it has images beyond planes of symmetry */
 };
 

@@ -41,8 +41,8 @@ struct mpm_symmetry_image {
 int mpm_symmetry_images(const struct mpm_state *state, int64_t node,
                         struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES]);
 
-/* Where a crack passes a plane: calls `visit` for each node with packed fields beyond it and the one
- * that it is an image of; and for each such node on the plane, `beyond` being NULL. */
+/* Where a crack passes a plane: calls `visit` for each node with packed fields beyond it and the
+ * one that it is an image of; and for each such node on the plane, `beyond` being NULL. */
 typedef void mpm_symmetry_visit(struct mpm_state *state, int axis,
                                 const struct mpm_field_node *inside,
                                 const struct mpm_field_node *beyond, const void *context);

@@ -2,6 +2,7 @@
  * far apart as the same particles are without cracks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "model/crack.h"
 #include "suites.h"
 #include "support/combinations.h"
 #include "support/crack_block.h"
@@ -212,6 +213,33 @@ START_TEST(the_area_of_a_cell_is_halved_where_a_node_sees_half_of_it)
 }
 END_TEST
 
+/* ------------------------------------------------------------------- normals */
+
+/* The normal at a node is that of the segment that the line from the particle crosses: of three and
+ * of five the middle one, whichever end the chain begins at, by segments and by the part's line. */
+enum { ZIGZAG = 6 };
+
+START_TEST(a_line_that_crosses_several_segments_has_the_middle_one_from_both_ends)
+{
+    static const struct {
+        double particle[2], node[2];
+        size_t segment;
+    } lines[] = {{{0, 1}, {3.25, 1.25}, 1}, {{0, 1}, {5, 1}, 2}, {{5, 1.25}, {1.75, 1.25}, 3}};
+    double x[2][ZIGZAG] = {{0, 1, 2, 3, 4, 5}, {5, 4, 3, 2, 1, 0}};
+    double y[2][ZIGZAG] = {{0, 2, 0, 2, 0, 2}, {2, 0, 2, 0, 2, 0}};
+    const double slacks[] = {HUGE_VAL, 1e-12};
+    for (int k = 0; k < 2; k++)
+        for (int s = 0; s < 2; s++) {
+            const struct mpm_crack_chain chain = {.x = x[k], .y = y[k], .count = ZIGZAG};
+            const struct mpm_crack_part part = mpm_crack_part_of(&chain, 0, ZIGZAG - 1, slacks[s]);
+            size_t segment = SIZE_MAX;
+            ck_assert(mpm_crack_part_side(&chain, &part, lines[_i].particle, lines[_i].node,
+                                          &segment) != MPM_CRACK_SAME_SIDE);
+            ck_assert_uint_eq(k == 0 ? segment : ZIGZAG - 2 - segment, lines[_i].segment);
+        }
+}
+END_TEST
+
 Suite *suite_crack_detection(void)
 {
     Suite *suite = suite_create("crack_detection");
@@ -224,5 +252,9 @@ Suite *suite_crack_detection(void)
     tcase_add_loop_test(at_edges, the_area_of_a_cell_is_halved_where_a_node_sees_half_of_it, 0,
                         G_N_ELEMENTS(edges));
     suite_add_tcase(suite, at_edges);
+    TCase *normals = tcase_create("normals");
+    tcase_add_loop_test(
+        normals, a_line_that_crosses_several_segments_has_the_middle_one_from_both_ends, 0, 3);
+    suite_add_tcase(suite, normals);
     return suite;
 }

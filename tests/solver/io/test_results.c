@@ -433,7 +433,8 @@ START_TEST(history_rows_read_back_as_the_same_bits)
     size_t rows = 0; /* read before the file is closed: rows reach the system at once */
     double(*values)[TEST_HISTORY_COLUMNS] = test_results_history(test_results.folder, &rows);
     ck_assert_uint_eq(rows, 1);
-    ck_assert_mem_eq(values[0], expected, sizeof expected);
+    for (int k = 0; k < TEST_HISTORY_COLUMNS; k++)
+        ck_assert_double_eq(values[0][k], expected[k]);
     g_free(values);
     mpm_history_free(history);
 }

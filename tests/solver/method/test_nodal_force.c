@@ -71,8 +71,8 @@ START_TEST(a_linear_force_along_z_accelerates_each_particle_by_its_value)
 END_TEST
 
 #define HELD_FLOOR                                                                                 \
-    "boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, "                                 \
-    "velocity: [free, '0.02*sin(2*t)']}]"
+    ("boundary=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, "                                \
+     "velocity: [free, '0.02*sin(2*t)']}]")
 
 /* With each exchange of a step. A force that varies in time alone is the same both ways. */
 static const char *const exchanges[] = {

@@ -147,31 +147,6 @@ START_TEST(a_line_crosses_as_drawn_and_a_chain_turned_round_swaps_the_sides)
 }
 END_TEST
 
-/* Three and five segments are crossed: the normal is that of the middle one from either end. */
-START_TEST(a_line_that_crosses_several_segments_has_the_middle_one_from_both_ends)
-{
-    static const struct {
-        double particle[2], node[2];
-        size_t segment;
-    } lines[] = {{{0, 1}, {3.25, 1.25}, 1}, {{0, 1}, {5, 1}, 2}, {{5, 1.25}, {1.75, 1.25}, 3}};
-    struct chain chain, turned;
-    place(&chain, CHAINS[3].count, CHAINS[3].points);
-    reverse(&chain, &turned);
-    const size_t end = chain.chain.count - 1;
-    for (int slack = 0; slack < 2; slack++) {
-        const struct chain *const chains[2] = {&chain, &turned};
-        for (int k = 0; k < 2; k++) {
-            const struct mpm_crack_part part =
-                mpm_crack_part_of(&chains[k]->chain, 0, end, slack == 0 ? HUGE_VAL : SLACK);
-            size_t segment = SIZE_MAX;
-            ck_assert(mpm_crack_part_side(&chains[k]->chain, &part, lines[_i].particle,
-                                          lines[_i].node, &segment) != MPM_CRACK_SAME_SIDE);
-            ck_assert_uint_eq(k == 0 ? segment : end - 1 - segment, lines[_i].segment);
-        }
-    }
-}
-END_TEST
-
 /* By whole numbers, quarter turns and doubling: nothing is rounded. */
 START_TEST(a_line_crosses_alike_wherever_all_of_it_is_moved)
 {
@@ -511,8 +486,6 @@ Suite *suite_crack_line(void)
     const int lines = G_N_ELEMENTS(LINES);
     tcase_add_loop_test(sides, a_line_crosses_as_drawn_and_a_chain_turned_round_swaps_the_sides, 0,
                         lines);
-    tcase_add_loop_test(
-        sides, a_line_that_crosses_several_segments_has_the_middle_one_from_both_ends, 0, 3);
     tcase_add_loop_test(sides, a_line_crosses_alike_wherever_all_of_it_is_moved, 0, lines);
     tcase_add_loop_test(sides, the_normal_points_from_above_to_below_whatever_the_particle, 0, 2);
     tcase_add_loop_test(sides, lines_cross_as_exact_integers_say, 0, 4);
