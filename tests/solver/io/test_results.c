@@ -428,11 +428,11 @@ START_TEST(history_rows_read_back_as_the_same_bits)
     struct mpm_history *history = NULL;
     ck_assert_int_eq(mpm_history_create(test_results.folder, test_results.scene, &history, NULL),
                      MPM_OK);
-    ck_assert_int_eq(mpm_history_write(history, &ledger, NULL, NULL), MPM_OK);
-    ck_assert_int_eq(mpm_history_write(history, &ledger, NULL, NULL), MPM_OK); /* again: no row */
+    for (int k = 0; k < 2; k++) /* the second time: no row */
+        ck_assert_int_eq(mpm_history_write(history, &ledger, NULL, NULL), MPM_OK);
     size_t rows = 0; /* read before the file is closed: rows reach the system at once */
     double(*values)[TEST_HISTORY_COLUMNS] = test_results_history(test_results.folder, &rows);
-    ck_assert_uint_eq(rows, 1);
+    ck_assert(rows == 1 && values != NULL);
     for (int k = 0; k < TEST_HISTORY_COLUMNS; k++)
         ck_assert_double_eq(values[0][k], expected[k]);
     g_free(values);
