@@ -6,7 +6,7 @@ set xlabel 'time'
 set ylabel 'length grown (cells)'
 set xrange [380:640]
 set yrange [0:14]
-set key top left
+set key bottom right
 file(v) = data.'/data-'.v.'-growth.dat'
 plot file('growth') using 1:3 with lines ls 1 title 'where J is the toughness', \
      file('growth') using 1:2 with points ls 2 title 'the tip'

@@ -5,7 +5,7 @@ set output output
 set xlabel 'time (periods)'
 set ylabel 'amplitude over start'
 set xrange [0:4]
-set yrange [-1:1.1]
+set yrange [-1:2]
 file(v) = data.'/data-'.v.'-amplitude.dat'
 plot file('nodes_musl') using ($1/32):($2/1e-7) with lines ls 2 title 'one rate', \
      file('cosine_nodes_musl') using ($1/32):($2/1e-7) with lines ls 3 title 'most in the middle', \
