@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/cracks/crack_contact.h"
+#include "method/cracks/crack_detection.h"
 #include "method/cracks/crack_fields.h"
 #include "simulation/simulation.h"
 
@@ -164,6 +165,19 @@ static enum mpm_status hold_points(struct mpm_simulation *simulation,
     return MPM_OK;
 }
 
+/* Between a body and its image beyond the one plane, contact is not folded across the other. */
+static enum mpm_status check_contact(const struct mpm_state *state, struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = state->scene;
+    for (size_t k = 0; k < scene->crack_count; k++)
+        if (state->cracks.passes[k] != 0 && mpm_crack_has_contact(scene, k) &&
+            state->cracks.held[mpm_crack_first_point(state, k)] != 0)
+            return mpm_scene_error(error, scene, scene->cracks[k].line, "cracks.contact",
+                                   "contact of a crack that lies on a plane of symmetry and passes "
+                                   "another one; allowed: none");
+    return MPM_OK;
+}
+
 enum mpm_status mpm_symmetries_fill(struct mpm_simulation *simulation, struct mpm_error *error)
 {
     struct mpm_state *const state = &simulation->state;
@@ -171,5 +185,5 @@ enum mpm_status mpm_symmetries_fill(struct mpm_simulation *simulation, struct mp
         MPM_TRY(find_inside(simulation, &state->symmetries.planes[k], error));
         MPM_TRY(hold_points(simulation, &state->symmetries.planes[k], error));
     }
-    return MPM_OK;
+    return check_contact(state, error);
 }

@@ -158,8 +158,8 @@ static void clear_fields(struct mpm_state *state)
 }
 
 /* Names the crack before each of the particle's additional fields. The first and the last one do
- * not depend on the order of the particles. A crack lies on a plane of symmetry as a whole, or not
- * at all. */
+ * not depend on the order of the particles. The first point of a crack is on a plane of symmetry
+ * only if all are. */
 static void name_cracks(struct mpm_state *state, size_t place)
 {
     const struct mpm_field_use *const use = &state->fields.uses[place];

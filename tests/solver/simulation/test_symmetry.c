@@ -217,6 +217,10 @@ static const struct {
     {"boundary: [{region: {line: {from: [3, 0], to: [3, 12]}}, symmetry: true}]\n"
      "cracks: [{points: [[0, 5.5], [4.5, 5.5]]}]\n",
      "a crack that meets the plane of symmetry at 3"},
+    {"boundary: [{region: {line: {from: [3, 0], to: [3, 12]}}, symmetry: true}, {region: {line: "
+     "{from: [0, 3.2], to: [14, 3.2]}}, symmetry: true}]\n"
+     "cracks: [{points: [[0, 3.2], [7, 3.2]]}]\n",
+     "cracks.contact: contact of a crack that lies on a plane of symmetry and passes another one"},
     {"boundary: [{region: {line: {from: [6, 0], to: [6, 12]}}, symmetry: true}]\n",
      "bodies on both sides of the plane at 6; allowed: on one"},
 };
