@@ -29,17 +29,14 @@ def nodes_of(region, positions, cell):
             (positions <= corners.max(axis=0) + slack)).all(axis=1)
 
 
-def reaches(case, plane, axis):
-    """Has a crack a point on the plane x_axis = plane, or points on both sides?"""
-    for crack in case.cracks:
-        heights = [point[axis] - plane for point in crack["points"]]
-        if min(heights) <= 1e-6 * min(case.cell) and max(heights) >= -1e-6 * min(case.cell):
-            return True
-    return False
+def lies_on(case, plane, axis):
+    """Are all points of a crack on the plane x_axis = plane?"""
+    return any(all(abs(point[axis] - plane) <= 1e-6 * min(case.cell) for point in crack["points"])
+               for crack in case.cracks)
 
 
 def prescribed(case):
-    """Conditions of the scene: region, component, expression. A plane of symmetry that a crack reaches
+    """Conditions of the scene: region, component, expression. A plane of symmetry that a crack lies on
     gives none: surfaces of that crack are free there."""
     found = []
     if case.axisymmetric and case.method["axis"] == "truncated":
@@ -49,7 +46,7 @@ def prescribed(case):
         if drives is None:
             ends = boundary["region"]["line"]
             normal = int(ends["from"][0] != ends["to"][0])
-            if not reaches(case, ends["from"][normal], normal):
+            if not lies_on(case, ends["from"][normal], normal):
                 drives = [0 if k == normal else "free" for k in range(2)]
         found += [(boundary["region"], k, drive) for k, drive in enumerate(drives or [])
                   if drive != "free"]
@@ -73,7 +70,7 @@ def inside_planes(case, places):
 def conditions_hold_at_every_node(case):
     """In every step nodes with mass, in each of their velocity fields, move particles with the velocity that
     a boundary gives them, at the end of the step or, with midpoint, in the mean; none goes across a plane of
-    symmetry that no crack reaches, whose additional fields would be free there (symmetry.h); v_r = 0
+    symmetry that no crack lies on, whose additional fields would be free there (symmetry.h); v_r = 0
     at r = 0 with functions that are cut off there. Nodes beyond a plane follow those they are images
     of. Some units of the last digit of velocities and of
     accelerations times the step are left."""

@@ -9,6 +9,14 @@ const char *const test_shapes[TEST_SHAPES] = {MPM_SHAPES(NAME)};
 const char *const test_geometry_names[TEST_GEOMETRIES] = {"plane_strain", "plane_stress",
                                                           "axisymmetric"};
 const char *const test_orders[TEST_ORDERS] = {"usl", "musl", "usf", "usavg"};
+const char *const test_exchanges[TEST_EXCHANGES] = {
+    "method.transfer={kind: flip, fraction: 0.95}",
+    "method.transfer={kind: xpic, order: 3}",
+    "method.transfer={kind: fmpm, order: 2}",
+    "method.transfer={kind: apic}",
+    "method.form=momentum",
+    "damping={particle: '0.2+0*x', grid: 0.1}",
+};
 
 struct test_combination test_combination(int index)
 {

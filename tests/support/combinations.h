@@ -21,6 +21,10 @@ extern const char *const test_shapes[TEST_SHAPES];
 extern const char *const test_geometry_names[TEST_GEOMETRIES];
 extern const char *const test_orders[TEST_ORDERS];
 
+/* How particles and grid exchange, and what damps: settings of one key each. */
+enum { TEST_EXCHANGES = 6 };
+extern const char *const test_exchanges[TEST_EXCHANGES];
+
 struct test_combination {
     const char *shape, *geometry, *order;
     bool axisymmetric;

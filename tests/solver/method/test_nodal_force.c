@@ -75,24 +75,23 @@ END_TEST
      "velocity: [free, '0.02*sin(2*t)']}]")
 
 /* With each exchange of a step. A force that varies in time alone is the same both ways. */
-static const char *const exchanges[] = {
-    "method.transfer={kind: flip, fraction: 0.95}",
-    "method.transfer={kind: xpic, order: 3}",
-    "method.transfer={kind: fmpm, order: 2}",
-    "method.transfer={kind: apic}",
-    "method.form=momentum",
-    "damping={particle: '0.2+0*x', grid: 0.1}",
+static const char *const others[] = {
     "damping={grid: 0.2, grid_form: particles, pic: 0.9}",
     HELD_FLOOR,
     "boundary=[{region: {line: {from: [3, 0], to: [3, 12]}}, symmetry: true}]",
 };
-enum { EXCHANGES = G_N_ELEMENTS(exchanges) };
+enum { EXCHANGES = TEST_EXCHANGES + G_N_ELEMENTS(others) };
+
+static const char *exchange_of(int index)
+{
+    return index < TEST_EXCHANGES ? test_exchanges[index] : others[index - TEST_EXCHANGES];
+}
 
 START_TEST(a_force_that_does_not_vary_in_space_is_the_same_at_the_nodes)
 {
     const struct mpm_simulation_options options = {.threads = 1};
-    const char *const uniform[] = {exchanges[_i], "loads.body_force=[0, '-0.08*cos(3*t)']", NULL};
-    const char *const nodal[] = {exchanges[_i], "loads.body_force=[0, '-0.08*cos(3*t)+0*x']",
+    const char *const uniform[] = {exchange_of(_i), "loads.body_force=[0, '-0.08*cos(3*t)']", NULL};
+    const char *const nodal[] = {exchange_of(_i), "loads.body_force=[0, '-0.08*cos(3*t)+0*x']",
                                  AT_NODES, NULL};
     const struct kernel_side sides[2] = {{uniform, options}, {nodal, options}};
     struct kernel_pair pair = kernel_pair_open_text(BLOCK, sides);
@@ -104,8 +103,8 @@ END_TEST
 
 START_TEST(its_work_is_in_the_energy)
 {
-    const char *const settings[] = {exchanges[_i], "loads.body_force=[0, '-0.05*sin(y)']", AT_NODES,
-                                    "output={energy_balance: true}", NULL};
+    const char *const settings[] = {exchange_of(_i), "loads.body_force=[0, '-0.05*sin(y)']",
+                                    AT_NODES, "output={energy_balance: true}", NULL};
     struct test_run run = test_run_open(BLOCK, settings, 1);
     const struct mpm_ledger start = test_run_ledger(&run);
     test_run_steps(&run, STEPS);

@@ -33,18 +33,13 @@ static void uniform_force(void *context, double time, size_t count, const uint32
 static const struct mpm_body_force UNIFORM = {uniform_force, NULL};
 static const char UNIFORM_SETTING[] = "loads={body_force: ['0.03*cos(3*t)', -0.08]}";
 
-/* Besides families, geometries and orders: how particles and grid exchange, and what damps. */
-static const char *const exchanges[] = {
-    "method.transfer={kind: flip, fraction: 0.95}",
-    "method.transfer={kind: xpic, order: 3}",
-    "method.transfer={kind: fmpm, order: 2}",
-    "method.transfer={kind: apic}",
-    "method.form=momentum",
-    "damping={particle: '0.2+0*x', grid: 0.1}",
-    "damping={pic: 0.9}",
-};
+/* Besides families, geometries and orders: exchanges, and PIC damping. */
+static const char *exchange_of(int index)
+{
+    return index < TEST_EXCHANGES ? test_exchanges[index] : "damping={pic: 0.9}";
+}
 enum {
-    EXCHANGES = G_N_ELEMENTS(exchanges),
+    EXCHANGES = TEST_EXCHANGES + 1,
     KERNEL_SETS = 2,
 };
 
@@ -77,7 +72,7 @@ END_TEST
 
 START_TEST(a_callers_force_is_added_in_every_exchange_and_under_damping)
 {
-    const char *settings[] = {exchanges[_i], "method.shape=bspline2", NULL};
+    const char *settings[] = {exchange_of(_i), "method.shape=bspline2", NULL};
     struct kernel_pair pair = open_pair(settings, MPM_KERNELS_AUTO);
     test_soft_block_assert_alike(&pair, 20);
 }

@@ -181,6 +181,39 @@ START_TEST(half_a_block_with_a_crack_past_its_plane_is_half_of_the_whole)
 }
 END_TEST
 
+#define PLANE_ACROSS_Y "{region: {line: {from: [0, 5.6], to: [14, 5.6]}}, symmetry: true}"
+#define PLANE_ACROSS_X "{region: {line: {from: [6, 0], to: [6, 12]}}, symmetry: true}"
+
+/* On one plane and past another: a centre crack. */
+START_TEST(a_quarter_of_a_block_with_a_centre_crack_is_half_of_the_half)
+{
+    static const char *const models[2][3] = {
+        {"boundary=[" PLANE_ACROSS_Y "]", "{from: [3, 5.6], to: [9, 8]}",
+         "[[3.45, 5.6], [6, 5.6], [8.55, 5.6]]"},
+        {"boundary=[" PLANE_ACROSS_Y ", " PLANE_ACROSS_X "]", "{from: [6, 5.6], to: [9, 8]}",
+         "[[1.2, 5.6], [3.45, 5.6], [6, 5.6], [8.55, 5.6]]"}};
+    struct test_run runs[2];
+    for (int k = 0; k < 2; k++) {
+        struct settings settings = crack_block_method(_i);
+        settings_add(&settings, "bodies.block.velocity=['0.3*sin(2*(x-6))*cos(y-5.6)', "
+                                "'0.4*cos(x-6)*(0.5+sin(2*(y-5.6)))']");
+        settings_add(&settings, "time={end: 1000, step: 0.02}");
+        settings_add(&settings, models[k][0]);
+        settings_add_formatted(&settings, "bodies.block.region.rectangle=%s", models[k][1]);
+        settings_add_formatted(&settings, "cracks=[{points: %s, contact: none}]", models[k][2]);
+        runs[k] = crack_block_open(&settings);
+    }
+    struct crack_block_start start = crack_block_start(&runs[0]);
+    for (int k = 0; k < 2; k++)
+        test_run_steps(&runs[k], 30);
+    if (!crack_block_amplifies(_i))
+        assert_half_of(&runs[0], &runs[1], &start, 0, 6.0);
+    crack_block_start_free(&start);
+    for (int k = 0; k < 2; k++)
+        test_run_close(&runs[k]);
+}
+END_TEST
+
 START_TEST(a_crack_past_a_plane_goes_with_every_transfer)
 {
     const int scene = _i / TRANSFERS_COUNT / CRACK_BLOCK_METHODS;
@@ -247,6 +280,8 @@ Suite *suite_symmetry(void)
     TCase *halves = tcase_create("halves");
     tcase_add_loop_test(halves, half_a_block_with_a_crack_past_its_plane_is_half_of_the_whole, 0,
                         CRACK_BLOCK_METHODS * PASSING_COUNT * SURFACES_COUNT);
+    tcase_add_loop_test(halves, a_quarter_of_a_block_with_a_centre_crack_is_half_of_the_half, 0,
+                        CRACK_BLOCK_METHODS);
     tcase_add_loop_test(halves, a_crack_past_a_plane_goes_with_every_transfer, 0,
                         CRACK_BLOCK_METHODS * PASSING_COUNT * TRANSFERS_COUNT);
     tcase_add_loop_test(halves, half_a_block_with_its_plane_of_symmetry_is_half_of_the_whole, 0,
