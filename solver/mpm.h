@@ -13,7 +13,9 @@
 #ifndef MPM_H
 #define MPM_H
 
+#include "mpm_contact.h"
 #include "mpm_dimension.h"
+#include "mpm_fracture.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -46,6 +48,7 @@ enum mpm_cause {
     MPM_CAUSE_DAMPING,
     MPM_CAUSE_CRACK,
     MPM_CAUSE_J_INTEGRAL,
+    MPM_CAUSE_CONTACT,
     MPM_CAUSE_NOT_AT_REST,
     MPM_CAUSE_COUNT,
 };
@@ -313,7 +316,10 @@ struct mpm_ledger {
     /* Of cohesive cracks since t = 0; 0 without: what their tractions give back as the openings go
      * to zero, and what they do not. */
     double cohesive_stored, cohesive_dissipated;
-    double total_energy; /* kinetic + strain + dissipation + cohesive energies */
+    /* Of contact between bodies since t = 0; 0 without: what interfaces have stored, and what
+     * contact has dissipated. */
+    double contact_stored, contact_dissipated;
+    double total_energy; /* kinetic + strain + dissipation + cohesive + contact energies */
     /* With output.energy_balance, else 0: what went from particles to nodes and back without
      * arriving, and what contact of cracks took, since t = 0. The change of total_energy plus both
      * is external_work, to round-off; either may be negative. */
@@ -347,7 +353,6 @@ struct mpm_quantity_info {
 size_t mpm_scene_crack_quantity_count(const struct mpm_scene *scene);
 struct mpm_quantity_info mpm_scene_crack_quantity(const struct mpm_scene *scene, size_t index);
 double mpm_simulation_crack_quantity(const struct mpm_simulation *simulation, size_t index);
-
 /* How near to rest a scene with time.rest is after the last step; both 1 before the first. */
 struct mpm_rest {
     bool asked;
@@ -369,28 +374,21 @@ bool mpm_simulation_at_rest(const struct mpm_simulation *simulation, struct mpm_
 /* Has the residual neither fallen by 10 % nor been below its bound for time.rest.patience steps? */
 bool mpm_simulation_stagnates(const struct mpm_simulation *simulation);
 
-/* The J integral at a tip of a crack, as `j_integral` of the scene defines it, and what follows
- * from it. Components along 1, the direction in which the crack would grow straight on, and along
- * 2, on the left of it; both in the undeformed body. */
-struct mpm_j_integral {
-    size_t crack;
-    bool at_start;              /* of the chain, else at its end */
-    double tip[2];              /* where it is */
-    double direction[2];        /* 1 */
-    double j[2];                /* J_1, the energy released per area of growth, and J_2 */
-    double stress_intensity[2]; /* K_I, above 0 where it opens, and K_II; both 0 unless J_1 > 0 */
-    double grown;               /* length that the tip has grown by */
-    double dissipated;          /* toughness times area of that growth: thickness, or per radian;
-                                   part of no sum of energies: growth releases it into waves */
-};
+/* Has the tip ended that the J integral of that index lets grow? Only then *end is its end and the
+ * message one line about it. */
+bool mpm_simulation_tip_end(const struct mpm_simulation *simulation, size_t index,
+                            struct mpm_tip_end *end, char message[MPM_MESSAGE_SIZE]);
 
 /* How many the scene has, crack by crack in its order. */
 size_t mpm_scene_j_integral_count(const struct mpm_scene *scene);
 
-/* The one of that index, in the state after the last step. MPM_RUN_FAILED, with the reason: its
- * contour leaves the bodies or the grid, meets another material or another crack, or does not meet
- * its own once. Works in scratch memory of the simulation: not for several threads at a time. Cost:
- * one test of each particle, two stencils of those near the contour. */
+/* The one of that index, in the state after the last step. Its J and K are not numbers once its tip
+ * has ended, and in scenes with a crack that grows while its contour meets or surrounds another
+ * crack, or meets its own more than once. MPM_RUN_FAILED, with the reason: its contour leaves the
+ * bodies or the grid, meets another material, or does not meet its own crack; in scenes without
+ * growth also those meetings with cracks. Works in scratch memory of the simulation: not for
+ * several threads at a time. Cost: one test of each particle, two stencils of those near the
+ * contour. */
 enum mpm_status mpm_simulation_j_integral(const struct mpm_simulation *simulation, size_t index,
                                           struct mpm_j_integral *value, struct mpm_error *error);
 
@@ -403,9 +401,9 @@ struct mpm_phases {
 };
 void mpm_simulation_phases(const struct mpm_simulation *simulation, struct mpm_phases *phases);
 const char *mpm_simulation_kernels(const struct mpm_simulation *simulation); /* "fast", ... */
-/* Particles that the last step took with the reference kernels amid fast ones: those with nodes on
- * both sides of a crack, and few between them. 0 where all particles take one set. */
-size_t mpm_simulation_general_particles(const struct mpm_simulation *simulation);
+/* Particles of the last step with additional velocity fields in their stencils: those with nodes on
+ * both sides of a crack. */
+size_t mpm_simulation_field_particles(const struct mpm_simulation *simulation);
 const char *mpm_simulation_simd(const struct mpm_simulation *simulation); /* "x86-64-v3", ... */
 /* Threads that steps use: as many as the options allow and there is work for at the start. */
 int mpm_simulation_threads(const struct mpm_simulation *simulation);
@@ -420,7 +418,8 @@ struct mpm_run_options {
     /* Called after each step, if not NULL; `fraction` of the run done, 0..1. */
     void (*progress)(void *context, double fraction, const struct mpm_simulation *simulation);
     /* Called with the same context, if not NULL, for warnings of a run that goes on:
-     * advice before the first step, growing energy when it is first seen. run.json lists both. */
+     * advice before the first step, growing energy when it is first seen, tips of cracks that have
+     * ended. run.json lists them. */
     void (*warn)(void *context, const char *warning);
     void *progress_context;
 };

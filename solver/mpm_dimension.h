@@ -13,6 +13,8 @@ struct mpm_dimension {
 /* clang-format off */
 #define MPM_DIMENSION_NONE             {.length = 0}
 #define MPM_DIMENSION_LENGTH           {.length = 1}
+#define MPM_DIMENSION_AREA             {.length = 2}
+#define MPM_DIMENSION_FORCE            {.length = 1, .mass = 1, .time = -2}
 #define MPM_DIMENSION_VOLUME           {.length = 3}
 #define MPM_DIMENSION_MASS             {.mass = 1}
 #define MPM_DIMENSION_TIME             {.time = 1}

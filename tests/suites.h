@@ -18,8 +18,11 @@
     SUITE(kernel_bits)                                                                             \
     SUITE(energy_balance)                                                                          \
     SUITE(j_integral)                                                                              \
+    SUITE(j_refusals)                                                                              \
     SUITE(damping)                                                                                 \
     SUITE(crack_growth)                                                                            \
+    SUITE(grown_surfaces)                                                                          \
+    SUITE(crack_ends)                                                                              \
     SUITE(score)                                                                                   \
     SUITE(user_force)                                                                              \
     SUITE(loads)                                                                                   \
@@ -54,7 +57,10 @@
     SUITE(edges)                                                                                   \
     SUITE(shapes)                                                                                  \
     SUITE(exact)                                                                                   \
+    SUITE(contact_solutions)                                                                       \
     SUITE(fracture)                                                                                \
+    SUITE(interface)                                                                               \
+    SUITE(contact_states)                                                                          \
     SUITE(static_states)                                                                           \
     SUITE(jets)                                                                                    \
     SUITE(manufactured)                                                                            \
@@ -77,6 +83,10 @@
     SUITE(scene_limits)                                                                            \
     SUITE(scene_materials)                                                                         \
     SUITE(scene_cracks)                                                                            \
+    SUITE(contact_solve)                                                                           \
+    SUITE(contact_points)                                                                          \
+    SUITE(body_contact)                                                                            \
+    SUITE(scene_contact)                                                                           \
     SUITE(crack_line)                                                                              \
     SUITE(cracks)                                                                                  \
     SUITE(crack_detection)                                                                         \

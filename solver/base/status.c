@@ -30,6 +30,8 @@ static const struct mpm_cause_info causes[MPM_CAUSE_COUNT] = {
                            "a rate of damping that the time step does not allow"},
     [MPM_CAUSE_CRACK] = {"crack", "crack beyond what can be tracked",
                          "a crack that is stretched, grown or near others too far"},
+    [MPM_CAUSE_CONTACT] = {"contact", "contact failed",
+                           "bodies share more nodes than there is room for"},
     [MPM_CAUSE_J_INTEGRAL] = {"no_j_integral", "J integral without a value",
                               "a contour that left its body or meets another crack"},
     [MPM_CAUSE_NOT_AT_REST] =

@@ -23,6 +23,7 @@ struct run {
     double history_instant, snapshot_instant; /* number of the last one passed */
     struct mpm_run_record record;
     char *growth_warning; /* NULL until it was given */
+    bool *tip_told;       /* per J integral of the scene: has the end of its tip been reported? */
 };
 
 static double seconds_now(void)
@@ -88,6 +89,20 @@ static void warn_of_growth(struct run *run)
         "the work since have put in; the run goes on up to 10 times",
         growth.step, growth.time, growth.factor);
     warn(run, run->growth_warning);
+}
+
+/* Each once. */
+static void warn_of_tips(struct run *run)
+{
+    const size_t count = mpm_scene_j_integral_count(run->scene);
+    for (size_t k = 0; k < count; k++) {
+        struct mpm_tip_end end;
+        char message[MPM_MESSAGE_SIZE];
+        if (run->tip_told[k] || !mpm_simulation_tip_end(run->simulation, k, &end, message))
+            continue;
+        run->tip_told[k] = true;
+        warn(run, message);
+    }
 }
 
 static enum mpm_status write_history(struct run *run, struct mpm_error *error)
@@ -240,6 +255,7 @@ static enum mpm_status march(struct run *run, struct mpm_error *error)
             return keep_last_good_state(run, written, error);
         MPM_TRY(written);
         warn_of_growth(run);
+        warn_of_tips(run);
         report_progress(run);
     }
     return check_rest(run, error);
@@ -292,6 +308,7 @@ enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_ru
 {
     struct mpm_error failure = {.status = MPM_OK};
     struct run run = {.scene = scene, .options = options};
+    run.tip_told = g_new0(bool, mpm_scene_j_integral_count(scene) + 1);
     enum mpm_status status = MPM_OK;
     if (options->output != NULL)
         status = mpm_results_folder_check(options->output, options->overwrite, &failure);
@@ -300,6 +317,7 @@ enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_ru
     if (status == MPM_OK)
         status = write_record(&run, march(&run, &failure), &failure);
     g_free(run.growth_warning);
+    g_free(run.tip_told);
     mpm_history_free(run.history);
     mpm_series_free(run.series);
     mpm_simulation_free(run.simulation);

@@ -69,7 +69,8 @@ static double before_less_after(struct mpm_state *state)
 
 static bool measures_contact(const struct mpm_state *state)
 {
-    return state->energy.measured && state->fields.node_count > 0;
+    return state->energy.measured &&
+           (state->fields.node_count > 0 || state->contact.node_count > 0);
 }
 
 void mpm_energy_before_contact(struct mpm_state *state)

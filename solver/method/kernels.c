@@ -2,7 +2,6 @@
 #include "method/kernels.h"
 
 #include "method/fast/fast.h"
-#include "method/fields/split.h"
 #include "method/grid/grid_update.h"
 #include "method/transfer/transfer.h"
 #include "method/transfer/transfers.h"
@@ -54,10 +53,11 @@ static void choose_reference(const struct mpm_scene *scene, const char *reason,
     choose_transfer(scene, false, choice);
 }
 
-/* Planes of symmetry need masses of nodes before velocities are made of them. */
+/* Planes of symmetry and contact between bodies need masses of nodes before velocities are made of
+ * them. */
 static bool reads_masses(const struct mpm_scene *scene)
 {
-    bool any = false;
+    bool any = scene->contact.field_count > 0;
     for (size_t k = 0; k < scene->boundary_count; k++)
         any = any || scene->boundaries[k].symmetry;
     return any;
@@ -80,12 +80,6 @@ static enum mpm_status choose_fast(const struct mpm_scene *scene, bool packed_fi
                              "simd: %s is not what this build and this machine have; allowed: "
                              "auto, baseline",
                              simd_names[simd]);
-    if (packed_fields) {
-        choice->plain = choice->passes;
-        choice->general = reference_passes(scene);
-        choice->passes = &mpm_split_passes;
-        choice->reason = "all features of the scene have them; reference kernels near cracks";
-    }
     if (without_forces && (packed_fields || reads_masses(scene))) {
         choice->gather_rows = mpm_row_gather_mass;
         choice->start_rows = mpm_row_start_velocity;

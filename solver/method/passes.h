@@ -32,8 +32,6 @@ struct mpm_state;
 /* What a simulation was created with. */
 struct mpm_kernel_choice {
     const struct mpm_passes *passes;
-    /* Of scenes whose passes are mpm_split_passes; else NULL. */
-    const struct mpm_passes *plain, *general;
     mpm_pass *gather_rows; /* makes masses whole where to_grid leaves them in pieces; or NULL */
     mpm_pass *start_rows;  /* Task 2, velocities of the nodes from what to_grid leaves there */
     /* What transfers other than FLIP do to nodes and particles before to_particles, in this

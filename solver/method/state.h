@@ -6,6 +6,7 @@
 #ifndef MPM_METHOD_STATE_H
 #define MPM_METHOD_STATE_H
 
+#include "method/contact/body_contact_state.h"
 #include "method/cracks/cracks_state.h"
 #include "method/energy_balance_state.h"
 #include "method/fields/fields_state.h"
@@ -93,6 +94,13 @@ enum mpm_body_force_kind {
     MPM_NODAL_BODY_FORCE,   /* in space, taken at the nodes: nodal_force.h */
 };
 
+/* Where some particles were, so many steps after the last sort, or -1: anywhere. Those that cannot
+ * have come near marked cells since then are not looked at. */
+struct mpm_chunk_hull {
+    double low[2], high[2]; /* along y: for chunks near them; else low > high */
+    int step;
+};
+
 struct mpm_state {
     const struct mpm_scene *scene;
     const struct mpm_stress_order *order;
@@ -113,6 +121,7 @@ struct mpm_state {
     int64_t first_row, last_row; /* active rows */
     uint32_t *sort_counts;
     double sort_size[2]; /* reach of the smallest domain */
+    double widest[2];    /* reach of the largest undeformed domain */
 
     struct mpm_conditions conditions;
     struct mpm_vector_field body_force;
@@ -124,6 +133,8 @@ struct mpm_state {
     struct mpm_edge_loads edge_loads;
     struct mpm_fields fields;
     struct mpm_cracks cracks;
+    struct mpm_chunk_hull *nearby; /* per chunk of a strip's particles; see nearby.h; or NULL */
+    struct mpm_body_contact contact;
     struct mpm_symmetries symmetries;
 
     const struct mpm_projection *projection; /* of the pass that runs */

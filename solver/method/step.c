@@ -2,6 +2,7 @@
 #include "method/step.h"
 
 #include "base/strips.h"
+#include "method/contact/body_contact.h"
 #include "method/cracks/cohesive_traction.h"
 #include "method/cracks/crack_contact.h"
 #include "method/cracks/crack_detection.h"
@@ -17,6 +18,7 @@
 #include "method/loads/nodal_force.h"
 #include "method/loads/rest.h"
 #include "method/loads/user_force.h"
+#include "method/transfer/nearby.h"
 #include "method/transfer/transfer.h"
 
 #include <math.h>
@@ -87,6 +89,7 @@ void mpm_step_sort(struct mpm_state *state, unsigned char *saved, double seconds
         strip->end = p;
     }
     mpm_edge_loads_place(state);
+    mpm_nearby_forget(state);
     run_particles(state, state->workers, mpm_pass_measure);
     state->strips_touch_when_sorted = strips_touch(state);
     state->steps_since_sort = 0;
@@ -95,6 +98,7 @@ void mpm_step_sort(struct mpm_state *state, unsigned char *saved, double seconds
 
 void mpm_step_recompute(struct mpm_state *state)
 {
+    mpm_nearby_forget(state);
     run_particles(state, state->workers, state->kernels.passes->recompute);
     run_particles(state, state->workers, mpm_pass_measure);
 }
@@ -169,7 +173,7 @@ static enum mpm_status begin(struct mpm_state *state, int workers, bool uniform_
 }
 
 /* Task 1: mass and momentum of the nodes (26); with the stress at hand also Task 3 */
-static void spread(struct mpm_state *state, int workers)
+static enum mpm_status spread(struct mpm_state *state, int workers, struct mpm_error *error)
 {
     run_particles(state, workers, state->kernels.passes->to_grid);
     mpm_user_force_spread(state, workers);
@@ -177,6 +181,7 @@ static void spread(struct mpm_state *state, int workers)
         mpm_grid_rows_run(state, state->kernels.gather_rows);
     mpm_crack_detection_measure(state, workers);
     mpm_symmetries_reflect_momentum(state);
+    return mpm_body_contact_begin(state, workers, error);
 }
 
 /* Task 6 for MUSL and USAVG: velocities of the momentum extrapolated again (31), conditions */
@@ -186,6 +191,7 @@ static void finish_extrapolation(struct mpm_state *state)
     mpm_grid_rows_run(state, mpm_row_extrapolated_velocity);
     mpm_conditions_apply_extrapolated(state);
     mpm_crack_contact_resolve(state, MPM_EXCHANGE_EXTRAPOLATED);
+    mpm_body_contact_resolve(state, MPM_EXCHANGE_EXTRAPOLATED);
     mpm_mirrors_apply_extrapolated(state);
 }
 
@@ -200,6 +206,7 @@ static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_for
     mpm_conditions_apply_end(state);
     mpm_energy_before_contact(state);
     mpm_crack_contact_resolve(state, MPM_EXCHANGE_END);
+    mpm_body_contact_resolve(state, MPM_EXCHANGE_END);
     mpm_energy_after_contact(state);
     mpm_mirrors_apply_end(state);
     if (uniform_force)
@@ -233,8 +240,10 @@ static enum mpm_status start_velocities(struct mpm_state *state, struct mpm_erro
 {
     mpm_grid_rows_run(state, state->kernels.start_rows);
     MPM_TRY(mpm_conditions_gather(state, error));
+    MPM_TRY(mpm_body_contact_hold(state, error));
     mpm_conditions_apply_start(state);
     mpm_crack_contact_resolve(state, MPM_EXCHANGE_START);
+    mpm_body_contact_resolve(state, MPM_EXCHANGE_START);
     mpm_mirrors_apply_start(state);
     return mpm_crack_openings_begin(state, error);
 }
@@ -262,7 +271,7 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     MPM_TRY(begin(state, workers, uniform_force, error));
     charge(seconds, MPM_PHASE_GRID, &mark);
 
-    spread(state, workers);
+    MPM_TRY(spread(state, workers, error));
     charge(seconds, MPM_PHASE_TO_GRID, &mark);
 
     MPM_TRY(start_velocities(state, error));

@@ -23,12 +23,11 @@ enum mpm_particle_use {
     MPM_USE_RIGID = 2,
     MPM_USE_ALL = MPM_USE_DEFORMABLE | MPM_USE_RIGID,
     MPM_USE_APIC = 4,
-    MPM_USE_DOMAINS = 8,      /* F changes while domains must not */
-    MPM_USE_ORIGINS = 16,     /* see crack_detection.h */
-    MPM_USE_KEPT_STRESS = 32, /* stress is not a function of F to the last bit */
-    MPM_USE_LAW_STATE = 64,   /* laws with state variables */
-    MPM_USE_USER_FORCE = 128,
-    MPM_USE_DRAG = 256, /* damping at the particles */
+    MPM_USE_DOMAINS = 8,    /* F changes while domains must not */
+    MPM_USE_ORIGINS = 16,   /* see crack_detection.h */
+    MPM_USE_LAW_STATE = 32, /* laws with state variables */
+    MPM_USE_USER_FORCE = 64,
+    MPM_USE_DRAG = 128, /* damping at the particles */
 };
 
 /* State variables of a law, at most: two tensors of four components and two scalars. */
@@ -58,8 +57,7 @@ enum { MPM_LAW_STATES = 10 };
         "mass, for the thickness or per radian")
 #define MPM_INNER_PARTICLE_FIELDS(ROW)                                                             \
     ROW(STRESS, double, stress, [MPM_SYMMETRIC_SIZE], SPECIFIC_ENERGY, MPM_USE_DEFORMABLE,         \
-        MPM_USE_KEPT_STRESS | MPM_USE_LAW_STATE, 0, "kirchhoff_stress",                            \
-        "Kirchhoff stress over initial density")                                                   \
+        MPM_USE_LAW_STATE, 0, "kirchhoff_stress", "Kirchhoff stress over initial density")         \
     ROW(AFFINE, double, affine, [4], AREA_RATE, MPM_USE_APIC, MPM_USE_APIC, 0, "affine",           \
         "xx xy yx yy; see method/transfer/affine.h")                                               \
     ROW(DOMAIN, double, domain, [4], LENGTH, MPM_USE_DOMAINS, 0, 0, "domain",                      \

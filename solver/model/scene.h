@@ -9,6 +9,7 @@
 
 #include "base/status.h"
 #include "model/cohesive.h"
+#include "model/contact.h"
 #include "model/material.h"
 
 enum { MPM_NAME_SIZE = 257 }; /* names up to 64 characters of UTF-8 */
@@ -266,6 +267,7 @@ struct mpm_scene {
     enum mpm_crack_method crack_method;
     struct mpm_crack_spec *cracks;
     size_t crack_count;
+    struct mpm_contact_spec contact;
     struct mpm_j_integral_spec *j_integrals; /* of all cracks, crack by crack */
     size_t j_integral_count;
 

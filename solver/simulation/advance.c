@@ -127,16 +127,9 @@ const char *mpm_simulation_kernels(const struct mpm_simulation *simulation)
     return simulation->state.kernels.name;
 }
 
-size_t mpm_simulation_general_particles(const struct mpm_simulation *simulation)
+size_t mpm_simulation_field_particles(const struct mpm_simulation *simulation)
 {
-    const struct mpm_state *const state = &simulation->state;
-    size_t count = 0;
-    for (int64_t s = 0; state->kernels.plain != NULL && s < state->strip_count; s++) {
-        const struct mpm_span *const spans = mpm_field_spans(state, s);
-        for (size_t k = 0; k < state->strips[s].span_count; k++)
-            count += spans[k].end - spans[k].begin;
-    }
-    return count;
+    return simulation->state.fields.use_count;
 }
 
 const char *mpm_simulation_simd(const struct mpm_simulation *simulation)

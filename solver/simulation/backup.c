@@ -18,6 +18,20 @@ static void copy_points(struct mpm_simulation *simulation, bool back)
                    cracks->point_count * sizeof(double));
 }
 
+/* What contact between bodies has added up. */
+static void copy_contact(struct mpm_simulation *simulation, bool back)
+{
+    const struct mpm_body_contact *const contact = &simulation->state.contact;
+    struct mpm_backup *const backup = &simulation->backup;
+    const size_t pairs = simulation->scene->contact.pair_count;
+    if (pairs == 0)
+        return;
+    memcpy(back ? contact->totals : backup->contact_totals,
+           back ? backup->contact_totals : contact->totals, pairs * sizeof *contact->totals);
+    memcpy(back ? contact->samples : backup->contact_samples,
+           back ? backup->contact_samples : contact->samples, pairs * sizeof *contact->samples);
+}
+
 void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena)
 {
     struct mpm_backup *const backup = &simulation->backup;
@@ -26,6 +40,9 @@ void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *aren
         MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&simulation->state.particles));
     backup->rigid = MPM_TAKE(arena, unsigned char, mpm_particles_kept_bytes(&rigid));
     mpm_growth_layout(simulation, arena);
+    const size_t pairs = simulation->scene->contact.pair_count;
+    backup->contact_totals = MPM_TAKE(arena, struct mpm_contact_totals, pairs);
+    backup->contact_samples = MPM_TAKE(arena, struct mpm_contact_sample, pairs);
     const size_t all = simulation->state.cracks.point_count;
     const size_t followed = mpm_openings_points(&simulation->state);
     const size_t cohesive = mpm_scene_is_cohesive(simulation->scene) ? followed : 0;
@@ -41,6 +58,7 @@ void mpm_backup_save(struct mpm_simulation *simulation)
     const struct mpm_particles rigid = mpm_rigid_particles_set(&state->rigid);
     mpm_particles_keep(&rigid, backup->rigid);
     copy_points(simulation, false);
+    copy_contact(simulation, false);
     mpm_growth_save(simulation);
     backup->time = state->time;
     backup->external_work = state->external_work;
@@ -60,6 +78,7 @@ static void copy_back(struct mpm_simulation *simulation)
     mpm_particles_put_back(&state->particles, backup->particles);
     mpm_particles_put_back(&rigid, backup->rigid);
     copy_points(simulation, true);
+    copy_contact(simulation, true);
     mpm_growth_restore(simulation);
     state->time = backup->time;
     state->external_work = backup->external_work;

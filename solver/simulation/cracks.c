@@ -1,6 +1,8 @@
 /* Cracks: settled when the simulation is created.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/cracks/crack_contact.h"
+#include "method/cracks/crack_detection.h"
 #include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_map.h"
 #include "simulation/crack_points.h"
@@ -15,6 +17,13 @@ static size_t count_with_room(const struct mpm_scene *scene, size_t crack)
 {
     return mpm_crack_points_place(scene, &scene->cracks[crack], NULL, NULL) +
            mpm_crack_room(scene, crack, true) + mpm_crack_room(scene, crack, false);
+}
+
+/* Points of the scene's chain, with those. */
+static size_t undeformed_count(const struct mpm_scene *scene, size_t crack)
+{
+    return scene->cracks[crack].point_count + mpm_crack_room(scene, crack, true) +
+           mpm_crack_room(scene, crack, false);
 }
 
 /* Nodes around each segment, twice of it for what cracks grow, and no more than there are of them
@@ -45,12 +54,6 @@ static void place_cracks(struct mpm_state *state)
 {
     struct mpm_cracks *const cracks = &state->cracks;
     size_t first = 0;
-    for (size_t k = 0; k < state->scene->body_count; k++) {
-        double reach[2];
-        mpm_shape_reach(state->family, &state->shape_grid, state->bodies[k].half_size, reach);
-        for (int axis = 0; axis < 2; axis++)
-            cracks->widest[axis] = fmax(cracks->widest[axis], reach[axis]);
-    }
     mpm_crack_map_fill(state);
     for (size_t k = 0; k < state->scene->crack_count; k++) {
         const struct mpm_crack_spec *const spec = &state->scene->cracks[k];
@@ -61,6 +64,23 @@ static void place_cracks(struct mpm_state *state)
         cracks->chains[k].y = y;
         cracks->chains[k].count = mpm_crack_points_place(state->scene, spec, x, y);
         first += count_with_room(state->scene, k);
+    }
+}
+
+/* As the scene gives them. */
+static void place_undeformed(struct mpm_state *state)
+{
+    struct mpm_cracks *const cracks = &state->cracks;
+    size_t first = 0;
+    for (size_t k = 0; cracks->undeformed != NULL && k < state->scene->crack_count; k++) {
+        const struct mpm_crack_spec *const spec = &state->scene->cracks[k];
+        const size_t place = first + mpm_crack_room(state->scene, k, true);
+        for (size_t i = 0; i < spec->point_count; i++)
+            for (int axis = 0; axis < 2; axis++)
+                cracks->origin[axis][place + i] = spec->points[i][axis];
+        cracks->undeformed[k] = (struct mpm_crack_chain){
+            cracks->origin[0] + place, cracks->origin[1] + place, spec->point_count};
+        first += undeformed_count(state->scene, k);
     }
 }
 
@@ -111,6 +131,14 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
     cracks->chains = MPM_TAKE(arena, struct mpm_crack_chain, state->scene->crack_count);
     for (int axis = 0; axis < 2; axis++)
         cracks->position[axis] = MPM_TAKE(arena, double, cracks->point_count);
+    if (mpm_crack_detection_needs_surfaces(state->scene)) {
+        size_t count = 0;
+        for (size_t k = 0; k < state->scene->crack_count; k++)
+            count += undeformed_count(state->scene, k);
+        cracks->undeformed = MPM_TAKE(arena, struct mpm_crack_chain, state->scene->crack_count);
+        for (int axis = 0; axis < 2; axis++)
+            cracks->origin[axis] = MPM_TAKE(arena, double, count);
+    }
     cracks->held = MPM_TAKE(arena, uint8_t, cracks->point_count);
     cracks->passes = MPM_TAKE(arena, uint8_t, state->scene->crack_count);
     cracks->images = MPM_TAKE(arena, struct mpm_crack_image,
@@ -118,12 +146,14 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
     mpm_crack_map_layout(state, nodes_around(state, state->scene->crack_count), arena);
     state->fields.use_capacity = particles_listed(state);
     mpm_crack_fields_layout(state, arena);
+    mpm_crack_contact_layout(state, arena);
 }
 
 void mpm_cracks_fill(struct mpm_state *state)
 {
     if (state->cracks.point_count > 0) {
         place_cracks(state);
+        place_undeformed(state);
         state->cracks.least_mass = 1e-3 * mpm_lightest_particle(&state->particles);
     }
     keep_origins(state);

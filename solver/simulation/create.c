@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/strips.h"
+#include "method/contact/body_contact.h"
 #include "method/cracks/crack_detection.h"
 #include "method/fields/fields.h"
 #include "method/kernels.h"
 #include "method/loads/nodal_force.h"
 #include "method/transfer/law_state.h"
+#include "method/transfer/nearby.h"
 #include "method/transfer/transfer.h"
 #include "method/transfer/transfers.h"
 #include "model/fill.h"
@@ -105,8 +107,9 @@ static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulatio
     unsigned uses = MPM_USE_DEFORMABLE;
     uses |= keeps_domains(&simulation->state) ? MPM_USE_DOMAINS : 0;
     uses |= mpm_transfer_of(scene->transfer)->carries;
-    uses |= mpm_crack_detection_needs_surfaces(scene) ? MPM_USE_ORIGINS : 0;
-    uses |= simulation->state.fields.keys > 0 ? MPM_USE_KEPT_STRESS : 0; /* see split.h */
+    uses |= mpm_crack_detection_needs_surfaces(scene) || mpm_contacts_have_interfaces(scene)
+                ? MPM_USE_ORIGINS
+                : 0;
     uses |= simulation->state.damping.particles ? MPM_USE_DRAG : 0;
     const size_t law_states = mpm_law_states_of(scene);
     uses |= law_states > 0 ? MPM_USE_LAW_STATE : 0;
@@ -134,6 +137,9 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     mpm_damping_layout(state, arena);
     mpm_edge_loads_layout(state, arena);
     mpm_cracks_layout(state, arena);
+    mpm_body_contact_layout(state, arena);
+    if (state->fields.keys > 0 || mpm_body_contact_is_used(state))
+        mpm_nearby_layout(state, arena);
     mpm_fields_layout(state, arena);
     mpm_j_integrals_layout(simulation, arena);
     mpm_openings_layout(state, arena);
@@ -160,10 +166,13 @@ static void add_body_size(struct mpm_state *state, size_t body)
 {
     double reach[2];
     mpm_shape_reach(state->family, &state->shape_grid, state->bodies[body].half_size, reach);
-    for (int axis = 0; axis < 2; axis++)
-        if (state->deformable_bodies == 0 || reach[axis] < state->sort_size[axis])
+    for (int axis = 0; axis < 2; axis++) {
+        state->widest[axis] = fmax(state->widest[axis], reach[axis]);
+        if (!state->scene->bodies[body].rigid &&
+            (state->deformable_bodies == 0 || reach[axis] < state->sort_size[axis]))
             state->sort_size[axis] = reach[axis];
-    state->deformable_bodies++;
+    }
+    state->deformable_bodies += !state->scene->bodies[body].rigid;
 }
 
 static void describe_bodies(struct mpm_simulation *simulation)
@@ -172,9 +181,9 @@ static void describe_bodies(struct mpm_simulation *simulation)
     struct mpm_state *const state = &simulation->state;
     for (size_t k = 0; k < scene->body_count; k++) {
         mpm_body_half_size(scene, &state->grid, k, state->bodies[k].half_size);
+        add_body_size(state, k);
         if (scene->bodies[k].rigid)
             continue;
-        add_body_size(state, k);
         const struct mpm_material_spec *const spec = &scene->materials[scene->bodies[k].material];
         state->bodies[k].material = mpm_material_make(spec->law, spec->density, spec->parameter);
     }
@@ -398,6 +407,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     struct mpm_fill_counts counts;
     describe_method(simulation, options->threads);
     mpm_cracks_create(state);
+    mpm_contacts_create(state);
     MPM_TRY(mpm_kernels_choose(scene, state->fields.keys > 0, options, &state->kernels, error));
     MPM_TRY(create_expressions(simulation, error));
     MPM_TRY(mpm_bodies_count(scene, &state->grid, &counts, error));
@@ -420,6 +430,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     mpm_law_states_begin(state);
     MPM_TRY(mpm_edge_loads_fill(simulation, error));
     mpm_cracks_fill(state);
+    mpm_contacts_fill(state);
     MPM_TRY(mpm_symmetries_fill(simulation, error));
     MPM_TRY(mpm_openings_fill(simulation, error));
     MPM_TRY(set_velocities(simulation, error));

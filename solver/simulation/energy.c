@@ -98,13 +98,14 @@ static double total_energy(struct mpm_simulation *simulation,
                            void (*strain_energy)(void *context, int64_t strip, int worker))
 {
     struct mpm_state *const state = &simulation->state;
-    double stored, dissipated, strain = 0.0;
+    double stored, dissipated, in_contact, by_contact, strain = 0.0;
     mpm_strips_run(state->strip_count, state->workers, strain_energy, state);
     for (int64_t s = 0; s < state->strip_count; s++)
         strain += state->strips[s].strain_energy;
     mpm_cohesive_energies(state, &stored, &dissipated);
+    mpm_contact_energies(state, &in_contact, &by_contact);
     return mpm_kinetic_energy(state) + strain + state->damping.totals.dissipated + stored +
-           dissipated;
+           dissipated + in_contact + by_contact;
 }
 
 static uint32_t fastest_particle(const struct mpm_particles *particles)

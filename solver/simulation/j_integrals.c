@@ -4,6 +4,7 @@
 #include "simulation/simulation.h"
 
 #include <math.h>
+#include <stdint.h>
 
 void mpm_j_integrals_layout(struct mpm_simulation *simulation, struct mpm_arena *arena)
 {
@@ -61,6 +62,30 @@ enum mpm_status mpm_j_integrals_fill(struct mpm_simulation *simulation, struct m
     return MPM_OK;
 }
 
+static bool has_growth(const struct mpm_scene *scene)
+{
+    for (size_t k = 0; k < scene->j_integral_count; k++)
+        if (scene->j_integrals[k].growth.toughness > 0.0)
+            return true;
+    return false;
+}
+
+/* Not numbers where growth has brought the tip and another crack together. */
+static enum mpm_status find_value(const struct mpm_simulation *simulation, size_t index,
+                                  struct mpm_j_value *value, struct mpm_error *error)
+{
+    const double none = (double)NAN;
+    const bool has_ended = simulation->tips[index].end.reason != MPM_TIP_GOES_ON;
+    const enum mpm_status status =
+        has_ended ? MPM_OK : mpm_j_integral_evaluate(simulation, index, value, error);
+    if (has_ended ||
+        (status == MPM_RUN_FAILED && value->met != SIZE_MAX && has_growth(simulation->scene))) {
+        *value = (struct mpm_j_value){.j = {none, none}, .stress_intensity = {none, none}};
+        return MPM_OK;
+    }
+    return status;
+}
+
 enum mpm_status mpm_simulation_j_integral(const struct mpm_simulation *simulation, size_t index,
                                           struct mpm_j_integral *value, struct mpm_error *error)
 {
@@ -70,7 +95,7 @@ enum mpm_status mpm_simulation_j_integral(const struct mpm_simulation *simulatio
                              simulation->scene->j_integral_count);
     const struct mpm_j_integral_spec *const spec = &simulation->scene->j_integrals[index];
     const struct mpm_crack_tip *const tip = &simulation->tips[index];
-    MPM_TRY(mpm_j_integral_evaluate(simulation, index, &found, error));
+    MPM_TRY(find_value(simulation, index, &found, error));
     *value = (struct mpm_j_integral){
         .crack = spec->crack,
         .at_start = spec->at_start,

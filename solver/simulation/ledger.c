@@ -45,11 +45,14 @@ void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_l
         add_particle(simulation, p, ledger);
     mpm_cohesive_energies(&simulation->state, &ledger->cohesive_stored,
                           &ledger->cohesive_dissipated);
+    mpm_contact_energies(&simulation->state, &ledger->contact_stored, &ledger->contact_dissipated);
     ledger->total_energy = ledger->kinetic_energy + ledger->strain_energy +
                            ledger->damping_dissipation + ledger->cohesive_stored +
-                           ledger->cohesive_dissipated;
+                           ledger->cohesive_dissipated + ledger->contact_stored +
+                           ledger->contact_dissipated;
     if (energy->measured) {
-        ledger->contact_loss = energy->contact;
+        ledger->contact_loss =
+            energy->contact - ledger->contact_stored - ledger->contact_dissipated;
         ledger->transfer_loss = energy->lost + energy->internal_work -
                                 (ledger->strain_energy - simulation->strain_start) -
                                 ledger->cohesive_stored - ledger->cohesive_dissipated;

@@ -77,6 +77,16 @@ static enum mpm_status add_segment(const struct mpm_state *state, size_t crack, 
     return MPM_OK;
 }
 
+void mpm_openings_grow(struct mpm_state *state, size_t crack, size_t added,
+                       const double undeformed[2][2])
+{
+    const double *const from = undeformed[0], *const to = undeformed[1];
+    const double width = state->scene->geometry == MPM_AXISYMMETRIC ? 0.5 * (from[0] + to[0])
+                                                                    : state->scene->thickness;
+    if (state->scene->cracks[crack].cohesive.law != NULL)
+        state->cracks.openings.area[added] = hypot(to[0] - from[0], to[1] - from[1]) * width;
+}
+
 /* ------------------------------------------------------------------ filling */
 
 /* Is there no body a little beyond the ends? */

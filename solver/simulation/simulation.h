@@ -14,11 +14,12 @@
 struct mpm_crack_tip {
     struct mpm_j_tip undeformed;
     double grown, dissipated; /* length, energy */
+    struct mpm_tip_end end;   /* of the one integral that lets the tip grow */
 };
 
-/* Points of a chain: the first one's place among all, and how many. */
-struct mpm_chain_extent {
-    size_t first, count;
+/* Where chains of points are now and in the undeformed body. */
+struct mpm_chain_extents {
+    struct mpm_crack_chain now, undeformed;
 };
 
 /* Of the points of cracks: x, y, both components of the opening, the largest opening. */
@@ -31,9 +32,11 @@ struct mpm_backup {
     unsigned char *rigid;
     double *crack_points[MPM_CRACK_ARRAYS];
     struct mpm_crack_tip *tips; /* these and the extents of chains: with J integrals */
-    struct mpm_chain_extent *extents;
+    struct mpm_chain_extents *extents;
     double time, external_work, largest_work, sudden_energy, wave_speed;
     struct mpm_damping_totals damping;
+    struct mpm_contact_totals *contact_totals; /* per pair of fields */
+    struct mpm_contact_sample *contact_samples;
     struct mpm_energy_balance energy;
     uint64_t step;
     double time_steps[MPM_STEPS_BETWEEN_SORTS]; /* of the steps since, */
@@ -144,7 +147,8 @@ enum mpm_status mpm_symmetries_fill(struct mpm_simulation *simulation, struct mp
  * contour is not one. */
 void mpm_j_integrals_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);
 enum mpm_status mpm_j_integrals_fill(struct mpm_simulation *simulation, struct mpm_error *error);
-/* The value of one now; MPM_RUN_FAILED with MPM_CAUSE_J_INTEGRAL where it has none. */
+/* The value of one now; MPM_RUN_FAILED with MPM_CAUSE_J_INTEGRAL where it has none: value->met is
+ * the crack that its contour meets or surrounds, its own one more than once, or SIZE_MAX. */
 enum mpm_status mpm_j_integral_evaluate(const struct mpm_simulation *simulation, size_t index,
                                         struct mpm_j_value *value, struct mpm_error *error);
 
@@ -154,13 +158,28 @@ size_t mpm_openings_points(const struct mpm_state *state);
  * cohesive crack that passes the edge of a body between two points. */
 void mpm_openings_layout(struct mpm_state *state, struct mpm_arena *arena);
 enum mpm_status mpm_openings_fill(struct mpm_simulation *simulation, struct mpm_error *error);
+/* Contact between bodies: claims layers, before the grid's memory is taken; fills what the layout
+ * has taken. */
+void mpm_contacts_create(struct mpm_state *state);
+void mpm_contacts_fill(struct mpm_state *state);
+/* Follows a pair the jump of displacement? Particles carry their place at t = 0 then. */
+bool mpm_contacts_have_interfaces(const struct mpm_scene *scene);
+/* What interfaces have stored, and contact has dissipated. */
+void mpm_contact_energies(const struct mpm_state *state, double *stored, double *dissipated);
+
+/* The point that a crack has grown by, with a segment of which the ends were there in the
+ * undeformed body. Points of which nothing has been made yet are closed, with a law that has not
+ * been opened. The area of the segment is that of the new point alone: half of it with the last
+ * point, which has opened already, would be given a work that no traction has done. */
+void mpm_openings_grow(struct mpm_state *state, size_t crack, size_t added,
+                       const double undeformed[2][2]);
 /* MPM_BAD_INPUT: a cohesive law stiffer than the first time step can follow. */
 enum mpm_status mpm_openings_check_start(const struct mpm_simulation *simulation,
                                          struct mpm_error *error);
 
-/* crack_growth.c: points that a chain may get at one of its ends; growth after a step,
- * MPM_RUN_FAILED where J has no value or there is no room; what of it a step changes, saved and put
- * back. */
+/* crack_growth.c: points that a chain may get at one of its ends; growth after a step, or its end
+ * at a crack; MPM_RUN_FAILED where J has no value for another reason, or there is no room; what of
+ * it a step changes, saved and put back. */
 size_t mpm_crack_room(const struct mpm_scene *scene, size_t crack, bool at_start);
 enum mpm_status mpm_cracks_grow(struct mpm_simulation *simulation, struct mpm_error *error);
 void mpm_growth_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);

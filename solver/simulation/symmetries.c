@@ -70,7 +70,7 @@ static enum mpm_status find_inside(const struct mpm_simulation *simulation,
  * stretched. */
 static double reach_across(const struct mpm_state *state, const struct mpm_symmetry *plane)
 {
-    return state->cracks.widest[plane->axis] + 2.0 * state->grid.cell[plane->axis];
+    return state->widest[plane->axis] + 2.0 * state->grid.cell[plane->axis];
 }
 
 /* A crack that passes the plane: at one of its ends, straight across within reach of particles'

@@ -133,8 +133,8 @@ class Case:
 
     @property
     def touching(self):
-        """Has a crack contact?"""
-        return any(crack.get("contact", "frictionless") != "none" for crack in self.cracks)
+        """Is there contact, of cracks or of bodies?"""
+        return "contact" in self.scene or any(crack.get("contact", "frictionless") != "none" for crack in self.cracks)
 
     @property
     def crowded(self):

@@ -16,7 +16,7 @@ passes a node's line by round-off alone is strained as one that passes it by mor
 few digits or none, is in the result. So UNIT/d is allowed as well. MUSL extrapolates again from the
 particles, whose velocities are bounded: there nothing is.
 
-**Switches.** Contact of cracks is a decision at each node. Where the shaken scene moves as far as the
+**Switches.** Contact is a decision at each node. Where the shaken scene moves as far as the
 difference, the decision hangs by a thread, and nothing follows from it: `judged` is False.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -34,7 +34,7 @@ SLACK = 1e2
 FAINT = 1e-3  # of the wave speed: velocities below are measured by this
 NUMBERS = ("kinetic_energy", "strain_energy", "external_work", "total_energy",
            "damping_dissipation", "cohesive_stored", "cohesive_dissipated",
-           "transfer_loss", "contact_loss")
+           "transfer_loss", "contact_loss", "contact_stored", "contact_dissipated")
 
 
 class Difference:

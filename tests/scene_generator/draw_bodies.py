@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 
 from draw import ABSENT, short
+from draw_contact import place_touching
 
 
 # -------------------------------------------------------------------------- grid
@@ -17,9 +18,11 @@ def draw_cell(canvas, _):
 def draw_cells(canvas, _):
     """A grid in which a body has room to move; with a contour around a tip, a larger body."""
     if canvas.notes["fracture"]:
-        return [13, 13]
+        return [15, 13]
     if canvas.situation == "pressed":
         return [canvas.integer(10, 12), canvas.integer(12, 14)]
+    if canvas.notes["past"]:
+        return [canvas.integer(12, 13), canvas.integer(12, 13)]
     return [canvas.integer(9, 13), canvas.integer(9, 13)]
 
 
@@ -34,8 +37,8 @@ def draw_origin(canvas, _):
 
 # ---------------------------------------------------------------------- materials
 def draw_material_count(canvas):
-    """One, or two for two bodies."""
-    return canvas.integer(1, canvas.notes["bodies"])
+    """One, or two for two bodies, or three for more."""
+    return canvas.integer(1, min(3, canvas.notes["bodies"]))
 
 
 def draw_name(canvas, _):
@@ -65,6 +68,18 @@ def draw_modulus(canvas, _):
 
 
 # ------------------------------------------------------------------------- bodies
+SIDES = {"left": (0, False), "right": (0, True), "bottom": (1, False), "top": (1, True)}
+PAST_ROOM = 4  # cells beyond a plane of symmetry that a crack passes
+
+
+def draw_past_side(canvas):
+    """The side of the body with a plane of symmetry that a crack passes: along z in axisymmetry, and
+    not where a rigid body lies."""
+    sides = ["right", "left", "top", "bottom"]
+    return canvas.pick([side for side in sides[2 if canvas.axisymmetric else 0:]
+                        if side != "bottom" or not canvas.notes["rigid"]])
+
+
 def place_bodies(canvas):
     """Settles the boxes of all bodies, in cells of the refined grid counted from its first node."""
     grid, notes = canvas.scene["grid"], canvas.notes
@@ -80,13 +95,21 @@ def place_bodies(canvas):
         most = 0 if pressed or notes["fracture"] else refine
         low[k] = margin * refine + canvas.integer(0, most)
         high[k] = cells[k] - margin * refine - canvas.integer(0, most)
+    if notes["fracture"]:
+        low[0] = PAST_ROOM
+    elif notes["past"]:
+        notes["past"] = draw_past_side(canvas)
+        normal, at_end = SIDES[notes["past"]]
+        (high if at_end else low)[normal] = cells[normal] - PAST_ROOM if at_end else PAST_ROOM
     if canvas.axisymmetric and axis >= 0 and (pressed or canvas.chance(70)):
         low[0] = axis
     elif canvas.axisymmetric:
         low[0] = max(low[0], axis + 1)
     notes["axis"] = axis if canvas.axisymmetric else None
     boxes = [[low, high]]
-    if notes["bodies"] == 2:
+    if notes["contact"]:
+        boxes = place_touching(canvas, low, high, refine)
+    elif notes["bodies"] == 2:
         middle = (low[1] + high[1]) // 2
         gap = canvas.integer(0, 1)
         boxes = [[low, [high[0], middle]], [[low[0], middle + gap], high]]
@@ -144,7 +167,7 @@ def draw_rigid(canvas, key):
         return {"velocity": ["free", f"{short(rate)}*t"]}
     unit = key.child("velocity").unit
     drives = [canvas.expression(unit, 0.05), canvas.expression(unit, 0.05)]
-    free = canvas.integer(0, 2)
+    free = 0 if canvas.notes["contact"] and canvas.chance(70) else canvas.integer(0, 2)
     return {"velocity": ["free" if free == k + 1 else drives[k] for k in range(2)]}
 
 
@@ -172,7 +195,7 @@ def draw_body_region(canvas, _):
 
 def draw_lattice(canvas, _):
     """1, 2 or 3 particles along an axis of a cell."""
-    if canvas.situation == "pressed" or canvas.notes["fracture"]:
+    if canvas.situation == "pressed" or canvas.notes["fracture"] or canvas.notes.get("halves"):
         return [2, 2]
     if canvas.chance(40):
         return [canvas.integer(1, 3), canvas.integer(1, 3)]
@@ -185,8 +208,10 @@ def draw_body_velocity(canvas, key):
         return ABSENT
     speed = canvas.scale(key.unit)
     names = ["r", "z"] if canvas.axisymmetric else ["x", "y"]
-    centre = canvas.notes["centre"]
     low, high = canvas.notes["boxes"][canvas.path[-1]]
+    centre = canvas.notes["centre"]
+    if canvas.notes["contact"]:  # bodies beside each other: its own
+        centre = place(canvas, [(low[k] + high[k]) / 2 for k in range(2)])
     at_axis = canvas.axisymmetric and low[0] <= canvas.notes["axis"]
     components = []
     for k in range(2):

@@ -6,7 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import math
 
 from draw import ABSENT, short
-from draw_bodies import place
+from draw_bodies import PAST_ROOM, SIDES, place
 
 
 # ------------------------------------------------------------------------- cracks
@@ -14,7 +14,7 @@ def draw_crack_count(canvas):
     """None in half of the scenes, else one or two."""
     if not canvas.notes["cracked"]:
         return 0
-    return 1 if canvas.notes["fracture"] else canvas.pick([1, 2])
+    return canvas.pick([1, 2])
 
 
 def draw_crack_points(canvas, _):
@@ -22,6 +22,8 @@ def draw_crack_points(canvas, _):
     in any direction; the second one is beside the first, from either end. What is pressed is one and a
     half cells away or more: pairs of particles then have one crack between them."""
     low, high = canvas.notes["boxes"][0]
+    if canvas.path[-1] > 0 and canvas.notes["fracture"]:
+        return [place(canvas, point) for point in chain_ahead(canvas)]
     if canvas.path[-1] > 0:
         first = canvas.notes["chain"]
         away = canvas.pick([2, 1.5, 1.75, 2.5, 3] +
@@ -33,13 +35,18 @@ def draw_crack_points(canvas, _):
         order = reversed(first) if canvas.chance(50) else first
         return [place(canvas, [point[k] + across[k] for k in range(2)]) for point in order]
     width = [high[k] - low[k] for k in range(2)]
-    plane = plane_at(canvas, low, high)
-    if plane is not None and not canvas.notes["fracture"] and canvas.chance(60):
-        chain = chain_past(canvas, plane, low, high)
+    if canvas.notes["past"]:
+        chain = chain_past(canvas, low, high)
     elif canvas.notes["fracture"]:
         height = low[1] + width[1] // 2 + 0.4371
-        outside = 0 if canvas.axisymmetric and low[0] <= canvas.notes["axis"] else 2
-        chain = [[low[0] - outside, height], [low[0] + width[0] // 2 + 0.3419, height]]
+        outside = 2
+        if (0, low[0]) in canvas.notes.get("planes", []):
+            outside = PAST_ROOM - 0.3
+        if canvas.axisymmetric:
+            outside = min(outside, low[0] - canvas.notes["axis"])
+        chain = [[low[0] - outside, height], [low[0], height],
+                 [low[0] + width[0] // 2 + 0.3419, height]]
+        chain = chain if outside else chain[1:]
         canvas.notes["tip"] = canvas.pick(["end", "start"])
         if canvas.notes["tip"] == "start":
             chain.reverse()
@@ -48,7 +55,7 @@ def draw_crack_points(canvas, _):
         height = low[1] + width[1] // 2 + canvas.pick([0.47, 0.03, 0.37])
         reach = canvas.pick([0.4, 0.25])
         face = low[0] if canvas.axisymmetric else low[0] - 0.07
-        start = face if canvas.chance(50) else low[0] + 1.37
+        start = face if canvas.chance(50) else low[0] + 1.29  # 1.37 with 0.37: through nodes
         run = width[0] * reach
         chain = [[start, height], [start + run * math.cos(math.radians(angle)),
                                    height + run * math.sin(math.radians(angle))]]
@@ -65,33 +72,33 @@ def draw_crack_points(canvas, _):
     return [place(canvas, point) for point in chain]
 
 
-def plane_at(canvas, low, high):
-    """A plane of symmetry at a face of the body, with room on both sides for a crack that passes it:
-    its axis, where it is, and the direction towards the body."""
-    for axis, along in canvas.notes.get("planes", []):
-        inward = 1 if along <= low[axis] else -1
-        if along in (low[axis], high[axis]) and high[axis] - low[axis] >= 5 and \
-                not (canvas.axisymmetric and axis == 0):
-            return axis, along, inward
-    return None
+def chain_ahead(canvas):
+    """A chain ahead of a tip that grows, at an angle to its way, beyond the contour of two cells."""
+    tip = canvas.notes["chain"][-1 if canvas.notes["tip"] == "end" else 0]
+    angle = math.radians(canvas.pick([90, 60, 120, 45]))
+    ahead = canvas.pick([3.1, 2.6, 3.6])
+    arm = [1.2 * math.cos(angle), 1.2 * math.sin(angle)]
+    signs = canvas.pick([(-1, 1), (1, -1)])
+    return [[tip[k] + (ahead if k == 0 else 0) + sign * arm[k] for k in range(2)]
+            for sign in signs]
 
 
-def chain_past(canvas, plane, low, high):
-    """A chain straight across a plane of symmetry, from either end."""
-    axis, along, inward = plane
+def chain_past(canvas, low, high):
+    """A chain straight across the plane of symmetry that is there for it, from either end, as far
+    inside and outside as particles reach; with a point on the plane, which a cohesive crack needs."""
+    axis, at_end = SIDES[canvas.notes["past"]]
+    along, inward = (high, -1) if at_end else (low, 1)
     across = low[1 - axis] + (high[1 - axis] - low[1 - axis]) * canvas.number(0.4, 0.6, 4) + 0.0837
-    chain = [[0, 0], [0, 0]]
-    for point, depth in zip(chain, (-3.7, canvas.pick([3.6, 4.2]))):
-        point[axis], point[1 - axis] = along + inward * depth, across
+    chain = [[0, 0], [0, 0], [0, 0]]
+    for point, depth in zip(chain, (0.3 - PAST_ROOM, 0, canvas.pick([3.6, 4.2]))):
+        point[axis], point[1 - axis] = along[axis] + inward * depth, across
     if canvas.chance(50):
         chain.reverse()
     return chain
 
 
 def draw_contact(canvas, key):
-    """Any; growing cracks have none."""
-    if canvas.notes["fracture"]:
-        return "none"
+    """Any."""
     if canvas.situation == "pressed":
         return "frictionless"
     return canvas.pick(key.choices) if canvas.chance(70) else ABSENT
@@ -119,15 +126,15 @@ def draw_touching(canvas, _):
 
 
 def draw_opening(canvas, _):
-    """Not on a plane of symmetry, nor of a crack that grows."""
-    if canvas.notes["fracture"] or canvas.situation != "any":
+    """Not on a plane of symmetry."""
+    if canvas.situation != "any":
         return ABSENT
     return canvas.pick([False, True]) if canvas.chance(30) else ABSENT
 
 
 def draw_cohesive(canvas, key):
     """Strength a hundredth of the stiffest modulus, toughness above what the rise takes."""
-    if canvas.notes["fracture"] or canvas.situation != "any" or not canvas.chance(20):
+    if canvas.situation != "any" or not canvas.chance(20):
         return ABSENT
     law = canvas.pick(key.child("law").choices)
     strength = short(0.02 * canvas.scale(key.child("strength").unit))
@@ -150,7 +157,7 @@ def draw_tip(canvas, _):
 
 def draw_integral_count(canvas):
     """Of the straight crack that is there for it."""
-    return 1 if canvas.notes["fracture"] else 0
+    return 1 if canvas.notes["fracture"] and canvas.path[-1] == 0 else 0
 
 
 def draw_contour(_canvas, key):

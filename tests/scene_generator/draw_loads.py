@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 
 from draw import ABSENT, short
-from draw_bodies import place
+from draw_bodies import SIDES, place
 
 
 # ----------------------------------------------------------------------- boundary
@@ -19,30 +19,51 @@ def draw_boundaries(canvas, key):
     velocity = key.child("velocity")
     sides = ["left", "bottom", "right", "top"]
     canvas.notes["planes"] = []
-    return [draw_boundary(canvas, velocity, sides) for _ in range(count)] or ABSENT
+    planes = []
+    if canvas.notes["past"]:
+        sides.remove(canvas.notes["past"])
+        normal, at_end = SIDES[canvas.notes["past"]]
+        planes = [draw_plane(canvas, normal, canvas.notes["whole"][at_end][normal])]
+    return planes + [draw_boundary(canvas, velocity, sides) for _ in range(count)] or ABSENT
+
+
+def last_nodes(canvas):
+    """The last node of the grid along each axis, in cells of the refined grid."""
+    grid = canvas.scene["grid"]
+    return [count * grid.get("refine", 1) for count in grid["cells"]]
+
+
+def nodes_across(canvas, normal, along):
+    """Both ends of a line of nodes through the grid."""
+    ends = [[0, 0], last_nodes(canvas)]
+    ends[0][normal] = ends[1][normal] = along
+    return ends
+
+
+def draw_plane(canvas, normal, along):
+    """A plane of symmetry."""
+    canvas.notes["planes"].append((normal, along))
+    return {"region": line(canvas, nodes_across(canvas, normal, along)), "symmetry": True}
 
 
 def draw_boundary(canvas, velocity, sides):
     """One of them; each side is taken once."""
     low, high = canvas.notes["whole"]
-    grid = canvas.scene["grid"]
-    last = [count * grid.get("refine", 1) for count in grid["cells"]]
+    last = last_nodes(canvas)
     axis = canvas.notes["axis"]
     pressed = canvas.situation == "pressed"
     side = "left" if pressed else canvas.pick(sides)
     sides.remove(side)
-    normal = 0 if side in ("left", "right") else 1
-    along = (low if side in ("left", "bottom") else high)[normal]
+    normal, at_end = SIDES[side]
+    along = (high if at_end else low)[normal]
     if pressed:
         along = low[0]
     elif canvas.chance(20):
-        along = 0 if side in ("left", "bottom") else last[normal]
-    ends = [[0, 0], list(last)]
-    ends[0][normal] = ends[1][normal] = along
+        along = last[normal] if at_end else 0
+    ends = nodes_across(canvas, normal, along)
     on_axis = axis is not None and side == "left" and along <= axis
     if not pressed and not on_axis and canvas.chance(25):
-        canvas.notes["planes"].append((normal, along))
-        return {"region": line(canvas, ends), "symmetry": True}
+        return draw_plane(canvas, normal, along)
     form = 0 if pressed else canvas.integer(0, 6)
     held = canvas.integer(0, 2) if form != 0 else 0
     drives = ["free", "free"]

@@ -3,16 +3,18 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 
-from balance import (momentum_changes_by_external_forces, no_blow_up_passes_for_a_result,
-                     runs_end_as_promised, the_ledger_closes_in_every_step, work_needs_motion)
+from balance import (a_failed_run_leaves_the_step_before, momentum_changes_by_external_forces,
+                     no_blow_up_passes_for_a_result, runs_end_as_promised,
+                     the_ledger_closes_in_every_step, work_needs_motion)
 from contact import (another_crack_beside_changes_nothing, detections_agree,
                      surfaces_do_not_pass_through)
 from energy import energies_are_the_work_of_tractions
+from halves import half_is_the_whole
 from images import (bodies_in_another_order, cracks_in_another_order,
-                    fast_kernels_are_the_reference, mirrored_along_x, mirrored_along_y,
-                    moved_by_whole_cells, other_units_change_no_digit, refinement_is_a_finer_grid,
-                    thickness_scales_sums_alone, threads_and_instructions_change_no_bit,
-                    turned_by_a_right_angle)
+                    fast_kernels_are_the_reference, fields_in_another_order, mirrored_along_x,
+                    mirrored_along_y, moved_by_whole_cells, other_units_change_no_digit,
+                    refinement_is_a_finer_grid, thickness_scales_sums_alone,
+                    threads_and_instructions_change_no_bit, turned_by_a_right_angle)
 from motion import (an_unloaded_body_stays_at_rest, conditions_hold_at_every_node,
                     half_the_step_halves_the_error)
 
@@ -20,10 +22,11 @@ from motion import (an_unloaded_body_stays_at_rest, conditions_hold_at_every_nod
 ALWAYS = [runs_end_as_promised, no_blow_up_passes_for_a_result, the_ledger_closes_in_every_step,
           momentum_changes_by_external_forces, work_needs_motion]
 SOMETIMES = [moved_by_whole_cells, mirrored_along_x, mirrored_along_y, turned_by_a_right_angle,
-             bodies_in_another_order, cracks_in_another_order, fast_kernels_are_the_reference,
-             other_units_change_no_digit, thickness_scales_sums_alone, refinement_is_a_finer_grid,
+             bodies_in_another_order, cracks_in_another_order, fields_in_another_order,
+             fast_kernels_are_the_reference, other_units_change_no_digit,
+             thickness_scales_sums_alone, refinement_is_a_finer_grid,
              threads_and_instructions_change_no_bit, conditions_hold_at_every_node,
-             an_unloaded_body_stays_at_rest, half_the_step_halves_the_error,
+             half_is_the_whole, a_failed_run_leaves_the_step_before, an_unloaded_body_stays_at_rest, half_the_step_halves_the_error,
              energies_are_the_work_of_tractions, surfaces_do_not_pass_through,
              another_crack_beside_changes_nothing, detections_agree]
 ALL = {function.__name__: function for function in ALWAYS + SOMETIMES}

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 from draw import ABSENT
 import draw_bodies as bodies
+import draw_contact as contact
 import draw_cracks as cracks
 import draw_loads as loads
 import draw_method as method
@@ -14,6 +15,7 @@ LEFT_OUT = {
     "time.allow_unstable": "beyond the stability limit nothing is promised",
     "output.checkpoint": "reserved: this version writes none",
     "output.snapshots": "the first state and the last are compared; more would land steps on them",
+    "contact.normal=given": "refused: it is for pairs, each with its direction",
     "output.fringe": "a field for pictures; its values follow from the stress",
 }
 
@@ -37,7 +39,14 @@ COVERED = {
     "loads.particle_forces[].edge", "loads.particle_forces[].value",
     "loads.particle_forces[].frame", "bodies[].rigid.velocity", "damping.thermostat.gain",
     "damping.thermostat.target", "damping.thermostat.scale", "method.transfer.kind",
-    "method.transfer.fraction", "method.transfer.order",
+    "method.transfer.fraction", "method.transfer.order", "contact.fields", "contact.law",
+    "contact.normal", "contact.detection", "contact.friction", "contact.static_friction",
+    "contact.adhesion", "contact.touching", "contact.tension", "contact.compression",
+    "contact.shear", "contact.pairs", "contact.pairs[].of", "contact.pairs[].law",
+    "contact.pairs[].normal", "contact.pairs[].direction", "contact.pairs[].detection",
+    "contact.pairs[].friction", "contact.pairs[].static_friction", "contact.pairs[].adhesion",
+    "contact.pairs[].touching", "contact.pairs[].tension", "contact.pairs[].compression",
+    "contact.pairs[].shear",
 }
 
 # Groups within those of which keys that the function does not know are drawn by their kind.
@@ -54,16 +63,27 @@ FIRST = {
 }
 ALWAYS = {"method", "output", "loads", "damping"}  # groups that are left out only where empty
 
+GENERAL = ("any", "touching")  # the situations that together have all keys
+
 
 def prepare(canvas):
-    """Settles what several sections must agree on."""
+    """Settles what several sections must agree on. The situation `touching` is `any` with contact between
+    bodies, which a scene with cracks cannot have."""
     notes = canvas.notes
+    notes["contact"] = canvas.situation == "touching"
+    if notes["contact"]:
+        canvas.situation = "any"
     notes["cracked"] = canvas.situation == "pressed" or \
-        canvas.situation == "any" and canvas.chance(40)
+        canvas.situation == "any" and not notes["contact"] and canvas.chance(40)
     notes["fracture"] = notes["cracked"] and canvas.situation == "any" and canvas.chance(15)
-    notes["rigid"] = canvas.situation == "any" and canvas.chance(15)
+    notes["past"] = notes["cracked"] and canvas.situation == "any" and not notes["fracture"] and \
+        canvas.chance(25)  # a crack past a plane of symmetry
+    notes["rigid"] = canvas.situation == "any" and \
+        canvas.chance(40 if notes["contact"] else 15)
     notes["bodies"] = (2 if canvas.situation == "any" and not notes["fracture"] and
-                       canvas.chance(25) else 1)
+                       not notes["past"] and canvas.chance(25) else 1)
+    if notes["contact"]:
+        notes["bodies"] = canvas.pick([2, 2, 2, 3, 3, 4, 5])
     # Bodies as most scenes have them: filled with whole cells, in the middle of the grid.
     notes["plain"] = canvas.situation != "any" or notes["cracked"] or canvas.chance(70)
 
@@ -114,6 +134,7 @@ MEANING = {
     "cracks[].j_integral[].tip": cracks.draw_tip,
     "cracks[].j_integral[].contour": cracks.draw_contour,
     "cracks[].j_integral[].propagation": cracks.draw_propagation,
+    "contact": contact.draw_contact,
     "damping.grid": method.draw_grid_damping,
     "damping.grid_form": method.draw_grid_form,
     "damping.particle": method.draw_particle_damping,

@@ -11,6 +11,7 @@ import numpy
 import compare
 import transform
 from case import Violation, evaluate, require
+from draw import wave_speed
 from transform import Motion
 
 
@@ -115,8 +116,17 @@ def still(scene):
     return new
 
 
+def has_adhesion(case):
+    """Has contact adhesion, which closes gaps, those of round-off too?"""
+    contact = case.scene.get("contact", {})
+    return any(entry.get("adhesion", 0) > 0 for entry in [contact, *contact.get("pairs", [])])
+
+
 def an_unloaded_body_stays_at_rest(case):
-    """Without motion and loads nothing happens, to the last bit."""
+    """Without motion and loads nothing happens, to the last bit. Not judged: adhesion, which holds surfaces
+    together that are apart by round-off."""
+    if has_adhesion(case):
+        return False
     if case.plain.status != 0:
         return False
     result = case.runner.run(still(case.brief))
@@ -133,11 +143,34 @@ def an_unloaded_body_stays_at_rest(case):
 
 
 # ------------------------------------------------------------------------ time step
+def smooth_contact(contact, softest):
+    """Contact with laws that are smooth in the step: interfaces alike in all directions, whose vibrations
+    the step resolves, where there are no others, and else all bonded. (Bodies that are bonded to a
+    third one, and not to each other, are one where that has any mass: not smooth.)"""
+    entries = [contact, *contact.get("pairs", [])]
+    alike = {entry.get("law", "none") for entry in entries} <= {"none", "interface"}
+    made = []
+    for entry in entries:
+        made.append({name: entry[name] for name in ("fields", "law", "of") if name in entry})
+        if entry.get("law", "none") == "none":
+            continue
+        made[-1]["law"] = "interface" if alike else "bonded"
+        if alike:
+            stiffness = min(entry["tension"], softest)
+            made[-1] |= {"tension": stiffness, "shear": stiffness, "normal": "average"}
+    return made[0] | ({"pairs": made[1:]} if len(made) > 1 else {})
+
+
 def smooth(scene):
     """The scene without what is not smooth in the time step: cracks, which a line from a particle to a
-    node crosses or not, and mixtures of velocities, which take out energy in each step."""
+    node crosses or not, contact that opens and closes, and mixtures of velocities, which take out
+    energy in each step."""
     new = copy.deepcopy(scene)
     new.pop("cracks", None)
+    if "contact" in new:
+        softest = 0.1 * min(material["density"] * wave_speed(material) ** 2
+                            for material in new["materials"]) / max(new["grid"]["cell"])
+        new["contact"] = smooth_contact(new["contact"], softest)
     for name in ("cracks", "transfer", "form"):
         new["method"].pop(name, None)
     new.get("damping", {}).pop("pic", None)
@@ -160,8 +193,8 @@ def half_the_step_halves_the_error(case):
         scene["time"] = {"end": scene["time"]["end"], "steps": 4 * parts,
                          "step": 0.1 * min(case.cell) / speed / parts}
         next_answer = case.runner.run(scene)
-        if next_answer.status != 0:
-            return False
+        require(next_answer.status == 0,
+                f"with steps of {scene['time']['step']:.3g}: {next_answer.message}")
         if answer is not None:
             order = numpy.arange(len(answer.start.id))
             changes.append(compare.difference(answer, next_answer, order, Motion(), case.cell,

@@ -57,7 +57,7 @@ class Result:
     def __init__(self, status, message):
         self.status, self.message = status, message
         self.history, self.states, self.kernels, self.threads = {}, [], None, 0
-        self.files = {}
+        self.files, self.ended = {}, []
 
     def read(self, folder, keep_bytes):
         """Reads the results in the folder."""
@@ -68,6 +68,7 @@ class Result:
         snapshots = sorted(folder.glob("particles-*.hdf"))
         self.states = [State(path) for path in snapshots]
         record = json.loads((folder / "run.json").read_text())
+        self.ended = record["ended_tips"]
         self.kernels, self.threads = record["kernels"], record["provenance"]["threads"]
         if keep_bytes:
             self.files = {path.name: path.read_bytes()

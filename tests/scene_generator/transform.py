@@ -11,6 +11,7 @@ import numpy
 from schema import unit_exponents, visit
 
 SIZES = {"grid.cell", "grid.cells", "bodies[].particles_per_cell"}  # pairs without a place or a way
+WAYS = {"contact.pairs[].direction"}  # pairs that are vectors
 NORMALS = {"left": (-1, 0), "right": (1, 0), "bottom": (0, -1), "top": (0, 1)}
 
 
@@ -92,8 +93,12 @@ def moved(schema, scene, motion):
             return [motion.point(point) for point in value]
         if key.shape == "pair" and key.path in SIZES:
             return value[::-1] if motion.swaps else list(value)
+        if key.path in WAYS:
+            return [float(part) for part in motion.matrix @ numpy.array(value)]
         if key.shape == "pair" and key.value == "number":
             return motion.point(value)
+        if key.shape == "pair" and key.value == "name":
+            return list(value)
         if key.shape == "pair":
             return motion.components(value, names)
         if key.value in ("expression", "drive"):
@@ -176,6 +181,19 @@ def with_bodies_reversed(_, scene):
     """The same with its bodies in the other order."""
     new = copy.deepcopy(scene)
     new["bodies"].reverse()
+    return new
+
+
+def with_fields_reversed(_, scene):
+    """The same with velocity fields in the other order: bodies, materials, pairs and both of each."""
+    new = with_bodies_reversed(_, scene)
+    new["materials"].reverse()
+    pairs = new["contact"].get("pairs", [])
+    pairs.reverse()
+    for pair in pairs:
+        pair["of"].reverse()
+        if "direction" in pair:
+            pair["direction"] = [-part for part in pair["direction"]]
     return new
 
 

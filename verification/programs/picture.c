@@ -21,7 +21,8 @@ enum mpm_status picture_read(const struct measurement *measurement, struct pictu
     if (count < G_N_ELEMENTS(numbers))
         return failure_set(error, MPM_BAD_INPUT,
                            "picture: %zu numbers; allowed: \"x y x y pixel\", five", count);
-    *picture = (struct picture){{numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4]};
+    *picture = (struct picture){
+        .from = {numbers[0], numbers[1]}, .to = {numbers[2], numbers[3]}, .pixel = numbers[4]};
     return MPM_OK;
 }
 
@@ -29,9 +30,10 @@ enum mpm_status picture_read(const struct measurement *measurement, struct pictu
 static const double SWELL = 1.05;
 
 /* Rounded to single precision: what an eye can see, in files of half the size. */
-static void draw(struct raster *raster, const struct mpm_simulation *simulation,
-                 enum mpm_field field, size_t component)
+static void draw(struct raster *raster, const struct picture *picture,
+                 const struct mpm_simulation *simulation, enum mpm_field field, size_t component)
 {
+    const double aspect = picture->aspect > 0.0 ? picture->aspect : 1.0;
     const size_t n = mpm_simulation_particle_count(simulation);
     const size_t components = mpm_field_describe(field)->components;
     double *const place = g_new(double, AXES *n), *const f = g_new(double, GRADIENT *n);
@@ -42,9 +44,13 @@ static void draw(struct raster *raster, const struct mpm_simulation *simulation,
     mpm_simulation_field(simulation, field, values);
     for (size_t p = 0; p < n; p++) {
         const double *const g = &f[GRADIENT * p];
-        const double half = 0.5 * SWELL * sqrt(volume[p] / ((g[0] * g[3] - g[1] * g[2]) * g[4]));
+        /* volumes per radian grow with r, those of a slice with the stretch across */
+        const double depth = picture->axisymmetric ? place[AXES * p] : g[4];
+        const double side = sqrt(volume[p] / ((g[0] * g[3] - g[1] * g[2]) * depth));
+        const double half[AXES] = {0.5 * SWELL * side * sqrt(aspect),
+                                   0.5 * SWELL * side / sqrt(aspect)};
         raster_add(raster, &place[AXES * p],
-                   (const double[]){half * g[0], half * g[1], half * g[2], half * g[3]},
+                   (const double[]){half[0] * g[0], half[1] * g[1], half[0] * g[2], half[1] * g[3]},
                    (double)(float)values[components * p + component]);
     }
     g_free(place);
@@ -85,7 +91,7 @@ enum mpm_status picture_write(struct measurement *measurement, const struct pict
         return failure_set(error, MPM_BAD_INPUT,
                            "picture: no pixels of %g between (%g, %g) and (%g, %g)", picture->pixel,
                            picture->from[0], picture->from[1], picture->to[0], picture->to[1]);
-    draw(&raster, simulation, field, component);
+    draw(&raster, picture, simulation, field, component);
     enum mpm_status status = measurement_series(measurement, name, "pixels", raster.columns,
                                                 raster.rows, raster.values, error);
     if (status == MPM_OK)

@@ -9,6 +9,8 @@
 
 struct picture {
     double from[2], to[2], pixel;
+    bool axisymmetric; /* set by the caller, as is: width of particles over height at t = 0, 0: 1 */
+    double aspect;
 };
 
 /* The variant's parameter `picture`, "x y x y pixel": lower left and upper right corner and the
@@ -18,7 +20,7 @@ enum mpm_status picture_read(const struct measurement *measurement, struct pictu
 
 /* Writes the series <name> (a row of numbers for each row of pixels, upwards; RASTER_EMPTY where
  * there is no particle) of a component of a field, and, in scenes with cracks, <name>-cracks (x, y,
- * crack). Of planar scenes with thickness 1 and particles that were squares. */
+ * crack). Of axisymmetric scenes and planar ones with thickness 1. */
 enum mpm_status picture_write(struct measurement *measurement, const struct picture *picture,
                               const struct mpm_simulation *simulation, enum mpm_field field,
                               size_t component, const char *name, struct mpm_error *error);

@@ -1,10 +1,19 @@
-/* E2: two disks collide and part: momentum, energy, restitution, the gap they meet at.
+/* E2 and C8: two disks or spheres collide and part: momentum, energy, restitution, the gap they
+ * meet at.
+ *
+ * With the parameter `axial: 1`, for axisymmetry, where radial momenta have no balance: the drift
+ * of momentum along z. With `friction`, for disks that meet off their line with contact between
+ * them: the impulse on the first one across the line of centres at the closest distance over that
+ * along it, and how far its spin is what that impulse gives to a rigid disk.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/measures/fields.h"
+#include "verification/programs/contact/body_motion.h"
 #include "verification/programs/follow.h"
 
 #include <glib.h>
 #include <math.h>
+#include <string.h>
 
 enum { AXES = 2, BODIES = 2, COLUMNS = 5 };
 
@@ -22,6 +31,11 @@ struct study {
     double separation;  /* speed at which they part, now */
     double distance;    /* of the centres, now */
     double closest;     /* least distance so far */
+    double line[AXES];  /* unit vector from the first centre to the second at that distance */
+    double left;        /* kinetic and strain energy over that at the start, now */
+    double axial_drift; /* of momentum along y or z, so far */
+    double axial;       /* that momentum, at the start */
+    double start[AXES], now[AXES]; /* momentum of the first body */
     double contact_gap; /* between the rims when the momentum of a body first moves; NaN before */
     struct follow_rows rows;
 };
@@ -40,10 +54,11 @@ static void add_up(const struct study *study, struct body_sum sums[BODIES])
     }
 }
 
-/* Distance of the centres and the speed at which it grows. */
-static void relate(const struct body_sum sums[BODIES], double *distance, double *speed)
+/* Distance of the centres and the speed at which it grows; d: from the first to the second. */
+static void relate(const struct body_sum sums[BODIES], double d[AXES], double *distance,
+                   double *speed)
 {
-    double d[AXES], along = 0.0;
+    double along = 0.0;
     for (size_t axis = 0; axis < AXES; axis++)
         d[axis] = sums[1].place[axis] / sums[1].mass - sums[0].place[axis] / sums[0].mass;
     *distance = hypot(d[0], d[1]);
@@ -62,11 +77,21 @@ static void look(void *context, const struct mpm_simulation *simulation,
     mpm_simulation_field(simulation, MPM_FIELD_POSITION, study->position);
     mpm_simulation_field(simulation, MPM_FIELD_VELOCITY, study->velocity);
     add_up(study, sums);
-    relate(sums, &study->distance, &study->separation);
+    double between[AXES];
+    relate(sums, between, &study->distance, &study->separation);
     if (study->rows.count == 0) {
+        study->axial = ledger->momentum[1];
+        memcpy(study->start, sums[0].momentum, sizeof study->start);
         study->approach = -study->separation;
         study->energy = ledger->total_energy;
     }
+    study->left = (ledger->kinetic_energy + ledger->strain_energy) / study->energy;
+    memcpy(study->now, sums[0].momentum, sizeof study->now);
+    study->axial_drift =
+        field_larger(study->axial_drift, fabs(ledger->momentum[1] - study->axial) /
+                                             sqrt(2.0 * ledger->mass * study->energy));
+    for (size_t axis = 0; axis < AXES && study->distance < study->closest; axis++)
+        study->line[axis] = between[axis] / study->distance;
     study->closest = fmin(study->closest, study->distance);
     if (isnan(study->contact_gap) &&
         fabs(study->separation + study->approach) > MOVED * study->approach)
@@ -103,6 +128,28 @@ static void close_study(struct study *study)
     follow_rows_free(&study->rows);
 }
 
+/* Of the impulse on the first body; its spin is counted as that impulse turns it. */
+static enum mpm_status report_oblique(struct measurement *m, const struct study *study,
+                                      const struct mpm_simulation *simulation,
+                                      struct mpm_error *error)
+{
+    const double *const n = study->line;
+    const double j[AXES] = {study->now[0] - study->start[0], study->now[1] - study->start[1]};
+    const double along = -(j[0] * n[0] + j[1] * n[1]), across = n[0] * j[1] - n[1] * j[0];
+    struct body_motion body;
+    enum mpm_status status = body_motion_open(simulation, 0, &body, error);
+    if (status == MPM_OK) {
+        const double radius = 0.5 * study->diameter;
+        const double turned = 0.5 * body.mass * radius * body.angular / body.inertia;
+        measurement_report(m, "friction_angle", fabs(across) / along);
+        measurement_report(m, "spin_impulse", fabs(turned) / along);
+        measurement_note(m, "impulse along %.6g, across %.6g, spin times m R/2 %.6g", along, across,
+                         turned);
+    }
+    body_motion_close(&body);
+    return status;
+}
+
 static enum mpm_status report(struct measurement *m, const struct study *study,
                               const struct follow_result *result, double cell,
                               struct mpm_error *error)
@@ -110,8 +157,11 @@ static enum mpm_status report(struct measurement *m, const struct study *study,
     measurement_report(m, "restitution", study->separation / study->approach);
     measurement_report(m, "contact_gap", study->contact_gap / cell);
     measurement_report(m, "squeeze", 100.0 * (1.0 - study->closest / study->diameter));
+    measurement_report(m, "energy_left", 100.0 * study->left);
     measurement_report(m, "parted", (study->distance - study->diameter) / cell);
     follow_report(m, result, study->diameter / 2.0);
+    if (measurement_has(m, "axial"))
+        measurement_report(m, "axial_momentum_drift", study->axial_drift);
     return measurement_series(m, "collision", "time gap speed kinetic_over_start total_over_start",
                               COLUMNS, study->rows.count, study->rows.values, error);
 }
@@ -135,6 +185,8 @@ static enum mpm_status measure(void *context, struct measurement *m, const struc
         status = follow_rows_check(&study.rows, error);
     if (status == MPM_OK)
         status = report(m, &study, &result, cell, error);
+    if (status == MPM_OK && measurement_has(m, "friction"))
+        status = report_oblique(m, &study, simulation, error);
     close_study(&study);
     return status;
 }

@@ -17,6 +17,9 @@
     PROGRAM(damped_bar)                                                                            \
     PROGRAM(step_wave)                                                                             \
     PROGRAM(spin)                                                                                  \
+    PROGRAM(normals)                                                                               \
+    PROGRAM(hertz)                                                                                 \
+    PROGRAM(incline)                                                                               \
     PROGRAM(collision)                                                                             \
     PROGRAM(disk_chain)                                                                            \
     PROGRAM(cracked_disks)                                                                         \
@@ -32,6 +35,9 @@
     PROGRAM(crack_release)                                                                         \
     PROGRAM(slanted_crack)                                                                         \
     PROGRAM(cantilever)                                                                            \
+    PROGRAM(contact_twins)                                                                         \
+    PROGRAM(two_bars)                                                                              \
+    PROGRAM(laminate)                                                                              \
     PROGRAM(carried)                                                                               \
     PROGRAM(manufactured)                                                                          \
     PROGRAM(stretch)                                                                               \

@@ -7,9 +7,11 @@
 #include "verification/exact/compression.h"
 #include "verification/exact/homogeneous_load.h"
 #include "verification/exact/lame_cylinder.h"
+#include "verification/exact/laminate.h"
 #include "verification/exact/radial_mode.h"
 #include "verification/exact/self_weight.h"
 #include "verification/exact/step_wave.h"
+#include "verification/exact/struck_bars.h"
 #include "verification/exact/vibrating_bar.h"
 
 #include <glib.h>
@@ -122,6 +124,30 @@ static void sliding(const struct reference_problem *problem, const double place[
         (time < rise ? 0.5 * (time - rise / PI * sin(PI * time / rise)) : time - 0.5 * rise);
 }
 
+/* A bar hits another one, whose struck face is at x = 0. */
+static void struck_bars(const struct reference_problem *problem, const double place[2], double time,
+                        double values[SCORE_COLUMNS])
+{
+    const double *n = problem->number;
+    const struct struck_bars bars = {{n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}, n[6], n[7]};
+    const bool second = place[0] >= 0.0;
+    const struct struck_state state =
+        struck_bars_state(&bars, second, second ? place[0] : -place[0] - bars.gap, time);
+    values[SCORE_VELOCITY_X] = state.velocity;
+    values[SCORE_STRESS_XX] = state.stress;
+}
+
+/* Two layers with an interface, pulled at the upper end; at rest. */
+static void laminate(const struct reference_problem *problem, const double place[2], double time,
+                     double values[SCORE_COLUMNS])
+{
+    (void)time;
+    const double *n = problem->number, traction = n[5];
+    const struct laminate layers = {{n[0], n[1]}, {n[2], n[3]}, n[4]};
+    values[SCORE_DISPLACEMENT_Y] = laminate_displacement(&layers, traction, place[1]);
+    values[SCORE_STRESS_YY] = traction;
+}
+
 static const struct reference references[] = {
     {"vibrating_bar",
      {"length", "modulus", "density", "amplitude"},
@@ -161,6 +187,16 @@ static const struct reference references[] = {
      NULL,
      radial_mode},
     {"sliding", {"acceleration", "rise"}, {SCORE_VELOCITY_X}, NULL, sliding},
+    {"struck_bars",
+     {"length_1", "length_2", "modulus_1", "modulus_2", "density_1", "density_2", "speed", "gap"},
+     {SCORE_VELOCITY_X, SCORE_STRESS_XX},
+     NULL,
+     struck_bars},
+    {"laminate",
+     {"length_1", "length_2", "modulus_1", "modulus_2", "stiffness", "traction"},
+     {SCORE_DISPLACEMENT_Y, SCORE_STRESS_YY},
+     NULL,
+     laminate},
 };
 
 static const struct reference *find(const char *name)

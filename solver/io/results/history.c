@@ -37,8 +37,20 @@ static const struct column {
     COLUMN(damping_dissipation, ENERGY, mpm_scene_is_damped),
     COLUMN(cohesive_stored, ENERGY, mpm_scene_is_cohesive),
     COLUMN(cohesive_dissipated, ENERGY, mpm_scene_is_cohesive),
+    COLUMN(contact_stored, ENERGY, mpm_scene_has_contact),
+    COLUMN(contact_dissipated, ENERGY, mpm_scene_has_contact),
     COLUMN(transfer_loss, ENERGY, mpm_scene_has_energy_balance),
     COLUMN(contact_loss, ENERGY, mpm_scene_has_contact_loss),
+};
+
+/* Quantities that features add, one after the other. */
+static const struct {
+    size_t (*count)(const struct mpm_scene *);
+    struct mpm_quantity_info (*describe)(const struct mpm_scene *, size_t index);
+    double (*value)(const struct mpm_simulation *, size_t index);
+} sources[] = {
+    {mpm_scene_crack_quantity_count, mpm_scene_crack_quantity, mpm_simulation_crack_quantity},
+    {mpm_scene_contact_quantity_count, mpm_scene_contact_quantity, mpm_simulation_contact_quantity},
 };
 
 struct mpm_history {
@@ -47,7 +59,7 @@ struct mpm_history {
     int file;
     off_t size;                                          /* of the complete rows */
     const struct column *columns[G_N_ELEMENTS(columns)]; /* of this scene */
-    size_t column_count, quantity_count;                 /* of columns, then of cracks */
+    size_t column_count;                                 /* of these */
     bool has_row;
     uint64_t last_step;
 };
@@ -134,10 +146,11 @@ static enum mpm_status write_head(struct mpm_history *history, const struct mpm_
         const struct column *const c = history->columns[i];
         append_head(head, units, scene, c->name, c->dimension);
     }
-    for (size_t i = 0; i < history->quantity_count; i++) {
-        const struct mpm_quantity_info q = mpm_scene_crack_quantity(scene, i);
-        append_head(head, units, scene, q.name, q.dimension);
-    }
+    for (size_t k = 0; k < G_N_ELEMENTS(sources); k++)
+        for (size_t i = 0; i < sources[k].count(scene); i++) {
+            const struct mpm_quantity_info q = sources[k].describe(scene, i);
+            append_head(head, units, scene, q.name, q.dimension);
+        }
     append_integrals_head(head, units, scene);
     g_string_append_printf(head, "\n%s\n", units->str);
     const enum mpm_status status = append_line(history, head, error);
@@ -151,7 +164,6 @@ static void choose_columns(struct mpm_history *history, const struct mpm_scene *
     for (size_t i = 0; i < G_N_ELEMENTS(columns); i++)
         if (columns[i].belongs == NULL || columns[i].belongs(scene))
             history->columns[history->column_count++] = &columns[i];
-    history->quantity_count = mpm_scene_crack_quantity_count(scene);
 }
 
 enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *scene,
@@ -222,10 +234,11 @@ enum mpm_status mpm_history_write(struct mpm_history *history, const struct mpm_
             g_string_append_c(row, ',');
         append_value(row, history->columns[i], ledger);
     }
-    for (size_t i = 0; i < history->quantity_count && simulation != NULL; i++) {
-        g_string_append_c(row, ',');
-        append_number(row, mpm_simulation_crack_quantity(simulation, i));
-    }
+    for (size_t k = 0; k < G_N_ELEMENTS(sources) && simulation != NULL; k++)
+        for (size_t i = 0; i < sources[k].count(history->scene); i++) {
+            g_string_append_c(row, ',');
+            append_number(row, sources[k].value(simulation, i));
+        }
     const enum mpm_status found = append_integrals(history, row, simulation, error);
     g_string_append_c(row, '\n');
     const enum mpm_status status = append_line(history, row, error);

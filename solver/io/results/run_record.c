@@ -85,7 +85,7 @@ static json_t *cause_text(enum mpm_cause cause)
     return cause == MPM_CAUSE_NONE ? json_null() : json_string(mpm_cause_describe(cause)->name);
 }
 
-static json_t *warnings_array(const struct mpm_run_record *record)
+static json_t *warnings_array(const struct mpm_scene *scene, const struct mpm_run_record *record)
 {
     const char *const advice = mpm_simulation_advice(record->simulation);
     json_t *array = json_array();
@@ -93,6 +93,33 @@ static json_t *warnings_array(const struct mpm_run_record *record)
         json_array_append_new(array, text(advice));
     if (record->growth_warning != NULL)
         json_array_append_new(array, text(record->growth_warning));
+    for (size_t k = 0; k < mpm_scene_j_integral_count(scene); k++) {
+        struct mpm_tip_end end;
+        char message[MPM_MESSAGE_SIZE];
+        if (mpm_simulation_tip_end(record->simulation, k, &end, message))
+            json_array_append_new(array, text(message));
+    }
+    return array;
+}
+
+static json_t *tips_array(const struct mpm_scene *scene, const struct mpm_run_record *record)
+{
+    static const char *const reasons[] = {
+        [MPM_TIP_GOES_ON] = "",
+        [MPM_TIP_MEETS_CRACK] = "meets_crack",
+        [MPM_TIP_CONTOUR_MEETS_CRACK] = "contour_meets_crack",
+    };
+    json_t *array = json_array();
+    for (size_t k = 0; k < mpm_scene_j_integral_count(scene); k++) {
+        struct mpm_tip_end end;
+        char message[MPM_MESSAGE_SIZE];
+        if (mpm_simulation_tip_end(record->simulation, k, &end, message))
+            json_array_append_new(array, json_pack("{s:s, s:s, s:I, s:I, s:f, s:[f, f]}",
+                                                   "integral", scene->j_integrals[k].key, "reason",
+                                                   reasons[end.reason], "met", (json_int_t)end.met,
+                                                   "step", (json_int_t)end.step, "time", end.time,
+                                                   "place", end.place[0], end.place[1]));
+    }
     return array;
 }
 
@@ -108,14 +135,15 @@ static json_t *growth_object(const struct mpm_run_record *record)
 enum mpm_status mpm_run_record_write(const char *folder, const struct mpm_scene *scene,
                                      const struct mpm_run_record *record, struct mpm_error *error)
 {
-    json_t *root = json_pack(
-        "{s:s, s:o, s:o, s:i, s:o, s:o, s:o, s:o, s:o, s:o}", "outcome",
-        record->status == MPM_OK ? "done" : "failed", "cause", cause_text(record->cause), "reason",
-        text(record->reason), "exit_status", (int)record->status, "warnings",
-        warnings_array(record), "energy_growth", growth_object(record), "counters",
-        counters_object(record), "kernels", text(mpm_simulation_kernels(record->simulation)),
-        "simd", text(mpm_simulation_simd(record->simulation)), "provenance",
-        provenance_object(scene, record));
+    json_t *root =
+        json_pack("{s:s, s:o, s:o, s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "outcome",
+                  record->status == MPM_OK ? "done" : "failed", "cause", cause_text(record->cause),
+                  "reason", text(record->reason), "exit_status", (int)record->status, "warnings",
+                  warnings_array(scene, record), "energy_growth", growth_object(record),
+                  "ended_tips", tips_array(scene, record), "counters", counters_object(record),
+                  "kernels", text(mpm_simulation_kernels(record->simulation)), "simd",
+                  text(mpm_simulation_simd(record->simulation)), "provenance",
+                  provenance_object(scene, record));
     const enum mpm_status status = mpm_file_write_json(folder, MPM_RUN_RECORD_NAME, root, 2, error);
     json_decref(root);
     return status;

@@ -21,7 +21,8 @@ struct mpm_run_record {
 
 /* Writes run.json into `folder`, whole or not at all. `outcome` is "done" for MPM_OK
  * and "failed" otherwise; `cause` is null unless the run has failed with one, `energy_growth` null
- * unless it was seen. MPM_ENVIRONMENT_FAILED names the file and the reason. */
+ * unless it was seen; `ended_tips` lists the tips of cracks that may grow and have ended.
+ * MPM_ENVIRONMENT_FAILED names the file and the reason. */
 enum mpm_status mpm_run_record_write(const char *folder, const struct mpm_scene *scene,
                                      const struct mpm_run_record *record, struct mpm_error *error);
 

@@ -47,6 +47,8 @@ enum mpm_status mpm_build_cracks(const struct mpm_reading *reading);
 /* A part of it: what holds its surfaces together, once its points are known. */
 enum mpm_status mpm_build_cohesive(const struct mpm_reading *reading, const char *path,
                                    const struct mpm_raw_crack *raw, struct mpm_crack_spec *crack);
+/* Contact between bodies. */
+enum mpm_status mpm_build_contact(const struct mpm_reading *reading);
 /* Damping, and when a run is at rest. */
 enum mpm_status mpm_build_damping(const struct mpm_reading *reading);
 

@@ -2,7 +2,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
-#include "method/cracks/crack_opening.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -25,24 +24,11 @@ static enum mpm_status check_others(const struct mpm_reading *reading, const cha
     return MPM_OK;
 }
 
-/* What points that are added have not: openings that are tracked, and a place at t = 0 that
- * particles know. */
 static enum mpm_status check_growing(const struct mpm_reading *reading, const char *path,
                                      size_t index)
 {
     const struct mpm_scene *const scene = reading->scene;
     const struct mpm_j_integral_spec *const own = &scene->j_integrals[index];
-    const struct mpm_crack_spec *const crack = &scene->cracks[own->crack];
-    if (mpm_crack_is_followed(crack))
-        return mpm_reading_fault(reading, path,
-                                 "a crack whose opening is tracked, or that is cohesive, does not "
-                                 "grow in this version; allowed: one of both");
-    if (crack->contact != MPM_CONTACT_NONE && crack->detection != MPM_DETECT_CELL)
-        return mpm_reading_fault(
-            reading, path,
-            "a crack whose contact is detected from where its surfaces were at t = "
-            "0, and new ones were nowhere; allowed: contact: none, or "
-            "detection: cell");
     for (size_t i = 0; i < index; i++)
         if (scene->j_integrals[i].crack == own->crack &&
             scene->j_integrals[i].at_start == own->at_start &&

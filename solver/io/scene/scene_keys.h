@@ -106,6 +106,32 @@
     C("particles", MPM_GRID_DAMPING_PARTICLES)                                                     \
     C("particle_rate", MPM_GRID_DAMPING_PARTICLE_RATE)
 
+#define CHOICES_contact_fields(C)                                                                  \
+    C("materials", false)                                                                          \
+    C("bodies", true)
+
+#define CHOICES_pair_law(C)                                                                        \
+    C("none", MPM_PAIR_NONE)                                                                       \
+    C("bonded", MPM_PAIR_BONDED)                                                                   \
+    C("stick", MPM_PAIR_STICK)                                                                     \
+    C("frictionless", MPM_PAIR_FRICTIONLESS)                                                       \
+    C("friction", MPM_PAIR_FRICTION)                                                               \
+    C("interface", MPM_PAIR_INTERFACE)
+
+#define CHOICES_pair_normal(C)                                                                     \
+    C("average", MPM_NORMAL_AVERAGE)                                                               \
+    C("area", MPM_NORMAL_AREA)                                                                     \
+    C("volume", MPM_NORMAL_VOLUME)                                                                 \
+    C("larger", MPM_NORMAL_LARGER)                                                                 \
+    C("linear", MPM_NORMAL_LINEAR)                                                                 \
+    C("logistic", MPM_NORMAL_LOGISTIC)                                                             \
+    C("given", MPM_NORMAL_GIVEN)
+
+#define CHOICES_pair_detection(C)                                                                  \
+    C("extent", MPM_TOUCH_EXTENT)                                                                  \
+    C("volume", MPM_TOUCH_VOLUME)                                                                  \
+    C("shared", MPM_TOUCH_SHARED)
+
 #define CHOICES_cohesive_law(C)                                                                    \
     C("linear", MPM_COHESIVE_LINEAR)                                                               \
     C("trilinear", MPM_COHESIVE_TRILINEAR)                                                         \
@@ -117,7 +143,7 @@
 #define MPM_CHOICE_LISTS(L)                                                                        \
     L(geometry) L(shape) L(axis) L(axis_nodes) L(stress_update) L(position_update) L(radius_update) \
     L(form) L(body_force_at) L(grid_form) L(transfer_kind) L(edge) L(frame) L(crack_method) L(contact) L(detection) L(tip)       \
-    L(j_form) L(growth_direction) L(cohesive_law)
+    L(j_form) L(growth_direction) L(cohesive_law) L(contact_fields) L(pair_law) L(pair_normal) L(pair_detection)
 
 /* -------------------------------------------------------------------- keys */
 
@@ -309,7 +335,7 @@
     X(S, CHOICE, form, j_form, AXISYMMETRIC, OPTIONAL, NONE, "bergkvist_huong", ANY,                 \
       "area term: with the radius as weight, without, or no area term at all, which depends on the contour") \
     X(S, GROUP, propagation, propagation, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                       \
-      "lets the tip grow; at most once for each tip")
+      "lets the tip grow, up to where it or the contour would meet a crack; at most once for each tip")
 
 #define KEYS_cohesive(X, S)                                                                        \
     X(S, CHOICE, law, cohesive_law, ANYWHERE, REQUIRED, NONE, NULL, ANY,                             \
@@ -346,6 +372,48 @@
       "traction between its surfaces; without it there is none") \
     X(S, LIST, j_integral, j_integral, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                          \
       "J integrals around its tips, and K_I and K_II: columns of history.csv")
+
+/* What a law takes; at contact itself they are those of pairs that are not listed. */
+#define KEYS_OF_PAIR_LAW(X, S)                                                                     \
+    X(S, ONE, friction, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, AT_LEAST(0),                         \
+      "law: friction: coefficient while sliding")                                                  \
+    X(S, ONE, static_friction, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, AT_LEAST(0),                  \
+      "law: friction: coefficient below which nothing slides; friction if missing, and at least that") \
+    X(S, ONE, adhesion, NUMBER, ANYWHERE, OPTIONAL, STRESS, NULL, AT_LEAST(0),                     \
+      "tension that contact bears before it opens; 0 if missing")                                  \
+    X(S, ONE, touching, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, ABOVE_TO(0, 2),                      \
+      "detection: volume: areas at a node, over what the node can see, from which bodies touch; 0.9 if missing") \
+    X(S, ONE, tension, NUMBER, ANYWHERE, OPTIONAL, STIFFNESS, NULL, AT_LEAST(0),                   \
+      "law: interface: D_n where it opens, traction per opening")                                  \
+    X(S, ONE, compression, NUMBER, ANYWHERE, OPTIONAL, STIFFNESS, NULL, AT_LEAST(0),               \
+      "law: interface: D_n where the bodies overlap; tension if missing")                          \
+    X(S, ONE, shear, NUMBER, ANYWHERE, OPTIONAL, STIFFNESS, NULL, AT_LEAST(0),                     \
+      "law: interface: D_t, traction per sliding")
+
+#define KEYS_contact_pair(X, S)                                                                    \
+    X(S, PAIR, of, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY,                                        \
+      "names of two materials, or of two bodies with fields: bodies; one may be a rigid body")     \
+    X(S, CHOICE, law, pair_law, ANYWHERE, REQUIRED, NONE, NULL, ANY,                                 \
+      "what they do where they meet: one field (none), one velocity in tension too (bonded), no sliding while pressed (stick), no approach (frictionless), Coulomb friction, imperfect interface") \
+    X(S, CHOICE, normal, pair_normal, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                           \
+      "where the normal comes from; that of contact if missing")                                   \
+    X(S, PAIR, direction, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                               \
+      "normal: given: vector from the first to the second, of any length")                         \
+    X(S, CHOICE, detection, pair_detection, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                     \
+      "when they touch; that of contact if missing")                                               \
+    KEYS_OF_PAIR_LAW(X, S)
+
+#define KEYS_contact(X, S)                                                                         \
+    X(S, CHOICE, fields, contact_fields, ANYWHERE, OPTIONAL, NONE, "materials", ANY,                 \
+      "what has a velocity field of its own: each material, or each body")                         \
+    X(S, CHOICE, law, pair_law, ANYWHERE, OPTIONAL, NONE, "none", ANY,                               \
+      "of pairs that are not listed; with rigid bodies it is none: they drive nodes")              \
+    X(S, CHOICE, normal, pair_normal, ANYWHERE, OPTIONAL, NONE, "larger", ANY,                       \
+      "where normals come from: gradients of both bodies' areas weighted with them (average), not weighted (area), of volumes, of the body with the larger area, a plane between the particles by linear or logistic regression, or given in pairs") \
+    X(S, CHOICE, detection, pair_detection, ANYWHERE, OPTIONAL, NONE, "extent", ANY,                 \
+      "when bodies touch: by the gap between the edges of their particles (extent), by the areas at a node (volume), whenever they share a node (shared)") \
+    KEYS_OF_PAIR_LAW(X, S)                                                                         \
+    X(S, LIST, pairs, contact_pair, ANYWHERE, OPTIONAL, NONE, NULL, ANY, "pairs with a law of their own")
 
 #define KEYS_thermostat(X, S)                                                                      \
     X(S, ONE, gain, NUMBER, ANYWHERE, REQUIRED, RATE_SQUARED, NULL, ABOVE(0),                        \
@@ -397,6 +465,8 @@
     X(S, LIST, boundary, boundary, ANYWHERE, OPTIONAL, NONE, "[]", ANY, "conditions on grid nodes")  \
     X(S, GROUP, loads, loads, ANYWHERE, OPTIONAL, NONE, "{}", ANY, "forces on bodies")               \
     X(S, LIST, cracks, crack, ANYWHERE, OPTIONAL, NONE, "[]", ANY, "explicit cracks in bodies")      \
+    X(S, GROUP, contact, contact, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                               \
+      "velocity fields for materials or bodies, and contact between them; without it all share one") \
     X(S, GROUP, damping, damping, ANYWHERE, OPTIONAL, NONE, "{}", ANY, "artificial damping")         \
     X(S, GROUP, output, output, ANYWHERE, OPTIONAL, NONE, "{}", ANY, "what is written, how often")
 
@@ -404,7 +474,7 @@
 #define MPM_KEY_LISTS(L)                                                                           \
     L(units) L(grid) L(rest) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
     L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary)            \
-    L(traction) L(loads) L(propagation) L(j_integral) L(cohesive) L(crack) L(thermostat) L(damping) L(output) L(scene)
+    L(traction) L(loads) L(propagation) L(j_integral) L(cohesive) L(crack) L(contact_pair) L(contact) L(thermostat) L(damping) L(output) L(scene)
 /* clang-format on */
 
 #endif

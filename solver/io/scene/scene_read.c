@@ -49,6 +49,7 @@ static enum mpm_status build(const struct mpm_reading *reading)
     MPM_TRY(mpm_build_boundaries(reading));
     MPM_TRY(mpm_build_loads(reading));
     MPM_TRY(mpm_build_cracks(reading));
+    MPM_TRY(mpm_build_contact(reading));
     MPM_TRY(mpm_build_j_integrals(reading));
     return mpm_build_damping(reading);
 }
@@ -140,6 +141,10 @@ void mpm_scene_free(struct mpm_scene *scene)
     free(scene->boundaries);
     free(scene->edge_loads);
     free(scene->cracks);
+    free(scene->contact.groups);
+    free(scene->contact.group_of);
+    free(scene->contact.field_of);
+    free(scene->contact.pairs);
     free(scene->j_integrals);
     free(scene->materials);
     free(scene->settings);
@@ -187,6 +192,11 @@ bool mpm_scene_is_cohesive(const struct mpm_scene *scene)
         if (scene->cracks[k].cohesive.law != NULL)
             return true;
     return false;
+}
+
+bool mpm_scene_has_contact(const struct mpm_scene *scene)
+{
+    return scene->contact.field_count > 0;
 }
 
 bool mpm_scene_has_energy_balance(const struct mpm_scene *scene)

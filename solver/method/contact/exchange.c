@@ -54,10 +54,22 @@ static void change_extrapolated(const struct mpm_state *state, int64_t node, con
     }
 }
 
+static double *smoothed_of(const struct mpm_state *state, int64_t node, int axis)
+{
+    return &state->grid.smoothed[node].acceleration[axis];
+}
+
+static void change_smoothed(const struct mpm_state *state, int64_t node, const double by[2])
+{
+    for (int axis = 0; axis < 2; axis++)
+        state->grid.smoothed[node].acceleration[axis] += by[axis];
+}
+
 static const struct velocities velocities_of[] = {
     [MPM_EXCHANGE_START] = {start_of, change_start, false},
     [MPM_EXCHANGE_END] = {end_of, change_end, true},
     [MPM_EXCHANGE_EXTRAPOLATED] = {extrapolated_of, change_extrapolated, false},
+    [MPM_EXCHANGE_SMOOTHED] = {smoothed_of, change_smoothed, false},
 };
 
 /* A field changes together with its images beyond planes of symmetry. */
@@ -84,49 +96,53 @@ static void change_field(const struct mpm_state *state, const struct velocities 
 /* A condition that holds a component gives the opposite of the impulse there, and works along its
  * velocity. */
 static void add_reaction_work(struct mpm_state *state, int64_t field,
-                              const struct mpm_contact_side *side, double sign,
-                              const double impulse[2])
+                              const struct mpm_contact_side *side, const double impulse[2])
 {
     if (!mpm_node_is_inside(state, field))
         return;
     for (int axis = 0; axis < 2; axis++)
         if (side->mobility[axis] == 0.0)
             state->external_work -=
-                sign * impulse[axis] * 0.5 *
+                impulse[axis] * 0.5 *
                 (state->grid.start[field][axis] + state->grid.motion[field].end[axis]);
 }
 
-static struct mpm_contact_side side_of(const struct mpm_state *state,
-                                       const struct mpm_exchange_field *field,
-                                       const struct velocities *velocities)
+struct mpm_contact_side mpm_exchange_side(const struct mpm_state *state,
+                                          enum mpm_exchange_when when,
+                                          const struct mpm_exchange_field *field)
 {
     const double mobility = 1.0 / state->grid.mass[field->node];
     struct mpm_contact_side side = {.mobility = {mobility, mobility}};
     for (int axis = 0; axis < 2; axis++) {
-        side.velocity[axis] = *velocities->component(state, field->node, axis);
+        side.velocity[axis] = *velocities_of[when].component(state, field->node, axis);
         if ((field->held >> axis & 1) != 0)
             side.mobility[axis] = 0.0;
     }
     return side;
 }
 
+void mpm_exchange_give(struct mpm_state *state, enum mpm_exchange_when when,
+                       const struct mpm_exchange_field *field, const struct mpm_contact_side *side,
+                       const double impulse[2])
+{
+    const struct velocities *const velocities = &velocities_of[when];
+    change_field(state, velocities, field->node,
+                 (const double[2]){side->mobility[0] * impulse[0], side->mobility[1] * impulse[1]});
+    if (velocities->moves)
+        add_reaction_work(state, field->node, side, impulse);
+}
+
 void mpm_exchange(struct mpm_state *state, enum mpm_exchange_when when,
                   const struct mpm_exchange_field fields[2], const double normal[2],
                   const struct mpm_contact_law *law)
 {
-    const struct velocities *const velocities = &velocities_of[when];
-    const struct mpm_contact_side sides[2] = {side_of(state, &fields[0], velocities),
-                                              side_of(state, &fields[1], velocities)};
+    const struct mpm_contact_side sides[2] = {mpm_exchange_side(state, when, &fields[0]),
+                                              mpm_exchange_side(state, when, &fields[1])};
     double impulse[2];
     if (law->if_approaching && mpm_contact_approach(sides, normal) <= 0.0)
         return;
     mpm_contact_impulse(law, sides, normal, impulse);
-    for (int k = 0; k < 2; k++) {
-        const double sign = k == 0 ? 1.0 : -1.0, *const mobility = sides[k].mobility;
-        change_field(
-            state, velocities, fields[k].node,
-            (const double[2]){sign * mobility[0] * impulse[0], sign * mobility[1] * impulse[1]});
-        if (velocities->moves)
-            add_reaction_work(state, fields[k].node, &sides[k], sign, impulse);
-    }
+    mpm_exchange_give(state, when, &fields[0], &sides[0], impulse);
+    mpm_exchange_give(state, when, &fields[1], &sides[1],
+                      (const double[2]){-impulse[0], -impulse[1]});
 }

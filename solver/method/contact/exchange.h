@@ -18,6 +18,7 @@ enum mpm_exchange_when {
     MPM_EXCHANGE_START,        /* and the gradient's, where the stress update comes next */
     MPM_EXCHANGE_END,          /* with accelerations; conditions that bear a part of it do work */
     MPM_EXCHANGE_EXTRAPOLATED, /* of the momentum extrapolated again */
+    MPM_EXCHANGE_SMOOTHED,     /* on their way through the orders of XPIC and FMPM */
 };
 
 /* One of both fields. */
@@ -25,6 +26,16 @@ struct mpm_exchange_field {
     int64_t node; /* index of the field, which has mass */
     uint8_t held; /* bits of the components that conditions hold */
 };
+
+/* Its velocity and mobility. */
+struct mpm_contact_side mpm_exchange_side(const struct mpm_state *state,
+                                          enum mpm_exchange_when when,
+                                          const struct mpm_exchange_field *field);
+/* Gives an impulse to the field, which `side` was before: changes its velocity, that of its images,
+ * and, at the end of the step, its acceleration and the work of conditions. */
+void mpm_exchange_give(struct mpm_state *state, enum mpm_exchange_when when,
+                       const struct mpm_exchange_field *field, const struct mpm_contact_side *side,
+                       const double impulse[2]);
 
 /* The normal, of unit length, points from the first field to the second. */
 void mpm_exchange(struct mpm_state *state, enum mpm_exchange_when when,

@@ -90,16 +90,38 @@ static bool find_law(const struct mpm_state *state, const struct mpm_crack_node 
     return true;
 }
 
-static void resolve_pair(struct mpm_state *state, enum mpm_exchange_when when,
-                         const struct mpm_crack_node *node, const struct mpm_crack_pair *pair)
+void mpm_crack_contact_layout(struct mpm_state *state, struct mpm_arena *arena)
 {
-    struct mpm_exchange_field fields[2];
-    struct mpm_contact_law law;
-    for (int k = 0; k < 2; k++)
-        fields[k] =
-            (struct mpm_exchange_field){node->field[pair->side[k]], node->held[pair->side[k]]};
-    if (find_law(state, node, pair, &law))
-        mpm_exchange(state, when, fields, pair->normal, &law);
+    if (mpm_cracks_have_contact(state->scene))
+        state->cracks.touches =
+            MPM_TAKE(arena, struct mpm_crack_touch, PAIRS * state->fields.node_capacity);
+}
+
+/* Masses, places and conditions stay as they are in the step. */
+static void find_touches(struct mpm_state *state)
+{
+    struct mpm_cracks *const cracks = &state->cracks;
+    cracks->touch_count = 0;
+    for (size_t k = 0; k < state->fields.nodes_inside; k++) {
+        const struct mpm_crack_node node = mpm_crack_node_of(state, k);
+        struct mpm_crack_touch *const touches = &cracks->touches[cracks->touch_count];
+        struct mpm_crack_pair pairs[PAIRS];
+        const int count = find_pairs(state, &node, pairs);
+        int found = 0;
+        for (int i = 0; i < count; i++) {
+            struct mpm_crack_touch *const touch = &touches[found];
+            if (!find_law(state, &node, &pairs[i], &touch->law))
+                continue;
+            for (int side = 0; side < 2; side++)
+                touch->fields[side] = (struct mpm_exchange_field){node.field[pairs[i].side[side]],
+                                                                  node.held[pairs[i].side[side]]};
+            memcpy(touch->normal, pairs[i].normal, sizeof touch->normal);
+            found++;
+        }
+        for (int i = 0; i < found; i++)
+            touches[i].count = (size_t)found;
+        cracks->touch_count += (size_t)found;
+    }
 }
 
 /* A field between two cracks takes part in two exchanges: each undoes a part of the other, and what
@@ -108,14 +130,17 @@ enum { EXCHANGES = 24 };
 
 void mpm_crack_contact_resolve(struct mpm_state *state, enum mpm_exchange_when when)
 {
+    const struct mpm_cracks *const cracks = &state->cracks;
     if (!mpm_cracks_have_contact(state->scene))
         return;
-    for (size_t k = 0; k < state->fields.nodes_inside; k++) {
-        const struct mpm_crack_node node = mpm_crack_node_of(state, k);
-        struct mpm_crack_pair pairs[PAIRS];
-        const int count = find_pairs(state, &node, pairs);
-        for (int i = 0; count > 0 && i < (count == 1 ? 1 : count * EXCHANGES); i++)
-            resolve_pair(state, when, &node, &pairs[i % count]);
+    if (when == MPM_EXCHANGE_START)
+        find_touches(state);
+    for (size_t k = 0; k < cracks->touch_count; k += cracks->touches[k].count) {
+        const size_t count = cracks->touches[k].count;
+        for (size_t i = 0; i < (count == 1 ? 1 : count * EXCHANGES); i++) {
+            const struct mpm_crack_touch *const touch = &cracks->touches[k + i % count];
+            mpm_exchange(state, when, touch->fields, touch->normal, &touch->law);
+        }
     }
 }
 
@@ -132,7 +157,7 @@ static double part_of_end(const struct mpm_state *state, int64_t field)
 {
     const double mass = mpm_symmetry_whole_mass(state, field);
     const double part = (mass / state->cracks.least_mass - LIGHT[0]) / (LIGHT[1] - LIGHT[0]);
-    return fmin(fmax(part, 0.0), 1.0);
+    return part > 1.0 ? 1.0 : part > 0.0 ? part : 0.0;
 }
 
 /* Momentum and mass of all fields of a node. */

@@ -18,7 +18,19 @@
 #include "method/contact/exchange.h"
 #include "method/state.h"
 
-/* Tasks 2, 4 and 6c: the fields in contact exchange momentum, in one of the nodes' velocities. */
+/* Two fields of a node that touch. */
+struct mpm_crack_touch {
+    struct mpm_exchange_field fields[2];
+    double normal[2];
+    struct mpm_contact_law law;
+    size_t count; /* of the node's pairs that touch; they follow each other */
+};
+
+/* Takes their memory. */
+void mpm_crack_contact_layout(struct mpm_state *state, struct mpm_arena *arena);
+
+/* Tasks 2, 4 and 6c: the fields in contact exchange momentum, in one of the nodes' velocities.
+ * Which ones touch is found in task 2, for the step. */
 void mpm_crack_contact_resolve(struct mpm_state *state, enum mpm_exchange_when when);
 
 /* Nodes of the last step beside this crack whose fields contact leaves alone: a crack that bends

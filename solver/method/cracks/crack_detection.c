@@ -3,6 +3,7 @@
 
 #include "base/segment.h"
 #include "base/strips.h"
+#include "method/contact/contact_detection.h"
 #include "method/cracks/crack_map.h"
 #include "method/grid/symmetry.h"
 #include "method/transfer/transfer.h"
@@ -10,14 +11,6 @@
 #include <math.h>
 
 /* ---------------------------------------------------------------- measuring */
-
-bool mpm_cracks_have_contact(const struct mpm_scene *scene)
-{
-    for (size_t k = 0; k < scene->crack_count; k++)
-        if (mpm_crack_has_contact(scene, k))
-            return true;
-    return false;
-}
 
 bool mpm_crack_detection_needs_surfaces(const struct mpm_scene *scene)
 {
@@ -31,8 +24,11 @@ bool mpm_crack_detection_needs_surfaces(const struct mpm_scene *scene)
 struct contribution {
     size_t particle;
     double place[2];
-    double area;       /* A_p = 4 l_1 l_2 (F_xx F_yy - F_xy F_yx): CRAMP (9) at finite strain */
-    double per_hoop;   /* A_p / sum_i T_ip in axisymmetry, since sum_i N_i is 1; else 0 */
+    double area;      /* A_p = 4 l_1 l_2 (F_xx F_yy - F_xy F_yx): CRAMP (9) at finite strain */
+    double per_hoop;  /* A_p / sum_i T_ip in axisymmetry, since sum_i N_i is 1; else 0 */
+    uint32_t segment; /* of a crack, to which `normal` belongs, or UINT32_MAX */
+    uint32_t split;   /* that crack */
+    double normal[2];
     uint32_t crack;    /* that `surface` is along, or MPM_NO_CRACK */
     double surface[2]; /* x_p + F_p w_p */
 };
@@ -48,22 +44,23 @@ static struct contribution contribution_of(const struct mpm_state *state, size_t
         .place = {particles->position[0][p], particles->position[1][p]},
         .area =
             4.0 * half[0] * half[1] * (f[MPM_XX][p] * f[MPM_YY][p] - f[MPM_XY][p] * f[MPM_YX][p]),
+        .segment = UINT32_MAX,
         .crack = MPM_NO_CRACK,
     };
     double hoop = 0.0;
-    for (int k = 0; k < stencil->count; k++)
+    for (int k = 0; state->shape_grid.axisymmetric && k < stencil->count; k++)
         hoop += stencil->node[k].t;
     made.per_hoop = hoop > 0.0 ? made.area / hoop : 0.0;
     return made;
 }
 
-/* From a place at t = 0 to the nearest point of a crack as the scene has it. */
-static void find_way(const struct mpm_crack_spec *spec, const double place[2], double way[2])
+/* From a place at t = 0 to the nearest point of a crack in the undeformed body. */
+static void find_way(const struct mpm_crack_chain *chain, const double place[2], double way[2])
 {
     double least = HUGE_VAL;
-    for (size_t i = 0; i + 1 < spec->point_count; i++) {
-        const double *const a = spec->points[i], *const b = spec->points[i + 1];
-        const struct mpm_segment segment = {{a[0], a[1]}, {b[0], b[1]}};
+    for (size_t i = 0; i + 1 < chain->count; i++) {
+        const struct mpm_segment segment = {{chain->x[i], chain->y[i]},
+                                            {chain->x[i + 1], chain->y[i + 1]}};
         double other[2];
         mpm_segment_find_way(&segment, place, other);
         const double square = other[0] * other[0] + other[1] * other[1];
@@ -84,7 +81,7 @@ static void find_surface(const struct mpm_state *state, uint32_t crack, struct c
     double way[2] = {0.0, 0.0};
     if (made->crack == crack)
         return;
-    find_way(&state->scene->cracks[crack],
+    find_way(&state->cracks.undeformed[crack],
              (const double[2]){particles->origin[0][p], particles->origin[1][p]}, way);
     made->crack = crack;
     made->surface[0] = made->place[0] + f[MPM_XX][p] * way[0] + f[MPM_XY][p] * way[1];
@@ -117,12 +114,22 @@ static void add_to_own(const struct mpm_state *state, const struct mpm_stencil_n
                        const struct mpm_field_node *node, struct contribution *made)
 {
     struct mpm_crack_field *const others = state->cracks.fields + node->first;
-    double place[2];
-    mpm_grid_position(&state->grid, node->node, place);
     add_sums(entry, made, &state->cracks.sums[node - state->fields.nodes]);
     for (int i = 0; i < node->count; i++)
-        add_surface(state, others[i].face.crack, made->area * entry->s, place, made,
+        add_surface(state, others[i].face.crack, made->area * entry->s, node->position, made,
                     others[i].face.own);
+}
+
+/* A particle's lines mostly cross one segment. */
+static const double *normal_of(const struct mpm_state *state,
+                               const struct mpm_crack_crossing *crossing, struct contribution *made)
+{
+    if (made->segment != crossing->segment || made->split != crossing->crack)
+        mpm_crack_segment_normal(&state->cracks.chains[crossing->crack], crossing->segment,
+                                 made->normal);
+    made->segment = crossing->segment;
+    made->split = crossing->crack;
+    return made->normal;
 }
 
 /* To those of an additional field. */
@@ -131,10 +138,8 @@ static void add_to_additional(const struct mpm_state *state, const struct mpm_st
                               struct contribution *made)
 {
     struct mpm_crack_field *const additional = &state->cracks.fields[field];
-    double place[2], normal[2];
-    mpm_grid_position(&state->grid, state->fields.nodes[state->fields.list[field].node].node,
-                      place);
-    mpm_crack_segment_normal(&state->cracks.chains[crossing->crack], crossing->segment, normal);
+    const double *const place = state->fields.nodes[state->fields.list[field].node].position;
+    const double *const normal = normal_of(state, crossing, made);
     add_sums(entry, made, &additional->sums);
     add_surface(state, additional->face.crack, made->area * entry->s, place, made,
                 additional->face.beyond);
@@ -179,7 +184,7 @@ static void measure_strip(void *context, int64_t index, int worker)
 {
     const struct mpm_state *const state = context;
     (void)worker;
-    mpm_crack_bands_visit(state, &state->strips[index], &state->fields.beside, measure, context);
+    mpm_nearby_visit(state, index, &state->fields.beside, measure, context);
 }
 
 /* What mirrored particles would add at a node inside; nothing along the normal on the plane. */
@@ -285,28 +290,6 @@ static double gap_of(const struct mpm_crack_node *node, const struct mpm_crack_p
     return gap;
 }
 
-/* The length that a node can see along an axis, in cells: integrals of its function over the grid,
- * and up to a plane of symmetry. B-splines are adapted to edges: that of the node beyond is folded
- * onto the two inside. */
-static double seen_length(const struct mpm_state *state, int64_t node, int axis)
-{
-    const struct mpm_grid *const grid = &state->grid;
-    const int64_t columns = grid->columns;
-    const int64_t place = axis == 0 ? node % columns : node / columns;
-    const int64_t first = MPM_GHOST_ROWS, last = MPM_GHOST_ROWS + grid->cells[axis];
-    const int64_t zero = axis == 0 && state->shape_grid.axisymmetric
-                             ? llround(-grid->origin[0] * grid->inverse_cell[0]) + first
-                             : first;
-    const int64_t low = zero > first ? zero : first;
-    const double past = state->family->past_next;
-    for (size_t k = 0; k < state->symmetries.count; k++)
-        if (state->symmetries.planes[k].axis == axis && state->symmetries.planes[k].line == place)
-            return 0.5;
-    if (place <= low || place >= last)
-        return 0.5 + 2.0 * past;
-    return place == low + 1 || place == last - 1 ? 1.0 - 2.0 * past : 1.0;
-}
-
 struct mpm_crack_volume mpm_crack_volume_at(const struct mpm_state *state,
                                             const struct mpm_crack_node *node,
                                             const struct mpm_crack_pair *pair)
@@ -318,8 +301,9 @@ struct mpm_crack_volume mpm_crack_volume_at(const struct mpm_state *state,
     const enum mpm_crack_detection detection = state->scene->cracks[pair->crack].detection;
     if (detection == MPM_DETECT_CELL)
         return (struct mpm_crack_volume){above->seen + below->seen,
-                                         cell[0] * seen_length(state, node->field[0], 0) * cell[1] *
-                                             seen_length(state, node->field[0], 1)};
+                                         cell[0] * mpm_node_seen_length(state, node->field[0], 0) *
+                                             cell[1] *
+                                             mpm_node_seen_length(state, node->field[0], 1)};
     const double gap = gap_of(node, pair);
     if (detection == MPM_DETECT_DISPLACEMENT) {
         const double along[2] = {cell[0] * normal[0], cell[1] * normal[1]};

@@ -6,16 +6,17 @@
  * That is `detection: cell`.
  *
  * Here the distance of the surfaces is found first. Each particle knows where it was at t = 0, and
- * from there the way w_p to the nearest point of a crack, where its surface along that crack began;
- * today that point is at x_p + F_p w_p, exactly so if its body was moved, turned and strained
- * evenly. A particle between two cracks has a surface along each. The mean of these points,
- * weighted with A_p S_ip, is where a field has its surface, whatever part of the node's reach it
- * fills; and the gap is how far that of the field below lies beyond that of the field above, along
- * the crack's normal n, which points from above to below: gap = n . (<x_p + F_p w_p>_below - <x_p +
- * F_p w_p>_above) `detection: displacement` compares 1 - gap/h with the limits, h the cell's size
- * along n. `detection: volume` compares sum A_p S_ip with what it would be if both sides moved by
- * gap/2 to meet: sum A_p S_ip + gap n/2 . (sum_above A_p G_ip - sum_below A_p G_ip), where that is
- * more for an open crack and less for surfaces that have passed each other; else the sum as it is.
+ * from there the way w_p to the nearest point of a crack in the undeformed body, which has the
+ * points that a crack has grown by as well, where its surface along that crack began; today that
+ * point is at x_p + F_p w_p, exactly so if its body was moved, turned and strained evenly. A
+ * particle between two cracks has a surface along each. The mean of these points, weighted with A_p
+ * S_ip, is where a field has its surface, whatever part of the node's reach it fills; and the gap
+ * is how far that of the field below lies beyond that of the field above, along the crack's normal
+ * n, which points from above to below: gap = n . (<x_p + F_p w_p>_below - <x_p + F_p w_p>_above)
+ * `detection: displacement` compares 1 - gap/h with the limits, h the cell's size along n.
+ * `detection: volume` compares sum A_p S_ip with what it would be if both sides moved by gap/2 to
+ * meet: sum A_p S_ip + gap n/2 . (sum_above A_p G_ip - sum_below A_p G_ip), where that is more for
+ * an open crack and less for surfaces that have passed each other; else the sum as it is.
  * `detection: cell` compares the area with that which a node can see of a grid full of material: a
  * cell's, and half of it along each of r = 0, planes of symmetry and edges of the grid that the
  * node lies on. N&G 3.3 doubles the area found at r = 0 and on planes of symmetry, which is the
@@ -28,16 +29,6 @@
 #define MPM_METHOD_CRACK_DETECTION_H
 
 #include "method/cracks/crack_fields.h"
-
-/* May the surfaces of this crack come into contact? */
-static inline bool mpm_crack_has_contact(const struct mpm_scene *scene, size_t crack)
-{
-    return scene->crack_method == MPM_CRACKS_FIELDS &&
-           scene->cracks[crack].contact != MPM_CONTACT_NONE;
-}
-
-/* Or of any? */
-bool mpm_cracks_have_contact(const struct mpm_scene *scene);
 
 /* Is contact of any crack detected from where its surfaces are? Particles carry their place at t =
  * 0 then. */

@@ -3,9 +3,19 @@
 
 #include "base/strips.h"
 #include "method/cracks/crack_map.h"
+#include "method/grid/grid_update.h"
+#include "method/grid/symmetry.h"
 #include "method/transfer/transfer.h"
 
 #include <string.h>
+
+bool mpm_cracks_have_contact(const struct mpm_scene *scene)
+{
+    for (size_t k = 0; k < scene->crack_count; k++)
+        if (mpm_crack_has_contact(scene, k))
+            return true;
+    return false;
+}
 
 /* ------------------------------------------------------------ the particles */
 
@@ -13,6 +23,7 @@
 struct search {
     struct mpm_state *state;
     int64_t strip;
+    bool segments; /* are crossed segments needed? For contact alone */
 };
 
 /* A particle with the segments that lines to nodes on another side cross. */
@@ -34,10 +45,11 @@ static void place_in_block(const struct mpm_state *state, const struct mpm_cell_
 }
 
 /* The particle's fields at its nodes as far as one crack has a say. */
-static void add_sides(const struct mpm_state *state, const struct mpm_crack_site *site,
+static void add_sides(const struct search *search, const struct mpm_crack_site *site,
                       const struct mpm_cell_block *block, const double particle[2],
                       struct found *found)
 {
+    const struct mpm_state *const state = search->state;
     const struct mpm_grid *const grid = &state->grid;
     const struct mpm_crack_chain *const chain = &state->cracks.chains[site->crack];
     const double from = mpm_crack_part_distance(&site->part, particle);
@@ -52,8 +64,8 @@ static void add_sides(const struct mpm_state *state, const struct mpm_crack_site
         if (mpm_crack_part_is_beside(&site->part, from,
                                      mpm_crack_part_distance(&site->part, place)))
             continue;
-        const enum mpm_crack_side side =
-            mpm_crack_part_side(chain, &site->part, particle, place, &segment);
+        const enum mpm_crack_side side = mpm_crack_part_side(chain, &site->part, particle, place,
+                                                             search->segments ? &segment : NULL);
         if (side == MPM_CRACK_SAME_SIDE)
             continue;
         if ((before >> 4 * k & 15u) != 0) {
@@ -98,7 +110,7 @@ static void find_sides(void *context, size_t p, const struct mpm_cell_block *blo
             continue;
         if (found.use.stencil.count == 0)
             mpm_particle_plain_stencil(state, p, &found.use.stencil);
-        add_sides(state, site, block, particle, &found);
+        add_sides(search, site, block, particle, &found);
     }
     if (found.contradicts)
         mpm_strip_record(&state->strips[search->strip], MPM_TWO_CRACKS, state->particles.id[p], 0,
@@ -113,10 +125,10 @@ static void find_sides(void *context, size_t p, const struct mpm_cell_block *blo
 
 static void find_in_strip(void *context, int64_t index, int worker)
 {
-    const struct search search = {context, index};
+    struct search search = {.state = context, .strip = index};
     (void)worker;
-    mpm_crack_bands_visit(search.state, &search.state->strips[index],
-                          &search.state->cracks.map->listed, find_sides, (void *)&search);
+    search.segments = mpm_cracks_have_contact(search.state->scene);
+    mpm_nearby_visit(search.state, index, &search.state->cracks.map->listed, find_sides, &search);
 }
 
 /* --------------------------------------------------------------- the fields */
@@ -178,6 +190,45 @@ static void name_cracks(struct mpm_state *state, size_t place)
     }
 }
 
+/* A field of a node beyond a plane of symmetry that its crack passes is added to that of the node
+ * inside, which must have one: a domain that is sheared may reach the one with a lower corner and
+ * not the other. */
+static void ask_originals(struct mpm_state *state, size_t place)
+{
+    const struct mpm_field_use *const use = &state->fields.uses[place];
+    uint64_t keys = use->keys;
+    for (int k = 0; keys != 0; k++, keys >>= 4) {
+        double sign[2];
+        const int64_t node = state->node_zero + use->stencil.node[k].node;
+        if ((keys & 15u) == 0 || state->cracks.passes[state->cracks.crossings[place][k].crack] == 0)
+            continue;
+        const int64_t original = mpm_symmetry_original(state, node, sign);
+        if (original != node && mpm_node_is_active(state, original))
+            mpm_field_ask_at(state, original, (int)(keys & 15u));
+    }
+}
+
+/* Fields inside have the names of their images. */
+static void name_original(struct mpm_state *state, int axis, const struct mpm_field_node *inside,
+                          const struct mpm_field_node *beyond, const void *context)
+{
+    (void)context;
+    for (size_t i = 0; beyond != NULL && i < beyond->count; i++) {
+        const size_t from = beyond->first + i;
+        const struct mpm_additional_field *const image = &state->fields.list[from];
+        const int64_t field = mpm_field_of(state, inside, image->key) - mpm_fields_first(state);
+        if ((image->passes >> axis & 1) == 0 || field < 0)
+            continue;
+        const struct mpm_crack_face *const other = &state->cracks.fields[from].face;
+        struct mpm_crack_face *const face = &state->cracks.fields[field].face;
+        face->last =
+            face->crack == MPM_NO_CRACK || other->last > face->last ? other->last : face->last;
+        face->crack = other->crack < face->crack ? other->crack : face->crack;
+        state->fields.list[field].free |= image->free;
+        state->fields.list[field].passes |= image->passes;
+    }
+}
+
 /* Takes the nodes that the particle does not see out of its stencil. */
 static void hide(struct mpm_field_use *use)
 {
@@ -208,6 +259,9 @@ enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
     if (!mpm_crack_map_draw(state))
         return no_room("cells", state->cracks.map->capacity, error);
     mpm_strips_run(state->strip_count, workers, find_in_strip, state);
+    for (size_t k = 0; state->symmetries.passed && k < fields->use_count; k++)
+        if (k < fields->use_capacity)
+            ask_originals(state, k);
     const enum mpm_fields_lack lack = mpm_fields_settle(state);
     if (lack == MPM_FIELDS_LACK_USES)
         return no_room("particles", fields->use_capacity, error);
@@ -220,5 +274,6 @@ enum mpm_status mpm_cracks_find_fields(struct mpm_state *state, int workers,
         if (state->scene->crack_method == MPM_CRACKS_VISIBILITY)
             hide(&fields->uses[k]);
     }
+    mpm_symmetries_visit(state, name_original, NULL);
     return MPM_OK;
 }

@@ -28,6 +28,16 @@
 
 #include "method/fields/fields.h"
 
+/* May the surfaces of this crack come into contact? */
+static inline bool mpm_crack_has_contact(const struct mpm_scene *scene, size_t crack)
+{
+    return scene->crack_method == MPM_CRACKS_FIELDS &&
+           scene->cracks[crack].contact != MPM_CONTACT_NONE;
+}
+
+/* Or of any? */
+bool mpm_cracks_have_contact(const struct mpm_scene *scene);
+
 /* Task 1, first part: v(p, i) of all particles near cracks; the nodes' additional fields, and their
  * rows. A line that crosses two cracks is recorded with its particle, and fails the step at its
  * end. MPM_RUN_FAILED: cracks have grown so that there is no room for what is near them. */

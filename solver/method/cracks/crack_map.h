@@ -12,7 +12,8 @@
  *     . L L L . . . .          listed, so the particle is near the crack
  *
  *     listed.low, listed.high: the first and the last listed column of each row. Particles whose
- *     blocks lie outside of them are passed over, 32 at a time.
+ *     blocks lie outside of them are passed over, 32 at a time, and not even looked at for as many
+ *     steps as none of them can have come near.
  *
  * Cost: in proportion to the length of the cracks, and a test of a strip's particles, a few
  * together, where its nodes come near one.
@@ -21,13 +22,7 @@
 #ifndef MPM_METHOD_CRACK_MAP_H
 #define MPM_METHOD_CRACK_MAP_H
 
-#include "method/fields/fields.h"
-
-/* Columns low[0]..high[0] and rows low[1]..high[1] of cells; ghosts counted, as in mpm_grid_index.
- */
-struct mpm_cell_block {
-    int64_t low[2], high[2];
-};
+#include "method/transfer/nearby.h"
 
 /* What a listed cell has of one crack. */
 struct mpm_crack_site {
@@ -53,14 +48,6 @@ void mpm_crack_map_fill(struct mpm_state *state);
 
 /* Lists the cells near the cracks as they are. False: there is no room. */
 bool mpm_crack_map_draw(struct mpm_state *state);
-
-/* Work for one particle; `block`: the cells that its nodes span, from the first one on, which is
- * left of and below all of them, by what may be round-off. */
-typedef void mpm_crack_visit(void *context, size_t p, const struct mpm_cell_block *block);
-
-/* Visits all particles of the strip whose blocks may have marked cells, in their order. */
-void mpm_crack_bands_visit(const struct mpm_state *state, const struct mpm_strip *strip,
-                           const struct mpm_bands *bands, mpm_crack_visit *visit, void *context);
 
 /* The site of a crack that answers for a block, or NULL: nothing of the crack is there. Blocks
  * wider than the span have theirs put together in `made`. */

@@ -32,7 +32,7 @@ struct mpm_crack_openings {
     struct mpm_crack_surface (*surfaces)[2];
 };
 
-/* The segment that the line from a particle to a node crosses. */
+/* The segment that the line from a particle to a node crosses; the latter for contact alone. */
 struct mpm_crack_crossing {
     uint32_t crack, segment;
 };
@@ -49,20 +49,25 @@ struct mpm_cracks {
     struct mpm_crack_chain *chains; /* per crack of the scene */
     size_t point_count;
     double *position[2]; /* of all chains' points, one after the other */
-    uint8_t *held;       /* per point: bits of the axes along which a symmetry plane holds it */
-    uint8_t *passes;     /* per crack: bits of the axes across which it passes such planes */
+    /* The chains at t = 0 as the scene has them, with the points that have grown where these are in
+     * the undeformed body. Only with MPM_USE_ORIGINS; else NULL. */
+    struct mpm_crack_chain *undeformed;
+    double *origin[2]; /* of all their points */
+    uint8_t *held;     /* per point: bits of the axes along which a symmetry plane holds it */
+    uint8_t *passes;   /* per crack: bits of the axes across which it passes such planes */
     struct mpm_crack_image *images;
     size_t image_count;
     double least_mass; /* of a node that moves cracks; see mpm_cracks_advance */
     struct mpm_crack_openings openings;
-    double widest[2]; /* reach of the largest undeformed domain */
     /* Of the step */
     struct mpm_crack_map *map; /* cells near cracks; see crack_map.h */
     /* For additional fields; see crack_fields.h. Per particle in `uses` of mpm_fields, per node of
      * its stencil: */
     struct mpm_crack_crossing (*crossings)[MPM_STENCIL_MAX];
-    struct mpm_crack_sums *sums;    /* per node in `nodes`: of its own field */
-    struct mpm_crack_field *fields; /* per field in `list` */
+    struct mpm_crack_sums *sums;     /* per node in `nodes`: of its own field */
+    struct mpm_crack_field *fields;  /* per field in `list` */
+    struct mpm_crack_touch *touches; /* pairs of fields that touch; see crack_contact.h */
+    size_t touch_count;
 };
 
 #endif

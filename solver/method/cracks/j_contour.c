@@ -123,24 +123,6 @@ static double crossing_part(const struct mpm_j_contour *contour, const double fr
     return 0.5;
 }
 
-/* The jump of F times the direction of the crack, from the right of it to the left, which is minus
- * the slope of the opening; along the crack's normal and along it, as they are now. */
-static void find_opening(const struct mpm_j_contour *contour, const struct sample *above,
-                         const struct sample *below, double opening[2])
-{
-    const double *const d = contour->tip->direction;
-    const struct sample *const left = contour->spec->at_start ? below : above;
-    const struct sample *const right = contour->spec->at_start ? above : below;
-    double jump[2], along[2];
-    for (int i = 0; i < 2; i++) {
-        const double *const a = &left->gradient[2 * i], *const b = &right->gradient[2 * i];
-        jump[i] = -((a[0] - b[0]) * d[0] + (a[1] - b[1]) * d[1]);
-        along[i] = d[i] + 0.5 * ((a[0] + b[0]) * d[0] + (a[1] + b[1]) * d[1]);
-    }
-    opening[0] = along[0] * jump[1] - along[1] * jump[0];
-    opening[1] = along[0] * jump[0] + along[1] * jump[1];
-}
-
 /* Beside the crack, at that part of the way from a node to the next one, which is behind it. Where
  * the crack runs close by the near node, no particle of its side may reach the far one: then as at
  * the near node. */
@@ -158,8 +140,8 @@ static struct sample sample_beside(const struct mpm_j_contour *contour, const st
 
 /* The crack passes between both nodes: each side is integrated up to it. */
 static enum mpm_status add_cut(const struct mpm_j_contour *contour, const struct segment *segment,
-                               enum mpm_crack_side of_to, enum mpm_crack_side of_from,
-                               struct mpm_j_flux *flux, struct mpm_error *error)
+                               enum mpm_crack_side of_to, enum mpm_crack_side of_from, double j[2],
+                               struct mpm_error *error)
 {
     struct sample from = {.x = 0.0}, to = {.x = 0.0};
     double a[2], b[2];
@@ -171,45 +153,33 @@ static enum mpm_status add_cut(const struct mpm_j_contour *contour, const struct
     const struct sample before = sample_beside(contour, &from, segment->to, of_to, part);
     const struct sample after = sample_beside(contour, &to, segment->from, of_from, 1.0 - part);
     const double first = 0.5 * segment->length * part, second = 0.5 * segment->length - first;
-    add_point(contour, &from, segment->axis, segment->sign, first, flux->j);
-    add_point(contour, &before, segment->axis, segment->sign, first, flux->j);
-    add_point(contour, &after, segment->axis, segment->sign, second, flux->j);
-    add_point(contour, &to, segment->axis, segment->sign, second, flux->j);
-    find_opening(contour, of_to == MPM_CRACK_ABOVE ? &before : &after,
-                 of_to == MPM_CRACK_ABOVE ? &after : &before, flux->opening);
+    add_point(contour, &from, segment->axis, segment->sign, first, j);
+    add_point(contour, &before, segment->axis, segment->sign, first, j);
+    add_point(contour, &after, segment->axis, segment->sign, second, j);
+    add_point(contour, &to, segment->axis, segment->sign, second, j);
     return MPM_OK;
 }
 
 /* No crack between both; each has the field of the other one's side, where it lies on a crack. */
 static enum mpm_status add_plain(const struct mpm_j_contour *contour, const struct segment *segment,
                                  enum mpm_crack_side of_to, enum mpm_crack_side of_from,
-                                 struct mpm_j_flux *flux, struct mpm_error *error)
+                                 double j[2], struct mpm_error *error)
 {
     struct sample from = {.x = 0.0}, to = {.x = 0.0};
     MPM_TRY(find_sample(contour, segment->from, of_from, &from, error));
     MPM_TRY(find_sample(contour, segment->to, of_to, &to, error));
-    add_point(contour, &from, segment->axis, segment->sign, 0.5 * segment->length, flux->j);
-    add_point(contour, &to, segment->axis, segment->sign, 0.5 * segment->length, flux->j);
-    return MPM_OK;
-}
-
-/* A node on the crack: the contour comes from one side and goes on on the other. */
-static enum mpm_status open_at_node(const struct mpm_j_contour *contour, const int64_t at[2],
-                                    struct mpm_j_flux *flux, struct mpm_error *error)
-{
-    struct sample above = {.x = 0.0}, below = {.x = 0.0};
-    MPM_TRY(find_sample(contour, at, MPM_CRACK_ABOVE, &above, error));
-    MPM_TRY(find_sample(contour, at, MPM_CRACK_BELOW, &below, error));
-    find_opening(contour, &above, &below, flux->opening);
+    add_point(contour, &from, segment->axis, segment->sign, 0.5 * segment->length, j);
+    add_point(contour, &to, segment->axis, segment->sign, 0.5 * segment->length, j);
     return MPM_OK;
 }
 
 static enum mpm_status check_crack(const struct mpm_j_contour *contour, size_t crack,
-                                   const int64_t at[2], struct mpm_error *error)
+                                   const int64_t at[2], size_t *met, struct mpm_error *error)
 {
     double place[2];
     if (crack == contour->spec->crack)
         return MPM_OK;
+    *met = crack;
     mpm_j_place(contour, at, place);
     return mpm_error_set(error, MPM_RUN_FAILED,
                          "%s: the contour meets cracks.%zu near (%g, %g); allowed: its own crack "
@@ -219,8 +189,8 @@ static enum mpm_status check_crack(const struct mpm_j_contour *contour, size_t c
 
 /* `halves`: by half for each of the two segments that meet on a crack. */
 static enum mpm_status add_segment(const struct mpm_j_contour *contour,
-                                   const struct segment *segment, int *halves,
-                                   struct mpm_j_flux *flux, struct mpm_error *error)
+                                   const struct segment *segment, int *halves, double j[2],
+                                   size_t *met, struct mpm_error *error)
 {
     double a[2], b[2];
     size_t crack = contour->spec->crack;
@@ -228,13 +198,11 @@ static enum mpm_status add_segment(const struct mpm_j_contour *contour,
     mpm_j_place(contour, segment->to, b);
     const enum mpm_crack_side of_to = mpm_j_side(contour, a, b, &crack);
     const enum mpm_crack_side of_from = mpm_j_side(contour, b, a, &crack);
-    MPM_TRY(check_crack(contour, crack, segment->to, error));
+    MPM_TRY(check_crack(contour, crack, segment->to, met, error));
     *halves += (of_to != MPM_CRACK_SAME_SIDE) + (of_from != MPM_CRACK_SAME_SIDE);
     if (of_to != MPM_CRACK_SAME_SIDE && of_from != MPM_CRACK_SAME_SIDE)
-        return add_cut(contour, segment, of_to, of_from, flux, error);
-    if (of_to != MPM_CRACK_SAME_SIDE)
-        MPM_TRY(open_at_node(contour, segment->to, flux, error));
-    return add_plain(contour, segment, of_to, of_from, flux, error);
+        return add_cut(contour, segment, of_to, of_from, j, error);
+    return add_plain(contour, segment, of_to, of_from, j, error);
 }
 
 /* ------------------------------------------------------------------- contour */
@@ -290,11 +258,12 @@ static const struct {
     int start[2];   /* corner: 1 high, 0 low */
 } sides[] = {{0, 1, 1, {1, 0}}, {1, 1, -1, {1, 1}}, {0, -1, -1, {0, 1}}, {1, -1, 1, {0, 0}}};
 
-enum mpm_status mpm_j_contour_integrate(const struct mpm_j_contour *contour,
-                                        struct mpm_j_flux *flux, struct mpm_error *error)
+enum mpm_status mpm_j_contour_integrate(const struct mpm_j_contour *contour, double j[2],
+                                        size_t *met, struct mpm_error *error)
 {
     int halves = 0;
-    *flux = (struct mpm_j_flux){.j = {0.0, 0.0}};
+    j[0] = j[1] = 0.0;
+    *met = SIZE_MAX;
     for (size_t side = 0; side < sizeof sides / sizeof *sides; side++) {
         const int axis = sides[side].axis, along = 1 - axis;
         struct segment segment = {
@@ -309,9 +278,11 @@ enum mpm_status mpm_j_contour_integrate(const struct mpm_j_contour *contour,
             segment.from[1] = segment.to[1];
             segment.to[along] += sides[side].way;
             MPM_TRY(check_inside(contour, segment.to, error));
-            MPM_TRY(add_segment(contour, &segment, &halves, flux, error));
+            MPM_TRY(add_segment(contour, &segment, &halves, j, met, error));
         }
     }
+    if (halves > 2)
+        *met = contour->spec->crack;
     if (halves != 2)
         return mpm_error_set(error, MPM_RUN_FAILED,
                              "%s: the contour meets its crack %d times; allowed: once, with the "

@@ -25,6 +25,18 @@ struct mpm_j_tip {
     double place[2], direction[2];
 };
 
+/* What a particle carries, per undeformed area. */
+struct mpm_j_particle {
+    size_t p;
+    double place[2], v[2];
+    double f[MPM_GRADIENT_SIZE];
+    double tau[MPM_SYMMETRIC_SIZE];
+    double energy; /* W + K */
+    double plane;  /* J_2 */
+    double area;   /* undeformed */
+    double density;
+};
+
 /* Nodes stored around the rectangle: those of particles that reach it. */
 enum { MPM_J_MARGIN = 4 };
 
@@ -68,13 +80,12 @@ enum mpm_crack_side mpm_j_side(const struct mpm_j_contour *contour, const double
 /* Sets `common` once the nodes are filled. */
 void mpm_j_contour_find_common(struct mpm_j_contour *contour);
 
-/* Integral of [...] dS in both directions of the axes, and K_I and K_II over the root of E' J_1, up
- * to a common factor: the jumps of the opening's slope. */
-struct mpm_j_flux {
-    double j[2];
-    double opening[2];
-};
-enum mpm_status mpm_j_contour_integrate(const struct mpm_j_contour *contour,
-                                        struct mpm_j_flux *flux, struct mpm_error *error);
+/* The place of a tip now. */
+void mpm_j_tip_place(const struct mpm_state *state, const struct mpm_j_integral_spec *spec,
+                     double place[2]);
+
+/* Integral of [...] dS in both directions of the axes; `met` as in struct mpm_j_value. */
+enum mpm_status mpm_j_contour_integrate(const struct mpm_j_contour *contour, double j[2],
+                                        size_t *met, struct mpm_error *error);
 
 #endif

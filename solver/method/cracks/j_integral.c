@@ -2,6 +2,7 @@
 #include "method/cracks/j_integral.h"
 
 #include "method/cracks/crack_map.h"
+#include "method/cracks/stress_intensity.h"
 #include "method/transfer/law_state.h"
 #include "method/transfer/transfer.h"
 
@@ -32,6 +33,24 @@ void mpm_j_tip_place(const struct mpm_state *state, const struct mpm_j_integral_
 
 /* ------------------------------------------------------------------ placing */
 
+/* Of grid lines: the one nearest to the tip. */
+static int64_t nearest_line(const struct mpm_grid *grid, const double tip[2], int axis)
+{
+    return mpm_floor((tip[axis] - grid->origin[axis]) * grid->inverse_cell[axis] + 0.5);
+}
+
+void mpm_j_contour_box(const struct mpm_state *state, const struct mpm_j_integral_spec *spec,
+                       const double tip[2], struct mpm_crack_box *box)
+{
+    const struct mpm_grid *const grid = &state->grid;
+    for (int axis = 0; axis < 2; axis++) {
+        const double nearest = (double)nearest_line(grid, tip, axis);
+        const double cells = (double)spec->contour;
+        box->low[axis] = grid->origin[axis] + grid->cell[axis] * (nearest - cells);
+        box->high[axis] = grid->origin[axis] + grid->cell[axis] * (nearest + cells);
+    }
+}
+
 static enum mpm_status place_contour(struct mpm_j_contour *contour, struct mpm_error *error)
 {
     const struct mpm_state *const state = contour->state;
@@ -40,8 +59,7 @@ static enum mpm_status place_contour(struct mpm_j_contour *contour, struct mpm_e
     double tip[2];
     mpm_j_tip_place(state, contour->spec, tip);
     for (int axis = 0; axis < 2; axis++) {
-        const double from = (tip[axis] - grid->origin[axis]) * grid->inverse_cell[axis];
-        const int64_t nearest = mpm_floor(from + 0.5);
+        const int64_t nearest = nearest_line(grid, tip, axis);
         const bool radius = axis == 0 && state->scene->geometry == MPM_AXISYMMETRIC;
         const double lowest = grid->origin[axis] + (double)(nearest - cells) * grid->cell[axis];
         if (radius && lowest < 1e-9 * grid->cell[axis])
@@ -78,7 +96,8 @@ static struct mpm_crack_box box_around(const struct mpm_j_contour *contour, int6
 }
 
 /* Any point of it inside; one that only crosses the contour is found there. */
-static enum mpm_status check_alone(const struct mpm_j_contour *contour, struct mpm_error *error)
+static enum mpm_status check_alone(const struct mpm_j_contour *contour, size_t *met,
+                                   struct mpm_error *error)
 {
     const struct mpm_state *const state = contour->state;
     const struct mpm_crack_box box = box_around(contour, 0);
@@ -86,11 +105,13 @@ static enum mpm_status check_alone(const struct mpm_j_contour *contour, struct m
         const struct mpm_crack_chain *const chain = &state->cracks.chains[k];
         for (size_t i = 0; i < chain->count && k != contour->spec->crack; i++)
             if (chain->x[i] >= box.low[0] && chain->x[i] <= box.high[0] &&
-                chain->y[i] >= box.low[1] && chain->y[i] <= box.high[1])
+                chain->y[i] >= box.low[1] && chain->y[i] <= box.high[1]) {
+                *met = k;
                 return mpm_error_set(error, MPM_RUN_FAILED,
                                      "%s: cracks.%zu lies inside the contour, near (%g, %g), and "
                                      "J would be that of both; allowed: its own crack alone",
                                      contour->spec->key, k, chain->x[i], chain->y[i]);
+            }
     }
     return MPM_OK;
 }
@@ -120,24 +141,12 @@ static enum mpm_status check_reach(const struct mpm_j_contour *contour, struct m
     return MPM_OK;
 }
 
-/* What a particle carries, per undeformed area. */
-struct carried {
-    size_t p;
-    double place[2], v[2];
-    double f[MPM_GRADIENT_SIZE];
-    double tau[MPM_SYMMETRIC_SIZE];
-    double energy; /* W + K */
-    double plane;  /* J_2 */
-    double area;   /* undeformed */
-    double density;
-};
-
-static struct carried carried_by(const struct mpm_j_contour *contour, size_t p)
+static struct mpm_j_particle carried_by(const struct mpm_j_contour *contour, size_t p)
 {
     const struct mpm_particles *const particles = &contour->state->particles;
     const struct mpm_body *const body = &contour->state->bodies[particles->body[p]];
     const double density = body->material.density;
-    struct carried made = {
+    struct mpm_j_particle made = {
         .p = p,
         .place = {particles->position[0][p], particles->position[1][p]},
         .v = {particles->velocity[0][p], particles->velocity[1][p]},
@@ -154,7 +163,7 @@ static struct carried carried_by(const struct mpm_j_contour *contour, size_t p)
     return made;
 }
 
-static void add_to_sums(const struct mpm_state *state, const struct carried *own,
+static void add_to_sums(const struct mpm_state *state, const struct mpm_j_particle *own,
                         const struct mpm_stencil_node *entry, struct mpm_j_sums *sums)
 {
     const double weight = own->area * own->plane * entry->s, inverse = weight / own->plane;
@@ -188,8 +197,8 @@ static bool find_node(const struct mpm_j_contour *contour, const struct mpm_sten
     return mpm_j_is_within(contour, at, MPM_J_MARGIN);
 }
 
-static struct mpm_j_sums *sums_for(const struct mpm_j_contour *contour, const struct carried *own,
-                                   const int64_t at[2])
+static struct mpm_j_sums *sums_for(const struct mpm_j_contour *contour,
+                                   const struct mpm_j_particle *own, const int64_t at[2])
 {
     double place[2];
     mpm_j_place(contour, at, place);
@@ -230,7 +239,7 @@ static enum mpm_status gather(const struct mpm_j_contour *contour, struct materi
         if (!(x > box.low[0] && x < box.high[0] && y > box.low[1] && y < box.high[1]))
             continue;
         struct mpm_stencil stencil;
-        const struct carried own = carried_by(contour, p);
+        const struct mpm_j_particle own = carried_by(contour, p);
         mpm_particle_plain_stencil(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
             int64_t at[2];
@@ -263,7 +272,8 @@ struct nodal {
     double gradient[4]; /* of the velocity, at the particle: xx xy yx yy */
 };
 
-static struct nodal nodal_values(const struct mpm_j_contour *contour, const struct carried *own)
+static struct nodal nodal_values(const struct mpm_j_contour *contour,
+                                 const struct mpm_j_particle *own)
 {
     struct mpm_stencil stencil;
     struct nodal nodal = {.share = 0.0};
@@ -287,13 +297,14 @@ static struct nodal nodal_values(const struct mpm_j_contour *contour, const stru
 }
 
 /* (F - C)_ik */
-static double slope_of(const struct mpm_j_contour *contour, const struct carried *own, int i, int k)
+static double slope_of(const struct mpm_j_contour *contour, const struct mpm_j_particle *own, int i,
+                       int k)
 {
     return own->f[2 * i + k] - (i == k ? 1.0 : 0.0) - contour->common[2 * i + k];
 }
 
 /* rho_0 [ (a - b)_i (F - C)_ik - v_i v_i,k ] */
-static void dynamic_term(const struct mpm_j_contour *contour, const struct carried *own,
+static void dynamic_term(const struct mpm_j_contour *contour, const struct mpm_j_particle *own,
                          const struct nodal *nodal, double term[2])
 {
     for (int k = 0; k < 2; k++) {
@@ -309,7 +320,7 @@ static void dynamic_term(const struct mpm_j_contour *contour, const struct carri
 }
 
 /* P_tt (delta_kR u/R - (C - I)_Rk) */
-static void hoop_term(const struct mpm_j_contour *contour, const struct carried *own,
+static void hoop_term(const struct mpm_j_contour *contour, const struct mpm_j_particle *own,
                       double term[2])
 {
     const double stretch = own->f[MPM_ZZ];
@@ -319,7 +330,7 @@ static void hoop_term(const struct mpm_j_contour *contour, const struct carried 
 }
 
 /* 1/R P_iR (F - C)_ik */
-static void broberg_term(const struct mpm_j_contour *contour, const struct carried *own,
+static void broberg_term(const struct mpm_j_contour *contour, const struct mpm_j_particle *own,
                          double radius, double term[2])
 {
     const double *const f = own->f, *const tau = own->tau;
@@ -334,7 +345,7 @@ static void broberg_term(const struct mpm_j_contour *contour, const struct carri
 }
 
 /* What the divergence in polar coordinates leaves behind, and the weight of all else: R/a or 1. */
-static double curved_term(const struct mpm_j_contour *contour, const struct carried *own,
+static double curved_term(const struct mpm_j_contour *contour, const struct mpm_j_particle *own,
                           double term[2])
 {
     const double radius = own->place[0] / own->f[MPM_ZZ], front = contour->tip->place[0];
@@ -353,56 +364,38 @@ static double curved_term(const struct mpm_j_contour *contour, const struct carr
     return weighted ? radius / front : 1.0;
 }
 
-static void add_area(const struct mpm_j_contour *contour, size_t p, double j[2])
+/* Adds what a particle gives to J, in its area terms, and to K_I and K_II. */
+static void add_area(const struct mpm_j_contour *contour, const struct mpm_tip_frame *frame,
+                     size_t p, double j[2], struct mpm_intensity_sums *sums)
 {
-    const struct carried own = carried_by(contour, p);
-    const struct nodal nodal = nodal_values(contour, &own);
-    double curved[2], dynamic[2] = {0.0, 0.0};
-    if (nodal.share == 0.0)
-        return;
-    const double weight = curved_term(contour, &own, curved);
-    if (contour->spec->dynamic)
+    const struct mpm_j_integral_spec *const spec = contour->spec;
+    const struct mpm_j_particle own = carried_by(contour, p);
+    struct nodal nodal = {.share = 0.0};
+    double curved[2] = {0.0, 0.0}, dynamic[2] = {0.0, 0.0}, weight = 1.0;
+    if (spec->dynamic || spec->form != MPM_J_CONTOUR)
+        nodal = nodal_values(contour, &own);
+    if (nodal.share > 0.0)
+        weight = curved_term(contour, &own, curved);
+    if (nodal.share > 0.0 && spec->dynamic)
         dynamic_term(contour, &own, &nodal, dynamic);
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 2; k++) {
         j[k] += nodal.share * own.area * (weight * dynamic[k] - curved[k]);
+        nodal.force[k] = spec->dynamic ? nodal.force[k] : 0.0;
+    }
+    mpm_stress_intensity_add(frame, &own, nodal.force, sums);
 }
 
 /* Particles outside of the contour by less than their reach have a share as well. */
-static void integrate_area(const struct mpm_j_contour *contour, double j[2])
+static void integrate_area(const struct mpm_j_contour *contour, const struct mpm_tip_frame *frame,
+                           double j[2], struct mpm_intensity_sums *sums)
 {
     const struct mpm_particles *const particles = &contour->state->particles;
     const struct mpm_crack_box box = box_around(contour, MPM_J_MARGIN);
-    if (!contour->spec->dynamic && contour->spec->form == MPM_J_CONTOUR)
-        return;
     for (size_t p = 0; p < particles->count; p++) {
         const double x = particles->position[0][p], y = particles->position[1][p];
         if (x > box.low[0] && x < box.high[0] && y > box.low[1] && y < box.high[1])
-            add_area(contour, p, j);
+            add_area(contour, frame, p, j, sums);
     }
-}
-
-/* ----------------------------------------------------------------- factors */
-
-/* E', from moduli over the density. */
-static double modulus_of(const struct mpm_state *state, size_t body)
-{
-    const struct mpm_material *const material = &state->bodies[body].material;
-    const double bulk = material->density * material->bulk;
-    const double shear = material->density * material->shear;
-    const double young = 9.0 * bulk * shear / (3.0 * bulk + shear);
-    const double poisson = (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear));
-    return state->scene->geometry == MPM_PLANE_STRESS ? young : young / (1.0 - poisson * poisson);
-}
-
-static void find_stress_intensity(double modulus, const double opening[2],
-                                  struct mpm_j_value *value)
-{
-    const double size = sqrt(opening[0] * opening[0] + opening[1] * opening[1]);
-    value->stress_intensity[0] = value->stress_intensity[1] = 0.0;
-    if (!(value->j[0] > 0.0) || !(size > 0.0))
-        return;
-    for (int i = 0; i < 2; i++)
-        value->stress_intensity[i] = sqrt(modulus * value->j[0]) * (opening[i] / size);
 }
 
 enum mpm_status mpm_j_evaluate(const struct mpm_state *state,
@@ -418,7 +411,9 @@ enum mpm_status mpm_j_evaluate(const struct mpm_state *state,
         .parts = scratch->parts,
     };
     struct material_search search = {.found = false};
-    struct mpm_j_flux flux;
+    struct mpm_intensity_sums sums = {.body = {0.0, 0.0}};
+    double j[2];
+    value->met = SIZE_MAX;
     MPM_TRY(place_contour(&contour, error));
     const struct mpm_crack_box box = box_around(&contour, PARTICLE_MARGIN);
     for (size_t k = 0; k < state->scene->crack_count; k++)
@@ -429,13 +424,17 @@ enum mpm_status mpm_j_evaluate(const struct mpm_state *state,
     memset(contour.nodes, 0, mpm_j_nodes(spec) * sizeof *contour.nodes);
     MPM_TRY(gather(&contour, &search, error));
     mpm_j_contour_find_common(&contour);
-    MPM_TRY(mpm_j_contour_integrate(&contour, &flux, error));
-    MPM_TRY(check_alone(&contour, error));
-    integrate_area(&contour, flux.j);
+    MPM_TRY(mpm_j_contour_integrate(&contour, j, &value->met, error));
+    MPM_TRY(check_alone(&contour, &value->met, error));
+    const struct mpm_material *const material = &state->bodies[search.body].material;
+    const struct mpm_tip_frame frame = mpm_tip_frame_of(
+        &contour, material->density * material->bulk, material->density * material->shear);
+    integrate_area(&contour, &frame, j, &sums);
+    mpm_stress_intensity_add_faces(&frame, &sums);
     const double *const d = tip->direction;
-    value->j[0] = d[0] * flux.j[0] + d[1] * flux.j[1];
-    value->j[1] = d[0] * flux.j[1] - d[1] * flux.j[0];
-    find_stress_intensity(modulus_of(state, search.body), flux.opening, value);
+    value->j[0] = d[0] * j[0] + d[1] * j[1];
+    value->j[1] = d[0] * j[1] - d[1] * j[0];
+    mpm_stress_intensity_find(&frame, &sums, value->stress_intensity);
     if (!isfinite(value->j[0]) || !isfinite(value->j[1]))
         return mpm_error_set(error, MPM_RUN_FAILED, "%s: J is not finite: %g, %g", spec->key,
                              value->j[0], value->j[1]);

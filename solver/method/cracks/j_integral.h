@@ -39,10 +39,10 @@
  * above meet there with their like, and so below. Area terms are sums over particles, each with the
  * part of its weights that lies inside (nodes on the contour count half).
  *
- * K_I and K_II from J_1 = (K_I^2 + K_II^2)/E', E' = E in plane stress, else E/(1 - nu^2), and their
- * ratio from that of the opening of the crack: near a tip it grows with the root of the distance,
- * along the normal with K_I and along the crack with K_II, and so do its slopes, the jumps of F
- * times the direction of the crack, taken where the contour crosses the crack.
+ * K_I and K_II are those of an interaction integral over the particles in the rectangle
+ * (stress_intensity.h). J_1 = (K_I^2 + K_II^2)/E', E' = E in plane stress, else E/(1 - nu^2), holds
+ * as well as both are known: a crack of nodes and particles acts as one that is longer by a part of
+ * a cell, which J has in full; K is that of the field around the place where the chain ends.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_J_INTEGRAL_H
@@ -61,11 +61,12 @@ size_t mpm_j_nodes(const struct mpm_j_integral_spec *spec);
 struct mpm_j_value {
     double j[2];
     double stress_intensity[2];
+    size_t met; /* the crack because of which there is no value, or SIZE_MAX */
 };
 
-/* The place of a tip now. */
-void mpm_j_tip_place(const struct mpm_state *state, const struct mpm_j_integral_spec *spec,
-                     double place[2]);
+/* The rectangle that the contour is around a tip there. */
+void mpm_j_contour_box(const struct mpm_state *state, const struct mpm_j_integral_spec *spec,
+                       const double tip[2], struct mpm_crack_box *box);
 
 /* MPM_RUN_FAILED, with the reason: the contour leaves the grid or the bodies, or reaches the axis;
  * there is more than one material in it; it meets or surrounds another crack, or meets its own

@@ -60,6 +60,8 @@ const char *mpm_fast_lacks(const struct mpm_scene *scene)
             return "there are no fast kernels for laws with state variables";
     if (scene->form == MPM_FORM_MOMENTUM)
         return "there are no fast kernels for method.form: momentum";
+    if (scene->crack_count > 0 && scene->crack_method == MPM_CRACKS_VISIBILITY)
+        return "there are no fast kernels for method.cracks: visibility";
     return NULL;
 }
 

@@ -1,7 +1,7 @@
 /* Fast kernels: four particles at a time in the registers that the machine has, for scenes
- * of ordinary single-field nodes. They do what the reference kernels in transfer.c do, to
- * round-off; sums over the nodes go in the same order, so that results are the same bits
- * for every level of SIMD, every compiler and every number of threads.
+ * whose nodes have one field or several (fast_patches.h). They do what the reference kernels in
+ * transfer.c do, to round-off; sums over the nodes go in the same order, so that results are the
+ * same bits for every level of SIMD, every compiler and every number of threads.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_FAST_H

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/fast/fast_block.h"
 
+#include "method/fields/fields.h"
 #include "method/transfer/extent.h"
 
 static double place_of_axis(const struct mpm_shape_grid *grid)
@@ -12,6 +13,7 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
                         struct fast_constants *constants)
 {
     const struct mpm_grid *const grid = &state->grid;
+    const struct mpm_projection *const projection = state->projection;
     const bool midpoint = state->scene->position_update == MPM_MIDPOINT;
     *constants = (struct fast_constants){
         .axis = place_of_axis(&state->shape_grid),
@@ -22,8 +24,9 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
         .node_zero = state->node_zero + state->bodies[body].shift,
         .mass = grid->mass,
         .sum = grid->sum,
-        .motion = grid->motion,
-        .gradient = grid->gradient,
+        .read = projection != NULL ? (double *)projection->from : (double *)grid->motion,
+        .gradient =
+            projection != NULL && projection->to != NULL ? (void *)projection->to : grid->gradient,
         .time_step = state->time_step,
         .stress_step = part * state->time_step,
         .back = midpoint ? 0.5 * state->time_step : 0.0,
@@ -56,6 +59,30 @@ size_t mpm_fast_run_end(const struct mpm_state *state, size_t begin, size_t end)
     while (p < end && body[p] == body[begin])
         p++;
     return p;
+}
+
+/* A place among a run's particles, moved up to the next whole vector. */
+static size_t whole_vectors(const struct mpm_span *run, size_t place)
+{
+    const size_t rest = place > run->begin ? (place - run->begin) % MPM_VECTOR_SIZE : 0;
+    const size_t end = rest == 0 ? place : place - rest + MPM_VECTOR_SIZE;
+    return end < run->end ? end : run->end;
+}
+
+struct fast_piece mpm_fast_piece_at(const struct mpm_state *state, int64_t strip,
+                                    const struct mpm_span *run, size_t begin, size_t *next)
+{
+    const struct mpm_span *const spans = mpm_field_spans(state, strip);
+    for (; *next < state->strips[strip].span_count; (*next)++) {
+        const struct mpm_span *const span = &spans[*next];
+        const size_t low = span->begin < run->begin ? run->begin : span->begin;
+        const size_t first = low - (low - run->begin) % MPM_VECTOR_SIZE;
+        const size_t end = whole_vectors(run, span->end);
+        if (end > begin)
+            return first > begin ? (struct fast_piece){first < run->end ? first : run->end, false}
+                                 : (struct fast_piece){end, true};
+    }
+    return (struct fast_piece){run->end, false};
 }
 
 /* -------------------------------------------------------------------- tails */

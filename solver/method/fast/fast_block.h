@@ -12,11 +12,15 @@
 /* Vectors that go through the stages of a pass together. */
 enum { MPM_BLOCK_VECTORS = 4 };
 
+struct fast_patches;
+
 struct fast_sums {
     mpm_vector kinetic, wave;
     mpm_vector low[2], high[2]; /* hull of the domains */
     const struct mpm_state *state;
     struct mpm_strip *strip;
+    /* of particles with additional fields in their stencils: fast_patches.h; else NULL */
+    struct fast_patches *patches;
 };
 
 /* All that is known of one block of particles of one body. */
@@ -49,6 +53,16 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
 
 /* The end of the run of particles of one body that begins at `begin`. */
 size_t mpm_fast_run_end(const struct mpm_state *state, size_t begin, size_t end);
+
+/* Of a run: particles up to `end`, all of them in spans with packed fields or none; whole vectors
+ * of the run, as without fields. */
+struct fast_piece {
+    size_t end;
+    bool in_fields;
+};
+/* The piece from `begin` on; *next: the first span of the strip to look at, at first 0. */
+struct fast_piece mpm_fast_piece_at(const struct mpm_state *state, int64_t strip,
+                                    const struct mpm_span *run, size_t begin, size_t *next);
 
 /* The last particles of a run, fewer than a vector: copies that fill one, its free
  * places taken by the first one again with mass zero, which adds nothing. */

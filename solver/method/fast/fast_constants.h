@@ -32,8 +32,8 @@ struct fast_constants {
     int64_t node_zero; /* index of node (0, 0) */
     double *mass;      /* arrays of the grid, by node index */
     struct mpm_node_sum (*sum)[2];
-    struct mpm_node_motion *motion;
-    double (*gradient)[2][2];
+    double *read; /* nodal vectors that are read with S: motion; of a projection `from`, or NULL */
+    double (*gradient)[2][2];      /* in a projection its `to`, if it has one */
     double time_step, stress_step; /* the latter is the part that this update stands for */
     double back;                   /* of the midpoint update: v^{n+1} - back a */
     int deformation_terms;

@@ -26,48 +26,100 @@ MPM_INLINE mpm_fast_update *update_of(const struct mpm_material *material, int k
 
 typedef void fast_work(const struct fast_spec *spec, const struct fast_block *block);
 
-/* A run of particles of one body, block by block; the last particles, fewer than a vector,
- * as copies. */
+/* The block of whole vectors from `begin` on, or the last particles, fewer than a vector, as
+ * copies. Returns how many particles it has. */
+MPM_INLINE size_t begin_block(struct fast_block *block, const struct mpm_particles *particles,
+                              size_t begin, size_t end, struct fast_tail *tail)
+{
+    const size_t whole = (end - begin) / MPM_VECTOR_SIZE * MPM_VECTOR_SIZE;
+    const size_t count = whole == 0 ? end - begin : whole < BLOCK ? whole : BLOCK;
+    block->first = whole == 0 ? 0 : begin;
+    block->end = block->first + count;
+    block->particles = whole == 0 ? &tail->particles : particles;
+    if (whole == 0)
+        mpm_fast_tail_fill(tail, particles, begin, count);
+    if (block->sums->patches != NULL)
+        fast_patches_take(block->sums->patches, begin, count);
+    return count;
+}
+
+/* Particles of one body, block by block. Between two blocks there is one branch, as long as the
+ * next one has whole vectors and neither has patches. */
 MPM_INLINE void run_blocks(const struct fast_spec *spec, struct fast_block *block, size_t begin,
                            size_t end, fast_work *work)
 {
     const struct mpm_particles *const particles = block->particles;
+    struct fast_patches *const patches = block->sums->patches;
     struct fast_tail tail;
-    while (begin < end) {
-        const size_t whole = (end - begin) / MPM_VECTOR_SIZE * MPM_VECTOR_SIZE;
-        const size_t count = whole == 0 ? end - begin : whole < BLOCK ? whole : BLOCK;
-        block->first = whole == 0 ? 0 : begin;
-        block->end = block->first + count;
-        block->particles = whole == 0 ? &tail.particles : particles;
-        if (whole == 0)
-            mpm_fast_tail_fill(&tail, particles, begin, count);
+    size_t count = begin_block(block, particles, begin, end, &tail);
+    for (;;) {
         work(spec, block);
-        if (whole == 0)
+        const size_t rest = end - begin - count;
+        if ((patches == NULL) & (rest >= MPM_VECTOR_SIZE)) {
+            begin += count;
+            count = rest < BLOCK ? rest / MPM_VECTOR_SIZE * MPM_VECTOR_SIZE : BLOCK;
+            block->first = begin;
+            block->end = begin + count;
+            continue;
+        }
+        if (patches != NULL)
+            fast_patches_end(patches);
+        if (block->particles == &tail.particles)
             mpm_fast_tail_write(&tail, particles, begin, count);
+        if (rest == 0)
+            break;
         begin += count;
+        count = begin_block(block, particles, begin, end, &tail);
     }
     block->particles = particles;
 }
 
+/* A run of particles of one body, in pieces with and without patches. */
+MPM_INLINE void run_pieces(const struct fast_spec *spec, const struct mpm_state *state,
+                           int64_t index, const struct fast_traffic *traffic,
+                           const struct mpm_span *run, struct fast_constants *k,
+                           struct fast_block *block, fast_work *work)
+{
+    const bool in_pieces = traffic != NULL && state->strips[index].span_count > 0;
+    struct fast_patches patches;
+    struct fast_piece piece = {run->end, false};
+    if (in_pieces)
+        fast_patches_open(&patches, state, k, traffic);
+    for (size_t begin = run->begin, next = 0; begin < run->end; begin = piece.end) {
+        if (in_pieces) {
+            piece = mpm_fast_piece_at(state, index, run, begin, &next);
+            fast_patches_aim(&patches, piece.in_fields, k);
+        }
+        block->sums->patches = piece.in_fields ? &patches : NULL;
+        run_blocks(spec, block, begin, piece.end, work);
+    }
+    if (in_pieces)
+        fast_patches_aim(&patches, false, k);
+    block->sums->patches = NULL;
+}
+
+/* traffic: what the pass does with nodes; NULL: nothing. */
 MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state, int64_t index,
-                          double part, int kind, struct fast_sums *sums, fast_work *work)
+                          double part, int kind, const struct fast_traffic *traffic,
+                          struct fast_sums *sums, fast_work *work)
 {
     struct mpm_strip *const strip = &state->strips[index];
     const mpm_vector zero = mpm_splat(0.0), most = mpm_splat(DBL_MAX);
-    *sums = (struct fast_sums){zero, zero, {most, most}, {-most, -most}, state, strip};
-    for (size_t begin = strip->begin, end; begin < strip->end; begin = end) {
+    struct mpm_span run = {.end = strip->begin};
+    *sums = (struct fast_sums){zero, zero, {most, most}, {-most, -most}, state, strip, NULL};
+    while (run.end < strip->end) {
         struct fast_constants k;
         struct fast_block block = {.k = &k,
                                    .particles = &state->particles,
                                    .sums = sums,
                                    .moves = !state->order->extrapolate,
                                    .hoop_radius = state->scene->radius_update == MPM_RADIUS_HOOP};
-        const uint32_t body = state->particles.body[begin];
-        end = mpm_fast_run_end(state, begin, strip->end);
-        mpm_fast_constants(state, body, part, &k);
+        run.begin = run.end;
+        run.end = mpm_fast_run_end(state, run.begin, strip->end);
+        mpm_fast_constants(state, state->particles.body[run.begin], part, &k);
         if (kind != NO_UPDATE)
             block.update = update_of(&k.material, kind);
-        run_blocks(spec, &block, begin, end, work);
+        run_pieces(spec, state, index, traffic, &run, &k, &block, work);
     }
 }
 
@@ -76,7 +128,7 @@ static void recompute(void *state, int64_t strip, int worker)
     static const struct fast_spec spec = {.shape = FAST_SHAPE};
     struct fast_sums sums;
     (void)worker;
-    run_strip(&spec, state, strip, 0.0, MPM_FAST_RECOMPUTE, &sums, block_recompute);
+    run_strip(&spec, state, strip, 0.0, MPM_FAST_RECOMPUTE, NULL, &sums, block_recompute);
 }
 
 static void set_box(struct mpm_state *state, const struct fast_sums *sums)
@@ -94,42 +146,54 @@ static void set_box(struct mpm_state *state, const struct fast_sums *sums)
 
 MPM_INLINE void pass_to_grid(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
 {
+    const struct fast_traffic traffic = {.adds = 1u << FAST_SUM, .adds_mass = spec->force};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &sums, block_to_grid);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_to_grid);
 }
 
 MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_state *state,
                                    int64_t strip)
 {
+    const struct fast_traffic traffic = {1u << FAST_GRADIENT, 1u << FAST_SUM, false};
     struct fast_sums sums;
-    run_strip(spec, state, strip, state->order->before, (int)state->scene->geometry, &sums,
-              block_stress_before);
+    run_strip(spec, state, strip, state->order->before, (int)state->scene->geometry, &traffic,
+              &sums, block_stress_before);
     sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
 }
 
 MPM_INLINE void pass_project(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
 {
+    const struct mpm_projection *const projection = state->projection;
+    const struct fast_traffic traffic = {
+        .reads = projection->from != NULL ? 1u << FAST_READ : 0,
+        .adds = projection->to != NULL ? 1u << FAST_GRADIENT : 0,
+    };
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &sums, block_project);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_project);
 }
 
 MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state *state,
                                   int64_t strip)
 {
+    const struct fast_traffic traffic = {1u << FAST_READ, 1u << FAST_GRADIENT, false};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &sums, block_to_particles);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_to_particles);
     sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
 }
 
 MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
 {
+    const bool updates = state->order->after > 0.0;
+    const struct fast_traffic traffic = {
+        .reads =
+            (updates ? 1u << FAST_GRADIENT : 0) | (state->order->extrapolate ? 0 : 1u << FAST_READ),
+    };
     struct fast_sums sums;
     run_strip(spec, state, strip, state->order->after,
-              state->order->after > 0.0 ? (int)state->scene->geometry : NO_UPDATE, &sums,
-              block_finish);
+              updates ? (int)state->scene->geometry : NO_UPDATE, &traffic, &sums, block_finish);
     if (!state->order->extrapolate)
         sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
-    if (state->order->after > 0.0)
+    if (updates)
         sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
     set_box(state, &sums);
 }

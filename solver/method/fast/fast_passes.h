@@ -6,16 +6,10 @@
 #define MPM_METHOD_FAST_PASSES_H
 
 #include "method/fast/fast_block.h"
-#include "method/fast/fast_cpdi.h"
-#include "method/fast/fast_lines.h"
+#include "method/fast/fast_patches.h"
 #include "method/transfer/extent.h"
 
 /* ----------------------------------------------------------- either stencil */
-
-union fast_stencil {
-    struct fast_lines lines;
-    struct fast_cpdi cpdi;
-};
 
 /* Half edges of the CPDI domains of F */
 MPM_INLINE void edges_of(const struct fast_constants *k, const mpm_vector f[MPM_GRADIENT_SIZE],
@@ -95,9 +89,9 @@ MPM_INLINE void gather_motion(const struct fast_spec *spec, const struct fast_co
                               mpm_vector motion[4], mpm_vector hoop[4])
 {
     if (spec->shape == MPM_CPDI)
-        fast_cpdi_gather(spec, k, &stencil->cpdi, k->motion, wants_hoop, motion, hoop);
+        fast_cpdi_gather(spec, k, &stencil->cpdi, k->read, wants_hoop, motion, hoop);
     else
-        fast_lines_gather(spec, k, &stencil->lines, k->motion, wants_hoop, motion, hoop);
+        fast_lines_gather(spec, k, &stencil->lines, k->read, wants_hoop, motion, hoop);
 }
 
 /* sum S of an array's nodal vectors */
@@ -225,6 +219,8 @@ MPM_INLINE void evaluate_block(const struct fast_spec *spec, const struct fast_b
     FOR_VECTORS(block, p, v)
     evaluate(spec, block->k, block->particles, &edges, p, &stencil[v]);
     mpm_keep_in_memory(stencil);
+    if (block->sums->patches != NULL)
+        fast_patches_begin(spec, block->sums->patches, stencil);
 }
 
 MPM_INLINE void update_stress_block(const struct fast_spec *spec, const struct fast_block *block,
@@ -317,8 +313,7 @@ MPM_INLINE void store_values(const struct mpm_projection *projection,
 MPM_INLINE void block_project(const struct fast_spec *spec, const struct fast_block *block)
 {
     const struct mpm_projection *const projection = block->sums->state->projection;
-    const double *const from = projection->from;
-    double *const to = projection->to;
+    const bool from_nodes = projection->from != NULL, to_nodes = projection->to != NULL;
     union fast_stencil stencil[MPM_BLOCK_VECTORS];
     mpm_vector sums[MPM_BLOCK_VECTORS][MPM_PROJECTION_COMPONENTS];
     evaluate_block(spec, block, stencil);
@@ -326,21 +321,21 @@ MPM_INLINE void block_project(const struct fast_spec *spec, const struct fast_bl
     {
         const mpm_vector mass = mpm_load(block->particles->mass + p);
         mpm_vector values[4];
-        if (from != NULL)
-            gather_values(spec, block->k, &stencil[v], from, values);
+        if (from_nodes)
+            gather_values(spec, block->k, &stencil[v], block->k->read, values);
         else
             load_values(projection, block->particles, p, values);
-        if (to == NULL)
+        if (!to_nodes)
             store_values(projection, block->particles, p, values);
         for (int i = 0; i < MPM_PROJECTION_COMPONENTS; i++)
             sums[v][i] = mass * values[i];
     }
-    if (to == NULL)
+    if (!to_nodes)
         return;
     FOR_VECTORS(block, p, v)
     {
         const mpm_vector values[4] = {sums[v][0], sums[v][0], sums[v][1], sums[v][1]};
-        spread_values(spec, block->k, &stencil[v], to, values);
+        spread_values(spec, block->k, &stencil[v], block->k->gradient, values);
     }
 }
 

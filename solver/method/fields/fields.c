@@ -125,6 +125,12 @@ void mpm_field_ask(const struct mpm_state *state, struct mpm_field_use *use, int
     mpm_bands_mark(&asked_at, place[0], place[1]);
 }
 
+void mpm_field_ask_at(struct mpm_state *state, int64_t node, int key)
+{
+    state->fields.asked[node] |= (uint16_t)(1u << key);
+    mpm_bands_mark(&state->fields.asked_at, node % state->grid.columns, node / state->grid.columns);
+}
+
 static void add_to_spans(const struct mpm_state *state, int64_t index, size_t p)
 {
     struct mpm_strip *const strip = &state->strips[index];
@@ -167,6 +173,7 @@ static bool add_node(struct mpm_state *state, int64_t node)
 {
     struct mpm_fields *const fields = &state->fields;
     struct mpm_field_node made = {.node = node, .first = (uint32_t)fields->count};
+    mpm_grid_position(&state->grid, node, made.position);
     if (fields->node_count == fields->node_capacity)
         return false;
     for (int key = 1; key <= fields->keys; key++)
@@ -224,11 +231,19 @@ static inline int64_t diverted(const struct mpm_state *state, int64_t offset, in
 
 static void divert(const struct mpm_state *state, struct mpm_field_use *use)
 {
+    const int64_t zero = state->node_zero;
     uint64_t keys = use->keys;
-    for (int k = 0; keys != 0; k++, keys >>= 4)
-        if ((keys & 15u) != 0)
-            use->stencil.node[k].node =
-                diverted(state, use->stencil.node[k].node, (int)(keys & 15u));
+    use->detours = 0;
+    use->first = -1;
+    for (int k = 0; keys != 0; k++, keys >>= 4) {
+        int64_t *const node = &use->stencil.node[k].node;
+        if ((keys & 15u) == 0)
+            continue;
+        const int64_t field = diverted(state, *node, (int)(keys & 15u));
+        use->detour[use->detours++] =
+            (struct mpm_field_detour){(uint32_t)(zero + *node), (uint32_t)(zero + field)};
+        *node = field;
+    }
 }
 
 /* Requests of this step must not reach the next one. */

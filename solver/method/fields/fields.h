@@ -20,19 +20,21 @@
  * Layers, for a body that moves in a field of its own everywhere. mpm_fields_claim_layers makes
  * room, mpm_body's `shift` is the distance from a node to its copy: mpm_layer_shift. Both sets of
  * kernels spread to the layer and read from it: fast kernels stay fast. A layer's active columns
- * are the grid's; conditions, mirrors and planes of symmetry treat its nodes as their parents.
- * Packed fields are not for particles of such a body.
+ * are the grid's, or fewer, where its client has found the others without mass; conditions, mirrors
+ * and planes of symmetry treat its nodes as their parents. Packed fields are not for particles of
+ * such a body.
  *
  * Keys, for particles that leave their node's own field here and there. A key is the owner: the
  * side of a crack, or a body, or a material; cracks have the first two. In each step a client looks
  * at particles by strips, in their order (mpm_strips_run), and names keys for nodes of their plain
  * stencils (mpm_field_ask), and keeps those that have some (mpm_field_keep); has rows made for them
  * (mpm_fields_settle), which puts the fields into the stencils that mpm_particle_stencil returns in
- * this step. Listed particles take the reference kernels, in spans of a strip (split.h). A
- * particle has one field at a node: clients that meet at one node treat a particle together, and
- * a pair of their keys is a key of its own. Limits: MPM_FIELD_KEYS keys in a scene, as many
- * additional fields of a node, and the capacities of mpm_fields. A client that has more to keep for
- * a field has an array of its own, by the field's place in `list` (crack_fields.h).
+ * this step. Fast kernels take listed particles in spans of a strip, with copies of their nodes
+ * (fast_patches.h). A particle has one field at a node: clients that meet at one node treat a
+ * particle together, and a pair of their keys is a key of its own. Limits: MPM_FIELD_KEYS keys in a
+ * scene, as many additional fields of a node, and the capacities of mpm_fields. A client that has
+ * more to keep for a field has an array of its own, by the field's place in `list`
+ * (crack_fields.h).
  *
  * A new client claims its keys or layers when the simulation is created, and requests fields in
  * `begin` of step.c; passes, loads, conditions and sums over nodes stay as they are. Fields
@@ -67,6 +69,10 @@ void mpm_fields_begin(struct mpm_state *state);
  * row. Strips of one colour have no row of nodes in common: one worker sets the bits of a node. */
 void mpm_field_ask(const struct mpm_state *state, struct mpm_field_use *use, int k,
                    const int64_t place[2], int key);
+
+/* Requests it at a node of the grid for no particle: of one worker, once the particles are listed.
+ */
+void mpm_field_ask_at(struct mpm_state *state, int64_t node, int key);
 
 /* Lists a particle of the strip for which fields were requested, in ascending order within the
  * strip. Returns its place in `uses`, or SIZE_MAX: there is no room, which mpm_fields_settle
@@ -137,7 +143,7 @@ static inline int64_t mpm_field_of(const struct mpm_state *state, const struct m
 }
 
 /* The entry of a particle with additional fields, or NULL. */
-static inline const struct mpm_field_use *mpm_field_use_of(const struct mpm_state *state, size_t p)
+static inline struct mpm_field_use *mpm_field_use_of(const struct mpm_state *state, size_t p)
 {
     if (state->fields.use_of == NULL || state->fields.use_of[p] == 0)
         return NULL;
@@ -145,8 +151,9 @@ static inline const struct mpm_field_use *mpm_field_use_of(const struct mpm_stat
 }
 
 /* Where the step's spans of a strip are: those with listed particles, and with the
- * particles between them where those are fewer than MPM_FIELD_GAP. */
-enum { MPM_FIELD_GAP = 16 };
+ * particles between them where those are fewer than MPM_FIELD_GAP. A span costs the fast kernels
+ * some ten instructions a pass, a particle in it some hundred. */
+enum { MPM_FIELD_GAP = 8 };
 static inline struct mpm_span *mpm_field_spans(const struct mpm_state *state, int64_t strip)
 {
     return state->fields.spans + strip + state->strips[strip].begin / MPM_FIELD_GAP;

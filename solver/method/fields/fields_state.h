@@ -34,15 +34,27 @@ struct mpm_additional_field {
 
 /* A node of the grid that has several fields. */
 struct mpm_field_node {
-    int64_t node;   /* its own field */
+    int64_t node; /* its own field */
+    double position[2];
     uint32_t first; /* of `list`: its others, by ascending key */
     uint8_t count;
     uint8_t held; /* of its own field */
 };
 
+/* A node of a plain stencil, and the field that the particle has there instead. */
+struct mpm_field_detour {
+    uint32_t node, field; /* indices of nodes */
+};
+
 /* A particle with additional fields in its stencil; from the start of a step to its end. */
 struct mpm_field_use {
     uint32_t particle;
+    int detours;
+    struct mpm_field_detour detour[MPM_STENCIL_MAX]; /* for the fast kernels: fast_patches.h */
+    /* Of the fast kernels: a block of nodes from `first` on, in rows of four, and the particle's
+     * fields there; `first` below 0: not yet known. */
+    int64_t first;
+    uint32_t block[MPM_STENCIL_MAX];
     uint64_t keys;              /* four bits for each node of its plain stencil; 0: its own field */
     struct mpm_stencil stencil; /* its nodes in its fields */
 };

@@ -57,22 +57,33 @@ static void append_packed(struct mpm_state *state, const struct mpm_field_node *
             append_field(state, first + i, &list[i].held, condition);
 }
 
+/* Layers that the source does not drive, since contact acts between it and their bodies; bits. */
+static unsigned not_driven(const struct mpm_state *state, uint32_t source)
+{
+    return state->contact.touched == NULL || source >= state->scene->body_count
+               ? 0u
+               : state->contact.touched[source];
+}
+
 static void append_to_fields(struct mpm_state *state, struct mpm_field_node *several,
                              struct mpm_active_condition condition)
 {
     const int64_t node = condition.node;
-    append_field(state, node, several == NULL ? NULL : &several->held, condition);
-    if (several != NULL)
+    const unsigned skipped = not_driven(state, condition.source);
+    if ((skipped & 1u) == 0)
+        append_field(state, node, several == NULL ? NULL : &several->held, condition);
+    if ((skipped & 1u) == 0 && several != NULL)
         append_packed(state, several, 0, condition);
     for (int64_t layer = 1; layer <= state->fields.layers; layer++)
-        append_field(state, node + mpm_layer_shift(state, layer), NULL, condition);
+        if ((skipped >> layer & 1u) == 0)
+            append_field(state, node + mpm_layer_shift(state, layer), NULL, condition);
 }
 
 /* Of a node that has mass: for all of its velocity fields */
 static inline void append(struct mpm_state *state, struct mpm_active_condition condition)
 {
     struct mpm_field_node *const several = mpm_field_node_at(state, condition.node);
-    if (several == NULL && state->fields.layers == 0)
+    if (several == NULL && state->fields.layers == 0 && state->contact.touched == NULL)
         state->conditions.active[state->conditions.active_count++] = condition;
     else
         append_to_fields(state, several, condition);
@@ -154,9 +165,9 @@ static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_err
 
 /* The node moves with the body during the step, so its velocity at the end is taken
  * where it has got to: a body whose velocity varies in space deforms consistently. */
-static enum mpm_status rigid_velocity(const struct mpm_state *state, uint32_t body, int axis,
-                                      const double position[2], struct mpm_active_condition *active,
-                                      struct mpm_error *error)
+enum mpm_status mpm_rigid_velocity(const struct mpm_state *state, uint32_t body, int axis,
+                                   const double position[2], double *start, double *end,
+                                   struct mpm_error *error)
 {
     const struct mpm_vector_field *const field = &state->conditions.body_velocity[body];
     const double dt = state->time_step;
@@ -164,11 +175,11 @@ static enum mpm_status rigid_velocity(const struct mpm_state *state, uint32_t bo
     for (int k = 0; k < 2; k++)
         if (field->component[k] != NULL)
             carried[k] += dt * mpm_expression_value(field->component[k], 0, position, state->time);
-    active->start = mpm_expression_value(field->component[axis], 0, position, state->time);
-    active->end = mpm_expression_value(field->component[axis], 0, carried, state->time + dt);
-    if (!isfinite(active->start) || !isfinite(active->end))
+    *start = mpm_expression_value(field->component[axis], 0, position, state->time);
+    *end = mpm_expression_value(field->component[axis], 0, carried, state->time + dt);
+    if (!isfinite(*start) || !isfinite(*end))
         return not_finite(state->scene->bodies[body].name, position, state->time,
-                          isfinite(active->start) ? active->end : active->start, error);
+                          isfinite(*start) ? *end : *start, error);
     return MPM_OK;
 }
 
@@ -195,7 +206,7 @@ static enum mpm_status drive_node(struct mpm_state *state, size_t first_rigid, u
         struct mpm_active_condition active = {node, axis, body, 0.0, 0.0};
         double position[2];
         mpm_grid_position(&state->grid, node, position);
-        MPM_TRY(rigid_velocity(state, body, axis, position, &active, error));
+        MPM_TRY(mpm_rigid_velocity(state, body, axis, position, &active.start, &active.end, error));
         const struct mpm_active_condition *const other =
             contested ? find_rigid(state, first_rigid, node, axis) : NULL;
         if (other == NULL)
@@ -211,7 +222,8 @@ static enum mpm_status drive_node(struct mpm_state *state, size_t first_rigid, u
     return MPM_OK;
 }
 
-static void rigid_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+void mpm_rigid_particle_stencil(const struct mpm_state *state, size_t p,
+                                struct mpm_stencil *stencil)
 {
     const struct mpm_rigid_particles *const rigid = &state->rigid;
     const double *const half = state->bodies[rigid->body[p]].half_size;
@@ -229,7 +241,7 @@ static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *e
     for (size_t p = 0; p < state->rigid.count; p++) {
         const uint32_t body = state->rigid.body[p];
         struct mpm_stencil stencil;
-        rigid_stencil(state, p, &stencil);
+        mpm_rigid_particle_stencil(state, p, &stencil);
         for (int k = 0; k < stencil.count; k++) {
             if (stencil.node[k].s == 0.0)
                 continue;

@@ -16,6 +16,15 @@
  * prescribe different velocities for one node. */
 enum mpm_status mpm_conditions_gather(struct mpm_state *state, struct mpm_error *error);
 
+/* The stencil of a particle of a rigid body. */
+void mpm_rigid_particle_stencil(const struct mpm_state *state, size_t p,
+                                struct mpm_stencil *stencil);
+/* A component of a rigid body's velocity at a place, at the start of the step, and at its end where
+ * the place has moved to with the body. MPM_RUN_FAILED: not finite. */
+enum mpm_status mpm_rigid_velocity(const struct mpm_state *state, uint32_t body, int axis,
+                                   const double position[2], double *start, double *end,
+                                   struct mpm_error *error);
+
 /* Each of the next three is followed by contact of cracks, which leaves held components as they are
  * (held of mpm_field_node and mpm_additional_field), and then by the mirrors of the same
  * velocities. */

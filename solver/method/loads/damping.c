@@ -139,6 +139,20 @@ enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_erro
     return MPM_OK;
 }
 
+void mpm_damping_follow_contact(struct mpm_state *state, int64_t node,
+                                const struct mpm_contact_side *side, const double impulse[2])
+{
+    if (!state->damping.nodes || state->damping.node_drag != NULL)
+        return;
+    const bool varying = mpm_rate_is_varying(state->damping.grid);
+    const double rate =
+        state->damping.grid_rate + (varying ? mpm_rate_of_node(state, node, 0) : 0.0);
+    for (int axis = 0; axis < 2; axis++)
+        state->damping.totals.dissipated += rate * state->grid.mass[node] *
+                                            state->grid.start[node][axis] * 0.5 * state->time_step *
+                                            side->mobility[axis] * impulse[axis];
+}
+
 /* --------------------------------------------------------------- particles */
 
 /* alpha_p(t, x_p); 0, with a record, if it is not allowed */

@@ -42,6 +42,7 @@
 #ifndef MPM_METHOD_DAMPING_H
 #define MPM_METHOD_DAMPING_H
 
+#include "method/contact/contact_impulse.h"
 #include "method/state.h"
 
 /* Evaluates what is the same for all nodes or particles in this step. MPM_RUN_FAILED: a rate
@@ -52,6 +53,10 @@ enum mpm_status mpm_damping_begin(struct mpm_state *state, struct mpm_error *err
  * MPM_RUN_FAILED: a node's rate is out of range. Cost: a pass over the active nodes, with an
  * expression each if the rate varies in space. */
 enum mpm_status mpm_damping_apply_nodes(struct mpm_state *state, struct mpm_error *error);
+/* Contact between bodies gives a node, inside of the grid, an impulse at the end of the step: what
+ * damping took was counted with the mean velocity before. `side`: the node before the impulse. */
+void mpm_damping_follow_contact(struct mpm_state *state, int64_t node,
+                                const struct mpm_contact_side *side, const double impulse[2]);
 
 /* Damping at the particles, three times in a step. Finds the drag q_p of the velocities at the
  * start of the step, before any transfer changes them; with PIC damping that evaluates shape

@@ -56,6 +56,8 @@ static void smooth(struct mpm_state *state, int workers, mpm_pass *begin)
         mpm_symmetries_reflect_extrapolated(state);
         mpm_grid_rows_run(state, next_order);
         mpm_conditions_apply_smoothed(state);
+        if (state->contact.exchange_smoothed != NULL)
+            state->contact.exchange_smoothed(state);
     }
 }
 

@@ -5,7 +5,6 @@
 #include "simulation/simulation.h"
 #include "suites.h"
 #include "support/combinations.h"
-#include "support/folder.h"
 #include "support/near.h"
 #include "support/scene_files.h"
 #include "support/scenes.h"
@@ -105,8 +104,10 @@ static struct test_run open_tip(const struct tip *tip, const char *shape, const 
         &settings,
         "cracks=[{points: %s, contact: none, j_integral: [{tip: %s, contour: 4, dynamic: false}, "
         "{tip: %s, contour: 6, dynamic: false}, {tip: %s, contour: 8, dynamic: false}, "
-        "{tip: %s, contour: 10, dynamic: false}]}]",
-        tip->points, tip->name, tip->name, tip->name, tip->name);
+        "{tip: %s, contour: 10, dynamic: false}, {tip: %s, contour: 4}, {tip: %s, contour: 6}, "
+        "{tip: %s, contour: 8}, {tip: %s, contour: 10}]}]",
+        tip->points, tip->name, tip->name, tip->name, tip->name, tip->name, tip->name, tip->name,
+        tip->name);
     const struct test_run run = test_run_open(BLOCK, settings.texts, 1);
     settings_clear(&settings);
     return run;
@@ -125,15 +126,15 @@ static struct williams_field field_at(const struct test_run *run, const struct t
 }
 
 /* Stress falls with the root of the distance r from the tip, and energy with r: means over a cell,
- * and linear values between nodes, are off by the order of (h/r)^2. K_I and K_II share J by slopes
- * of the opening, from means of a cell beside the crack: h/r. */
+ * and linear values between nodes, are off by the order of (h/r)^2. K_I and K_II are sums over
+ * particles, and what jumps across the crack jumps midway between two of them: (h/r)^2 as well. */
 static double j_tolerance(int contour)
 {
     return 0.15 / ((double)contour * contour);
 }
-static double share_tolerance(int contour)
+static double intensity_tolerance(int contour)
 {
-    return 0.06 / contour;
+    return 0.1 / ((double)contour * contour);
 }
 
 struct load {
@@ -150,15 +151,13 @@ static void assert_tip(const struct test_run *run, const struct williams_field *
     for (size_t i = 0; i < SIZES; i++) {
         const struct mpm_j_integral found = test_run_j_integral(run, i);
         const double bound = j * j_tolerance(CONTOURS[i]);
-        const double shares = SMALL * share_tolerance(CONTOURS[i]);
+        const double fine = SMALL * intensity_tolerance(CONTOURS[i]);
         for (int axis = 0; axis < AXES; axis++)
             ck_assert_near(found.direction[axis], direction[axis], 1e-15);
         ck_assert_near(found.j[0], j, bound);
         ck_assert_near(found.j[1], -2.0 * one * two / modulus, bound);
-        ck_assert_near(found.stress_intensity[0], one, shares);
-        ck_assert_near(found.stress_intensity[1], two, shares);
-        ck_assert_near(hypot(found.stress_intensity[0], found.stress_intensity[1]),
-                       sqrt(modulus * found.j[0]), 1e-12 * SMALL);
+        ck_assert_near(found.stress_intensity[0], one, fine);
+        ck_assert_near(found.stress_intensity[1], two, fine);
     }
 }
 
@@ -281,7 +280,9 @@ static void wave_velocity(const void *context, const double place[AXES], double 
 
 /* Errors are of the order of (h k)^2 of the terms, and so is the force of faces that are not quite
  * free. `bound` is on J; `without` what there is at least where terms are left out: that of a state
- * at rest, and without the area term. */
+ * at rest, and without the area term. The same for K_I and K_II, which are those of small strains.
+ */
+static const double INTENSITY_BOUND = 8e-4, INTENSITY_WITHOUT = 0.03;
 static const struct smooth {
     const char *form; /* NULL: planar */
     bool stretched, moves, strains;
@@ -344,69 +345,109 @@ START_TEST(a_smooth_field_has_no_j_whatever_it_is)
         const struct mpm_j_integral found = test_run_j_integral(&run, k);
         ck_assert_near(found.j[0], 0.0, smooth->bound);
         ck_assert_near(found.j[1], 0.0, smooth->bound);
+        for (int mode = 0; mode < 2 && !smooth->stretched; mode++)
+            ck_assert_near(found.stress_intensity[mode], 0.0, INTENSITY_BOUND);
     }
     const size_t last = mpm_scene_j_integral_count(run.scene) - 1;
     ck_assert(fabs(test_run_j_integral(&run, last).j[0]) >= smooth->without);
-    if (!smooth->stretched)
-        ck_assert(fabs(test_run_j_integral(&run, 3).j[0]) >= smooth->without);
+    if (!smooth->stretched) {
+        const struct mpm_j_integral found = test_run_j_integral(&run, 3);
+        ck_assert(fabs(found.j[0]) >= smooth->without);
+        ck_assert(fabs(found.stress_intensity[0]) >= (smooth->strains ? INTENSITY_WITHOUT : 0.0));
+    }
     test_run_close(&run);
 }
 END_TEST
 
-/* ------------------------------------------------------------------ scenes */
+/* ----------------------------------------------------------- faces that press */
 
-static const struct refusal {
-    const char *settings[4]; /* ends with NULL */
-    const char *message;
-} REFUSALS[] = {
-    {{"cracks=[{points: [[0.2, 18.1], [18.3, 18.1]], j_integral: [{contour: 17}]}]"}, "edge"},
-    {{"cracks=[{points: [[0.2, 18.1], [33, 18.1]], j_integral: [{contour: 4}]}]"}, "grid"},
-    {{"cracks=[{points: [[16.2, 18.1], [18.3, 18.1]], j_integral: [{contour: 4}]}]"},
-     "meets its crack 0 times"},
-    {{"cracks=[{points: [[0.2, 18.1], [18.3, 18.1]], j_integral: [{contour: 6}]},"
-      " {points: [[15.2, 15.1], [28.3, 15.1]]}]"},
-     "meets cracks.1"},
-    /* all of another crack inside: J would be that of both */
-    {{"cracks=[{points: [[0.2, 18.1], [18.3, 18.1]], j_integral: [{contour: 6}]},"
-      " {points: [[19.6, 18.1], [20.4, 18.9]]}]"},
-     "cracks.1 lies inside the contour, near (19.6, 18.1)"},
-    {{"geometry=axisymmetric",
-      "cracks=[{points: [[0, 18.1], [8.3, 18.1]], j_integral: [{contour: 8}]}]",
-      "bodies.block.region={rectangle: {from: [0, 1.6], to: [34, 34.4]}}"},
-     "reaches the axis r = 0"},
-    {{"cracks=[{points: [[0.2, 18.1], [18.3, 18.1]], j_integral: [{contour: 4}]}]",
-      "materials=[{name: stiff, law: linear_elastic, density: 2, bulk: 80, shear: 48},"
-      " {name: soft, law: linear_elastic, density: 2, bulk: 8, shear: 4.8}]",
-      "bodies=[{name: block, material: stiff, region: {rectangle: {from: [2, 1.6], to: [18, 34.4]}}"
-      "}, {name: other, material: soft, region: {rectangle: {from: [18, 1.6], to: [34, 34.4]}}}]"},
-     "two materials, stiff and soft"},
-    {{"cracks=[{points: [[0.2, 18.1], [18.3, 18.1]], j_integral: [{contour: 4}, {contour: 5},"
-      " {contour: 4}]}]"},
-     "the same integral as cracks.0.j_integral.0"},
+/* Any homogeneous stress: it goes through the crack as if the faces stuck together, with forces on
+ * them, and there is no K. Forces within a part of a cell of the tip are missed, where nodes are of
+ * both sides: K = 2 p sqrt(2 l/pi) for a traction p up to the distance l, and l = 0.41 of a cell is
+ * the most there is. Without the forces K grows with the contour: as from its whole length, less
+ * the part of it where q falls. On a bent crack the auxiliary field has tractions as well. */
+static const double MISSED = 0.5, COUNTED = 1.0; /* cells */
+/* What is missed is the same on all contours. */
+static const double CONSTANT = 0.1;
+
+static void even_gradient(const void *context, const double place[AXES], double gradient[GRADIENT])
+{
+    const double *const strain = context;
+    for (int k = 0; k < GRADIENT; k++)
+        gradient[k] = SMALL * strain[k];
+    (void)place;
+}
+
+static double traction_on(const double strain[GRADIENT], const double direction[AXES])
+{
+    const double lame = (BULK - 2.0 / 3.0 * SHEAR) * (strain[0] + strain[3]);
+    const double shear = SHEAR * (strain[1] + strain[2]);
+    const double xx = lame + 2.0 * SHEAR * strain[0], yy = lame + 2.0 * SHEAR * strain[3];
+    return SMALL * hypot(shear * direction[0] - xx * direction[1],
+                         yy * direction[0] - shear * direction[1]);
+}
+
+/* The last two are bent, five cells and one behind the tip. */
+static const struct tip PRESSED[] = {
+    {"[[0.2, 18.1], [18.3, 18.1]]", "end", {1, 0}},
+    {"[[18.3, 18.1], [0.2, 18.1]]", "start", {1, 0}},
+    {"[[35.8, 17.6], [18.3, 17.6]]", "end", {-1, 0}},
+    {"[[6.2, 2.1], [18.2, 18.1]]", "end", {0.6, 0.8}},
+    {"[[18.2, 18.1], [34.2, 6.1]]", "start", {-0.8, 0.6}},
+    {"[[0.2, 18.1], [14.3, 18.1], [18.3, 15.1]]", "end", {0.8, -0.6}},
+    {"[[18.2, 18.1], [19, 17.5], [34.2, 17.5]]", "start", {-0.8, 0.6}},
 };
 
-START_TEST(a_contour_that_is_none_is_refused_with_the_reason)
+START_TEST(forces_on_the_faces_have_their_part_in_the_stress_intensities)
 {
-    const struct refusal *const refusal = &REFUSALS[_i];
-    struct test_run run = {NULL, NULL};
-    struct mpm_error error = {.message = ""};
-    const struct mpm_simulation_options options = {.threads = 1};
-    size_t count = 0;
-    while (refusal->settings[count] != NULL)
-        count++;
-    char *const folder = test_folder_create();
-    char *const path = test_folder_write(folder, "scene.yaml", BLOCK);
-    enum mpm_status status = mpm_scene_read(path, refusal->settings, count, &run.scene, &error);
-    if (status == MPM_OK)
-        status = mpm_simulation_create(run.scene, &options, &run.simulation, &error);
-    g_free(path);
-    test_folder_remove(folder);
-    ck_assert_int_eq(status, MPM_BAD_INPUT);
-    test_contains(error.message, refusal->message);
-    mpm_simulation_free(run.simulation);
-    mpm_scene_free(run.scene);
+    static const double strains[][GRADIENT] = {
+        {0, 0, 0, -1}, {-1, 0, 0, 0}, {0, 1, 1, 0}, {1, 2, 3, 4}};
+    const struct tip *const tip = &PRESSED[_i / TEST_SHAPES];
+    struct test_run run = open_tip(tip, test_shapes[_i % TEST_SHAPES], "plane_strain");
+    for (size_t k = 0; k < G_N_ELEMENTS(strains); k++) {
+        const double unit = 2.0 * traction_on(strains[k], tip->direction) * sqrt(2.0 / acos(-1.0));
+        give(&run, &(struct given){even_gradient, NULL, strains[k]});
+        const struct mpm_j_integral first = test_run_j_integral(&run, SIZES);
+        for (size_t i = 0; i < SIZES; i++) {
+            const struct mpm_j_integral without = test_run_j_integral(&run, i);
+            const struct mpm_j_integral found = test_run_j_integral(&run, SIZES + i);
+            ck_assert(hypot(without.stress_intensity[0], without.stress_intensity[1]) >=
+                      unit * sqrt(COUNTED));
+            ck_assert_near(hypot(found.stress_intensity[0], found.stress_intensity[1]), 0.0,
+                           unit * sqrt(MISSED));
+            ck_assert_near(found.stress_intensity[0], first.stress_intensity[0], unit * CONSTANT);
+            ck_assert_near(found.stress_intensity[1], first.stress_intensity[1], unit * CONSTANT);
+        }
+    }
+    test_run_close(&run);
 }
 END_TEST
+
+/* A disk that is stretched evenly in its plane, with a crack in that: stress along the crack and
+ * along the hoop, none on the crack. The terms cancel to the round-off of F, 1e-16 of 1 over
+ * strains of 1e-4. Only forces at nodes around the tip, of parts of both sides, do not. */
+static const double CANCELS = 1e-9, AROUND_TIP = 0.1;
+
+START_TEST(a_disk_that_is_stretched_evenly_has_no_stress_intensities)
+{
+    static const struct tip tips[] = {{"[[0.2, 18.1], [18.3, 18.1]]", "end", {1, 0}},
+                                      {"[[33.8, 17.7], [18.3, 17.7]]", "end", {-1, 0}}};
+    struct test_run run =
+        open_tip(&tips[_i / TEST_SHAPES], test_shapes[_i % TEST_SHAPES], "axisymmetric");
+    const double stress = SMALL * 2.0 * SHEAR * (1.0 + poisson()) / (1.0 - poisson());
+    const double strain[GRADIENT] = {1, 0, 0, -2.0 * poisson() / (1.0 - poisson()), 1};
+    give(&run, &(struct given){even_gradient, NULL, strain});
+    for (size_t i = 0; i < 2 * (size_t)SIZES; i++) {
+        const struct mpm_j_integral found = test_run_j_integral(&run, i);
+        for (int mode = 0; mode < 2; mode++)
+            ck_assert_near(found.stress_intensity[mode], 0.0,
+                           stress * (i < SIZES ? CANCELS : AROUND_TIP));
+    }
+    test_run_close(&run);
+}
+END_TEST
+
+/* ---------------------------------------------------------- long particles */
 
 /* Particles of 1/4 cell from middle to edge, stretched along y */
 static const struct stretch {
@@ -435,18 +476,20 @@ Suite *suite_j_integral(void)
     TCase *tips = tcase_create("tips");
     tcase_add_loop_test(tips, the_field_of_a_tip_has_its_j_and_its_stress_intensities, 0,
                         TIP_COUNT * TEST_SHAPES);
+    tcase_add_loop_test(tips, forces_on_the_faces_have_their_part_in_the_stress_intensities, 0,
+                        G_N_ELEMENTS(PRESSED) * TEST_SHAPES);
     tcase_add_loop_test(tips, j_is_that_of_the_undeformed_body_however_far_it_has_turned, 0,
                         TIP_COUNT);
     suite_add_tcase(suite, tips);
     TCase *smooth = tcase_create("smooth");
     tcase_add_loop_test(smooth, a_smooth_field_has_no_j_whatever_it_is, 0,
                         G_N_ELEMENTS(SMOOTH) * TEST_SHAPES);
+    tcase_add_loop_test(smooth, a_disk_that_is_stretched_evenly_has_no_stress_intensities, 0,
+                        2 * TEST_SHAPES);
     suite_add_tcase(suite, smooth);
-    TCase *scenes = tcase_create("scenes");
-    tcase_add_loop_test(scenes, a_contour_that_is_none_is_refused_with_the_reason, 0,
-                        G_N_ELEMENTS(REFUSALS));
-    tcase_add_loop_test(scenes, a_contour_near_particles_longer_than_its_margin_is_refused, 0,
+    TCase *particles = tcase_create("particles");
+    tcase_add_loop_test(particles, a_contour_near_particles_longer_than_its_margin_is_refused, 0,
                         G_N_ELEMENTS(STRETCHES));
-    suite_add_tcase(suite, scenes);
+    suite_add_tcase(suite, particles);
     return suite;
 }

@@ -116,9 +116,9 @@ static void check_keys(const json_t *object, const char *const *keys, size_t cou
 
 START_TEST(the_run_record_tells_outcome_cost_and_origin)
 {
-    static const char *const top[] = {"outcome",  "cause",         "reason",   "exit_status",
-                                      "warnings", "energy_growth", "counters", "kernels",
-                                      "simd",     "provenance"};
+    static const char *const top[] = {"outcome",  "cause",         "reason",     "exit_status",
+                                      "warnings", "energy_growth", "ended_tips", "counters",
+                                      "kernels",  "simd",          "provenance"};
     static const char *const counted[] = {"steps", "particles", "particle_steps", "seconds",
                                           "bytes"};
     static const char *const timed[] = {"setup", "step", "output"};

@@ -293,10 +293,13 @@ static char *describe(const struct mpm_scene *scene)
     static const struct mpm_crack_spec no_crack;
     const struct mpm_body_spec *body = &scene->bodies[0];
     const struct mpm_crack_spec *crack = scene->crack_count > 0 ? &scene->cracks[0] : &no_crack;
+    static const struct mpm_pair_spec no_pair;
+    const struct mpm_pair_spec *pair =
+        scene->contact.pair_count > 0 ? scene->contact.pairs : &no_pair;
     return g_strdup_printf(
         "%s|%s|%s|%s|%s|%.17g|%.17g %.17g|%.17g|%" G_GINT64_FORMAT "|%.17g %.17g %d|%d %d %d %d %d "
         "%.17g %d|%d %d %s %s|%zu|%s %s|%" G_GINT64_FORMAT " %.17g %.17g|%zu %d|%d %zu %d %g %g "
-        "%g",
+        "%g|%d %zu %d %d",
         scene->title, scene->units_length, scene->units_mass, scene->units_time,
         scene->units_temperature, scene->thickness, scene->origin[0], scene->origin[1],
         scene->cell[0], (gint64)scene->cells[0], scene->courant, scene->step, scene->allow_unstable,
@@ -308,7 +311,8 @@ static char *describe(const struct mpm_scene *scene)
         scene->body_force.text[1] != NULL ? scene->body_force.text[1] : "none",
         (gint64)scene->rest.steps, scene->rest.after, scene->damping.target, scene->edge_load_count,
         scene->edge_load_count > 0 ? (int)scene->edge_loads[0].frame : 0, (int)scene->crack_method,
-        scene->crack_count, (int)crack->contact, crack->separated, crack->touching, crack->spacing);
+        scene->crack_count, (int)crack->contact, crack->separated, crack->touching, crack->spacing,
+        scene->contact.by_body, scene->contact.pair_count, pair->normal, pair->detection);
 }
 
 /* A scene in which one more key can be set: some need their group, with what that requires. */
@@ -323,6 +327,8 @@ static const char *scene_around(const char *key, bool axisymmetric)
         return "tests/scenes/good/growing_crack.yaml";
     if (g_str_has_prefix(key, "cracks[].") || strcmp(key, "method.cracks") == 0)
         return "tests/scenes/good/cracked_block.yaml";
+    if (g_str_has_prefix(key, "contact."))
+        return "tests/scenes/good/touching.yaml";
     return axisymmetric ? "tests/scenes/good/compressed_disk.yaml" : TEST_MINIMAL_SCENE;
 }
 

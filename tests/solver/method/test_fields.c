@@ -10,7 +10,6 @@
 #include "base/strips.h"
 #include "method/contact/exchange.h"
 #include "method/fields/fields.h"
-#include "method/fields/split.h"
 #include "method/grid/grid_update.h"
 #include "method/transfer/transfer.h"
 #include "simulation/simulation.h"
@@ -330,17 +329,7 @@ static void take_steps(const struct test_run *run, bool with_fields)
     }
 }
 
-/* With the fast kernels: the orders that have whole masses before the stress update, USL and MUSL.
- */
-enum { KEY_RUNS = METHODS, FAST_KEY_RUNS = SHAPES * 2 };
-
-/* Fast kernels, and reference ones where particles have additional fields. */
-static void split_kernels(struct mpm_kernel_choice *kernels, const struct test_run *reference)
-{
-    kernels->plain = kernels->passes;
-    kernels->general = state_of(reference)->kernels.passes;
-    kernels->passes = &mpm_split_passes;
-}
+enum { KEY_RUNS = METHODS, FAST_KEY_RUNS = METHODS };
 
 /* Up to three fields of a node, packed. */
 START_TEST(bodies_with_keys_of_their_own_pass_through_each_other)
@@ -348,14 +337,11 @@ START_TEST(bodies_with_keys_of_their_own_pass_through_each_other)
     const bool fast = _i >= KEY_RUNS;
     const int index = _i % KEY_RUNS, slow = index + SLOW;
     struct test_run together = open_run(fast ? index : slow, BODIES);
-    struct test_run reference = open_run(slow, BODIES);
     struct mpm_state *const state = state_of(&together);
     ck_assert_int_eq(mpm_fields_claim(state, BODIES - 1, (size_t)mpm_layer_size(state)), 1);
     struct mpm_arena arena = make_room(state);
     double before[BODIES][AXES];
     size_t done = 0;
-    if (fast)
-        split_kernels(&state->kernels, &reference);
     for (uint32_t body = 0; body < BODIES; body++)
         for (int axis = 0; axis < AXES; axis++)
             before[body][axis] = momentum_of(&together, body, axis);
@@ -370,7 +356,6 @@ START_TEST(bodies_with_keys_of_their_own_pass_through_each_other)
                            FIELD_ROUND_OFF);
         test_run_close(&apart);
     }
-    test_run_close(&reference);
     test_run_close(&together);
     mpm_arena_free(&arena);
 }

@@ -26,10 +26,10 @@ static const unsigned extra_uses[] = {
     0,
     MPM_USE_APIC,
     MPM_USE_DOMAINS,
-    MPM_USE_ORIGINS | MPM_USE_KEPT_STRESS,
+    MPM_USE_ORIGINS,
     MPM_USE_LAW_STATE,
-    MPM_USE_LAW_STATE | MPM_USE_KEPT_STRESS | MPM_USE_DOMAINS,
-    MPM_USE_APIC | MPM_USE_DOMAINS | MPM_USE_ORIGINS | MPM_USE_KEPT_STRESS | MPM_USE_LAW_STATE,
+    MPM_USE_LAW_STATE | MPM_USE_DOMAINS,
+    MPM_USE_APIC | MPM_USE_DOMAINS | MPM_USE_ORIGINS | MPM_USE_LAW_STATE,
 };
 enum {
     STATES = G_N_ELEMENTS(law_states),
@@ -168,7 +168,7 @@ static bool is_kept(const struct mpm_particle_needs *needs, size_t field)
         [MPM_PARTICLE_POSITION] = true,
         [MPM_PARTICLE_VELOCITY] = true,
         [MPM_PARTICLE_DEFORMATION_GRADIENT] = true,
-        [MPM_PARTICLE_STRESS] = state || (needs->uses & MPM_USE_KEPT_STRESS) != 0,
+        [MPM_PARTICLE_STRESS] = state,
         [MPM_PARTICLE_AFFINE] = true,
         [MPM_PARTICLE_LAW_STATE] = true,
     };

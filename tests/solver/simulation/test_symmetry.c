@@ -274,6 +274,35 @@ START_TEST(a_plane_with_a_load_across_it_or_bodies_on_both_sides_is_refused)
 }
 END_TEST
 
+/* The lower corner of a domain that is sheared beside the crack reaches a field beyond the plane,
+ * and no corner the one inside that it is the image of: the sum of both must be there all the same.
+ */
+START_TEST(a_field_beyond_a_plane_has_one_inside)
+{
+    static const char scene[] =
+        "format: 1\n"
+        "geometry: axisymmetric\n"
+        "grid: {origin: [3, 0], cell: [1, 1], cells: [13, 13]}\n"
+        "time: {end: 497613, courant: 0.5}\n"
+        "method: {shape: cpdi, stress_update: usl, position_update: midpoint}\n"
+        "materials: [{name: m, law: neo_hookean, density: 1, young: 3, poisson: 0.3}]\n"
+        "bodies:\n"
+        "  - {name: b, material: m, region: {rectangle: {from: [6, 4], to: [13, 10]}},\n"
+        "     velocity: ['0.0114834*(r - 9.5)', '0.0133973*(z - 7)']}\n"
+        "boundary: [{region: {line: {from: [3, 4], to: [16, 4]}}, symmetry: true}]\n"
+        "cracks: [{points: [[8.8837, 0.3], [8.8837, 7.6]], contact: none}]\n"
+        "output: {energy_balance: true}\n";
+    const char *const settings[] = {NULL};
+    struct test_run run = test_run_open(scene, settings, 1);
+    const struct mpm_ledger start = test_run_ledger(&run);
+    test_run_steps(&run, 10);
+    const struct mpm_ledger end = test_run_ledger(&run);
+    ck_assert_near(end.total_energy + end.transfer_loss - end.external_work, start.total_energy,
+                   1e-13 * start.total_energy);
+    test_run_close(&run);
+}
+END_TEST
+
 Suite *suite_symmetry(void)
 {
     Suite *suite = suite_create("symmetry");
@@ -282,6 +311,7 @@ Suite *suite_symmetry(void)
                         CRACK_BLOCK_METHODS * PASSING_COUNT * SURFACES_COUNT);
     tcase_add_loop_test(halves, a_quarter_of_a_block_with_a_centre_crack_is_half_of_the_half, 0,
                         CRACK_BLOCK_METHODS);
+    tcase_add_test(halves, a_field_beyond_a_plane_has_one_inside);
     tcase_add_loop_test(halves, a_crack_past_a_plane_goes_with_every_transfer, 0,
                         CRACK_BLOCK_METHODS * PASSING_COUNT * TRANSFERS_COUNT);
     tcase_add_loop_test(halves, half_a_block_with_its_plane_of_symmetry_is_half_of_the_whole, 0,

@@ -69,7 +69,8 @@ static char *run(const char *program, const char *folder, const char *parameters
     "field=axis_aligned law=neo_hookean geometry=plane_strain density=1 bulk=1 shear=1 cell_x=1 "  \
     "cell_y=1 "                                                                                    \
     "length=1 refine=1 particles=2 steps=8 looks=1 refine_time=1 refine_particles=1 "
-#define WAVE    "modulus=1 poisson=0 density=1 stress=1 rise=1 distance=1 from=1 interval=1 contours="
+#define WAVE                                                                                       \
+    "modulus=1 poisson=0 density=1 stress=1 rise=1 distance=1 from=1 interval=1 early=1 contours="
 #define STRETCH "hold=1 interval=1 from=1 to=1 modulus=1 density=1 fraction=1 position=midpoint "
 #define BAR     "family=bar length=1 modulus=1 density=1 modes="
 

@@ -7,7 +7,8 @@
  * whose tips are as far from that of the first on both sides. By Simpson's rule U(longer) -
  * U(shorter) = step/3 (J_- r_- + 4 J r + J_+ r_+), with r = 1 in planar scenes. Reported is the
  * right side over the left one, for each form of J and in the mean of `contours`, and how far J of
- * the case's scene is from contour to contour.
+ * the case's scene is from contour to contour; and the same, `_modes`, with (K_I^2 + K_II^2)/E' in
+ * the place of J, E' the `modulus` of plane strain.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/programs/follow.h"
@@ -15,7 +16,7 @@
 #include <glib.h>
 #include <math.h>
 
-enum { CONTOURS_MAX = 16, FORMS_MAX = 3, LENGTHS = 3, COLUMNS = 1 + FORMS_MAX };
+enum { CONTOURS_MAX = 16, FORMS_MAX = 3, MODES = FORMS_MAX, LENGTHS = 3, COLUMNS = 1 + FORMS_MAX };
 
 static const struct form {
     const char *name, *key; /* of quantities; of the scene, "" in planar ones */
@@ -26,11 +27,12 @@ static const struct form {
 /* A crack of one length. */
 struct body {
     double energy, tip[2];
-    double j[FORMS_MAX][CONTOURS_MAX];
+    double j[FORMS_MAX + 1][CONTOURS_MAX]; /* the last, MODES, by K_I and K_II */
 };
 
 struct study {
     enum mpm_geometry geometry;
+    double modulus;
     const struct form *forms;
     size_t form_count, contour_count;
     double contours[CONTOURS_MAX]; /* cells */
@@ -69,7 +71,10 @@ static enum mpm_status follow(void *context, struct measurement *m, const struct
             struct mpm_j_integral value;
             TRY(mpm_simulation_j_integral(simulation, form * study->contour_count + k, &value,
                                           error));
+            const double *const intensity = value.stress_intensity;
             body->j[form][k] = value.j[0];
+            body->j[MODES][k] =
+                (intensity[0] * intensity[0] + intensity[1] * intensity[1]) / study->modulus;
             body->tip[0] = value.tip[0];
             body->tip[1] = value.tip[1];
         }
@@ -109,7 +114,8 @@ static double release_of(const struct study *study, size_t form, size_t contour)
     return step / 3.0 * sum / (bodies[2].energy - bodies[0].energy);
 }
 
-static void report_form(struct measurement *m, const struct study *study, size_t form)
+static void report_form(struct measurement *m, const struct study *study, size_t form,
+                        const char *name)
 {
     double least = HUGE_VAL, largest = -HUGE_VAL, mean = 0.0;
     for (size_t k = 0; k < study->contour_count; k++) {
@@ -118,8 +124,8 @@ static void report_form(struct measurement *m, const struct study *study, size_t
         largest = fmax(largest, release);
         mean += release / (double)study->contour_count;
     }
-    char *const ratio = g_strconcat("release", study->forms[form].name, NULL);
-    char *const spread = g_strconcat("spread", study->forms[form].name, NULL);
+    char *const ratio = g_strconcat("release", name, NULL);
+    char *const spread = g_strconcat("spread", name, NULL);
     measurement_report(m, ratio, mean);
     measurement_report(m, spread, 100.0 * (largest - least) / mean);
     g_free(ratio);
@@ -142,7 +148,9 @@ static enum mpm_status write_series(struct measurement *m, const struct study *s
 static enum mpm_status run(struct measurement *m, struct mpm_error *error)
 {
     struct study study = {0};
+    const struct measurement_parameter numbers[] = {{"modulus", &study.modulus}};
     TRY(measurement_geometry(m, &study.geometry, error));
+    TRY(measurement_numbers(m, numbers, G_N_ELEMENTS(numbers), error));
     TRY(measurement_list(m, "contours", CONTOURS_MAX, study.contours, &study.contour_count, error));
     const bool curved = study.geometry == MPM_AXISYMMETRIC;
     study.forms = curved ? CURVED_FORMS : PLANAR_FORMS;
@@ -153,12 +161,13 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
     TRY(status);
     measurement_report(m, "finished", study.finished ? 1.0 : 0.0);
     for (size_t form = 0; form < study.form_count; form++)
-        report_form(m, &study, form);
+        report_form(m, &study, form, study.forms[form].name);
+    report_form(m, &study, MODES, "_modes");
     return write_series(m, &study, error);
 }
 
 const struct measure_program program_crack_release = {
     .name = "crack_release",
-    .summary = "J of a crack at rest against the difference of energies of two lengths",
+    .summary = "J and K of a crack at rest against the difference of energies of two lengths",
     .run = run,
 };

@@ -1,8 +1,9 @@
 /* D6b: J integrals while waves pass the tip of a crack, with the terms of inertia and without.
  *
  * The scene's crack gets two J integrals for each of the sizes in `contours`, around its end. A
- * wave of tension starts `distance` from the crack at t = 0; J is held against that of a long crack
- * (verification/exact/struck_crack.h) from the time `from` after it has arrived.
+ * wave of tension starts `distance` from the crack at t = 0; J and K_I are held against those of a
+ * long crack (verification/exact/struck_crack.h) from the time `from` after it has arrived, how far
+ * they are from contour to contour J from `from` on and K_I from `early` on.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/exact/struck_crack.h"
@@ -11,7 +12,9 @@
 #include <glib.h>
 #include <math.h>
 
-enum { CONTOURS_MAX = 4, KINDS = 2, FIXED = 2, COLUMNS = FIXED + KINDS * CONTOURS_MAX };
+/* Columns of the series: time, J and K_I of the exact solution; J and then K_I of each contour,
+ * with inertia and without. */
+enum { CONTOURS_MAX = 4, KINDS = 2, J_FIRST = 3, COLUMNS = J_FIRST + 2 * KINDS * CONTOURS_MAX };
 
 /* With inertia, and without. */
 static const struct kind {
@@ -20,11 +23,13 @@ static const struct kind {
 
 struct study {
     struct struck_crack crack;
-    double arrival, from, plane_modulus;
+    double arrival, from, early, plane_modulus;
     double contours[CONTOURS_MAX]; /* cells */
     size_t contour_count;
-    double values, ratio; /* of J with inertia: how many, sum of it over the exact one */
-    double spread[KINDS]; /* largest so far, of J over the exact one */
+    /* Of J and K_I with inertia: how many, sums of them over the exact ones */
+    double values, ratio, mode_one;
+    double spread[KINDS], intensity_spread[KINDS]; /* largest so far, of J and K_I */
+    double mode_two;                               /* largest so far, of K_II over the exact K_I */
     struct follow_rows rows;
     enum mpm_status status; /* of the samples */
     struct mpm_error error;
@@ -42,6 +47,7 @@ static enum mpm_status read_study(const struct measurement *m, struct study *stu
         {"rise", &study->crack.rise},
         {"distance", &distance},
         {"from", &study->from},
+        {"early", &study->early},
         {"interval", interval},
     };
     TRY(measurement_numbers(m, numbers, G_N_ELEMENTS(numbers), error));
@@ -65,33 +71,65 @@ static char *setting_of(const struct study *study)
     return g_string_free(text, FALSE);
 }
 
+/* Least and largest of a few values. */
+struct range {
+    double least, largest;
+};
+
+static void widen(struct range *range, double value)
+{
+    range->least = fmin(range->least, value);
+    range->largest = fmax(range->largest, value);
+}
+
+static double width_of(const struct range *range)
+{
+    return 100.0 * (range->largest - range->least);
+}
+
+/* One contour with inertia, at a time that counts. */
+static void count_one(struct study *study, const struct mpm_j_integral *value, double exact)
+{
+    const double *const k = value->stress_intensity;
+    study->ratio += value->j[0] * study->plane_modulus / (exact * exact);
+    study->mode_one += k[0] / exact;
+    study->mode_two = fmax(study->mode_two, 100.0 * fabs(k[1] / exact));
+    study->values += 1.0;
+}
+
+static void look_at(struct study *study, const struct mpm_simulation *simulation, double time,
+                    size_t kind, double row[COLUMNS])
+{
+    const double exact = struck_crack_intensity(&study->crack, time);
+    const double release = exact * exact / study->plane_modulus;
+    struct range j = {HUGE_VAL, -HUGE_VAL}, mode_one = {HUGE_VAL, -HUGE_VAL};
+    for (size_t k = 0; k < study->contour_count; k++) {
+        const size_t index = kind * study->contour_count + k;
+        struct mpm_j_integral value = {0};
+        if (study->status == MPM_OK)
+            study->status = mpm_simulation_j_integral(simulation, index, &value, &study->error);
+        row[J_FIRST + index] = value.j[0];
+        row[J_FIRST + KINDS * study->contour_count + index] = value.stress_intensity[0];
+        widen(&j, value.j[0] / release);
+        widen(&mode_one, value.stress_intensity[0] / exact);
+        if (time >= study->from && kind == 0)
+            count_one(study, &value, exact);
+    }
+    if (time >= study->from)
+        study->spread[kind] = fmax(study->spread[kind], width_of(&j));
+    if (time >= study->early)
+        study->intensity_spread[kind] = fmax(study->intensity_spread[kind], width_of(&mode_one));
+}
+
 static void look(void *context, const struct mpm_simulation *simulation,
                  const struct mpm_ledger *ledger)
 {
     struct study *const study = context;
     const double time = ledger->time - study->arrival;
     const double exact = struck_crack_intensity(&study->crack, time);
-    const double release = exact * exact / study->plane_modulus;
-    const bool counts = time >= study->from;
-    double row[COLUMNS] = {time, release};
-    for (size_t kind = 0; kind < KINDS && study->status == MPM_OK; kind++) {
-        double least = HUGE_VAL, largest = -HUGE_VAL;
-        for (size_t k = 0; k < study->contour_count; k++) {
-            const size_t index = kind * study->contour_count + k;
-            struct mpm_j_integral value = {0};
-            if (study->status == MPM_OK)
-                study->status = mpm_simulation_j_integral(simulation, index, &value, &study->error);
-            row[FIXED + index] = value.j[0];
-            least = fmin(least, value.j[0]);
-            largest = fmax(largest, value.j[0]);
-            if (counts && kind == 0) {
-                study->ratio += value.j[0] / release;
-                study->values += 1.0;
-            }
-        }
-        if (counts)
-            study->spread[kind] = fmax(study->spread[kind], 100.0 * (largest - least) / release);
-    }
+    double row[COLUMNS] = {time, exact * exact / study->plane_modulus, exact};
+    for (size_t kind = 0; kind < KINDS && study->status == MPM_OK; kind++)
+        look_at(study, simulation, time, kind, row);
     follow_rows_add(&study->rows, row);
 }
 
@@ -100,14 +138,21 @@ static enum mpm_status report(const struct study *study, struct measurement *m, 
 {
     measurement_report(m, "finished", finished ? 1.0 : 0.0);
     measurement_report(m, "j_ratio", study->ratio / study->values);
+    measurement_report(m, "k_1", study->mode_one / study->values);
+    measurement_report(m, "k_2", study->mode_two);
     for (size_t kind = 0; kind < KINDS; kind++) {
         char *const name = g_strconcat("spread", KINDS_OF_J[kind].name, NULL);
+        char *const intensity = g_strconcat("k_1_spread", KINDS_OF_J[kind].name, NULL);
         measurement_report(m, name, study->spread[kind]);
+        measurement_report(m, intensity, study->intensity_spread[kind]);
+        g_free(intensity);
         g_free(name);
     }
     TRY(follow_rows_check(&study->rows, error));
-    return measurement_series(m, "waves", "time exact, J of each contour, the same without inertia",
-                              study->rows.columns, study->rows.count, study->rows.values, error);
+    return measurement_series(
+        m, "waves",
+        "time, exact J and K_I; J of each contour, the same without inertia; K_I likewise",
+        study->rows.columns, study->rows.count, study->rows.values, error);
 }
 
 static enum mpm_status measure(void *context, struct measurement *m, const struct mpm_scene *scene,
@@ -129,7 +174,7 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
     struct study study = {.status = MPM_OK};
     struct follow follow = {.sample = look, .context = &study};
     TRY(read_study(m, &study, &follow.interval, error));
-    study.rows.columns = FIXED + KINDS * study.contour_count;
+    study.rows.columns = J_FIRST + 2 * KINDS * study.contour_count;
     char *const setting = setting_of(&study);
     const enum mpm_status status =
         follow_scene(m, (const char *const[]){setting}, 1, measure, &follow, error);
@@ -140,6 +185,6 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
 
 const struct measure_program program_crack_wave = {
     .name = "crack_wave",
-    .summary = "J integrals while waves pass the tip of a crack, with inertia and without",
+    .summary = "J, K_I and K_II while waves pass the tip of a crack, with inertia and without",
     .run = run,
 };

@@ -1,4 +1,4 @@
-# Penny crack: K_I by both forms.
+# Penny crack: K_I by the interaction integral, and from J by both forms.
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set output output
@@ -10,6 +10,7 @@ set key top left
 set xrange [3.5:8.5]
 set yrange [0.95:1.2]
 plot cylinder with lines ls 1 title 'cylinder, handbook', \
-     data.'/data-penny_ugimp-contours.dat' using 1:($4*cylinder) with linespoints ls 2 title 'Bergkvist and Huong', \
-     data.'/data-penny_ugimp-contours.dat' using 1:($6*cylinder) with linespoints ls 3 title 'Broberg', \
-     data.'/data-penny_ugimp-contours.dat' using 1:($8*cylinder) with linespoints ls 4 title 'no area term'
+     data.'/data-penny_ugimp-contours.dat' using 1:($4*cylinder) with linespoints ls 5 title 'interaction integral', \
+     data.'/data-penny_ugimp-contours.dat' using 1:(sqrt($3)*cylinder) with linespoints ls 2 title 'J, Bergkvist and Huong', \
+     data.'/data-penny_ugimp-contours.dat' using 1:(sqrt($5)*cylinder) with linespoints ls 3 title 'J, Broberg', \
+     data.'/data-penny_ugimp-contours.dat' using 1:(sqrt($7)*cylinder) with linespoints ls 4 title 'J, no area term'

@@ -9,7 +9,7 @@ set yrange [0:4.8]
 set key top left
 file = data.'/data-ugimp-waves.dat'
 plot file using 1:($2*1e4) with lines ls 1 title 'long crack, Freund', \
-     file using 1:($3*1e4) every 2 with points ls 2 title '4 cells', \
-     file using 1:($6*1e4) every 2 with points ls 4 title '10 cells', \
-     file using 1:($7*1e4) with lines ls 3 title '4 cells, without inertia', \
-     file using 1:($10*1e4) with lines ls 6 title '10 cells, without inertia'
+     file using 1:($4*1e4) every 2 with points ls 2 title '4 cells', \
+     file using 1:($7*1e4) every 2 with points ls 4 title '10 cells', \
+     file using 1:($8*1e4) with lines ls 3 title '4 cells, without inertia', \
+     file using 1:($11*1e4) with lines ls 6 title '10 cells, without inertia'

@@ -1,0 +1,24 @@
+/* Planes between the particles of two fields at a node: phi = c_0 + c_1 x + c_2 y, below 0 in the
+ * first field and above it in the second one, with x and y in cells from the node; contact_normal.h
+ * has the equations.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_CONTACT_REGRESSION_H
+#define MPM_METHOD_CONTACT_REGRESSION_H
+
+#include "method/contact/shared_nodes.h"
+
+/* By linear regression; false: all particles are on one line. */
+bool mpm_contact_linear_plane(const struct mpm_contact_sums *first,
+                              const struct mpm_contact_sums *second, double c[3]);
+
+/* Sets the gradient of phi; returns a length to compare it with. */
+double mpm_contact_plane_normal(const struct mpm_grid *grid, const double c[3], double normal[2]);
+
+/* By logistic regression, of all pairs that have it: Newton's method, from the plane of linear
+ * regression on. Its sum of logarithms is convex, with a penalty of LAMBDA |c|^2/2 on all but c_0
+ * that makes the plane between two separate sets of particles, which any steep phi fits, the one
+ * with the widest gap. Cost: some ten visits of the particles near contact. */
+void mpm_contact_logistic_find(struct mpm_state *state, int workers);
+
+#endif

@@ -1,0 +1,39 @@
+/* The impulses between several velocity fields of a node, pair by pair.
+ *
+ * Each field has a velocity and a mobility along each axis, 1/m or 0 where it is held
+ * (contact_impulse.h). With dv the velocity of a pair's first field minus that of its second one, n
+ * the normal from the first to the second, S the sum of both mobilities, the impulse on the first
+ * field is p n + q t, with
+ *     n . dv <= a,  p <= 0,  p (n . dv - a) = 0     contact; a: the approach that a gap allows
+ *     p <= c                                        adhesion, c its strength times area times dt:
+ *                                                   a pair that would need more is not held at all
+ *     t . dv = 0 if p is not 0                      stick
+ *     t . dv = 0 if |q| <= mu_s |p|,                friction; mu_s: static
+ *     else |q| = mu |p| against the sliding
+ *     dv = 0                                        bonded
+ * Two fields: this is one exchange, as for cracks. More of them: all pairs change at once, each by
+ * 1/(fields - 1) of what would do for it alone, until nothing changes; so the result does not
+ * depend on the order of fields or pairs, but for round-off.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_CONTACT_SOLVE_H
+#define MPM_METHOD_CONTACT_SOLVE_H
+
+#include "method/contact/contact_impulse.h"
+#include "model/contact.h"
+
+struct mpm_solve_pair {
+    int of[2];        /* sides */
+    double normal[2]; /* unit vector from the first to the second */
+    enum mpm_pair_law law;
+    double friction, static_friction;
+    double pull;       /* c */
+    double approach;   /* a */
+    double impulse[2]; /* out: on the first side */
+};
+
+/* Finds all impulses; the sides' velocities become those after them. */
+void mpm_contact_solve(struct mpm_contact_side *sides, int side_count, struct mpm_solve_pair *pairs,
+                       int pair_count);
+
+#endif

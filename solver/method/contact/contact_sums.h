@@ -1,0 +1,35 @@
+/* Sums over the particles at nodes that several fields reach, from which normals, areas and
+ * distances of their surfaces follow.
+ *
+ * They are those of the whole model where a plane of symmetry is near: what mirrored particles
+ * would add is folded in, and what is odd along the plane's normal is zero on the plane, as on
+ * r = 0 (N&G 3.3).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_CONTACT_SUMS_H
+#define MPM_METHOD_CONTACT_SUMS_H
+
+#include "method/contact/shared_nodes.h"
+
+/* Fills the sums of the fields that were listed. Cost: the stencils of the particles that reach
+ * such nodes. */
+void mpm_contact_sums_find(struct mpm_state *state, int workers);
+
+/* The edges of both fields of pairs with a normal: how far their particles, with the domains that F
+ * carries, go along the line through the node along the normal. What lies beside that line counts
+ * for less, by MPM_EDGE_SLOPE of its distance: of curved surfaces and corners the part at the node
+ * is meant. Cost: the same particles, without stencils. */
+void mpm_contact_edges_find(struct mpm_state *state, int workers);
+#define MPM_EDGE_SLOPE 1.0
+
+/* Calls `visit` for each listed node beyond a plane of symmetry and the one that it is an image of,
+ * plane by plane; `axis` is that of the plane's normal. */
+typedef void mpm_contact_image_visit(struct mpm_state *state, int axis,
+                                     struct mpm_contact_node *inside,
+                                     const struct mpm_contact_node *beyond);
+void mpm_contact_images_visit(struct mpm_state *state, mpm_contact_image_visit *visit);
+
+/* Is the node, of the grid, on a plane of symmetry across this axis, or on r = 0? */
+bool mpm_contact_is_on_plane(const struct mpm_state *state, int64_t node, int axis);
+
+#endif

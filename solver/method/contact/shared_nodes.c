@@ -1,0 +1,370 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/contact/shared_nodes.h"
+
+#include "base/strips.h"
+#include "method/grid/conditions.h"
+#include "method/grid/grid_update.h"
+#include "method/transfer/nearby.h"
+#include "method/transfer/transfer.h"
+
+#include <math.h>
+
+/* ------------------------------------------------------------------- memory */
+
+static bool needs_planes(const struct mpm_contact_spec *spec)
+{
+    for (size_t k = 0; k < spec->pair_count; k++)
+        if (spec->pairs[k].normal == MPM_NORMAL_LOGISTIC)
+            return true;
+    return false;
+}
+
+void mpm_shared_nodes_layout(struct mpm_state *state, struct mpm_arena *arena)
+{
+    struct mpm_body_contact *const contact = &state->contact;
+    const struct mpm_contact_spec *const spec = mpm_contact_spec(state);
+    const size_t all = (size_t)mpm_layer_size(state);
+    if (spec->field_count == 0)
+        return;
+    /* lines of contact, four nodes wide, across the grid */
+    const size_t lines = 16 * spec->field_count * (size_t)(state->grid.columns + state->grid.rows);
+    contact->node_capacity = lines < all ? lines : all;
+    contact->field_capacity = 3 * contact->node_capacity;
+    contact->pair_capacity = 3 * contact->node_capacity;
+    contact->nodes = MPM_TAKE(arena, struct mpm_contact_node, contact->node_capacity);
+    contact->fields = MPM_TAKE(arena, struct mpm_contact_field, contact->field_capacity);
+    contact->pairs = MPM_TAKE(arena, struct mpm_contact_pair, contact->pair_capacity);
+    if (needs_planes(spec))
+        contact->planes = MPM_TAKE(arena, struct mpm_contact_plane, contact->pair_capacity);
+    contact->node_of = MPM_TAKE(arena, uint32_t, all);
+    contact->beside = mpm_bands_layout(state, arena);
+    if (spec->field_count > spec->deformable_fields) {
+        contact->rigid_at = MPM_TAKE(arena, uint8_t, all);
+        contact->rigid_in = mpm_bands_layout(state, arena);
+    }
+}
+
+/* ------------------------------------------------------------------ finding */
+
+static enum mpm_status no_room(const struct mpm_state *state, struct mpm_error *error)
+{
+    return mpm_error_fail(
+        error, MPM_CAUSE_CONTACT,
+        "more nodes shared by bodies than there is room for: %zu nodes, %zu fields, "
+        "%zu pairs",
+        state->contact.node_capacity, state->contact.field_capacity, state->contact.pair_capacity);
+}
+
+/* The pairs of the scene between fields that are at the node. */
+static bool add_pairs(struct mpm_body_contact *contact, const struct mpm_contact_spec *spec,
+                      struct mpm_contact_node *node)
+{
+    uint32_t place[MPM_CONTACT_FIELDS];
+    unsigned mask = 0;
+    for (uint32_t k = node->first_field; k < node->first_field + node->fields; k++) {
+        place[contact->fields[k].field] = k;
+        mask |= 1u << contact->fields[k].field;
+    }
+    for (uint32_t k = 0; k < spec->pair_count; k++) {
+        const size_t *const of = spec->pairs[k].of;
+        if ((mask >> of[0] & 1u) == 0 || (mask >> of[1] & 1u) == 0)
+            continue;
+        if (contact->pair_count == contact->pair_capacity)
+            return false;
+        contact->pairs[contact->pair_count++] =
+            (struct mpm_contact_pair){.fields = {place[of[0]], place[of[1]]}, .spec = k};
+        node->pairs++;
+    }
+    return true;
+}
+
+static bool add_node(struct mpm_state *state, int64_t node, unsigned mask)
+{
+    struct mpm_body_contact *const contact = &state->contact;
+    const struct mpm_contact_spec *const spec = mpm_contact_spec(state);
+    struct mpm_contact_node made = {.node = node,
+                                    .first_field = (uint32_t)contact->field_count,
+                                    .first_pair = (uint32_t)contact->pair_count};
+    for (size_t k = 0; k < spec->field_count; k++) {
+        if ((mask >> k & 1u) == 0)
+            continue;
+        if (contact->field_count == contact->field_capacity)
+            return false;
+        contact->fields[contact->field_count++] = (struct mpm_contact_field){
+            .node = k < spec->deformable_fields ? node + contact->shift[k] : -1,
+            .field = (uint8_t)k,
+        };
+        made.fields++;
+    }
+    if (!add_pairs(contact, spec, &made))
+        return false;
+    if (made.pairs == 0) { /* of two rigid bodies */
+        contact->field_count = made.first_field;
+        return true;
+    }
+    if (contact->node_count == contact->node_capacity)
+        return false;
+    contact->nodes[contact->node_count++] = made;
+    contact->node_of[node] = (uint32_t)contact->node_count;
+    return true;
+}
+
+/* The cells that the node is a corner of. */
+static void mark_cells(struct mpm_bands *beside, int64_t column, int64_t row)
+{
+    for (int64_t k = row > 0 ? row - 1 : 0; k <= row; k++) {
+        mpm_bands_mark(beside, column > 0 ? column - 1 : 0, k);
+        mpm_bands_mark(beside, column, k);
+    }
+}
+
+static void mark_rigid(struct mpm_state *state)
+{
+    struct mpm_body_contact *const contact = &state->contact;
+    if (contact->rigid_at != NULL)
+        mpm_bands_clear(state, &contact->rigid_in);
+    for (size_t p = 0; contact->rigid_at != NULL && p < state->rigid.count; p++) {
+        const unsigned field = contact->field_of[state->rigid.body[p]];
+        struct mpm_stencil stencil;
+        if (field == MPM_CONTACT_FIELDS)
+            continue;
+        mpm_rigid_particle_stencil(state, p, &stencil);
+        for (int k = 0; k < stencil.count; k++) {
+            const int64_t node = state->node_zero + stencil.node[k].node;
+            if (stencil.node[k].s == 0.0)
+                continue;
+            contact->rigid_at[node] |= (uint8_t)(1u << field);
+            mpm_bands_mark(&contact->rigid_in, node % state->grid.columns,
+                           node / state->grid.columns);
+        }
+    }
+}
+
+/* Those of the step are of no use after it. */
+static void forget_rigid(struct mpm_state *state)
+{
+    struct mpm_body_contact *const contact = &state->contact;
+    for (size_t p = 0; contact->rigid_at != NULL && p < state->rigid.count; p++) {
+        struct mpm_stencil stencil;
+        if (contact->field_of[state->rigid.body[p]] == MPM_CONTACT_FIELDS)
+            continue;
+        mpm_rigid_particle_stencil(state, p, &stencil);
+        for (int k = 0; k < stencil.count; k++)
+            contact->rigid_at[state->node_zero + stencil.node[k].node] = 0;
+    }
+}
+
+static unsigned fields_at(const struct mpm_state *state, int64_t node)
+{
+    const struct mpm_body_contact *const contact = &state->contact;
+    const size_t deformable = mpm_contact_spec(state)->deformable_fields;
+    unsigned mask = contact->rigid_at == NULL ? 0u : contact->rigid_at[node];
+    for (size_t k = 0; k < deformable; k++)
+        mask |= (unsigned)(state->grid.mass[node + contact->shift[k]] != 0.0) << k;
+    return mask;
+}
+
+/* The active columns of a layer in a row become those with mass, since nothing is to be done for
+ * the others; they are added to `near`. */
+static void narrow_layer(struct mpm_state *state, int64_t row, int64_t layer,
+                         struct mpm_row_span *near)
+{
+    const int64_t place = row + layer * state->grid.rows;
+    const double *const mass = state->grid.mass + place * state->grid.columns;
+    int64_t low = state->row_low[row], high = state->row_high[row];
+    while (low <= high && mass[low] == 0.0)
+        low++;
+    while (high >= low && mass[high] == 0.0)
+        high--;
+    state->row_low[place] = low <= high ? low : state->grid.columns;
+    state->row_high[place] = low <= high ? high : -1;
+    if (low > high)
+        return;
+    near->first = low < near->first ? low : near->first;
+    near->end = high + 1 > near->end ? high + 1 : near->end;
+}
+
+/* The columns of a row where several fields may be: those of layers and of rigid bodies. */
+static struct mpm_row_span shared_span(struct mpm_state *state, int64_t row)
+{
+    const struct mpm_body_contact *const contact = &state->contact;
+    struct mpm_row_span near = {state->grid.columns, 0};
+    for (int64_t layer = 1; layer <= state->fields.layers; layer++)
+        narrow_layer(state, row, layer, &near);
+    if (contact->rigid_at != NULL) {
+        const int64_t low = contact->rigid_in.low[row], high = contact->rigid_in.high[row];
+        near.first = low < near.first ? low : near.first;
+        near.end = high + 1 > near.end ? high + 1 : near.end;
+    }
+    near.first = near.first > state->row_low[row] ? near.first : state->row_low[row];
+    near.end = near.end < state->row_high[row] + 1 ? near.end : state->row_high[row] + 1;
+    return near;
+}
+
+enum mpm_status mpm_shared_nodes_find(struct mpm_state *state, struct mpm_error *error)
+{
+    struct mpm_body_contact *const contact = &state->contact;
+    for (size_t k = 0; k < contact->node_count; k++)
+        contact->node_of[contact->nodes[k].node] = 0;
+    contact->node_count = contact->field_count = contact->pair_count = 0;
+    mpm_bands_clear(state, &contact->beside);
+    mark_rigid(state);
+    for (int64_t row = state->first_row; row <= state->last_row; row++) {
+        const struct mpm_row_span near = shared_span(state, row);
+        for (int64_t column = near.first; column < near.end; column++) {
+            const int64_t node = row * state->grid.columns + column;
+            const unsigned mask = fields_at(state, node);
+            if ((mask & (mask - 1u)) == 0)
+                continue;
+            if (!add_node(state, node, mask))
+                return no_room(state, error);
+            if (contact->node_of[node] != 0)
+                mark_cells(&contact->beside, column, row);
+        }
+    }
+    forget_rigid(state);
+    return MPM_OK;
+}
+
+/* ----------------------------------------------------------------- visiting */
+
+/* H = I - F^-1, in the plane. */
+static void find_slope(const struct mpm_particles *particles, size_t p, double slope[4])
+{
+    double *const *const f = particles->deformation;
+    const double xx = f[MPM_XX][p], xy = f[MPM_XY][p], yx = f[MPM_YX][p], yy = f[MPM_YY][p];
+    const double j = xx * yy - xy * yx;
+    slope[0] = 1.0 - yy / j;
+    slope[1] = xy / j;
+    slope[2] = yx / j;
+    slope[3] = 1.0 - xx / j;
+}
+
+/* Of a cell: a node on the edge of a particle's support gets nothing from it, by round-off either.
+ */
+static const double SUPPORT_SLACK = 1e-9;
+
+struct mpm_contact_particle mpm_contact_particle_of(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const struct mpm_shape_domain domain = mpm_particle_carried_domain(state, p);
+    const struct mpm_body *const body = &state->bodies[particles->body[p]];
+    double f[MPM_GRADIENT_SIZE];
+    mpm_particle_deformation(particles, p, f);
+    struct mpm_contact_particle made = {
+        .field = state->contact.field_of[particles->body[p]],
+        .place = {domain.position[0], domain.position[1]},
+        .area = 4.0 * body->half_size[0] * body->half_size[1] *
+                (f[MPM_XX] * f[MPM_YY] - f[MPM_XY] * f[MPM_YX]),
+        .volume = particles->mass[p] * mpm_determinant(f) / body->material.density,
+        .edge = {domain.edge[0], domain.edge[1], domain.edge[2], domain.edge[3]},
+    };
+    state->family->reach(&state->shape_grid, &domain, made.support);
+    for (int axis = 0; axis < 2; axis++)
+        made.support[axis] += state->grid.cell[axis] * (1.0 - SUPPORT_SLACK);
+    for (int axis = 0; axis < 2 && particles->origin[0] != NULL; axis++)
+        made.displacement[axis] = made.place[axis] - particles->origin[axis][p];
+    if (particles->origin[0] != NULL)
+        find_slope(particles, p, made.slope);
+    for (int axis = 0; axis < 2; axis++)
+        made.velocity[axis] = particles->velocity[axis][p];
+    return made;
+}
+
+struct mpm_contact_particle mpm_contact_rigid_particle(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_rigid_particles *const rigid = &state->rigid;
+    const double *const half = state->bodies[rigid->body[p]].half_size;
+    const double area = 4.0 * half[0] * half[1];
+    const double depth =
+        state->shape_grid.axisymmetric ? rigid->position[0][p] : state->scene->thickness;
+    return (struct mpm_contact_particle){
+        .field = state->contact.field_of[rigid->body[p]],
+        .place = {rigid->position[0][p], rigid->position[1][p]},
+        .area = area,
+        .volume = area * depth,
+        .edge = {half[0], 0.0, 0.0, half[1]},
+    };
+}
+
+static bool is_supported(const struct mpm_state *state, const struct mpm_contact_particle *particle,
+                         int64_t node)
+{
+    double at[2];
+    mpm_grid_position(&state->grid, node, at);
+    return fabs(particle->place[0] - at[0]) < particle->support[0] &&
+           fabs(particle->place[1] - at[1]) < particle->support[1];
+}
+
+/* Nodes of a block that are listed. */
+static void visit_block(struct mpm_state *state, const struct mpm_cell_block *block,
+                        const struct mpm_contact_particle *particle, mpm_contact_visit *visit)
+{
+    for (int64_t row = block->low[1]; row <= block->high[1] + 1; row++)
+        for (int64_t column = block->low[0]; column <= block->high[0] + 1; column++) {
+            struct mpm_contact_node *const node =
+                mpm_contact_node_at(state, row * state->grid.columns + column);
+            if (node != NULL && is_supported(state, particle, node->node))
+                visit(state, particle, node);
+        }
+}
+
+bool mpm_contact_reaches(const struct mpm_state *state, const struct mpm_cell_block *block)
+{
+    for (int64_t row = block->low[1]; row <= block->high[1] + 1; row++)
+        for (int64_t column = block->low[0]; column <= block->high[0] + 1; column++)
+            if (state->contact.node_of[row * state->grid.columns + column] != 0)
+                return true;
+    return false;
+}
+
+/* What visits the particles of a strip. */
+struct visiting {
+    struct mpm_state *state;
+    mpm_contact_visit *visit;
+};
+
+static void visit_particle(void *context, size_t p, const struct mpm_cell_block *block)
+{
+    const struct visiting *const visiting = context;
+    struct mpm_state *const state = visiting->state;
+    if (state->contact.field_of[state->particles.body[p]] == MPM_CONTACT_FIELDS ||
+        !mpm_contact_reaches(state, block))
+        return;
+    const struct mpm_contact_particle particle = mpm_contact_particle_of(state, p);
+    visit_block(state, block, &particle, visiting->visit);
+}
+
+static void visit_strip(void *context, int64_t index, int worker)
+{
+    const struct visiting *const visiting = context;
+    const struct mpm_state *const state = visiting->state;
+    (void)worker;
+    mpm_nearby_visit(state, index, &state->contact.beside, visit_particle, context);
+}
+
+static void visit_rigid(struct mpm_state *state, mpm_contact_visit *visit)
+{
+    for (size_t p = 0; state->contact.rigid_at != NULL && p < state->rigid.count; p++) {
+        struct mpm_stencil stencil;
+        if (state->contact.field_of[state->rigid.body[p]] == MPM_CONTACT_FIELDS)
+            continue;
+        mpm_rigid_particle_stencil(state, p, &stencil);
+        const struct mpm_contact_particle particle = mpm_contact_rigid_particle(state, p);
+        for (int k = 0; k < stencil.count; k++) {
+            struct mpm_contact_node *const node =
+                mpm_contact_node_at(state, state->node_zero + stencil.node[k].node);
+            if (node != NULL && stencil.node[k].s != 0.0)
+                visit(state, &particle, node);
+        }
+    }
+}
+
+void mpm_shared_nodes_visit(struct mpm_state *state, int workers, mpm_contact_visit *visit)
+{
+    struct visiting visiting = {state, visit};
+    if (state->contact.node_count == 0)
+        return;
+    mpm_strips_run(state->strip_count, workers, visit_strip, &visiting);
+    visit_rigid(state, visit);
+}

@@ -1,0 +1,210 @@
+/* Contact between bodies: settled when the simulation is created, and what it adds to the history
+ * and the ledger.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/contact/body_contact.h"
+#include "method/fields/fields.h"
+#include "method/loads/damping.h"
+#include "simulation/simulation.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ----------------------------------------------------------------- creating */
+
+void mpm_contacts_create(struct mpm_state *state)
+{
+    const struct mpm_contact_spec *const spec = &state->scene->contact;
+    if (spec->deformable_fields < 2)
+        return;
+    const int64_t first = mpm_fields_claim_layers(state, (int64_t)spec->deformable_fields - 1);
+    assert(first == 1); /* a field's layer has its number */
+    (void)first;
+}
+
+bool mpm_contacts_have_interfaces(const struct mpm_scene *scene)
+{
+    for (size_t k = 0; k < scene->contact.pair_count; k++)
+        if (scene->contact.pairs[k].law == MPM_PAIR_INTERFACE)
+            return true;
+    return false;
+}
+
+static void fill_body(struct mpm_state *state, size_t body)
+{
+    const struct mpm_contact_spec *const spec = &state->scene->contact;
+    struct mpm_body_contact *const contact = &state->contact;
+    const size_t field = spec->field_of[spec->group_of[body]];
+    contact->field_of[body] = field == SIZE_MAX ? MPM_CONTACT_FIELDS : (uint8_t)field;
+    if (!state->scene->bodies[body].rigid) {
+        state->bodies[body].shift = mpm_layer_shift(state, (int64_t)field);
+        return;
+    }
+    for (size_t k = 0; k < spec->pair_count && field != SIZE_MAX; k++)
+        if (spec->pairs[k].of[1] == field)
+            contact->touched[body] |= (uint8_t)(1u << spec->pairs[k].of[0]);
+}
+
+void mpm_contacts_fill(struct mpm_state *state)
+{
+    const struct mpm_contact_spec *const spec = &state->scene->contact;
+    if (!mpm_body_contact_is_used(state))
+        return;
+    state->contact.follow_impulse = mpm_damping_follow_contact;
+    for (size_t k = 0; k < spec->pair_count; k++)
+        if (spec->pairs[k].law == MPM_PAIR_BONDED)
+            state->contact.exchange_smoothed = mpm_body_contact_smoothed;
+    for (size_t k = 0; k < spec->deformable_fields; k++)
+        state->contact.shift[k] = mpm_layer_shift(state, (int64_t)k);
+    for (size_t body = 0; body < state->scene->body_count; body++)
+        fill_body(state, body);
+}
+
+/* ------------------------------------------------------------------- ledger */
+
+void mpm_contact_energies(const struct mpm_state *state, double *stored, double *dissipated)
+{
+    *stored = *dissipated = 0.0;
+    for (size_t k = 0; k < state->scene->contact.pair_count; k++) {
+        const double in_springs = state->contact.samples[k].stored;
+        *stored += in_springs;
+        *dissipated +=
+            state->contact.totals[k].dissipated + state->contact.totals[k].work - in_springs;
+    }
+}
+
+/* ------------------------------------------------------------------ history */
+
+static double force_x(const struct mpm_state *state, size_t pair)
+{
+    return state->contact.samples[pair].force[0];
+}
+
+static double force_y(const struct mpm_state *state, size_t pair)
+{
+    return state->contact.samples[pair].force[1];
+}
+
+static double area(const struct mpm_state *state, size_t pair)
+{
+    return state->contact.samples[pair].area;
+}
+
+static double nodes(const struct mpm_state *state, size_t pair)
+{
+    return (double)state->contact.samples[pair].nodes;
+}
+
+static double dissipated(const struct mpm_state *state, size_t pair)
+{
+    const struct mpm_contact_totals *const totals = &state->contact.totals[pair];
+    return totals->dissipated + totals->work - state->contact.samples[pair].stored;
+}
+
+static double stored(const struct mpm_state *state, size_t pair)
+{
+    return state->contact.samples[pair].stored;
+}
+
+static double stiff_nodes(const struct mpm_state *state, size_t pair)
+{
+    return (double)state->contact.samples[pair].stiff;
+}
+
+static const struct quantity {
+    const char *name, *description;
+    double (*value)(const struct mpm_state *state, size_t pair);
+    struct mpm_dimension dimension;
+    bool of_interface;
+} quantities[] = {
+    {"force_x", "force of contact on the first field in the last step", force_x,
+     MPM_DIMENSION_FORCE, false},
+    {"force_y", "force of contact on the first field in the last step", force_y,
+     MPM_DIMENSION_FORCE, false},
+    {"area", "area of the surfaces in contact in the last step", area, MPM_DIMENSION_AREA, false},
+    {"nodes", "nodes in contact in the last step", nodes, MPM_DIMENSION_NONE, false},
+    {"dissipated", "energy that contact has dissipated", dissipated, MPM_DIMENSION_ENERGY, false},
+    {"stored", "energy that the interface has stored", stored, MPM_DIMENSION_ENERGY, true},
+    {"stiff_nodes", "nodes of the last step where the interface is too stiff for an explicit step",
+     stiff_nodes, MPM_DIMENSION_NONE, true},
+};
+enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
+
+/* As for cracks: the quantity that `index` counts to, pair by pair; NULL past the last one. */
+static const struct quantity *find(const struct mpm_scene *scene, size_t index, size_t *pair,
+                                   size_t *counted)
+{
+    *counted = 0;
+    for (*pair = 0; *pair < scene->contact.pair_count; ++*pair)
+        for (size_t k = 0; k < QUANTITIES; k++)
+            if ((!quantities[k].of_interface ||
+                 scene->contact.pairs[*pair].law == MPM_PAIR_INTERFACE) &&
+                (*counted)++ == index)
+                return &quantities[k];
+    return NULL;
+}
+
+size_t mpm_scene_contact_quantity_count(const struct mpm_scene *scene)
+{
+    size_t pair, counted;
+    (void)find(scene, SIZE_MAX, &pair, &counted);
+    return counted;
+}
+
+struct mpm_quantity_info mpm_scene_contact_quantity(const struct mpm_scene *scene, size_t index)
+{
+    size_t pair, counted;
+    const struct quantity *const quantity = find(scene, index, &pair, &counted);
+    const size_t *const of = scene->contact.pairs[pair].of;
+    struct mpm_quantity_info info = {
+        .dimension = quantity->dimension,
+        .description = quantity->description,
+    };
+    (void)snprintf(info.name, sizeof info.name, "contact_%zu_%zu_%s", of[0], of[1], quantity->name);
+    return info;
+}
+
+double mpm_simulation_contact_quantity(const struct mpm_simulation *simulation, size_t index)
+{
+    size_t pair, counted;
+    const struct quantity *const quantity = find(simulation->scene, index, &pair, &counted);
+    return quantity->value(&simulation->state, pair);
+}
+
+const char *mpm_scene_contact_field_name(const struct mpm_scene *scene, size_t field)
+{
+    const struct mpm_contact_spec *const contact = &scene->contact;
+    for (size_t k = 0; k < contact->group_count; k++)
+        if (contact->field_of[k] == field)
+            return contact->groups[k].name;
+    return NULL;
+}
+
+/* ------------------------------------------------------------------- points */
+
+size_t mpm_simulation_contact_point_count(const struct mpm_simulation *simulation)
+{
+    return simulation->state.contact.pair_count;
+}
+
+struct mpm_contact_point mpm_simulation_contact_point(const struct mpm_simulation *simulation,
+                                                      size_t index)
+{
+    const struct mpm_state *const state = &simulation->state;
+    const struct mpm_contact_pair *const pair = &state->contact.pairs[index];
+    const struct mpm_contact_node *node = state->contact.nodes;
+    while (index >= node->first_pair + node->pairs)
+        node++;
+    struct mpm_contact_point point = {
+        .of = {state->contact.fields[pair->fields[0]].field,
+               state->contact.fields[pair->fields[1]].field},
+        .has_normal = pair->has_normal,
+        .touches = pair->touches,
+        .normal = {pair->normal[0], pair->normal[1]},
+        .gap = pair->gap,
+        .area = pair->area,
+    };
+    mpm_grid_position(&state->grid, node->node, point.position);
+    return point;
+}

@@ -1,0 +1,263 @@
+/* Impulses between the velocity fields of a node.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/contact/contact_solve.h"
+#include "suites.h"
+#include "support/near.h"
+
+#include <glib.h>
+#include <math.h>
+
+/* Sums of some products of numbers of order 1; of many sweeps in the exchanges of several. */
+static const double ROUND_OFF = 1e-14, SETTLED = 1e-11;
+
+static struct mpm_contact_side side(double vx, double vy, double mass)
+{
+    return (struct mpm_contact_side){{vx, vy}, {1.0 / mass, 1.0 / mass}};
+}
+
+static struct mpm_solve_pair pair(int one, int other, double angle, enum mpm_pair_law law)
+{
+    return (struct mpm_solve_pair){.of = {one, other},
+                                   .normal = {cos(angle), sin(angle)},
+                                   .law = law,
+                                   .friction = 0.3,
+                                   .static_friction = 0.3};
+}
+
+static double along(const double v[2], double angle)
+{
+    return v[0] * cos(angle) + v[1] * sin(angle);
+}
+
+static const double angles[] = {0.0, 0.3, 1.2, 2.5, -0.7, 3.9};
+
+/* What is left of the difference of two velocities, along the normal and across. */
+static void difference(const struct mpm_contact_side sides[2], double angle, double left[2])
+{
+    const double v[2] = {sides[0].velocity[0] - sides[1].velocity[0],
+                         sides[0].velocity[1] - sides[1].velocity[1]};
+    left[0] = along(v, angle);
+    left[1] = along(v, angle + 0.5 * G_PI);
+}
+
+START_TEST(each_law_stops_the_approach_and_what_it_says_of_the_sliding)
+{
+    static const enum mpm_pair_law laws[] = {MPM_PAIR_BONDED, MPM_PAIR_STICK, MPM_PAIR_FRICTIONLESS,
+                                             MPM_PAIR_FRICTION};
+    const double angle = angles[_i];
+    for (size_t k = 0; k < G_N_ELEMENTS(laws); k++) {
+        struct mpm_contact_side sides[2] = {
+            side(2.0 * cos(angle) - 3.0 * sin(angle), 2.0 * sin(angle) + 3.0 * cos(angle), 2.0),
+            side(0.0, 0.0, 3.0)};
+        struct mpm_solve_pair solved = pair(0, 1, angle, laws[k]);
+        double left[2];
+        mpm_contact_solve(sides, 2, &solved, 1);
+        difference(sides, angle, left);
+        ck_assert_near(left[0], 0.0, ROUND_OFF);
+        /* reduced mass 1.2: p = 2.4, and friction takes 0.3 * 2.4/1.2 of the sliding speed */
+        ck_assert_near(along(solved.impulse, angle), -2.4, ROUND_OFF);
+        const double sliding[] = {0.0, 0.0, 3.0, 3.0 - 0.3 * 2.0};
+        ck_assert_near(left[1], sliding[k], ROUND_OFF);
+        for (int axis = 0; axis < 2; axis++) { /* momentum */
+            const double before = 2.0 * (axis == 0 ? 2.0 * cos(angle) - 3.0 * sin(angle)
+                                                   : 2.0 * sin(angle) + 3.0 * cos(angle));
+            ck_assert_near(2.0 * sides[0].velocity[axis] + 3.0 * sides[1].velocity[axis], before,
+                           ROUND_OFF);
+        }
+    }
+}
+END_TEST
+
+START_TEST(pressure_of_round_off_does_not_make_fields_stick)
+{
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const double n[2] = {cos(angles[_i]), sin(angles[_i])};
+        const double approach = sign * 1e-16;
+        struct mpm_contact_side sides[2] = {
+            side(approach * n[0] - 3.0 * n[1], approach * n[1] + 3.0 * n[0], 2.0),
+            side(0.0, 0.0, 3.0)};
+        struct mpm_solve_pair solved = pair(0, 1, angles[_i], MPM_PAIR_STICK);
+        double left[2];
+        mpm_contact_solve(sides, 2, &solved, 1);
+        difference(sides, angles[_i], left);
+        ck_assert_near(left[1], 3.0, ROUND_OFF);
+    }
+}
+END_TEST
+
+START_TEST(fields_that_part_exchange_nothing_unless_they_are_bonded_or_adhere)
+{
+    const double angle = angles[_i];
+    const struct mpm_contact_side parting[2] = {side(-cos(angle), -sin(angle), 1.0),
+                                                side(0.0, 0.0, 1.0)};
+    /* the impulse that would hold them is 1/2 */
+    static const struct {
+        enum mpm_pair_law law;
+        double pull, impulse;
+    } rows[] = {
+        {MPM_PAIR_FRICTIONLESS, 0.0, 0.0}, {MPM_PAIR_STICK, 0.0, 0.0},
+        {MPM_PAIR_FRICTION, 0.0, 0.0},     {MPM_PAIR_FRICTIONLESS, 0.499, 0.0},
+        {MPM_PAIR_STICK, 0.501, 0.5},      {MPM_PAIR_FRICTIONLESS, 0.501, 0.5},
+        {MPM_PAIR_BONDED, 0.0, 0.5},
+    };
+    for (size_t k = 0; k < G_N_ELEMENTS(rows); k++) {
+        struct mpm_contact_side sides[2] = {parting[0], parting[1]};
+        struct mpm_solve_pair solved = pair(0, 1, angle, rows[k].law);
+        solved.pull = rows[k].pull;
+        mpm_contact_solve(sides, 2, &solved, 1);
+        ck_assert_near(along(solved.impulse, angle), rows[k].impulse, ROUND_OFF);
+    }
+}
+END_TEST
+
+/* Sliding speed s, approach 1, masses 1: p = 1/2; friction can take a speed of 2 mu p. */
+START_TEST(what_is_below_static_friction_sticks_and_what_is_above_slides_with_the_other)
+{
+    static const struct {
+        double sliding, left;
+    } rows[] = {{0.39, 0.0}, {0.41, 0.21}, {-0.39, 0.0}, {-0.41, -0.21}};
+    for (size_t k = 0; k < G_N_ELEMENTS(rows); k++) {
+        struct mpm_contact_side sides[2] = {side(1.0, rows[k].sliding, 1.0), side(0.0, 0.0, 1.0)};
+        struct mpm_solve_pair solved = pair(0, 1, 0.0, MPM_PAIR_FRICTION);
+        solved.friction = 0.2;
+        solved.static_friction = 0.4;
+        mpm_contact_solve(sides, 2, &solved, 1);
+        ck_assert_near(sides[0].velocity[1] - sides[1].velocity[1], rows[k].left, ROUND_OFF);
+    }
+}
+END_TEST
+
+START_TEST(a_gap_allows_the_approach_that_closes_it)
+{
+    struct mpm_contact_side sides[2] = {side(1.0, 0.0, 1.0), side(0.0, 0.0, 1.0)};
+    struct mpm_solve_pair solved = pair(0, 1, 0.0, MPM_PAIR_FRICTIONLESS);
+    solved.approach = 0.25;
+    mpm_contact_solve(sides, 2, &solved, 1);
+    ck_assert_near(sides[0].velocity[0] - sides[1].velocity[0], 0.25, ROUND_OFF);
+    solved.approach = 1.5;
+    sides[0] = side(1.0, 0.0, 1.0);
+    sides[1] = side(0.0, 0.0, 1.0);
+    mpm_contact_solve(sides, 2, &solved, 1);
+    ck_assert_double_eq(sides[0].velocity[0], 1.0);
+}
+END_TEST
+
+START_TEST(held_components_stay_and_the_other_field_takes_it_all)
+{
+    struct mpm_contact_side sides[2] = {side(1.0, 0.5, 1.0), side(0.0, 0.0, 1.0)};
+    struct mpm_solve_pair solved = pair(0, 1, 0.0, MPM_PAIR_STICK);
+    sides[1].mobility[0] = sides[1].mobility[1] = 0.0;
+    mpm_contact_solve(sides, 2, &solved, 1);
+    for (int axis = 0; axis < 2; axis++) {
+        ck_assert_near(sides[0].velocity[axis], 0.0, ROUND_OFF);
+        ck_assert_double_eq(sides[1].velocity[axis], 0.0);
+    }
+    sides[0].mobility[0] = sides[0].mobility[1] = 0.0;
+    sides[0].velocity[0] = 1.0;
+    mpm_contact_solve(sides, 2, &solved, 1);
+    ck_assert_double_eq(sides[0].velocity[0], 1.0); /* both held */
+}
+END_TEST
+
+/* ------------------------------------------------------------------- several */
+
+enum { THREE = 3 };
+
+static void three(struct mpm_contact_side sides[THREE], double middle)
+{
+    sides[0] = side(1.0, 0.2, 2.0);
+    sides[1] = side(-0.3, 0.5, middle);
+    sides[2] = side(-1.1, -0.4, 0.7);
+}
+
+static double momentum_of(const struct mpm_contact_side *sides, int count, int axis)
+{
+    double sum = 0.0;
+    for (int k = 0; k < count; k++)
+        sum += sides[k].velocity[axis] / sides[k].mobility[axis];
+    return sum;
+}
+
+START_TEST(bonded_fields_all_get_the_velocity_of_their_centre_of_mass)
+{
+    static const double middles[] = {1.0, 1000.0, 0.001};
+    struct mpm_contact_side sides[THREE];
+    three(sides, middles[_i]);
+    const double mass = 2.0 + middles[_i] + 0.7;
+    const double mean[2] = {momentum_of(sides, THREE, 0) / mass,
+                            momentum_of(sides, THREE, 1) / mass};
+    struct mpm_solve_pair pairs[THREE] = {pair(0, 1, 0.1, MPM_PAIR_BONDED),
+                                          pair(0, 2, 0.9, MPM_PAIR_BONDED),
+                                          pair(1, 2, 2.0, MPM_PAIR_BONDED)};
+    mpm_contact_solve(sides, THREE, pairs, THREE);
+    for (int k = 0; k < THREE; k++)
+        for (int axis = 0; axis < 2; axis++)
+            ck_assert_near(sides[k].velocity[axis], mean[axis], SETTLED);
+}
+END_TEST
+
+/* In any order of fields and of pairs; no pair is left with approach, none pulls. */
+START_TEST(contact_of_several_fields_does_not_depend_on_their_order)
+{
+    static const enum mpm_pair_law laws[] = {MPM_PAIR_FRICTIONLESS, MPM_PAIR_FRICTION,
+                                             MPM_PAIR_STICK};
+    static const int orders[][THREE] = {{0, 1, 2}, {2, 1, 0}, {1, 0, 2}, {1, 2, 0}};
+    double first[THREE][2] = {{0.0}};
+    for (size_t k = 0; k < G_N_ELEMENTS(orders); k++) {
+        const int *const order = orders[k]; /* where a field is now */
+        struct mpm_contact_side fields[THREE], sides[THREE];
+        three(fields, 1.3);
+        for (int i = 0; i < THREE; i++)
+            sides[order[i]] = fields[i];
+        struct mpm_solve_pair pairs[THREE] = {pair(order[0], order[1], 0.2, laws[_i]),
+                                              pair(order[1], order[2], -0.4, laws[_i]),
+                                              pair(order[0], order[2], 0.1, laws[_i])};
+        if (k % 2 == 1) { /* the same pair, named the other way round, and the last first */
+            pairs[0] = pair(order[0], order[2], 0.1, laws[_i]);
+            pairs[2] = pair(order[1], order[0], 0.2 + G_PI, laws[_i]);
+        }
+        mpm_contact_solve(sides, THREE, pairs, THREE);
+        for (int i = 0; i < THREE; i++)
+            for (int axis = 0; axis < 2; axis++) {
+                if (k == 0)
+                    first[i][axis] = sides[order[i]].velocity[axis];
+                ck_assert_near(sides[order[i]].velocity[axis], first[i][axis], SETTLED);
+            }
+        for (int i = 0; i < THREE; i++) {
+            const double *const n = pairs[i].normal;
+            double approach = 0.0, pressed = 0.0;
+            for (int axis = 0; axis < 2; axis++) {
+                approach += n[axis] * (sides[pairs[i].of[0]].velocity[axis] -
+                                       sides[pairs[i].of[1]].velocity[axis]);
+                pressed -= n[axis] * pairs[i].impulse[axis];
+            }
+            ck_assert_double_le(approach, SETTLED);
+            ck_assert_double_ge(pressed, -ROUND_OFF);
+            ck_assert_double_le(fabs(approach * pressed), SETTLED);
+        }
+    }
+}
+END_TEST
+
+Suite *suite_contact_solve(void)
+{
+    Suite *suite = suite_create("contact_solve");
+    TCase *two = tcase_create("two");
+    tcase_add_loop_test(two, each_law_stops_the_approach_and_what_it_says_of_the_sliding, 0,
+                        G_N_ELEMENTS(angles));
+    tcase_add_loop_test(two, pressure_of_round_off_does_not_make_fields_stick, 0,
+                        G_N_ELEMENTS(angles));
+    tcase_add_loop_test(two, fields_that_part_exchange_nothing_unless_they_are_bonded_or_adhere, 0,
+                        G_N_ELEMENTS(angles));
+    tcase_add_test(two,
+                   what_is_below_static_friction_sticks_and_what_is_above_slides_with_the_other);
+    tcase_add_test(two, a_gap_allows_the_approach_that_closes_it);
+    tcase_add_test(two, held_components_stay_and_the_other_field_takes_it_all);
+    suite_add_tcase(suite, two);
+    TCase *several = tcase_create("several");
+    tcase_add_loop_test(several, bonded_fields_all_get_the_velocity_of_their_centre_of_mass, 0, 3);
+    tcase_add_loop_test(several, contact_of_several_fields_does_not_depend_on_their_order, 0, 3);
+    suite_add_tcase(suite, several);
+    return suite;
+}
