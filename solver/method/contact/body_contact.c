@@ -108,6 +108,7 @@ struct exchange {
     struct mpm_contact_side sides[MPM_CONTACT_FIELDS], before[MPM_CONTACT_FIELDS];
     struct mpm_solve_pair pairs[MPM_CONTACT_FIELDS * (MPM_CONTACT_FIELDS - 1) / 2];
     const struct mpm_contact_pair *of[MPM_CONTACT_FIELDS * (MPM_CONTACT_FIELDS - 1) / 2];
+    bool stiff[MPM_CONTACT_FIELDS * (MPM_CONTACT_FIELDS - 1) / 2];
     int count;
 };
 
@@ -147,6 +148,34 @@ static struct mpm_solve_pair to_solve(const struct exchange *exchange,
     };
 }
 
+static bool takes_part(const struct mpm_contact_pair *pair, enum mpm_pair_law law,
+                       enum mpm_exchange_when when)
+{
+    switch (when) {
+    case MPM_EXCHANGE_END:
+        return pair->touches;
+    case MPM_EXCHANGE_SMOOTHED:
+        return law == MPM_PAIR_BONDED;
+    case MPM_EXCHANGE_START:
+    case MPM_EXCHANGE_EXTRAPOLATED:
+        break;
+    }
+    return pair->touches && law != MPM_PAIR_INTERFACE;
+}
+
+static void add_pair(struct exchange *exchange, const struct mpm_contact_pair *pair)
+{
+    const int k = exchange->count++;
+    struct mpm_solve_pair *const solved = &exchange->pairs[k];
+    exchange->of[k] = pair;
+    *solved = to_solve(exchange, pair);
+    if (solved->law != MPM_PAIR_INTERFACE)
+        return;
+    const struct mpm_contact_side *const sides[2] = {&exchange->before[solved->of[0]],
+                                                     &exchange->before[solved->of[1]]};
+    exchange->stiff[k] = mpm_interface_lines(exchange->state, pair, sides, solved->lines);
+}
+
 static void list_pairs(struct exchange *exchange)
 {
     const struct mpm_state *const state = exchange->state;
@@ -156,12 +185,8 @@ static void list_pairs(struct exchange *exchange)
             side_of(exchange, &state->contact.fields[node->first_field + (uint32_t)k]);
     for (uint32_t k = node->first_pair; k < node->first_pair + node->pairs; k++) {
         const struct mpm_contact_pair *const pair = &state->contact.pairs[k];
-        const enum mpm_pair_law law = mpm_contact_spec(state)->pairs[pair->spec].law;
-        if (!pair->touches || law == MPM_PAIR_INTERFACE ||
-            (exchange->when == MPM_EXCHANGE_SMOOTHED && law != MPM_PAIR_BONDED))
-            continue;
-        exchange->of[exchange->count] = pair;
-        exchange->pairs[exchange->count++] = to_solve(exchange, pair);
+        if (takes_part(pair, mpm_contact_spec(state)->pairs[pair->spec].law, exchange->when))
+            add_pair(exchange, pair);
     }
 }
 
@@ -182,16 +207,22 @@ static void count_pair(const struct exchange *exchange, int index)
 {
     const struct mpm_state *const state = exchange->state;
     const struct mpm_solve_pair *const pair = &exchange->pairs[index];
+    const bool is_interface = pair->law == MPM_PAIR_INTERFACE;
     struct mpm_contact_sample *const sample = &state->contact.samples[exchange->of[index]->spec];
+    struct mpm_contact_totals *const totals = &state->contact.totals[exchange->of[index]->spec];
+    double *const taken = is_interface ? &totals->work : &totals->dissipated;
     double one[2], other[2];
-    if (pair->impulse[0] == 0.0 && pair->impulse[1] == 0.0)
+    if (pair->impulse[0] == 0.0 && pair->impulse[1] == 0.0 && !is_interface)
         return;
     mean_velocity(exchange, pair->of[0], one);
     mean_velocity(exchange, pair->of[1], other);
     for (int axis = 0; axis < 2; axis++) {
-        state->contact.totals[exchange->of[index]->spec].dissipated -=
-            pair->impulse[axis] * (one[axis] - other[axis]);
+        *taken -= pair->impulse[axis] * (one[axis] - other[axis]);
         sample->force[axis] += pair->impulse[axis] / state->time_step;
+    }
+    if (is_interface) {
+        sample->stored += mpm_interface_stored(state, exchange->of[index]);
+        sample->stiff += exchange->stiff[index];
     }
     sample->area += exchange->of[index]->area;
     sample->nodes++;
@@ -237,7 +268,7 @@ static void resolve_node(struct mpm_state *state, enum mpm_exchange_when when,
     list_pairs(&exchange);
     if (exchange.count == 0)
         return;
-    mpm_contact_solve(exchange.sides, node->fields, exchange.pairs, exchange.count);
+    mpm_contact_solve(exchange.sides, exchange.pairs, exchange.count);
     give_impulses(&exchange);
     for (int k = 0; k < exchange.count && when == MPM_EXCHANGE_END; k++)
         count_pair(&exchange, k);
@@ -245,13 +276,9 @@ static void resolve_node(struct mpm_state *state, enum mpm_exchange_when when,
 
 void mpm_body_contact_resolve(struct mpm_state *state, enum mpm_exchange_when when)
 {
-    if (when == MPM_EXCHANGE_END)
-        mpm_interfaces_pull(state);
     for (size_t k = 0; k < state->contact.node_count; k++)
         if (mpm_node_is_inside(state, state->contact.nodes[k].node))
             resolve_node(state, when, &state->contact.nodes[k]);
-    if (when == MPM_EXCHANGE_END)
-        mpm_interfaces_count(state);
 }
 
 void mpm_body_contact_smoothed(struct mpm_state *state)

@@ -12,16 +12,7 @@
  * Rigid bodies with a law are fields of infinite mass: they take part in contact and drive no
  * nodes. The history has what they bear.
  *
- * An imperfect interface puts tractions D_n [u_n] n + D_t [u_t] t on both fields, with the jump [u]
- * of the displacement between the second field and the first at the surface, and separate D_n for
- * opening and overlap. At a node with k = D times its area of contact and the mobility S along a
- * direction, kappa = k S dt^2 decides whether an explicit force is stable. The impulse is
- *     dt k ([u] + alpha dt [v]) / (1 + alpha kappa),   alpha = kappa^2 / (1 + kappa^2):
- * explicit where kappa is small, implicit (backward Euler) where it is large. The history counts
- * nodes with kappa > 1, where the interface dissipates. [u] is that of the particles' places
- * (displacement_fit.h), less what places are ahead of strains by in orders of update that strain by
- * other velocities than those that move particles (interface_law.c): so a free vibration keeps its
- * energy, at any stiffness.
+ * Imperfect interfaces (interface_law.h) take part in task 4 alone.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_BODY_CONTACT_H

@@ -22,14 +22,14 @@ struct mpm_contact_sums {
     double seen;           /* the same with means of N_i in axisymmetry: see contact_detection.h */
     double area_normal[2]; /* sum A_p G_ip */
     double volume_normal[2];
-    double surface[2]; /* integral of N_i n over the field's surface: contact_area.h */
+    double surface[2]; /* integral of N_i n over the field's surface: contact_detection.h */
     double moments[6]; /* for regressions: sum w {1, x, y, xx, xy, yy}, in cells */
     struct mpm_displacement_sums displacement; /* of an interface */
 };
 
 /* A velocity field at a node where several meet. */
 struct mpm_contact_field {
-    int64_t node; /* of the grid, of a layer, or packed; -1: of a rigid body */
+    int64_t node; /* of the grid or of a layer; -1: of a rigid body */
     uint8_t field;
     uint8_t held;                        /* bits of the components that conditions hold */
     double rigid_start[2], rigid_end[2]; /* velocity of a rigid one at both ends of the step */
@@ -42,14 +42,12 @@ struct mpm_contact_pair {
     uint32_t spec;      /* place in the scene's pairs */
     bool has_normal, touches;
     double normal[2]; /* unit vector from the first to the second */
-    double offset;    /* of the fitted plane from the node, of a regression */
     double edge[2];   /* how far the first goes along the normal, and where the second begins */
     double beside[2]; /* least distance of either from the line through the node along the normal */
     double gap;       /* of surfaces: positive if they are apart */
     double area;      /* of contact at the node */
     double jump[2];   /* of the displacement, normal and tangential: second less first */
     double rate[2];   /* of the particles' velocity */
-    double pull[2];   /* impulse of an interface on the first field in the step */
 };
 
 /* Of a pair with logistic regression: its plane, and what Newton's method needs. */

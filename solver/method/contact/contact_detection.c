@@ -95,11 +95,6 @@ static void detect(const struct mpm_state *state, const struct mpm_contact_node 
     if (!pair->has_normal)
         return;
     pair->area = area_of(pair, one, other);
-    if (spec->law == MPM_PAIR_INTERFACE && isinf(pair->edge[1] - pair->edge[0])) {
-        /* a particle whose support ends at the node to round-off: no surface is there */
-        pair->has_normal = pair->touches = false;
-        return;
-    }
     if (spec->law == MPM_PAIR_INTERFACE)
         find_jump(state, pair, one, other);
     else if (spec->law == MPM_PAIR_BONDED || spec->detection == MPM_TOUCH_SHARED)

@@ -18,7 +18,7 @@ double mpm_contact_plane_normal(const struct mpm_grid *grid, const double c[3], 
 /* By logistic regression, of all pairs that have it: Newton's method, from the plane of linear
  * regression on. Its sum of logarithms is convex, with a penalty of LAMBDA |c|^2/2 on all but c_0
  * that makes the plane between two separate sets of particles, which any steep phi fits, the one
- * with the widest gap. Cost: some ten visits of the particles near contact. */
+ * with the widest gap. Cost: about 20 visits of the particles near contact. */
 void mpm_contact_logistic_find(struct mpm_state *state, int workers);
 
 #endif

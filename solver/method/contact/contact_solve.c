@@ -16,19 +16,42 @@ struct parts {
     double pressed, dragged;
 };
 
-/* The impulse along a direction that brings the difference to `allowed` there. */
-static double stopping(const double mobility[2], const double difference[2], const double along[2],
-                       double allowed)
+/* The velocities of a pair's first field less those of the second, and both mobilities. */
+struct approach {
+    double mobility[2], difference[2];
+};
+
+static double mobility_along(const struct approach *approach, const double along[2])
 {
-    const double m = mobility[0] * along[0] * along[0] + mobility[1] * along[1] * along[1];
-    if (!(m > HELD_ALONG * fmax(mobility[0], mobility[1])))
+    return approach->mobility[0] * along[0] * along[0] +
+           approach->mobility[1] * along[1] * along[1];
+}
+
+static double difference_along(const struct approach *approach, const double along[2])
+{
+    return approach->difference[0] * along[0] + approach->difference[1] * along[1];
+}
+
+/* The impulse along a direction that brings the difference to `allowed` there. */
+static double stopping(const struct approach *approach, const double along[2], double allowed)
+{
+    const double m = mobility_along(approach, along);
+    if (!(m > HELD_ALONG * fmax(approach->mobility[0], approach->mobility[1])))
         return 0.0;
-    return (allowed - difference[0] * along[0] - difference[1] * along[1]) / m;
+    return (allowed - difference_along(approach, along)) / m;
+}
+
+/* What the impulse `so_far` of an interface lacks along a direction. */
+static double lacking(const struct approach *approach, const double along[2],
+                      const struct mpm_solve_line *line, double so_far)
+{
+    return (line->free - line->damped * difference_along(approach, along) - so_far) /
+           (1.0 + line->damped * mobility_along(approach, along));
 }
 
 static double limited_press(const struct mpm_solve_pair *pair, double pressed)
 {
-    if (pair->law == MPM_PAIR_BONDED || pressed <= 0.0)
+    if (pair->law == MPM_PAIR_BONDED || pair->law == MPM_PAIR_INTERFACE || pressed <= 0.0)
         return pressed;
     return pressed <= pair->pull ? pressed : 0.0;
 }
@@ -38,6 +61,7 @@ static double limited_drag(const struct mpm_solve_pair *pair, double pressed, do
     const double pressure = pressed < 0.0 ? -pressed : 0.0;
     switch (pair->law) {
     case MPM_PAIR_BONDED:
+    case MPM_PAIR_INTERFACE:
         return dragged;
     case MPM_PAIR_STICK:
         return fabs(pressed) > FAINT * fabs(dragged) ? dragged : 0.0;
@@ -46,11 +70,24 @@ static double limited_drag(const struct mpm_solve_pair *pair, double pressed, do
             return dragged;
         return copysign(pair->friction * pressure, dragged);
     case MPM_PAIR_FRICTIONLESS:
-    case MPM_PAIR_INTERFACE:
     case MPM_PAIR_NONE:
         break;
     }
     return 0.0;
+}
+
+static struct approach approach_of(const struct mpm_solve_pair *pair,
+                                   const struct mpm_contact_side *sides)
+{
+    const struct mpm_contact_side *const one = &sides[pair->of[0]], *const other =
+                                                                        &sides[pair->of[1]];
+    struct approach approach;
+    for (int axis = 0; axis < 2; axis++) {
+        approach.mobility[axis] = one->mobility[axis] + other->mobility[axis];
+        approach.difference[axis] =
+            approach.mobility[axis] > 0.0 ? one->velocity[axis] - other->velocity[axis] : 0.0;
+    }
+    return approach;
 }
 
 /* By what the pair's parts change, `share` of what would do for it alone. */
@@ -58,20 +95,17 @@ static struct parts change_of(const struct mpm_solve_pair *pair,
                               const struct mpm_contact_side *sides, const struct parts *parts,
                               double share)
 {
-    const struct mpm_contact_side *const one = &sides[pair->of[0]], *const other =
-                                                                        &sides[pair->of[1]];
     const double *const n = pair->normal, along[2] = {-n[1], n[0]};
-    double mobility[2], difference[2];
-    for (int axis = 0; axis < 2; axis++) {
-        mobility[axis] = one->mobility[axis] + other->mobility[axis];
-        difference[axis] = mobility[axis] > 0.0 ? one->velocity[axis] - other->velocity[axis] : 0.0;
-    }
-    const double pressed = limited_press(
-        pair, parts->pressed + share * stopping(mobility, difference, n, pair->approach));
+    const bool is_interface = pair->law == MPM_PAIR_INTERFACE;
+    struct approach approach = approach_of(pair, sides);
+    const double press = is_interface ? lacking(&approach, n, &pair->lines[0], parts->pressed)
+                                      : stopping(&approach, n, pair->approach);
+    const double pressed = limited_press(pair, parts->pressed + share * press);
     for (int axis = 0; axis < 2; axis++)
-        difference[axis] += mobility[axis] * (pressed - parts->pressed) * n[axis];
-    const double dragged = limited_drag(
-        pair, pressed, parts->dragged + share * stopping(mobility, difference, along, 0.0));
+        approach.difference[axis] += approach.mobility[axis] * (pressed - parts->pressed) * n[axis];
+    const double drag = is_interface ? lacking(&approach, along, &pair->lines[1], parts->dragged)
+                                     : stopping(&approach, along, 0.0);
+    const double dragged = limited_drag(pair, pressed, parts->dragged + share * drag);
     return (struct parts){pressed - parts->pressed, dragged - parts->dragged};
 }
 
@@ -109,15 +143,25 @@ static bool sweep(struct mpm_contact_side *sides, const struct mpm_solve_pair *p
     return changed > SETTLED * largest;
 }
 
-void mpm_contact_solve(struct mpm_contact_side *sides, int side_count, struct mpm_solve_pair *pairs,
-                       int pair_count)
+/* The most pairs that one field has. */
+static int most_pairs(const struct mpm_solve_pair *pairs, int count)
+{
+    int of[MPM_CONTACT_FIELDS] = {0}, most = 1;
+    for (int k = 0; k < count; k++)
+        for (int side = 0; side < 2; side++)
+            if (++of[pairs[k].of[side]] > most)
+                most = of[pairs[k].of[side]];
+    return most;
+}
+
+void mpm_contact_solve(struct mpm_contact_side *sides, struct mpm_solve_pair *pairs, int count)
 {
     struct parts parts[PAIRS] = {{0.0, 0.0}};
-    const double share = side_count > 2 ? 1.0 / (side_count - 1) : 1.0;
-    const int sweeps = pair_count > 1 ? SWEEPS : 1;
-    for (int k = 0; k < sweeps && sweep(sides, pairs, pair_count, share, parts); k++)
+    const double share = 1.0 / most_pairs(pairs, count);
+    const int sweeps = count > 1 ? SWEEPS : 1;
+    for (int k = 0; k < sweeps && sweep(sides, pairs, count, share, parts); k++)
         continue;
-    for (int k = 0; k < pair_count; k++) {
+    for (int k = 0; k < count; k++) {
         const double *const n = pairs[k].normal;
         pairs[k].impulse[0] = parts[k].pressed * n[0] - parts[k].dragged * n[1];
         pairs[k].impulse[1] = parts[k].pressed * n[1] + parts[k].dragged * n[0];

@@ -11,9 +11,10 @@
  *     t . dv = 0 if |q| <= mu_s |p|,                friction; mu_s: static
  *     else |q| = mu |p| against the sliding
  *     dv = 0                                        bonded
- * Two fields: this is one exchange, as for cracks. More of them: all pairs change at once, each by
- * 1/(fields - 1) of what would do for it alone, until nothing changes; so the result does not
- * depend on the order of fields or pairs, but for round-off.
+ *     p = f_n - c_n n . dv,  q = f_t - c_t t . dv   interface; f, c: interface_law.h
+ * One pair: this is one exchange, as for cracks. More of them: all pairs change at once, each by
+ * 1/k of what would do for it alone, with k the most pairs that one field has, until nothing
+ * changes; so the result does not depend on the order of fields or pairs, but for round-off.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_CONTACT_SOLVE_H
@@ -22,18 +23,23 @@
 #include "method/contact/contact_impulse.h"
 #include "model/contact.h"
 
+/* The impulse of an interface along a direction: `free` - `damped` times the part of dv there. */
+struct mpm_solve_line {
+    double free, damped;
+};
+
 struct mpm_solve_pair {
     int of[2];        /* sides */
     double normal[2]; /* unit vector from the first to the second */
     enum mpm_pair_law law;
     double friction, static_friction;
-    double pull;       /* c */
-    double approach;   /* a */
-    double impulse[2]; /* out: on the first side */
+    double pull;                    /* c */
+    double approach;                /* a */
+    struct mpm_solve_line lines[2]; /* of an interface: along the normal, along the surface */
+    double impulse[2];              /* out: on the first side */
 };
 
 /* Finds all impulses; the sides' velocities become those after them. */
-void mpm_contact_solve(struct mpm_contact_side *sides, int side_count, struct mpm_solve_pair *pairs,
-                       int pair_count);
+void mpm_contact_solve(struct mpm_contact_side *sides, struct mpm_solve_pair *pairs, int count);
 
 #endif

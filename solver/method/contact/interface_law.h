@@ -1,16 +1,34 @@
-/* Imperfect interfaces: tractions by the jump of displacement between two fields; body_contact.h
- * has the equations.
+/* Imperfect interfaces: tractions by the jump of displacement between two fields.
+ *
+ * The tractions are D_n [u_n] n + D_t [u_t] t on the first field and the opposite on the second,
+ * with the jump [u] of the displacement between the second field and the first at the surface, and
+ * separate D_n for opening and overlap, Nairn 2013. At a node with k = D times its area of contact
+ * and the mobility S along a direction, kappa = k S dt^2 decides whether an explicit force is
+ * stable. The impulse along the direction is
+ *     dt k ([u] + alpha dt [v]),   alpha = kappa^2 / (1 + kappa^2),
+ * with the difference [v] of the velocities after the impulse: explicit where kappa is small,
+ * implicit (backward Euler) where it is large. There the interface dissipates; the history counts
+ * nodes with kappa > 1.
+ *
+ * [u] is that of the particles' places (displacement_fit.h), less what places are ahead of the
+ * strains by in orders of update that strain by other velocities than those that move particles. A
+ * free vibration across one straight interface then keeps its energy. Where three bodies meet at a
+ * corner, and with B-splines, the fits of neighbouring nodes differ and energy can grow, slowly:
+ * docs/scenes.md has numbers; the energy guard judges it as any other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_INTERFACE_LAW_H
 #define MPM_METHOD_INTERFACE_LAW_H
 
-#include "method/contact/exchange.h"
+#include "method/contact/contact_solve.h"
+#include "method/state.h"
 
-/* Task 4: gives the fields of interfaces their impulses. */
-void mpm_interfaces_pull(struct mpm_state *state);
-/* After all exchanges of task 4: work of the impulses, energy that is stored at the end of the
- * step. */
-void mpm_interfaces_count(struct mpm_state *state);
+/* Task 4: the impulses of a pair along its normal and along the surface. `sides` are its fields
+ * before any impulse. Returns whether kappa > 1 in a direction. */
+bool mpm_interface_lines(const struct mpm_state *state, const struct mpm_contact_pair *pair,
+                         const struct mpm_contact_side *const sides[2],
+                         struct mpm_solve_line lines[2]);
+/* After the exchanges of task 4: energy that the pair stores at the end of the step. */
+double mpm_interface_stored(const struct mpm_state *state, const struct mpm_contact_pair *pair);
 
 #endif

@@ -118,11 +118,22 @@ static void mark_cells(struct mpm_bands *beside, int64_t column, int64_t row)
     }
 }
 
+/* What the step before marked. */
+static void forget_rigid(struct mpm_state *state)
+{
+    struct mpm_body_contact *const contact = &state->contact;
+    for (int64_t row = 0; row < state->grid.rows; row++)
+        for (int64_t column = contact->rigid_in.low[row]; column <= contact->rigid_in.high[row];
+             column++)
+            contact->rigid_at[row * state->grid.columns + column] = 0;
+    mpm_bands_clear(state, &contact->rigid_in);
+}
+
 static void mark_rigid(struct mpm_state *state)
 {
     struct mpm_body_contact *const contact = &state->contact;
     if (contact->rigid_at != NULL)
-        mpm_bands_clear(state, &contact->rigid_in);
+        forget_rigid(state);
     for (size_t p = 0; contact->rigid_at != NULL && p < state->rigid.count; p++) {
         const unsigned field = contact->field_of[state->rigid.body[p]];
         struct mpm_stencil stencil;
@@ -137,20 +148,6 @@ static void mark_rigid(struct mpm_state *state)
             mpm_bands_mark(&contact->rigid_in, node % state->grid.columns,
                            node / state->grid.columns);
         }
-    }
-}
-
-/* Those of the step are of no use after it. */
-static void forget_rigid(struct mpm_state *state)
-{
-    struct mpm_body_contact *const contact = &state->contact;
-    for (size_t p = 0; contact->rigid_at != NULL && p < state->rigid.count; p++) {
-        struct mpm_stencil stencil;
-        if (contact->field_of[state->rigid.body[p]] == MPM_CONTACT_FIELDS)
-            continue;
-        mpm_rigid_particle_stencil(state, p, &stencil);
-        for (int k = 0; k < stencil.count; k++)
-            contact->rigid_at[state->node_zero + stencil.node[k].node] = 0;
     }
 }
 
@@ -222,7 +219,6 @@ enum mpm_status mpm_shared_nodes_find(struct mpm_state *state, struct mpm_error 
                 mark_cells(&contact->beside, column, row);
         }
     }
-    forget_rigid(state);
     return MPM_OK;
 }
 

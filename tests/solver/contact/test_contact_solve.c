@@ -52,7 +52,7 @@ START_TEST(each_law_stops_the_approach_and_what_it_says_of_the_sliding)
             side(0.0, 0.0, 3.0)};
         struct mpm_solve_pair solved = pair(0, 1, angle, laws[k]);
         double left[2];
-        mpm_contact_solve(sides, 2, &solved, 1);
+        mpm_contact_solve(sides, &solved, 1);
         difference(sides, angle, left);
         ck_assert_near(left[0], 0.0, ROUND_OFF);
         /* reduced mass 1.2: p = 2.4, and friction takes 0.3 * 2.4/1.2 of the sliding speed */
@@ -79,7 +79,7 @@ START_TEST(pressure_of_round_off_does_not_make_fields_stick)
             side(0.0, 0.0, 3.0)};
         struct mpm_solve_pair solved = pair(0, 1, angles[_i], MPM_PAIR_STICK);
         double left[2];
-        mpm_contact_solve(sides, 2, &solved, 1);
+        mpm_contact_solve(sides, &solved, 1);
         difference(sides, angles[_i], left);
         ck_assert_near(left[1], 3.0, ROUND_OFF);
     }
@@ -105,7 +105,7 @@ START_TEST(fields_that_part_exchange_nothing_unless_they_are_bonded_or_adhere)
         struct mpm_contact_side sides[2] = {parting[0], parting[1]};
         struct mpm_solve_pair solved = pair(0, 1, angle, rows[k].law);
         solved.pull = rows[k].pull;
-        mpm_contact_solve(sides, 2, &solved, 1);
+        mpm_contact_solve(sides, &solved, 1);
         ck_assert_near(along(solved.impulse, angle), rows[k].impulse, ROUND_OFF);
     }
 }
@@ -122,7 +122,7 @@ START_TEST(what_is_below_static_friction_sticks_and_what_is_above_slides_with_th
         struct mpm_solve_pair solved = pair(0, 1, 0.0, MPM_PAIR_FRICTION);
         solved.friction = 0.2;
         solved.static_friction = 0.4;
-        mpm_contact_solve(sides, 2, &solved, 1);
+        mpm_contact_solve(sides, &solved, 1);
         ck_assert_near(sides[0].velocity[1] - sides[1].velocity[1], rows[k].left, ROUND_OFF);
     }
 }
@@ -133,12 +133,12 @@ START_TEST(a_gap_allows_the_approach_that_closes_it)
     struct mpm_contact_side sides[2] = {side(1.0, 0.0, 1.0), side(0.0, 0.0, 1.0)};
     struct mpm_solve_pair solved = pair(0, 1, 0.0, MPM_PAIR_FRICTIONLESS);
     solved.approach = 0.25;
-    mpm_contact_solve(sides, 2, &solved, 1);
+    mpm_contact_solve(sides, &solved, 1);
     ck_assert_near(sides[0].velocity[0] - sides[1].velocity[0], 0.25, ROUND_OFF);
     solved.approach = 1.5;
     sides[0] = side(1.0, 0.0, 1.0);
     sides[1] = side(0.0, 0.0, 1.0);
-    mpm_contact_solve(sides, 2, &solved, 1);
+    mpm_contact_solve(sides, &solved, 1);
     ck_assert_double_eq(sides[0].velocity[0], 1.0);
 }
 END_TEST
@@ -148,14 +148,14 @@ START_TEST(held_components_stay_and_the_other_field_takes_it_all)
     struct mpm_contact_side sides[2] = {side(1.0, 0.5, 1.0), side(0.0, 0.0, 1.0)};
     struct mpm_solve_pair solved = pair(0, 1, 0.0, MPM_PAIR_STICK);
     sides[1].mobility[0] = sides[1].mobility[1] = 0.0;
-    mpm_contact_solve(sides, 2, &solved, 1);
+    mpm_contact_solve(sides, &solved, 1);
     for (int axis = 0; axis < 2; axis++) {
         ck_assert_near(sides[0].velocity[axis], 0.0, ROUND_OFF);
         ck_assert_double_eq(sides[1].velocity[axis], 0.0);
     }
     sides[0].mobility[0] = sides[0].mobility[1] = 0.0;
     sides[0].velocity[0] = 1.0;
-    mpm_contact_solve(sides, 2, &solved, 1);
+    mpm_contact_solve(sides, &solved, 1);
     ck_assert_double_eq(sides[0].velocity[0], 1.0); /* both held */
 }
 END_TEST
@@ -190,10 +190,27 @@ START_TEST(bonded_fields_all_get_the_velocity_of_their_centre_of_mass)
     struct mpm_solve_pair pairs[THREE] = {pair(0, 1, 0.1, MPM_PAIR_BONDED),
                                           pair(0, 2, 0.9, MPM_PAIR_BONDED),
                                           pair(1, 2, 2.0, MPM_PAIR_BONDED)};
-    mpm_contact_solve(sides, THREE, pairs, THREE);
+    mpm_contact_solve(sides, pairs, THREE);
     for (int k = 0; k < THREE; k++)
         for (int axis = 0; axis < 2; axis++)
             ck_assert_near(sides[k].velocity[axis], mean[axis], SETTLED);
+}
+END_TEST
+
+/* Three fields at a node, two of which touch: the third does not change what these exchange. */
+START_TEST(a_field_that_touches_none_changes_nothing)
+{
+    struct mpm_contact_side sides[THREE], alone[2];
+    three(sides, 1.3);
+    alone[0] = sides[0];
+    alone[1] = sides[1];
+    struct mpm_solve_pair beside = pair(0, 1, 0.2, MPM_PAIR_FRICTION), lone = beside;
+    mpm_contact_solve(sides, &beside, 1);
+    mpm_contact_solve(alone, &lone, 1);
+    for (int axis = 0; axis < 2; axis++) {
+        ck_assert_near(sides[0].velocity[axis], alone[0].velocity[axis], ROUND_OFF);
+        ck_assert_near(sides[1].velocity[axis], alone[1].velocity[axis], ROUND_OFF);
+    }
 }
 END_TEST
 
@@ -217,7 +234,7 @@ START_TEST(contact_of_several_fields_does_not_depend_on_their_order)
             pairs[0] = pair(order[0], order[2], 0.1, laws[_i]);
             pairs[2] = pair(order[1], order[0], 0.2 + G_PI, laws[_i]);
         }
-        mpm_contact_solve(sides, THREE, pairs, THREE);
+        mpm_contact_solve(sides, pairs, THREE);
         for (int i = 0; i < THREE; i++)
             for (int axis = 0; axis < 2; axis++) {
                 if (k == 0)
@@ -257,6 +274,7 @@ Suite *suite_contact_solve(void)
     suite_add_tcase(suite, two);
     TCase *several = tcase_create("several");
     tcase_add_loop_test(several, bonded_fields_all_get_the_velocity_of_their_centre_of_mass, 0, 3);
+    tcase_add_test(several, a_field_that_touches_none_changes_nothing);
     tcase_add_loop_test(several, contact_of_several_fields_does_not_depend_on_their_order, 0, 3);
     suite_add_tcase(suite, several);
     return suite;
