@@ -84,6 +84,7 @@
     SUITE(scene_materials)                                                                         \
     SUITE(scene_cracks)                                                                            \
     SUITE(contact_solve)                                                                           \
+    SUITE(cracked_bodies)                                                                          \
     SUITE(contact_points)                                                                          \
     SUITE(body_contact)                                                                            \
     SUITE(scene_contact)                                                                           \

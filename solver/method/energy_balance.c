@@ -57,10 +57,11 @@ static void row_free_energy(void *context, int64_t row, int worker)
     state->row_sums[row].kinetic[1] = sum;
 }
 
-/* What contact has lowered less what conditions did meanwhile. */
+/* What contact has lowered less what conditions did meanwhile, and what damping took of it, where
+ * that follows contact (damping.h). */
 static double before_less_after(struct mpm_state *state)
 {
-    double sum = -state->external_work;
+    double sum = state->damping.totals.dissipated - state->external_work;
     mpm_grid_rows_run(state, row_free_energy);
     for (int64_t row = state->first_row; row >= 0; row = mpm_grid_next_row(state, row))
         sum += state->row_sums[row].kinetic[1];

@@ -59,8 +59,10 @@ struct mpm_contact_group {
     size_t body; /* of a rigid one */
 };
 
-/* Fields that may meet at a node. */
-enum { MPM_CONTACT_FIELDS = 8 };
+/* Fields that may meet at a node; with the two more that a crack gives to one of them. */
+enum { MPM_CONTACT_FIELDS = 8, MPM_CONTACT_SIDES = MPM_CONTACT_FIELDS + 2 };
+/* What no field is. */
+#define MPM_NO_FIELD SIZE_MAX
 
 struct mpm_contact_spec {
     bool by_body; /* else by material */
@@ -70,6 +72,7 @@ struct mpm_contact_spec {
     size_t *field_of;   /* per group: SIZE_MAX for a rigid one that only drives nodes */
     size_t field_count; /* 0: no contact in the scene; deformable ones come first */
     size_t deformable_fields;
+    size_t cracked_field; /* the one that all cracks cut; MPM_NO_FIELD: there are none */
     /* Pairs of fields between which there is contact, ordered by their first group, then by their
      * second one; `of` are fields here. */
     struct mpm_pair_spec *pairs;

@@ -7,12 +7,21 @@
 #include <math.h>
 #include <stdint.h>
 
+/* May cracks cut the body? */
+static bool is_cut(const struct mpm_scene *scene, size_t body)
+{
+    const struct mpm_contact_spec *const contact = &scene->contact;
+    return !scene->bodies[body].rigid &&
+           (contact->field_count == 0 ||
+            contact->field_of[contact->group_of[body]] == contact->cracked_field);
+}
+
 bool mpm_crack_point_is_in_a_body(const struct mpm_scene *scene, const double place[2])
 {
     static const double around[4][2] = {{-1.0, -1.0}, {1.0, -1.0}, {-1.0, 1.0}, {1.0, 1.0}};
     const double aside = 1e-6 * fmin(scene->cell[0], scene->cell[1]);
     for (size_t k = 0; k < scene->body_count; k++)
-        for (int i = 0; i < 4 && !scene->bodies[k].rigid; i++) {
+        for (int i = 0; i < 4 && is_cut(scene, k); i++) {
             const double near[2] = {place[0] + aside * around[i][0],
                                     place[1] + aside * around[i][1]};
             if (mpm_region_contains(&scene->bodies[k].region, near, 0.1 * aside))

@@ -165,6 +165,26 @@ static enum mpm_status hold_points(struct mpm_simulation *simulation,
     return MPM_OK;
 }
 
+/* Sums of contact between bodies are those of the whole model near a plane; fields of a crack there
+ * are not. */
+static enum mpm_status check_bodies(const struct mpm_state *state, const struct mpm_symmetry *plane,
+                                    struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = state->scene;
+    const double place = place_of_plane(state, plane), least = reach_across(state, plane);
+    for (size_t crack = 0; crack < scene->crack_count && scene->contact.field_count > 0; crack++) {
+        const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
+        const double *const along = plane->axis == 0 ? chain->x : chain->y;
+        for (size_t k = 0; k < chain->count; k++)
+            if (!((along[k] - place) * (double)plane->inside >= least))
+                return mpm_scene_error(error, scene, scene->cracks[crack].line, "cracks.points",
+                                       "beside contact between bodies, a crack on the plane of "
+                                       "symmetry at %g or near it; allowed: %g or more inside",
+                                       place, least);
+    }
+    return MPM_OK;
+}
+
 /* Between a body and its image beyond the one plane, contact is not folded across the other. */
 static enum mpm_status check_contact(const struct mpm_state *state, struct mpm_error *error)
 {
@@ -183,6 +203,7 @@ enum mpm_status mpm_symmetries_fill(struct mpm_simulation *simulation, struct mp
     struct mpm_state *const state = &simulation->state;
     for (size_t k = 0; k < state->symmetries.count; k++) {
         MPM_TRY(find_inside(simulation, &state->symmetries.planes[k], error));
+        MPM_TRY(check_bodies(state, &state->symmetries.planes[k], error));
         MPM_TRY(hold_points(simulation, &state->symmetries.planes[k], error));
     }
     return check_contact(state, error);

@@ -114,6 +114,8 @@ def place_bodies(canvas):
         gap = canvas.integer(0, 1)
         boxes = [[low, [high[0], middle]], [[low[0], middle + gap], high]]
     notes["deformable"] = len(boxes)
+    sizes = [min(box[1][k] - box[0][k] for k in range(2)) for box in boxes]
+    notes["cut"] = sizes.index(max(sizes)) if notes["contact"] else 0  # what a crack is in
     if notes["rigid"]:
         boxes.append([[low[0], low[1] - 1], [high[0], low[1]]])
     if pressed:

@@ -11,17 +11,19 @@ from draw_bodies import PAST_ROOM, SIDES, place
 
 # ------------------------------------------------------------------------- cracks
 def draw_crack_count(canvas):
-    """None in half of the scenes, else one or two."""
+    """None in half of the scenes, else one or two; one beside contact, in one of the bodies."""
     if not canvas.notes["cracked"]:
         return 0
+    if canvas.notes["contact"]:
+        return 1
     return canvas.pick([1, 2])
 
 
 def draw_crack_points(canvas, _):
-    """A chain across the first body, off the nodes and the particles: straight or with a kink,
-    in any direction; the second one is beside the first, from either end. What is pressed is one and a
+    """A chain across the first body, off the nodes and the particles: straight or with a kink, in any
+    direction; in the largest of several bodies in contact, or from a face of it; the second one is beside the first, from either end. What is pressed is one and a
     half cells away or more: pairs of particles then have one crack between them."""
-    low, high = canvas.notes["boxes"][0]
+    low, high = canvas.notes["boxes"][canvas.notes["cut"]]
     if canvas.path[-1] > 0 and canvas.notes["fracture"]:
         return [place(canvas, point) for point in chain_ahead(canvas)]
     if canvas.path[-1] > 0:
@@ -59,6 +61,8 @@ def draw_crack_points(canvas, _):
         run = width[0] * reach
         chain = [[start, height], [start + run * math.cos(math.radians(angle)),
                                    height + run * math.sin(math.radians(angle))]]
+    elif canvas.notes["contact"]:
+        chain = chain_in_one_body(canvas, low, high)
     else:
         angle = math.radians(canvas.integer(0, 11) * 30 + 7)
         half = canvas.number(0.8, 0.7 * min(width) / 2, 4)
@@ -70,6 +74,21 @@ def draw_crack_points(canvas, _):
             chain.insert(1, kink)
     canvas.notes["chain"] = chain
     return [place(canvas, point) for point in chain]
+
+
+def chain_in_one_body(canvas, low, high):
+    """A chain within the body, or from one of its faces, which another body may touch."""
+    width = [high[k] - low[k] for k in range(2)]
+    reach = 0.3 * min(width)
+    middle = [low[k] + width[k] * canvas.number(0.4, 0.6, 4) + 0.0837 for k in range(2)]
+    if canvas.chance(50):
+        axis, at_end = SIDES[canvas.pick(["left", "bottom", "right", "top"])]
+        mouth = [middle[k] + reach * canvas.number(-0.7, 0.7, 4) for k in range(2)]
+        mouth[axis] = (high if at_end else low)[axis]
+        return [mouth, middle] if canvas.chance(50) else [middle, mouth]
+    angle = math.radians(canvas.integer(0, 11) * 30 + 7)
+    arm = [reach * math.cos(angle), reach * math.sin(angle)]
+    return [[middle[k] - arm[k] for k in range(2)], [middle[k] + arm[k] for k in range(2)]]
 
 
 def chain_ahead(canvas):

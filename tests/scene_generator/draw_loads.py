@@ -62,7 +62,8 @@ def draw_boundary(canvas, velocity, sides):
         along = last[normal] if at_end else 0
     ends = nodes_across(canvas, normal, along)
     on_axis = axis is not None and side == "left" and along <= axis
-    if not pressed and not on_axis and canvas.chance(25):
+    far = canvas.notes["contact"] and canvas.notes["cracked"]  # cracks must be far from planes
+    if not pressed and not on_axis and canvas.chance(25) and not far:
         return draw_plane(canvas, normal, along)
     form = 0 if pressed else canvas.integer(0, 6)
     held = canvas.integer(0, 2) if form != 0 else 0

@@ -68,15 +68,16 @@ GENERAL = ("any", "touching")  # the situations that together have all keys
 
 def prepare(canvas):
     """Settles what several sections must agree on. The situation `touching` is `any` with contact between
-    bodies, which a scene with cracks cannot have."""
+    bodies."""
     notes = canvas.notes
     notes["contact"] = canvas.situation == "touching"
     if notes["contact"]:
         canvas.situation = "any"
     notes["cracked"] = canvas.situation == "pressed" or \
-        canvas.situation == "any" and not notes["contact"] and canvas.chance(40)
-    notes["fracture"] = notes["cracked"] and canvas.situation == "any" and canvas.chance(15)
-    notes["past"] = notes["cracked"] and canvas.situation == "any" and not notes["fracture"] and \
+        canvas.situation == "any" and canvas.chance(25 if notes["contact"] else 40)
+    free = notes["cracked"] and canvas.situation == "any" and not notes["contact"]
+    notes["fracture"] = free and canvas.chance(15)
+    notes["past"] = free and not notes["fracture"] and \
         canvas.chance(25)  # a crack past a plane of symmetry
     notes["rigid"] = canvas.situation == "any" and \
         canvas.chance(40 if notes["contact"] else 15)

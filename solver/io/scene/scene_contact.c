@@ -393,10 +393,6 @@ enum mpm_status mpm_build_contact(const struct mpm_reading *reading)
     if (raw == NULL)
         return MPM_OK;
     scene->contact.by_body = raw->fields;
-    if (scene->crack_count > 0)
-        return mpm_reading_fault(reading, "contact",
-                                 "with cracks, whose fields and those of bodies are not combined; "
-                                 "allowed: one of them");
     MPM_TRY(list_groups(reading));
     const size_t groups = scene->contact.group_count;
     struct table table = {.groups = groups};
@@ -404,5 +400,5 @@ enum mpm_status mpm_build_contact(const struct mpm_reading *reading)
         mpm_reading_allocate(reading, groups * groups, sizeof *table.laws, "contact", &table.laws));
     const enum mpm_status status = build_table(reading, &table);
     free(table.laws);
-    return status;
+    return status == MPM_OK ? mpm_build_cracked_field(reading) : status;
 }

@@ -108,6 +108,69 @@ static enum mpm_status check_in_body(const struct mpm_reading *reading, const ch
                              crack->points[0][0], crack->points[0][1]);
 }
 
+/* -------------------------------------------------- fields of contact that are cut */
+
+/* Inside, and not on its surface, which another body may touch. */
+static bool is_within(const struct mpm_scene *scene, size_t body, const double place[2])
+{
+    static const double around[4][2] = {{-1.0, -1.0}, {1.0, -1.0}, {-1.0, 1.0}, {1.0, 1.0}};
+    const double aside = 1e-6 * shorter_side(scene);
+    for (int i = 0; i < 4; i++) {
+        const double near[2] = {place[0] + aside * around[i][0], place[1] + aside * around[i][1]};
+        if (!mpm_region_contains(&scene->bodies[body].region, near, 0.1 * aside))
+            return false;
+    }
+    return true;
+}
+
+/* The field of contact that a place is in; MPM_NO_FIELD: none, or it is on a surface. */
+static size_t field_at(const struct mpm_scene *scene, const double place[2])
+{
+    const struct mpm_contact_spec *const contact = &scene->contact;
+    for (size_t i = 0; i < scene->body_count; i++)
+        if (!scene->bodies[i].rigid && is_within(scene, i, place))
+            return contact->field_of[contact->group_of[i]];
+    return MPM_NO_FIELD;
+}
+
+/* Ends and every half cell of a segment. */
+static enum mpm_status check_field(const struct mpm_reading *reading, size_t index, size_t k)
+{
+    struct mpm_contact_spec *const contact = &reading->scene->contact;
+    const struct mpm_segment segment = segment_of(&reading->scene->cracks[index], k);
+    const double count =
+        ceil(distance(segment.a, segment.b) / (0.5 * shorter_side(reading->scene)));
+    for (double i = 0.0; i <= count; i += 1.0) {
+        const double part = i / count;
+        const double place[2] = {segment.a[0] + part * (segment.b[0] - segment.a[0]),
+                                 segment.a[1] + part * (segment.b[1] - segment.a[1])};
+        const size_t field = field_at(reading->scene, place);
+        if (field != MPM_NO_FIELD && contact->cracked_field == MPM_NO_FIELD)
+            contact->cracked_field = field;
+        if (field != MPM_NO_FIELD && field != contact->cracked_field)
+            return mpm_reading_fault(
+                reading, mpm_path_join(mpm_path_entry("cracks", index).text, "points").text,
+                "beside contact, cracks in bodies of two velocity fields, the "
+                "second one at (%g, %g); allowed: all cracks in bodies of one",
+                place[0], place[1]);
+    }
+    return MPM_OK;
+}
+
+enum mpm_status mpm_build_cracked_field(const struct mpm_reading *reading)
+{
+    struct mpm_scene *const scene = reading->scene;
+    scene->contact.cracked_field = MPM_NO_FIELD;
+    for (size_t index = 0; index < scene->crack_count; index++)
+        for (size_t k = 0; k + 1 < scene->cracks[index].point_count; k++)
+            MPM_TRY(check_field(reading, index, k));
+    if (scene->crack_count > 0 && scene->contact.cracked_field == MPM_NO_FIELD)
+        return mpm_reading_fault(reading, "cracks",
+                                 "beside contact, cracks along the surfaces of bodies alone; "
+                                 "allowed: cracks with some part, checked every half cell, in one");
+    return MPM_OK;
+}
+
 /* ---------------------------------------------------------------- meetings */
 
 static enum mpm_status check_itself(const struct mpm_reading *reading, const char *path,

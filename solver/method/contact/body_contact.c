@@ -100,16 +100,18 @@ enum mpm_status mpm_body_contact_hold(struct mpm_state *state, struct mpm_error 
 
 /* ---------------------------------------------------------------- exchanging */
 
-/* A node's fields and pairs in one exchange. */
+enum { PAIRS = MPM_CONTACT_SIDES * (MPM_CONTACT_SIDES - 1) / 2 };
+
+/* A node's fields and pairs in one exchange; those across a crack come last. */
 struct exchange {
     struct mpm_state *state;
     enum mpm_exchange_when when;
     const struct mpm_contact_node *node;
-    struct mpm_contact_side sides[MPM_CONTACT_FIELDS], before[MPM_CONTACT_FIELDS];
-    struct mpm_solve_pair pairs[MPM_CONTACT_FIELDS * (MPM_CONTACT_FIELDS - 1) / 2];
-    const struct mpm_contact_pair *of[MPM_CONTACT_FIELDS * (MPM_CONTACT_FIELDS - 1) / 2];
-    bool stiff[MPM_CONTACT_FIELDS * (MPM_CONTACT_FIELDS - 1) / 2];
-    int count;
+    struct mpm_contact_side sides[MPM_CONTACT_SIDES], before[MPM_CONTACT_SIDES];
+    struct mpm_solve_pair pairs[PAIRS];
+    const struct mpm_contact_pair *of[PAIRS]; /* of bodies */
+    bool stiff[PAIRS];
+    int of_bodies, count;
 };
 
 static struct mpm_exchange_field as_exchanged(const struct mpm_contact_field *field)
@@ -155,7 +157,7 @@ static bool takes_part(const struct mpm_contact_pair *pair, enum mpm_pair_law la
     case MPM_EXCHANGE_END:
         return pair->touches;
     case MPM_EXCHANGE_SMOOTHED:
-        return law == MPM_PAIR_BONDED;
+        return pair->touches && law == MPM_PAIR_BONDED;
     case MPM_EXCHANGE_START:
     case MPM_EXCHANGE_EXTRAPOLATED:
         break;
@@ -176,6 +178,47 @@ static void add_pair(struct exchange *exchange, const struct mpm_contact_pair *p
     exchange->stiff[k] = mpm_interface_lines(exchange->state, pair, sides, solved->lines);
 }
 
+static int side_at(const struct exchange *exchange, int64_t node)
+{
+    const struct mpm_contact_node *const at = exchange->node;
+    for (int k = 0; k < at->fields; k++)
+        if (exchange->state->contact.fields[at->first_field + (uint32_t)k].node == node)
+            return k;
+    return -1;
+}
+
+/* Surfaces of a crack that touch; those found to be closed do not part either. */
+static void add_touch(struct exchange *exchange, const struct mpm_exchange_touch *touch)
+{
+    static const enum mpm_pair_law laws[] = {
+        [MPM_CONTACT_NONE] = MPM_PAIR_NONE,
+        [MPM_CONTACT_STICK] = MPM_PAIR_STICK,
+        [MPM_CONTACT_FRICTIONLESS] = MPM_PAIR_FRICTIONLESS,
+        [MPM_CONTACT_FRICTION] = MPM_PAIR_FRICTION,
+    };
+    const struct mpm_solve_pair made = {
+        .of = {side_at(exchange, touch->fields[0].node), side_at(exchange, touch->fields[1].node)},
+        .normal = {touch->normal[0], touch->normal[1]},
+        .law = laws[touch->law.kind],
+        .friction = touch->law.friction,
+        .static_friction = touch->law.friction,
+        .pull = touch->law.if_approaching ? 0.0 : HUGE_VAL,
+    };
+    if (made.of[0] >= 0 && made.of[1] >= 0)
+        exchange->pairs[exchange->count++] = made;
+}
+
+static void add_touches(struct exchange *exchange)
+{
+    const struct mpm_state *const state = exchange->state;
+    const struct mpm_exchange_touch *const touches =
+        state->contact.crack_touches == NULL || exchange->when == MPM_EXCHANGE_SMOOTHED
+            ? NULL
+            : state->contact.crack_touches(state, exchange->node->node);
+    for (size_t k = 0; touches != NULL && k < touches->count; k++)
+        add_touch(exchange, &touches[k]);
+}
+
 static void list_pairs(struct exchange *exchange)
 {
     const struct mpm_state *const state = exchange->state;
@@ -188,6 +231,8 @@ static void list_pairs(struct exchange *exchange)
         if (takes_part(pair, mpm_contact_spec(state)->pairs[pair->spec].law, exchange->when))
             add_pair(exchange, pair);
     }
+    exchange->of_bodies = exchange->count;
+    add_touches(exchange);
 }
 
 /* The fields' velocities over the step, on average: of those that the particles follow. */
@@ -270,7 +315,7 @@ static void resolve_node(struct mpm_state *state, enum mpm_exchange_when when,
         return;
     mpm_contact_solve(exchange.sides, exchange.pairs, exchange.count);
     give_impulses(&exchange);
-    for (int k = 0; k < exchange.count && when == MPM_EXCHANGE_END; k++)
+    for (int k = 0; k < exchange.of_bodies && when == MPM_EXCHANGE_END; k++)
         count_pair(&exchange, k);
 }
 

@@ -29,11 +29,13 @@ struct mpm_contact_sums {
 
 /* A velocity field at a node where several meet. */
 struct mpm_contact_field {
-    int64_t node; /* of the grid or of a layer; -1: of a rigid body */
+    int64_t node; /* of the grid, of a layer, or packed; -1: of a rigid body */
     uint8_t field;
+    uint8_t key;                         /* of a packed field: side of a crack; else 0 */
     uint8_t held;                        /* bits of the components that conditions hold */
     double rigid_start[2], rigid_end[2]; /* velocity of a rigid one at both ends of the step */
     struct mpm_contact_sums sums;
+    double low[2], high[2]; /* where a crack cuts a field of the node: what its particles fill */
 };
 
 /* Two fields of a node between which there is contact. */
@@ -61,6 +63,7 @@ struct mpm_contact_node {
     int64_t node;
     uint32_t first_field, first_pair;
     uint8_t fields, pairs;
+    bool cut; /* a crack gives one of the bodies several fields here */
 };
 
 /* Of a pair of fields of the scene. */
@@ -78,10 +81,13 @@ struct mpm_contact_sample {
 
 struct mpm_state;
 struct mpm_contact_side;
+struct mpm_exchange_touch;
 
 struct mpm_body_contact {
     /* Of scenes with bonded pairs, for XPIC and FMPM: keeps their fields one; or NULL. */
     void (*exchange_smoothed)(struct mpm_state *state);
+    /* Of scenes with cracks: the pairs of fields of a node that touch across a crack; or NULL. */
+    const struct mpm_exchange_touch *(*crack_touches)(const struct mpm_state *state, int64_t node);
     /* Called for each impulse at the end of a step on a node that was `side` before: what counts
      * energy by velocities of the nodes follows it. */
     void (*follow_impulse)(struct mpm_state *state, int64_t node,

@@ -8,6 +8,8 @@
 
 bool mpm_contact_needs_edges(const struct mpm_contact_spec *spec)
 {
+    if (spec->cracked_field != MPM_NO_FIELD)
+        return true;
     for (size_t k = 0; k < spec->pair_count; k++)
         if (spec->pairs[k].detection == MPM_TOUCH_EXTENT ||
             spec->pairs[k].law == MPM_PAIR_INTERFACE)
@@ -33,6 +35,11 @@ double mpm_node_seen_length(const struct mpm_state *state, int64_t node, int axi
         return 0.5 + 2.0 * past;
     return place == low + 1 || place == last - 1 ? 1.0 - 2.0 * past : 1.0;
 }
+
+/* Of a limit: closer to it round-off must not decide. */
+static const double EVEN = 1e-9;
+/* Of a cell: as near to another body is the surface of a side of a crack that touches it. */
+static const double BESIDE = 0.5;
 
 static double area_of(const struct mpm_contact_pair *pair, const struct mpm_contact_sums *one,
                       const struct mpm_contact_sums *other)
@@ -67,19 +74,41 @@ static void find_jump(const struct mpm_state *state, struct mpm_contact_pair *pa
     turn(n, first.v, second.v, pair->rate);
 }
 
-static bool fills_cell(const struct mpm_state *state, int64_t node, double limit,
-                       const struct mpm_contact_sums *one, const struct mpm_contact_sums *other)
+static bool fills_cell(const struct mpm_state *state, const struct mpm_contact_node *node,
+                       const struct mpm_contact_pair *pair, double limit)
 {
     const double *const cell = state->grid.cell;
-    const double seen = cell[0] * mpm_node_seen_length(state, node, 0) * cell[1] *
-                        mpm_node_seen_length(state, node, 1);
-    return one->seen + other->seen >= limit * seen;
+    const double whole = cell[0] * mpm_node_seen_length(state, node->node, 0) * cell[1] *
+                         mpm_node_seen_length(state, node->node, 1);
+    struct mpm_contact_sums room;
+    double seen = 0.0;
+    for (int k = 0; k < 2; k++)
+        seen += mpm_contact_whole_sums(state, node, pair->fields[k], &room)->seen;
+    return seen >= (1.0 - EVEN) * limit * whole;
 }
 
 /* A field that reaches the node by round-off alone has no edge there: contact_sums.h. */
 static bool has_edges(const struct mpm_contact_pair *pair)
 {
     return pair->edge[0] > -HUGE_VAL && pair->edge[1] < HUGE_VAL;
+}
+
+/* Is the surface of a crack's side near the other body, or is the crack between them? Beside a
+ * body's edge the normal may be along the surface, where the places that both fill decide. */
+static bool is_behind_crack(const struct mpm_state *state, const struct mpm_contact_pair *pair)
+{
+    const struct mpm_contact_field *const one = &state->contact.fields[pair->fields[0]];
+    const struct mpm_contact_field *const other = &state->contact.fields[pair->fields[1]];
+    const double *const n = pair->normal, *const cell = state->grid.cell, *const jump = pair->jump;
+    const double opened[2] = {jump[0] * n[0] - jump[1] * n[1], jump[0] * n[1] + jump[1] * n[0]};
+    const double gap = pair->edge[1] - pair->edge[0] - jump[0];
+    bool beside = gap <= BESIDE * hypot(n[0] * cell[0], n[1] * cell[1]);
+    for (int axis = 0; axis < 2; axis++) {
+        const double apart =
+            fmax(other->low[axis] - one->high[axis], one->low[axis] - other->high[axis]);
+        beside = beside && apart - fabs(opened[axis]) <= BESIDE * cell[axis];
+    }
+    return !beside;
 }
 
 static void detect(const struct mpm_state *state, const struct mpm_contact_node *node,
@@ -97,10 +126,14 @@ static void detect(const struct mpm_state *state, const struct mpm_contact_node 
     pair->area = area_of(pair, one, other);
     if (spec->law == MPM_PAIR_INTERFACE)
         find_jump(state, pair, one, other);
+    if (node->cut && is_behind_crack(state, pair))
+        pair->touches = pair->has_normal = false;
+    else if (spec->law == MPM_PAIR_INTERFACE)
+        return;
     else if (spec->law == MPM_PAIR_BONDED || spec->detection == MPM_TOUCH_SHARED)
         return;
     else if (spec->detection == MPM_TOUCH_VOLUME)
-        pair->touches = fills_cell(state, node->node, spec->touching, one, other);
+        pair->touches = fills_cell(state, node, pair, spec->touching);
     else
         pair->gap = pair->edge[1] - pair->edge[0];
 }

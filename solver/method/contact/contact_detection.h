@@ -13,6 +13,10 @@
  *              that which the node can see of the grid, N&G 3.3: doubled at r = 0 and on planes
  *     shared   in contact are fields that share a node, 1 to 3 cells before they touch
  *
+ * Where a crack gives a body several fields at a node, those of them touch another body whose
+ * surface is within half a cell of it, besides: the others are behind the crack. Of an interface
+ * this is the distance without its opening.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_CONTACT_DETECTION_H
 #define MPM_METHOD_CONTACT_DETECTION_H

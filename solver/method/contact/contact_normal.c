@@ -117,10 +117,11 @@ static void scale(const struct mpm_state *state, const struct mpm_contact_node *
 static void find_normal(const struct mpm_state *state, const struct mpm_contact_node *node,
                         struct mpm_contact_pair *pair)
 {
-    const struct mpm_contact_field *const list = state->contact.fields;
+    struct mpm_contact_sums room[2];
     const struct two of = {state,
                            &mpm_contact_spec(state)->pairs[pair->spec],
-                           {&list[pair->fields[0]].sums, &list[pair->fields[1]].sums}};
+                           {mpm_contact_whole_sums(state, node, pair->fields[0], &room[0]),
+                            mpm_contact_whole_sums(state, node, pair->fields[1], &room[1])}};
     scale(state, node, pair, methods[of.spec->normal](&of, pair));
 }
 

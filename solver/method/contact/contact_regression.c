@@ -86,15 +86,17 @@ static void add_particle(struct mpm_state *state, const struct mpm_contact_parti
     }
 }
 
-static void begin_plane(const struct mpm_state *state, uint32_t k)
+static void begin_plane(const struct mpm_state *state, const struct mpm_contact_node *node,
+                        uint32_t k)
 {
     const struct mpm_contact_pair *const pair = &state->contact.pairs[k];
     struct mpm_contact_plane *const plane = &state->contact.planes[k];
-    const struct mpm_contact_field *const list = state->contact.fields;
+    struct mpm_contact_sums room[2];
     *plane = (struct mpm_contact_plane){.moves = false};
     plane->moves = mpm_contact_spec(state)->pairs[pair->spec].normal == MPM_NORMAL_LOGISTIC &&
-                   mpm_contact_linear_plane(&list[pair->fields[0]].sums,
-                                            &list[pair->fields[1]].sums, plane->c);
+                   mpm_contact_linear_plane(
+                       mpm_contact_whole_sums(state, node, pair->fields[0], &room[0]),
+                       mpm_contact_whole_sums(state, node, pair->fields[1], &room[1]), plane->c);
     plane->logistic = plane->moves;
 }
 
@@ -135,7 +137,7 @@ static void share_planes(struct mpm_state *state, int axis, const struct mpm_con
         const uint32_t m = beyond->first_pair + i % beyond->pairs;
         struct mpm_contact_plane *const one = &state->contact.planes[k];
         struct mpm_contact_plane *const other = &state->contact.planes[m];
-        if (state->contact.pairs[k].spec != state->contact.pairs[m].spec)
+        if (!mpm_contact_is_image(state, &state->contact.pairs[k], &state->contact.pairs[m]))
             continue;
         other->moves = one->moves;
         for (int n = 0; n < 3 && back; n++)
@@ -182,8 +184,11 @@ static bool step_all(struct mpm_state *state)
 void mpm_contact_logistic_find(struct mpm_state *state, int workers)
 {
     bool any = state->contact.pair_count > 0;
-    for (uint32_t k = 0; k < state->contact.pair_count; k++)
-        begin_plane(state, k);
+    for (size_t i = 0; i < state->contact.node_count; i++) {
+        const struct mpm_contact_node *const node = &state->contact.nodes[i];
+        for (uint32_t k = node->first_pair; k < node->first_pair + node->pairs; k++)
+            begin_plane(state, node, k);
+    }
     mpm_contact_images_visit(state, mirror_planes);
     for (int k = 0; k < STEPS && any; k++) {
         mpm_shared_nodes_visit(state, workers, add_particle);

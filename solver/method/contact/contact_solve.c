@@ -90,7 +90,7 @@ static struct approach approach_of(const struct mpm_solve_pair *pair,
     return approach;
 }
 
-/* By what the pair's parts change, `share` of what would do for it alone. */
+/* By what the pair's parts change: `share` of the way to what would do for it alone. */
 static struct parts change_of(const struct mpm_solve_pair *pair,
                               const struct mpm_contact_side *sides, const struct parts *parts,
                               double share)
@@ -100,13 +100,14 @@ static struct parts change_of(const struct mpm_solve_pair *pair,
     struct approach approach = approach_of(pair, sides);
     const double press = is_interface ? lacking(&approach, n, &pair->lines[0], parts->pressed)
                                       : stopping(&approach, n, pair->approach);
-    const double pressed = limited_press(pair, parts->pressed + share * press);
+    const double pressed = limited_press(pair, parts->pressed + press) - parts->pressed;
     for (int axis = 0; axis < 2; axis++)
-        approach.difference[axis] += approach.mobility[axis] * (pressed - parts->pressed) * n[axis];
+        approach.difference[axis] += approach.mobility[axis] * share * pressed * n[axis];
     const double drag = is_interface ? lacking(&approach, along, &pair->lines[1], parts->dragged)
                                      : stopping(&approach, along, 0.0);
-    const double dragged = limited_drag(pair, pressed, parts->dragged + share * drag);
-    return (struct parts){pressed - parts->pressed, dragged - parts->dragged};
+    const double dragged =
+        limited_drag(pair, parts->pressed + share * pressed, parts->dragged + drag);
+    return (struct parts){share * pressed, share * (dragged - parts->dragged)};
 }
 
 static void apply(const struct mpm_solve_pair *pair, const struct parts *change,
@@ -123,16 +124,16 @@ static void apply(const struct mpm_solve_pair *pair, const struct parts *change,
     }
 }
 
-enum { PAIRS = MPM_CONTACT_FIELDS * (MPM_CONTACT_FIELDS - 1) / 2 };
+enum { PAIRS = MPM_CONTACT_SIDES * (MPM_CONTACT_SIDES - 1) / 2 };
 
 /* All pairs at once. Returns whether anything has changed. */
 static bool sweep(struct mpm_contact_side *sides, const struct mpm_solve_pair *pairs, int count,
-                  double share, struct parts parts[PAIRS])
+                  const double shares[PAIRS], struct parts parts[PAIRS])
 {
     struct parts changes[PAIRS];
     double largest = 0.0, changed = 0.0;
     for (int k = 0; k < count; k++)
-        changes[k] = change_of(&pairs[k], sides, &parts[k], share);
+        changes[k] = change_of(&pairs[k], sides, &parts[k], shares[k]);
     for (int k = 0; k < count; k++) {
         apply(&pairs[k], &changes[k], sides);
         parts[k].pressed += changes[k].pressed;
@@ -143,23 +144,34 @@ static bool sweep(struct mpm_contact_side *sides, const struct mpm_solve_pair *p
     return changed > SETTLED * largest;
 }
 
-/* The most pairs that one field has. */
-static int most_pairs(const struct mpm_solve_pair *pairs, int count)
+/* How much of its own need each pair may take at once: with the pairs of both its fields the need
+ * of a pair is up to 1/share of what its own parts do, so that sweeps converge. */
+static void find_shares(const struct mpm_contact_side *sides, const struct mpm_solve_pair *pairs,
+                        int count, double shares[PAIRS])
 {
-    int of[MPM_CONTACT_FIELDS] = {0}, most = 1;
+    int of[MPM_CONTACT_SIDES] = {0};
     for (int k = 0; k < count; k++)
-        for (int side = 0; side < 2; side++)
-            if (++of[pairs[k].of[side]] > most)
-                most = of[pairs[k].of[side]];
-    return most;
+        for (int i = 0; i < 2; i++)
+            of[pairs[k].of[i]]++;
+    for (int k = 0; k < count; k++) {
+        const int *const on = pairs[k].of;
+        double need = 1.0;
+        for (int axis = 0; axis < 2; axis++) {
+            const double one = sides[on[0]].mobility[axis], other = sides[on[1]].mobility[axis];
+            if (one + other > 0.0)
+                need = fmax(need, (of[on[0]] * one + of[on[1]] * other) / (one + other));
+        }
+        shares[k] = 1.0 / need;
+    }
 }
 
 void mpm_contact_solve(struct mpm_contact_side *sides, struct mpm_solve_pair *pairs, int count)
 {
     struct parts parts[PAIRS] = {{0.0, 0.0}};
-    const double share = 1.0 / most_pairs(pairs, count);
+    double shares[PAIRS];
     const int sweeps = count > 1 ? SWEEPS : 1;
-    for (int k = 0; k < sweeps && sweep(sides, pairs, count, share, parts); k++)
+    find_shares(sides, pairs, count, shares);
+    for (int k = 0; k < sweeps && sweep(sides, pairs, count, shares, parts); k++)
         continue;
     for (int k = 0; k < count; k++) {
         const double *const n = pairs[k].normal;

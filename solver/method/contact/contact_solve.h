@@ -12,9 +12,11 @@
  *     else |q| = mu |p| against the sliding
  *     dv = 0                                        bonded
  *     p = f_n - c_n n . dv,  q = f_t - c_t t . dv   interface; f, c: interface_law.h
- * One pair: this is one exchange, as for cracks. More of them: all pairs change at once, each by
- * 1/k of what would do for it alone, with k the most pairs that one field has, until nothing
- * changes; so the result does not depend on the order of fields or pairs, but for round-off.
+ * One pair: this is one exchange, as for cracks. More of them: all pairs change at once, each by a
+ * part of what would do for it alone, until nothing changes; so the result does not depend on the
+ * order of fields or pairs, but for round-off. With k pairs at each field the part is
+ * (S_1 + S_2)/(k_1 S_1 + k_2 S_2), which makes the sweeps converge: pairs of a rigid body do not
+ * hinder each other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_CONTACT_SOLVE_H

@@ -37,7 +37,8 @@ static void add_sums(const struct mpm_state *state, const struct mpm_contact_par
                      double per_hoop, const struct mpm_stencil_node *entry,
                      const struct mpm_contact_node *node)
 {
-    struct mpm_contact_field *const field = mpm_contact_field_at(state, node, particle->field);
+    struct mpm_contact_field *const field = mpm_contact_field_at(
+        state, node, particle->field, mpm_contact_key_at(state, particle, node->node));
     double from[2];
     if (field == NULL || entry->s == 0.0)
         return;
@@ -164,7 +165,8 @@ static void fold_node(struct mpm_state *state, int axis, struct mpm_contact_node
 {
     for (uint32_t k = beyond->first_field; k < beyond->first_field + beyond->fields; k++) {
         const struct mpm_contact_field *const image = &state->contact.fields[k];
-        struct mpm_contact_field *const field = mpm_contact_field_at(state, inside, image->field);
+        struct mpm_contact_field *const field =
+            mpm_contact_field_at(state, inside, image->field, image->key);
         if (field != NULL)
             fold_sums(&field->sums, &image->sums, axis);
     }
@@ -193,6 +195,37 @@ static void fold_all(struct mpm_state *state)
             for (uint32_t i = node->first_field; i < node->first_field + node->fields; i++)
                 clear_odd(&state->contact.fields[i].sums, axis);
         }
+}
+
+static void add_to_whole(const struct mpm_contact_sums *part, struct mpm_contact_sums *whole)
+{
+    whole->area += part->area;
+    whole->volume += part->volume;
+    whole->seen += part->seen;
+    for (int axis = 0; axis < 2; axis++) {
+        whole->area_normal[axis] += part->area_normal[axis];
+        whole->volume_normal[axis] += part->volume_normal[axis];
+    }
+    for (int k = 0; k < 6; k++)
+        whole->moments[k] += part->moments[k];
+}
+
+const struct mpm_contact_sums *mpm_contact_whole_sums(const struct mpm_state *state,
+                                                      const struct mpm_contact_node *node,
+                                                      uint32_t place, struct mpm_contact_sums *room)
+{
+    const struct mpm_contact_field *const field = &state->contact.fields[place];
+    bool parts = false;
+    if (field->field != mpm_contact_spec(state)->cracked_field)
+        return &field->sums;
+    *room = field->sums;
+    for (uint32_t k = node->first_field; k < node->first_field + node->fields; k++) {
+        if (k == place || state->contact.fields[k].field != field->field)
+            continue;
+        add_to_whole(&state->contact.fields[k].sums, room);
+        parts = true;
+    }
+    return parts ? room : &field->sums;
 }
 
 void mpm_contact_sums_find(struct mpm_state *state, int workers)
@@ -245,17 +278,44 @@ static void add_edge(const struct mpm_contact_particle *particle, const double f
         pair->edge[1] = fmin(pair->edge[1], nearest(particle, from, n, &pair->beside[1]));
 }
 
+static bool is_in(const struct mpm_contact_field *field,
+                  const struct mpm_contact_particle *particle, int key)
+{
+    return field->field == particle->field && field->key == key;
+}
+
+static void widen(const struct mpm_contact_particle *particle, const double from[2],
+                  struct mpm_contact_field *field)
+{
+    for (int axis = 0; axis < 2 && field != NULL; axis++) {
+        const double half = fabs(particle->edge[axis]) + fabs(particle->edge[2 + axis]);
+        field->low[axis] = fmin(field->low[axis], from[axis] - half);
+        field->high[axis] = fmax(field->high[axis], from[axis] + half);
+    }
+}
+
 static void add_edges(struct mpm_state *state, const struct mpm_contact_particle *particle,
                       struct mpm_contact_node *node)
 {
+    const int key = mpm_contact_key_at(state, particle, node->node);
     double from[2];
     place_from(state, node->node, particle->place, from);
+    if (node->cut)
+        widen(particle, from, mpm_contact_field_at(state, node, particle->field, key));
     for (uint32_t k = node->first_pair; k < node->first_pair + node->pairs; k++) {
         struct mpm_contact_pair *const pair = &state->contact.pairs[k];
         for (int side = 0; side < 2 && pair->has_normal; side++)
-            if (state->contact.fields[pair->fields[side]].field == particle->field)
+            if (is_in(&state->contact.fields[pair->fields[side]], particle, key))
                 add_edge(particle, from, side, pair);
     }
+}
+
+bool mpm_contact_is_image(const struct mpm_state *state, const struct mpm_contact_pair *one,
+                          const struct mpm_contact_pair *other)
+{
+    const struct mpm_contact_field *const list = state->contact.fields;
+    return one->spec == other->spec && list[one->fields[0]].key == list[other->fields[0]].key &&
+           list[one->fields[1]].key == list[other->fields[1]].key;
 }
 
 /* The pair of a node that is of the same fields as another one's, or NULL. */
@@ -264,7 +324,7 @@ static struct mpm_contact_pair *same_pair(const struct mpm_state *state,
                                           const struct mpm_contact_pair *other)
 {
     for (uint32_t k = node->first_pair; k < node->first_pair + node->pairs; k++)
-        if (state->contact.pairs[k].spec == other->spec)
+        if (mpm_contact_is_image(state, &state->contact.pairs[k], other))
             return &state->contact.pairs[k];
     return NULL;
 }
@@ -315,6 +375,11 @@ void mpm_contact_edges_find(struct mpm_state *state, int workers)
         state->contact.pairs[k].edge[1] = HUGE_VAL;
         state->contact.pairs[k].beside[0] = state->contact.pairs[k].beside[1] = HUGE_VAL;
     }
+    for (size_t k = 0; k < state->contact.field_count; k++)
+        for (int axis = 0; axis < 2; axis++) {
+            state->contact.fields[k].low[axis] = HUGE_VAL;
+            state->contact.fields[k].high[axis] = -HUGE_VAL;
+        }
     mpm_contact_images_visit(state, mirror_normals);
     mpm_shared_nodes_visit(state, workers, add_edges);
     mpm_contact_images_visit(state, fold_edges);

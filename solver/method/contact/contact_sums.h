@@ -15,6 +15,14 @@
  * such nodes. */
 void mpm_contact_sums_find(struct mpm_state *state, int workers);
 
+/* The sums of a field of the node with those of all sides of a crack that cuts it, for normals: the
+ * crack's own surfaces are none of contact between bodies. Of areas, volume, their normals and
+ * the moments only. `room`: memory for them. */
+const struct mpm_contact_sums *mpm_contact_whole_sums(const struct mpm_state *state,
+                                                      const struct mpm_contact_node *node,
+                                                      uint32_t place,
+                                                      struct mpm_contact_sums *room);
+
 /* The edges of both fields of pairs with a normal: how far their particles, with the domains that F
  * carries, go along the line through the node along the normal. What lies beside that line counts
  * for less, by MPM_EDGE_SLOPE of its distance: of curved surfaces and corners the part at the node
@@ -28,6 +36,10 @@ typedef void mpm_contact_image_visit(struct mpm_state *state, int axis,
                                      struct mpm_contact_node *inside,
                                      const struct mpm_contact_node *beyond);
 void mpm_contact_images_visit(struct mpm_state *state, mpm_contact_image_visit *visit);
+
+/* Are the pairs, of a node and of its image, of the same fields? */
+bool mpm_contact_is_image(const struct mpm_state *state, const struct mpm_contact_pair *one,
+                          const struct mpm_contact_pair *other);
 
 /* Is the node, of the grid, on a plane of symmetry across this axis, or on r = 0? */
 bool mpm_contact_is_on_plane(const struct mpm_state *state, int64_t node, int axis);

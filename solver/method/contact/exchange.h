@@ -27,6 +27,14 @@ struct mpm_exchange_field {
     uint8_t held; /* bits of the components that conditions hold */
 };
 
+/* Two fields of a node that touch. */
+struct mpm_exchange_touch {
+    struct mpm_exchange_field fields[2];
+    double normal[2]; /* unit vector from the first field to the second */
+    struct mpm_contact_law law;
+    size_t count; /* of the node's pairs that touch; they follow each other */
+};
+
 /* Its velocity and mobility. */
 struct mpm_contact_side mpm_exchange_side(const struct mpm_state *state,
                                           enum mpm_exchange_when when,

@@ -29,8 +29,9 @@ void mpm_shared_nodes_layout(struct mpm_state *state, struct mpm_arena *arena)
     /* lines of contact, four nodes wide, across the grid */
     const size_t lines = 16 * spec->field_count * (size_t)(state->grid.columns + state->grid.rows);
     contact->node_capacity = lines < all ? lines : all;
-    contact->field_capacity = 3 * contact->node_capacity;
-    contact->pair_capacity = 3 * contact->node_capacity;
+    const size_t cut = (size_t)state->fields.keys * state->fields.node_capacity;
+    contact->field_capacity = 3 * contact->node_capacity + cut;
+    contact->pair_capacity = 3 * contact->node_capacity + spec->field_count * cut;
     contact->nodes = MPM_TAKE(arena, struct mpm_contact_node, contact->node_capacity);
     contact->fields = MPM_TAKE(arena, struct mpm_contact_field, contact->field_capacity);
     contact->pairs = MPM_TAKE(arena, struct mpm_contact_pair, contact->pair_capacity);
@@ -55,27 +56,71 @@ static enum mpm_status no_room(const struct mpm_state *state, struct mpm_error *
         state->contact.node_capacity, state->contact.field_capacity, state->contact.pair_capacity);
 }
 
+/* Each side of a crack has a pair with each field of another body. */
+static bool add_pairs_of(struct mpm_body_contact *contact, const struct mpm_contact_spec *spec,
+                         uint32_t index, struct mpm_contact_node *node)
+{
+    const size_t *const of = spec->pairs[index].of;
+    const uint32_t end = node->first_field + node->fields;
+    for (uint32_t i = node->first_field; i < end; i++)
+        for (uint32_t j = node->first_field; j < end && contact->fields[i].field == of[0]; j++) {
+            if (contact->fields[j].field != of[1])
+                continue;
+            if (contact->pair_count == contact->pair_capacity)
+                return false;
+            contact->pairs[contact->pair_count++] =
+                (struct mpm_contact_pair){.fields = {i, j}, .spec = index};
+            node->pairs++;
+        }
+    return true;
+}
+
 /* The pairs of the scene between fields that are at the node. */
 static bool add_pairs(struct mpm_body_contact *contact, const struct mpm_contact_spec *spec,
                       struct mpm_contact_node *node)
 {
-    uint32_t place[MPM_CONTACT_FIELDS];
-    unsigned mask = 0;
-    for (uint32_t k = node->first_field; k < node->first_field + node->fields; k++) {
-        place[contact->fields[k].field] = k;
-        mask |= 1u << contact->fields[k].field;
-    }
-    for (uint32_t k = 0; k < spec->pair_count; k++) {
-        const size_t *const of = spec->pairs[k].of;
-        if ((mask >> of[0] & 1u) == 0 || (mask >> of[1] & 1u) == 0)
-            continue;
-        if (contact->pair_count == contact->pair_capacity)
+    for (uint32_t k = 0; k < spec->pair_count; k++)
+        if (!add_pairs_of(contact, spec, k, node))
             return false;
-        contact->pairs[contact->pair_count++] =
-            (struct mpm_contact_pair){.fields = {place[of[0]], place[of[1]]}, .spec = k};
-        node->pairs++;
+    return true;
+}
+
+static bool add_field(struct mpm_body_contact *contact, int64_t at, size_t field, int key,
+                      struct mpm_contact_node *node)
+{
+    if (contact->field_count == contact->field_capacity)
+        return false;
+    contact->fields[contact->field_count++] =
+        (struct mpm_contact_field){.node = at, .field = (uint8_t)field, .key = (uint8_t)key};
+    node->fields++;
+    return true;
+}
+
+/* The sides of a crack that have mass at a node. */
+static bool add_sides(struct mpm_state *state, size_t field, struct mpm_contact_node *node)
+{
+    const struct mpm_field_node *const cut = mpm_field_node_at(state, node->node);
+    for (int i = 0; cut != NULL && i < cut->count; i++) {
+        const int64_t at = mpm_fields_first(state) + cut->first + i;
+        if (state->grid.mass[at] != 0.0 &&
+            !add_field(&state->contact, at, field, state->fields.list[cut->first + (uint32_t)i].key,
+                       node))
+            return false;
+        node->cut = true;
     }
     return true;
+}
+
+/* A field at the node, which may be in parts. */
+static bool add_fields(struct mpm_state *state, size_t field, struct mpm_contact_node *node)
+{
+    struct mpm_body_contact *const contact = &state->contact;
+    const int64_t own = node->node + contact->shift[field];
+    if (field >= mpm_contact_spec(state)->deformable_fields)
+        return add_field(contact, -1, field, 0, node);
+    if (state->grid.mass[own] != 0.0 && !add_field(contact, own, field, 0, node))
+        return false;
+    return field != mpm_contact_spec(state)->cracked_field || add_sides(state, field, node);
 }
 
 static bool add_node(struct mpm_state *state, int64_t node, unsigned mask)
@@ -86,15 +131,8 @@ static bool add_node(struct mpm_state *state, int64_t node, unsigned mask)
                                     .first_field = (uint32_t)contact->field_count,
                                     .first_pair = (uint32_t)contact->pair_count};
     for (size_t k = 0; k < spec->field_count; k++) {
-        if ((mask >> k & 1u) == 0)
-            continue;
-        if (contact->field_count == contact->field_capacity)
+        if ((mask >> k & 1u) != 0 && !add_fields(state, k, &made))
             return false;
-        contact->fields[contact->field_count++] = (struct mpm_contact_field){
-            .node = k < spec->deformable_fields ? node + contact->shift[k] : -1,
-            .field = (uint8_t)k,
-        };
-        made.fields++;
     }
     if (!add_pairs(contact, spec, &made))
         return false;
@@ -151,6 +189,16 @@ static void mark_rigid(struct mpm_state *state)
     }
 }
 
+/* Has a side of a crack mass there? */
+static bool has_sides(const struct mpm_state *state, int64_t node)
+{
+    const struct mpm_field_node *const cut = mpm_field_node_at(state, node);
+    bool any = false;
+    for (int i = 0; cut != NULL && i < cut->count; i++)
+        any = any || state->grid.mass[mpm_fields_first(state) + cut->first + i] != 0.0;
+    return any;
+}
+
 static unsigned fields_at(const struct mpm_state *state, int64_t node)
 {
     const struct mpm_body_contact *const contact = &state->contact;
@@ -158,6 +206,8 @@ static unsigned fields_at(const struct mpm_state *state, int64_t node)
     unsigned mask = contact->rigid_at == NULL ? 0u : contact->rigid_at[node];
     for (size_t k = 0; k < deformable; k++)
         mask |= (unsigned)(state->grid.mass[node + contact->shift[k]] != 0.0) << k;
+    if (mpm_contact_spec(state)->cracked_field != MPM_NO_FIELD)
+        mask |= (unsigned)has_sides(state, node) << mpm_contact_spec(state)->cracked_field;
     return mask;
 }
 
@@ -224,6 +274,16 @@ enum mpm_status mpm_shared_nodes_find(struct mpm_state *state, struct mpm_error 
 
 /* ----------------------------------------------------------------- visiting */
 
+int mpm_contact_key_at(const struct mpm_state *state, const struct mpm_contact_particle *particle,
+                       int64_t node)
+{
+    const struct mpm_field_use *const use = particle->use;
+    for (int k = 0; use != NULL && k < use->detours; k++)
+        if (use->detour[k].node == node)
+            return state->fields.list[use->detour[k].field - mpm_fields_first(state)].key;
+    return 0;
+}
+
 /* H = I - F^-1, in the plane. */
 static void find_slope(const struct mpm_particles *particles, size_t p, double slope[4])
 {
@@ -249,6 +309,7 @@ struct mpm_contact_particle mpm_contact_particle_of(const struct mpm_state *stat
     mpm_particle_deformation(particles, p, f);
     struct mpm_contact_particle made = {
         .field = state->contact.field_of[particles->body[p]],
+        .use = mpm_field_use_of(state, p),
         .place = {domain.position[0], domain.position[1]},
         .area = 4.0 * body->half_size[0] * body->half_size[1] *
                 (f[MPM_XX] * f[MPM_YY] - f[MPM_XY] * f[MPM_YX]),

@@ -24,6 +24,7 @@ enum mpm_status mpm_shared_nodes_find(struct mpm_state *state, struct mpm_error 
 /* A particle, rigid or not, as sums see it. */
 struct mpm_contact_particle {
     int field;
+    const struct mpm_field_use *use; /* where cracks cut its body: its fields; or NULL */
     double place[2];
     double area, volume;
     double edge[4];    /* half edges of its domain */
@@ -43,16 +44,21 @@ typedef void mpm_contact_visit(struct mpm_state *state, const struct mpm_contact
                                struct mpm_contact_node *node);
 void mpm_shared_nodes_visit(struct mpm_state *state, int workers, mpm_contact_visit *visit);
 
-/* The node's entry of a field, or NULL. */
-static inline struct mpm_contact_field *
-mpm_contact_field_at(const struct mpm_state *state, const struct mpm_contact_node *node, int field)
+/* The node's entry of a field, with the key of a crack's side or 0; or NULL. */
+static inline struct mpm_contact_field *mpm_contact_field_at(const struct mpm_state *state,
+                                                             const struct mpm_contact_node *node,
+                                                             int field, int key)
 {
     struct mpm_contact_field *const list = state->contact.fields + node->first_field;
     for (int k = 0; k < node->fields; k++)
-        if (list[k].field == field)
+        if (list[k].field == field && list[k].key == key)
             return &list[k];
     return NULL;
 }
+
+/* The key that a particle has at a node. */
+int mpm_contact_key_at(const struct mpm_state *state, const struct mpm_contact_particle *particle,
+                       int64_t node);
 
 static inline struct mpm_contact_node *mpm_contact_node_at(const struct mpm_state *state,
                                                            int64_t node)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/cracks/crack_contact.h"
 
+#include "method/contact/body_contact.h"
 #include "method/cracks/crack_detection.h"
 #include "method/cracks/crack_fields.h"
 #include "method/grid/grid_update.h"
@@ -73,6 +74,10 @@ static int find_pairs(const struct mpm_state *state, const struct mpm_crack_node
     return count;
 }
 
+/* Of a limit: closer to it round-off must not decide, as at corners, which see a quarter of a cell.
+ */
+static const double EVEN = 1e-9;
+
 /* The law by which a pair of fields exchanges momentum; false if they do not touch. */
 static bool find_law(const struct mpm_state *state, const struct mpm_crack_node *node,
                      const struct mpm_crack_pair *pair, struct mpm_contact_law *law)
@@ -81,20 +86,23 @@ static bool find_law(const struct mpm_state *state, const struct mpm_crack_node 
     if (spec->contact == MPM_CONTACT_NONE)
         return false;
     const struct mpm_crack_volume volume = mpm_crack_volume_at(state, node, pair);
-    if (volume.found < spec->separated * volume.closed)
+    if (volume.found < (1.0 - EVEN) * spec->separated * volume.closed)
         return false;
-    *law =
-        (struct mpm_contact_law){.kind = spec->contact,
-                                 .friction = spec->friction,
-                                 .if_approaching = volume.found <= spec->touching * volume.closed};
+    *law = (struct mpm_contact_law){
+        .kind = spec->contact,
+        .friction = spec->friction,
+        .if_approaching = volume.found <= (1.0 + EVEN) * spec->touching * volume.closed};
     return true;
 }
 
 void mpm_crack_contact_layout(struct mpm_state *state, struct mpm_arena *arena)
 {
-    if (mpm_cracks_have_contact(state->scene))
-        state->cracks.touches =
-            MPM_TAKE(arena, struct mpm_crack_touch, PAIRS * state->fields.node_capacity);
+    if (!mpm_cracks_have_contact(state->scene))
+        return;
+    state->cracks.touches =
+        MPM_TAKE(arena, struct mpm_exchange_touch, PAIRS * state->fields.node_capacity);
+    if (mpm_body_contact_is_used(state))
+        state->cracks.touch_of = MPM_TAKE(arena, uint32_t, state->fields.node_capacity);
 }
 
 /* Masses, places and conditions stay as they are in the step. */
@@ -104,12 +112,12 @@ static void find_touches(struct mpm_state *state)
     cracks->touch_count = 0;
     for (size_t k = 0; k < state->fields.nodes_inside; k++) {
         const struct mpm_crack_node node = mpm_crack_node_of(state, k);
-        struct mpm_crack_touch *const touches = &cracks->touches[cracks->touch_count];
+        struct mpm_exchange_touch *const touches = &cracks->touches[cracks->touch_count];
         struct mpm_crack_pair pairs[PAIRS];
         const int count = find_pairs(state, &node, pairs);
         int found = 0;
         for (int i = 0; i < count; i++) {
-            struct mpm_crack_touch *const touch = &touches[found];
+            struct mpm_exchange_touch *const touch = &touches[found];
             if (!find_law(state, &node, &pairs[i], &touch->law))
                 continue;
             for (int side = 0; side < 2; side++)
@@ -120,8 +128,27 @@ static void find_touches(struct mpm_state *state)
         }
         for (int i = 0; i < found; i++)
             touches[i].count = (size_t)found;
+        if (cracks->touch_of != NULL)
+            cracks->touch_of[k] = found > 0 ? (uint32_t)cracks->touch_count + 1 : 0;
         cracks->touch_count += (size_t)found;
     }
+}
+
+const struct mpm_exchange_touch *mpm_crack_contact_touches(const struct mpm_state *state,
+                                                           int64_t node)
+{
+    const struct mpm_field_node *const entry = mpm_field_node_at(state, node);
+    const size_t place = entry == NULL ? 0 : (size_t)(entry - state->fields.nodes);
+    if (entry == NULL || place >= state->fields.nodes_inside || state->cracks.touch_of[place] == 0)
+        return NULL;
+    return &state->cracks.touches[state->cracks.touch_of[place] - 1];
+}
+
+/* Do bodies meet at the node too? */
+static bool is_left(const struct mpm_state *state, const struct mpm_exchange_touch *touch)
+{
+    return mpm_body_contact_is_used(state) &&
+           state->contact.node_of[mpm_field_parent(state, touch->fields[0].node)] != 0;
 }
 
 /* A field between two cracks takes part in two exchanges: each undoes a part of the other, and what
@@ -137,8 +164,10 @@ void mpm_crack_contact_resolve(struct mpm_state *state, enum mpm_exchange_when w
         find_touches(state);
     for (size_t k = 0; k < cracks->touch_count; k += cracks->touches[k].count) {
         const size_t count = cracks->touches[k].count;
+        if (is_left(state, &cracks->touches[k]))
+            continue;
         for (size_t i = 0; i < (count == 1 ? 1 : count * EXCHANGES); i++) {
-            const struct mpm_crack_touch *const touch = &cracks->touches[k + i % count];
+            const struct mpm_exchange_touch *const touch = &cracks->touches[k + i % count];
             mpm_exchange(state, when, touch->fields, touch->normal, &touch->law);
         }
     }

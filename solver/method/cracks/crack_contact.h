@@ -18,20 +18,17 @@
 #include "method/contact/exchange.h"
 #include "method/state.h"
 
-/* Two fields of a node that touch. */
-struct mpm_crack_touch {
-    struct mpm_exchange_field fields[2];
-    double normal[2];
-    struct mpm_contact_law law;
-    size_t count; /* of the node's pairs that touch; they follow each other */
-};
-
 /* Takes their memory. */
 void mpm_crack_contact_layout(struct mpm_state *state, struct mpm_arena *arena);
 
 /* Tasks 2, 4 and 6c: the fields in contact exchange momentum, in one of the nodes' velocities.
- * Which ones touch is found in task 2, for the step. */
+ * Which ones touch is found in task 2, for the step. Nodes where bodies meet are left to the
+ * contact between these, which takes the crack's pairs together with its own. */
 void mpm_crack_contact_resolve(struct mpm_state *state, enum mpm_exchange_when when);
+
+/* The first of the pairs of fields of a node of the grid that touch, or NULL. */
+const struct mpm_exchange_touch *mpm_crack_contact_touches(const struct mpm_state *state,
+                                                           int64_t node);
 
 /* Nodes of the last step beside this crack whose fields contact leaves alone: a crack that bends
  * within a node's reach may have three fields with mass, and particles beyond two cracks share a

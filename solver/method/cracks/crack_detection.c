@@ -91,7 +91,7 @@ static void find_surface(const struct mpm_state *state, uint32_t crack, struct c
 static void add_surface(const struct mpm_state *state, uint32_t crack, double weight,
                         const double place[2], struct contribution *made, double sum[2])
 {
-    if (crack == MPM_NO_CRACK || state->particles.origin[0] == NULL)
+    if (crack == MPM_NO_CRACK || state->cracks.undeformed == NULL)
         return;
     find_surface(state, crack, made);
     for (int axis = 0; axis < 2; axis++)
@@ -163,7 +163,7 @@ static void measure(void *context, size_t p, const struct mpm_cell_block *block)
     const struct mpm_field_use *const use = mpm_field_use_of(state, p);
     const int64_t first = mpm_fields_first(state);
     struct mpm_stencil room;
-    if (use == NULL && !reaches_fields(state, block))
+    if (!mpm_cracks_cut(state, p) || (use == NULL && !reaches_fields(state, block)))
         return;
     const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
     const struct mpm_crack_crossing *const crossing =

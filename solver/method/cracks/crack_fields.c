@@ -98,6 +98,8 @@ static void find_sides(void *context, size_t p, const struct mpm_cell_block *blo
     struct mpm_state *const state = search->state;
     const double particle[2] = {state->particles.position[0][p], state->particles.position[1][p]};
     struct found found;
+    if (!mpm_cracks_cut(state, p))
+        return;
     found.use.particle = (uint32_t)p;
     found.use.keys = 0;
     found.use.stencil.count = 0;

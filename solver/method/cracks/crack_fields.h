@@ -35,6 +35,13 @@ static inline bool mpm_crack_has_contact(const struct mpm_scene *scene, size_t c
            scene->cracks[crack].contact != MPM_CONTACT_NONE;
 }
 
+/* Do cracks cut the particle's body? Beside contact between bodies they cut those whose field is
+ * the grid's own. */
+static inline bool mpm_cracks_cut(const struct mpm_state *state, size_t p)
+{
+    return state->bodies[state->particles.body[p]].shift == 0;
+}
+
 /* Or of any? */
 bool mpm_cracks_have_contact(const struct mpm_scene *scene);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/cracks/j_integral.h"
 
+#include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_map.h"
 #include "method/cracks/stress_intensity.h"
 #include "method/transfer/law_state.h"
@@ -124,7 +125,7 @@ static enum mpm_status check_reach(const struct mpm_j_contour *contour, struct m
     const struct mpm_crack_box box = box_around(contour, PARTICLE_MARGIN);
     for (size_t p = 0; state->family->convected && p < state->particles.count; p++) {
         const struct mpm_placement at = mpm_particle_placement(state, p);
-        bool near = true;
+        bool near = mpm_cracks_cut(state, p);
         for (int axis = 0; axis < 2; axis++)
             near = near && at.position[axis] + at.reach[axis] > box.low[axis] &&
                    at.position[axis] - at.reach[axis] < box.high[axis];
@@ -236,7 +237,8 @@ static enum mpm_status gather(const struct mpm_j_contour *contour, struct materi
     const struct mpm_crack_box box = box_around(contour, PARTICLE_MARGIN);
     for (size_t p = 0; p < state->particles.count; p++) {
         const double x = state->particles.position[0][p], y = state->particles.position[1][p];
-        if (!(x > box.low[0] && x < box.high[0] && y > box.low[1] && y < box.high[1]))
+        if (!(x > box.low[0] && x < box.high[0] && y > box.low[1] && y < box.high[1]) ||
+            !mpm_cracks_cut(state, p))
             continue;
         struct mpm_stencil stencil;
         const struct mpm_j_particle own = carried_by(contour, p);

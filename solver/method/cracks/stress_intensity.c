@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/cracks/stress_intensity.h"
 
+#include "method/cracks/crack_fields.h"
+
 #include <math.h>
 
 /* The part of the way from the tip to a side of the rectangle on which q is 1. */
@@ -371,7 +373,8 @@ static void mean_rotation(const struct mpm_tip_frame *frame, double rotation[2])
         const double from[2] = {particles->position[0][p] - frame->place[0],
                                 particles->position[1][p] - frame->place[1]};
         double f[MPM_GRADIENT_SIZE], gradient[2];
-        if (fabs(from[0]) >= frame->width[0] || fabs(from[1]) >= frame->width[1])
+        if (fabs(from[0]) >= frame->width[0] || fabs(from[1]) >= frame->width[1] ||
+            !mpm_cracks_cut(frame->contour->state, p))
             continue;
         const double weight = weight_at(frame, from, gradient);
         mpm_particle_deformation(particles, p, f);

@@ -1,7 +1,7 @@
 /* Additional velocity fields of nodes, whatever they are for.
  *
  * Ordinarily particles share one velocity field: a node has one mass, momentum and force. A client
- * (cracks: CRAMP, section 2.1; later contact between bodies or materials) may give some particles
+ * (cracks: CRAMP, section 2.1; contact between bodies: N&G 3.3) may give some particles
  * a field of their own. An additional field is a further node: it has the place and the weights of
  * its parent node, a node of the grid, and memory of its own in rows behind those of the grid.
  * Whatever works on stencils or on rows of nodes works on it without knowing:
@@ -21,8 +21,8 @@
  * room, mpm_body's `shift` is the distance from a node to its copy: mpm_layer_shift. Both sets of
  * kernels spread to the layer and read from it: fast kernels stay fast. A layer's active columns
  * are the grid's, or fewer, where its client has found the others without mass; conditions, mirrors
- * and planes of symmetry treat its nodes as their parents. Packed fields are not for particles of
- * such a body.
+ * and planes of symmetry treat its nodes as their parents. Packed fields
+ * are not for particles of such a body: bodies with cracks stay in the grid.
  *
  * Keys, for particles that leave their node's own field here and there. A key is the owner: the
  * side of a crack, or a body, or a material; cracks have the first two. In each step a client looks
