@@ -7,6 +7,7 @@
 #include "method/cracks/crack_fields.h"
 #include "method/fields/fields.h"
 #include "method/loads/damping.h"
+#include "simulation/quantity_rows.h"
 #include "simulation/simulation.h"
 
 #include <assert.h>
@@ -142,34 +143,29 @@ static const struct quantity {
     {"stiff_nodes", "nodes of the last step where the interface is too stiff for an explicit step",
      stiff_nodes, MPM_DIMENSION_NONE, true},
 };
-enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
-
-/* As for cracks: the quantity that `index` counts to, pair by pair; NULL past the last one. */
-static const struct quantity *find(const struct mpm_scene *scene, size_t index, size_t *pair,
-                                   size_t *counted)
+static bool has_row(const struct mpm_scene *scene, size_t pair, size_t row)
 {
-    *counted = 0;
-    for (*pair = 0; *pair < scene->contact.pair_count; ++*pair)
-        for (size_t k = 0; k < QUANTITIES; k++)
-            if ((!quantities[k].of_interface ||
-                 scene->contact.pairs[*pair].law == MPM_PAIR_INTERFACE) &&
-                (*counted)++ == index)
-                return &quantities[k];
-    return NULL;
+    return !quantities[row].of_interface || scene->contact.pairs[pair].law == MPM_PAIR_INTERFACE;
+}
+
+static struct mpm_quantity_rows rows_of(const struct mpm_scene *scene)
+{
+    return (struct mpm_quantity_rows){scene->contact.pair_count,
+                                      sizeof quantities / sizeof quantities[0], has_row};
 }
 
 size_t mpm_scene_contact_quantity_count(const struct mpm_scene *scene)
 {
-    size_t pair, counted;
-    (void)find(scene, SIZE_MAX, &pair, &counted);
-    return counted;
+    const struct mpm_quantity_rows rows = rows_of(scene);
+    return mpm_quantity_rows_count(&rows, scene);
 }
 
 struct mpm_quantity_info mpm_scene_contact_quantity(const struct mpm_scene *scene, size_t index)
 {
-    size_t pair, counted;
-    const struct quantity *const quantity = find(scene, index, &pair, &counted);
-    const size_t *const of = scene->contact.pairs[pair].of;
+    const struct mpm_quantity_rows rows = rows_of(scene);
+    const struct mpm_quantity_place place = mpm_quantity_rows_place(&rows, scene, index);
+    const struct quantity *const quantity = &quantities[place.row];
+    const size_t *const of = scene->contact.pairs[place.member].of;
     struct mpm_quantity_info info = {
         .dimension = quantity->dimension,
         .description = quantity->description,
@@ -180,9 +176,10 @@ struct mpm_quantity_info mpm_scene_contact_quantity(const struct mpm_scene *scen
 
 double mpm_simulation_contact_quantity(const struct mpm_simulation *simulation, size_t index)
 {
-    size_t pair, counted;
-    const struct quantity *const quantity = find(simulation->scene, index, &pair, &counted);
-    return quantity->value(&simulation->state, pair);
+    const struct mpm_quantity_rows rows = rows_of(simulation->scene);
+    const struct mpm_quantity_place place =
+        mpm_quantity_rows_place(&rows, simulation->scene, index);
+    return quantities[place.row].value(&simulation->state, place.member);
 }
 
 const char *mpm_scene_contact_field_name(const struct mpm_scene *scene, size_t field)

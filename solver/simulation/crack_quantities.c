@@ -6,6 +6,7 @@
 #include "method/cracks/crack_detection.h"
 #include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_opening.h"
+#include "simulation/quantity_rows.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -138,43 +139,42 @@ static const struct quantity {
      "nodes beside it in the last step whose velocity fields contact leaves alone",
      mpm_crack_has_contact, nodes_without_contact},
 };
-enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
 
-/* The quantity that `index` counts to, crack by crack, and its crack; NULL past the last one. With
- * SIZE_MAX, *crack and *counted are those of all. */
-static const struct quantity *find(const struct mpm_scene *scene, size_t index, size_t *crack,
-                                   size_t *counted)
+static bool has_row(const struct mpm_scene *scene, size_t crack, size_t row)
 {
-    *counted = 0;
-    for (*crack = 0; *crack < scene->crack_count; ++*crack)
-        for (size_t k = 0; k < QUANTITIES; k++)
-            if (quantities[k].asked(scene, *crack) && (*counted)++ == index)
-                return &quantities[k];
-    return NULL;
+    return quantities[row].asked(scene, crack);
+}
+
+static struct mpm_quantity_rows rows_of(const struct mpm_scene *scene)
+{
+    return (struct mpm_quantity_rows){scene->crack_count, sizeof quantities / sizeof quantities[0],
+                                      has_row};
 }
 
 size_t mpm_scene_crack_quantity_count(const struct mpm_scene *scene)
 {
-    size_t crack, counted;
-    (void)find(scene, SIZE_MAX, &crack, &counted);
-    return counted;
+    const struct mpm_quantity_rows rows = rows_of(scene);
+    return mpm_quantity_rows_count(&rows, scene);
 }
 
 struct mpm_quantity_info mpm_scene_crack_quantity(const struct mpm_scene *scene, size_t index)
 {
-    size_t crack, counted;
-    const struct quantity *const quantity = find(scene, index, &crack, &counted);
+    const struct mpm_quantity_rows rows = rows_of(scene);
+    const struct mpm_quantity_place place = mpm_quantity_rows_place(&rows, scene, index);
+    const struct quantity *const quantity = &quantities[place.row];
     struct mpm_quantity_info info = {
         .dimension = quantity->dimension,
         .description = quantity->description,
     };
-    (void)snprintf(info.name, sizeof info.name, "crack_%zu_%s", crack, quantity->name);
+    (void)snprintf(info.name, sizeof info.name, "crack_%zu_%s", place.member, quantity->name);
     return info;
 }
 
 double mpm_simulation_crack_quantity(const struct mpm_simulation *simulation, size_t index)
 {
-    size_t crack, counted;
-    const struct quantity *const quantity = find(simulation->scene, index, &crack, &counted);
-    return quantity->value(simulation, crack, quantity->end);
+    const struct mpm_quantity_rows rows = rows_of(simulation->scene);
+    const struct mpm_quantity_place place =
+        mpm_quantity_rows_place(&rows, simulation->scene, index);
+    const struct quantity *const quantity = &quantities[place.row];
+    return quantity->value(simulation, place.member, quantity->end);
 }

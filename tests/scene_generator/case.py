@@ -7,7 +7,7 @@ import copy
 import math
 
 import compare
-from draw import wave_speed
+from scales import Scales
 
 BALANCE = "energy_balance"  # key of output: history has the losses that close the ledger
 
@@ -29,7 +29,7 @@ class Discarded(Exception):
     """A scene that `mpm check` refuses."""
 
 
-class Case:
+class Case(Scales):
     """A scene, its runs as they are needed, and what invariants need to know about it."""
 
     def __init__(self, runner, schema, scene):
@@ -75,22 +75,6 @@ class Case:
     def hides_losses(self):
         """Has the scene been drawn without them?"""
         return self.measures_losses and not self.scene["output"][BALANCE]
-
-    @property
-    def axisymmetric(self):
-        """Is the scene axisymmetric?"""
-        return self.scene["geometry"] == "axisymmetric"
-
-    @property
-    def cell(self):
-        """The size of a cell of the refined grid."""
-        grid = self.scene["grid"]
-        return [side / grid.get("refine", 1) for side in grid["cell"]]
-
-    @property
-    def wave(self):
-        """Speed of waves in the stiffest material."""
-        return max(map(wave_speed, self.scene["materials"]))
 
     @property
     def method(self):

@@ -16,6 +16,7 @@ import random
 
 from hypothesis import strategies as st
 
+from scales import Scales
 from schema import unit_exponents, visit
 
 ABSENT = object()  # of a key that a scene does not have
@@ -28,7 +29,7 @@ def short(value):
     return int(value) if value == int(value) and abs(value) < 1e15 else value
 
 
-class Canvas:
+class Canvas(Scales):
     """What a scene in the making offers to the draws: choices made so far, and scales. `draw` gives an
     integer between two."""
 
@@ -74,22 +75,6 @@ class Canvas:
         return entry
 
     # ----------------------------------------------------------------------- scales
-    @property
-    def axisymmetric(self):
-        """Is the scene axisymmetric?"""
-        return self.scene["geometry"] == "axisymmetric"
-
-    @property
-    def cell(self):
-        """Size of a cell as the grid has it, refined."""
-        grid = self.scene["grid"]
-        return [side / grid.get("refine", 1) for side in grid["cell"]]
-
-    @property
-    def wave(self):
-        """Speed of waves in the stiffest material."""
-        return max(map(wave_speed, self.scene["materials"]))
-
     def scale(self, unit):
         """The natural size of a quantity with that unit."""
         length = min(self.cell)
@@ -116,16 +101,6 @@ class Canvas:
         if form == 3 and time:
             return f"{value}*sin(t*{short(0.2 / self.scale('time'))})"
         return value
-
-
-def wave_speed(material):
-    """Of longitudinal waves in the undeformed material."""
-    if "young" in material:
-        young, poisson = material["young"], material["poisson"]
-        modulus = young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson))
-    else:
-        modulus = material.get("bulk", 1) + 4 / 3 * material.get("shear", 0)
-    return math.sqrt(modulus / material["density"])
 
 
 # ------------------------------------------------------------------ by kind alone

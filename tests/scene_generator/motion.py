@@ -11,7 +11,7 @@ import numpy
 import compare
 import transform
 from case import Violation, evaluate, require
-from draw import wave_speed
+from scales import wave_speed
 from transform import Motion
 
 

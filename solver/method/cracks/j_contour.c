@@ -5,6 +5,15 @@
 
 #include <math.h>
 
+void mpm_j_tip_place(const struct mpm_state *state, const struct mpm_j_integral_spec *spec,
+                     double place[2])
+{
+    const struct mpm_crack_chain *const chain = &state->cracks.chains[spec->crack];
+    const size_t point = spec->at_start ? 0 : chain->count - 1;
+    place[0] = chain->x[point];
+    place[1] = chain->y[point];
+}
+
 enum mpm_crack_side mpm_j_side(const struct mpm_j_contour *contour, const double from[2],
                                const double to[2], size_t *crack)
 {

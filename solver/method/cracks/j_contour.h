@@ -72,6 +72,10 @@ static inline void mpm_j_place(const struct mpm_j_contour *contour, const int64_
     mpm_grid_position(&contour->state->grid, at[1] * contour->state->grid.columns + at[0], place);
 }
 
+/* The place of a tip now. */
+void mpm_j_tip_place(const struct mpm_state *state, const struct mpm_j_integral_spec *spec,
+                     double place[2]);
+
 /* From which side, of the first crack that decides it, is the place `to` seen from `from`? `crack`,
  * unless NULL, gets that crack. */
 enum mpm_crack_side mpm_j_side(const struct mpm_j_contour *contour, const double from[2],
@@ -79,10 +83,6 @@ enum mpm_crack_side mpm_j_side(const struct mpm_j_contour *contour, const double
 
 /* Sets `common` once the nodes are filled. */
 void mpm_j_contour_find_common(struct mpm_j_contour *contour);
-
-/* The place of a tip now. */
-void mpm_j_tip_place(const struct mpm_state *state, const struct mpm_j_integral_spec *spec,
-                     double place[2]);
 
 /* Integral of [...] dS in both directions of the axes; `met` as in struct mpm_j_value. */
 enum mpm_status mpm_j_contour_integrate(const struct mpm_j_contour *contour, double j[2],

@@ -23,15 +23,6 @@ size_t mpm_j_nodes(const struct mpm_j_integral_spec *spec)
     return side * side;
 }
 
-void mpm_j_tip_place(const struct mpm_state *state, const struct mpm_j_integral_spec *spec,
-                     double place[2])
-{
-    const struct mpm_crack_chain *const chain = &state->cracks.chains[spec->crack];
-    const size_t point = spec->at_start ? 0 : chain->count - 1;
-    place[0] = chain->x[point];
-    place[1] = chain->y[point];
-}
-
 /* ------------------------------------------------------------------ placing */
 
 /* Of grid lines: the one nearest to the tip. */

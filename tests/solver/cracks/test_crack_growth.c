@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "simulation/simulation.h"
 #include "suites.h"
+#include "support/crack_blocks.h"
 #include "support/folder.h"
 #include "support/near.h"
 #include "support/scene_files.h"
@@ -17,16 +18,7 @@
 enum { AXES = 2, GRADIENT = 5 };
 
 /* Pulled apart along y; wave speed 8.5. */
-static const char BLOCK[] =
-    "format: 1\n"
-    "geometry: plane_strain\n"
-    "thickness: 2\n"
-    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [36, 28]}\n"
-    "time: {end: 100, courant: 0.3}\n"
-    "materials: [{name: stiff, law: linear_elastic, density: 2, bulk: 80, shear: 48}]\n"
-    "bodies:\n"
-    "  - {name: block, material: stiff, region: {rectangle: {from: [2, 1.6], to: [34, 20.8]}},\n"
-    "     velocity: [0, '0.01*(y - 11.2)']}\n";
+static const char BLOCK[] = BLOCK_OF_GROWTH(", velocity: [0, '0.01*(y - 11.2)']");
 
 #define CRACK(propagation)                                                                         \
     "cracks=[{points: [[0.2, 11.2], [14.3, 11.2]], contact: none, j_integral: [{contour: 4, "      \

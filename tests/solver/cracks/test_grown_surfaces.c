@@ -5,6 +5,7 @@
 #include "method/cracks/crack_fields.h"
 #include "simulation/simulation.h"
 #include "suites.h"
+#include "support/crack_blocks.h"
 #include "support/near.h"
 #include "support/scene_files.h"
 #include "support/scenes.h"
@@ -17,15 +18,7 @@
 enum { AXES = 2 };
 
 /* Wave speed 8.5; a strip of 24 by 24 cells. */
-static const char BLOCK[] =
-    "format: 1\n"
-    "geometry: plane_strain\n"
-    "thickness: 2\n"
-    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [36, 28]}\n"
-    "time: {end: 100, courant: 0.3}\n"
-    "materials: [{name: stiff, law: linear_elastic, density: 2, bulk: 80, shear: 48}]\n"
-    "bodies:\n"
-    "  - {name: block, material: stiff, region: {rectangle: {from: [2, 1.6], to: [34, 20.8]}}}\n";
+static const char BLOCK[] = BLOCK_OF_GROWTH("");
 
 /* ------------------------------------------------------------------- contact */
 

@@ -5,6 +5,7 @@
 #include "simulation/simulation.h"
 #include "suites.h"
 #include "support/combinations.h"
+#include "support/crack_blocks.h"
 #include "support/near.h"
 #include "support/scene_files.h"
 #include "support/scenes.h"
@@ -17,14 +18,7 @@
 
 enum { AXES = 2, GRADIENT = 5 };
 
-static const char BLOCK[] =
-    "format: 1\n"
-    "geometry: plane_strain\n"
-    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [36, 45]}\n"
-    "time: {end: 1, courant: 0.3}\n"
-    "materials: [{name: stiff, law: linear_elastic, density: 2, bulk: 80, shear: 48}]\n"
-    "bodies:\n"
-    "  - {name: block, material: stiff, region: {rectangle: {from: [2, 1.6], to: [34, 34.4]}}}\n";
+static const char BLOCK[] = BLOCK_OF_J;
 static const double BULK = 80.0, SHEAR = 48.0;
 
 static double poisson(void)

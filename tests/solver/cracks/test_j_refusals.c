@@ -2,20 +2,14 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
+#include "support/crack_blocks.h"
 #include "support/folder.h"
 #include "support/scene_files.h"
 #include "support/scenes.h"
 
 #include <glib.h>
 
-static const char BLOCK[] =
-    "format: 1\n"
-    "geometry: plane_strain\n"
-    "grid: {origin: [0, 0], cell: [1, 0.8], cells: [36, 45]}\n"
-    "time: {end: 1, courant: 0.3}\n"
-    "materials: [{name: stiff, law: linear_elastic, density: 2, bulk: 80, shear: 48}]\n"
-    "bodies:\n"
-    "  - {name: block, material: stiff, region: {rectangle: {from: [2, 1.6], to: [34, 34.4]}}}\n";
+static const char BLOCK[] = BLOCK_OF_J;
 
 static const struct refusal {
     const char *settings[4]; /* ends with NULL */

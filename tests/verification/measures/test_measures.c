@@ -1,10 +1,11 @@
 /* Tests of what long runs are measured by: conservation of energy and momentum, the fit of an
- * oscillation, what a curve of energies shows.
+ * oscillation, what a curve of energies shows, the slope of a line.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "verification/measures/conservation.h"
 #include "verification/measures/energy_curve.h"
+#include "verification/measures/line_fit.h"
 #include "verification/measures/oscillation.h"
 
 #include <math.h>
@@ -210,6 +211,22 @@ START_TEST(a_nan_stays_in_what_an_energy_curve_shows)
 }
 END_TEST
 
+/* --------------------------------------------------------------------------- lines */
+
+/* The middle sample is off the line, which turns no line through equal steps. */
+START_TEST(a_line_has_the_slope_of_least_squares)
+{
+    struct line_fit line = {.count = 0};
+    line_fit_add(&line, 1, 5);
+    ck_assert_double_nan(line_fit_slope(&line));
+    line_fit_add(&line, 2, 100);
+    line_fit_add(&line, 3, 8);
+    ck_assert_double_eq(line_fit_slope(&line), 1.5);
+    line_fit_add(&line, 6, 8); /* t less its mean, 3: -2, -1, 0, 3 */
+    ck_assert_double_eq(line_fit_slope(&line), (-2 * 5 - 100 + 3 * 8) / 14.0);
+}
+END_TEST
+
 Suite *suite_measures(void)
 {
     Suite *suite = suite_create("measures");
@@ -227,5 +244,8 @@ Suite *suite_measures(void)
     tcase_add_test(curves, an_energy_curve_shows_sign_mean_and_time_of_its_change);
     tcase_add_test(curves, a_nan_stays_in_what_an_energy_curve_shows);
     suite_add_tcase(suite, curves);
+    TCase *lines = tcase_create("lines");
+    tcase_add_test(lines, a_line_has_the_slope_of_least_squares);
+    suite_add_tcase(suite, lines);
     return suite;
 }

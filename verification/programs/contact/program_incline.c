@@ -14,6 +14,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/exact/incline.h"
 #include "verification/measures/fields.h"
+#include "verification/measures/line_fit.h"
 #include "verification/programs/contact/body_motion.h"
 #include "verification/programs/follow.h"
 #include "verification/programs/picture.h"
@@ -38,16 +39,12 @@ struct model {
     double origin[AXES];
 };
 
-struct line {
-    double count, t, v, tt, tv;
-};
-
 struct study {
     struct measurement *measurement;
     struct parameters parameters;
     struct incline_motion exact;
     struct model free, held; /* the second is empty if the body moves */
-    struct line travel, turning;
+    struct line_fit travel, turning;
     size_t force_index[AXES];
     double impulse[AXES];  /* of contact, from `start` on */
     double momentum[AXES]; /* at `start` */
@@ -79,21 +76,6 @@ static void close_model(struct model *model)
     body_motion_close(&model->body);
     mpm_simulation_free(model->simulation);
     mpm_scene_free(model->scene);
-}
-
-static void add_to_line(struct line *line, double t, double v)
-{
-    line->count += 1.0;
-    line->t += t;
-    line->v += v;
-    line->tt += t * t;
-    line->tv += t * v;
-}
-
-static double slope(const struct line *line)
-{
-    return (line->count * line->tv - line->t * line->v) /
-           (line->count * line->tt - line->t * line->t);
 }
 
 /* Displacement of the centre, along the incline and away from it. */
@@ -129,8 +111,8 @@ static void look(struct study *study)
     turn(p, (const double[]){force[0], force[1]}, force);
     const double spin = -body->angular / body->inertia;
     if (time >= p->start) {
-        add_to_line(&study->travel, time, velocity[0]);
-        add_to_line(&study->turning, time, spin);
+        line_fit_add(&study->travel, time, velocity[0]);
+        line_fit_add(&study->turning, time, spin);
     }
     study->rise = field_larger(study->rise, moved[1]);
     study->sink = field_larger(study->sink, -moved[1]);
@@ -206,14 +188,14 @@ static void report(const struct study *study, bool finished)
                            study->parameters.cell);
     report_contact(study);
     if (exact->acceleration > 0.0) {
-        const double ratio = slope(&study->travel) / exact->acceleration;
+        const double ratio = line_fit_slope(&study->travel) / exact->acceleration;
         measurement_report(m, "acceleration_ratio", ratio);
         measurement_report(m, "acceleration_error", 100.0 * fabs(ratio - 1.0));
     }
     if (study->held.simulation != NULL)
         measurement_report(m, "slip", 100.0 * study->slip / study->elastic);
     if (exact->spin > 0.0)
-        measurement_report(m, "spin_ratio", slope(&study->turning) / exact->spin);
+        measurement_report(m, "spin_ratio", line_fit_slope(&study->turning) / exact->spin);
 }
 
 /* ------------------------------------------------------------------ running */

@@ -15,7 +15,8 @@
  *   stored             % of area t^2/(2 D)
  *   force              % of area t: the history's force of contact along the component
  *   stiff              % of the nodes of the interface that are stiffer than an explicit step
- * allows finished and with level_1, ... (levels.h) orders of the error of the modulus.
+ * finished, and with level_1, ... (levels.h) orders of the error of the modulus. Draws
+ * `displacement`: along the component, of each particle, over its place along the normal.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/exact/laminate.h"
@@ -26,7 +27,7 @@
 #include <glib.h>
 #include <math.h>
 
-enum { AXES = 2, STRESS = 4, LAYERS = 2, UNKNOWNS = 3 };
+enum { AXES = 2, STRESS = 4, LAYERS = 2, UNKNOWNS = 3, PLACE_COLUMNS = 3 };
 
 struct parameters {
     struct laminate laminate;
@@ -39,6 +40,7 @@ struct study {
     double fit[LAYERS][AXES][UNKNOWNS]; /* u, du/dx, du/dy of each component */
     double stress_error;                /* root mean square of the component's stress less t */
     double stored, force, stiff;
+    struct follow_rows places; /* of the last run: place along the normal, displacement, exact */
     bool finished;
 };
 
@@ -121,6 +123,17 @@ static double traction_of(const struct parameters *p, const double *stress)
     return dot(t, p->along);
 }
 
+/* A particle's row of the series; `place` is from the interface's point. */
+static void add_place(struct study *study, const double place[AXES], const double u[AXES])
+{
+    const struct parameters *const p = &study->p;
+    const double along_normal = p->laminate.length[0] + dot(place, p->normal);
+    follow_rows_add(&study->places,
+                    (const double[PLACE_COLUMNS]){
+                        along_normal, dot(u, p->along),
+                        laminate_displacement(&p->laminate, p->traction, along_normal)});
+}
+
 static void measure_fields(struct study *study, const struct mpm_simulation *simulation,
                            const double *start)
 {
@@ -132,12 +145,14 @@ static void measure_fields(struct study *study, const struct mpm_simulation *sim
                                                              g_new(double, STRESS *count);
     mpm_simulation_field(simulation, MPM_FIELD_POSITION, position);
     mpm_simulation_field(simulation, MPM_FIELD_STRESS, stress);
+    study->places.count = 0;
     for (size_t k = 0; k < count; k++) {
         const double *const now = &position[AXES * k], *const then = &start[AXES * k];
         const double place[AXES] = {then[0] - p->origin[0], then[1] - p->origin[1]};
         const double u[AXES] = {now[0] - then[0], now[1] - then[1]};
         const double error = traction_of(p, &stress[STRESS * k]) - p->traction;
         add_to_sums(&sums[dot(place, p->normal) > 0.0], place, u);
+        add_place(study, place, u);
         square += error * error;
     }
     study->stress_error = sqrt(square / (double)count);
@@ -245,23 +260,36 @@ static void report(struct measurement *m, const struct study *study)
             measurement_inconclusive(m, table[k].name, "the run did not come to its end");
 }
 
-static enum mpm_status run(struct measurement *m, struct mpm_error *error)
+static enum mpm_status run_levels(struct study *study, struct measurement *m,
+                                  struct mpm_error *error)
 {
-    struct study study = {.finished = false};
     struct levels levels;
     double errors[LEVELS_MAX] = {0.0};
-    TRY(read_parameters(m, &study.p, error));
     TRY(levels_read(m, &levels, error));
     for (size_t k = 0; k < levels_runs(&levels); k++) {
-        TRY(follow_scene(m, &levels.setting[k], levels.count == 0 ? 0 : 1, measure, &study, error));
+        TRY(follow_scene(m, &levels.setting[k], levels.count == 0 ? 0 : 1, measure, study, error));
         errors[k] =
-            study.finished
-                ? 100.0 * fabs(modulus_of(&study) / laminate_modulus(&study.p.laminate) - 1.0)
+            study->finished
+                ? 100.0 * fabs(modulus_of(study) / laminate_modulus(&study->p.laminate) - 1.0)
                 : (double)NAN;
         measurement_note(m, "level %zu: error of the modulus %.4g %%", k + 1, errors[k]);
     }
-    report(m, &study);
+    report(m, study);
     return levels.count > 0 ? levels_report(m, &levels, "", errors, error) : MPM_OK;
+}
+
+static enum mpm_status run(struct measurement *m, struct mpm_error *error)
+{
+    struct study study = {.places.columns = PLACE_COLUMNS, .finished = false};
+    TRY(read_parameters(m, &study.p, error));
+    enum mpm_status status = run_levels(&study, m, error);
+    if (status == MPM_OK)
+        status = follow_rows_check(&study.places, error);
+    if (status == MPM_OK)
+        status = measurement_series(m, "displacement", "place displacement exact", PLACE_COLUMNS,
+                                    study.places.count, study.places.values, error);
+    follow_rows_free(&study.places);
+    return status;
 }
 
 const struct measure_program program_laminate = {

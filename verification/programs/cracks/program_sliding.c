@@ -9,6 +9,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/fields.h"
+#include "verification/measures/line_fit.h"
 #include "verification/programs/follow.h"
 
 #include <math.h>
@@ -36,14 +37,10 @@ struct model {
 };
 
 /* Sums for a line through the velocities. */
-struct line {
-    double count, t, v, tt, tv;
-};
-
 struct study {
     struct parameters parameters;
     struct model cracked, intact; /* the second is empty if it slides */
-    struct line line;
+    struct line_fit line;
     double slip, sink; /* largest so far, along and normal to the crack */
     double elastic;    /* displacement of the intact block along the crack, largest so far */
     struct follow_rows rows;
@@ -111,21 +108,6 @@ static void close_model(struct model *model)
 
 /* ------------------------------------------------------------------ looking */
 
-static void add_to_line(struct line *line, double t, double v)
-{
-    line->count += 1.0;
-    line->t += t;
-    line->v += v;
-    line->tt += t * t;
-    line->tv += t * v;
-}
-
-static double slope(const struct line *line)
-{
-    return (line->count * line->tv - line->t * line->v) /
-           (line->count * line->tt - line->t * line->t);
-}
-
 static void look(struct study *study)
 {
     const double time = mpm_simulation_time(study->cracked.simulation);
@@ -135,7 +117,7 @@ static void look(struct study *study)
     if (study->intact.simulation != NULL)
         read_block(&study->intact, study->parameters.along);
     if (time >= study->parameters.start)
-        add_to_line(&study->line, time, study->cracked.velocity[0]);
+        line_fit_add(&study->line, time, study->cracked.velocity[0]);
     study->slip = field_larger(study->slip, fabs(moved[0] - other[0]));
     study->sink = field_larger(study->sink, fabs(moved[1] - other[1]));
     study->elastic = field_larger(study->elastic, fabs(other[0]));
@@ -146,7 +128,7 @@ static void look(struct study *study)
 
 static void report(const struct study *study, struct measurement *m, bool finished)
 {
-    const double exact = study->parameters.acceleration, found = slope(&study->line);
+    const double exact = study->parameters.acceleration, found = line_fit_slope(&study->line);
     measurement_report(m, "finished", finished ? 1.0 : 0.0);
     measurement_report(m, "distance", study->cracked.displacement[0]);
     measurement_note(m, "the block has sunk by %.5g", -study->cracked.displacement[1]);

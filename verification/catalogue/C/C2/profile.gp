@@ -5,7 +5,7 @@ set output output
 set xlabel 'distance from the contact (mm)'
 set ylabel 'stress / p'
 set xrange [-32:64]
-set yrange [-1.6:0.6]
+set yrange [-1.6:0.9]
 set samples 2000
 file(v) = data.'/data-'.v.'-profile.dat'
 exact(x) = abs(x) < 32 ? -1 : 0

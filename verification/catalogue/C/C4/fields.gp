@@ -1,7 +1,7 @@
 # Vertical stress and horizontal velocity in the disk that rolls and in the one that slips.
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
-set terminal svg size 860,640 dynamic enhanced font 'Helvetica,Arial,sans-serif,14' name name linewidth 1 rounded
+set terminal svg size 860,680 dynamic enhanced font 'Helvetica,Arial,sans-serif,14' name name linewidth 1 rounded
 set output output
 empty = -1e29
 pixel = 0.125
@@ -12,7 +12,9 @@ set size ratio -1
 set tics scale 0.4
 unset key
 unset grid
-set multiplot layout 2,2 margins 0.06, 0.9, 0.07, 0.95 spacing 0.17, 0.1
+set xlabel 'x (mm)'
+set ylabel 'y (mm)'
+set multiplot layout 2,2 margins 0.1, 0.9, 0.12, 0.95 spacing 0.2, 0.16
 do for [k = 1:2] {
     v = word('rolls_4 slips_4', k)
     set title word('rolls slips', k).': σ_{yy} (MPa)'

@@ -6,8 +6,8 @@ set xlabel 'indentation / R'
 set ylabel 'force / (E R^2)'
 set y2label 'radius of contact / R'
 set xrange [0:0.05]
-set yrange [0:0.036]
-set y2range [-0.25:0.35]
+set yrange [0:0.047]
+set y2range [-0.25:0.533]
 set ytics nomirror
 set y2tics 0, 0.1, 0.3
 set key top left

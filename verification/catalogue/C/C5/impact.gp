@@ -5,7 +5,7 @@ set output output
 set xlabel 'time (ms)'
 set ylabel 'force / (E R^2)'
 set xrange [0:8]
-set yrange [0:*]
+set yrange [0:0.017]
 set key top left
 file(v) = data.'/data-'.v.'-contact.dat'
 R = 16.0
@@ -18,6 +18,7 @@ unset key
 set xlabel 'indentation / R'
 unset ylabel
 set xrange [0:0.04]
+set yrange [0:*]
 set xtics 0.02
 set ytics 0.005
 plot file('impact_16_4') using ($2/R):($5/R**2) with lines ls 1, \

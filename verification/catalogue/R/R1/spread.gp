@@ -13,5 +13,4 @@ plot 15 with lines ls 8 title 'broken', \
      data.'/data-cpdi_musl-curve.dat' using (100-$2):7 with lines ls 3 title 'CPDI, all', \
      '' using (100-$2):8 with lines ls 4 title 'CPDI, inside', \
      data.'/data-ugimp_musl_hoop-curve.dat' using (100-$2):7 with lines ls 5 title 'uGIMP, hoop radius, all', \
-     data.'/data-ugimp_musl_midpoint-curve.dat' using (100-$2):7 with lines ls 6 title 'uGIMP, midpoint, all', \
-     data.'/data-cpdi_musl_midpoint-curve.dat' using (100-$2):7 with lines ls 7 title 'CPDI, midpoint, all'
+     data.'/data-ugimp_musl_midpoint-curve.dat' using (100-$2):7 with lines ls 6 title 'uGIMP, midpoint, all'
