@@ -9,12 +9,12 @@ set size ratio -1
 set tics scale 0.4
 unset key
 unset grid
-set palette defined (0 '#ffffff', 1.5 '#9ecae1', 3 '#0072B2', 4.5 '#08306b')
-set cbrange [0:4.5]
+set palette defined (0 '#ffffff', 1.2 '#9ecae1', 2.4 '#0072B2', 3.5 '#08306b')
+set cbrange [0:3.5]
 set cblabel 'σ (10^{-6} MPa)'
 set xrange [0:16]
 set yrange [0:16]
-set multiplot layout 1,2 margins 0.08, 0.88, 0.15, 0.92 spacing 0.08, 0
+set multiplot layout 1,2 margins 0.09, 0.88, 0.19, 0.93 spacing 0.08, 0
 set object 1 circle at 0, 0 size 8 front fs empty border lc rgb '#D55E00' lw 1
 unset colorbox
 set title 'cylinder: σ_{xx}'
