@@ -10,5 +10,4 @@ set key bottom right
 file(v) = data.'/data-'.v.'-collision.dat'
 set arrow from 2, graph 0 to 2, graph 1 nohead ls 8
 plot file('contact') using 1:3 with lines ls 2 title 'contact', \
-     file('shared') using 1:3 with lines ls 5 title 'contact, detection: shared', \
      file('field') using 1:3 with lines ls 3 title 'one velocity field'
