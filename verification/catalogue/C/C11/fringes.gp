@@ -15,16 +15,27 @@ set size ratio -1
 set tics scale 0.4
 set ytics 30
 set ylabel 'y (mm)'
-do for [k = 0:4] { set object (k + 1) circle at 30 + 60*k, 0 size 30 front fs empty border lc rgb '#808080' lw 0.6 }
 set object 6 rectangle from -11, -17 to 0, 17 behind fs empty border lc rgb '#808080' lw 0.6
+$disks << end
+30 0 30
+90 0 30
+150 0 30
+210 0 30
+270 0 30
+end
+set style fill empty
 unset key
 unset grid
-set multiplot layout 2,1 margins 0.08, 0.88, 0.17, 0.93 spacing 0, 0.13
+set format x ''
+set multiplot layout 2,1 margins 0.08, 0.88, 0.17, 0.93 spacing 0, 0.11
 set title 'one velocity field, 25.4 µs'
 set colorbox user origin 0.9, 0.2 size 0.02, 0.68
-plot file('field') matrix using (($1 + 0.5) - 14):(($2 + 0.5) - 34):($3 < empty ? NaN : $3) with image
+plot file('field') matrix using (($1 + 0.5) - 14):(($2 + 0.5) - 34):($3 < empty ? NaN : $3) with image, \
+     $disks using 1:2:3 with circles lc rgb '#808080' lw 0.6
 set title 'contact, 27.7 µs'
 unset colorbox
+set format x '%g'
 set xlabel 'x (mm)'
-plot file('contact') matrix using (($1 + 0.5) - 14):(($2 + 0.5) - 34):($3 < empty ? NaN : $3) with image
+plot file('contact') matrix using (($1 + 0.5) - 14):(($2 + 0.5) - 34):($3 < empty ? NaN : $3) with image, \
+     $disks using 1:2:3 with circles lc rgb '#808080' lw 0.6
 unset multiplot

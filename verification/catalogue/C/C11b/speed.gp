@@ -4,7 +4,7 @@ load style
 set output output
 set xlabel 'time (ms)'
 set ylabel 'speed of parting / approach'
-set xrange [0:8]
+set xrange [0:12]
 set yrange [-1.1:1.2]
 set key bottom right
 file(v) = data.'/data-'.v.'-collision.dat'
