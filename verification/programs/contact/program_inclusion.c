@@ -16,6 +16,7 @@
  *   jump               % of the exact one: that of both fits at r = R
  *   stress             % of the exact one in the inclusion: mean of the normal components
  *   modulus            % of k_eq: that mean over d u(R)/R of the fit around
+ *   modulus_error      the distance of that from 100 %
  *   stored             % of area s^2/(2 D): the history's energy
  *   force              % of the exact resultant on the inclusion: the history's force of contact
  *   inside_error       root mean square of sigma - s 1 in the inclusion, % of s
@@ -384,6 +385,7 @@ static void report(struct measurement *m, const struct study *study)
         {"jump", 100.0 * jump * c->interface / stress},
         {"stress", 100.0 * now->stress / stress},
         {"modulus", 100.0 * modulus / inclusion_effective_modulus(c)},
+        {"modulus_error", 100.0 * fabs(modulus / inclusion_effective_modulus(c) - 1.0)},
         {"stored",
          100.0 * now->stored * 2.0 * c->interface / (interface_area(c) * stress * stress)},
         {"force", 100.0 * now->force / (projected_area(c) * stress)},
