@@ -142,7 +142,7 @@ static void close_view(struct view *view)
 /* At particle `k`; the stress along z is no part of a plane state. */
 static void set_exact(struct view *view, const struct inclusion *c, size_t k)
 {
-    const double *const x = &view->set.start[AXES * k];
+    const double *const x = view->set.start + AXES * k;
     const double r = view->radius[k], n[AXES] = {x[0] / r, x[1] / r};
     const struct inclusion_state exact = inclusion_state(c, r);
     double *const stress = &view->exact_stress[STRESS * k];
@@ -245,8 +245,8 @@ static enum mpm_status write_radial(struct measurement *m, const struct view vie
     struct follow_rows rows = {.columns = COLUMNS};
     for (int body = 0; body < BODIES; body++)
         for (size_t k = 0; k < views[body].set.count; k++) {
-            const double *const x = &views[body].set.start[AXES * k];
-            const double *const s = &views[body].set.stress[STRESS * k];
+            const double *const x = views[body].set.start + AXES * k;
+            const double *const s = views[body].set.stress + STRESS * k;
             const double r = views[body].radius[k], n[AXES] = {x[0] / r, x[1] / r};
             const struct inclusion_state exact = inclusion_state(c, r);
             const double rr = s[0] * n[0] * n[0] + s[1] * n[1] * n[1] + 2.0 * s[3] * n[0] * n[1];
