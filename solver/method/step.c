@@ -201,13 +201,13 @@ static enum mpm_status update_momentum(struct mpm_state *state, bool uniform_for
 {
     MPM_TRY(mpm_nodal_force_add(state, error));
     mpm_grid_rows_run(state, uniform_force ? mpm_row_update_with_body_force : mpm_row_update);
-    mpm_rest_measure_unbalanced(state);
     MPM_TRY(mpm_damping_apply_nodes(state, error));
     mpm_conditions_apply_end(state);
     mpm_energy_before_contact(state);
     mpm_crack_contact_resolve(state, MPM_EXCHANGE_END);
     mpm_body_contact_resolve(state, MPM_EXCHANGE_END);
     mpm_energy_after_contact(state);
+    mpm_rest_measure_unbalanced(state);
     mpm_mirrors_apply_end(state);
     if (uniform_force)
         state->external_work += uniform_work(state);

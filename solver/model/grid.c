@@ -15,7 +15,8 @@ struct mpm_grid mpm_grid_describe(const struct mpm_scene *scene)
     return grid;
 }
 
-void mpm_grid_layout(struct mpm_grid *grid, bool smooths, struct mpm_arena *arena)
+void mpm_grid_layout(struct mpm_grid *grid, bool smooths, bool sums_contact,
+                     struct mpm_arena *arena)
 {
     /* vectors over the nodes of a row read, and add nothing to, a few places past the last */
     const size_t nodes = (size_t)mpm_grid_nodes(grid) + MPM_ROW_PADDING;
@@ -25,4 +26,6 @@ void mpm_grid_layout(struct mpm_grid *grid, bool smooths, struct mpm_arena *aren
     grid->motion = MPM_TAKE(arena, struct mpm_node_motion, nodes);
     grid->gradient = mpm_arena_take(arena, nodes, sizeof *grid->gradient);
     grid->smoothed = smooths ? MPM_TAKE(arena, struct mpm_node_motion, nodes) : NULL;
+    grid->contact_force =
+        sums_contact ? mpm_arena_take(arena, nodes, sizeof *grid->contact_force) : NULL;
 }

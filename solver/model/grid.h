@@ -47,12 +47,15 @@ struct mpm_grid {
     /* For XPIC and FMPM, else NULL: a velocity in the place of the acceleration, and at its
      * `end` the one that it began as; see method/transfer/smoothing.h. */
     struct mpm_node_motion *smoothed;
+    /* For scenes with time.rest and contact, else NULL: force that contact gives in task 4. */
+    double (*contact_force)[2];
 };
 
 /* Sets sizes from the scene; allocates nothing. */
 struct mpm_grid mpm_grid_describe(const struct mpm_scene *scene);
 /* Takes the nodes' arrays from the arena. */
-void mpm_grid_layout(struct mpm_grid *grid, bool smooths, struct mpm_arena *arena);
+void mpm_grid_layout(struct mpm_grid *grid, bool smooths, bool sums_contact,
+                     struct mpm_arena *arena);
 
 /* Nodes that there is room for, additional fields included. */
 static inline int64_t mpm_grid_nodes(const struct mpm_grid *grid)

@@ -116,6 +116,12 @@ static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulatio
     return (struct mpm_particle_needs){.uses = uses, .law_states = (uint8_t)law_states};
 }
 
+/* Has the balance of forces those of contact? */
+static bool rest_sums_contact(const struct mpm_scene *scene)
+{
+    return scene->rest.asked && (mpm_scene_has_contact(scene) || mpm_cracks_have_contact(scene));
+}
+
 static void layout(struct mpm_simulation *simulation, const struct mpm_fill_counts *counts,
                    struct mpm_arena *arena)
 {
@@ -126,7 +132,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     const size_t longest = (size_t)(grid->rows > grid->columns ? grid->rows : grid->columns);
     mpm_particles_layout(&state->particles, counts->deformable, needs_of(simulation), arena);
     mpm_rigid_particles_layout(&state->rigid, counts->rigid, arena);
-    mpm_grid_layout(grid, state->kernels.smooth != NULL, arena);
+    mpm_grid_layout(grid, state->kernels.smooth != NULL, rest_sums_contact(state->scene), arena);
     state->bodies = MPM_TAKE(arena, struct mpm_body, simulation->scene->body_count);
     state->strips = MPM_TAKE(arena, struct mpm_strip, (size_t)state->strip_count);
     state->row_low = MPM_TAKE(arena, int64_t, rows);

@@ -1,10 +1,12 @@
-/* E2 and C8: two disks or spheres collide and part: momentum, energy, restitution, the gap they
- * meet at.
+/* E2, C8 and C11b: two disks or spheres collide and part: momentum, energy, restitution, the gap
+ * they meet at.
  *
  * With the parameter `axial: 1`, for axisymmetry, where radial momenta have no balance: the drift
  * of momentum along z. With `friction`, for disks that meet off their line with contact between
  * them: the impulse on the first one across the line of centres at the closest distance over that
- * along it, and how far its spin is what that impulse gives to a rigid disk.
+ * along it, and how far its spin is what that impulse gives to a rigid disk. With `wave_speed`:
+ * contact_time, from 1 % to 99 % of the change of the speed at which the centres part, over the
+ * time that waves take through a disk.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/fields.h"
@@ -150,6 +152,20 @@ static enum mpm_status report_oblique(struct measurement *m, const struct study 
     return status;
 }
 
+/* When the centres' speed has passed `part` of its change, from the samples. */
+static double time_of(const struct study *study, double part)
+{
+    const double *const row = study->rows.values;
+    const size_t n = study->rows.count;
+    const double end = row[COLUMNS * (n - 1) + 2], level = -1.0 + part * (end + 1.0);
+    for (size_t k = 1; k < n; k++) {
+        const double *const now = row + COLUMNS * k, *const before = now - COLUMNS;
+        if (now[2] >= level)
+            return before[0] + (now[0] - before[0]) * (level - before[2]) / (now[2] - before[2]);
+    }
+    return (double)NAN;
+}
+
 static enum mpm_status report(struct measurement *m, const struct study *study,
                               const struct follow_result *result, double cell,
                               struct mpm_error *error)
@@ -160,6 +176,13 @@ static enum mpm_status report(struct measurement *m, const struct study *study,
     measurement_report(m, "energy_left", 100.0 * study->left);
     measurement_report(m, "parted", (study->distance - study->diameter) / cell);
     follow_report(m, result, study->diameter / 2.0);
+    if (measurement_has(m, "wave_speed")) {
+        double wave_speed;
+        TRY(measurement_number(m, "wave_speed", &wave_speed, error));
+        measurement_report(m, "contact_time",
+                           (time_of(study, 0.99) - time_of(study, 0.01)) * wave_speed /
+                               study->diameter);
+    }
     if (measurement_has(m, "axial"))
         measurement_report(m, "axial_momentum_drift", study->axial_drift);
     return measurement_series(m, "collision", "time gap speed kinetic_over_start total_over_start",

@@ -38,6 +38,7 @@
     PROGRAM(contact_twins)                                                                         \
     PROGRAM(two_bars)                                                                              \
     PROGRAM(laminate)                                                                              \
+    PROGRAM(inclusion)                                                                             \
     PROGRAM(carried)                                                                               \
     PROGRAM(manufactured)                                                                          \
     PROGRAM(stretch)                                                                               \

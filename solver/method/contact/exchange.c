@@ -41,6 +41,9 @@ static void change_end(const struct mpm_state *state, int64_t node, const double
     for (int axis = 0; axis < 2; axis++) {
         motion->end[axis] += by[axis];
         motion->acceleration[axis] += by[axis] / state->time_step;
+        if (state->grid.contact_force != NULL)
+            state->grid.contact_force[node][axis] +=
+                state->grid.mass[node] * by[axis] / state->time_step;
     }
     if (!state->order->extrapolate)
         mpm_node_set_gradient(&state->grid, node, motion->end);

@@ -46,6 +46,9 @@ void mpm_row_clear(void *context, int64_t row, int worker)
     (void)worker;
     memset(state->grid.mass + span.first, 0, count * sizeof *state->grid.mass);
     memset(state->grid.sum + span.first, 0, count * sizeof *state->grid.sum);
+    if (state->grid.contact_force != NULL)
+        memset(state->grid.contact_force + span.first, 0,
+               count * sizeof *state->grid.contact_force);
 }
 
 void mpm_row_gather_mass(void *context, int64_t row, int worker)

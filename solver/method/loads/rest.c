@@ -5,26 +5,34 @@
 
 #include <math.h>
 
-static double row_force(const struct mpm_state *state, struct mpm_row_span span)
-{
-    double sum = 0.0;
-    for (int64_t node = span.first; node < span.end; node++)
-        sum += fabs(state->grid.sum[node][0].force) + fabs(state->grid.sum[node][1].force);
-    return sum;
-}
-
 static void row_internal(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    double sum = 0.0;
     (void)worker;
-    state->row_sums[row].balance.internal = row_force(state, mpm_row_span(state, row));
+    for (int64_t node = span.first; node < span.end; node++)
+        sum += fabs(state->grid.sum[node][0].force) + fabs(state->grid.sum[node][1].force);
+    state->row_sums[row].balance.internal = sum;
+}
+
+/* Of the momentum update and of contact. */
+static double force_at(const struct mpm_state *state, int64_t node, int axis)
+{
+    const double force = state->grid.sum[node][axis].force;
+    return state->grid.contact_force == NULL ? force
+                                             : force + state->grid.contact_force[node][axis];
 }
 
 static void row_unbalanced(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
+    const struct mpm_row_span span = mpm_row_span_inside(state, row);
+    double sum = 0.0;
     (void)worker;
-    state->row_sums[row].balance.unbalanced = row_force(state, mpm_row_span_inside(state, row));
+    for (int64_t node = span.first; node < span.end; node++)
+        sum += fabs(force_at(state, node, 0)) + fabs(force_at(state, node, 1));
+    state->row_sums[row].balance.unbalanced = sum;
 }
 
 void mpm_rest_measure_internal(struct mpm_state *state)
@@ -45,11 +53,10 @@ void mpm_rest_measure_unbalanced(struct mpm_state *state)
     mpm_grid_rows_run(state, row_unbalanced);
     for (int64_t row = state->first_row; row >= 0; row = mpm_grid_next_row(state, row))
         all += state->row_sums[row].balance.unbalanced;
-    for (size_t k = 0; k < state->conditions.active_count; k++)
-        if (mpm_node_is_inside(state, state->conditions.active[k].node))
-            held += fabs(
-                state->grid
-                    .sum[state->conditions.active[k].node][state->conditions.active[k].component]
-                    .force);
+    for (size_t k = 0; k < state->conditions.active_count; k++) {
+        const struct mpm_active_condition *const active = &state->conditions.active[k];
+        if (mpm_node_is_inside(state, active->node))
+            held += fabs(force_at(state, active->node, active->component));
+    }
     state->balance.unbalanced = fmax(all - held, 0.0); /* round-off may be all that is left */
 }

@@ -85,7 +85,7 @@ static double momentum_of(const struct test_run *run, uint32_t body, int axis)
 static void layout(struct mpm_state *state, struct mpm_arena *arena)
 {
     const size_t rows = (size_t)(state->grid.rows + state->grid.field_rows);
-    mpm_grid_layout(&state->grid, state->kernels.smooth != NULL, arena);
+    mpm_grid_layout(&state->grid, state->kernels.smooth != NULL, false, arena);
     mpm_fields_layout(state, arena);
     state->row_low = MPM_TAKE(arena, int64_t, rows);
     state->row_high = MPM_TAKE(arena, int64_t, rows);

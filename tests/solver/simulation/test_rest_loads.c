@@ -141,6 +141,45 @@ START_TEST(a_run_whose_residual_stays_gets_advice_that_helps)
 }
 END_TEST
 
+/* Bodies that contact holds: forces at its nodes are in balance with those of contact. Until that
+ * is counted, the residual is that of the parts by themselves, about 1/2. */
+#define PRESSED                                                                                    \
+    "format: 1\n"                                                                                  \
+    "geometry: plane_strain\n"                                                                     \
+    "grid: {origin: [-2, 0], cell: [1, 1], cells: [8, 8]}\n"                                       \
+    "time: {end: 3, courant: 0.4, rest: {residual: 1e-6, kinetic_energy: 1e-9, after: 0.1}}\n"     \
+    "method: {stress_update: usl}\n"                                                               \
+    "damping: {grid: 30, pic: 0.1}\n"                                                              \
+    "materials: [{name: glass, law: linear_elastic, density: 1e-3, young: 1000, poisson: 0.3}]\n"  \
+    "boundary:\n"                                                                                  \
+    "  - {region: {line: {from: [-2, 0], to: [6, 0]}}, velocity: [0, 0]}\n"                        \
+    "loads: {tractions: [{body: upper, edge: top, value: [0, 't<0.1 ? -t*10 : -1']}]}\n"
+#define TWO_BLOCKS                                                                                 \
+    "bodies: [{name: lower, material: glass, region: {rectangle: {from: [0, 0], to: [4, 3]}}},\n"  \
+    "         {name: upper, material: glass, region: {rectangle: {from: [0, 3], to: [4, 6]}}}]\n"
+static const char *const pressed[] = {
+    PRESSED TWO_BLOCKS "contact: {fields: bodies, law: interface, tension: 9, shear: 9,\n"
+                       "          compression: 800}\n",
+    PRESSED TWO_BLOCKS "contact: {fields: bodies, law: frictionless}\n",
+    PRESSED TWO_BLOCKS "contact: {fields: bodies, law: bonded}\n",
+    PRESSED "bodies: [{name: upper, material: glass,\n"
+            "          region: {rectangle: {from: [0, 0], to: [4, 6]}}}]\n"
+            "cracks: [{points: [[-2, 3], [6, 3]], contact: stick}]\n",
+};
+
+START_TEST(bodies_that_contact_holds_come_to_rest)
+{
+    struct test_run run = test_run_open(pressed[_i], NULL, 1);
+    struct mpm_rest rest;
+    while (mpm_simulation_time(run.simulation) < 3.0 &&
+           !mpm_simulation_at_rest(run.simulation, &rest))
+        test_run_steps(&run, 1);
+    ck_assert_msg(mpm_simulation_at_rest(run.simulation, &rest), "residual %g, kinetic %g",
+                  rest.residual, rest.kinetic_energy);
+    test_run_close(&run);
+}
+END_TEST
+
 Suite *suite_rest_loads(void)
 {
     Suite *suite = suite_create("rest_loads");
@@ -149,6 +188,7 @@ Suite *suite_rest_loads(void)
                         G_N_ELEMENTS(pulled));
     tcase_add_test(plate, the_kinetic_energy_at_rest_is_measured_by_the_energy_of_the_body);
     tcase_add_test(plate, patience_ends_when_the_residual_has_not_fallen_by_a_tenth);
+    tcase_add_loop_test(plate, bodies_that_contact_holds_come_to_rest, 0, G_N_ELEMENTS(pressed));
     suite_add_tcase(suite, plate);
     TCase *runs = tcase_create("runs");
     tcase_add_checked_fixture(runs, test_results_set_up, test_results_tear_down);
