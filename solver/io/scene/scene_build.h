@@ -49,6 +49,8 @@ enum mpm_status mpm_build_cohesive(const struct mpm_reading *reading, const char
                                    const struct mpm_raw_crack *raw, struct mpm_crack_spec *crack);
 /* Contact between bodies. */
 enum mpm_status mpm_build_contact(const struct mpm_reading *reading);
+/* Scalars that are conducted, once all that is about motion is read: scenes at rest have none. */
+enum mpm_status mpm_build_transport(const struct mpm_reading *reading);
 /* Damping, and when a run is at rest. */
 enum mpm_status mpm_build_damping(const struct mpm_reading *reading);
 
