@@ -47,6 +47,8 @@
     SUITE(energy)                                                                                  \
     SUITE(guard)                                                                                   \
     SUITE(transfer_series)                                                                         \
+    SUITE(heat)                                                                                    \
+    SUITE(scene_transport)                                                                         \
     SUITE(projection)                                                                              \
     SUITE(start)                                                                                   \
     SUITE(grid_drag)                                                                               \

@@ -15,6 +15,7 @@ struct fast_spec {
     bool momentum; /* spread mass and momentum */
     bool force;    /* spread internal forces */
     bool finish;   /* the last pass, which only reads */
+    bool conducts; /* a scalar, whose sources are spread with S beside the flow, a force */
 };
 
 struct fast_constants {

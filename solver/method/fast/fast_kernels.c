@@ -223,7 +223,7 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
     KERNEL(pass_to_particles, plane##_extrapolate, __VA_ARGS__)                                    \
     KERNEL(pass_finish, plane##_finish, .finish = true, __VA_ARGS__)                               \
     KERNEL(pass_project, plane##_project, __VA_ARGS__)                                             \
-    KERNEL(pass_conduct, plane##_conduct, .force = true, __VA_ARGS__)
+    KERNEL(pass_conduct, plane##_conduct, .force = true, .conducts = true, __VA_ARGS__)
 
 #define STEP(plane, first, before, back)                                                           \
     {                                                                                              \
