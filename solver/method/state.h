@@ -53,6 +53,7 @@ enum mpm_failure_kind {
     MPM_TWO_CRACKS,              /* value: nothing */
     MPM_USER_FORCE_NOT_FINITE,   /* value: the caller's body force along the axis */
     MPM_SOURCE_NOT_FINITE,       /* value: a scalar's source there */
+    MPM_BELOW_ZERO,              /* value: temperature of an edge that radiates */
 };
 
 struct mpm_failure {
@@ -80,7 +81,9 @@ struct mpm_strip {
     double dissipated;         /* by damping at the particles, in a part of the step */
     double internal_work;      /* what stresses take from the nodes in the step */
     double source;             /* of a scalar: content per time */
+    double flux;               /* of a scalar through edges: content per time */
     double diffusivity;        /* largest J k / (c rho_0) */
+    double film;               /* largest derivative of a flux by the scalar, over c rho_0 */
     struct mpm_failure failure;
 };
 

@@ -270,6 +270,7 @@ static enum mpm_status advance_at_rest(struct mpm_state *state, double seconds[M
 {
     double mark = seconds_now();
     mpm_grid_find_active(state);
+    mpm_edge_loads_prepare(state);
     MPM_TRY(mpm_transport_advance(state, strips_touch(state) ? 1 : state->workers, error));
     charge(seconds, MPM_PHASE_TRANSPORT, &mark);
     state->steps_since_sort++;

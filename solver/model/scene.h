@@ -109,14 +109,18 @@ enum mpm_frame {
     MPM_FRAME_EDGE,   /* along the outward normal of the deformed edge and, counter clockwise, it */
 };
 
-/* A load on the edges of particles on one face of a body. */
+/* A load on the edges of particles on one face of a body, or what flows in there. */
 struct mpm_edge_load_spec {
     char key[48];      /* "loads.tractions.0", for messages */
     bool on_particles; /* loads.particle_forces */
+    enum mpm_flux_kind flux;
+    enum mpm_scalar scalar; /* of a flux */
+    double coefficient;     /* h, or e sigma */
     size_t body;
     enum mpm_edge edge;
     enum mpm_frame frame;
-    struct mpm_vector_expression value; /* force per area; a NULL component is 0 */
+    struct mpm_vector_expression value; /* force per area; a NULL component is 0. Of a flux the
+                                           first one is its value, or v_env */
     int line;
 };
 

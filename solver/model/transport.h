@@ -18,6 +18,14 @@ enum mpm_scalar_transfer {
     MPM_SCALAR_PIC,  /* by the nodes' values, Notes (142): conducts of itself */
 };
 
+/* What flows in through edges of particles: content per area and time, inwards positive. */
+enum mpm_flux_kind {
+    MPM_NO_FLUX,       /* a force */
+    MPM_FLUX_GIVEN,    /* an expression */
+    MPM_FLUX_CONVECTS, /* h (v_env - v) */
+    MPM_FLUX_RADIATES, /* e sigma (v_env^4 - v^4) */
+};
+
 /* What is the same for every scene, one row for each scalar. */
 struct mpm_scalar_row {
     const char *name;             /* of its group of keys: transport.<name> */

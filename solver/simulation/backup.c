@@ -68,6 +68,7 @@ void mpm_backup_save(struct mpm_simulation *simulation)
     backup->energy = state->energy;
     backup->wave_speed = simulation->wave_speed;
     backup->diffusivity = simulation->diffusivity;
+    backup->film = simulation->film;
     for (size_t k = 0; k < state->transport.count; k++)
         backup->scalars[k] = state->transport.list[k].totals;
     backup->step = simulation->step;
@@ -91,6 +92,7 @@ static void copy_back(struct mpm_simulation *simulation)
     state->energy = backup->energy;
     simulation->wave_speed = backup->wave_speed;
     simulation->diffusivity = backup->diffusivity;
+    simulation->film = backup->film;
     for (size_t k = 0; k < state->transport.count; k++)
         state->transport.list[k].totals = backup->scalars[k];
     simulation->step = backup->step;

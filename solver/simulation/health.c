@@ -34,6 +34,7 @@ static enum mpm_cause cause_of(enum mpm_failure_kind kind)
         [MPM_TWO_CRACKS] = MPM_CAUSE_CRACK,
         [MPM_USER_FORCE_NOT_FINITE] = MPM_CAUSE_LOAD,
         [MPM_SOURCE_NOT_FINITE] = MPM_CAUSE_LOAD,
+        [MPM_BELOW_ZERO] = MPM_CAUSE_LOAD,
     };
     return causes[kind];
 }
@@ -90,6 +91,9 @@ static const char *describe(const struct mpm_simulation *simulation,
                      name);
     case MPM_SOURCE_NOT_FINITE:
         return print(text, "has a source in transport that is not finite: %g", failure->value);
+    case MPM_BELOW_ZERO:
+        return print(text, "radiates at a temperature of %g; allowed: absolute, at least 0",
+                     failure->value);
     case MPM_RATE_REFUSED:
         return print(text,
                      "has damping.%s = %g; allowed: at least 0 and below %g, 1 over the "

@@ -33,7 +33,7 @@ struct mpm_backup {
     double *crack_points[MPM_CRACK_ARRAYS];
     struct mpm_crack_tip *tips; /* these and the extents of chains: with J integrals */
     struct mpm_chain_extents *extents;
-    double time, external_work, largest_work, sudden_energy, wave_speed, diffusivity;
+    double time, external_work, largest_work, sudden_energy, wave_speed, diffusivity, film;
     struct mpm_scalar_totals scalars[MPM_SCALAR_COUNT];
     struct mpm_damping_totals damping;
     struct mpm_contact_totals *contact_totals; /* per pair of fields */
@@ -65,6 +65,7 @@ struct mpm_simulation {
     double wave_speed; /* fastest in the material now */
     double wave_speed_start;
     double diffusivity;    /* the largest of all particles now; 0 without conduction */
+    double film;           /* the largest of all edges: see transport_state.h */
     double particle_speed; /* of the fastest particle if it outruns waves; else perhaps 0 */
     double mass, lightest; /* of all particles, of the lightest one */
     double strain_start;   /* strain energy at t = 0 */

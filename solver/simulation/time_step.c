@@ -49,7 +49,8 @@ void mpm_speeds_update(struct mpm_simulation *simulation)
 {
     const bool close = 2.0 * simulation->particle_speed > simulation->wave_speed;
     simulation->wave_speed = fastest_wave(&simulation->state);
-    simulation->diffusivity = mpm_transport_diffusivity(&simulation->state);
+    simulation->diffusivity = simulation->state.transport.diffusivity;
+    simulation->film = simulation->state.transport.film;
     if (close || simulation->step % STEPS_BETWEEN_LOOKS == 0)
         simulation->particle_speed = fastest_particle(simulation, simulation->wave_speed);
 }
@@ -65,7 +66,8 @@ static double crossing_time(const struct mpm_simulation *simulation)
 /* The bound of explicit conduction, which is that of the step too. */
 static double conduction_time(const struct mpm_simulation *simulation)
 {
-    return mpm_transport_stable_step(&simulation->state.grid, simulation->diffusivity);
+    return mpm_transport_stable_step(&simulation->state.grid, simulation->diffusivity,
+                                     simulation->film);
 }
 
 static double longest_step(const struct mpm_simulation *simulation)
@@ -142,9 +144,10 @@ enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,
     if (scene->step <= fmin(crossing, conduction) || scene->allow_unstable)
         return MPM_OK;
     if (conduction < crossing)
-        return refuse_step(simulation, conduction,
-                           "1 / (2 kappa (1/h_x^2 + 1/h_y^2)), diffusivity kappa",
-                           simulation->diffusivity, error);
+        return refuse_step(
+            simulation, conduction,
+            "1 / (2 kappa (1/h_x^2 + 1/h_y^2)) without fluxes on edges, diffusivity kappa",
+            simulation->diffusivity, error);
     return refuse_step(simulation, crossing,
                        particles ? "cell size over the speed of particles,"
                                  : "cell size over wave speed",

@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/transport/transport.h"
+#include "method/transport/transport_edges.h"
 
 #include "simulation/simulation.h"
 
@@ -201,6 +202,23 @@ static enum mpm_status check_source(const struct mpm_simulation *simulation,
     return MPM_OK;
 }
 
+/* Before the first step: of the fluxes at the highest temperature that is there or around. */
+static double first_film(const struct mpm_simulation *simulation,
+                         const struct mpm_nodal_scalar *scalar)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    double extremes[2], film = 0.0;
+    (void)mpm_transport_content(&simulation->state, scalar, extremes);
+    for (size_t k = 0; k < scene->edge_load_count; k++) {
+        const struct mpm_edge_load_spec *const spec = &scene->edge_loads[k];
+        const double density = simulation->state.bodies[spec->body].material.density;
+        if (spec->flux != MPM_NO_FLUX && spec->scalar == scalar->which)
+            film = fmax(film,
+                        mpm_flux_slope(spec, extremes[1]) / (density * scalar->weight[spec->body]));
+    }
+    return film;
+}
+
 enum mpm_status mpm_transport_fill(struct mpm_simulation *simulation, struct mpm_error *error)
 {
     struct mpm_state *const state = &simulation->state;
@@ -210,6 +228,7 @@ enum mpm_status mpm_transport_fill(struct mpm_simulation *simulation, struct mpm
         MPM_TRY(set_starts(simulation, scalar, error));
         MPM_TRY(check_conditions(simulation, scalar, error));
         MPM_TRY(check_source(simulation, scalar, error));
+        simulation->film = fmax(simulation->film, first_film(simulation, scalar));
         for (size_t body = 0; body < simulation->scene->body_count; body++)
             simulation->diffusivity =
                 fmax(simulation->diffusivity, scalar->bodies[body].diffusivity);
@@ -236,6 +255,12 @@ static double from_source(const struct mpm_state *state, const struct mpm_nodal_
     return scalar->totals.source;
 }
 
+static double through_edges(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar)
+{
+    (void)state;
+    return scalar->totals.edges;
+}
+
 static double lowest(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar)
 {
     double extremes[2];
@@ -259,6 +284,7 @@ static const struct quantity {
     {"", "", "sum of capacity times value of all particles", OF_CONTENT, content},
     {"boundary_", "", "taken in at nodes with a prescribed value since t = 0", OF_FLOW, held},
     {"source_", "", "put in by the source since t = 0", OF_FLOW, from_source},
+    {"edge_", "", "taken in through edges of particles since t = 0", OF_FLOW, through_edges},
     {"", "_min", "smallest value of a particle", OF_VALUE, lowest},
     {"", "_max", "largest value of a particle", OF_VALUE, highest},
 };

@@ -42,6 +42,9 @@ enum mpm_status mpm_build_symmetry(const struct mpm_reading *reading, const char
                                    const struct mpm_raw_boundary *raw,
                                    struct mpm_boundary_spec *boundary);
 enum mpm_status mpm_build_loads(const struct mpm_reading *reading);
+/* The body of that name, on whose edges there is a load; `path` is that of the name. */
+enum mpm_status mpm_build_loaded_body(const struct mpm_reading *reading, const char *path,
+                                      const char *text, size_t *body);
 /* Cracks, and whether the method takes them. */
 enum mpm_status mpm_build_cracks(const struct mpm_reading *reading);
 /* A part of it: what holds its surfaces together, once its points are known. */

@@ -5,6 +5,7 @@
 #include "io/scene/scene_build.h"
 
 #include <math.h>
+#include <stdio.h>
 
 /* ------------------------------------------------------------------- materials */
 
@@ -79,6 +80,54 @@ static enum mpm_status build_condition(const struct mpm_reading *reading, size_t
                                 place, &condition->value, &value);
 }
 
+/* The kind of a flux, with its coefficient; *text is its value or the surroundings' temperature. */
+static enum mpm_status find_flux_kind(const struct mpm_reading *reading, const char *path,
+                                      const struct mpm_raw_heat_flux *raw,
+                                      struct mpm_edge_load_spec *flux, const char **text)
+{
+    const int given = (raw->value != NULL) + (raw->convection != NULL) + (raw->radiation != NULL);
+    if (given != 1)
+        return mpm_reading_fault(
+            reading, path, "%d of value, convection and radiation given; allowed: exactly one",
+            given);
+    flux->flux = raw->value != NULL        ? MPM_FLUX_GIVEN
+                 : raw->convection != NULL ? MPM_FLUX_CONVECTS
+                                           : MPM_FLUX_RADIATES;
+    *text = raw->value;
+    if (raw->convection != NULL) {
+        flux->coefficient = mpm_raw_double(raw->convection->coefficient);
+        *text = raw->convection->ambient;
+    }
+    if (raw->radiation != NULL) {
+        flux->coefficient =
+            mpm_raw_double(raw->radiation->emissivity) * mpm_raw_double(raw->radiation->sigma);
+        *text = raw->radiation->ambient;
+    }
+    return MPM_OK;
+}
+
+/* Beside the scene's forces on edges, which it has room after. */
+static enum mpm_status build_flux(const struct mpm_reading *reading, size_t index)
+{
+    const struct mpm_path path = mpm_path_entry("transport.temperature.fluxes", index);
+    const struct mpm_raw_heat_flux *const raw =
+        &reading->raw->transport->temperature->fluxes[index];
+    struct mpm_scene *const scene = reading->scene;
+    struct mpm_edge_load_spec *const flux = &scene->edge_loads[scene->edge_load_count++];
+    const char *text = NULL;
+    double place[2], value;
+    (void)snprintf(flux->key, sizeof flux->key, "transport.temperature.fluxes.%zu", index);
+    flux->scalar = MPM_TEMPERATURE;
+    flux->edge = (enum mpm_edge)raw->edge;
+    flux->line = mpm_reading_line(reading, path.text);
+    MPM_TRY(find_flux_kind(reading, path.text, raw, flux, &text));
+    MPM_TRY(mpm_build_loaded_body(reading, mpm_path_join(path.text, "body").text, raw->body,
+                                  &flux->body));
+    mpm_region_sample(scene, &scene->bodies[flux->body].region, place);
+    return mpm_build_expression(reading, path.text, text, true, place, &flux->value.text[0],
+                                &value);
+}
+
 /* Initial values, in the coordinates, of the body of that region. */
 static enum mpm_status build_start(const struct mpm_reading *reading, const char *path,
                                    const struct mpm_region *region, const char *raw, char **start)
@@ -132,6 +181,8 @@ static enum mpm_status build_temperature(const struct mpm_reading *reading)
     scalar->condition_count = raw->conditions_count;
     for (size_t k = 0; k < raw->conditions_count; k++)
         MPM_TRY(build_condition(reading, k));
+    for (size_t k = 0; k < raw->fluxes_count; k++)
+        MPM_TRY(build_flux(reading, k));
     return MPM_OK;
 }
 

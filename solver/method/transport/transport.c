@@ -6,6 +6,7 @@
 #include "method/grid/symmetry.h"
 #include "method/transfer/projection.h"
 #include "method/transfer/transfer.h"
+#include "method/transport/transport_edges.h"
 
 #include <float.h>
 #include <string.h>
@@ -336,16 +337,23 @@ static enum mpm_status advance(struct mpm_state *state, int workers,
     MPM_TRY(hold_values(state, scalar, error));
     find_sources(state, workers, scalar);
     run_particles(state, workers, scalar, state->kernels.conduct);
+    mpm_transport_edges_spread(state, workers, scalar);
     mpm_symmetries_reflect_scalar(state, scalar->inflow);
     run_rows(state, scalar, scalar->transfer == MPM_SCALAR_PIC ? row_pic : row_rates);
     MPM_TRY(check_finite(state, scalar, error));
     MPM_TRY(hold_results(state, scalar, error));
     update_particles(state, workers, scalar);
+    for (int64_t s = 0; s < state->strip_count; s++) {
+        state->transport.diffusivity =
+            fmax(state->transport.diffusivity, state->strips[s].diffusivity);
+        state->transport.film = fmax(state->transport.film, state->strips[s].film);
+    }
     return MPM_OK;
 }
 
 enum mpm_status mpm_transport_advance(struct mpm_state *state, int workers, struct mpm_error *error)
 {
+    state->transport.diffusivity = state->transport.film = 0.0;
     for (size_t k = 0; k < state->transport.count; k++)
         MPM_TRY(advance(state, workers, &state->transport.list[k], error));
     return MPM_OK;
@@ -353,18 +361,11 @@ enum mpm_status mpm_transport_advance(struct mpm_state *state, int workers, stru
 
 /* ------------------------------------------------------------------------ measures */
 
-double mpm_transport_diffusivity(const struct mpm_state *state)
-{
-    double largest = 0.0;
-    for (int64_t s = 0; state->transport.count > 0 && s < state->strip_count; s++)
-        largest = fmax(largest, state->strips[s].diffusivity);
-    return largest;
-}
-
-double mpm_transport_stable_step(const struct mpm_grid *grid, double diffusivity)
+double mpm_transport_stable_step(const struct mpm_grid *grid, double diffusivity, double film)
 {
     const double x = grid->inverse_cell[0], y = grid->inverse_cell[1];
-    return diffusivity > 0.0 ? 0.5 / (diffusivity * (x * x + y * y)) : HUGE_VAL;
+    const double rate = 2.0 * diffusivity * (x * x + y * y) + film * (x + y);
+    return rate > 0.0 ? 1.0 / rate : HUGE_VAL;
 }
 
 double mpm_transport_content(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar,

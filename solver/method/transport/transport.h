@@ -9,9 +9,11 @@
  * are for the thickness or per radian. k turns with the material, by the rotation R of F = R U.
  * Errata: in N&G (57) q and rho C_p dT/dt have the wrong sign; Notes (138) lacks C_p in M_i.
  *
- * Edges of bodies and planes of symmetry insulate: since sum_i G_ip = 0 and sum_i S_ip = 1,
+ * Edges of bodies without a flux (transport_edges.h) and planes of symmetry insulate: since sum_i
+ * G_ip = 0 and sum_i S_ip = 1,
  *
- *   sum_p c_p m_p v_p (n+1) - sum_p c_p m_p v_p (n) = what sources and held nodes give in the step
+ *   sum_p c_p m_p v_p (n+1) - sum_p c_p m_p v_p (n) = what sources, edges and held nodes give in
+ * the step
  *
  * to round-off. A held node has the prescribed value where gradients are made, at the start of
  * the step, and goes from v_i to that at its end, dv_i/dt = (v(t + dt) - v_i)/dt; what that takes
@@ -23,7 +25,9 @@
  * Stable steps: on nodes, v' = v - dt (M^-1 C) M^-1 K v with K_ij = sum V k G_ip . G_jp and C_ij =
  * sum c m S_ip S_jp. The eigenvalues of M^-1 C are 1 at most, those of M^-1 K are 4 kappa / h^2 in
  * a long bar: dt = h^2 / (2 kappa) is below the limit of every family, at every end of a body
- * (case H13 has them). With two axes the eigenvalues add: mpm_transport_stable_step.
+ * (case H13 has them). With two axes the eigenvalues add, and a flux that depends on v, with the
+ * derivative -a, adds 2 a / (c rho h) at the node of a row of half a cell:
+ * mpm_transport_stable_step.
  *
  * Nothing is done, and no memory taken, in scenes without scalars.
  *
@@ -47,10 +51,8 @@ enum mpm_status mpm_transport_advance(struct mpm_state *state, int workers,
 /* Particles are in another order, or have other values: contents at hand are not theirs. */
 void mpm_transport_forget(struct mpm_state *state);
 
-/* The largest diffusivity of all particles, J k / (c rho_0), as they are. */
-double mpm_transport_diffusivity(const struct mpm_state *state);
-/* 1 / (2 kappa (1/h_x^2 + 1/h_y^2)); HUGE_VAL where nothing is conducted. */
-double mpm_transport_stable_step(const struct mpm_grid *grid, double diffusivity);
+/* 1 / (2 kappa (1/h_x^2 + 1/h_y^2) + film (1/h_x + 1/h_y)); HUGE_VAL where nothing flows. */
+double mpm_transport_stable_step(const struct mpm_grid *grid, double diffusivity, double film);
 
 /* Inflow by conduction: a pass of the reference kernels, for state->transport.conducted. */
 void mpm_pass_conduct(void *state, int64_t strip, int worker);

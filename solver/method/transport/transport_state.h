@@ -13,6 +13,7 @@
 struct mpm_scalar_totals {
     double held;   /* at nodes with a prescribed value */
     double source; /* by the source */
+    double edges;  /* through edges of particles */
 };
 
 /* One of a body's particles: content c m v, flux - J k m grad v / V. */
@@ -49,6 +50,8 @@ struct mpm_transport {
     struct mpm_nodal_scalar list[MPM_SCALAR_COUNT];
     size_t count;
     const struct mpm_nodal_scalar *conducted; /* by the pass that runs */
+    double diffusivity; /* largest J k / (c rho_0) of all particles and scalars in the step */
+    double film;        /* largest derivative of a flux on edges by its scalar, over c rho_0 */
 };
 
 #endif

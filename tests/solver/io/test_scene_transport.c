@@ -63,7 +63,17 @@ static const char *const refused[][2] = {
     {"transport.temperature.conditions.0.value=free", "a component cannot be free here"},
     {"transport.temperature.conditions.0.region={disk: {center: [1, 1], radius: 1}}",
      "transport.temperature.conditions.0.region"},
-    {"transport.temperature.fluxes=[]", "unknown key \"fluxes\"; allowed: transfer, start, source, conditions"},
+    {"transport.temperature.flux=1", "unknown key \"flux\"; allowed: transfer, start, source"},
+    {"transport.temperature.fluxes=[{body: left, edge: top}]",
+     "transport.temperature.fluxes.0: 0 of value, convection and radiation given"},
+    {"transport.temperature.fluxes=[{body: left, edge: top, value: 1, convection: {coefficient: 1, "
+     "ambient: 2}}]",
+     "transport.temperature.fluxes.0: 2 of value, convection and radiation given"},
+    {"transport.temperature.fluxes=[{body: middle, edge: top, value: 1}]",
+     "transport.temperature.fluxes.0.body: no such body"},
+    {"transport.temperature.fluxes=[{body: left, edge: top, radiation: {emissivity: 2, sigma: 1, "
+     "ambient: 2}}]",
+     "transport.temperature.fluxes.0.radiation.emissivity: out of range"},
     {"bodies.right.rigid={velocity: [0, 0]}", "both of material and rigid given"},
     {"bodies.right={name: right, rigid: {velocity: [0, 0]}, temperature: 3, region: {rectangle: "
      "{from: [6, 0], to: [8, 2]}}}",
@@ -120,7 +130,7 @@ static const char *const refused_later[][2] = {
      "transport.temperature.conditions.1.value: prescribes 1.03125 at the node (0, 0)"},
     {"transport.temperature.start='1/(x-6.25)'", "initial temperature of body 'right' is inf"},
     {"transport.temperature.source='1/(x-6.25)'", "transport.temperature.source: is inf"},
-    {"time={end: 1, step: 0.3}", "1 / (2 kappa (1/h_x^2 + 1/h_y^2)), diffusivity kappa"},
+    {"time={end: 1, step: 0.3}", "1 / (2 kappa (1/h_x^2 + 1/h_y^2))"},
 };
 
 START_TEST(what_does_not_fit_the_grid_is_refused)

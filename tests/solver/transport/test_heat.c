@@ -214,6 +214,79 @@ START_TEST(heat_is_per_radian_or_for_the_thickness)
 }
 END_TEST
 
+/* Of each kind one, on all sides; T^4 of absolute temperatures. */
+static const char FLUXES[] =
+    "transport.temperature.fluxes=[{body: block, edge: all, value: '0.3+0.1*t'}, {body: block, "
+    "edge: right, convection: {coefficient: 0.4, ambient: '3+t'}}, {body: block, edge: bottom, "
+    "radiation: {emissivity: 0.5, sigma: 0.01, ambient: 5}}]";
+
+START_TEST(heat_is_what_fluxes_have_given)
+{
+    for (int set = 0; set < SETS; set++) {
+        struct settings settings = test_combination_settings(_i);
+        test_add_wild_velocity(&settings, is_axisymmetric(_i));
+        settings_add(&settings, is_axisymmetric(_i) ? "transport.temperature.start='3+sin(3*r)'"
+                                                    : "transport.temperature.start='3+sin(3*x)'");
+        settings_add(&settings, HOT_SIDE);
+        settings_add(&settings, FLUXES);
+        struct test_run run = open_run(&settings, kernels_of(set));
+        const double start = heat(&run);
+        test_run_steps(&run, test_combination(_i).amplifies_round_off ? 3 : 40);
+        const struct mpm_scalar_totals *const totals = &scalar_of(&run)->totals;
+        const double scale = 1.0 + fabs(start) + fabs(totals->held) + fabs(totals->edges);
+        ck_assert(fabs(totals->edges) > 1e-2);
+        ck_assert_near((heat(&run) - start) / scale, (totals->held + totals->edges) / scale,
+                       ROUND_OFF);
+        test_run_close(&run);
+        settings_clear(&settings);
+    }
+}
+END_TEST
+
+/* A flux of 2 on one side: 6 wide at the top, 4.8 high at r = 9. */
+START_TEST(a_flux_gives_its_area_and_per_radian)
+{
+    static const char *const sides[] = {"top", "right"};
+    for (int side = 0; side < 2; side++) {
+        struct settings settings = test_combination_settings(_i);
+        const double planar[] = {6.0, 4.8}, per_radian[] = {0.5 * (81.0 - 9.0), 9.0 * 4.8};
+        settings_add_formatted(&settings,
+                               "transport.temperature.fluxes=[{body: block, edge: %s, value: 2}]",
+                               sides[side]);
+        struct test_run run = open_run(&settings, MPM_KERNELS_AUTO);
+        test_run_steps(&run, 3);
+        const double area = (is_axisymmetric(_i) ? per_radian : planar)[side];
+        ck_assert_near(heat(&run), 2.0 * area * mpm_simulation_time(run.simulation), 1e-10);
+        test_run_close(&run);
+        settings_clear(&settings);
+    }
+}
+END_TEST
+
+/* A body of one temperature, whose conductivity keeps it so: dT/dt = h A (ambient - T)/(c rho V),
+ * A/V = 2 (6 + 4.8)/(6 4.8). */
+START_TEST(a_body_cools_to_its_surroundings)
+{
+    struct settings settings = {.count = 0};
+    settings_add(&settings, "materials=[{name: soft, law: none, density: 2, heat_capacity: 0.5, "
+                            "conductivity: 100}]");
+    settings_add_formatted(&settings, "method.shape=%s", test_shapes[_i]);
+    settings_add(&settings, "transport.temperature.start=5");
+    settings_add(&settings, "transport.temperature.fluxes=[{body: block, edge: all, convection: "
+                            "{coefficient: 0.5, ambient: 1}}]");
+    settings_add(&settings, "time.end=1");
+    struct test_run run = open_run(&settings, MPM_KERNELS_AUTO);
+    struct mpm_error error = {.message = ""};
+    while (mpm_simulation_time(run.simulation) < 1.0)
+        ck_assert_int_eq(mpm_simulation_advance(run.simulation, 1.0, &error), MPM_OK);
+    const double rate = 0.5 * 2.0 * 10.8 / 28.8;
+    /* explicit steps of 1e-3 and gradients of 0.5 in a conductivity of 100 */
+    ck_assert_near(heat(&run) / 28.8, 1.0 + 4.0 * exp(-rate), 0.01);
+    test_run_close(&run);
+    settings_clear(&settings);
+}
+END_TEST
+
 /* Only the source, and no motion: c rho dT/dt = s. */
 START_TEST(a_source_warms_a_free_body_evenly)
 {
@@ -322,6 +395,11 @@ static const char HALF[] = "bodies.block.region.rectangle={from: [3, 5.6], to: [
 static const char PLANE[] =
     "boundary=[{region: {line: {from: [0, 5.6], to: [14, 5.6]}}, symmetry: true}]";
 
+#define END_FLUX(edge) "{body: block, edge: " edge ", convection: {coefficient: 0.4, ambient: 2}}"
+static const char BOTH_ENDS[] =
+    "transport.temperature.fluxes=[" END_FLUX("top") ", " END_FLUX("bottom") "]";
+static const char UPPER_END[] = "transport.temperature.fluxes=[" END_FLUX("top") "]";
+
 /* Left side prescribed, also at the nodes beyond the plane and on it. */
 START_TEST(a_half_with_a_plane_of_symmetry_is_half_of_the_whole)
 {
@@ -343,12 +421,15 @@ START_TEST(a_half_with_a_plane_of_symmetry_is_half_of_the_whole)
             settings_add(&settings, HALF);
             settings_add(&settings, PLANE);
         }
+        settings_add(&settings, k == 0 ? BOTH_ENDS : UPPER_END);
         settings_add(&settings, "time={end: 1000, step: 0.05}");
         runs[k] = open_run(&settings, MPM_KERNELS_AUTO);
         settings_clear(&settings);
     }
     for (int k = 0; k < 2; k++)
         test_run_steps(&runs[k], test_combination(_i).amplifies_round_off ? 3 : 20);
+    ck_assert_near(2.0 * scalar_of(&runs[1])->totals.edges, scalar_of(&runs[0])->totals.edges,
+                   1e-10);
     ck_assert_near(2.0 * heat(&runs[1]), heat(&runs[0]), 1e-10);
     ck_assert_near(2.0 * scalar_of(&runs[1])->totals.held, scalar_of(&runs[0])->totals.held, 1e-10);
     ck_assert_near(2.0 * scalar_of(&runs[1])->totals.source, scalar_of(&runs[0])->totals.source,
@@ -537,6 +618,9 @@ Suite *suite_heat(void)
     tcase_add_loop_test(all, a_linear_field_has_an_exact_gradient, 0, TEST_COMBINATIONS);
     tcase_add_loop_test(all, a_linear_field_stays_inside, 0, TEST_COMBINATIONS);
     tcase_add_loop_test(all, heat_is_what_source_and_conditions_have_given, 0, TEST_COMBINATIONS);
+    tcase_add_loop_test(all, heat_is_what_fluxes_have_given, 0, TEST_COMBINATIONS);
+    tcase_add_loop_test(all, a_flux_gives_its_area_and_per_radian, 0, AT_REST);
+    tcase_add_loop_test(all, a_body_cools_to_its_surroundings, 0, TEST_SHAPES);
     tcase_add_loop_test(all, heat_is_per_radian_or_for_the_thickness, 0, AT_REST);
     tcase_add_loop_test(all, a_source_warms_a_free_body_evenly, 0, TEST_COMBINATIONS);
     tcase_add_loop_test(all, particles_keep_their_temperature_without_conduction_bit_by_bit, 0,
