@@ -88,6 +88,7 @@ void mpm_transport_layout(struct mpm_state *state, struct mpm_arena *arena)
         struct mpm_nodal_scalar *const scalar = &state->transport.list[k];
         scalar->weight = MPM_TAKE(arena, double, state->scene->body_count);
         scalar->bodies = MPM_TAKE(arena, struct mpm_scalar_body, state->scene->body_count);
+        scalar->settling = MPM_TAKE(arena, double, scalar->hold_count);
         mpm_nodal_scalar_layout(state, scalar, arena);
     }
 }

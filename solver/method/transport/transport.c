@@ -25,8 +25,10 @@ void mpm_nodal_scalar_layout(const struct mpm_state *state, struct mpm_nodal_sca
 
 void mpm_transport_forget(struct mpm_state *state)
 {
-    for (size_t k = 0; k < state->transport.count; k++)
+    for (size_t k = 0; k < state->transport.count; k++) {
         state->transport.list[k].at_hand = false;
+        state->transport.list[k].settles = state->transport.list[k].hold_count > 0;
+    }
 }
 
 /* ------------------------------------------------------------------- the nodes */
@@ -54,7 +56,8 @@ static void row_clear_content(void *context, int64_t row, int worker)
            (size_t)(span.end - span.first) * sizeof *scalar->content);
 }
 
-/* v_i = (sum c m v S) / M_i; room for inflow */
+/* v_i = (sum c m v S) / M_i; room for inflow. Where held nodes are to settle, number 1 will say
+ * which they are. */
 static void row_values(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
@@ -64,7 +67,8 @@ static void row_values(void *context, int64_t row, int worker)
     for (int64_t node = span.first; node < span.end; node++) {
         const double *const content = scalar->content[node];
         const double value = content[0] * mpm_inverse_mass(content[2]);
-        scalar->value[node][0] = scalar->value[node][1] = value;
+        scalar->value[node][0] = value;
+        scalar->value[node][1] = scalar->settles ? 0.0 : value;
     }
     memset(scalar->inflow + span.first, 0,
            (size_t)(span.end - span.first) * sizeof *scalar->inflow);
@@ -125,17 +129,15 @@ static enum mpm_status prescribed(const struct mpm_state *state,
                           position[1], time, *value);
 }
 
-/* Number `k` of the node's values and of those of its images. */
-static void set_with_images(const struct mpm_state *state, double (*const values)[MPM_NODE_VALUES],
-                            int64_t node, int numbers, double value)
+/* A number of the node's values and of those of its images. */
+static void set_number(const struct mpm_state *state, double (*const values)[MPM_NODE_VALUES],
+                       int64_t node, int number, double value)
 {
     struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES];
     const int count = state->symmetries.count == 0 ? 0 : mpm_symmetry_images(state, node, images);
-    for (int k = 0; k < numbers; k++) {
-        values[node][k] = value;
-        for (int i = 0; i < count; i++)
-            values[images[i].node][k] = value;
-    }
+    values[node][number] = value;
+    for (int i = 0; i < count; i++)
+        values[images[i].node][number] = value;
 }
 
 static enum mpm_status hold_values(const struct mpm_state *state,
@@ -147,28 +149,81 @@ static enum mpm_status hold_values(const struct mpm_state *state,
         if (!is_held(state, scalar, hold->node))
             continue;
         MPM_TRY(prescribed(state, scalar, hold, state->time, &value, error));
-        set_with_images(state, scalar->value, hold->node, 2, value);
+        set_number(state, scalar->value, hold->node, 0, value);
+        set_number(state, scalar->value, hold->node, 1, scalar->settles ? 1.0 : value);
     }
     return MPM_OK;
 }
 
-/* The nodes reach the value at the end of the step; from where that content comes is counted. */
+static void row_clear_result(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    const struct mpm_nodal_scalar *const scalar = at_work(state);
+    (void)worker;
+    memset(scalar->result + span.first, 0,
+           (size_t)(span.end - span.first) * sizeof *scalar->result);
+}
+
+static void row_restore_values(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    const struct mpm_nodal_scalar *const scalar = at_work(state);
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++)
+        scalar->value[node][1] = scalar->value[node][0];
+}
+
+/* D of each held node: what the nodes have at the places of its particles, less what those have;
+ * both as sums with S_bp. */
+static void settle(struct mpm_state *state, int workers, struct mpm_nodal_scalar *scalar)
+{
+    const struct mpm_projection filter = {
+        .components = 2,
+        .field = scalar->row->field,
+        .from = scalar->value[0],
+        .to = scalar->result[0],
+        .weight = scalar->weight,
+    };
+    if (!scalar->settles) {
+        for (size_t k = 0; k < scalar->hold_count; k++)
+            scalar->settling[k] = 0.0;
+        return;
+    }
+    run_rows(state, scalar, row_clear_result);
+    mpm_projection_run(state, workers, &filter);
+    mpm_symmetries_reflect_scalar(state, scalar->result);
+    for (size_t k = 0; k < scalar->hold_count; k++) {
+        const int64_t node = scalar->holds[k].node;
+        const double *const filtered = scalar->result[node];
+        scalar->settling[k] = is_held(state, scalar, node)
+                                  ? (filtered[0] - scalar->content[node][0]) / filtered[2]
+                                  : 0.0;
+    }
+    run_rows(state, scalar, row_restore_values);
+    scalar->settles = false;
+}
+
+/* The nodes reach the value at the end of the step; what that takes beside the inflow is counted.
+ * With PIC they come from the value that particles gave them. */
 static enum mpm_status hold_results(const struct mpm_state *state, struct mpm_nodal_scalar *scalar,
                                     struct mpm_error *error)
 {
     const double dt = state->time_step;
+    const bool pic = scalar->transfer == MPM_SCALAR_PIC;
     for (size_t k = 0; k < scalar->hold_count; k++) {
         const struct mpm_scalar_hold *const hold = &scalar->holds[k];
-        double value;
-        if (!is_held(state, scalar, hold->node))
-            continue;
-        MPM_TRY(prescribed(state, scalar, hold, state->time + dt, &value, error));
         const double *const content = scalar->content[hold->node];
         const double *const inflow = scalar->inflow[hold->node];
-        const double rate = (value - content[0] / content[2]) / dt;
-        scalar->totals.held += dt * (content[2] * rate - (inflow[0] + inflow[1]));
-        set_with_images(state, scalar->result, hold->node, 1,
-                        scalar->transfer == MPM_SCALAR_PIC ? value : rate);
+        double end;
+        if (!is_held(state, scalar, hold->node))
+            continue;
+        MPM_TRY(prescribed(state, scalar, hold, state->time + dt, &end, error));
+        const double change = pic ? end - content[0] / content[2]
+                                  : end - scalar->value[hold->node][0] + scalar->settling[k];
+        scalar->totals.held += content[2] * change - dt * (inflow[0] + inflow[1]);
+        set_number(state, scalar->result, hold->node, 0, pic ? end : change / dt);
     }
     return MPM_OK;
 }
@@ -335,6 +390,7 @@ static enum mpm_status advance(struct mpm_state *state, int workers,
     mpm_symmetries_reflect_scalar(state, scalar->content);
     run_rows(state, scalar, row_values);
     MPM_TRY(hold_values(state, scalar, error));
+    settle(state, workers, scalar);
     find_sources(state, workers, scalar);
     run_particles(state, workers, scalar, state->kernels.conduct);
     mpm_transport_edges_spread(state, workers, scalar);

@@ -15,10 +15,21 @@
  *   sum_p c_p m_p v_p (n+1) - sum_p c_p m_p v_p (n) = what sources, edges and held nodes give in
  * the step
  *
- * to round-off. A held node has the prescribed value where gradients are made, at the start of
- * the step, and goes from v_i to that at its end, dv_i/dt = (v(t + dt) - v_i)/dt; what that takes
- * beyond the inflow from the particles comes from outside. Sources are those of the particles'
- * places at the start of the step.
+ * to round-off. Sources are those of the particles' places at the start of the step.
+ *
+ * A held node b has the prescribed value where gradients are made, and changes as that does,
+ * dv_b/dt = (v(t + dt) - v(t))/dt; what that takes beyond the inflow from the particles comes from
+ * outside. Particles beside it then follow, but one that was elsewhere before, or began with
+ * another value, does not know of it. So in the first step after each sort held nodes also move
+ * their particles by S_bp D with
+ *
+ *   D = sum_p c m S_bp (sum_j S_jp v_j - v_p) / sum_p c m S_bp sum_(held j) S_jp,
+ *
+ * after which particles have, in the mean that S_bp takes, what the nodes have at their places. D
+ * is of second order in the cell where fields are smooth. To move the node from what particles
+ * give, dv_b/dt = (v(t + dt) - v_b)/dt, would instead give them the boundary's value in that mean,
+ * some 0.3 cells away from it: an error of first order (NAFEMS T3 on 40 cells: 36.45 instead
+ * of 36.60).
  *
  * With PIC, v_p = sum S_ip (v_i + dt dv_i/dt), Notes (142): conserves too, and conducts of itself.
  *

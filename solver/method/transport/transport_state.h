@@ -33,6 +33,8 @@ struct mpm_nodal_scalar {
     struct mpm_expression **conditions; /* per condition of the scene */
     struct mpm_scalar_hold *holds;      /* nodes with a prescribed value */
     size_t hold_count;
+    double *settling; /* per hold: what its node is moved by besides; see transport.h */
+    bool settles;     /* in this step */
 
     /* Per node, in the form that projections and fast kernels have: numbers 0 and 1 are equal or
      * are to be added. Valid within one step; where nothing is, all zero. */
