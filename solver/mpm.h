@@ -16,6 +16,7 @@
 #include "mpm_contact.h"
 #include "mpm_dimension.h"
 #include "mpm_fracture.h"
+#include "mpm_transport.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -260,6 +261,7 @@ enum mpm_field {
     MPM_FIELD_STRESS,               /* 4: Cauchy, xx yy zz xy | rr zz tt rz */
     MPM_FIELD_VOLUME,               /* 1: current (per thickness or per radian) */
     MPM_FIELD_MASS,                 /* 1 */
+    MPM_FIELD_TEMPERATURE,          /* 1: of scenes with transport.temperature, else 0 */
     MPM_FIELD_FRINGE,               /* 1: CRAMP (23); not a number without output.fringe */
     MPM_FIELD_COUNT,
 };
@@ -275,7 +277,7 @@ struct mpm_field_info {
 /* The descriptor of a field. Dimensions are per radian as they are for the thickness. */
 const struct mpm_field_info *mpm_field_describe(enum mpm_field field);
 
-/* Is the field one of the scene's snapshots? All but fringe are always. */
+/* Is the field one of the scene's snapshots? All but temperature and fringe are always. */
 bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field);
 
 /* Copies a field of all particles, sorted by id: particle-major,
@@ -436,8 +438,7 @@ enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_ru
 /* --------------------------------------------------------- shape functions */
 
 enum mpm_geometry { MPM_PLANE_STRAIN, MPM_PLANE_STRESS, MPM_AXISYMMETRIC };
-/* Families of shape functions, S(value of method.shape in scenes, enumerator). B-splines are
- * quadratic and cubic, of point particles. */
+/* Families of shape functions, S(value of method.shape in scenes, enumerator). */
 #define MPM_SHAPES(S)                                                                              \
     S("classic", MPM_CLASSIC)                                                                      \
     S("ugimp", MPM_UGIMP)                                                                          \

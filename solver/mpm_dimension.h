@@ -33,6 +33,12 @@ struct mpm_dimension {
 #define MPM_DIMENSION_STIFFNESS        {.length = -2, .mass = 1, .time = -2} /* stress per length */
 #define MPM_DIMENSION_COMPLIANCE       {.length = 1, .mass = -1, .time = 2} /* 1 per stress */
 #define MPM_DIMENSION_RATE_SQUARED     {.time = -2}
+#define MPM_DIMENSION_HEAT_CAPACITY    {.length = 2, .time = -2, .temperature = -1} /* per mass */
+#define MPM_DIMENSION_CONDUCTIVITY     {.length = 1, .mass = 1, .time = -3, .temperature = -1}
+#define MPM_DIMENSION_HEAT_FLUX        {.mass = 1, .time = -3} /* per area and time */
+#define MPM_DIMENSION_FILM             {.mass = 1, .time = -3, .temperature = -1}
+#define MPM_DIMENSION_RADIATION        {.mass = 1, .time = -3, .temperature = -4}
+#define MPM_DIMENSION_HEAT_SOURCE      {.length = -1, .mass = 1, .time = -3} /* per volume */
 /* clang-format on */
 
 #endif

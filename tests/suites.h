@@ -47,6 +47,9 @@
     SUITE(energy)                                                                                  \
     SUITE(guard)                                                                                   \
     SUITE(transfer_series)                                                                         \
+    SUITE(heat)                                                                                    \
+    SUITE(heat_fields)                                                                             \
+    SUITE(scene_transport)                                                                         \
     SUITE(projection)                                                                              \
     SUITE(start)                                                                                   \
     SUITE(grid_drag)                                                                               \

@@ -19,6 +19,10 @@ static void print_limit(double limit, const char *what)
 static void print_stability(const struct mpm_scene *scene, const struct mpm_plan *plan)
 {
     const struct mpm_stability stability = mpm_scene_stability(scene);
+    if (mpm_scene_is_at_rest(scene)) {
+        (void)printf("stability  %.3g of the longest step of explicit conduction\n", plan->courant);
+        return;
+    }
     (void)printf("stability  Courant number %.3g; case G1 has limits of", plan->courant);
     print_limit(stability.small, "");
     print_limit(stability.large, " in small motions,");

@@ -25,6 +25,7 @@ struct mpm_passes {
     mpm_pass *finish;        /* Task 6 of USL, MUSL and USAVG; positions */
     mpm_pass *recompute;     /* not part of a step: stress and domain of the F at hand */
     mpm_pass *project;       /* of any values: see method/transfer/projection.h */
+    mpm_pass *conduct;       /* of a scalar, method/transport/transport.h; fast kernels */
 };
 
 struct mpm_state;
@@ -38,6 +39,7 @@ struct mpm_kernel_choice {
      * order; NULL: nothing. `smooth` works on all of the grid. */
     void (*smooth)(struct mpm_state *state, int workers);
     mpm_pass *flip_rows, *flip_particles;
+    mpm_pass *conduct;  /* inflow by conduction */
     const char *name;   /* "fast" or "reference" */
     const char *reason; /* why this set */
     const char *simd;   /* the instructions it uses */

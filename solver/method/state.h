@@ -20,6 +20,7 @@
 #include "method/passes.h"
 #include "method/shape/shape.h"
 #include "method/transfer/projection_state.h"
+#include "method/transport/transport_state.h"
 #include "model/grid.h"
 #include "model/material.h"
 #include "model/particles.h"
@@ -51,6 +52,8 @@ enum mpm_failure_kind {
     MPM_TRACTION_NOT_FINITE,     /* value: a component of the load `load`'s value */
     MPM_TWO_CRACKS,              /* value: nothing */
     MPM_USER_FORCE_NOT_FINITE,   /* value: the caller's body force along the axis */
+    MPM_SOURCE_NOT_FINITE,       /* value: a scalar's source there */
+    MPM_BELOW_ZERO,              /* value: temperature of an edge that radiates */
 };
 
 struct mpm_failure {
@@ -77,6 +80,10 @@ struct mpm_strip {
     double external_work;      /* of body forces, or of loads on edges, in the step */
     double dissipated;         /* by damping at the particles, in a part of the step */
     double internal_work;      /* what stresses take from the nodes in the step */
+    double source;             /* of a scalar: content per time */
+    double flux;               /* of a scalar through edges: content per time */
+    double diffusivity;        /* largest J k / (c rho_0) */
+    double film;               /* largest derivative of a flux by the scalar, over c rho_0 */
     struct mpm_failure failure;
 };
 
@@ -136,6 +143,8 @@ struct mpm_state {
     struct mpm_chunk_hull *nearby; /* per chunk of a strip's particles; see nearby.h; or NULL */
     struct mpm_body_contact contact;
     struct mpm_symmetries symmetries;
+
+    struct mpm_transport transport;
 
     const struct mpm_projection *projection; /* of the pass that runs */
     struct mpm_user_force user_force;

@@ -20,6 +20,7 @@
 #include "method/loads/user_force.h"
 #include "method/transfer/nearby.h"
 #include "method/transfer/transfer.h"
+#include "method/transport/transport.h"
 
 #include <math.h>
 #include <time.h>
@@ -30,6 +31,7 @@ const char *const mpm_phase_names[MPM_PHASE_COUNT] = {
     [MPM_PHASE_TO_PARTICLES] = "grid_to_particles",
     [MPM_PHASE_STRESS] = "stress_and_position",
     [MPM_PHASE_SORT] = "sort",
+    [MPM_PHASE_TRANSPORT] = "transport",
 };
 
 /* ------------------------------------------------------------------ running */
@@ -90,6 +92,7 @@ void mpm_step_sort(struct mpm_state *state, unsigned char *saved, double seconds
     }
     mpm_edge_loads_place(state);
     mpm_nearby_forget(state);
+    mpm_transport_forget(state);
     run_particles(state, state->workers, mpm_pass_measure);
     state->strips_touch_when_sorted = strips_touch(state);
     state->steps_since_sort = 0;
@@ -99,7 +102,9 @@ void mpm_step_sort(struct mpm_state *state, unsigned char *saved, double seconds
 void mpm_step_recompute(struct mpm_state *state)
 {
     mpm_nearby_forget(state);
-    run_particles(state, state->workers, state->kernels.passes->recompute);
+    mpm_transport_forget(state);
+    if (!state->scene->at_rest)
+        run_particles(state, state->workers, state->kernels.passes->recompute);
     run_particles(state, state->workers, mpm_pass_measure);
 }
 
@@ -259,8 +264,21 @@ static void add_loads(struct mpm_state *state, int workers, bool varying_force)
     mpm_symmetries_reflect_force(state);
 }
 
-enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHASE_COUNT],
-                                 struct mpm_error *error)
+/* Nothing moves: no momentum, no stress. */
+static enum mpm_status advance_at_rest(struct mpm_state *state, double seconds[MPM_PHASE_COUNT],
+                                       struct mpm_error *error)
+{
+    double mark = seconds_now();
+    mpm_grid_find_active(state);
+    mpm_edge_loads_prepare(state);
+    MPM_TRY(mpm_transport_advance(state, strips_touch(state) ? 1 : state->workers, error));
+    charge(seconds, MPM_PHASE_TRANSPORT, &mark);
+    state->steps_since_sort++;
+    return mpm_step_collect(state);
+}
+
+static enum mpm_status advance_in_motion(struct mpm_state *state, double seconds[MPM_PHASE_COUNT],
+                                         struct mpm_error *error)
 {
     const bool uniform_force = state->body_force_kind == MPM_UNIFORM_BODY_FORCE;
     const bool varying_force = state->body_force_kind == MPM_VARYING_BODY_FORCE;
@@ -273,6 +291,11 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
 
     MPM_TRY(spread(state, workers, error));
     charge(seconds, MPM_PHASE_TO_GRID, &mark);
+
+    if (state->transport.count > 0) {
+        MPM_TRY(mpm_transport_advance(state, workers, error));
+        charge(seconds, MPM_PHASE_TRANSPORT, &mark);
+    }
 
     MPM_TRY(start_velocities(state, error));
     charge(seconds, MPM_PHASE_GRID, &mark);
@@ -307,4 +330,11 @@ enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHA
     MPM_TRY(mpm_rigid_advance(state, error));
     state->steps_since_sort++;
     return mpm_step_collect(state);
+}
+
+enum mpm_status mpm_step_advance(struct mpm_state *state, double seconds[MPM_PHASE_COUNT],
+                                 struct mpm_error *error)
+{
+    return state->scene->at_rest ? advance_at_rest(state, seconds, error)
+                                 : advance_in_motion(state, seconds, error);
 }

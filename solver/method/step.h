@@ -13,6 +13,7 @@ enum mpm_phase {
     MPM_PHASE_TO_PARTICLES,
     MPM_PHASE_STRESS,
     MPM_PHASE_SORT,
+    MPM_PHASE_TRANSPORT,
     MPM_PHASE_COUNT,
 };
 extern const char *const mpm_phase_names[MPM_PHASE_COUNT];

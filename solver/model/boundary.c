@@ -88,36 +88,51 @@ static void node_range(const struct mpm_grid *grid, int axis, double low, double
     range[1] = (int64_t)fmin(fmax(to, 0.0), last);
 }
 
-static enum mpm_status append_boundary(struct list *list, int32_t boundary)
+enum mpm_status mpm_boundary_box(const struct mpm_scene *scene, const struct mpm_grid *grid,
+                                 const struct mpm_region *region, int line, const char *key,
+                                 int64_t low[2], int64_t high[2], struct mpm_error *error)
 {
-    const struct mpm_boundary_spec *const spec = &list->scene->boundaries[boundary];
-    const struct mpm_grid *const grid = list->grid;
     const double slack[2] = {NODE_SLACK * grid->cell[0], NODE_SLACK * grid->cell[1]};
-    double low[2], high[2];
-    mpm_region_bounds(&spec->region, low, high);
-    int64_t columns[2], rows[2];
-    node_range(grid, 0, low[0], high[0], columns);
-    node_range(grid, 1, low[1], high[1], rows);
-    size_t selected = 0;
-    for (int64_t row = rows[0]; row <= rows[1]; row++)
-        for (int64_t column = columns[0]; column <= columns[1]; column++) {
+    double from[2], to[2];
+    int64_t range[2][2];
+    mpm_region_bounds(region, from, to);
+    for (int axis = 0; axis < 2; axis++) {
+        node_range(grid, axis, from[axis], to[axis], range[axis]);
+        low[axis] = INT64_MAX;
+        high[axis] = INT64_MIN;
+    }
+    for (int64_t row = range[1][0]; row <= range[1][1]; row++)
+        for (int64_t column = range[0][0]; column <= range[0][1]; column++) {
+            const int64_t place[2] = {column, row};
             double position[2];
             mpm_grid_position(grid, mpm_grid_index(grid, column, row), position);
-            if (!mpm_region_touches(&spec->region, position, slack))
-                continue;
-            selected++;
-            for (int32_t component = 0; component < 2; component++)
-                if (spec->velocity.text[component] != NULL)
-                    MPM_TRY(append_node(list, column, row, component, boundary));
+            for (int axis = 0; axis < 2 && mpm_region_touches(region, position, slack); axis++) {
+                low[axis] = place[axis] < low[axis] ? place[axis] : low[axis];
+                high[axis] = place[axis] > high[axis] ? place[axis] : high[axis];
+            }
         }
-    if (selected > 0)
+    if (low[0] <= high[0])
         return MPM_OK;
-    char key[64];
-    (void)snprintf(key, sizeof key, "boundary.%d.region", (int)boundary);
-    return mpm_scene_error(list->error, list->scene, spec->line, key,
+    return mpm_scene_error(error, scene, line, key,
                            "selects no node of the grid (spacing %g by %g from (%g, %g)); allowed: "
                            "a line or rectangle with nodes on it to 1e-6 of a cell",
                            grid->cell[0], grid->cell[1], grid->origin[0], grid->origin[1]);
+}
+
+static enum mpm_status append_boundary(struct list *list, int32_t boundary)
+{
+    const struct mpm_boundary_spec *const spec = &list->scene->boundaries[boundary];
+    char key[64];
+    int64_t low[2], high[2];
+    (void)snprintf(key, sizeof key, "boundary.%d.region", (int)boundary);
+    MPM_TRY(mpm_boundary_box(list->scene, list->grid, &spec->region, spec->line, key, low, high,
+                             list->error));
+    for (int64_t row = low[1]; row <= high[1]; row++)
+        for (int64_t column = low[0]; column <= high[0]; column++)
+            for (int32_t component = 0; component < 2; component++)
+                if (spec->velocity.text[component] != NULL)
+                    MPM_TRY(append_node(list, column, row, component, boundary));
+    return MPM_OK;
 }
 
 static enum mpm_status append_axis(struct list *list)

@@ -14,6 +14,12 @@ struct mpm_condition {
     int32_t boundary;  /* index in the scene, or MPM_AXIS_CONDITION: v_r = 0 on r <= 0 */
 };
 
+/* The box of nodes that lie on a region, a line or rectangle along the axes or all, ghosts not
+ * counted. MPM_BAD_INPUT, at the scene's line and key: there is none. */
+enum mpm_status mpm_boundary_box(const struct mpm_scene *scene, const struct mpm_grid *grid,
+                                 const struct mpm_region *region, int line, const char *key,
+                                 int64_t low[2], int64_t high[2], struct mpm_error *error);
+
 /* Lists the conditions of a scene, ghost rows included: a condition on the grid's edge
  * row holds for the ghost rows beyond, but that of a plane of symmetry not for those behind it. In
  * axisymmetry the nodes on the axis get v_r = 0 (N&G check list, 2), and so do those beyond, unless

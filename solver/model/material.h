@@ -109,7 +109,8 @@ struct mpm_material_law {
 /* One line a law: `const struct mpm_material_law mpm_<name>` in <name>.c. */
 #define MPM_MATERIAL_LAWS(LAW)                                                                     \
     LAW(neo_hookean)                                                                               \
-    LAW(linear_elastic)
+    LAW(linear_elastic)                                                                            \
+    LAW(none)
 
 #define MPM_DECLARE_LAW(name) extern const struct mpm_material_law mpm_##name;
 MPM_MATERIAL_LAWS(MPM_DECLARE_LAW)

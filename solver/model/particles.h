@@ -27,7 +27,9 @@ enum mpm_particle_use {
     MPM_USE_ORIGINS = 16,   /* see crack_detection.h */
     MPM_USE_LAW_STATE = 32, /* laws with state variables */
     MPM_USE_USER_FORCE = 64,
-    MPM_USE_DRAG = 128, /* damping at the particles */
+    MPM_USE_DRAG = 128,        /* damping at the particles */
+    MPM_USE_TEMPERATURE = 256, /* a scalar of the scene */
+    MPM_USE_SOURCE = 512,      /* one of its scalars has a source */
 };
 
 /* State variables of a law, at most: two tensors of four components and two scalars. */
@@ -54,7 +56,9 @@ enum { MPM_LAW_STATES = 10 };
         MPM_USE_DEFORMABLE, 1 << MPM_XX | 1 << MPM_YY | 1 << MPM_ZZ, "deformation_gradient",       \
         "xx xy yx yy zz; in axisymmetry rr rz zr zz tt")                                           \
     ROW(MASS, double, mass, , MASS, MPM_USE_DEFORMABLE, 0, 0, "mass",                              \
-        "mass, for the thickness or per radian")
+        "mass, for the thickness or per radian")                                                   \
+    ROW(TEMPERATURE, double, temperature, , TEMPERATURE, MPM_USE_TEMPERATURE, MPM_USE_TEMPERATURE, \
+        0, "temperature", "temperature that the particle carries, N&G (62)")
 #define MPM_INNER_PARTICLE_FIELDS(ROW)                                                             \
     ROW(STRESS, double, stress, [MPM_SYMMETRIC_SIZE], SPECIFIC_ENERGY, MPM_USE_DEFORMABLE,         \
         MPM_USE_LAW_STATE, 0, "kirchhoff_stress", "Kirchhoff stress over initial density")         \
@@ -72,7 +76,9 @@ enum { MPM_LAW_STATES = 10 };
     ROW(USER_FORCE, double, user_force, [2], ACCELERATION, MPM_USE_USER_FORCE, 0, 0, "user_force", \
         "user force of the step, per mass; see user_force.h")                                      \
     ROW(DRAG, double, drag, [2], ACCELERATION, MPM_USE_DRAG, 0, 0, "drag",                         \
-        "deceleration of the step by damping; see damping.h")
+        "deceleration of the step by damping; see damping.h")                                      \
+    ROW(SOURCE, double, source, , NONE, MPM_USE_SOURCE, 0, 0, "source",                            \
+        "source of the scalar at hand, content per volume and time")
 #define MPM_PARTICLE_FIELDS(ROW)                                                                   \
     MPM_WRITTEN_PARTICLE_FIELDS(ROW)                                                               \
     MPM_INNER_PARTICLE_FIELDS(ROW)                                                                 \

@@ -11,6 +11,7 @@
 #include "model/cohesive.h"
 #include "model/contact.h"
 #include "model/material.h"
+#include "model/transport.h"
 
 enum { MPM_NAME_SIZE = 257 }; /* names up to 64 characters of UTF-8 */
 
@@ -75,7 +76,8 @@ struct mpm_material_spec {
     double density;
     double parameter[MPM_PARAMETER_COUNT]; /* bulk and shear whichever pair of constants the scene
                                               gives; NaN where the law has no such parameter */
-    int line;                              /* in the scene file, for messages */
+    struct mpm_conduction conduction[MPM_SCALAR_COUNT];
+    int line; /* in the scene file, for messages */
 };
 
 struct mpm_body_spec {
@@ -85,6 +87,7 @@ struct mpm_body_spec {
     struct mpm_region region;
     int particles_per_cell[2];
     struct mpm_vector_expression velocity; /* initial (never NULL components), or a rigid body's */
+    char *start[MPM_SCALAR_COUNT];         /* initial value; NULL: that of the scalar */
     int line;
 };
 
@@ -106,14 +109,18 @@ enum mpm_frame {
     MPM_FRAME_EDGE,   /* along the outward normal of the deformed edge and, counter clockwise, it */
 };
 
-/* A load on the edges of particles on one face of a body. */
+/* A load on the edges of particles on one face of a body, or what flows in there. */
 struct mpm_edge_load_spec {
     char key[48];      /* "loads.tractions.0", for messages */
     bool on_particles; /* loads.particle_forces */
+    enum mpm_flux_kind flux;
+    enum mpm_scalar scalar; /* of a flux */
+    double coefficient;     /* h, or e sigma */
     size_t body;
     enum mpm_edge edge;
     enum mpm_frame frame;
-    struct mpm_vector_expression value; /* force per area; a NULL component is 0 */
+    struct mpm_vector_expression value; /* force per area; a NULL component is 0. Of a flux the
+                                           first one is its value, or v_env */
     int line;
 };
 
@@ -186,6 +193,24 @@ struct mpm_j_integral_spec {
     bool dynamic;    /* with kinetic energy and accelerations */
     enum mpm_j_form form;
     struct mpm_growth_spec growth;
+    int line;
+};
+
+/* A value that nodes are held at. */
+struct mpm_scalar_condition_spec {
+    struct mpm_region region; /* line or rectangle or all */
+    char *value;              /* in coordinates and t */
+    int line;
+};
+
+/* A scalar of the scene, transport.<name>; see method/transport/transport.h. */
+struct mpm_scalar_spec {
+    bool asked;
+    enum mpm_scalar_transfer transfer;
+    char *start;  /* in the coordinates */
+    char *source; /* content per volume and time, in coordinates and t; NULL: none */
+    struct mpm_scalar_condition_spec *conditions;
+    size_t condition_count;
     int line;
 };
 
@@ -268,6 +293,8 @@ struct mpm_scene {
     struct mpm_crack_spec *cracks;
     size_t crack_count;
     struct mpm_contact_spec contact;
+    struct mpm_scalar_spec scalars[MPM_SCALAR_COUNT];
+    bool at_rest; /* materials have no stress, nothing moves: transport alone */
     struct mpm_j_integral_spec *j_integrals; /* of all cracks, crack by crack */
     size_t j_integral_count;
 

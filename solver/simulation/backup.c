@@ -67,6 +67,10 @@ void mpm_backup_save(struct mpm_simulation *simulation)
     backup->damping = state->damping.totals;
     backup->energy = state->energy;
     backup->wave_speed = simulation->wave_speed;
+    backup->diffusivity = simulation->diffusivity;
+    backup->film = simulation->film;
+    for (size_t k = 0; k < state->transport.count; k++)
+        backup->scalars[k] = state->transport.list[k].totals;
     backup->step = simulation->step;
 }
 
@@ -87,6 +91,10 @@ static void copy_back(struct mpm_simulation *simulation)
     state->damping.totals = backup->damping;
     state->energy = backup->energy;
     simulation->wave_speed = backup->wave_speed;
+    simulation->diffusivity = backup->diffusivity;
+    simulation->film = backup->film;
+    for (size_t k = 0; k < state->transport.count; k++)
+        state->transport.list[k].totals = backup->scalars[k];
     simulation->step = backup->step;
 }
 

@@ -81,7 +81,8 @@ static enum mpm_status create_expressions(struct mpm_simulation *simulation,
     MPM_TRY(mpm_vector_field_create(scene, &scene->body_force, true, state->workers,
                                     &state->body_force, error));
     state->body_force_kind = body_force_kind(&state->body_force, scene->body_force_at);
-    return mpm_damping_create(simulation, error);
+    MPM_TRY(mpm_damping_create(simulation, error));
+    return mpm_transport_create(simulation, error);
 }
 
 static double boundary_value(const void *context, int32_t boundary, int32_t component,
@@ -111,6 +112,7 @@ static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulatio
                 ? MPM_USE_ORIGINS
                 : 0;
     uses |= simulation->state.damping.particles ? MPM_USE_DRAG : 0;
+    uses |= mpm_transport_uses(scene);
     const size_t law_states = mpm_law_states_of(scene);
     uses |= law_states > 0 ? MPM_USE_LAW_STATE : 0;
     return (struct mpm_particle_needs){.uses = uses, .law_states = (uint8_t)law_states};
@@ -149,6 +151,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
     mpm_fields_layout(state, arena);
     mpm_j_integrals_layout(simulation, arena);
     mpm_openings_layout(state, arena);
+    mpm_transport_layout(state, arena);
     state->sort_counts = MPM_TAKE(arena, uint32_t, longest + 1);
     const bool has_images = state->symmetries.count > 0; /* of nodes, which are driven with them */
     const size_t driven = !has_images && counts->rigid * MPM_STENCIL_MAX < nodes
@@ -439,6 +442,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     mpm_contacts_fill(state);
     MPM_TRY(mpm_symmetries_fill(simulation, error));
     MPM_TRY(mpm_openings_fill(simulation, error));
+    MPM_TRY(mpm_transport_fill(simulation, error));
     MPM_TRY(set_velocities(simulation, error));
     for (size_t p = 0; p < state->particles.count; p++)
         mpm_particle_set_domain(state, p);
@@ -482,6 +486,7 @@ void mpm_simulation_free(struct mpm_simulation *simulation)
     mpm_vector_field_free(&state->body_force);
     free(state->symmetries.planes);
     mpm_damping_free(&state->damping);
+    mpm_transport_free(simulation);
     free(state->conditions.list);
     mpm_arena_free(&simulation->user_force);
     mpm_arena_free(&simulation->arena);

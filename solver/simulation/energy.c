@@ -160,7 +160,7 @@ static void note_growth(struct mpm_simulation *simulation, double total)
 
 enum mpm_status mpm_energy_judge(struct mpm_simulation *simulation, struct mpm_error *error)
 {
-    if (simulation->judged_step == simulation->step)
+    if (simulation->judged_step == simulation->step || simulation->scene->at_rest)
         return MPM_OK;
     double total = total_energy(simulation, bound_strain_energy);
     if (!(total <= energy_at(simulation, FACTOR_GROWING)))

@@ -92,6 +92,8 @@ const struct mpm_field_info *mpm_field_describe(enum mpm_field field)
 
 bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field)
 {
+    if (field == MPM_FIELD_TEMPERATURE)
+        return scene->scalars[MPM_TEMPERATURE].asked;
     return field != MPM_FIELD_FRINGE || scene->fringe > 0.0;
 }
 

@@ -33,6 +33,8 @@ static enum mpm_cause cause_of(enum mpm_failure_kind kind)
         [MPM_TRACTION_NOT_FINITE] = MPM_CAUSE_LOAD,
         [MPM_TWO_CRACKS] = MPM_CAUSE_CRACK,
         [MPM_USER_FORCE_NOT_FINITE] = MPM_CAUSE_LOAD,
+        [MPM_SOURCE_NOT_FINITE] = MPM_CAUSE_LOAD,
+        [MPM_BELOW_ZERO] = MPM_CAUSE_LOAD,
     };
     return causes[kind];
 }
@@ -87,6 +89,11 @@ static const char *describe(const struct mpm_simulation *simulation,
     case MPM_USER_FORCE_NOT_FINITE:
         return print(text, "is given a body force that is not finite: %g along %s", failure->value,
                      name);
+    case MPM_SOURCE_NOT_FINITE:
+        return print(text, "has a source in transport that is not finite: %g", failure->value);
+    case MPM_BELOW_ZERO:
+        return print(text, "radiates at a temperature of %g; allowed: absolute, at least 0",
+                     failure->value);
     case MPM_RATE_REFUSED:
         return print(text,
                      "has damping.%s = %g; allowed: at least 0 and below %g, 1 over the "

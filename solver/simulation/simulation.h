@@ -33,7 +33,8 @@ struct mpm_backup {
     double *crack_points[MPM_CRACK_ARRAYS];
     struct mpm_crack_tip *tips; /* these and the extents of chains: with J integrals */
     struct mpm_chain_extents *extents;
-    double time, external_work, largest_work, sudden_energy, wave_speed;
+    double time, external_work, largest_work, sudden_energy, wave_speed, diffusivity, film;
+    struct mpm_scalar_totals scalars[MPM_SCALAR_COUNT];
     struct mpm_damping_totals damping;
     struct mpm_contact_totals *contact_totals; /* per pair of fields */
     struct mpm_contact_sample *contact_samples;
@@ -63,6 +64,8 @@ struct mpm_simulation {
     uint64_t step;
     double wave_speed; /* fastest in the material now */
     double wave_speed_start;
+    double diffusivity;    /* the largest of all particles now; 0 without conduction */
+    double film;           /* the largest of all edges: see transport_state.h */
     double particle_speed; /* of the fastest particle if it outruns waves; else perhaps 0 */
     double mass, lightest; /* of all particles, of the lightest one */
     double strain_start;   /* strain energy at t = 0 */
@@ -93,7 +96,7 @@ enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,
 /* advance.c: the step just taken, or repeated, is over. */
 void mpm_simulation_count_step(struct mpm_simulation *simulation);
 
-/* Courant number of the first step: the scene's, or what its fixed step comes to. */
+/* Courant number of the first step; of a scene at rest its part of the conduction's bound. */
 double mpm_time_step_courant(const struct mpm_simulation *simulation);
 /* stability.c: writes what mpm_simulation_advice returns. */
 void mpm_stability_advise(struct mpm_simulation *simulation);
@@ -131,6 +134,14 @@ void mpm_edge_loads_layout(struct mpm_state *state, struct mpm_arena *arena);
 enum mpm_status mpm_edge_loads_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulation,
                                            struct mpm_error *error);
+
+/* transport.c: scalars of the scene, with constants of its bodies; their memory; the particles'
+ * values at t = 0, nodes with prescribed ones, all of which must be finite. */
+enum mpm_status mpm_transport_create(struct mpm_simulation *simulation, struct mpm_error *error);
+unsigned mpm_transport_uses(const struct mpm_scene *scene); /* enum mpm_particle_use */
+void mpm_transport_layout(struct mpm_state *state, struct mpm_arena *arena);
+enum mpm_status mpm_transport_fill(struct mpm_simulation *simulation, struct mpm_error *error);
+void mpm_transport_free(struct mpm_simulation *simulation);
 
 /* cracks.c: how many points cracks get; their memory; where they are. */
 void mpm_cracks_create(struct mpm_state *state);

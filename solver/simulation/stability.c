@@ -214,6 +214,8 @@ void mpm_stability_advise(struct mpm_simulation *simulation)
     const bool is_small = courant > fmax(stability.small, LEAST_TRIED);
     char limit[80];
     simulation->advice[0] = '\0';
+    if (simulation->scene->at_rest)
+        return;
     if (!is_small && !(courant > fmax(stability.large, LEAST_TRIED)))
         return;
     describe_limit(courant, is_small ? stability.small : stability.large, limit, sizeof limit);

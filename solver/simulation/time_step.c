@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/transport/transport.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -48,6 +49,8 @@ void mpm_speeds_update(struct mpm_simulation *simulation)
 {
     const bool close = 2.0 * simulation->particle_speed > simulation->wave_speed;
     simulation->wave_speed = fastest_wave(&simulation->state);
+    simulation->diffusivity = simulation->state.transport.diffusivity;
+    simulation->film = simulation->state.transport.film;
     if (close || simulation->step % STEPS_BETWEEN_LOOKS == 0)
         simulation->particle_speed = fastest_particle(simulation, simulation->wave_speed);
 }
@@ -60,11 +63,28 @@ static double crossing_time(const struct mpm_simulation *simulation)
            fmax(simulation->wave_speed, simulation->particle_speed);
 }
 
-double mpm_time_step_next(const struct mpm_simulation *simulation, double limit, bool *lands)
+/* The bound of explicit conduction, which is that of the step too. */
+static double conduction_time(const struct mpm_simulation *simulation)
+{
+    return mpm_transport_stable_step(&simulation->state.grid, simulation->diffusivity,
+                                     simulation->film);
+}
+
+static double longest_step(const struct mpm_simulation *simulation)
+{
+    return fmin(crossing_time(simulation), conduction_time(simulation));
+}
+
+/* The scene's, or the Courant number times the bound. */
+static double whole_step(const struct mpm_simulation *simulation)
 {
     const struct mpm_scene *const scene = simulation->scene;
-    const double step =
-        scene->step > 0.0 ? scene->step : scene->courant * crossing_time(simulation);
+    return scene->step > 0.0 ? scene->step : scene->courant * longest_step(simulation);
+}
+
+double mpm_time_step_next(const struct mpm_simulation *simulation, double limit, bool *lands)
+{
+    const double step = whole_step(simulation);
     const double rest = limit - simulation->state.time;
     *lands = rest <= step * (1.0 + LANDING_SLACK);
     if (*lands)
@@ -74,8 +94,8 @@ double mpm_time_step_next(const struct mpm_simulation *simulation, double limit,
 
 double mpm_time_step_courant(const struct mpm_simulation *simulation)
 {
-    const struct mpm_scene *const scene = simulation->scene;
-    return scene->step > 0.0 ? scene->step / crossing_time(simulation) : scene->courant;
+    return whole_step(simulation) /
+           (simulation->scene->at_rest ? conduction_time(simulation) : crossing_time(simulation));
 }
 
 /* A clock of 53 binary digits does not go on by less than 2^-53 of the time that it shows. */
@@ -85,8 +105,11 @@ static const double STEPS_MAX = 9007199254740992.0;
 static enum mpm_status check_count(const struct mpm_simulation *simulation, struct mpm_error *error)
 {
     const struct mpm_scene *const scene = simulation->scene;
-    const double step =
-        scene->step > 0.0 ? scene->step : scene->courant * crossing_time(simulation);
+    const double step = whole_step(simulation);
+    if (scene->at_rest && !isfinite(step))
+        return mpm_scene_error(error, scene, scene->line_time, "time",
+                               "nothing conducts, and no time step follows from it; allowed: a "
+                               "conductivity above 0, or time.step");
     if (!(step > 0.0) || !isfinite(step))
         return mpm_scene_error(error, scene, scene->line_time, "time",
                                "the first time step is %g, with waves of speed %g and particles "
@@ -100,20 +123,35 @@ static enum mpm_status check_count(const struct mpm_simulation *simulation, stru
                            scene->end, STEPS_MAX, step, STEPS_MAX * step);
 }
 
+/* A fixed step beyond a bound, which is `of` what has the value. */
+static enum mpm_status refuse_step(const struct mpm_simulation *simulation, double limit,
+                                   const char *of, double value, struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    return mpm_scene_error(error, scene, scene->line_time, "time.step",
+                           "%g is beyond the stability limit; allowed: up to %g (%s %g), or more "
+                           "with time.allow_unstable: true",
+                           scene->step, limit, of, value);
+}
+
 enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,
                                     struct mpm_error *error)
 {
     const struct mpm_scene *const scene = simulation->scene;
-    const double limit = crossing_time(simulation);
+    const double crossing = crossing_time(simulation), conduction = conduction_time(simulation);
     const bool particles = simulation->particle_speed > simulation->wave_speed;
     MPM_TRY(check_count(simulation, error));
-    if (scene->step <= limit || scene->allow_unstable)
+    if (scene->step <= fmin(crossing, conduction) || scene->allow_unstable)
         return MPM_OK;
-    return mpm_scene_error(error, scene, scene->line_time, "time.step",
-                           "%g is beyond the stability limit; allowed: up to %g (cell size over "
-                           "%s %g), or more with time.allow_unstable: true",
-                           scene->step, limit, particles ? "the speed of particles," : "wave speed",
-                           particles ? simulation->particle_speed : simulation->wave_speed);
+    if (conduction < crossing)
+        return refuse_step(
+            simulation, conduction,
+            "1 / (2 kappa (1/h_x^2 + 1/h_y^2)) without fluxes on edges, diffusivity kappa",
+            simulation->diffusivity, error);
+    return refuse_step(simulation, crossing,
+                       particles ? "cell size over the speed of particles,"
+                                 : "cell size over wave speed",
+                       particles ? simulation->particle_speed : simulation->wave_speed, error);
 }
 
 struct mpm_lags mpm_scene_lags(const struct mpm_scene *scene)

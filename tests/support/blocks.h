@@ -35,6 +35,11 @@
     TEST_BLOCKS_WITH("{end: 1000, courant: 5, allow_unstable: true}",                              \
                      "{history: 0.1, snapshots: 50}")
 
+/* Settings with which they conduct heat. */
+#define TEST_BLOCKS_CONDUCTING                                                                     \
+    "materials.rubber.heat_capacity=1", "materials.rubber.conductivity=1",                         \
+        "transport={temperature: {}}"
+
 enum { TEST_BLOCKS_PARTICLES = (3 * 3 + 2 * 3) * 4 };
 
 #endif

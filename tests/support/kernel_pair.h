@@ -4,7 +4,8 @@
  * A difference is given as a fraction of its field's scale, the largest component over all
  * particles, and at least:
  *
- *   position, deformation gradient   no more than that: coordinates, and 1 or nearly
+ *   position, deformation gradient, temperature
+ *              no more than that: coordinates, and 1 or nearly; temperatures
  *   stress     K + 4/3 G of the stiffest material: stress is a function of F, and a rounding
  *              error e of F = 1 is e (K + 4/3 G) of stress, however small the strain
  *   velocity   c, the speed of the fastest wave: such a stress accelerates by up to Courant
@@ -26,7 +27,7 @@
  * functions by other formulas differ by a few units in the last place (1e-16) a step; over
  * this many steps, and over whole runs that do not amplify round-off, that stays below. */
 static const double KERNEL_PAIR_BOUND = 1e-13;
-enum { KERNEL_PAIR_STEPS = 50, KERNEL_PAIR_FIELDS = 4 };
+enum { KERNEL_PAIR_STEPS = 50, KERNEL_PAIR_FIELDS = 5 };
 
 /* MPM_TEST_LONG is set (`make test-kernels`): whole runs and all combinations, printed. */
 bool kernel_pair_is_long(void);

@@ -96,7 +96,8 @@ bool test_run_same_bits(const struct test_run *one, const struct test_run *other
     return same_field(one, other, MPM_FIELD_POSITION) &&
            same_field(one, other, MPM_FIELD_VELOCITY) &&
            same_field(one, other, MPM_FIELD_DEFORMATION_GRADIENT) &&
-           same_field(one, other, MPM_FIELD_STRESS) && same_bytes(&a, &b, sizeof a);
+           same_field(one, other, MPM_FIELD_STRESS) &&
+           same_field(one, other, MPM_FIELD_TEMPERATURE) && same_bytes(&a, &b, sizeof a);
 }
 
 void test_same_bits_over_threads(const char *text, const char *const *settings, int steps,

@@ -26,8 +26,8 @@ struct mpm_ledger test_run_ledger(const struct test_run *run);
 /* The J integral of that index, which must have a value. */
 struct mpm_j_integral test_run_j_integral(const struct test_run *run, size_t index);
 
-/* Position, velocity, deformation gradient and stress of two runs, and their ledgers: byte by
- * byte, so that not-a-numbers are told from one another as well. */
+/* Position, velocity, deformation gradient, stress and temperature of two runs, and their ledgers:
+ * byte by byte, so that not-a-numbers are told from one another as well. */
 bool test_run_same_bits(const struct test_run *one, const struct test_run *other);
 
 /* The scene after `steps` steps with 1, 2 and 3 threads: the test fails where bits differ.

@@ -13,6 +13,8 @@
     PROGRAM(compression)                                                                           \
     PROGRAM(energy)                                                                                \
     PROGRAM(vibration)                                                                             \
+    PROGRAM(heat)                                                                                  \
+    PROGRAM(heat_stability)                                                                        \
     PROGRAM(damped_flight)                                                                         \
     PROGRAM(damped_bar)                                                                            \
     PROGRAM(step_wave)                                                                             \

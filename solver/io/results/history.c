@@ -51,6 +51,8 @@ static const struct {
 } sources[] = {
     {mpm_scene_crack_quantity_count, mpm_scene_crack_quantity, mpm_simulation_crack_quantity},
     {mpm_scene_contact_quantity_count, mpm_scene_contact_quantity, mpm_simulation_contact_quantity},
+    {mpm_scene_transport_quantity_count, mpm_scene_transport_quantity,
+     mpm_simulation_transport_quantity},
 };
 
 struct mpm_history {

@@ -42,6 +42,9 @@ enum mpm_status mpm_build_symmetry(const struct mpm_reading *reading, const char
                                    const struct mpm_raw_boundary *raw,
                                    struct mpm_boundary_spec *boundary);
 enum mpm_status mpm_build_loads(const struct mpm_reading *reading);
+/* The body of that name, on whose edges there is a load; `path` is that of the name. */
+enum mpm_status mpm_build_loaded_body(const struct mpm_reading *reading, const char *path,
+                                      const char *text, size_t *body);
 /* Cracks, and whether the method takes them. */
 enum mpm_status mpm_build_cracks(const struct mpm_reading *reading);
 /* A part of it: what holds its surfaces together, once its points are known. */
@@ -51,6 +54,8 @@ enum mpm_status mpm_build_cohesive(const struct mpm_reading *reading, const char
 enum mpm_status mpm_build_contact(const struct mpm_reading *reading);
 /* The velocity field that cracks cut, where bodies have several. */
 enum mpm_status mpm_build_cracked_field(const struct mpm_reading *reading);
+/* Scalars that are conducted, once all that is about motion is read: scenes at rest have none. */
+enum mpm_status mpm_build_transport(const struct mpm_reading *reading);
 /* Damping, and when a run is at rest. */
 enum mpm_status mpm_build_damping(const struct mpm_reading *reading);
 

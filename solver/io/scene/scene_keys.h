@@ -132,6 +132,10 @@
     C("volume", MPM_TOUCH_VOLUME)                                                                  \
     C("shared", MPM_TOUCH_SHARED)
 
+#define CHOICES_scalar_transfer(C)                                                                 \
+    C("flip", MPM_SCALAR_FLIP)                                                                     \
+    C("pic", MPM_SCALAR_PIC)
+
 #define CHOICES_cohesive_law(C)                                                                    \
     C("linear", MPM_COHESIVE_LINEAR)                                                               \
     C("trilinear", MPM_COHESIVE_TRILINEAR)                                                         \
@@ -143,7 +147,8 @@
 #define MPM_CHOICE_LISTS(L)                                                                        \
     L(geometry) L(shape) L(axis) L(axis_nodes) L(stress_update) L(position_update) L(radius_update) \
     L(form) L(body_force_at) L(grid_form) L(transfer_kind) L(edge) L(frame) L(crack_method) L(contact) L(detection) L(tip)       \
-    L(j_form) L(growth_direction) L(cohesive_law) L(contact_fields) L(pair_law) L(pair_normal) L(pair_detection)
+    L(j_form) L(growth_direction) L(cohesive_law) L(contact_fields) L(pair_law) L(pair_normal) L(pair_detection) \
+    L(scalar_transfer)
 
 /* -------------------------------------------------------------------- keys */
 
@@ -234,7 +239,15 @@
     X(S, ONE, young, NUMBER, ANYWHERE, OPTIONAL, STRESS, NULL, ABOVE(0),           \
       "Young's modulus, together with poisson; instead of bulk and shear")                         \
     X(S, ONE, poisson, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, BETWEEN(-1, 0.5),                     \
-      "Poisson's ratio, together with young; instead of bulk and shear")
+      "Poisson's ratio, together with young; instead of bulk and shear")                           \
+    X(S, ONE, heat_capacity, NUMBER, ANYWHERE, OPTIONAL, HEAT_CAPACITY, NULL, ABOVE(0),              \
+      "specific heat capacity; with transport.temperature, and only there")                        \
+    X(S, ONE, conductivity, NUMBER, ANYWHERE, OPTIONAL, CONDUCTIVITY, NULL, AT_LEAST(0),             \
+      "of heat, the same in all directions; or principal_conductivities")                          \
+    X(S, PAIR, principal_conductivities, NUMBER, ANYWHERE, OPTIONAL, CONDUCTIVITY, NULL, AT_LEAST(0), \
+      "of heat along two axes of the material, which turn with it; instead of conductivity")       \
+    X(S, ONE, conductivity_angle, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(-360, 360),        \
+      "degrees from the first axis of the grid to the first principal one, in the undeformed body; 0 if missing")
 
 #define KEYS_rectangle(X, S)                                                                       \
     X(S, PAIR, from, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ANY, "lower left corner")         \
@@ -285,7 +298,9 @@
     X(S, PAIR, particles_per_cell, INTEGER, ANYWHERE, OPTIONAL, NONE, "[2, 2]", FROM_TO(1, 16),      \
       "lattice sites of a cell along each axis")                                                   \
     X(S, PAIR, velocity, EXPRESSION, ANYWHERE, OPTIONAL, VELOCITY, "[0, 0]", ANY,             \
-      "initial velocity of a deformable body, in the coordinates")
+      "initial velocity of a deformable body, in the coordinates")                                 \
+    X(S, ONE, temperature, EXPRESSION, ANYWHERE, OPTIONAL, TEMPERATURE, NULL, ANY,                   \
+      "initial temperature of a deformable body, in the coordinates; transport.temperature.start if missing")
 
 #define KEYS_boundary(X, S)                                                                        \
     X(S, GROUP, region, boundary_region, ANYWHERE, REQUIRED, NONE, NULL, ANY,                        \
@@ -415,6 +430,53 @@
     KEYS_OF_PAIR_LAW(X, S)                                                                         \
     X(S, LIST, pairs, contact_pair, ANYWHERE, OPTIONAL, NONE, NULL, ANY, "pairs with a law of their own")
 
+#define KEYS_temperature_condition(X, S)                                                           \
+    X(S, GROUP, region, boundary_region, ANYWHERE, REQUIRED, NONE, NULL, ANY,                        \
+      "which nodes: exactly one shape")                                                            \
+    X(S, ONE, value, EXPRESSION, ANYWHERE, REQUIRED, TEMPERATURE, NULL, ANY,                         \
+      "their temperature, in coordinates and t")
+
+#define KEYS_convection(X, S)                                                                      \
+    X(S, ONE, coefficient, NUMBER, ANYWHERE, REQUIRED, FILM, NULL, ABOVE(0),                         \
+      "h of the heat flux h (ambient - T)")                                                        \
+    X(S, ONE, ambient, EXPRESSION, ANYWHERE, REQUIRED, TEMPERATURE, NULL, ANY,                       \
+      "temperature of the surroundings, in coordinates and t")
+
+#define KEYS_radiation(X, S)                                                                       \
+    X(S, ONE, emissivity, NUMBER, ANYWHERE, REQUIRED, NONE, NULL, ABOVE_TO(0, 1),                    \
+      "e of the heat flux e sigma (ambient^4 - T^4); temperatures are absolute")                   \
+    X(S, ONE, sigma, NUMBER, ANYWHERE, REQUIRED, RADIATION, NULL, ABOVE(0),                          \
+      "constant of Stefan and Boltzmann in the scene's units: 5.670374419e-8 W/(m^2 K^4)")         \
+    X(S, ONE, ambient, EXPRESSION, ANYWHERE, REQUIRED, TEMPERATURE, NULL, ANY,                       \
+      "absolute temperature of the surroundings, in coordinates and t")
+
+#define KEYS_heat_flux(X, S)                                                                       \
+    X(S, ONE, body, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "name of a deformable body")          \
+    X(S, CHOICE, edge, edge, ANYWHERE, REQUIRED, NONE, NULL, ANY,                                    \
+      "which edges of its particles: those on that side beyond which the body has no site at t = 0") \
+    X(S, ONE, value, EXPRESSION, ANYWHERE, OPTIONAL, HEAT_FLUX, NULL, ANY,                           \
+      "heat per area and time into the body, in coordinates and t; or convection, or radiation")   \
+    X(S, GROUP, convection, convection, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                         \
+      "heat exchanged with surroundings, proportional to the difference of temperatures")          \
+    X(S, GROUP, radiation, radiation, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                           \
+      "heat exchanged with surroundings by radiation")
+
+#define KEYS_temperature(X, S)                                                                     \
+    X(S, CHOICE, transfer, scalar_transfer, ANYWHERE, OPTIONAL, NONE, "flip", ANY,                   \
+      "how particles' temperatures follow the grid: by its rates, or by its values, which conducts of itself (pic)") \
+    X(S, ONE, start, EXPRESSION, ANYWHERE, OPTIONAL, TEMPERATURE, "0", ANY,                          \
+      "initial temperature of bodies without their own, in the coordinates")                       \
+    X(S, ONE, source, EXPRESSION, ANYWHERE, OPTIONAL, HEAT_SOURCE, NULL, ANY,                        \
+      "heat per volume and time, in coordinates of the particle and t")                            \
+    X(S, LIST, conditions, temperature_condition, ANYWHERE, OPTIONAL, NONE, "[]", ANY,               \
+      "prescribed temperatures of nodes")                                                          \
+    X(S, LIST, fluxes, heat_flux, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                               \
+      "on edges of particles, deformed as those of tractions; edges without one insulate")
+
+#define KEYS_transport(X, S)                                                                       \
+    X(S, GROUP, temperature, temperature, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                       \
+      "heat conduction: materials need heat_capacity and a conductivity")
+
 #define KEYS_thermostat(X, S)                                                                      \
     X(S, ONE, gain, NUMBER, ANYWHERE, REQUIRED, RATE_SQUARED, NULL, ABOVE(0),                        \
       "growth of alpha: d alpha/dt = gain (K - target)/scale; near the square of twice the lowest angular frequency") \
@@ -467,6 +529,8 @@
     X(S, LIST, cracks, crack, ANYWHERE, OPTIONAL, NONE, "[]", ANY, "explicit cracks in bodies")      \
     X(S, GROUP, contact, contact, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                               \
       "velocity fields for materials or bodies, and contact between them; without it all share one") \
+    X(S, GROUP, transport, transport, ANYWHERE, OPTIONAL, NONE, "{}", ANY,                           \
+      "what is conducted; with law: none in all materials nothing else is computed, and nothing moves") \
     X(S, GROUP, damping, damping, ANYWHERE, OPTIONAL, NONE, "{}", ANY, "artificial damping")         \
     X(S, GROUP, output, output, ANYWHERE, OPTIONAL, NONE, "{}", ANY, "what is written, how often")
 
@@ -474,7 +538,8 @@
 #define MPM_KEY_LISTS(L)                                                                           \
     L(units) L(grid) L(rest) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
     L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary)            \
-    L(traction) L(loads) L(propagation) L(j_integral) L(cohesive) L(crack) L(contact_pair) L(contact) L(thermostat) L(damping) L(output) L(scene)
+    L(traction) L(loads) L(propagation) L(j_integral) L(cohesive) L(crack) L(contact_pair) L(contact) \
+    L(temperature_condition) L(convection) L(radiation) L(heat_flux) L(temperature) L(transport) L(thermostat) L(damping) L(output) L(scene)
 /* clang-format on */
 
 #endif

@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static enum mpm_status find_body(const struct mpm_reading *reading, const char *path,
-                                 const char *text, size_t *body)
+enum mpm_status mpm_build_loaded_body(const struct mpm_reading *reading, const char *path,
+                                      const char *text, size_t *body)
 {
     const struct mpm_scene *const scene = reading->scene;
     char name[MPM_EXCERPT_SIZE];
@@ -18,7 +18,7 @@ static enum mpm_status find_body(const struct mpm_reading *reading, const char *
                                  mpm_excerpt(text, name));
     if (scene->bodies[*body].rigid)
         return mpm_reading_fault(reading, path,
-                                 "%s is rigid and feels no force; allowed: a deformable body",
+                                 "%s is rigid and feels no load; allowed: a deformable body",
                                  mpm_excerpt(text, name));
     return MPM_OK;
 }
@@ -31,7 +31,8 @@ static enum mpm_status build_load(const struct mpm_reading *reading, const char 
     load->edge = (enum mpm_edge)raw->edge;
     load->frame = (enum mpm_frame)raw->frame;
     load->line = mpm_reading_line(reading, path);
-    MPM_TRY(find_body(reading, mpm_path_join(path, "body").text, raw->body, &load->body));
+    MPM_TRY(
+        mpm_build_loaded_body(reading, mpm_path_join(path, "body").text, raw->body, &load->body));
     mpm_region_sample(reading->scene, &reading->scene->bodies[load->body].region, place);
     MPM_TRY(mpm_build_expressions(reading, mpm_path_join(path, "value").text, raw->value, true,
                                   place, &load->value));
@@ -52,7 +53,9 @@ static enum mpm_status build_edge_loads(const struct mpm_reading *reading)
         {"loads.tractions", raw->tractions, raw->tractions_count},
         {"loads.particle_forces", raw->particle_forces, raw->particle_forces_count},
     };
-    const size_t count = lists[0].count + lists[1].count;
+    const struct mpm_raw_temperature *const heat = reading->raw->transport->temperature;
+    const size_t fluxes = heat == NULL ? 0 : heat->fluxes_count; /* filled by mpm_build_transport */
+    const size_t count = lists[0].count + lists[1].count + fluxes;
     if (count == 0)
         return MPM_OK;
     MPM_TRY(mpm_reading_allocate(reading, count, sizeof *scene->edge_loads, "loads",

@@ -51,7 +51,8 @@ static enum mpm_status build(const struct mpm_reading *reading)
     MPM_TRY(mpm_build_cracks(reading));
     MPM_TRY(mpm_build_contact(reading));
     MPM_TRY(mpm_build_j_integrals(reading));
-    return mpm_build_damping(reading);
+    MPM_TRY(mpm_build_damping(reading));
+    return mpm_build_transport(reading);
 }
 
 static enum mpm_status copy_arguments(struct mpm_scene *scene, const char *path,
@@ -117,6 +118,15 @@ static void free_vector(struct mpm_vector_expression *vector)
     free(vector->text[1]);
 }
 
+static void free_scalar(struct mpm_scalar_spec *scalar)
+{
+    for (size_t i = 0; i < scalar->condition_count; i++)
+        free(scalar->conditions[i].value);
+    free(scalar->conditions);
+    free(scalar->start);
+    free(scalar->source);
+}
+
 void mpm_scene_free(struct mpm_scene *scene)
 {
     if (scene == NULL)
@@ -124,6 +134,8 @@ void mpm_scene_free(struct mpm_scene *scene)
     for (size_t i = 0; i < scene->body_count; i++) {
         free(scene->bodies[i].region.points);
         free_vector(&scene->bodies[i].velocity);
+        for (int k = 0; k < MPM_SCALAR_COUNT; k++)
+            free(scene->bodies[i].start[k]);
     }
     for (size_t i = 0; i < scene->boundary_count; i++)
         free_vector(&scene->boundaries[i].velocity);
@@ -134,6 +146,8 @@ void mpm_scene_free(struct mpm_scene *scene)
     for (size_t i = 0; i < scene->setting_count; i++)
         free(scene->settings[i]);
     free_vector(&scene->body_force);
+    for (int k = 0; k < MPM_SCALAR_COUNT; k++)
+        free_scalar(&scene->scalars[k]);
     free(scene->damping.grid);
     free(scene->damping.particle);
     free(scene->damping.pic);

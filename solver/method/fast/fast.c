@@ -52,7 +52,7 @@ const char *mpm_fast_lacks(const struct mpm_scene *scene)
         return "there are no fast kernels for method.axis: planar";
     if (mpm_transfer_of(scene->transfer)->no_fast != NULL)
         return mpm_transfer_of(scene->transfer)->no_fast;
-    for (size_t k = 0; k < scene->material_count; k++)
+    for (size_t k = 0; k < scene->material_count && !scene->at_rest; k++)
         if (!has_vectors(scene->materials[k].law))
             return "there are no fast kernels for the law of a material";
     for (size_t k = 0; k < scene->material_count; k++)

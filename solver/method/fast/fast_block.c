@@ -14,6 +14,7 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
 {
     const struct mpm_grid *const grid = &state->grid;
     const struct mpm_projection *const projection = state->projection;
+    const struct mpm_nodal_scalar *const scalar = state->transport.conducted;
     const bool midpoint = state->scene->position_update == MPM_MIDPOINT;
     *constants = (struct fast_constants){
         .axis = place_of_axis(&state->shape_grid),
@@ -27,12 +28,19 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
         .read = projection != NULL ? (double *)projection->from : (double *)grid->motion,
         .gradient =
             projection != NULL && projection->to != NULL ? (void *)projection->to : grid->gradient,
+        .weight = projection != NULL && projection->weight != NULL ? projection->weight[body] : 1.0,
+        .scalar = scalar,
         .time_step = state->time_step,
         .stress_step = part * state->time_step,
         .back = midpoint ? 0.5 * state->time_step : 0.0,
         .deformation_terms = state->scene->deformation_terms,
         .material = state->bodies[body].material,
     };
+    if (scalar != NULL) {
+        constants->sum = (struct mpm_node_sum(*)[2])scalar->inflow;
+        constants->gradient = (double(*)[2][2])scalar->value;
+        constants->conduction = scalar->bodies[body];
+    }
     constants->cut = constants->truncated ? constants->axis : -DBL_MAX;
     constants->cut_cell = floor(constants->cut);
     mpm_shape_reach(state->family, &state->shape_grid, state->bodies[body].half_size,

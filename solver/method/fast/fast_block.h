@@ -47,6 +47,11 @@ MPM_INLINE void load_deformation(const struct mpm_particles *particles, size_t p
         f[i] = mpm_load(particles->deformation[i] + p);
 }
 
+MPM_INLINE mpm_vector determinant_vector(const mpm_vector f[MPM_GRADIENT_SIZE])
+{
+    return (f[MPM_XX] * f[MPM_YY] - f[MPM_XY] * f[MPM_YX]) * f[MPM_ZZ];
+}
+
 /* Constants of the particles of `body`; `part` of the time step for the stress update. */
 void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double part,
                         struct fast_constants *constants);

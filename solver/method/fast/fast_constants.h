@@ -15,6 +15,7 @@ struct fast_spec {
     bool momentum; /* spread mass and momentum */
     bool force;    /* spread internal forces */
     bool finish;   /* the last pass, which only reads */
+    bool conducts; /* a scalar, whose sources are spread with S beside the flow, a force */
 };
 
 struct fast_constants {
@@ -33,7 +34,10 @@ struct fast_constants {
     double *mass;      /* arrays of the grid, by node index */
     struct mpm_node_sum (*sum)[2];
     double *read; /* nodal vectors that are read with S: motion; of a projection `from`, or NULL */
-    double (*gradient)[2][2];      /* in a projection its `to`, if it has one */
+    double (*gradient)[2][2];              /* in a projection its `to`, if it has one */
+    double weight;                         /* of a projection: what masses are multiplied with */
+    const struct mpm_nodal_scalar *scalar; /* that is conducted: its nodes are sum and gradient */
+    struct mpm_scalar_body conduction;
     double time_step, stress_step; /* the latter is the part that this update stands for */
     double back;                   /* of the midpoint update: v^{n+1} - back a */
     int deformation_terms;

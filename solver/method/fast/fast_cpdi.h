@@ -117,7 +117,7 @@ MPM_INLINE bool wants_gradient_weights(const struct fast_spec *spec)
 /* the others spread momentum. */
 MPM_INLINE bool wants_value_weights(const struct fast_spec *spec)
 {
-    return spec->momentum || !spec->force;
+    return spec->momentum || !spec->force || spec->conducts;
 }
 
 MPM_INLINE void set_node(const struct fast_spec *spec, const struct corner_factors *factors,

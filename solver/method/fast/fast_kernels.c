@@ -172,6 +172,14 @@ MPM_INLINE void pass_project(const struct fast_spec *spec, struct mpm_state *sta
     run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_project);
 }
 
+MPM_INLINE void pass_conduct(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
+{
+    const struct fast_traffic traffic = {1u << FAST_GRADIENT, 1u << FAST_SUM, false};
+    struct fast_sums sums;
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_conduct);
+    sums.strip->diffusivity = mpm_largest_lane(sums.wave);
+}
+
 MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state *state,
                                   int64_t strip)
 {
@@ -214,11 +222,12 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
     KERNEL(pass_stress_before, plane##_stress_force, .force = true, __VA_ARGS__)                   \
     KERNEL(pass_to_particles, plane##_extrapolate, __VA_ARGS__)                                    \
     KERNEL(pass_finish, plane##_finish, .finish = true, __VA_ARGS__)                               \
-    KERNEL(pass_project, plane##_project, __VA_ARGS__)
+    KERNEL(pass_project, plane##_project, __VA_ARGS__)                                             \
+    KERNEL(pass_conduct, plane##_conduct, .force = true, .conducts = true, __VA_ARGS__)
 
 #define STEP(plane, first, before, back)                                                           \
     {                                                                                              \
-        first, before, back, plane##_finish, recompute, plane##_project                            \
+        first, before, back, plane##_finish, recompute, plane##_project, plane##_conduct           \
     }
 
 #define ORDERS(plane)                                                                              \

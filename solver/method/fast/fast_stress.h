@@ -8,11 +8,6 @@
 #include "base/simd.h"
 #include "model/material.h"
 
-MPM_INLINE mpm_vector determinant_vector(const mpm_vector f[MPM_GRADIENT_SIZE])
-{
-    return (f[MPM_XX] * f[MPM_YY] - f[MPM_XY] * f[MPM_YX]) * f[MPM_ZZ];
-}
-
 MPM_INLINE void left_cauchy_green_vector(const mpm_vector f[MPM_GRADIENT_SIZE],
                                          mpm_vector b[MPM_SYMMETRIC_SIZE])
 {

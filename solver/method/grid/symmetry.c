@@ -27,15 +27,20 @@ int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, doubl
     return node;
 }
 
-/* A scalar of the nodes, or NULL, and a vector, whose component k is number 2 k of a node's values.
- */
+/* A scalar of the nodes, or NULL, and a vector, whose component k is number 2 k of a node's values;
+ * or values that are all scalars. */
 struct spread {
     double *scalar, *vector;
+    double (*scalars)[MPM_NODE_VALUES];
 };
 
 static void fold_nodes(const struct spread *spread, int axis, int64_t inside, int64_t beyond)
 {
     double *const vector = spread->vector;
+    for (int k = 0; spread->scalars != NULL && k < MPM_NODE_VALUES; k++)
+        fold(&spread->scalars[inside][k], &spread->scalars[beyond][k], 1.0);
+    if (vector == NULL)
+        return;
     if (spread->scalar != NULL)
         fold(&spread->scalar[inside], &spread->scalar[beyond], 1.0);
     for (int k = 0; k < 2; k++)
@@ -55,7 +60,7 @@ static void reflect_across(const struct mpm_state *state, const struct mpm_symme
             const int64_t depth = (plane->line - place[plane->axis]) * plane->inside;
             const int64_t node = shift + row * columns + column;
             const int64_t stride = plane->axis == 0 ? 1 : columns;
-            if (depth == 0)
+            if (depth == 0 && spread->vector != NULL)
                 spread->vector[MPM_NODE_VALUES * node + 2 * plane->axis] = 0.0;
             else if (depth > 0)
                 fold_nodes(spread, plane->axis, node + 2 * depth * plane->inside * stride, node);
@@ -73,9 +78,9 @@ static void reflect_packed(struct mpm_state *state, int axis, const struct mpm_f
         const int64_t image = beyond == NULL ? -1 : mpm_field_of(state, beyond, list[i].key);
         if ((list[i].passes >> axis & 1) == 0)
             continue;
-        if (beyond == NULL)
+        if (beyond == NULL && spread->vector != NULL)
             spread->vector[MPM_NODE_VALUES * (first + i) + 2 * axis] = 0.0;
-        else if (image >= 0)
+        else if (beyond != NULL && image >= 0)
             fold_nodes(spread, axis, first + i, image);
     }
 }
@@ -116,17 +121,22 @@ static void reflect(struct mpm_state *state, struct spread spread)
 
 void mpm_symmetries_reflect_momentum(struct mpm_state *state)
 {
-    reflect(state, (struct spread){state->grid.mass, &state->grid.sum[0][0].momentum});
+    reflect(state, (struct spread){state->grid.mass, &state->grid.sum[0][0].momentum, NULL});
 }
 
 void mpm_symmetries_reflect_force(struct mpm_state *state)
 {
-    reflect(state, (struct spread){NULL, &state->grid.sum[0][0].force});
+    reflect(state, (struct spread){NULL, &state->grid.sum[0][0].force, NULL});
 }
 
 void mpm_symmetries_reflect_extrapolated(struct mpm_state *state)
 {
-    reflect(state, (struct spread){NULL, state->grid.gradient[0][0]});
+    reflect(state, (struct spread){NULL, state->grid.gradient[0][0], NULL});
+}
+
+void mpm_symmetries_reflect_scalar(struct mpm_state *state, double (*nodes)[MPM_NODE_VALUES])
+{
+    reflect(state, (struct spread){NULL, NULL, nodes});
 }
 
 /* ------------------------------------------------------------------- images */

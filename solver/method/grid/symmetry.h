@@ -59,5 +59,7 @@ void mpm_symmetries_reflect_force(struct mpm_state *state);
 /* After each pass that sums momenta up in grid.gradient: the re-extrapolation, and those of XPIC
  * and FMPM. */
 void mpm_symmetries_reflect_extrapolated(struct mpm_state *state);
+/* Of sums of scalars, in all numbers of a node. */
+void mpm_symmetries_reflect_scalar(struct mpm_state *state, double (*nodes)[MPM_NODE_VALUES]);
 
 #endif

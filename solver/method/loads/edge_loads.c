@@ -191,6 +191,8 @@ static void spread_strip(void *context, int64_t index, int worker)
     (void)worker;
     for (size_t k = loads->first[index]; k < loads->first[index + 1]; k++) {
         struct mpm_loaded_edge *const edge = &loads->edges[k];
+        if (spec_of(state, edge->site)->flux != MPM_NO_FLUX)
+            continue;
         const double taken = take_massless(state, &edge->weights);
         if (taken != 0.0)
             give_by_shape(state, edge, taken);
@@ -215,6 +217,8 @@ static void work_strip(void *context, int64_t index, int worker)
     (void)worker;
     for (size_t k = loads->first[index]; k < loads->first[index + 1]; k++) {
         const struct mpm_loaded_edge *const edge = &loads->edges[k];
+        if (spec_of(state, edge->site)->flux != MPM_NO_FLUX)
+            continue;
         for (int i = 0; i < edge->weights.count; i++) {
             const int64_t node = state->node_zero + edge->weights.entry[i].node;
             const double *const start = state->grid.start[node];

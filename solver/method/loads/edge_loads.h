@@ -11,6 +11,9 @@
  * pressure would not turn with the body. In plane stress areas follow the thickness, F_zz, but for
  * uGIMP's.
  *
+ * What flows into a body through edges is found and prepared here too, with the value of its first
+ * component; transport_edges.h has what becomes of it.
+ *
  * Which edges bear a load is settled at t = 0 (simulation/edge_loads.c). Scenes without loads on
  * edges run none of this.
  *

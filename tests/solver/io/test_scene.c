@@ -299,7 +299,7 @@ static char *describe(const struct mpm_scene *scene)
     return g_strdup_printf(
         "%s|%s|%s|%s|%s|%.17g|%.17g %.17g|%.17g|%" G_GINT64_FORMAT "|%.17g %.17g %d|%d %d %d %d %d "
         "%.17g %d|%d %d %s %s|%zu|%s %s|%" G_GINT64_FORMAT " %.17g %.17g|%zu %d|%d %zu %d %g %g "
-        "%g|%d %zu %d %d",
+        "%g|%d %zu %d %d|%d %s",
         scene->title, scene->units_length, scene->units_mass, scene->units_time,
         scene->units_temperature, scene->thickness, scene->origin[0], scene->origin[1],
         scene->cell[0], (gint64)scene->cells[0], scene->courant, scene->step, scene->allow_unstable,
@@ -312,7 +312,9 @@ static char *describe(const struct mpm_scene *scene)
         (gint64)scene->rest.steps, scene->rest.after, scene->damping.target, scene->edge_load_count,
         scene->edge_load_count > 0 ? (int)scene->edge_loads[0].frame : 0, (int)scene->crack_method,
         scene->crack_count, (int)crack->contact, crack->separated, crack->touching, crack->spacing,
-        scene->contact.by_body, scene->contact.pair_count, pair->normal, pair->detection);
+        scene->contact.by_body, scene->contact.pair_count, pair->normal, pair->detection,
+        (int)scene->scalars[MPM_TEMPERATURE].transfer,
+        scene->scalars[MPM_TEMPERATURE].asked ? scene->scalars[MPM_TEMPERATURE].start : "none");
 }
 
 /* A scene in which one more key can be set: some need their group, with what that requires. */
@@ -329,6 +331,8 @@ static const char *scene_around(const char *key, bool axisymmetric)
         return "tests/scenes/good/cracked_block.yaml";
     if (g_str_has_prefix(key, "contact."))
         return "tests/scenes/good/touching.yaml";
+    if (g_str_has_prefix(key, "transport."))
+        return "tests/scenes/good/conducting.yaml";
     return axisymmetric ? "tests/scenes/good/compressed_disk.yaml" : TEST_MINIMAL_SCENE;
 }
 

@@ -1,0 +1,59 @@
+/* Scalars that are conducted, on the nodes; see transport.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_METHOD_TRANSPORT_STATE_H
+#define MPM_METHOD_TRANSPORT_STATE_H
+
+#include "base/expression.h"
+#include "method/transfer/projection_state.h"
+#include "model/scalar_conditions.h"
+#include "model/transport.h"
+
+/* Content that has come in since t = 0. */
+struct mpm_scalar_totals {
+    double held;   /* at nodes with a prescribed value */
+    double source; /* by the source */
+    double edges;  /* through edges of particles */
+};
+
+/* One of a body's particles: content c m v, flux - J k m grad v / V. */
+struct mpm_scalar_body {
+    double k[3];        /* conductivity over initial density, xx yy xy of the undeformed body */
+    double diffusivity; /* the largest, k / (c rho_0) */
+    bool turns;         /* k is not a number times the unit tensor */
+};
+
+struct mpm_nodal_scalar {
+    enum mpm_scalar which;
+    const struct mpm_scalar_row *row;
+    enum mpm_scalar_transfer transfer;
+    double *weight; /* per body: c, capacity per mass */
+    struct mpm_scalar_body *bodies;
+    struct mpm_expression *source;      /* NULL: none */
+    struct mpm_expression **conditions; /* per condition of the scene */
+    struct mpm_scalar_hold *holds;      /* nodes with a prescribed value */
+    size_t hold_count;
+    double *settling; /* per hold: what its node is moved by besides; see transport.h */
+    bool settles;     /* in this step */
+
+    /* Per node, in the form that projections and fast kernels have: numbers 0 and 1 are equal or
+     * are to be added. Valid within one step; where nothing is, all zero. */
+    double (*content)[MPM_NODE_VALUES]; /* sum c m v S; from number 2 on sum c m S */
+    double (*value)[MPM_NODE_VALUES];   /* v_i at the start of the step, conditions included */
+    double (*inflow)[MPM_NODE_VALUES];  /* content per time: 0 of sources, 1 of conduction */
+    double (*result)[MPM_NODE_VALUES];  /* what particles read: dv_i/dt, or with PIC v_i^{n+1} */
+    double *row_inflow;                 /* per node row: its sum; finite if all are */
+    bool at_hand;                       /* content is that of the particles as they are */
+    struct mpm_scalar_totals totals;
+};
+
+/* Those of the scene, `count` of them; none: nothing is done. */
+struct mpm_transport {
+    struct mpm_nodal_scalar list[MPM_SCALAR_COUNT];
+    size_t count;
+    const struct mpm_nodal_scalar *conducted; /* by the pass that runs */
+    double diffusivity; /* largest J k / (c rho_0) of all particles and scalars in the step */
+    double film;        /* largest derivative of a flux on edges by its scalar, over c rho_0 */
+};
+
+#endif

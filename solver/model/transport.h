@@ -1,0 +1,48 @@
+/* What a scene says of scalars that are conducted: temperature, and what else is a row of
+ * mpm_scalar_rows.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_MODEL_TRANSPORT_H
+#define MPM_MODEL_TRANSPORT_H
+
+#include "mpm_dimension.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum mpm_scalar { MPM_TEMPERATURE, MPM_SCALAR_COUNT };
+
+/* How the particles' values follow the grid. */
+enum mpm_scalar_transfer {
+    MPM_SCALAR_FLIP, /* by the nodes' rates: N&G (62), Notes (141) */
+    MPM_SCALAR_PIC,  /* by the nodes' values, Notes (142): conducts of itself */
+};
+
+/* What flows in through edges of particles: content per area and time, inwards positive. */
+enum mpm_flux_kind {
+    MPM_NO_FLUX,       /* a force */
+    MPM_FLUX_GIVEN,    /* an expression */
+    MPM_FLUX_CONVECTS, /* h (v_env - v) */
+    MPM_FLUX_RADIATES, /* e sigma (v_env^4 - v^4) */
+};
+
+/* What is the same for every scene, one row for each scalar. */
+struct mpm_scalar_row {
+    const char *name;             /* of its group of keys: transport.<name> */
+    unsigned use;                 /* enum mpm_particle_use: particles carry it */
+    size_t field;                 /* enum mpm_particle_field: where they do */
+    struct mpm_dimension content; /* of capacity times value: energy */
+    const char *content_name;     /* "thermal_energy": a column of the history */
+    const char *flow_name;        /* "heat": what flows, in names of columns */
+};
+extern const struct mpm_scalar_row mpm_scalar_rows[MPM_SCALAR_COUNT];
+
+/* Of a material: content = capacity per mass times mass times value; flux = - K grad value. */
+struct mpm_conduction {
+    bool given;       /* the material has them */
+    double capacity;  /* per mass */
+    double k[3];      /* conductivity xx yy xy of the undeformed body */
+    bool anisotropic; /* k is not a number times the unit tensor: it turns with the material */
+};
+
+#endif

@@ -1,0 +1,342 @@
+/* Scalars that a scene conducts: made when the simulation is created, and what they add to the
+ * history.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/transport/transport.h"
+#include "method/transport/transport_edges.h"
+
+#include "simulation/simulation.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* ----------------------------------------------------------------- creating */
+
+unsigned mpm_transport_uses(const struct mpm_scene *scene)
+{
+    unsigned uses = 0;
+    for (size_t which = 0; which < MPM_SCALAR_COUNT; which++) {
+        uses |= scene->scalars[which].asked ? mpm_scalar_rows[which].use : 0;
+        uses |= scene->scalars[which].source != NULL ? MPM_USE_SOURCE : 0;
+    }
+    return uses;
+}
+
+static enum mpm_status create_scalar(const struct mpm_simulation *simulation, enum mpm_scalar which,
+                                     struct mpm_nodal_scalar *scalar, struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    const struct mpm_scalar_spec *const spec = &scene->scalars[which];
+    const char *const *const names = mpm_scene_coordinates(scene);
+    *scalar = (struct mpm_nodal_scalar){
+        .which = which,
+        .row = &mpm_scalar_rows[which],
+        .transfer = spec->transfer,
+        .conditions = calloc(spec->condition_count + 1, sizeof *scalar->conditions),
+    };
+    if (scalar->conditions == NULL)
+        return mpm_error_memory(error, sizeof *scalar->conditions, "the expressions");
+    for (size_t k = 0; k < spec->condition_count; k++)
+        MPM_TRY(mpm_expression_create(spec->conditions[k].value, names, true, 1,
+                                      &scalar->conditions[k], error));
+    return spec->source == NULL
+               ? MPM_OK
+               : mpm_expression_create(spec->source, names, true, simulation->state.workers,
+                                       &scalar->source, error);
+}
+
+static double condition_value(const void *context, int32_t condition, const double position[2],
+                              double time)
+{
+    const struct mpm_nodal_scalar *const scalar = context;
+    return mpm_expression_value(scalar->conditions[condition], 0, position, time);
+}
+
+enum mpm_status mpm_transport_create(struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    struct mpm_transport *const transport = &simulation->state.transport;
+    for (int which = 0; which < MPM_SCALAR_COUNT; which++) {
+        if (!simulation->scene->scalars[which].asked)
+            continue;
+        struct mpm_nodal_scalar *const scalar = &transport->list[transport->count++];
+        MPM_TRY(create_scalar(simulation, (enum mpm_scalar)which, scalar, error));
+        MPM_TRY(mpm_scalar_holds_list(simulation->scene, &simulation->state.grid, scalar->which,
+                                      condition_value, scalar, &scalar->holds, &scalar->hold_count,
+                                      error));
+    }
+    return MPM_OK;
+}
+
+void mpm_transport_free(struct mpm_simulation *simulation)
+{
+    const struct mpm_transport *const transport = &simulation->state.transport;
+    for (size_t k = 0; k < transport->count; k++) {
+        const struct mpm_nodal_scalar *const scalar = &transport->list[k];
+        const struct mpm_scalar_spec *const spec = &simulation->scene->scalars[scalar->which];
+        for (size_t i = 0; scalar->conditions != NULL && i < spec->condition_count; i++)
+            mpm_expression_free(scalar->conditions[i]);
+        free(scalar->conditions);
+        free(scalar->holds);
+        mpm_expression_free(scalar->source);
+    }
+}
+
+void mpm_transport_layout(struct mpm_state *state, struct mpm_arena *arena)
+{
+    for (size_t k = 0; k < state->transport.count; k++) {
+        struct mpm_nodal_scalar *const scalar = &state->transport.list[k];
+        scalar->weight = MPM_TAKE(arena, double, state->scene->body_count);
+        scalar->bodies = MPM_TAKE(arena, struct mpm_scalar_body, state->scene->body_count);
+        scalar->settling = MPM_TAKE(arena, double, scalar->hold_count);
+        mpm_nodal_scalar_layout(state, scalar, arena);
+    }
+}
+
+/* ------------------------------------------------------------------ filling */
+
+/* Of the tensor xx yy xy. */
+static double largest_conductivity(const double k[3])
+{
+    return 0.5 * (k[0] + k[1] + hypot(k[0] - k[1], 2.0 * k[2]));
+}
+
+static void describe_bodies(const struct mpm_state *state, struct mpm_nodal_scalar *scalar)
+{
+    const struct mpm_scene *const scene = state->scene;
+    for (size_t body = 0; body < scene->body_count; body++) {
+        const struct mpm_body_spec *const spec = &scene->bodies[body];
+        const struct mpm_material_spec *const material = &scene->materials[spec->material];
+        const struct mpm_conduction *const given = &material->conduction[scalar->which];
+        struct mpm_scalar_body *const made = &scalar->bodies[body];
+        if (spec->rigid)
+            continue;
+        scalar->weight[body] = given->capacity;
+        for (int i = 0; i < 3; i++)
+            made->k[i] = given->k[i] / material->density;
+        made->turns = given->anisotropic;
+        made->diffusivity = largest_conductivity(made->k) / given->capacity;
+    }
+}
+
+static enum mpm_status set_start(const struct mpm_simulation *simulation,
+                                 const struct mpm_nodal_scalar *scalar, uint32_t body,
+                                 const struct mpm_expression *start, size_t first, size_t end,
+                                 struct mpm_error *error)
+{
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    double *const value = mpm_particle_array(particles, scalar->row->field, 0);
+    for (size_t p = first; p < end; p++) {
+        const double position[2] = {particles->position[0][p], particles->position[1][p]};
+        value[p] = mpm_expression_value(start, 0, position, 0.0);
+        if (!isfinite(value[p]))
+            return mpm_scene_error(error, simulation->scene, simulation->scene->bodies[body].line,
+                                   "bodies",
+                                   "initial %s of body '%s' is %g at (%g, %g); allowed: "
+                                   "finite",
+                                   scalar->row->name, simulation->scene->bodies[body].name,
+                                   value[p], position[0], position[1]);
+    }
+    return MPM_OK;
+}
+
+/* Particles are still in creation order: those of a body stand together. */
+static enum mpm_status set_starts(const struct mpm_simulation *simulation,
+                                  const struct mpm_nodal_scalar *scalar, struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    enum mpm_status status = MPM_OK;
+    for (size_t p = 0, end; p < particles->count && status == MPM_OK; p = end) {
+        const uint32_t body = particles->body[p];
+        const char *const own = scene->bodies[body].start[scalar->which];
+        struct mpm_expression *start = NULL;
+        for (end = p + 1; end < particles->count && particles->body[end] == body;)
+            end++;
+        status = mpm_expression_create(own != NULL ? own : scene->scalars[scalar->which].start,
+                                       mpm_scene_coordinates(scene), false, 1, &start, error);
+        if (status == MPM_OK)
+            status = set_start(simulation, scalar, body, start, p, end, error);
+        mpm_expression_free(start);
+    }
+    return status;
+}
+
+static enum mpm_status check_conditions(const struct mpm_simulation *simulation,
+                                        const struct mpm_nodal_scalar *scalar,
+                                        struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    for (size_t k = 0; k < scalar->hold_count; k++) {
+        const struct mpm_scalar_hold *const hold = &scalar->holds[k];
+        double position[2];
+        char key[96];
+        mpm_grid_edge_position(&simulation->state.grid, hold->node, position);
+        const double value = condition_value(scalar, hold->condition, position, 0.0);
+        if (isfinite(value))
+            continue;
+        (void)snprintf(key, sizeof key, "transport.%s.conditions.%d.value", scalar->row->name,
+                       (int)hold->condition);
+        return mpm_scene_error(
+            error, scene, scene->scalars[scalar->which].conditions[hold->condition].line, key,
+            "is %g at (%g, %g), time 0; allowed: finite", value, position[0], position[1]);
+    }
+    return MPM_OK;
+}
+
+static enum mpm_status check_source(const struct mpm_simulation *simulation,
+                                    const struct mpm_nodal_scalar *scalar, struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    for (size_t p = 0; scalar->source != NULL && p < particles->count; p++) {
+        const double position[2] = {particles->position[0][p], particles->position[1][p]};
+        const double value = mpm_expression_value(scalar->source, 0, position, 0.0);
+        char key[64];
+        if (isfinite(value))
+            continue;
+        (void)snprintf(key, sizeof key, "transport.%s.source", scalar->row->name);
+        return mpm_scene_error(error, scene, scene->scalars[scalar->which].line, key,
+                               "is %g at (%g, %g), time 0; allowed: finite", value, position[0],
+                               position[1]);
+    }
+    return MPM_OK;
+}
+
+/* Before the first step: of the fluxes at the highest temperature that is there or around. */
+static double first_film(const struct mpm_simulation *simulation,
+                         const struct mpm_nodal_scalar *scalar)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    double extremes[2], film = 0.0;
+    (void)mpm_transport_content(&simulation->state, scalar, extremes);
+    for (size_t k = 0; k < scene->edge_load_count; k++) {
+        const struct mpm_edge_load_spec *const spec = &scene->edge_loads[k];
+        const double density = simulation->state.bodies[spec->body].material.density;
+        if (spec->flux != MPM_NO_FLUX && spec->scalar == scalar->which)
+            film = fmax(film,
+                        mpm_flux_slope(spec, extremes[1]) / (density * scalar->weight[spec->body]));
+    }
+    return film;
+}
+
+enum mpm_status mpm_transport_fill(struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    struct mpm_state *const state = &simulation->state;
+    for (size_t k = 0; k < state->transport.count; k++) {
+        struct mpm_nodal_scalar *const scalar = &state->transport.list[k];
+        describe_bodies(state, scalar);
+        MPM_TRY(set_starts(simulation, scalar, error));
+        MPM_TRY(check_conditions(simulation, scalar, error));
+        MPM_TRY(check_source(simulation, scalar, error));
+        simulation->film = fmax(simulation->film, first_film(simulation, scalar));
+        for (size_t body = 0; body < simulation->scene->body_count; body++)
+            simulation->diffusivity =
+                fmax(simulation->diffusivity, scalar->bodies[body].diffusivity);
+    }
+    return MPM_OK;
+}
+
+/* ------------------------------------------------------------------ history */
+
+static double content(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar)
+{
+    return mpm_transport_content(state, scalar, NULL);
+}
+
+static double held(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar)
+{
+    (void)state;
+    return scalar->totals.held;
+}
+
+static double from_source(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar)
+{
+    (void)state;
+    return scalar->totals.source;
+}
+
+static double through_edges(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar)
+{
+    (void)state;
+    return scalar->totals.edges;
+}
+
+static double lowest(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar)
+{
+    double extremes[2];
+    (void)mpm_transport_content(state, scalar, extremes);
+    return extremes[0];
+}
+
+static double highest(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar)
+{
+    double extremes[2];
+    (void)mpm_transport_content(state, scalar, extremes);
+    return extremes[1];
+}
+
+/* Names: what the scalar, its content or its flow is called, between two words. */
+static const struct quantity {
+    const char *before, *after, *description;
+    enum { OF_CONTENT, OF_FLOW, OF_VALUE } of;
+    double (*value)(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar);
+} quantities[] = {
+    {"", "", "sum of capacity times value of all particles", OF_CONTENT, content},
+    {"boundary_", "", "taken in at nodes with a prescribed value since t = 0", OF_FLOW, held},
+    {"source_", "", "put in by the source since t = 0", OF_FLOW, from_source},
+    {"edge_", "", "taken in through edges of particles since t = 0", OF_FLOW, through_edges},
+    {"", "_min", "smallest value of a particle", OF_VALUE, lowest},
+    {"", "_max", "largest value of a particle", OF_VALUE, highest},
+};
+enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
+
+/* The scalar of the scene that `index` counts to. */
+static enum mpm_scalar scalar_at(const struct mpm_scene *scene, size_t index)
+{
+    size_t before = index / QUANTITIES;
+    int which = 0;
+    while (!scene->scalars[which].asked || before-- > 0)
+        which++;
+    return (enum mpm_scalar)which;
+}
+
+size_t mpm_scene_transport_quantity_count(const struct mpm_scene *scene)
+{
+    size_t count = 0;
+    for (size_t which = 0; which < MPM_SCALAR_COUNT; which++)
+        count += scene->scalars[which].asked ? QUANTITIES : 0;
+    return count;
+}
+
+struct mpm_quantity_info mpm_scene_transport_quantity(const struct mpm_scene *scene, size_t index)
+{
+    const struct mpm_scalar_row *const row = &mpm_scalar_rows[scalar_at(scene, index)];
+    const struct quantity *const quantity = &quantities[index % QUANTITIES];
+    const char *const words[] = {
+        [OF_CONTENT] = row->content_name, [OF_FLOW] = row->flow_name, [OF_VALUE] = row->name};
+    struct mpm_quantity_info info = {
+        .dimension =
+            quantity->of == OF_VALUE ? mpm_particle_rows[row->field].info.dimension : row->content,
+        .description = quantity->description,
+    };
+    (void)snprintf(info.name, sizeof info.name, "%s%s%s", quantity->before, words[quantity->of],
+                   quantity->after);
+    return info;
+}
+
+double mpm_simulation_transport_quantity(const struct mpm_simulation *simulation, size_t index)
+{
+    const struct mpm_state *const state = &simulation->state;
+    return quantities[index % QUANTITIES].value(state, &state->transport.list[index / QUANTITIES]);
+}
+
+bool mpm_scene_is_at_rest(const struct mpm_scene *scene)
+{
+    return scene->at_rest;
+}
+
+bool mpm_scene_has_transport(const struct mpm_scene *scene)
+{
+    return mpm_scene_transport_quantity_count(scene) > 0;
+}

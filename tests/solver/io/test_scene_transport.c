@@ -1,0 +1,161 @@
+/* Heat conduction: how scenes state it, and what is refused.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "model/scene.h"
+#include "suites.h"
+#include "support/near.h"
+#include "support/scene_files.h"
+#include "support/scenes.h"
+
+#include <glib.h>
+#include <string.h>
+
+static const char CONDUCTING[] = "tests/scenes/good/conducting.yaml";
+
+START_TEST(transport_says_what_its_file_says)
+{
+    struct mpm_scene *scene = test_scene_read(CONDUCTING, NULL);
+    const struct mpm_scalar_spec *const heat = &scene->scalars[MPM_TEMPERATURE];
+    const struct mpm_conduction *const steel = &scene->materials[0].conduction[MPM_TEMPERATURE];
+    const struct mpm_conduction *const wood = &scene->materials[1].conduction[MPM_TEMPERATURE];
+    ck_assert(heat->asked && !scene->at_rest);
+    ck_assert_int_eq(heat->transfer, MPM_SCALAR_FLIP);
+    ck_assert_str_eq(heat->start, "20");
+    ck_assert_str_eq(heat->source, "5*x*t");
+    ck_assert_uint_eq(heat->condition_count, 1);
+    ck_assert_str_eq(heat->conditions[0].value, "20+10*t");
+    ck_assert_str_eq(scene->bodies[0].start[MPM_TEMPERATURE], "20+x");
+    ck_assert_ptr_null(scene->bodies[1].start[MPM_TEMPERATURE]);
+    ck_assert_double_eq(steel->capacity, 0.5);
+    ck_assert(!steel->anisotropic);
+    ck_assert_double_eq(steel->k[0], 4.0);
+    ck_assert_double_eq(steel->k[1], 4.0);
+    ck_assert_double_eq(steel->k[2], 0.0);
+    ck_assert(wood->anisotropic); /* 3 and 1, turned by 30 degrees */
+    ck_assert_near(wood->k[0], 2.5, 1e-15);
+    ck_assert_near(wood->k[1], 1.5, 1e-15);
+    ck_assert_near(wood->k[2], 0.8660254037844386, 1e-15);
+    mpm_scene_free(scene);
+}
+END_TEST
+
+static const char AT_REST[] =
+    "materials=[{name: steel, law: none, density: 2, heat_capacity: 1, conductivity: 1}, "
+    "{name: wood, law: none, density: 2, heat_capacity: 1, conductivity: 1}]";
+
+/* Settings of the good scene, a line each, and part of the message. */
+static const char *const refused[][2] = {
+    {"materials.steel.heat_capacity=0", "materials.0.heat_capacity: out of range"},
+    {"materials.steel.conductivity=-1", "materials.0.conductivity: out of range"},
+    {"materials.steel={name: steel, law: neo_hookean, density: 1, bulk: 1, shear: 1, conductivity: "
+     "1}",
+     "no heat_capacity"},
+    {"materials.wood.conductivity=1", "both of conductivity and principal_conductivities given"},
+    {"materials.steel={name: steel, law: neo_hookean, density: 1, bulk: 1, shear: 1, "
+     "heat_capacity: 1}",
+     "none of conductivity and principal_conductivities given"},
+    {"materials.steel.conductivity_angle=3", "for a conductivity without directions"},
+    {"transport={}", "materials.0.heat_capacity: given in a scene without transport.temperature"},
+    {"transport.temperature.source='x*'", "transport.temperature.source: "},
+    {"transport.temperature.source='1/(x-x)'", "allowed: finite"},
+    {"transport.temperature.start='t'", "transport.temperature.start: "},
+    {"transport.temperature.transfer=apic", "allowed: flip | pic"},
+    {"transport.temperature.conditions.0.value=free", "a component cannot be free here"},
+    {"transport.temperature.conditions.0.region={disk: {center: [1, 1], radius: 1}}",
+     "transport.temperature.conditions.0.region"},
+    {"transport.temperature.flux=1", "unknown key \"flux\"; allowed: transfer, start, source"},
+    {"transport.temperature.fluxes=[{body: left, edge: top}]",
+     "transport.temperature.fluxes.0: 0 of value, convection and radiation given"},
+    {"transport.temperature.fluxes=[{body: left, edge: top, value: 1, convection: {coefficient: 1, "
+     "ambient: 2}}]",
+     "transport.temperature.fluxes.0: 2 of value, convection and radiation given"},
+    {"transport.temperature.fluxes=[{body: middle, edge: top, value: 1}]",
+     "transport.temperature.fluxes.0.body: no such body"},
+    {"transport.temperature.fluxes=[{body: left, edge: top, radiation: {emissivity: 2, sigma: 1, "
+     "ambient: 2}}]",
+     "transport.temperature.fluxes.0.radiation.emissivity: out of range"},
+    {"bodies.right.rigid={velocity: [0, 0]}", "both of material and rigid given"},
+    {"bodies.right={name: right, rigid: {velocity: [0, 0]}, temperature: 3, region: {rectangle: "
+     "{from: [6, 0], to: [8, 2]}}}",
+     "a temperature for a rigid body"},
+    {"contact={law: stick}", "heat conduction with contact between bodies"},
+    {"cracks=[{points: [[1, 1], [3, 1.1]]}]", "heat conduction with cracks"},
+    {"materials.wood={name: wood, law: none, density: 2, heat_capacity: 1, conductivity: 1}",
+     "materials.1.law: got none beside materials with a stress"},
+    {AT_REST, "bodies.0: a velocity in a scene where nothing moves"},
+};
+
+START_TEST(what_contradicts_itself_is_refused)
+{
+    struct mpm_scene *scene = NULL;
+    struct mpm_error error = {.message = ""};
+    ck_assert_int_eq(mpm_scene_read(CONDUCTING, &refused[_i][0], 1, &scene, &error), MPM_BAD_INPUT);
+    test_contains(error.message, refused[_i][1]);
+}
+END_TEST
+
+/* The same in a scene where nothing moves. */
+static const char *const refused_at_rest[][2] = {
+    {"method.stress_update=usl", "method.stress_update: given in a scene where nothing moves"},
+    {"method.transfer={kind: pic}", "method.transfer: given in a scene where nothing moves"},
+    {"loads={body_force: [0, 1]}", "loads: given in a scene where nothing moves"},
+    {"damping={grid: 1}", "damping: given in a scene where nothing moves"},
+    {"time={end: 1, rest: {residual: 0.1, kinetic_energy: 0.1}}", "time.rest: given"},
+    {"output={energy_balance: true}", "output.energy_balance: given"},
+    {"boundary=[{region: all, velocity: [0, 0]}]", "boundary.0: a velocity in a scene where"},
+    {"bodies.right={name: right, rigid: {velocity: [0, 0]}, region: {rectangle: {from: [6, 0], to: "
+     "[8, 2]}}}",
+     "bodies.1: a rigid body in a scene where nothing moves"},
+};
+
+START_TEST(what_belongs_to_motion_is_refused_where_nothing_moves)
+{
+    struct mpm_scene *scene = NULL;
+    struct mpm_error error = {.message = ""};
+    const char *const settings[] = {AT_REST,
+                                    "bodies.left={name: left, material: steel, region: {rectangle: "
+                                    "{from: [0, 0], to: [4, 2]}}}",
+                                    refused_at_rest[_i][0]};
+    ck_assert_int_eq(mpm_scene_read(CONDUCTING, settings, 3, &scene, &error), MPM_BAD_INPUT);
+    test_contains(error.message, refused_at_rest[_i][1]);
+}
+END_TEST
+
+/* What needs nodes and particles is found when the simulation is created. */
+static const char *const refused_later[][2] = {
+    {"transport.temperature.conditions.0.region={line: {from: [0.3, 0], to: [0.3, 2]}}",
+     "transport.temperature.conditions.0.region: selects no node of the grid"},
+    {"transport.temperature.conditions=[{region: {line: {from: [0, 0], to: [0, 2]}}, value: 1}, "
+     "{region: {line: {from: [0, 0], to: [4, 0]}}, value: '1+t'}]",
+     "transport.temperature.conditions.1.value: prescribes 1.03125 at the node (0, 0)"},
+    {"transport.temperature.start='1/(x-6.25)'", "initial temperature of body 'right' is inf"},
+    {"transport.temperature.source='1/(x-6.25)'", "transport.temperature.source: is inf"},
+    {"time={end: 1, step: 0.3}", "1 / (2 kappa (1/h_x^2 + 1/h_y^2))"},
+};
+
+START_TEST(what_does_not_fit_the_grid_is_refused)
+{
+    struct mpm_scene *scene = NULL;
+    struct mpm_simulation *simulation = NULL;
+    struct mpm_error error = {.message = ""};
+    const struct mpm_simulation_options options = {.threads = 1};
+    ck_assert_int_eq(mpm_scene_read(CONDUCTING, &refused_later[_i][0], 1, &scene, &error), MPM_OK);
+    ck_assert_int_eq(mpm_simulation_create(scene, &options, &simulation, &error), MPM_BAD_INPUT);
+    test_contains(error.message, refused_later[_i][1]);
+    mpm_scene_free(scene);
+}
+END_TEST
+
+Suite *suite_scene_transport(void)
+{
+    Suite *suite = suite_create("scene_transport");
+    TCase *reading = tcase_create("reading");
+    tcase_add_test(reading, transport_says_what_its_file_says);
+    tcase_add_loop_test(reading, what_contradicts_itself_is_refused, 0, (int)G_N_ELEMENTS(refused));
+    tcase_add_loop_test(reading, what_belongs_to_motion_is_refused_where_nothing_moves, 0,
+                        (int)G_N_ELEMENTS(refused_at_rest));
+    tcase_add_loop_test(reading, what_does_not_fit_the_grid_is_refused, 0,
+                        (int)G_N_ELEMENTS(refused_later));
+    suite_add_tcase(suite, reading);
+    return suite;
+}

@@ -1,0 +1,98 @@
+/* The exact fields of family H against what they must satisfy: the equation of conduction, surface,
+ * start, and numbers from elsewhere.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "suites.h"
+#include "support/near.h"
+#include "verification/exact/heat.h"
+
+#include <glib.h>
+#include <math.h>
+
+/* Differences of fields with derivatives of order 100: truncation 1e-6, rounding 1e-16/1e-6. */
+static const double STEP = 1e-3, SLOPE = 5e-4;
+
+typedef double field(enum heat_body body, double place, double tau);
+
+/* v_t - v_xx - (n - 1) v_x / x with n = 1, 2, 3 axes */
+static double residual(field *v, enum heat_body body, double place, double tau)
+{
+    const double left = v(body, place - STEP, tau), middle = v(body, place, tau);
+    const double right = v(body, place + STEP, tau);
+    const double rate =
+        (v(body, place, tau + STEP * STEP) - v(body, place, tau - STEP * STEP)) / (2 * STEP * STEP);
+    return rate - (left - 2.0 * middle + right) / (STEP * STEP) -
+           (double)body * (right - left) / (2.0 * STEP * place);
+}
+
+static const double places[] = {0.1, 0.35, 0.6, 0.85};
+static const double times[] = {0.03, 0.1, 0.4};
+
+START_TEST(fields_of_held_surfaces_solve_the_equation)
+{
+    const enum heat_body body = (enum heat_body)_i;
+    for (size_t t = 0; t < G_N_ELEMENTS(times); t++) {
+        for (size_t k = 0; k < G_N_ELEMENTS(places); k++)
+            ck_assert_near(residual(heat_surface_held, body, places[k], times[t]), 0.0, SLOPE);
+        ck_assert_near(heat_surface_held(body, 1.0, times[t]), 1.0, 1e-14);
+    }
+    ck_assert_near(heat_surface_held(body, 0.2, 1e-3), 0.0, 1e-12); /* still cold */
+    ck_assert_near(heat_surface_held(body, 0.5, 10.0), 1.0, 1e-9);
+    /* near the surface the half-space: erfc((1 - x)/(2 sqrt tau)), and curvature in a cylinder */
+    if (body == HEAT_SLAB)
+        ck_assert_near(heat_surface_held(body, 0.98, 1e-3), erfc(0.01 / sqrt(1e-3)), 1e-12);
+}
+END_TEST
+
+START_TEST(fields_of_fluxes_solve_the_equation)
+{
+    const enum heat_body body = (enum heat_body)_i;
+    for (size_t t = 0; t < G_N_ELEMENTS(times); t++) {
+        const double tau = times[t];
+        for (size_t k = 0; k < G_N_ELEMENTS(places); k++)
+            ck_assert_near(residual(heat_surface_flux, body, places[k], tau), 0.0, SLOPE);
+        const double slope =
+            (3.0 * heat_surface_flux(body, 1.0, tau) - 4.0 * heat_surface_flux(body, 0.99, tau) +
+             heat_surface_flux(body, 0.98, tau)) /
+            0.02;
+        ck_assert_near(slope, 1.0, 5e-3);
+    }
+    ck_assert_near(heat_surface_flux(body, 0.2, 1e-3), 0.0, 1e-10);
+}
+END_TEST
+
+START_TEST(a_sphere_has_no_field_of_a_flux)
+{
+    ck_assert(isnan(heat_surface_flux(HEAT_SPHERE, 0.5, 0.1)));
+}
+END_TEST
+
+/* NAFEMS T3, and the driven end. */
+START_TEST(a_driven_slab_has_the_temperature_of_nafems)
+{
+    const double rate = 35.0 / (7200.0 * 440.5) / 0.01, w = G_PI / 40.0;
+    ck_assert_near(100.0 * heat_slab_driven(0.8, rate, w, 32.0), 36.60, 5e-3);
+    ck_assert_near(heat_slab_driven(1.0, rate, w, 32.0), sin(32.0 * w), 1e-13);
+    ck_assert_near(heat_slab_driven(0.0, rate, w, 32.0), 0.0, 1e-15);
+    const double x = 0.7, t = 20.0, h = 1e-3, d = 1e-3;
+    const double v_t =
+        (heat_slab_driven(x, rate, w, t + d) - heat_slab_driven(x, rate, w, t - d)) / (2.0 * d);
+    const double v_xx =
+        (heat_slab_driven(x - h, rate, w, t) - 2.0 * heat_slab_driven(x, rate, w, t) +
+         heat_slab_driven(x + h, rate, w, t)) /
+        (h * h);
+    ck_assert_near(v_t, rate * v_xx, 1e-6);
+}
+END_TEST
+
+Suite *suite_heat_fields(void)
+{
+    Suite *suite = suite_create("heat_fields");
+    TCase *fields = tcase_create("fields");
+    tcase_add_loop_test(fields, fields_of_held_surfaces_solve_the_equation, 0, HEAT_BODIES);
+    tcase_add_loop_test(fields, fields_of_fluxes_solve_the_equation, 0, HEAT_SPHERE);
+    tcase_add_test(fields, a_sphere_has_no_field_of_a_flux);
+    tcase_add_test(fields, a_driven_slab_has_the_temperature_of_nafems);
+    suite_add_tcase(suite, fields);
+    return suite;
+}

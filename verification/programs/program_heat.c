@@ -1,0 +1,308 @@
+/* Family H: temperatures of particles against exact fields of conduction (heat.h), and heat against
+ * what went in.
+ *
+ * The scene runs to its end; all particles are held against the exact field at their places then.
+ * With v one of the fields of heat.h, at the place (x - origin)/length along an axis or from a
+ * centre:
+ *
+ *   driven   T = scale v(frequency)                           NAFEMS T3
+ *   held     T = start + scale v                              a surface held at start + scale
+ *   flux     T = scale v                                      scale = q a/k
+ *   wave     T = scale sin(p x + q y + phase) exp(-decay t)   a manufactured field: the scene has
+ * its source kept     T = that of the particle at t = 0
+ *
+ * Reports: error_l2, error_worst (% of scale), axis_worst (of particles within a tenth of the
+ * length from x = origin), probe (T at the parameter `probe` along the axis), heat_imbalance
+ * (|change of heat - what went in| over the sum of their sizes), unchanged (1 if no bit of any
+ * temperature has changed since t = 0), spread (standard deviation over that at t = 0), finished;
+ * orders over levels. Series: profile.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/exact/heat.h"
+#include "verification/measures/error_norms.h"
+#include "verification/programs/follow.h"
+#include "verification/programs/levels.h"
+
+#include <glib.h>
+#include <math.h>
+#include <string.h>
+
+enum { AXES = 2, COLUMNS = 4 };
+static const double PI = 3.14159265358979323846;
+
+enum kind { DRIVEN, HELD, FLUX, WAVE, KEPT, KINDS };
+static const char *const kind_names[KINDS] = {"driven", "held", "flux", "wave", "kept"};
+static const char *const body_names[HEAT_BODIES] = {"slab", "cylinder", "sphere"};
+
+struct problem {
+    enum kind kind;
+    enum heat_body body;
+    double scale, start, length, origin, diffusivity;
+    double frequency;    /* over pi */
+    double p, q, phase;  /* over pi */
+    double decay, probe; /* probe over the length */
+    unsigned along;
+};
+
+struct outcome {
+    bool finished;
+    double error_l2, error_worst, axis_worst, probe, imbalance, spread;
+    bool unchanged;
+};
+
+/* ------------------------------------------------------------------ the problem */
+
+static enum mpm_status optional(const struct measurement *m, const char *name, double *value,
+                                struct mpm_error *error)
+{
+    return measurement_has(m, name) ? measurement_number(m, name, value, error) : MPM_OK;
+}
+
+static enum mpm_status read_problem(const struct measurement *m, struct problem *problem,
+                                    struct mpm_error *error)
+{
+    size_t kind, body = HEAT_SLAB;
+    const struct measurement_parameter needed[] = {{"scale", &problem->scale},
+                                                   {"length", &problem->length},
+                                                   {"diffusivity", &problem->diffusivity}};
+    const struct measurement_parameter others[] = {
+        {"start", &problem->start},
+        {"origin", &problem->origin},
+        {"frequency", &problem->frequency},
+        {"p", &problem->p},
+        {"q", &problem->q},
+        {"phase", &problem->phase},
+        {"decay", &problem->decay},
+        {"probe", &problem->probe},
+    };
+    TRY(measurement_choice(m, "solution", kind_names, KINDS, &kind, error));
+    if (measurement_has(m, "body"))
+        TRY(measurement_choice(m, "body", body_names, HEAT_BODIES, &body, error));
+    if (measurement_has(m, "along"))
+        TRY(measurement_count(m, "along", 0, AXES - 1, &problem->along, error));
+    TRY(measurement_numbers(m, needed, G_N_ELEMENTS(needed), error));
+    for (size_t k = 0; k < G_N_ELEMENTS(others); k++)
+        TRY(optional(m, others[k].name, others[k].value, error));
+    problem->kind = (enum kind)kind;
+    problem->body = (enum heat_body)body;
+    return MPM_OK;
+}
+
+/* x/a or r/a */
+static double place_of(const struct problem *problem, const double position[AXES])
+{
+    if (problem->body == HEAT_SPHERE)
+        return hypot(position[0], position[1] - problem->origin) / problem->length;
+    return (position[problem->along] - problem->origin) / problem->length;
+}
+
+static double exact(const struct problem *problem, const double position[AXES], double time,
+                    double at_start)
+{
+    const double rate = problem->diffusivity / (problem->length * problem->length);
+    const double place = place_of(problem, position);
+    switch (problem->kind) {
+    case DRIVEN:
+        return problem->scale * heat_slab_driven(place, rate, PI * problem->frequency, time);
+    case HELD:
+        return problem->start +
+               problem->scale * heat_surface_held(problem->body, place, rate * time);
+    case FLUX:
+        return problem->scale * heat_surface_flux(problem->body, place, rate * time);
+    case WAVE:
+        return problem->scale * exp(-problem->decay * time) *
+               sin(PI * (problem->p * position[0] + problem->q * position[1] + problem->phase));
+    case KEPT:
+    case KINDS:
+    default:
+        return at_start;
+    }
+}
+
+/* ------------------------------------------------------------------ measuring */
+
+static double quantity(const struct mpm_scene *scene, const struct mpm_simulation *simulation,
+                       const char *name)
+{
+    for (size_t k = 0; k < mpm_scene_transport_quantity_count(scene); k++)
+        if (strcmp(mpm_scene_transport_quantity(scene, k).name, name) == 0)
+            return mpm_simulation_transport_quantity(simulation, k);
+    return (double)NAN;
+}
+
+static double imbalance(const struct mpm_scene *scene, const struct mpm_simulation *simulation,
+                        double start)
+{
+    const double change = quantity(scene, simulation, "thermal_energy") - start;
+    const double held = quantity(scene, simulation, "boundary_heat");
+    const double source = quantity(scene, simulation, "source_heat");
+    const double edges = quantity(scene, simulation, "edge_heat");
+    return fabs(change - held - source - edges) /
+           (fabs(start) + fabs(change) + fabs(held) + fabs(source) + fabs(edges));
+}
+
+static double deviation(size_t count, const double *value)
+{
+    double sum = 0.0, square = 0.0;
+    for (size_t p = 0; p < count; p++)
+        sum += value[p];
+    for (size_t p = 0; p < count; p++)
+        square += (value[p] - sum / (double)count) * (value[p] - sum / (double)count);
+    return sqrt(square / (double)count);
+}
+
+/* Mean of the particles nearest to a place on either side of it, weighted by their distance from
+ * it: linear between two columns of a lattice. */
+static double probe_at(const struct problem *problem, size_t count, const double *position,
+                       const double *value)
+{
+    double below = -HUGE_VAL, above = HUGE_VAL, sum[2] = {0.0, 0.0};
+    size_t n[2] = {0, 0};
+    const double slack = 1e-9;
+    for (size_t p = 0; p < count; p++) {
+        const double place = place_of(problem, position + AXES * p);
+        if (place <= problem->probe)
+            below = fmax(below, place);
+        else
+            above = fmin(above, place);
+    }
+    for (size_t p = 0; p < count; p++) {
+        const double place = place_of(problem, position + AXES * p);
+        const size_t side = fabs(place - below) < slack ? 0 : 1;
+        if (side == 0 || fabs(place - above) < slack) {
+            sum[side] += value[p];
+            n[side]++;
+        }
+    }
+    const double part = (problem->probe - below) / (above - below);
+    return (1.0 - part) * sum[0] / (double)n[0] + part * sum[1] / (double)n[1];
+}
+
+struct study {
+    const struct problem *problem;
+    struct outcome *outcome;
+    bool last;
+};
+
+static enum mpm_status write_profile(struct measurement *m, size_t count, const double *position,
+                                     const double *value, const double *wanted,
+                                     struct mpm_error *error)
+{
+    double *const rows = g_new(double, COLUMNS *count);
+    for (size_t p = 0; p < count; p++) {
+        double *const row = rows + COLUMNS * p;
+        row[0] = position[AXES * p];
+        row[1] = position[AXES * p + 1];
+        row[2] = value[p];
+        row[3] = wanted[p];
+    }
+    const enum mpm_status status =
+        measurement_series(m, "profile", "x y temperature exact", COLUMNS, count, rows, error);
+    g_free(rows);
+    return status;
+}
+
+static void compare(const struct problem *problem, size_t count, const double *position,
+                    const double *mass, const double *value, const double *wanted,
+                    struct outcome *outcome)
+{
+    const double percent = 100.0 / problem->scale;
+    const struct error_norms norms = error_norms(count, 1, NULL, mass, value, wanted);
+    outcome->error_l2 = percent * norms.l2;
+    outcome->error_worst = percent * norms.linf;
+    for (size_t p = 0; p < count; p++)
+        if (place_of(problem, position + AXES * p) < 0.1)
+            outcome->axis_worst = fmax(outcome->axis_worst, percent * fabs(value[p] - wanted[p]));
+    outcome->probe = probe_at(problem, count, position, value);
+}
+
+static enum mpm_status measure_scene(void *context, struct measurement *m,
+                                     const struct mpm_scene *scene,
+                                     struct mpm_simulation *simulation, struct mpm_error *error)
+{
+    const struct study *const study = context;
+    struct outcome *const outcome = study->outcome;
+    const size_t count = mpm_simulation_particle_count(simulation);
+    double *const first = g_new(double, count), *const value = g_new(double, count);
+    double *const wanted = g_new(double, count), *const mass = g_new(double, count);
+    double *const position = g_new(double, AXES *count);
+    const double heat = quantity(scene, simulation, "thermal_energy");
+    outcome->finished = true;
+    mpm_simulation_field(simulation, MPM_FIELD_TEMPERATURE, first);
+    enum mpm_status status =
+        follow_to(m, simulation, mpm_scene_end_time(scene), &outcome->finished, error);
+    follow_count_work(m, simulation);
+    if (status == MPM_OK) {
+        mpm_simulation_field(simulation, MPM_FIELD_TEMPERATURE, value);
+        mpm_simulation_field(simulation, MPM_FIELD_POSITION, position);
+        mpm_simulation_field(simulation, MPM_FIELD_MASS, mass);
+        for (size_t p = 0; p < count; p++)
+            wanted[p] = exact(study->problem, position + AXES * p, mpm_simulation_time(simulation),
+                              first[p]);
+        compare(study->problem, count, position, mass, value, wanted, outcome);
+        outcome->imbalance = imbalance(scene, simulation, heat);
+        outcome->unchanged = memcmp(first, value, count * sizeof *value) == 0;
+        outcome->spread = deviation(count, value) / deviation(count, first);
+        if (study->last)
+            status = write_profile(m, count, position, value, wanted, error);
+    }
+    g_free(first);
+    g_free(value);
+    g_free(wanted);
+    g_free(mass);
+    g_free(position);
+    return status;
+}
+
+/* ------------------------------------------------------------------ reporting */
+
+static void report(struct measurement *m, const struct problem *problem,
+                   const struct outcome *outcome)
+{
+    const double missing = outcome->finished ? 0.0 : (double)NAN;
+    levels_report_value(m, "error_l2", "", missing + outcome->error_l2);
+    levels_report_value(m, "error_worst", "", missing + outcome->error_worst);
+    levels_report_value(m, "axis_worst", "", missing + outcome->axis_worst);
+    if (problem->probe > 0.0)
+        levels_report_value(m, "probe", "", missing + outcome->probe);
+    measurement_report(m, "unchanged", outcome->unchanged ? 1.0 : 0.0);
+    if (isfinite(outcome->spread))
+        measurement_report(m, "spread", outcome->spread);
+    measurement_report(m, "finished", outcome->finished ? 1.0 : 0.0);
+}
+
+static enum mpm_status run(struct measurement *m, struct mpm_error *error)
+{
+    struct problem problem = {.kind = KEPT};
+    struct levels levels;
+    struct outcome outcome = {.finished = false};
+    double l2[LEVELS_MAX] = {0.0}, worst[LEVELS_MAX] = {0.0}, probes[LEVELS_MAX] = {0.0};
+    double unbalanced = 0.0;
+    TRY(read_problem(m, &problem, error));
+    TRY(levels_read(m, &levels, error));
+    for (size_t k = 0; k < levels_runs(&levels); k++) {
+        outcome = (struct outcome){.finished = false};
+        struct study study = {&problem, &outcome, k + 1 == levels_runs(&levels)};
+        TRY(follow_scene(m, &levels.setting[k], levels.count == 0 ? 0 : 1, measure_scene, &study,
+                         error));
+        const double missing = outcome.finished ? 0.0 : (double)NAN;
+        l2[k] = missing + outcome.error_l2;
+        worst[k] = missing + outcome.error_worst;
+        probes[k] = missing + outcome.probe;
+        unbalanced = fmax(unbalanced, outcome.imbalance);
+        measurement_note(m, "level %zu: error %.6g %% (worst %.6g %%), probe %.6f", k + 1, l2[k],
+                         worst[k], probes[k]);
+    }
+    report(m, &problem, &outcome);
+    measurement_report(m, "heat_imbalance", unbalanced);
+    if (levels.count == 0)
+        return MPM_OK;
+    TRY(levels_report(m, &levels, "_l2", l2, error));
+    return levels_report(m, &levels, "_worst", worst, error);
+}
+
+const struct measure_program program_heat = {
+    .name = "heat",
+    .summary = "temperatures against exact fields of conduction, heat against what went in",
+    .run = run,
+};
