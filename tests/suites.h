@@ -48,6 +48,7 @@
     SUITE(guard)                                                                                   \
     SUITE(transfer_series)                                                                         \
     SUITE(heat)                                                                                    \
+    SUITE(heat_runs)                                                                               \
     SUITE(heat_fields)                                                                             \
     SUITE(scene_transport)                                                                         \
     SUITE(projection)                                                                              \

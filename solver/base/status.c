@@ -22,7 +22,7 @@ static const struct mpm_cause_info causes[MPM_CAUSE_COUNT] = {
     [MPM_CAUSE_DOMAIN] = {"domain_too_long", "domain too long",
                           "a particle's domain beyond the ghost rows of the grid"},
     [MPM_CAUSE_LOAD] = {"load_not_finite", "load not finite", "a body force or a traction"},
-    [MPM_CAUSE_CONDITION] = {"condition_not_finite", "prescribed velocity not finite",
+    [MPM_CAUSE_CONDITION] = {"condition_not_finite", "prescribed value not finite",
                              "of a boundary or a rigid body"},
     [MPM_CAUSE_RIGID] = {"rigid_bodies_disagree", "rigid bodies disagree",
                          "two rigid bodies that give one node different velocities"},

@@ -17,6 +17,8 @@
 #ifndef MPM_IO_SCENE_KEYS_H
 #define MPM_IO_SCENE_KEYS_H
 
+#include "io/scene/transport_keys.h"
+
 /* ----------------------------------------------------------------- choices */
 
 /* NOLINTBEGIN(readability-identifier-naming): pasted from the names of keys */
@@ -429,53 +431,6 @@
       "when bodies touch: by the gap between the edges of their particles (extent), by the areas at a node (volume), whenever they share a node (shared)") \
     KEYS_OF_PAIR_LAW(X, S)                                                                         \
     X(S, LIST, pairs, contact_pair, ANYWHERE, OPTIONAL, NONE, NULL, ANY, "pairs with a law of their own")
-
-#define KEYS_temperature_condition(X, S)                                                           \
-    X(S, GROUP, region, boundary_region, ANYWHERE, REQUIRED, NONE, NULL, ANY,                        \
-      "which nodes: exactly one shape")                                                            \
-    X(S, ONE, value, EXPRESSION, ANYWHERE, REQUIRED, TEMPERATURE, NULL, ANY,                         \
-      "their temperature, in coordinates and t")
-
-#define KEYS_convection(X, S)                                                                      \
-    X(S, ONE, coefficient, NUMBER, ANYWHERE, REQUIRED, FILM, NULL, ABOVE(0),                         \
-      "h of the heat flux h (ambient - T)")                                                        \
-    X(S, ONE, ambient, EXPRESSION, ANYWHERE, REQUIRED, TEMPERATURE, NULL, ANY,                       \
-      "temperature of the surroundings, in coordinates and t")
-
-#define KEYS_radiation(X, S)                                                                       \
-    X(S, ONE, emissivity, NUMBER, ANYWHERE, REQUIRED, NONE, NULL, ABOVE_TO(0, 1),                    \
-      "e of the heat flux e sigma (ambient^4 - T^4); temperatures are absolute")                   \
-    X(S, ONE, sigma, NUMBER, ANYWHERE, REQUIRED, RADIATION, NULL, ABOVE(0),                          \
-      "constant of Stefan and Boltzmann in the scene's units: 5.670374419e-8 W/(m^2 K^4)")         \
-    X(S, ONE, ambient, EXPRESSION, ANYWHERE, REQUIRED, TEMPERATURE, NULL, ANY,                       \
-      "absolute temperature of the surroundings, in coordinates and t")
-
-#define KEYS_heat_flux(X, S)                                                                       \
-    X(S, ONE, body, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "name of a deformable body")          \
-    X(S, CHOICE, edge, edge, ANYWHERE, REQUIRED, NONE, NULL, ANY,                                    \
-      "which edges of its particles: those on that side beyond which the body has no site at t = 0") \
-    X(S, ONE, value, EXPRESSION, ANYWHERE, OPTIONAL, HEAT_FLUX, NULL, ANY,                           \
-      "heat per area and time into the body, in coordinates and t; or convection, or radiation")   \
-    X(S, GROUP, convection, convection, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                         \
-      "heat exchanged with surroundings, proportional to the difference of temperatures")          \
-    X(S, GROUP, radiation, radiation, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                           \
-      "heat exchanged with surroundings by radiation")
-
-#define KEYS_temperature(X, S)                                                                     \
-    X(S, CHOICE, transfer, scalar_transfer, ANYWHERE, OPTIONAL, NONE, "flip", ANY,                   \
-      "how particles' temperatures follow the grid: by its rates, or by its values, which conducts of itself (pic)") \
-    X(S, ONE, start, EXPRESSION, ANYWHERE, OPTIONAL, TEMPERATURE, "0", ANY,                          \
-      "initial temperature of bodies without their own, in the coordinates")                       \
-    X(S, ONE, source, EXPRESSION, ANYWHERE, OPTIONAL, HEAT_SOURCE, NULL, ANY,                        \
-      "heat per volume and time, in coordinates of the particle and t")                            \
-    X(S, LIST, conditions, temperature_condition, ANYWHERE, OPTIONAL, NONE, "[]", ANY,               \
-      "prescribed temperatures of nodes")                                                          \
-    X(S, LIST, fluxes, heat_flux, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                               \
-      "on edges of particles, deformed as those of tractions; edges without one insulate")
-
-#define KEYS_transport(X, S)                                                                       \
-    X(S, GROUP, temperature, temperature, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                       \
-      "heat conduction: materials need heat_capacity and a conductivity")
 
 #define KEYS_thermostat(X, S)                                                                      \
     X(S, ONE, gain, NUMBER, ANYWHERE, REQUIRED, RATE_SQUARED, NULL, ABOVE(0),                        \

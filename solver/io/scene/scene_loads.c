@@ -18,7 +18,7 @@ enum mpm_status mpm_build_loaded_body(const struct mpm_reading *reading, const c
                                  mpm_excerpt(text, name));
     if (scene->bodies[*body].rigid)
         return mpm_reading_fault(reading, path,
-                                 "%s is rigid and feels no load; allowed: a deformable body",
+                                 "%s is rigid and feels no force; allowed: a deformable body",
                                  mpm_excerpt(text, name));
     return MPM_OK;
 }

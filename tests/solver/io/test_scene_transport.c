@@ -20,7 +20,7 @@ START_TEST(transport_says_what_its_file_says)
     const struct mpm_conduction *const wood = &scene->materials[1].conduction[MPM_TEMPERATURE];
     ck_assert(heat->asked && !scene->at_rest);
     ck_assert_int_eq(heat->transfer, MPM_SCALAR_FLIP);
-    ck_assert_str_eq(heat->start, "20");
+    ck_assert_str_eq(heat->start, "0");
     ck_assert_str_eq(heat->source, "5*x*t");
     ck_assert_uint_eq(heat->condition_count, 1);
     ck_assert_str_eq(heat->conditions[0].value, "20+10*t");

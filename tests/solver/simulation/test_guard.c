@@ -62,7 +62,7 @@ static const struct failing failing[] = {
      MPM_CAUSE_LOAD},
     {"a boundary velocity that is not finite after a while",
      {"boundary=[{region: {line: {from: [8, 0], to: [8, 6]}}, velocity: ['sqrt(0.4-t)', free]}]"},
-     {"prescribed velocity not finite at step", "a boundary"},
+     {"prescribed value not finite at step", "a boundary"},
      MPM_CAUSE_CONDITION},
     {"a rigid body that leaves",
      {"bodies=[{name: bar, material: rubber, region: {rectangle: {from: [8, 2], to: [16, 4]}}}, "

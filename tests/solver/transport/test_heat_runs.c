@@ -1,0 +1,244 @@
+/* Conduction of heat: planes of symmetry, both sets of kernels, scenes at rest, failures.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/transport/transport.h"
+#include "suites.h"
+#include "support/combinations.h"
+#include "support/heat_block.h"
+#include "support/kernel_pair.h"
+#include "support/near.h"
+
+#include <glib.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_axisymmetric(int index)
+{
+    return test_combination(index).axisymmetric;
+}
+
+/* ----------------------------------------------------------------- symmetry */
+
+static const char HALF[] = "bodies.block.region.rectangle={from: [3, 5.6], to: [9, 8]}";
+static const char PLANE[] =
+    "boundary=[{region: {line: {from: [0, 5.6], to: [14, 5.6]}}, symmetry: true}]";
+
+#define END_FLUX(edge) "{body: block, edge: " edge ", convection: {coefficient: 0.4, ambient: 2}}"
+static const char BOTH_ENDS[] =
+    "transport.temperature.fluxes=[" END_FLUX("top") ", " END_FLUX("bottom") "]";
+static const char UPPER_END[] = "transport.temperature.fluxes=[" END_FLUX("top") "]";
+
+/* Left side prescribed, also at the nodes beyond the plane and on it. */
+START_TEST(a_half_with_a_plane_of_symmetry_is_half_of_the_whole)
+{
+    const bool axisymmetric = is_axisymmetric(_i);
+    struct test_run runs[2];
+    for (int k = 0; k < 2; k++) {
+        struct settings settings = test_combination_settings(_i);
+        settings_add(&settings, axisymmetric
+                                    ? "transport.temperature.start='sin(3*r)*cos(2*(z-5.6))'"
+                                    : "transport.temperature.start='sin(3*x)*cos(2*(y-5.6))'");
+        settings_add(&settings, axisymmetric ? "transport.temperature.source='cos(r)*(z-5.6)^2'"
+                                             : "transport.temperature.source='cos(x)*(y-5.6)^2'");
+        settings_add(&settings, "transport.temperature.conditions=[{region: {line: {from: [3, 0], "
+                                "to: [3, 12]}}, value: 2}]");
+        settings_add(&settings, axisymmetric
+                                    ? "bodies.block.velocity=['0.1*cos(r)', '0.1*sin(2*(z-5.6))']"
+                                    : "bodies.block.velocity=['0.1*cos(x)', '0.1*sin(2*(y-5.6))']");
+        if (k == 1) {
+            settings_add(&settings, HALF);
+            settings_add(&settings, PLANE);
+        }
+        settings_add(&settings, k == 0 ? BOTH_ENDS : UPPER_END);
+        settings_add(&settings, "time={end: 1000, step: 0.05}");
+        runs[k] = heat_block_open(&settings, MPM_KERNELS_AUTO);
+        settings_clear(&settings);
+    }
+    for (int k = 0; k < 2; k++)
+        test_run_steps(&runs[k], test_combination(_i).amplifies_round_off ? 3 : 20);
+    ck_assert_near(2.0 * heat_block_scalar(&runs[1])->totals.edges,
+                   heat_block_scalar(&runs[0])->totals.edges, 1e-10);
+    ck_assert_near(2.0 * heat_block_heat(&runs[1]), heat_block_heat(&runs[0]), 1e-10);
+    ck_assert_near(2.0 * heat_block_scalar(&runs[1])->totals.held,
+                   heat_block_scalar(&runs[0])->totals.held, 1e-10);
+    ck_assert_near(2.0 * heat_block_scalar(&runs[1])->totals.source,
+                   heat_block_scalar(&runs[0])->totals.source, 1e-10);
+    for (int k = 0; k < 2; k++)
+        test_run_close(&runs[k]);
+}
+END_TEST
+
+/* ------------------------------------------------------------------ kernels */
+
+START_TEST(fast_kernels_conduct_as_reference_kernels_do)
+{
+    enum { STEPS = 30 };
+    struct settings settings = test_combination_settings(_i % TEST_COMBINATIONS);
+    const bool axisymmetric = is_axisymmetric(_i % TEST_COMBINATIONS);
+    heat_block_add_wild_heat(&settings, axisymmetric);
+    settings_add(&settings, HEAT_BLOCK_HOT_SIDE);
+    settings_add(&settings,
+                 "materials=[{name: soft, law: neo_hookean, density: 2, bulk: 1.25, shear: 0.75, "
+                 "heat_capacity: 0.5, principal_conductivities: [0.4, 0.1], conductivity_angle: "
+                 "20}]");
+    test_add_wild_velocity(&settings, axisymmetric);
+    const struct kernel_side sides[HEAT_BLOCK_SETS] = {
+        {settings.texts, {.kernels = MPM_KERNELS_REFERENCE, .threads = 1}},
+        {settings.texts, {.kernels = MPM_KERNELS_FAST, .threads = 1}},
+    };
+    struct kernel_pair pair = kernel_pair_open_text(HEAT_BLOCK, sides);
+    for (int step = 0; step < STEPS && kernel_pair_step(&pair); step++)
+        ;
+    if (!test_combination(_i).amplifies_round_off)
+        ck_assert_msg(kernel_pair_worst(&pair) <= KERNEL_PAIR_BOUND, "%s", kernel_pair_text(&pair));
+    kernel_pair_close(&pair);
+    settings_clear(&settings);
+}
+END_TEST
+
+START_TEST(fast_kernels_conduct_at_rest_as_reference_kernels_do)
+{
+    struct settings settings = heat_block_rest_settings(_i);
+    settings_add(&settings, HEAT_BLOCK_AT_REST);
+    const struct kernel_side sides[HEAT_BLOCK_SETS] = {
+        {settings.texts, {.kernels = MPM_KERNELS_REFERENCE, .threads = 1}},
+        {settings.texts, {.kernels = MPM_KERNELS_FAST, .threads = 1}},
+    };
+    struct kernel_pair pair = kernel_pair_open_text(HEAT_BLOCK, sides);
+    for (int step = 0; step < KERNEL_PAIR_STEPS; step++)
+        ck_assert(kernel_pair_step(&pair));
+    ck_assert_double_le(kernel_pair_worst(&pair), KERNEL_PAIR_BOUND);
+    kernel_pair_close(&pair);
+    settings_clear(&settings);
+}
+END_TEST
+
+/* A body with stress that nothing moves takes the passes of a step in motion. */
+START_TEST(heat_alone_is_heat_in_a_body_that_does_not_move)
+{
+    struct test_run runs[2];
+    for (int k = 0; k < 2; k++) {
+        struct settings settings = heat_block_rest_settings(_i);
+        if (k == 1)
+            settings_add(&settings, HEAT_BLOCK_AT_REST);
+        runs[k] = heat_block_open(&settings, MPM_KERNELS_AUTO);
+        test_run_steps(&runs[k], 40);
+        settings_clear(&settings);
+    }
+    size_t count;
+    double *const moving = test_run_field(&runs[0], MPM_FIELD_TEMPERATURE, &count);
+    double *const alone = test_run_field(&runs[1], MPM_FIELD_TEMPERATURE, NULL);
+    for (size_t p = 0; p < count; p++)
+        ck_assert_near(moving[p], alone[p], HEAT_BLOCK_ROUND_OFF);
+    ck_assert_near(heat_block_heat(&runs[0]), heat_block_heat(&runs[1]), 1e-11);
+    free(moving);
+    free(alone);
+    for (int k = 0; k < 2; k++)
+        test_run_close(&runs[k]);
+}
+END_TEST
+
+START_TEST(bits_of_temperatures_do_not_depend_on_threads)
+{
+    static const char *const with_stress[] = {
+        TEST_BLOCK_FOR_THREADS,
+        "transport.temperature.start='sin(3*x)*cos(2*y)'",
+        "transport.temperature.source='cos(x+2*y+t)'",
+        HEAT_BLOCK_HOT_SIDE,
+        "bodies.block.velocity=['0.3*sin(2*x)*cos(y)', '0.4*cos(x+2*y)']",
+        NULL};
+    static const char *const alone[] = {TEST_BLOCK_FOR_THREADS,
+                                        "transport.temperature.start='sin(3*x)*cos(2*y)'",
+                                        "transport.temperature.source='cos(x+2*y+t)'",
+                                        HEAT_BLOCK_HOT_SIDE,
+                                        HEAT_BLOCK_AT_REST,
+                                        NULL};
+    test_same_bits_over_threads(HEAT_BLOCK, _i == 0 ? with_stress : alone, 40, NULL);
+}
+END_TEST
+
+/* ------------------------------------------------------------------ failures */
+
+/* The source is infinite from t = 2 on: the run goes back to the step before. */
+START_TEST(a_failed_run_has_the_temperatures_of_its_last_good_step)
+{
+    struct test_run runs[2];
+    struct mpm_error error = {.message = ""};
+    int steps = 0;
+    for (int k = 0; k < 2; k++) {
+        struct settings settings = heat_block_rest_settings(_i);
+        settings_add(&settings, "transport.temperature.source='1/(2-t>0.001 ? 1 : 0)'");
+        if (_i % 2 == 0)
+            settings_add(&settings, HEAT_BLOCK_AT_REST);
+        runs[k] = heat_block_open(&settings, MPM_KERNELS_AUTO);
+        settings_clear(&settings);
+    }
+    while (mpm_simulation_advance(runs[0].simulation, 1000.0, &error) == MPM_OK)
+        steps++;
+    ck_assert_int_ge(steps, 35);
+    ck_assert_ptr_nonnull(strstr(error.message, "source in transport that is not finite"));
+    test_run_steps(&runs[1], steps);
+    ck_assert(test_run_same_bits(&runs[0], &runs[1]));
+    ck_assert_double_eq(heat_block_scalar(&runs[0])->totals.held,
+                        heat_block_scalar(&runs[1])->totals.held);
+    ck_assert_double_eq(heat_block_scalar(&runs[0])->totals.source,
+                        heat_block_scalar(&runs[1])->totals.source);
+    for (int k = 0; k < 2; k++)
+        test_run_close(&runs[k]);
+}
+END_TEST
+
+START_TEST(a_prescribed_temperature_that_is_not_finite_ends_the_run)
+{
+    struct settings settings = heat_block_rest_settings(_i);
+    struct mpm_error error = {.message = ""};
+    settings_add(&settings, "transport.temperature.conditions.0.value='1/(2-t>0.001 ? 1 : 0)'");
+    struct test_run run = heat_block_open(&settings, MPM_KERNELS_AUTO);
+    while (mpm_simulation_advance(run.simulation, 1000.0, &error) == MPM_OK)
+        ;
+    ck_assert_int_eq(error.status, MPM_RUN_FAILED);
+    ck_assert_ptr_nonnull(
+        strstr(error.message, "prescribed by transport.temperature.conditions.0"));
+    test_run_close(&run);
+    settings_clear(&settings);
+}
+END_TEST
+
+/* kappa = 0.25, cells of 1 by 0.8: 1/(0.5 (1 + 1/0.64)) */
+START_TEST(steps_stay_below_the_limit_of_explicit_conduction)
+{
+    static const double LIMIT = 1.0 / (0.5 * (1.0 + 1.0 / 0.64));
+    struct settings settings = {.count = 0};
+    settings_add(&settings, HEAT_BLOCK_AT_REST);
+    struct test_run run = heat_block_open(&settings, MPM_KERNELS_AUTO);
+    test_run_steps(&run, 1);
+    ck_assert_near(mpm_simulation_time_step(run.simulation), 0.3 * LIMIT, 1e-12);
+    test_run_close(&run);
+    settings_clear(&settings);
+    settings_add(&settings, "materials.soft.conductivity=1000");
+    run = heat_block_open(&settings, MPM_KERNELS_AUTO);
+    test_run_steps(&run, 1);
+    ck_assert_near(mpm_simulation_time_step(run.simulation), 0.3 * LIMIT * 0.25e-3, 1e-12);
+    test_run_close(&run);
+    settings_clear(&settings);
+}
+END_TEST
+
+Suite *suite_heat_runs(void)
+{
+    Suite *suite = suite_create("heat_runs");
+    TCase *all = tcase_create("every combination");
+    tcase_add_loop_test(all, a_half_with_a_plane_of_symmetry_is_half_of_the_whole, 0,
+                        TEST_COMBINATIONS);
+    tcase_add_loop_test(all, fast_kernels_conduct_as_reference_kernels_do, 0, TEST_COMBINATIONS);
+    tcase_add_loop_test(all, fast_kernels_conduct_at_rest_as_reference_kernels_do, 0,
+                        HEAT_BLOCK_REST);
+    tcase_add_loop_test(all, heat_alone_is_heat_in_a_body_that_does_not_move, 0, HEAT_BLOCK_REST);
+    tcase_add_loop_test(all, bits_of_temperatures_do_not_depend_on_threads, 0, 2);
+    tcase_add_loop_test(all, a_failed_run_has_the_temperatures_of_its_last_good_step, 0, 2);
+    tcase_add_loop_test(all, a_prescribed_temperature_that_is_not_finite_ends_the_run, 0, 1);
+    tcase_add_test(all, steps_stay_below_the_limit_of_explicit_conduction);
+    suite_add_tcase(suite, all);
+    return suite;
+}
