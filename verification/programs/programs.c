@@ -25,7 +25,7 @@
     PROGRAM(collision)                                                                             \
     PROGRAM(disk_chain)                                                                            \
     PROGRAM(cracked_disks)                                                                         \
-    PROGRAM(crack_overhead)                                                                        \
+    PROGRAM(overhead)                                                                              \
     PROGRAM(crack_patch)                                                                           \
     PROGRAM(crack_growth)                                                                          \
     PROGRAM(sliding)                                                                               \

@@ -4,7 +4,7 @@ load style
 set output output
 set xlabel 'round'
 set ylabel 'time with the crack / time without'
-set xrange [0:13]
+set xrange [0:31]
 set yrange [0.9:1.5]
 set key top right
 file(v) = data.'/data-'.v.'-rounds.dat'
