@@ -237,6 +237,30 @@ START_TEST(a_flux_gives_its_area_and_per_radian)
 }
 END_TEST
 
+/* In the first step, of a body of temperature 2. */
+static const struct {
+    const char *flux;
+    double value;
+} kinds[] = {{"value: '2+y-y'", 2.0},
+             {"convection: {coefficient: 0.4, ambient: 3}", 0.4},
+             {"radiation: {emissivity: 0.5, sigma: 0.01, ambient: 3}", 0.325}};
+
+START_TEST(fluxes_are_given_or_proportional_or_those_of_stefan_and_boltzmann)
+{
+    struct settings settings = {.count = 0};
+    settings_add_formatted(&settings, "transport.temperature.fluxes=[{body: block, edge: top, %s}]",
+                           kinds[_i].flux);
+    settings_add(&settings, "transport.temperature.start=2");
+    struct test_run run = heat_block_open(&settings, MPM_KERNELS_AUTO);
+    const double start = heat_block_heat(&run);
+    test_run_steps(&run, 1);
+    ck_assert_near((heat_block_heat(&run) - start) / mpm_simulation_time(run.simulation),
+                   6.0 * kinds[_i].value, 1e-11);
+    test_run_close(&run);
+    settings_clear(&settings);
+}
+END_TEST
+
 /* A body of one temperature, whose conductivity keeps it so: dT/dt = h A (ambient - T)/(c rho V),
  * A/V = 2 (6 + 4.8)/(6 4.8). */
 START_TEST(a_body_cools_to_its_surroundings)
@@ -375,6 +399,8 @@ Suite *suite_heat(void)
     tcase_add_loop_test(all, particles_follow_nodes_that_are_held, 0, HEAT_BLOCK_REST);
     tcase_add_loop_test(all, heat_is_what_fluxes_have_given, 0, TEST_COMBINATIONS);
     tcase_add_loop_test(all, a_flux_gives_its_area_and_per_radian, 0, HEAT_BLOCK_REST);
+    tcase_add_loop_test(all, fluxes_are_given_or_proportional_or_those_of_stefan_and_boltzmann, 0,
+                        (int)G_N_ELEMENTS(kinds));
     tcase_add_loop_test(all, a_body_cools_to_its_surroundings, 0, TEST_SHAPES);
     tcase_add_loop_test(all, heat_is_per_radian_or_for_the_thickness, 0, HEAT_BLOCK_REST);
     tcase_add_loop_test(all, a_source_warms_a_free_body_evenly, 0, TEST_COMBINATIONS);
