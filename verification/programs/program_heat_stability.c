@@ -4,8 +4,8 @@
  * as stable while the largest temperature stays below ten times that of the start over `steps`
  * steps. Bisection between the parameters `low` and `high`, times `unit`, the time h^2/(2 kappa) or
  * 1/(2 kappa (1/h_x^2 + 1/h_y^2)), to `width`. Over the offsets of the body in a cell, the scene's
- * setting `offset` with %g in it, 0 to 1 in `offsets` steps, the least is reported: limit. Series:
- * limits (offset, limit).
+ * setting `offset` in which %s stands for first + cell k/offsets, the least is reported: limit.
+ * Series: limits (offset, limit).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/programs/follow.h"
@@ -19,7 +19,7 @@ struct bisection {
     double low, high, width, unit, steps;
     unsigned offsets;
     const char *offset; /* "bodies.0.region.rectangle={from: [%s, 0], ...": %s is a number */
-    double cell;
+    double first, cell; /* the number at the first offset; what it grows by to the last */
 };
 
 struct trial {
@@ -60,7 +60,8 @@ static enum mpm_status is_stable(struct measurement *m, const struct bisection *
     struct trial trial = {.steps = bisection->steps};
     gchar **const parts = g_strsplit(bisection->offset, "%s", -1);
     char place[G_ASCII_DTOSTR_BUF_SIZE];
-    (void)g_ascii_formatd(place, sizeof place, "%.17g", offset * bisection->cell);
+    (void)g_ascii_formatd(place, sizeof place, "%.17g",
+                          bisection->first + offset * bisection->cell);
     char *const settings[] = {g_strjoinv(place, parts),
                               g_strdup_printf("time.step=%.17g", step * bisection->unit)};
     const enum mpm_status status = follow_scene(m, (const char *const *)settings,
@@ -91,8 +92,9 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
     struct bisection bisection = {.offset = NULL};
     double rows[COLUMNS * OFFSETS_MAX], least = HUGE_VAL;
     const struct measurement_parameter table[] = {
-        {"low", &bisection.low},   {"high", &bisection.high},   {"width", &bisection.width},
-        {"unit", &bisection.unit}, {"steps", &bisection.steps}, {"cell", &bisection.cell},
+        {"low", &bisection.low},     {"high", &bisection.high},   {"width", &bisection.width},
+        {"unit", &bisection.unit},   {"steps", &bisection.steps}, {"cell", &bisection.cell},
+        {"first", &bisection.first},
     };
     TRY(measurement_numbers(m, table, G_N_ELEMENTS(table), error));
     TRY(measurement_count(m, "offsets", 1, OFFSETS_MAX, &bisection.offsets, error));

@@ -173,6 +173,26 @@ START_TEST(particles_follow_nodes_that_are_held)
 }
 END_TEST
 
+/* Their values at t = 0 do not fit the condition: the first step settles that. */
+START_TEST(particles_learn_of_held_nodes_at_once)
+{
+    for (int set = 0; set < HEAT_BLOCK_SETS; set++) {
+        struct settings settings = test_combination_settings(_i);
+        settings_add(&settings, "transport.temperature.conditions=[{region: all, value: '1+2*t'}]");
+        settings_add(&settings, "transport.temperature.start=5");
+        struct test_run run = heat_block_open(&settings, heat_block_kernels(set));
+        test_run_steps(&run, 1);
+        size_t count;
+        double *const value = test_run_field(&run, MPM_FIELD_TEMPERATURE, &count);
+        for (size_t p = 0; p < count; p++)
+            ck_assert_near(value[p], 1.0 + 2.0 * mpm_simulation_time(run.simulation), 1e-12);
+        free(value);
+        test_run_close(&run);
+        settings_clear(&settings);
+    }
+}
+END_TEST
+
 START_TEST(heat_is_per_radian_or_for_the_thickness)
 {
     struct settings settings = test_combination_settings(_i);
@@ -234,6 +254,30 @@ START_TEST(a_flux_gives_its_area_and_per_radian)
         test_run_close(&run);
         settings_clear(&settings);
     }
+}
+END_TEST
+
+/* In the first step, of a body of temperature 2. */
+static const struct {
+    const char *flux;
+    double value;
+} kinds[] = {{"value: '2+y-y'", 2.0},
+             {"convection: {coefficient: 0.4, ambient: 3}", 0.4},
+             {"radiation: {emissivity: 0.5, sigma: 0.01, ambient: 3}", 0.325}};
+
+START_TEST(fluxes_are_given_or_proportional_or_those_of_stefan_and_boltzmann)
+{
+    struct settings settings = {.count = 0};
+    settings_add_formatted(&settings, "transport.temperature.fluxes=[{body: block, edge: top, %s}]",
+                           kinds[_i].flux);
+    settings_add(&settings, "transport.temperature.start=2");
+    struct test_run run = heat_block_open(&settings, MPM_KERNELS_AUTO);
+    const double start = heat_block_heat(&run);
+    test_run_steps(&run, 1);
+    ck_assert_near((heat_block_heat(&run) - start) / mpm_simulation_time(run.simulation),
+                   6.0 * kinds[_i].value, 1e-11);
+    test_run_close(&run);
+    settings_clear(&settings);
 }
 END_TEST
 
@@ -373,8 +417,11 @@ Suite *suite_heat(void)
     tcase_add_loop_test(all, a_linear_field_stays_inside, 0, TEST_COMBINATIONS);
     tcase_add_loop_test(all, heat_is_what_source_and_conditions_have_given, 0, TEST_COMBINATIONS);
     tcase_add_loop_test(all, particles_follow_nodes_that_are_held, 0, HEAT_BLOCK_REST);
+    tcase_add_loop_test(all, particles_learn_of_held_nodes_at_once, 0, HEAT_BLOCK_REST);
     tcase_add_loop_test(all, heat_is_what_fluxes_have_given, 0, TEST_COMBINATIONS);
     tcase_add_loop_test(all, a_flux_gives_its_area_and_per_radian, 0, HEAT_BLOCK_REST);
+    tcase_add_loop_test(all, fluxes_are_given_or_proportional_or_those_of_stefan_and_boltzmann, 0,
+                        (int)G_N_ELEMENTS(kinds));
     tcase_add_loop_test(all, a_body_cools_to_its_surroundings, 0, TEST_SHAPES);
     tcase_add_loop_test(all, heat_is_per_radian_or_for_the_thickness, 0, HEAT_BLOCK_REST);
     tcase_add_loop_test(all, a_source_warms_a_free_body_evenly, 0, TEST_COMBINATIONS);
