@@ -64,9 +64,14 @@ void mpm_contacts_fill(struct mpm_state *state)
     if (!mpm_body_contact_is_used(state))
         return;
     state->contact.follow_impulse = mpm_damping_follow_contact;
-    for (size_t k = 0; k < spec->pair_count; k++)
+    for (size_t k = 0; k < spec->pair_count; k++) {
+        const enum mpm_pair_normal normal = spec->pairs[k].normal;
         if (spec->pairs[k].law == MPM_PAIR_BONDED)
             state->contact.exchange_smoothed = mpm_body_contact_smoothed;
+        if (normal == MPM_NORMAL_LINEAR || normal == MPM_NORMAL_LOGISTIC)
+            state->contact.sums_moments = true;
+    }
+    state->contact.sums_displacement = mpm_contacts_have_interfaces(state->scene);
     if (mpm_cracks_have_contact(state->scene))
         state->contact.crack_touches = mpm_crack_contact_touches;
     for (size_t k = 0; k < spec->deformable_fields; k++)

@@ -170,6 +170,7 @@ static void add_pair(struct exchange *exchange, const struct mpm_contact_pair *p
     const int k = exchange->count++;
     struct mpm_solve_pair *const solved = &exchange->pairs[k];
     exchange->of[k] = pair;
+    exchange->stiff[k] = false;
     *solved = to_solve(exchange, pair);
     if (solved->law != MPM_PAIR_INTERFACE)
         return;
@@ -309,7 +310,11 @@ static void give_impulses(const struct exchange *exchange)
 static void resolve_node(struct mpm_state *state, enum mpm_exchange_when when,
                          const struct mpm_contact_node *node)
 {
-    struct exchange exchange = {.state = state, .when = when, .node = node, .count = 0};
+    struct exchange exchange; /* not cleared as a whole: it is large */
+    exchange.state = state;
+    exchange.when = when;
+    exchange.node = node;
+    exchange.of_bodies = exchange.count = 0;
     list_pairs(&exchange);
     if (exchange.count == 0)
         return;

@@ -92,6 +92,7 @@ struct mpm_body_contact {
      * energy by velocities of the nodes follows it. */
     void (*follow_impulse)(struct mpm_state *state, int64_t node,
                            const struct mpm_contact_side *side, const double impulse[2]);
+    bool sums_moments, sums_displacement; /* does a pair's normal, or its law, need them? */
     size_t node_capacity, field_capacity, pair_capacity;
     int64_t shift[MPM_CONTACT_FIELDS]; /* of a deformable field: from a node to its copy */
     uint8_t *field_of;                 /* per body: its field; MPM_CONTACT_FIELDS: none */

@@ -2,6 +2,7 @@
 #include "method/contact/contact_solve.h"
 
 #include <math.h>
+#include <string.h>
 
 /* A direction along which less than this part of the mobility is left counts as held. */
 static const double HELD_ALONG = 1e-12;
@@ -167,10 +168,11 @@ static void find_shares(const struct mpm_contact_side *sides, const struct mpm_s
 
 void mpm_contact_solve(struct mpm_contact_side *sides, struct mpm_solve_pair *pairs, int count)
 {
-    struct parts parts[PAIRS] = {{0.0, 0.0}};
+    struct parts parts[PAIRS];
     double shares[PAIRS];
     const int sweeps = count > 1 ? SWEEPS : 1;
     find_shares(sides, pairs, count, shares);
+    memset(parts, 0, (size_t)count * sizeof *parts);
     for (int k = 0; k < sweeps && sweep(sides, pairs, count, shares, parts); k++)
         continue;
     for (int k = 0; k < count; k++) {

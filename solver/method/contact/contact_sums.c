@@ -53,10 +53,12 @@ static void add_sums(const struct mpm_state *state, const struct mpm_contact_par
         sums->volume_normal[axis] += particle->volume * entry->g[axis];
         sums->surface[axis] += particle->volume * (entry->g[axis] + (axis == 0 ? entry->t : 0.0));
     }
-    add_moments(state, particle, from, sums->moments);
-    mpm_displacement_add(&sums->displacement,
-                         &(struct mpm_displacement_sample){weight, from, particle->displacement,
-                                                           particle->slope, particle->velocity});
+    if (state->contact.sums_moments)
+        add_moments(state, particle, from, sums->moments);
+    if (state->contact.sums_displacement)
+        mpm_displacement_add(&sums->displacement, &(struct mpm_displacement_sample){
+                                                      weight, from, particle->displacement,
+                                                      particle->slope, particle->velocity});
 }
 
 static void add_particle(const struct mpm_state *state, const struct mpm_contact_particle *particle,

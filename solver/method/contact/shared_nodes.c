@@ -211,41 +211,73 @@ static unsigned fields_at(const struct mpm_state *state, int64_t node)
     return mask;
 }
 
-/* The active columns of a layer in a row become those with mass, since nothing is to be done for
- * the others; they are added to `near`. */
-static void narrow_layer(struct mpm_state *state, int64_t row, int64_t layer,
-                         struct mpm_row_span *near)
+/* The columns of a row of nodes between which some have mass; none: first >= end. */
+static struct mpm_row_span massive(const struct mpm_state *state, int64_t row, int64_t layer)
 {
-    const int64_t place = row + layer * state->grid.rows;
-    const double *const mass = state->grid.mass + place * state->grid.columns;
+    const double *const mass =
+        state->grid.mass + (row + layer * state->grid.rows) * state->grid.columns;
     int64_t low = state->row_low[row], high = state->row_high[row];
     while (low <= high && mass[low] == 0.0)
         low++;
     while (high >= low && mass[high] == 0.0)
         high--;
-    state->row_low[place] = low <= high ? low : state->grid.columns;
-    state->row_high[place] = low <= high ? high : -1;
-    if (low > high)
-        return;
-    near->first = low < near->first ? low : near->first;
-    near->end = high + 1 > near->end ? high + 1 : near->end;
+    return (struct mpm_row_span){low, high + 1};
 }
 
-/* The columns of a row where several fields may be: those of layers and of rigid bodies. */
+/* The active columns of a layer become those with mass: nothing is to be done for the others. */
+static void narrow_layer(struct mpm_state *state, int64_t row, int64_t layer,
+                         const struct mpm_row_span *span)
+{
+    const int64_t place = row + layer * state->grid.rows;
+    const bool any = span->first < span->end;
+    state->row_low[place] = any ? span->first : state->grid.columns;
+    state->row_high[place] = any ? span->end - 1 : -1;
+}
+
+/* From the second of the columns where fields begin to the last but one of those where they end:
+ * what is outside has one field at the most. */
+struct overlap {
+    int64_t first[2], end[2];
+};
+
+static void add_span(struct overlap *overlap, const struct mpm_row_span *span)
+{
+    if (span->first >= span->end)
+        return;
+    const bool begins = span->first<overlap->first[0], ends = span->end> overlap->end[0];
+    overlap->first[1] = begins                            ? overlap->first[0]
+                        : span->first < overlap->first[1] ? span->first
+                                                          : overlap->first[1];
+    overlap->end[1] = ends                          ? overlap->end[0]
+                      : span->end > overlap->end[1] ? span->end
+                                                    : overlap->end[1];
+    overlap->first[0] = begins ? span->first : overlap->first[0];
+    overlap->end[0] = ends ? span->end : overlap->end[0];
+}
+
+/* The columns of a row where several fields may be: those of layers and of rigid bodies. Fields of
+ * cracks count with the grid's. */
 static struct mpm_row_span shared_span(struct mpm_state *state, int64_t row)
 {
     const struct mpm_body_contact *const contact = &state->contact;
-    struct mpm_row_span near = {state->grid.columns, 0};
-    for (int64_t layer = 1; layer <= state->fields.layers; layer++)
-        narrow_layer(state, row, layer, &near);
-    if (contact->rigid_at != NULL) {
-        const int64_t low = contact->rigid_in.low[row], high = contact->rigid_in.high[row];
-        near.first = low < near.first ? low : near.first;
-        near.end = high + 1 > near.end ? high + 1 : near.end;
+    const int64_t columns = state->grid.columns;
+    struct overlap overlap = {{columns, columns}, {0, 0}};
+    for (int64_t layer = 0; layer <= state->fields.layers; layer++) {
+        struct mpm_row_span span = massive(state, row, layer);
+        if (layer > 0)
+            narrow_layer(state, row, layer, &span);
+        else if (mpm_contact_spec(state)->cracked_field != MPM_NO_FIELD)
+            span = (struct mpm_row_span){state->row_low[row], state->row_high[row] + 1};
+        add_span(&overlap, &span);
     }
-    near.first = near.first > state->row_low[row] ? near.first : state->row_low[row];
-    near.end = near.end < state->row_high[row] + 1 ? near.end : state->row_high[row] + 1;
-    return near;
+    for (int k = 0; k < 2 && contact->rigid_at != NULL; k++) { /* of several bodies, perhaps */
+        const struct mpm_row_span span = {contact->rigid_in.low[row],
+                                          contact->rigid_in.high[row] + 1};
+        add_span(&overlap, &span);
+    }
+    const int64_t low = state->row_low[row], high = state->row_high[row] + 1;
+    return (struct mpm_row_span){overlap.first[1] > low ? overlap.first[1] : low,
+                                 overlap.end[1] < high ? overlap.end[1] : high};
 }
 
 enum mpm_status mpm_shared_nodes_find(struct mpm_state *state, struct mpm_error *error)

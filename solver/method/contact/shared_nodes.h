@@ -1,7 +1,7 @@
 /* The nodes that several velocity fields of bodies reach: a field is at a node if it has mass
  * there, a rigid body if it reaches the node.
  *
- * Cost: a look at the masses of all active nodes.
+ * Cost: a look at the masses of active nodes, at all fields where several may be.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_SHARED_NODES_H
