@@ -80,8 +80,7 @@ struct mpm_strip {
     double external_work;      /* of body forces, or of loads on edges, in the step */
     double dissipated;         /* by damping at the particles, in a part of the step */
     double internal_work;      /* what stresses take from the nodes in the step */
-    double source;             /* of a scalar: content per time */
-    double flux;               /* of a scalar through edges: content per time */
+    double inflow;             /* of a scalar, by its source or through edges: content per time */
     double diffusivity;        /* largest J k / (c rho_0) */
     double film;               /* largest derivative of a flux by the scalar, over c rho_0 */
     struct mpm_failure failure;

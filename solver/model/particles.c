@@ -39,6 +39,8 @@ void mpm_particles_layout_field(struct mpm_particles *particles, size_t field, s
     const size_t length = pointers == 1 ? components * particles->count : particles->count;
     assert(pointers == 1 || components <= pointers);
     particles->components[field] = (uint8_t)components;
+    if (components > 0 && field >= particles->fields)
+        particles->fields = (uint8_t)(field + 1);
     for (size_t k = 0; k < pointers; k++)
         mpm_particle_set_array(particles, field, k,
                                k < components ? mpm_arena_take(arena, length, row->size) : NULL);
@@ -70,7 +72,9 @@ void mpm_rigid_particles_layout(struct mpm_rigid_particles *rigid, size_t count,
 
 struct mpm_particles mpm_rigid_particles_set(const struct mpm_rigid_particles *rigid)
 {
-    struct mpm_particles set = {.count = rigid->count, .needs = {.uses = MPM_USE_RIGID}};
+    struct mpm_particles set = {.count = rigid->count,
+                                .needs = {.uses = MPM_USE_RIGID},
+                                .fields = MPM_PARTICLE_FIELD_COUNT};
 #define ROW(name, type, member, ...)                                                               \
     memcpy(&set.member, &rigid->member, sizeof set.member);                                        \
     set.components[MPM_PARTICLE_##name] =                                                          \

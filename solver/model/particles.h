@@ -109,6 +109,7 @@ struct mpm_particles {
     /* Arrays of each field in use, the first ones of its member; the others are NULL. A field that
      * the particles do not have has none. */
     uint8_t components[MPM_PARTICLE_FIELD_COUNT];
+    uint8_t fields; /* up to the last one in use: others need not be looked at */
 #define MPM_ROW(name, type, member, several, ...) type *member several;
     MPM_PARTICLE_FIELDS(MPM_ROW)
 #undef MPM_ROW

@@ -56,6 +56,11 @@ static double condition_value(const void *context, int32_t condition, const doub
 enum mpm_status mpm_transport_create(struct mpm_simulation *simulation, struct mpm_error *error)
 {
     struct mpm_transport *const transport = &simulation->state.transport;
+    if (mpm_transport_uses(simulation->scene) == 0)
+        return MPM_OK;
+    transport->list = calloc(MPM_SCALAR_COUNT, sizeof *transport->list);
+    if (transport->list == NULL)
+        return mpm_error_memory(error, sizeof *transport->list, "the scalars");
     for (int which = 0; which < MPM_SCALAR_COUNT; which++) {
         if (!simulation->scene->scalars[which].asked)
             continue;
@@ -80,6 +85,7 @@ void mpm_transport_free(struct mpm_simulation *simulation)
         free(scalar->holds);
         mpm_expression_free(scalar->source);
     }
+    free(transport->list);
 }
 
 void mpm_transport_layout(struct mpm_state *state, struct mpm_arena *arena)

@@ -103,7 +103,7 @@ void mpm_fast_tail_fill(struct fast_tail *tail, const struct mpm_particles *part
     for (size_t lane = 0; lane < MPM_VECTOR_SIZE; lane++)
         from[lane] = lane < count ? first + lane : first;
     tail->particles = (struct mpm_particles){.count = MPM_VECTOR_SIZE};
-    for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++)
+    for (size_t field = 0; field < particles->fields; field++)
         for (size_t k = 0; k < particles->components[field]; k++, value++) {
             const double *const number = mpm_particle_array(particles, field, k);
             const uint32_t *const index = mpm_particle_array(particles, field, k);
@@ -124,7 +124,7 @@ void mpm_fast_tail_write(const struct fast_tail *tail, const struct mpm_particle
                          size_t first, size_t count)
 {
     const union fast_tail_value *value = tail->values;
-    for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++)
+    for (size_t field = 0; field < particles->fields; field++)
         for (size_t k = 0; k < particles->components[field]; k++, value++)
             if (!mpm_particle_rows[field].info.integer)
                 memcpy((double *)mpm_particle_array(particles, field, k) + first, value->number,

@@ -250,7 +250,7 @@ static void pass_source(void *context, int64_t index, int worker)
         sum += particles->mass[p] * mpm_determinant(f) * s /
                state->bodies[particles->body[p]].material.density;
     }
-    strip->source = sum;
+    strip->inflow = sum;
 }
 
 static void find_sources(struct mpm_state *state, int workers, struct mpm_nodal_scalar *scalar)
@@ -261,7 +261,7 @@ static void find_sources(struct mpm_state *state, int workers, struct mpm_nodal_
     mpm_strips_run(state->strip_count, workers, pass_source, state);
     state->transport.conducted = NULL;
     for (int64_t s = 0; s < state->strip_count; s++)
-        scalar->totals.source += state->time_step * state->strips[s].source;
+        scalar->totals.source += state->time_step * state->strips[s].inflow;
 }
 
 /* --------------------------------------------------------------------- conduction */

@@ -73,7 +73,7 @@ static void spread_edge(struct mpm_state *state, const struct mpm_nodal_scalar *
     const double phi = flux_at(flux, edge->traction[0], value);
     for (int k = 0; k < weights->count; k++)
         scalar->inflow[state->node_zero + weights->entry[k].node][0] += weights->entry[k].w * phi;
-    strip->flux += area * phi;
+    strip->inflow += area * phi;
     strip->film =
         fmax(strip->film, mpm_flux_slope(flux, value) /
                               (scalar->weight[body] * state->bodies[body].material.density));
@@ -86,7 +86,7 @@ static void spread_strip(void *context, int64_t index, int worker)
     const struct mpm_nodal_scalar *const scalar = state->transport.conducted;
     struct mpm_strip *const strip = &state->strips[index];
     (void)worker;
-    strip->flux = strip->film = 0.0;
+    strip->inflow = strip->film = 0.0;
     for (size_t k = loads->first[index]; k < loads->first[index + 1]; k++) {
         const struct mpm_edge_load_spec *const flux =
             &state->scene->edge_loads[loads->edges[k].site->load];
@@ -104,5 +104,5 @@ void mpm_transport_edges_spread(struct mpm_state *state, int workers,
     mpm_strips_run(state->strip_count, workers, spread_strip, state);
     state->transport.conducted = NULL;
     for (int64_t s = 0; s < state->strip_count; s++)
-        scalar->totals.edges += state->time_step * state->strips[s].flux;
+        scalar->totals.edges += state->time_step * state->strips[s].inflow;
 }

@@ -49,7 +49,7 @@ struct mpm_nodal_scalar {
 
 /* Those of the scene, `count` of them; none: nothing is done. */
 struct mpm_transport {
-    struct mpm_nodal_scalar list[MPM_SCALAR_COUNT];
+    struct mpm_nodal_scalar *list;
     size_t count;
     const struct mpm_nodal_scalar *conducted; /* by the pass that runs */
     double diffusivity; /* largest J k / (c rho_0) of all particles and scalars in the step */
