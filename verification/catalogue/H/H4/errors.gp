@@ -4,6 +4,7 @@ load style
 set output output
 set logscale xy
 set xlabel 'cell size over that of the coarsest grid, h/h_1'
+set xtics ('1/4' 0.25, '1/2' 0.5, '1' 1)
 set ylabel 'error of temperature (% of the amplitude)'
 set xrange [0.2:1.2]
 set yrange [0.02:4]
