@@ -33,10 +33,11 @@ static enum mpm_status create_scalar(const struct mpm_simulation *simulation, en
         .which = which,
         .row = &mpm_scalar_rows[which],
         .transfer = spec->transfer,
-        .conditions = calloc(spec->condition_count + 1, sizeof *scalar->conditions),
     };
+    const size_t each = sizeof(struct mpm_expression *);
+    scalar->conditions = calloc(spec->condition_count + 1, each);
     if (scalar->conditions == NULL)
-        return mpm_error_memory(error, sizeof *scalar->conditions, "the expressions");
+        return mpm_error_memory(error, each, "the expressions");
     for (size_t k = 0; k < spec->condition_count; k++)
         MPM_TRY(mpm_expression_create(spec->conditions[k].value, names, true, 1,
                                       &scalar->conditions[k], error));

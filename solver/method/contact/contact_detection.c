@@ -128,9 +128,8 @@ static void detect(const struct mpm_state *state, const struct mpm_contact_node 
         find_jump(state, pair, one, other);
     if (node->cut && is_behind_crack(state, pair))
         pair->touches = pair->has_normal = false;
-    else if (spec->law == MPM_PAIR_INTERFACE)
-        return;
-    else if (spec->law == MPM_PAIR_BONDED || spec->detection == MPM_TOUCH_SHARED)
+    else if (spec->law == MPM_PAIR_INTERFACE || spec->law == MPM_PAIR_BONDED ||
+             spec->detection == MPM_TOUCH_SHARED)
         return;
     else if (spec->detection == MPM_TOUCH_VOLUME)
         pair->touches = fills_cell(state, node, pair, spec->touching);
