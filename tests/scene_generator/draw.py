@@ -128,10 +128,11 @@ def draw_integer(canvas, key):
     return canvas.integer(low, high)
 
 
-def draw_value(canvas, key):
-    """A value of a key that is no group and no list, from its kind alone."""
+def draw_value(canvas, key, left_out):
+    """A value of a key that is no group and no list, from its kind alone; none of the choices left out."""
     if key.choices is not None:
-        return canvas.pick(key.choices)
+        return canvas.pick([choice for choice in key.choices
+                            if f"{key.path}={choice}" not in left_out])
     kinds = {
         "number": lambda: draw_number(canvas, key),
         "integer": lambda: draw_integer(canvas, key),
@@ -185,7 +186,7 @@ def draw_key(canvas, key, tables):
         return group if group or key.required else ABSENT
     if not required and not canvas.chance(OPTIONAL):
         return ABSENT
-    return draw_value(canvas, key)
+    return draw_value(canvas, key, tables.LEFT_OUT)
 
 
 def draw_group(canvas, key, tables):
@@ -251,7 +252,8 @@ def wanted_of(keys, tables):
     """The keys that should be drawn, those that are no groups, and their choices as path=choice."""
     wanted = []
     for path, key in keys.items():
-        if key.shape not in ("group", "list") and path not in tables.LEFT_OUT:
+        if key.shape not in ("group", "list") and path not in tables.LEFT_OUT and \
+                not path.startswith(tuple(name + "." for name in tables.LEFT_OUT)):
             wanted += [path, *(f"{path}={choice}" for choice in key.choices or [])]
     return [path for path in wanted if path not in tables.LEFT_OUT]
 

@@ -148,7 +148,7 @@ def draw_time(canvas, key):
                     "after": short(wave)}
             for child in key.child("rest").children:
                 if child.name not in rest and canvas.chance(50):
-                    rest[child.name] = draw_value(canvas, child)
+                    rest[child.name] = draw_value(canvas, child, ())
             time["rest"] = rest
     return {name: time[name] for name in (child.name for child in key.children) if name in time}
 

@@ -11,12 +11,17 @@ import draw_loads as loads
 import draw_method as method
 
 # ------------------------------------------------------------------- left out
+HEAT = "of heat conduction, which no invariant judges yet"
+
 LEFT_OUT = {
     "time.allow_unstable": "beyond the stability limit nothing is promised",
     "output.checkpoint": "reserved: this version writes none",
     "output.snapshots": "the first state and the last are compared; more would land steps on them",
     "contact.normal=given": "refused: it is for pairs, each with its direction",
     "output.fringe": "a field for pictures; its values follow from the stress",
+    "materials[].law=none": HEAT, "materials[].heat_capacity": HEAT,
+    "materials[].conductivity": HEAT, "materials[].principal_conductivities": HEAT,
+    "materials[].conductivity_angle": HEAT, "bodies[].temperature": HEAT, "transport": HEAT,
 }
 
 # Drawn by the function of a group or list in MEANING: all keys within must be named.
