@@ -55,6 +55,33 @@ double *test_run_field(const struct test_run *run, enum mpm_field field, size_t 
     return values;
 }
 
+double test_run_largest_difference(const struct test_run *one, const struct test_run *other)
+{
+    static const enum mpm_field fields[] = {MPM_FIELD_POSITION, MPM_FIELD_VELOCITY,
+                                            MPM_FIELD_DEFORMATION_GRADIENT};
+    double largest = 0.0;
+    for (size_t f = 0; f < G_N_ELEMENTS(fields); f++) {
+        size_t count, others;
+        double *const a = test_run_field(one, fields[f], &count);
+        double *const b = test_run_field(other, fields[f], &others);
+        ck_assert_uint_eq(count, others);
+        for (size_t k = 0; k < mpm_field_describe(fields[f])->components * count; k++)
+            largest = fmax(largest, fabs(a[k] - b[k]));
+        free(a);
+        free(b);
+    }
+    return largest;
+}
+
+double test_run_contact_quantity(const struct test_run *run, const char *name)
+{
+    for (size_t k = 0; k < mpm_scene_contact_quantity_count(run->scene); k++)
+        if (g_strcmp0(mpm_scene_contact_quantity(run->scene, k).name, name) == 0)
+            return mpm_simulation_contact_quantity(run->simulation, k);
+    ck_abort_msg("no quantity %s", name);
+    return 0.0;
+}
+
 struct mpm_ledger test_run_ledger(const struct test_run *run)
 {
     struct mpm_ledger ledger;

@@ -22,6 +22,12 @@ void test_run_steps(struct test_run *run, int steps);
 /* A field of all particles by id, malloc'ed; *count is the number of particles. */
 double *test_run_field(const struct test_run *run, enum mpm_field field, size_t *count);
 
+/* The largest difference of places, velocities and deformation gradients, particle by particle. */
+double test_run_largest_difference(const struct test_run *one, const struct test_run *other);
+
+/* A value of the history for a pair of bodies in contact, by its name. */
+double test_run_contact_quantity(const struct test_run *run, const char *name);
+
 struct mpm_ledger test_run_ledger(const struct test_run *run);
 /* The J integral of that index, which must have a value. */
 struct mpm_j_integral test_run_j_integral(const struct test_run *run, size_t index);

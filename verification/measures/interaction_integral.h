@@ -14,7 +14,7 @@
 #ifndef VERIFICATION_MEASURES_INTERACTION_INTEGRAL_H
 #define VERIFICATION_MEASURES_INTERACTION_INTEGRAL_H
 
-#include "verification/exact/williams_field.h"
+#include "verification/exact/cracks/williams_field.h"
 
 #include <stddef.h>
 

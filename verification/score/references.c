@@ -5,13 +5,13 @@
 
 #include "verification/common/rows.h"
 #include "verification/exact/compression.h"
+#include "verification/exact/contact/laminate.h"
+#include "verification/exact/contact/struck_bars.h"
 #include "verification/exact/homogeneous_load.h"
 #include "verification/exact/lame_cylinder.h"
-#include "verification/exact/laminate.h"
 #include "verification/exact/radial_mode.h"
 #include "verification/exact/self_weight.h"
 #include "verification/exact/step_wave.h"
-#include "verification/exact/struck_bars.h"
 #include "verification/exact/vibrating_bar.h"
 
 #include <glib.h>

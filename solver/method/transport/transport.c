@@ -253,13 +253,19 @@ static void pass_source(void *context, int64_t index, int worker)
     strip->inflow = sum;
 }
 
+static void run_particles(struct mpm_state *state, int workers, struct mpm_nodal_scalar *scalar,
+                          mpm_pass *pass)
+{
+    state->transport.conducted = scalar;
+    mpm_strips_run(state->strip_count, workers, pass, state);
+    state->transport.conducted = NULL;
+}
+
 static void find_sources(struct mpm_state *state, int workers, struct mpm_nodal_scalar *scalar)
 {
     if (scalar->source == NULL)
         return;
-    state->transport.conducted = scalar;
-    mpm_strips_run(state->strip_count, workers, pass_source, state);
-    state->transport.conducted = NULL;
+    run_particles(state, workers, scalar, pass_source);
     for (int64_t s = 0; s < state->strip_count; s++)
         scalar->totals.source += state->time_step * state->strips[s].inflow;
 }
@@ -324,14 +330,6 @@ void mpm_pass_conduct(void *context, int64_t index, int worker)
         }
     }
     strip->diffusivity = largest;
-}
-
-static void run_particles(struct mpm_state *state, int workers, struct mpm_nodal_scalar *scalar,
-                          mpm_pass *pass)
-{
-    state->transport.conducted = scalar;
-    mpm_strips_run(state->strip_count, workers, pass, state);
-    state->transport.conducted = NULL;
 }
 
 /* ------------------------------------------------------------------------ the step */

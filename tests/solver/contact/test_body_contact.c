@@ -43,34 +43,6 @@ static void add_velocities(struct settings *settings, bool axisymmetric, double 
                                speed * across[k]);
 }
 
-static double largest_difference(const struct test_run *one, const struct test_run *other)
-{
-    static const enum mpm_field fields[] = {MPM_FIELD_POSITION, MPM_FIELD_VELOCITY,
-                                            MPM_FIELD_DEFORMATION_GRADIENT};
-    static const size_t parts[] = {AXES, AXES, MPM_GRADIENT_SIZE};
-    double largest = 0.0;
-    for (size_t f = 0; f < G_N_ELEMENTS(fields); f++) {
-        size_t count, others;
-        double *const a = test_run_field(one, fields[f], &count);
-        double *const b = test_run_field(other, fields[f], &others);
-        ck_assert_uint_eq(count, others);
-        for (size_t k = 0; k < parts[f] * count; k++)
-            largest = fmax(largest, fabs(a[k] - b[k]));
-        free(a);
-        free(b);
-    }
-    return largest;
-}
-
-static double quantity(const struct test_run *run, const char *name)
-{
-    for (size_t k = 0; k < mpm_scene_contact_quantity_count(run->scene); k++)
-        if (g_strcmp0(mpm_scene_contact_quantity(run->scene, k).name, name) == 0)
-            return mpm_simulation_contact_quantity(run->simulation, k);
-    ck_abort_msg("no quantity %s", name);
-    return 0.0;
-}
-
 /* Some hundred operations a step on numbers of order 10. */
 static const double ROUND_OFF = 1e-11, AMPLIFIED = 1e-5;
 
@@ -103,7 +75,7 @@ START_TEST(equal_materials_that_are_bonded_are_one_material)
         test_run_steps(&one, steps);
         test_run_steps(&bonded, steps);
         const double bound = combination.amplifies_round_off ? AMPLIFIED : ROUND_OFF;
-        ck_assert_near(largest_difference(&one, &bonded), 0.0, bound);
+        ck_assert_near(test_run_largest_difference(&one, &bonded), 0.0, bound);
         settings_clear(&settings);
         test_run_close(&one);
         test_run_close(&bonded);
@@ -166,9 +138,9 @@ START_TEST(what_contact_takes_from_the_nodes_is_stored_or_dissipated_by_pairs)
     test_run_steps(&run, STEPS / 2);
     const struct mpm_ledger ledger = test_run_ledger(&run);
     ck_assert_near(ledger.contact_loss, 0.0, ROUND_OFF);
-    ck_assert_double_gt(fabs(quantity(&run, "contact_0_1_force_y")) +
-                            fabs(quantity(&run, "contact_0_2_force_x")) +
-                            quantity(&run, "contact_1_2_area"),
+    ck_assert_double_gt(fabs(test_run_contact_quantity(&run, "contact_0_1_force_y")) +
+                            fabs(test_run_contact_quantity(&run, "contact_0_2_force_x")) +
+                            test_run_contact_quantity(&run, "contact_1_2_area"),
                         0.0);
     settings_clear(&settings);
     test_run_close(&run);
@@ -268,7 +240,7 @@ START_TEST(fast_and_reference_kernels_agree_beside_contact)
             "%s", error.message);
         test_run_steps(&runs[k], STEPS / 2);
     }
-    ck_assert_near(largest_difference(&runs[0], &runs[1]), 0.0, ROUND_OFF);
+    ck_assert_near(test_run_largest_difference(&runs[0], &runs[1]), 0.0, ROUND_OFF);
     settings_clear(&settings);
     for (int k = 0; k < 2; k++)
         test_run_close(&runs[k]);
@@ -309,9 +281,9 @@ START_TEST(blocks_that_are_half_a_cell_apart_do_not_feel_each_other)
     struct test_run run = test_run_open(apart, settings.texts, 1);
     /* 0.4 at 0.01 a step: the 41st is the first one that overlaps, but for round-off */
     test_run_steps(&run, 39);
-    ck_assert_double_eq(quantity(&run, "contact_0_1_force_y"), 0.0);
+    ck_assert_double_eq(test_run_contact_quantity(&run, "contact_0_1_force_y"), 0.0);
     test_run_steps(&run, 3);
-    ck_assert_double_lt(quantity(&run, "contact_0_1_force_y"), 0.0);
+    ck_assert_double_lt(test_run_contact_quantity(&run, "contact_0_1_force_y"), 0.0);
     settings_clear(&settings);
     test_run_close(&run);
 }
@@ -336,7 +308,8 @@ START_TEST(an_interface_of_any_stiffness_stays_bounded)
         energy = fmax(energy, (end.kinetic_energy + end.strain_energy) / start.total_energy);
         ck_assert_double_ge(end.contact_stored, 0.0);
         if (stiffness[k] < 0.1 || stiffness[k] > 50.0)
-            ck_assert_int_eq(quantity(&run, "contact_0_1_stiff_nodes") > 0.0, stiffness[k] > 50.0);
+            ck_assert_int_eq(test_run_contact_quantity(&run, "contact_0_1_stiff_nodes") > 0.0,
+                             stiffness[k] > 50.0);
         settings_clear(&settings);
         test_run_close(&run);
     }
@@ -372,8 +345,8 @@ START_TEST(a_rigid_body_bears_the_force_that_it_gives)
         for (int axis = 0; axis < AXES; axis++)
             before[axis] = test_run_ledger(&run).momentum[axis];
         test_run_steps(&run, 1);
-        const double force[AXES] = {quantity(&run, "contact_0_1_force_x"),
-                                    quantity(&run, "contact_0_1_force_y")};
+        const double force[AXES] = {test_run_contact_quantity(&run, "contact_0_1_force_x"),
+                                    test_run_contact_quantity(&run, "contact_0_1_force_y")};
         const struct mpm_ledger ledger = test_run_ledger(&run);
         for (int axis = 0; axis < AXES; axis++) {
             const double weight = axis == 1 ? -0.01 * ledger.mass : 0.0;

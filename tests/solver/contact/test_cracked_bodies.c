@@ -24,32 +24,6 @@ enum { AXES = 2, STEPS = 20 };
 /* Some hundred operations a step on numbers of order 10. */
 static const double ROUND_OFF = 1e-11, AMPLIFIED = 1e-5;
 
-static double largest_difference(const struct test_run *one, const struct test_run *other)
-{
-    static const enum mpm_field fields[] = {MPM_FIELD_POSITION, MPM_FIELD_VELOCITY};
-    double largest = 0.0;
-    for (size_t f = 0; f < G_N_ELEMENTS(fields); f++) {
-        size_t count, others;
-        double *const a = test_run_field(one, fields[f], &count);
-        double *const b = test_run_field(other, fields[f], &others);
-        ck_assert_uint_eq(count, others);
-        for (size_t k = 0; k < AXES * count; k++)
-            largest = fmax(largest, fabs(a[k] - b[k]));
-        free(a);
-        free(b);
-    }
-    return largest;
-}
-
-static double quantity(const struct test_run *run, const char *name)
-{
-    for (size_t k = 0; k < mpm_scene_contact_quantity_count(run->scene); k++)
-        if (g_strcmp0(mpm_scene_contact_quantity(run->scene, k).name, name) == 0)
-            return mpm_simulation_contact_quantity(run->simulation, k);
-    ck_abort_msg("no quantity %s", name);
-    return 0.0;
-}
-
 /* ----------------------------------------------------------------- identity */
 
 #define LOW  "{from: [3, 2.4], to: [9, 6.4]}"
@@ -82,7 +56,7 @@ START_TEST(bonded_materials_with_a_crack_in_one_are_one_cracked_material)
         test_run_steps(&one, combination.amplifies_round_off ? 5 : STEPS);
         test_run_steps(&joined, combination.amplifies_round_off ? 5 : STEPS);
         ck_assert_uint_gt(mpm_simulation_field_particles(joined.simulation), 0);
-        ck_assert_near(largest_difference(&one, &joined), 0.0, bound);
+        ck_assert_near(test_run_largest_difference(&one, &joined), 0.0, bound);
         settings_clear(&settings);
         test_run_close(&one);
         test_run_close(&joined);
@@ -148,7 +122,7 @@ START_TEST(sides_of_a_crack_under_a_tool_move_as_each_does_alone)
         struct crack_block_start start = crack_block_start(&whole);
         size_t found = 0;
         test_run_steps(&whole, STEPS);
-        ck_assert_double_gt(quantity(&whole, "contact_0_1_area"), 5.0); /* of 6 */
+        ck_assert_double_gt(test_run_contact_quantity(&whole, "contact_0_1_area"), 5.0); /* of 6 */
         for (int k = 0; k < 2; k++) {
             struct test_run half =
                 open_half(_i, laws[law], "bodies.block.region.rectangle=", halves[k]);

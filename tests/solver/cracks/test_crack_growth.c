@@ -8,7 +8,7 @@
 #include "support/near.h"
 #include "support/scene_files.h"
 #include "support/scenes.h"
-#include "verification/exact/williams_field.h"
+#include "verification/exact/cracks/williams_field.h"
 
 #include <glib.h>
 #include <math.h>

@@ -10,7 +10,7 @@
 #include "support/scene_files.h"
 #include "support/scenes.h"
 #include "support/settings.h"
-#include "verification/exact/williams_field.h"
+#include "verification/exact/cracks/williams_field.h"
 
 #include <glib.h>
 #include <math.h>

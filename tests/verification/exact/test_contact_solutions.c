@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/near.h"
-#include "verification/exact/hertz.h"
-#include "verification/exact/incline.h"
+#include "verification/exact/contact/hertz.h"
+#include "verification/exact/contact/incline.h"
 
 #include <math.h>
 

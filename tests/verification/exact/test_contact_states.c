@@ -4,9 +4,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/near.h"
-#include "verification/exact/inclusion.h"
-#include "verification/exact/laminate.h"
-#include "verification/exact/struck_bars.h"
+#include "verification/exact/contact/inclusion.h"
+#include "verification/exact/contact/laminate.h"
+#include "verification/exact/contact/struck_bars.h"
 
 #include <glib.h>
 #include <math.h>

@@ -3,13 +3,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/near.h"
-#include "verification/exact/cantilever_crack.h"
-#include "verification/exact/centre_crack.h"
 #include "verification/exact/clamped_strip.h"
-#include "verification/exact/penny_crack.h"
-#include "verification/exact/slanted_crack.h"
-#include "verification/exact/struck_crack.h"
-#include "verification/exact/williams_field.h"
+#include "verification/exact/cracks/cantilever_crack.h"
+#include "verification/exact/cracks/centre_crack.h"
+#include "verification/exact/cracks/penny_crack.h"
+#include "verification/exact/cracks/slanted_crack.h"
+#include "verification/exact/cracks/struck_crack.h"
+#include "verification/exact/cracks/williams_field.h"
 #include "verification/measures/interaction_integral.h"
 
 #include <math.h>

@@ -16,7 +16,7 @@
  * time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/hertz.h"
+#include "verification/exact/contact/hertz.h"
 #include "verification/programs/contact/body_motion.h"
 #include "verification/programs/follow.h"
 #include "verification/programs/levels.h"

@@ -12,7 +12,7 @@
  * compared with the same scene with the settings of the parameter `bonded`, which runs beside.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/incline.h"
+#include "verification/exact/contact/incline.h"
 #include "verification/measures/fields.h"
 #include "verification/measures/line_fit.h"
 #include "verification/programs/contact/body_motion.h"

@@ -28,7 +28,7 @@
  * inside_error and matrix_error, with _displacement, ... behind their names.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/inclusion.h"
+#include "verification/exact/contact/inclusion.h"
 #include "verification/measures/error_norms.h"
 #include "verification/measures/particle_set.h"
 #include "verification/programs/contact/contact_history.h"

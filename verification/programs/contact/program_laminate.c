@@ -19,7 +19,7 @@
  * `displacement`: along the component, of each particle, over its place along the normal.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/laminate.h"
+#include "verification/exact/contact/laminate.h"
 #include "verification/programs/contact/contact_history.h"
 #include "verification/programs/follow.h"
 #include "verification/programs/levels.h"

@@ -19,7 +19,7 @@
  * and with level_1, ... (levels.h) the orders of error_l1. Series force, profile.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/struck_bars.h"
+#include "verification/exact/contact/struck_bars.h"
 #include "verification/measures/particle_set.h"
 #include "verification/programs/contact/contact_history.h"
 #include "verification/programs/follow.h"

@@ -2,11 +2,11 @@
  *
  * The scene's crack gets two J integrals for each of the sizes in `contours`, around its end. A
  * wave of tension starts `distance` from the crack at t = 0; J and K_I are held against those of a
- * long crack (verification/exact/struck_crack.h) from the time `from` after it has arrived, how far
- * they are from contour to contour J from `from` on and K_I from `early` on.
+ * long crack (verification/exact/cracks/struck_crack.h) from the time `from` after it has arrived,
+ * how far they are from contour to contour J from `from` on and K_I from `early` on.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/struck_crack.h"
+#include "verification/exact/cracks/struck_crack.h"
 #include "verification/programs/follow.h"
 
 #include <glib.h>

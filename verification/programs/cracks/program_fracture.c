@@ -6,9 +6,9 @@
  * value, how far they are from each other, and the means of J and K_I.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/cantilever_crack.h"
-#include "verification/exact/centre_crack.h"
-#include "verification/exact/penny_crack.h"
+#include "verification/exact/cracks/cantilever_crack.h"
+#include "verification/exact/cracks/centre_crack.h"
+#include "verification/exact/cracks/penny_crack.h"
 #include "verification/programs/follow.h"
 
 #include <glib.h>

@@ -11,7 +11,7 @@
  * exact K_I.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/slanted_crack.h"
+#include "verification/exact/cracks/slanted_crack.h"
 #include "verification/measures/interaction_integral.h"
 #include "verification/programs/follow.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/incline.h"
+#include "verification/exact/contact/incline.h"
 
 #include <math.h>
 

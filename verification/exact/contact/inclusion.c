@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/inclusion.h"
+#include "verification/exact/contact/inclusion.h"
 
 #include <math.h>
 

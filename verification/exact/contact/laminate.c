@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/laminate.h"
+#include "verification/exact/contact/laminate.h"
 
 double laminate_displacement(const struct laminate *laminate, double traction, double place)
 {

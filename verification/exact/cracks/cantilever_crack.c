@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/cantilever_crack.h"
+#include "verification/exact/cracks/cantilever_crack.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/hertz.h"
+#include "verification/exact/contact/hertz.h"
 
 #include <gsl/gsl_sf_gamma.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/centre_crack.h"
+#include "verification/exact/cracks/centre_crack.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/williams_field.h"
+#include "verification/exact/cracks/williams_field.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/struck_bars.h"
+#include "verification/exact/contact/struck_bars.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/struck_crack.h"
+#include "verification/exact/cracks/struck_crack.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/slanted_crack.h"
+#include "verification/exact/cracks/slanted_crack.h"
 
 #include <complex.h>
 #include <gsl/gsl_linalg.h>
