@@ -15,6 +15,7 @@
 
 #include "mpm_contact.h"
 #include "mpm_dimension.h"
+#include "mpm_fields.h"
 #include "mpm_fracture.h"
 #include "mpm_transport.h"
 
@@ -251,46 +252,6 @@ double mpm_simulation_time_step(const struct mpm_simulation *simulation); /* the
 size_t mpm_simulation_particle_count(const struct mpm_simulation *simulation);
 size_t mpm_simulation_bytes(const struct mpm_simulation *simulation); /* all memory held */
 
-/* What a particle carries, in the order of snapshots. */
-enum mpm_field {
-    MPM_FIELD_ID,                   /* 1: creation order, body by body, row by row */
-    MPM_FIELD_BODY,                 /* 1: index of the body in the scene */
-    MPM_FIELD_POSITION,             /* 2 */
-    MPM_FIELD_VELOCITY,             /* 2 */
-    MPM_FIELD_DEFORMATION_GRADIENT, /* 5: xx xy yx yy zz | rr rz zr zz tt */
-    MPM_FIELD_STRESS,               /* 4: Cauchy, xx yy zz xy | rr zz tt rz */
-    MPM_FIELD_VOLUME,               /* 1: current (per thickness or per radian) */
-    MPM_FIELD_MASS,                 /* 1 */
-    MPM_FIELD_TEMPERATURE,          /* 1: of scenes with transport.temperature, else 0 */
-    MPM_FIELD_FRINGE,               /* 1: CRAMP (23); not a number without output.fringe */
-    MPM_FIELD_COUNT,
-};
-
-struct mpm_field_info {
-    const char *name;
-    size_t components;
-    bool integer;
-    struct mpm_dimension dimension;
-    const char *description;
-};
-
-/* The descriptor of a field. Dimensions are per radian as they are for the thickness. */
-const struct mpm_field_info *mpm_field_describe(enum mpm_field field);
-
-/* Is the field one of the scene's snapshots? All but temperature and fringe are always. */
-bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field);
-
-/* Copies a field of all particles, sorted by id: particle-major,
- * count * components values. Rigid bodies' particles are included. */
-void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_field field,
-                          double *values);
-
-/* The same for the particles with ids first .. first + count - 1, all of which must be there: a
- * simulation block by block, in a buffer of the caller's choice. Finds the ids' places in memory of
- * the simulation, once after each sort: not for several threads at a time. */
-void mpm_simulation_field_range(const struct mpm_simulation *simulation, enum mpm_field field,
-                                size_t first, size_t count, double *values);
-
 /* The massless points that carry the cracks, as they are now: crack by crack in the scene's order,
  * each from its first point to its last, with those set between the scene's own. */
 struct mpm_crack_point {
@@ -321,7 +282,14 @@ struct mpm_ledger {
     /* Of contact between bodies since t = 0; 0 without: what interfaces have stored, and what
      * contact has dissipated. */
     double contact_stored, contact_dissipated;
-    double total_energy; /* kinetic + strain + dissipation + cohesive + contact energies */
+    /* Of coupling with scalars since t = 0; 0 without. Mechanical energy that free expansion and
+     * gases have given; heat that deformation has; and alpha T tr(tau) of all particles, which is
+     * energy beside the thermal one: total_energy + expansion_work + thermal_energy +
+     * thermoelastic_energy change by external work and inflow of heat alone, but for errors of the
+     * time step. */
+    double expansion_work, deformation_heat, thermoelastic_energy;
+    /* kinetic + strain + dissipation + cohesive + contact energies - expansion_work */
+    double total_energy;
     /* With output.energy_balance, else 0: what went from particles to nodes and back without
      * arriving, and what contact of cracks took, since t = 0. The change of total_energy plus both
      * is external_work, to round-off; either may be negative. */

@@ -19,6 +19,7 @@ struct mpm_dimension {
 #define MPM_DIMENSION_MASS             {.mass = 1}
 #define MPM_DIMENSION_TIME             {.time = 1}
 #define MPM_DIMENSION_TEMPERATURE      {.temperature = 1}
+#define MPM_DIMENSION_EXPANSION        {.temperature = -1}
 #define MPM_DIMENSION_RATE             {.time = -1}
 #define MPM_DIMENSION_VELOCITY         {.length = 1, .time = -1}
 #define MPM_DIMENSION_ACCELERATION     {.length = 1, .time = -2}

@@ -54,6 +54,7 @@ enum mpm_failure_kind {
     MPM_USER_FORCE_NOT_FINITE,   /* value: the caller's body force along the axis */
     MPM_SOURCE_NOT_FINITE,       /* value: a scalar's source there */
     MPM_BELOW_ZERO,              /* value: temperature of an edge that radiates */
+    MPM_HEAT_UNSTABLE,           /* value: temperature; axis: 0 c_v <= 0, 1 below zero, 2 no end */
 };
 
 struct mpm_failure {
@@ -80,6 +81,8 @@ struct mpm_strip {
     double external_work;      /* of body forces, or of loads on edges, in the step */
     double dissipated;         /* by damping at the particles, in a part of the step */
     double internal_work;      /* what stresses take from the nodes in the step */
+    double expansion_work;     /* of free expansion and of gases, in the step */
+    double deformation_heat;   /* given to particles in the step */
     double inflow;             /* of a scalar, by its source or through edges: content per time */
     double diffusivity;        /* largest J k / (c rho_0) */
     double film;               /* largest derivative of a flux by the scalar, over c rho_0 */
@@ -90,6 +93,7 @@ struct mpm_body {
     double half_size[2];
     int64_t shift; /* from a node to its copy in the layer that the body moves in; see fields.h */
     struct mpm_material material;
+    const struct mpm_material_spec *given; /* of the scene */
 };
 
 /* What has to be done for the body force. */
@@ -144,6 +148,8 @@ struct mpm_state {
     struct mpm_symmetries symmetries;
 
     struct mpm_transport transport;
+
+    bool law_states; /* stresses depend on more than F: transfer/law_state.h */
 
     const struct mpm_projection *projection; /* of the pass that runs */
     struct mpm_user_force user_force;

@@ -21,6 +21,7 @@
 #include "method/transfer/nearby.h"
 #include "method/transfer/transfer.h"
 #include "method/transport/transport.h"
+#include "method/transport/transport_coupling.h"
 
 #include <math.h>
 #include <time.h>
@@ -294,6 +295,7 @@ static enum mpm_status advance_in_motion(struct mpm_state *state, double seconds
 
     if (state->transport.count > 0) {
         MPM_TRY(mpm_transport_advance(state, workers, error));
+        mpm_transport_couple(state, workers);
         charge(seconds, MPM_PHASE_TRANSPORT, &mark);
     }
 
@@ -323,6 +325,7 @@ static enum mpm_status advance_in_motion(struct mpm_state *state, double seconds
     /* Task 6: stress update of USL, MUSL, USAVG; Task 5: positions, last, since every
      * task uses the shape functions of the positions at the start */
     run_particles(state, workers, passes->finish);
+    mpm_transport_finish(state);
     mpm_damping_finish(state);
     mpm_energy_measure_particles(state);
     charge(seconds, MPM_PHASE_STRESS, &mark);

@@ -23,7 +23,9 @@
  * lists those that it has; it has both moduli or none, and these are not optional. */
 #define MPM_LAW_PARAMETERS(ROW, A, B)                                                              \
     ROW(A, B, BULK, bulk, STRESS, ABOVE(0), "bulk modulus, together with shear")                   \
-    ROW(A, B, SHEAR, shear, STRESS, ABOVE(0), "shear modulus, together with bulk")
+    ROW(A, B, SHEAR, shear, STRESS, ABOVE(0), "shear modulus, together with bulk")                 \
+    ROW(A, B, GAS_CONSTANT, gas_constant, HEAT_CAPACITY, ABOVE(0),                                 \
+        "of an ideal gas, per mass: pressure over density and absolute temperature")
 
 #define MPM_PARAMETER_NAME(a, b, name, ...) MPM_PARAMETER_##name,
 enum mpm_parameter { MPM_LAW_PARAMETERS(MPM_PARAMETER_NAME, , ) MPM_PARAMETER_COUNT };
@@ -65,7 +67,8 @@ struct mpm_material {
 struct mpm_law_step {
     const double *old_f, *f; /* [MPM_GRADIENT_SIZE]; the same if there is no step yet */
     double duration;         /* of this part of a time step: 0 if there is no step yet */
-    double temperature;      /* NaN in a scene that has none */
+    double temperature;      /* at its end; NaN in a scene that has none */
+    double heat_capacity;    /* per mass; NaN where deformation gives no heat */
 };
 
 struct mpm_material_law {
@@ -87,7 +90,14 @@ struct mpm_material_law {
     void (*update)(const struct mpm_material *material, const struct mpm_law_step *step,
                    double *state, double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
 
+    /* The stress depends on the temperature: only for scenes that have one. */
+    bool reads_temperature;
+
     /* What follows may be NULL. */
+
+    /* Temperature at the end of a step without flow of heat, from step->temperature at its start;
+     * of laws that read it. */
+    double (*adiabatic)(const struct mpm_material *material, const struct mpm_law_step *step);
 
     /* Strain energy per unit mass; may use logarithms. Without it, each particle carries the work
      * of the stress since t = 0 as one more state variable, which takes its place; a caller may
@@ -110,6 +120,7 @@ struct mpm_material_law {
 #define MPM_MATERIAL_LAWS(LAW)                                                                     \
     LAW(neo_hookean)                                                                               \
     LAW(linear_elastic)                                                                            \
+    LAW(ideal_gas)                                                                                 \
     LAW(none)
 
 #define MPM_DECLARE_LAW(name) extern const struct mpm_material_law mpm_##name;

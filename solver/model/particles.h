@@ -27,9 +27,11 @@ enum mpm_particle_use {
     MPM_USE_ORIGINS = 16,   /* see crack_detection.h */
     MPM_USE_LAW_STATE = 32, /* laws with state variables */
     MPM_USE_USER_FORCE = 64,
-    MPM_USE_DRAG = 128,        /* damping at the particles */
-    MPM_USE_TEMPERATURE = 256, /* a scalar of the scene */
-    MPM_USE_SOURCE = 512,      /* one of its scalars has a source */
+    MPM_USE_DRAG = 128,             /* damping at the particles */
+    MPM_USE_TEMPERATURE = 256,      /* a scalar of the scene */
+    MPM_USE_SOURCE = 512,           /* one of its scalars has a source */
+    MPM_USE_FREE_STRAIN = 1024,     /* materials expand with a scalar */
+    MPM_USE_LAW_TEMPERATURE = 2048, /* stresses and temperature depend on each other */
 };
 
 /* State variables of a law, at most: two tensors of four components and two scalars. */
@@ -69,7 +71,11 @@ enum { MPM_LAW_STATES = 10 };
     ROW(ORIGIN, double, origin, [2], LENGTH, MPM_USE_ORIGINS, 0, 0, "origin",                      \
         "centre of the particle at t = 0")                                                         \
     ROW(LAW_STATE, double, law_state, , NONE, MPM_USE_LAW_STATE, MPM_USE_LAW_STATE, 0,             \
-        "law_state", "state variables of the particle's law")
+        "law_state", "state variables of the particle's law")                                      \
+    ROW(FREE_STRAIN, double, free_strain, , NONE, MPM_USE_FREE_STRAIN, MPM_USE_FREE_STRAIN, 0,     \
+        "free_strain", "logarithm of the stretch without stress, in the stress at hand")           \
+    ROW(LAW_TEMPERATURE, double, law_temperature, , TEMPERATURE, MPM_USE_LAW_TEMPERATURE,          \
+        MPM_USE_LAW_TEMPERATURE, 0, "law_temperature", "temperature in the stress at hand")
 #define MPM_STEP_PARTICLE_FIELDS(ROW) /* of a step, not sorted: the sort works in their memory */  \
     ROW(CARRIED, double, carried, [2], LENGTH, MPM_USE_DEFORMABLE, 0, 0, "carried",                \
         "position at the end of the step, known before its last task")                             \
@@ -78,7 +84,12 @@ enum { MPM_LAW_STATES = 10 };
     ROW(DRAG, double, drag, [2], ACCELERATION, MPM_USE_DRAG, 0, 0, "drag",                         \
         "deceleration of the step by damping; see damping.h")                                      \
     ROW(SOURCE, double, source, , NONE, MPM_USE_SOURCE, 0, 0, "source",                            \
-        "source of the scalar at hand, content per volume and time")
+        "source of the scalar at hand, content per volume and time")                               \
+    ROW(FREE_STRAIN_STEP, double, free_strain_step, , NONE, MPM_USE_FREE_STRAIN, 0, 0,             \
+        "free_strain_step", "what transport changes free_strain by")                               \
+    ROW(LAW_TEMPERATURE_STEP, double, law_temperature_step, , TEMPERATURE,                         \
+        MPM_USE_LAW_TEMPERATURE, 0, 0, "law_temperature_step",                                     \
+        "what transport changes law_temperature by")
 #define MPM_PARTICLE_FIELDS(ROW)                                                                   \
     MPM_WRITTEN_PARTICLE_FIELDS(ROW)                                                               \
     MPM_INNER_PARTICLE_FIELDS(ROW)                                                                 \

@@ -77,6 +77,7 @@ struct mpm_material_spec {
     double parameter[MPM_PARAMETER_COUNT]; /* bulk and shear whichever pair of constants the scene
                                               gives; NaN where the law has no such parameter */
     struct mpm_conduction conduction[MPM_SCALAR_COUNT];
+    struct mpm_expansion expansion[MPM_SCALAR_COUNT];
     int line; /* in the scene file, for messages */
 };
 
@@ -209,6 +210,7 @@ struct mpm_scalar_spec {
     enum mpm_scalar_transfer transfer;
     char *start;  /* in the coordinates */
     char *source; /* content per volume and time, in coordinates and t; NULL: none */
+    bool heats;   /* of the temperature: deformation changes it */
     struct mpm_scalar_condition_spec *conditions;
     size_t condition_count;
     int line;
@@ -307,6 +309,10 @@ struct mpm_scene {
     char **settings;                                         /* --set texts, for provenance */
     size_t setting_count;
 };
+
+/* Does a material expand with a scalar? Depends the stress of one on the temperature itself? */
+bool mpm_scene_expands(const struct mpm_scene *scene);
+bool mpm_scene_reads_temperature(const struct mpm_scene *scene);
 
 /* The names of the coordinates: x and y, or r and z. */
 const char *const *mpm_scene_coordinates(const struct mpm_scene *scene);

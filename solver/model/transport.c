@@ -2,6 +2,8 @@
 #include "model/transport.h"
 
 #include "model/particles.h"
+#include "model/scene.h"
+#include "mpm_transport.h"
 
 const struct mpm_scalar_row mpm_scalar_rows[MPM_SCALAR_COUNT] = {
     [MPM_TEMPERATURE] = {.name = "temperature",
@@ -11,3 +13,30 @@ const struct mpm_scalar_row mpm_scalar_rows[MPM_SCALAR_COUNT] = {
                          .content_name = "thermal_energy",
                          .flow_name = "heat"},
 };
+
+bool mpm_scene_expands(const struct mpm_scene *scene)
+{
+    bool any = false;
+    for (size_t k = 0; k < scene->material_count; k++)
+        for (size_t which = 0; which < MPM_SCALAR_COUNT; which++)
+            any = any || scene->materials[k].expansion[which].coefficient != 0.0;
+    return any;
+}
+
+bool mpm_scene_reads_temperature(const struct mpm_scene *scene)
+{
+    bool any = false;
+    for (size_t k = 0; k < scene->material_count; k++)
+        any = any || scene->materials[k].law->reads_temperature;
+    return any;
+}
+
+bool mpm_scene_couples(const struct mpm_scene *scene)
+{
+    return mpm_scene_expands(scene) || mpm_scene_reads_temperature(scene);
+}
+
+bool mpm_scene_heats(const struct mpm_scene *scene)
+{
+    return scene->scalars[MPM_TEMPERATURE].heats;
+}

@@ -37,6 +37,12 @@ struct mpm_scalar_row {
 };
 extern const struct mpm_scalar_row mpm_scalar_rows[MPM_SCALAR_COUNT];
 
+/* Of a material: free strain = coefficient (v - stress_free); the coefficient is 0 if it has none.
+ */
+struct mpm_expansion {
+    double coefficient, stress_free;
+};
+
 /* Of a material: content = capacity per mass times mass times value; flux = - K grad value. */
 struct mpm_conduction {
     bool given;       /* the material has them */

@@ -15,7 +15,8 @@ double mpm_kinetic_energy(const struct mpm_state *state)
 void mpm_simulation_count_step(struct mpm_simulation *simulation)
 {
     simulation->largest_work =
-        fmax(simulation->largest_work, fabs(simulation->state.external_work));
+        fmax(simulation->largest_work, fabs(simulation->state.external_work) +
+                                           fabs(simulation->state.transport.expansion.work));
     simulation->step++;
 }
 

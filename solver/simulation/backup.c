@@ -65,6 +65,7 @@ void mpm_backup_save(struct mpm_simulation *simulation)
     backup->largest_work = simulation->largest_work;
     backup->sudden_energy = state->sudden_energy;
     backup->damping = state->damping.totals;
+    backup->expansion = state->transport.expansion;
     backup->energy = state->energy;
     backup->wave_speed = simulation->wave_speed;
     backup->diffusivity = simulation->diffusivity;
@@ -89,6 +90,7 @@ static void copy_back(struct mpm_simulation *simulation)
     simulation->largest_work = backup->largest_work;
     state->sudden_energy = backup->sudden_energy;
     state->damping.totals = backup->damping;
+    state->transport.expansion = backup->expansion;
     state->energy = backup->energy;
     simulation->wave_speed = backup->wave_speed;
     simulation->diffusivity = backup->diffusivity;

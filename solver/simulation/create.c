@@ -115,6 +115,9 @@ static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulatio
     uses |= mpm_transport_uses(scene);
     const size_t law_states = mpm_law_states_of(scene);
     uses |= law_states > 0 ? MPM_USE_LAW_STATE : 0;
+    uses |= mpm_scene_expands(scene) ? MPM_USE_FREE_STRAIN : 0;
+    uses |=
+        mpm_scene_heats(scene) || mpm_scene_reads_temperature(scene) ? MPM_USE_LAW_TEMPERATURE : 0;
     return (struct mpm_particle_needs){.uses = uses, .law_states = (uint8_t)law_states};
 }
 
@@ -194,6 +197,7 @@ static void describe_bodies(struct mpm_simulation *simulation)
         if (scene->bodies[k].rigid)
             continue;
         const struct mpm_material_spec *const spec = &scene->materials[scene->bodies[k].material];
+        state->bodies[k].given = spec;
         state->bodies[k].material = mpm_material_make(spec->law, spec->density, spec->parameter);
     }
 }
@@ -304,10 +308,12 @@ static enum mpm_status check_start(const struct mpm_simulation *simulation, stru
     return mpm_edge_loads_check_start(simulation, error);
 }
 
-/* Every body is undeformed. */
+/* Every body is undeformed, but it may have been free of stress at other values of scalars. */
 static double initial_wave_speed(const struct mpm_simulation *simulation)
 {
     double fastest = 0.0;
+    if (simulation->state.law_states)
+        return mpm_fastest_wave(&simulation->state);
     for (size_t k = 0; k < simulation->scene->body_count; k++)
         if (!simulation->scene->bodies[k].rigid)
             fastest = fmax(fastest, mpm_material_start_wave(&simulation->state.bodies[k].material));
@@ -437,12 +443,14 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     describe_bodies(simulation);
     MPM_TRY(mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid, error));
     mpm_law_states_begin(state);
+    state->law_states = mpm_law_states_of(scene) > 0 || mpm_scene_couples(scene);
     MPM_TRY(mpm_edge_loads_fill(simulation, error));
     mpm_cracks_fill(state);
     mpm_contacts_fill(state);
     MPM_TRY(mpm_symmetries_fill(simulation, error));
     MPM_TRY(mpm_openings_fill(simulation, error));
     MPM_TRY(mpm_transport_fill(simulation, error));
+    mpm_law_scalars_begin(state);
     MPM_TRY(set_velocities(simulation, error));
     for (size_t p = 0; p < state->particles.count; p++)
         mpm_particle_set_domain(state, p);

@@ -72,7 +72,7 @@ static void bound_strain_energy(void *context, int64_t index, int worker)
     for (size_t p = strip->begin, next; p < strip->end; p = next) {
         next = end_of_body(particles, p, strip->end);
         const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
-        sum += material->law->energy_bound == NULL
+        sum += material->law->energy_bound == NULL || particles->free_strain != NULL
                    ? HUGE_VAL /* so that the sum itself is taken */
                    : material->law->energy_bound(material, particles->deformation, particles->mass,
                                                  p, next);
@@ -105,7 +105,7 @@ static double total_energy(struct mpm_simulation *simulation,
     mpm_cohesive_energies(state, &stored, &dissipated);
     mpm_contact_energies(state, &in_contact, &by_contact);
     return mpm_kinetic_energy(state) + strain + state->damping.totals.dissipated + stored +
-           dissipated + in_contact + by_contact;
+           dissipated + in_contact + by_contact - state->transport.expansion.work;
 }
 
 static uint32_t fastest_particle(const struct mpm_particles *particles)
@@ -174,8 +174,9 @@ enum mpm_status mpm_energy_judge(struct mpm_simulation *simulation, struct mpm_e
 
 bool mpm_energy_is_in_doubt(const struct mpm_simulation *simulation)
 {
-    const double known =
-        mpm_kinetic_energy(&simulation->state) + simulation->state.damping.totals.dissipated;
+    const double known = mpm_kinetic_energy(&simulation->state) +
+                         simulation->state.damping.totals.dissipated -
+                         simulation->state.transport.expansion.work;
     return !(known <= energy_at(simulation, FACTOR_UNSTABLE)) || !isfinite(known);
 }
 

@@ -94,6 +94,17 @@ static const char *describe(const struct mpm_simulation *simulation,
     case MPM_BELOW_ZERO:
         return print(text, "radiates at a temperature of %g; allowed: absolute, at least 0",
                      failure->value);
+    case MPM_HEAT_UNSTABLE:
+        return print(text,
+                     failure->axis == 0
+                         ? "is at a temperature of %g, at which thermal_expansion makes the heat "
+                           "capacity at constant volume negative; allowed: 9 alpha^2 K T below "
+                           "density times heat_capacity"
+                     : failure->axis == 1
+                         ? "is at a temperature of %g; allowed with transport.temperature.heating: "
+                           "absolute, at least 0"
+                         : "has no temperature that fits its stress after the step, from %g before",
+                     failure->value);
     case MPM_RATE_REFUSED:
         return print(text,
                      "has damping.%s = %g; allowed: at least 0 and below %g, 1 over the "

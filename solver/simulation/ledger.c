@@ -26,6 +26,9 @@ static void add_particle(const struct mpm_simulation *simulation, size_t p,
         ledger->angular_momentum += mass * mpm_particle_spin(&simulation->state, p);
     ledger->kinetic_energy += 0.5 * mass * (vx * vx + vy * vy);
     ledger->strain_energy += mass * mpm_particle_strain_energy(&simulation->state, p);
+    if (simulation->scene->scalars[MPM_TEMPERATURE].heats)
+        ledger->thermoelastic_energy +=
+            mass * mpm_particle_thermoelastic_energy(&simulation->state, p);
     ledger->j_min = fmin(ledger->j_min, j);
     ledger->j_max = fmax(ledger->j_max, j);
 }
@@ -38,6 +41,8 @@ void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_l
         .step = simulation->step,
         .external_work = simulation->state.external_work,
         .damping_dissipation = simulation->state.damping.totals.dissipated,
+        .expansion_work = simulation->state.transport.expansion.work,
+        .deformation_heat = simulation->state.transport.expansion.heat,
         .j_min = HUGE_VAL,
         .j_max = -HUGE_VAL,
     };
@@ -49,12 +54,13 @@ void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_l
     ledger->total_energy = ledger->kinetic_energy + ledger->strain_energy +
                            ledger->damping_dissipation + ledger->cohesive_stored +
                            ledger->cohesive_dissipated + ledger->contact_stored +
-                           ledger->contact_dissipated;
+                           ledger->contact_dissipated - ledger->expansion_work;
     if (energy->measured) {
         ledger->contact_loss =
             energy->contact - ledger->contact_stored - ledger->contact_dissipated;
         ledger->transfer_loss = energy->lost + energy->internal_work -
-                                (ledger->strain_energy - simulation->strain_start) -
+                                (ledger->strain_energy - simulation->strain_start) +
+                                ledger->expansion_work -
                                 ledger->cohesive_stored - ledger->cohesive_dissipated;
     }
 }

@@ -35,6 +35,7 @@ struct mpm_backup {
     struct mpm_chain_extents *extents;
     double time, external_work, largest_work, sudden_energy, wave_speed, diffusivity, film;
     struct mpm_scalar_totals scalars[MPM_SCALAR_COUNT];
+    struct mpm_expansion_totals expansion;
     struct mpm_damping_totals damping;
     struct mpm_contact_totals *contact_totals; /* per pair of fields */
     struct mpm_contact_sample *contact_samples;
@@ -134,6 +135,9 @@ void mpm_edge_loads_layout(struct mpm_state *state, struct mpm_arena *arena);
 enum mpm_status mpm_edge_loads_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulation,
                                            struct mpm_error *error);
+
+/* time_step.c: of all particles, by their laws. */
+double mpm_fastest_wave(const struct mpm_state *state);
 
 /* transport.c: scalars of the scene, with constants of its bodies; their memory; the particles'
  * values at t = 0, nodes with prescribed ones, all of which must be finite. */

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/transfer/law_state.h"
 #include "method/transport/transport.h"
 #include "simulation/simulation.h"
 
@@ -29,6 +30,18 @@ static double fastest_wave(const struct mpm_state *state)
     for (int64_t s = 0; s < state->strip_count; s++)
         square = fmax(square, state->strips[s].wave_speed_squared);
     return sqrt(square);
+}
+
+double mpm_fastest_wave(const struct mpm_state *state)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    double fastest = 0.0;
+    for (size_t p = 0; p < particles->count; p++) {
+        double stress[MPM_SYMMETRIC_SIZE], square;
+        mpm_particle_find_stress(state, p, stress, &square);
+        fastest = fmax(fastest, square);
+    }
+    return sqrt(fastest);
 }
 
 /* Checks the particles of a strip only if its kinetic energy could make one of them as fast. */

@@ -82,27 +82,13 @@ static enum mpm_status check_particle(const struct mpm_simulation *simulation, u
 static void set_deformation(const struct mpm_simulation *simulation, size_t p, const double *given)
 {
     const struct mpm_particles *const particles = &simulation->state.particles;
-    const struct mpm_material *const material =
-        &simulation->state.bodies[particles->body[p]].material;
     double f[MPM_GRADIENT_SIZE];
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
         f[k] = given[k];
     if (simulation->scene->geometry == MPM_PLANE_STRESS)
-        f[MPM_ZZ] = material->law->thickness_stretch(material, f);
+        f[MPM_ZZ] = mpm_particle_thickness(&simulation->state, p, f);
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
         particles->deformation[k][p] = f[k];
-}
-
-static double fastest_wave(const struct mpm_state *state)
-{
-    const struct mpm_particles *const particles = &state->particles;
-    double fastest = 0.0;
-    for (size_t p = 0; p < particles->count; p++) {
-        double stress[MPM_SYMMETRIC_SIZE], square;
-        mpm_particle_find_stress(state, p, stress, &square);
-        fastest = fmax(fastest, square);
-    }
-    return sqrt(fastest);
 }
 
 enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, const double *velocity,
@@ -128,10 +114,11 @@ enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, cons
             set_deformation(simulation, p, deformation_gradient + MPM_GRADIENT_SIZE * id);
     }
     mpm_law_states_begin(&simulation->state);
+    mpm_law_scalars_begin(&simulation->state);
     mpm_step_recompute(&simulation->state);
     struct mpm_error why = {0};
     const enum mpm_status status =
-        mpm_simulation_open(simulation, fastest_wave(&simulation->state), &why);
+        mpm_simulation_open(simulation, mpm_fastest_wave(&simulation->state), &why);
     if (status == MPM_OK)
         return MPM_OK;
     simulation->failure = why;

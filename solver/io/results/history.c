@@ -39,6 +39,9 @@ static const struct column {
     COLUMN(cohesive_dissipated, ENERGY, mpm_scene_is_cohesive),
     COLUMN(contact_stored, ENERGY, mpm_scene_has_contact),
     COLUMN(contact_dissipated, ENERGY, mpm_scene_has_contact),
+    COLUMN(expansion_work, ENERGY, mpm_scene_couples),
+    COLUMN(deformation_heat, ENERGY, mpm_scene_heats),
+    COLUMN(thermoelastic_energy, ENERGY, mpm_scene_heats),
     COLUMN(transfer_loss, ENERGY, mpm_scene_has_energy_balance),
     COLUMN(contact_loss, ENERGY, mpm_scene_has_contact_loss),
 };

@@ -242,14 +242,7 @@
       "Young's modulus, together with poisson; instead of bulk and shear")                         \
     X(S, ONE, poisson, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, BETWEEN(-1, 0.5),                     \
       "Poisson's ratio, together with young; instead of bulk and shear")                           \
-    X(S, ONE, heat_capacity, NUMBER, ANYWHERE, OPTIONAL, HEAT_CAPACITY, NULL, ABOVE(0),              \
-      "specific heat capacity; with transport.temperature, and only there")                        \
-    X(S, ONE, conductivity, NUMBER, ANYWHERE, OPTIONAL, CONDUCTIVITY, NULL, AT_LEAST(0),             \
-      "of heat, the same in all directions; or principal_conductivities")                          \
-    X(S, PAIR, principal_conductivities, NUMBER, ANYWHERE, OPTIONAL, CONDUCTIVITY, NULL, AT_LEAST(0), \
-      "of heat along two axes of the material, which turn with it; instead of conductivity")       \
-    X(S, ONE, conductivity_angle, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(-360, 360),        \
-      "degrees from the first axis of the grid to the first principal one, in the undeformed body; 0 if missing")
+    KEYS_conduction(X, S)
 
 #define KEYS_rectangle(X, S)                                                                       \
     X(S, PAIR, from, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ANY, "lower left corner")         \

@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
+#include "mpm_transport.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -47,6 +48,26 @@ static enum mpm_status build_conductivity(const struct mpm_reading *reading, con
     return MPM_OK;
 }
 
+static enum mpm_status build_expansion(const struct mpm_reading *reading, const char *path,
+                                       const struct mpm_raw_material *raw,
+                                       struct mpm_material_spec *material)
+{
+    const bool one = raw->thermal_expansion != NULL, two = raw->stress_free_temperature != NULL;
+    if (one != two)
+        return mpm_reading_fault(reading, path, "%s without %s; allowed: both or none",
+                                 one ? "thermal_expansion" : "stress_free_temperature",
+                                 one ? "stress_free_temperature" : "thermal_expansion");
+    if (!one)
+        return MPM_OK;
+    if (material->law->reads_temperature || material->law == &mpm_none)
+        return mpm_reading_fault(reading, mpm_path_join(path, "thermal_expansion").text,
+                                 "given for the law %s; allowed: for laws of solids",
+                                 material->law->name);
+    material->expansion[MPM_TEMPERATURE] = (struct mpm_expansion){
+        mpm_raw_double(raw->thermal_expansion), mpm_raw_double(raw->stress_free_temperature)};
+    return MPM_OK;
+}
+
 static enum mpm_status build_material(const struct mpm_reading *reading, size_t index)
 {
     const struct mpm_path path = mpm_path_entry("materials", index);
@@ -59,6 +80,7 @@ static enum mpm_status build_material(const struct mpm_reading *reading, size_t 
                                  "allowed: a number above 0");
     conduction->given = true;
     conduction->capacity = mpm_raw_double(raw->heat_capacity);
+    MPM_TRY(build_expansion(reading, path.text, raw, &reading->scene->materials[index]));
     return build_conductivity(reading, path.text, raw, conduction);
 }
 
@@ -152,6 +174,18 @@ static enum mpm_status build_body(const struct mpm_reading *reading, size_t inde
     return build_start(reading, key.text, &body->region, raw, &body->start[MPM_TEMPERATURE]);
 }
 
+/* Something has to change temperatures where deformation is to. */
+static enum mpm_status build_heating(const struct mpm_reading *reading)
+{
+    struct mpm_scene *const scene = reading->scene;
+    scene->scalars[MPM_TEMPERATURE].heats = reading->raw->transport->temperature->heating;
+    if (!scene->scalars[MPM_TEMPERATURE].heats || mpm_scene_couples(scene))
+        return MPM_OK;
+    return mpm_reading_fault(reading, "transport.temperature.heating",
+                             "got true where no deformation gives heat; allowed: with a material "
+                             "that has thermal_expansion or the law ideal_gas");
+}
+
 static enum mpm_status build_temperature(const struct mpm_reading *reading)
 {
     const struct mpm_raw_temperature *const raw = reading->raw->transport->temperature;
@@ -163,6 +197,7 @@ static enum mpm_status build_temperature(const struct mpm_reading *reading)
     scalar->transfer = (enum mpm_scalar_transfer)raw->transfer;
     for (size_t k = 0; k < scene->material_count; k++)
         MPM_TRY(build_material(reading, k));
+    MPM_TRY(build_heating(reading));
     for (size_t k = 0; k < scene->body_count; k++) {
         region = region == NULL && !scene->bodies[k].rigid ? &scene->bodies[k].region : region;
         MPM_TRY(build_body(reading, k));
@@ -197,8 +232,9 @@ static enum mpm_status refuse_key(const struct mpm_reading *reading, const char 
 /* What only conduction reads. */
 static enum mpm_status check_without(const struct mpm_reading *reading)
 {
-    static const char *const keys[] = {"heat_capacity", "conductivity", "principal_conductivities",
-                                       "conductivity_angle"};
+    static const char *const keys[] = {
+        "heat_capacity",      "conductivity",      "principal_conductivities",
+        "conductivity_angle", "thermal_expansion", "stress_free_temperature"};
     for (size_t m = 0; m < reading->scene->material_count; m++)
         for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++) {
             const struct mpm_path path = mpm_path_entry("materials", m);
@@ -206,6 +242,13 @@ static enum mpm_status check_without(const struct mpm_reading *reading)
             if (mpm_reading_given(reading, key.text))
                 return refuse_key(reading, key.text);
         }
+    for (size_t m = 0; m < reading->scene->material_count; m++)
+        if (reading->scene->materials[m].law->reads_temperature)
+            return mpm_reading_fault(
+                reading, mpm_path_join(mpm_path_entry("materials", m).text, "law").text,
+                "got %s, whose stress depends on the temperature, in a scene without "
+                "transport.temperature; allowed: with it",
+                reading->scene->materials[m].law->name);
     for (size_t b = 0; b < reading->scene->body_count; b++)
         if (reading->raw->bodies[b].temperature != NULL)
             return refuse_key(reading,

@@ -5,6 +5,20 @@
 #define MPM_IO_TRANSPORT_KEYS_H
 
 /* clang-format off */
+#define KEYS_conduction(X, S) /* of a material */                                                          \
+    X(S, ONE, heat_capacity, NUMBER, ANYWHERE, OPTIONAL, HEAT_CAPACITY, NULL, ABOVE(0),              \
+      "specific heat capacity; with transport.temperature, and only there")                        \
+    X(S, ONE, conductivity, NUMBER, ANYWHERE, OPTIONAL, CONDUCTIVITY, NULL, AT_LEAST(0),             \
+      "of heat, the same in all directions; or principal_conductivities")                          \
+    X(S, PAIR, principal_conductivities, NUMBER, ANYWHERE, OPTIONAL, CONDUCTIVITY, NULL, AT_LEAST(0), \
+      "of heat along two axes of the material, which turn with it; instead of conductivity")       \
+    X(S, ONE, conductivity_angle, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(-360, 360),        \
+      "degrees from the first axis of the grid to the first principal one, in the undeformed body; 0 if missing") \
+    X(S, ONE, thermal_expansion, NUMBER, ANYWHERE, OPTIONAL, EXPANSION, NULL, ANY,                   \
+      "linear, alpha of the stretch exp(alpha (T - stress_free_temperature)); with transport.temperature, and only there; none if missing") \
+    X(S, ONE, stress_free_temperature, NUMBER, ANYWHERE, OPTIONAL, TEMPERATURE, NULL, ANY,           \
+      "at which the undeformed body has no stress; with thermal_expansion")
+
 #define KEYS_temperature_condition(X, S)                                                           \
     X(S, GROUP, region, boundary_region, ANYWHERE, REQUIRED, NONE, NULL, ANY,                        \
       "which nodes: exactly one shape")                                                            \
@@ -43,6 +57,8 @@
       "initial temperature of bodies without their own, in the coordinates")                       \
     X(S, ONE, source, EXPRESSION, ANYWHERE, OPTIONAL, HEAT_SOURCE, NULL, ANY,                        \
       "heat per volume and time, in coordinates of the particle and t")                            \
+    X(S, ONE, heating, BOOLEAN, ANYWHERE, OPTIONAL, NONE, "false", ANY,                              \
+      "deformation changes temperatures: -alpha T d(tr tau)/rho_0 of materials that expand, and compression of gases; temperatures are absolute") \
     X(S, LIST, conditions, temperature_condition, ANYWHERE, OPTIONAL, NONE, "[]", ANY,               \
       "prescribed temperatures of nodes")                                                          \
     X(S, LIST, fluxes, heat_flux, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                               \

@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/transfer/law_state.h"
 
+#include "method/transfer/extent.h"
+#include "mpm_transport.h"
+
 #include <math.h>
+#include <string.h>
 
 size_t mpm_law_states_of(const struct mpm_scene *scene)
 {
@@ -24,6 +28,47 @@ void mpm_law_states_begin(struct mpm_state *state)
         for (size_t k = 0; k < carried; k++)
             *mpm_particle_law_state(particles, p, k) =
                 k < law->variable_count ? law->variables[k].start : 0.0;
+    }
+}
+
+double mpm_free_strain(const struct mpm_material_spec *material,
+                       const double value[MPM_SCALAR_COUNT])
+{
+    double sum = 0.0;
+    for (int k = 0; k < MPM_SCALAR_COUNT; k++)
+        if (material->expansion[k].coefficient != 0.0)
+            sum += material->expansion[k].coefficient *
+                   (value[k] - material->expansion[k].stress_free);
+    return sum;
+}
+
+/* Of F at hand, which gets its F_zz. */
+static void begin_stress(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], square;
+    mpm_particle_deformation(particles, p, f);
+    if (state->scene->geometry == MPM_PLANE_STRESS)
+        particles->deformation[MPM_ZZ][p] = mpm_particle_thickness(state, p, f);
+    mpm_particle_find_stress(state, p, stress, &square);
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        particles->stress[k][p] = stress[k];
+}
+
+void mpm_law_scalars_begin(struct mpm_state *state)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    for (size_t p = 0; mpm_scene_couples(state->scene) && p < particles->count; p++) {
+        double value[MPM_SCALAR_COUNT] = {0.0};
+        for (size_t k = 0; k < state->transport.count; k++)
+            value[state->transport.list[k].which] = ((const double *)mpm_particle_array(
+                particles, state->transport.list[k].row->field, 0))[p];
+        if (particles->free_strain != NULL)
+            particles->free_strain[p] =
+                mpm_free_strain(state->bodies[particles->body[p]].given, value);
+        if (particles->law_temperature != NULL)
+            particles->law_temperature[p] = value[MPM_TEMPERATURE];
+        begin_stress(state, p);
     }
 }
 
@@ -58,28 +103,232 @@ static void load_variables(const struct mpm_particles *particles, size_t p,
         variables[k] = *mpm_particle_law_state(particles, p, k);
 }
 
-void mpm_particle_update_law(const struct mpm_state *state, size_t p,
-                             const double f[MPM_GRADIENT_SIZE], double duration,
+/* ------------------------------------------------------------ one evaluation */
+
+/* What a law is evaluated at: F with the free strain and the temperature; 0 and NaN if none. */
+struct point {
+    double f[MPM_GRADIENT_SIZE];
+    double free_strain, temperature;
+};
+
+/* One evaluation: from `old` to `now`, without change of the particle. */
+struct evaluation {
+    const struct mpm_material *material;
+    double duration, heat_capacity;
+    bool plane_stress;
+    struct point old, now;
+    double old_stress[MPM_SYMMETRIC_SIZE];
+    double stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
+    double variables[MPM_LAW_STATES];
+    double work; /* of the stress, per mass */
+};
+
+/* F_e */
+static void elastic_part(const struct point *point, double f[MPM_GRADIENT_SIZE])
+{
+    const double scale = point->free_strain == 0.0 ? 1.0 : exp(-point->free_strain);
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        f[k] = scale * point->f[k];
+}
+
+static double thickness(const struct mpm_material *material, struct point *point)
+{
+    double f[MPM_GRADIENT_SIZE];
+    elastic_part(point, f);
+    const double stretch = material->law->thickness_stretch(material, f);
+    return point->free_strain == 0.0 ? stretch : stretch * exp(point->free_strain);
+}
+
+static void evaluate(const struct mpm_particles *particles, size_t p, struct evaluation *at)
+{
+    const struct mpm_material_law *const law = at->material->law;
+    double old_f[MPM_GRADIENT_SIZE], f[MPM_GRADIENT_SIZE];
+    if (at->plane_stress)
+        at->now.f[MPM_ZZ] = thickness(at->material, &at->now);
+    elastic_part(&at->old, old_f);
+    elastic_part(&at->now, f);
+    const struct mpm_law_step step = {old_f, f, at->duration, at->now.temperature,
+                                      at->heat_capacity};
+    load_variables(particles, p, law, at->variables);
+    if (law->update != NULL)
+        law->update(at->material, &step, at->variables, at->stress, &at->wave_speed_squared);
+    else
+        law->stress(at->material, f, at->stress, &at->wave_speed_squared);
+    at->work = law->energy == NULL || law->reads_temperature
+                   ? stress_work(at->old_stress, at->stress, &step)
+                   : 0.0;
+}
+
+static struct evaluation at_hand(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    struct evaluation at = {
+        .material = &state->bodies[particles->body[p]].material,
+        .heat_capacity = (double)NAN,
+        .plane_stress = false,
+    };
+    if (state->scene->scalars[MPM_TEMPERATURE].heats)
+        at.heat_capacity =
+            state->bodies[particles->body[p]].given->conduction[MPM_TEMPERATURE].capacity;
+    mpm_particle_deformation(particles, p, at.old.f);
+    at.old.free_strain = particles->free_strain == NULL ? 0.0 : particles->free_strain[p];
+    at.old.temperature =
+        particles->law_temperature == NULL ? (double)NAN : particles->law_temperature[p];
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        at.old_stress[k] = particles->stress[k][p];
+    at.now = at.old;
+    return at;
+}
+
+static double trace(const double stress[MPM_SYMMETRIC_SIZE])
+{
+    return stress[MPM_SYM_XX] + stress[MPM_SYM_YY] + stress[MPM_SYM_ZZ];
+}
+
+/* ------------------------------------------------------------ heat of deformation */
+
+enum { HEAT_ITERATIONS = 100 };
+
+/* The temperature that deformation alone leads to from `start`, given the stress at hand. */
+static double adiabatic(const struct evaluation *at, double alpha, double start)
+{
+    const struct mpm_material_law *const law = at->material->law;
+    if (law->adiabatic != NULL) {
+        const struct mpm_law_step step = {at->old.f, at->now.f, at->duration, start,
+                                          at->heat_capacity};
+        return law->adiabatic(at->material, &step);
+    }
+    return start * exp(-alpha / at->heat_capacity * (trace(at->stress) - trace(at->old_stress)));
+}
+
+/* Finds temperature and stress together; false: there is no such temperature. */
+static bool heat_up(const struct mpm_particles *particles, size_t p, double alpha,
+                    struct evaluation *at)
+{
+    const double start = at->now.temperature, strain = at->now.free_strain;
+    for (int k = 0; k < HEAT_ITERATIONS; k++) {
+        const double next = adiabatic(at, alpha, start);
+        const double change = fabs(next - at->now.temperature);
+        at->now.temperature = next;
+        at->now.free_strain = strain + alpha * (next - start);
+        evaluate(particles, p, at);
+        if (change <= 4e-16 * fabs(next))
+            return true;
+        if (!isfinite(next))
+            return false;
+    }
+    return false;
+}
+
+/* c_v / c_p of small strains at the temperature T. */
+static double capacity_ratio(const struct mpm_material *material, double alpha, double capacity,
+                             double temperature)
+{
+    return 1.0 - 9.0 * alpha * alpha * material->bulk * temperature / capacity;
+}
+
+/* What waves without flow of heat are slower by, at least, squared: K_s = K c_p / c_v. */
+static double stiffening(const struct mpm_state *state, size_t p, const struct evaluation *at)
+{
+    const double alpha =
+        state->bodies[state->particles.body[p]].given->expansion[MPM_TEMPERATURE].coefficient;
+    return alpha == 0.0 || isnan(at->heat_capacity)
+               ? 1.0
+               : capacity_ratio(at->material, alpha, at->heat_capacity, at->now.temperature);
+}
+
+static bool add_heat(const struct mpm_state *state, size_t p, struct evaluation *at,
+                     struct mpm_strip *strip)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const struct mpm_material_spec *const given = state->bodies[particles->body[p]].given;
+    const double alpha = given->expansion[MPM_TEMPERATURE].coefficient;
+    const double start = at->now.temperature;
+    if (alpha != 0.0 && at->material->law->adiabatic == NULL) {
+        const double ratio = capacity_ratio(at->material, alpha, at->heat_capacity, start);
+        if (!(ratio > 0.0) || !(start >= 0.0)) {
+            mpm_strip_record(strip, MPM_HEAT_UNSTABLE, particles->id[p], ratio > 0.0, start);
+            return false;
+        }
+        if (!heat_up(particles, p, alpha, at)) {
+            mpm_strip_record(strip, MPM_HEAT_UNSTABLE, particles->id[p], 2, start);
+            return false;
+        }
+    } else if (at->material->law->adiabatic != NULL && !heat_up(particles, p, 0.0, at)) {
+        mpm_strip_record(strip, MPM_HEAT_UNSTABLE, particles->id[p], 2, start);
+        return false;
+    }
+    const double change = at->now.temperature - start;
+    particles->temperature[p] += change;
+    strip->deformation_heat += particles->mass[p] * at->heat_capacity * change;
+    return true;
+}
+
+/* ---------------------------------------------------------------- a step's part */
+
+/* The free strain and temperature that transport leads to by the end of this part. */
+static void take_scalars(const struct mpm_particles *particles, size_t p, double part,
+                         struct evaluation *at)
+{
+    if (particles->free_strain != NULL)
+        at->now.free_strain += part * particles->free_strain_step[p];
+    if (particles->law_temperature != NULL)
+        at->now.temperature += part * particles->law_temperature_step[p];
+}
+
+static void keep_scalars(const struct mpm_particles *particles, size_t p,
+                         const struct evaluation *at, struct mpm_strip *strip)
+{
+    const double gained = at->material->law->reads_temperature
+                              ? -at->work
+                              : -0.5 * (trace(at->old_stress) + trace(at->stress)) *
+                                    (at->now.free_strain - at->old.free_strain);
+    strip->expansion_work += particles->mass[p] * gained;
+    if (particles->free_strain != NULL)
+        particles->free_strain[p] = at->now.free_strain;
+    if (particles->law_temperature != NULL)
+        particles->law_temperature[p] = at->now.temperature;
+}
+
+static void keep_variables(const struct mpm_particles *particles, size_t p,
+                           const struct evaluation *at)
+{
+    const struct mpm_material_law *const law = at->material->law;
+    for (size_t k = 0; k < law->variable_count; k++)
+        *mpm_particle_law_state(particles, p, k) = at->variables[k];
+    if (law->energy == NULL)
+        *mpm_particle_law_state(particles, p, law->variable_count) += at->work;
+}
+
+bool mpm_particle_update_law(const struct mpm_state *state, size_t p, double part,
+                             double f[MPM_GRADIENT_SIZE], struct mpm_strip *strip,
                              double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared)
 {
     const struct mpm_particles *const particles = &state->particles;
-    const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
-    const struct mpm_material_law *const law = material->law;
-    double old_f[MPM_GRADIENT_SIZE], old_stress[MPM_SYMMETRIC_SIZE], variables[MPM_LAW_STATES];
-    mpm_particle_deformation(particles, p, old_f);
-    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
-        old_stress[k] = particles->stress[k][p];
-    load_variables(particles, p, law, variables);
-    const struct mpm_law_step step = {old_f, f, duration, (double)NAN};
-    if (law->update != NULL)
-        law->update(material, &step, variables, stress, wave_speed_squared);
-    else
-        law->stress(material, f, stress, wave_speed_squared);
-    for (size_t k = 0; k < law->variable_count; k++)
-        *mpm_particle_law_state(particles, p, k) = variables[k];
-    if (law->energy == NULL)
-        *mpm_particle_law_state(particles, p, law->variable_count) +=
-            stress_work(old_stress, stress, &step);
+    const bool heats = state->scene->scalars[MPM_TEMPERATURE].heats;
+    struct evaluation at = at_hand(state, p);
+    at.duration = part * state->time_step;
+    at.plane_stress = state->scene->geometry == MPM_PLANE_STRESS;
+    memcpy(at.now.f, f, sizeof at.now.f);
+    take_scalars(particles, p, part, &at);
+    evaluate(particles, p, &at);
+    if (heats && !add_heat(state, p, &at, strip))
+        return false;
+    keep_variables(particles, p, &at);
+    keep_scalars(particles, p, &at, strip);
+    f[MPM_ZZ] = at.now.f[MPM_ZZ];
+    memcpy(stress, at.stress, sizeof at.stress);
+    *wave_speed_squared = at.wave_speed_squared / stiffening(state, p, &at);
+    return true;
+}
+
+/* ---------------------------------------------------------------- without a step */
+
+/* Has the particle nothing that a law of F alone does not know? */
+static bool is_plain(const struct mpm_particles *particles)
+{
+    return particles->law_state == NULL && particles->free_strain == NULL &&
+           particles->law_temperature == NULL;
 }
 
 void mpm_particle_find_stress(const struct mpm_state *state, size_t p,
@@ -87,12 +336,24 @@ void mpm_particle_find_stress(const struct mpm_state *state, size_t p,
 {
     const struct mpm_particles *const particles = &state->particles;
     const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
-    double f[MPM_GRADIENT_SIZE];
-    mpm_particle_deformation(particles, p, f);
-    if (particles->law_state == NULL)
+    if (is_plain(particles)) {
+        double f[MPM_GRADIENT_SIZE];
+        mpm_particle_deformation(particles, p, f);
         material->law->stress(material, f, stress, wave_speed_squared);
-    else
-        mpm_particle_update_law(state, p, f, 0.0, stress, wave_speed_squared);
+        return;
+    }
+    struct evaluation at = at_hand(state, p);
+    evaluate(particles, p, &at);
+    memcpy(stress, at.stress, sizeof at.stress);
+    *wave_speed_squared = at.wave_speed_squared / stiffening(state, p, &at);
+}
+
+double mpm_particle_thickness(const struct mpm_state *state, size_t p,
+                              const double f[MPM_GRADIENT_SIZE])
+{
+    struct evaluation at = at_hand(state, p);
+    memcpy(at.now.f, f, sizeof at.now.f);
+    return thickness(at.material, &at.now);
 }
 
 double mpm_particle_strain_energy(const struct mpm_state *state, size_t p)
@@ -103,7 +364,18 @@ double mpm_particle_strain_energy(const struct mpm_state *state, size_t p)
     double f[MPM_GRADIENT_SIZE], variables[MPM_LAW_STATES];
     if (law->energy == NULL)
         return *mpm_particle_law_state(particles, p, law->variable_count);
-    mpm_particle_deformation(particles, p, f);
+    const struct evaluation at = at_hand(state, p);
+    elastic_part(&at.now, f);
     load_variables(particles, p, law, variables);
     return law->energy(material, f, variables);
+}
+
+double mpm_particle_thermoelastic_energy(const struct mpm_state *state, size_t p)
+{
+    const struct evaluation at = at_hand(state, p);
+    const struct mpm_material_spec *const given = state->bodies[state->particles.body[p]].given;
+    const double alpha = given->expansion[MPM_TEMPERATURE].coefficient;
+    return state->scene->scalars[MPM_TEMPERATURE].heats && alpha != 0.0
+               ? alpha * at.old.temperature * trace(at.old_stress)
+               : 0.0;
 }

@@ -319,21 +319,15 @@ static void displacement_gradient(const struct mpm_state *state, const struct mp
     h[MPM_ZZ] = dt * zz;
 }
 
-/* F := dF F, N&G (9); its determinant */
+/* F := dF F, N&G (9), its F_zz that of plane strain; the determinant */
 MPM_INLINE double deform(const struct mpm_state *state, size_t p, const struct mpm_stencil *stencil,
                          double part, double f[MPM_GRADIENT_SIZE])
 {
-    const struct mpm_particles *const particles = &state->particles;
-    const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
     double h[MPM_GRADIENT_SIZE], df[MPM_GRADIENT_SIZE];
     displacement_gradient(state, stencil, part * state->time_step, h);
     mpm_deformation_increment(h, state->scene->deformation_terms, df);
-    mpm_particle_deformation(particles, p, f);
+    mpm_particle_deformation(&state->particles, p, f);
     mpm_deformation_compose(df, f);
-    const double j = mpm_determinant(f);
-    if (!(j > 0.0) || state->scene->geometry != MPM_PLANE_STRESS)
-        return j;
-    f[MPM_ZZ] = material->law->thickness_stretch(material, f);
     return mpm_determinant(f);
 }
 
@@ -349,16 +343,18 @@ MPM_INLINE bool set_deformation(const struct mpm_particles *particles, size_t p,
     return j > 0.0;
 }
 
-/* The law gets the old F with the new one. Not inlined: scenes without such laws would pay for it.
- */
+/* What law_state.h has to do. Not inlined: scenes without such laws would pay for it. */
 MPM_SEPARATE void update_with_state(const struct mpm_state *state, size_t p,
                                     const struct mpm_stencil *stencil, double part,
                                     struct mpm_strip *strip)
 {
     double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE] = {0.0}, wave_speed_squared = 0.0;
-    const double j = deform(state, p, stencil, part, f);
-    if (j > 0.0)
-        mpm_particle_update_law(state, p, f, part * state->time_step, stress, &wave_speed_squared);
+    double j = deform(state, p, stencil, part, f);
+    if (j > 0.0) {
+        if (!mpm_particle_update_law(state, p, part, f, strip, stress, &wave_speed_squared))
+            return;
+        j = mpm_determinant(f);
+    }
     if (set_deformation(&state->particles, p, f, j, strip))
         mpm_particle_set_stress(&state->particles, p, stress, wave_speed_squared, strip);
 }
@@ -369,11 +365,15 @@ static void update_stress(const struct mpm_state *state, size_t p,
     const struct mpm_particles *const particles = &state->particles;
     const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
     double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
-    if (particles->law_state != NULL) {
+    if (state->law_states) {
         update_with_state(state, p, stencil, part, strip);
         return;
     }
-    const double j = deform(state, p, stencil, part, f);
+    double j = deform(state, p, stencil, part, f);
+    if (j > 0.0 && state->scene->geometry == MPM_PLANE_STRESS) {
+        f[MPM_ZZ] = material->law->thickness_stretch(material, f);
+        j = mpm_determinant(f);
+    }
     if (!set_deformation(particles, p, f, j, strip))
         return;
     material->law->stress(material, f, stress, &wave_speed_squared);

@@ -16,6 +16,12 @@ struct mpm_scalar_totals {
     double edges;  /* through edges of particles */
 };
 
+/* Of bodies that expand with a scalar, or are gases, since t = 0; see transfer/law_state.h. */
+struct mpm_expansion_totals {
+    double work; /* of free expansion and of gases: mechanical energy that came of it */
+    double heat; /* that deformation gave to particles */
+};
+
 /* One of a body's particles: content c m v, flux - J k m grad v / V. */
 struct mpm_scalar_body {
     double k[3];        /* conductivity over initial density, xx yy xy of the undeformed body */
@@ -51,6 +57,7 @@ struct mpm_nodal_scalar {
 struct mpm_transport {
     struct mpm_nodal_scalar *list;
     size_t count;
+    struct mpm_expansion_totals expansion;
     const struct mpm_nodal_scalar *conducted; /* by the pass that runs */
     double diffusivity; /* largest J k / (c rho_0) of all particles and scalars in the step */
     double film;        /* largest derivative of a flux on edges by its scalar, over c rho_0 */

@@ -1,0 +1,55 @@
+/* What particles carry, as snapshots have it. Part of the public interface: mpm.h includes it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_FIELDS_H
+#define MPM_FIELDS_H
+
+#include "mpm_dimension.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct mpm_scene;
+struct mpm_simulation;
+
+/* What a particle carries, in the order of snapshots. */
+enum mpm_field {
+    MPM_FIELD_ID,                   /* 1: creation order, body by body, row by row */
+    MPM_FIELD_BODY,                 /* 1: index of the body in the scene */
+    MPM_FIELD_POSITION,             /* 2 */
+    MPM_FIELD_VELOCITY,             /* 2 */
+    MPM_FIELD_DEFORMATION_GRADIENT, /* 5: xx xy yx yy zz | rr rz zr zz tt */
+    MPM_FIELD_STRESS,               /* 4: Cauchy, xx yy zz xy | rr zz tt rz */
+    MPM_FIELD_VOLUME,               /* 1: current (per thickness or per radian) */
+    MPM_FIELD_MASS,                 /* 1 */
+    MPM_FIELD_TEMPERATURE,          /* 1: of scenes with transport.temperature, else 0 */
+    MPM_FIELD_FRINGE,               /* 1: CRAMP (23); not a number without output.fringe */
+    MPM_FIELD_COUNT,
+};
+
+struct mpm_field_info {
+    const char *name;
+    size_t components;
+    bool integer;
+    struct mpm_dimension dimension;
+    const char *description;
+};
+
+/* The descriptor of a field. Dimensions are per radian as they are for the thickness. */
+const struct mpm_field_info *mpm_field_describe(enum mpm_field field);
+
+/* Is the field one of the scene's snapshots? All but temperature and fringe are always. */
+bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field);
+
+/* Copies a field of all particles, sorted by id: particle-major,
+ * count * components values. Rigid bodies' particles are included. */
+void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_field field,
+                          double *values);
+
+/* The same for the particles with ids first .. first + count - 1, all of which must be there: a
+ * simulation block by block, in a buffer of the caller's choice. Finds the ids' places in memory of
+ * the simulation, once after each sort: not for several threads at a time. */
+void mpm_simulation_field_range(const struct mpm_simulation *simulation, enum mpm_field field,
+                                size_t first, size_t count, double *values);
+
+#endif
