@@ -67,7 +67,8 @@ struct mpm_material mpm_material_make(const struct mpm_material_law *law, double
 double mpm_material_start_wave(const struct mpm_material *material)
 {
     static const double f[MPM_GRADIENT_SIZE] = {[MPM_XX] = 1.0, [MPM_YY] = 1.0, [MPM_ZZ] = 1.0};
-    static const struct mpm_law_step none = {.old_f = f, .f = f, .temperature = (double)NAN, .heat_capacity = (double)NAN};
+    static const struct mpm_law_step none = {
+        .old_f = f, .f = f, .temperature = (double)NAN, .heat_capacity = (double)NAN};
     const struct mpm_material_law *const law = material->law;
     double stress[MPM_SYMMETRIC_SIZE], state[MPM_LAW_STATES], square;
     if (law->update == NULL) {

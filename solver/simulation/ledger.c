@@ -60,7 +60,7 @@ void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_l
             energy->contact - ledger->contact_stored - ledger->contact_dissipated;
         ledger->transfer_loss = energy->lost + energy->internal_work -
                                 (ledger->strain_energy - simulation->strain_start) +
-                                ledger->expansion_work -
-                                ledger->cohesive_stored - ledger->cohesive_dissipated;
+                                ledger->expansion_work - ledger->cohesive_stored -
+                                ledger->cohesive_dissipated;
     }
 }
