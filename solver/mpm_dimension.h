@@ -39,6 +39,8 @@ struct mpm_dimension {
 #define MPM_DIMENSION_HEAT_FLUX        {.mass = 1, .time = -3} /* per area and time */
 #define MPM_DIMENSION_FILM             {.mass = 1, .time = -3, .temperature = -1}
 #define MPM_DIMENSION_RADIATION        {.mass = 1, .time = -3, .temperature = -4}
+#define MPM_DIMENSION_MASS_FLUX        {.length = -2, .mass = 1, .time = -1}
+#define MPM_DIMENSION_MASS_SOURCE      {.length = -3, .mass = 1, .time = -1}
 #define MPM_DIMENSION_HEAT_SOURCE      {.length = -1, .mass = 1, .time = -3} /* per volume */
 /* clang-format on */
 

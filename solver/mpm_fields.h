@@ -23,6 +23,7 @@ enum mpm_field {
     MPM_FIELD_VOLUME,               /* 1: current (per thickness or per radian) */
     MPM_FIELD_MASS,                 /* 1 */
     MPM_FIELD_TEMPERATURE,          /* 1: of scenes with transport.temperature, else 0 */
+    MPM_FIELD_CONCENTRATION,        /* 1: of scenes with transport.concentration, else 0 */
     MPM_FIELD_FRINGE,               /* 1: CRAMP (23); not a number without output.fringe */
     MPM_FIELD_COUNT,
 };
@@ -38,7 +39,8 @@ struct mpm_field_info {
 /* The descriptor of a field. Dimensions are per radian as they are for the thickness. */
 const struct mpm_field_info *mpm_field_describe(enum mpm_field field);
 
-/* Is the field one of the scene's snapshots? All but temperature and fringe are always. */
+/* Is the field one of the scene's snapshots? All but temperature, concentration
+ * and fringe are always. */
 bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field);
 
 /* Copies a field of all particles, sorted by id: particle-major,

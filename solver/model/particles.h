@@ -32,6 +32,7 @@ enum mpm_particle_use {
     MPM_USE_SOURCE = 512,           /* one of its scalars has a source */
     MPM_USE_FREE_STRAIN = 1024,     /* materials expand with a scalar */
     MPM_USE_LAW_TEMPERATURE = 2048, /* stresses and temperature depend on each other */
+    MPM_USE_CONCENTRATION = 4096,   /* a scalar of the scene */
 };
 
 /* State variables of a law, at most: two tensors of four components and two scalars. */
@@ -60,7 +61,10 @@ enum { MPM_LAW_STATES = 10 };
     ROW(MASS, double, mass, , MASS, MPM_USE_DEFORMABLE, 0, 0, "mass",                              \
         "mass, for the thickness or per radian")                                                   \
     ROW(TEMPERATURE, double, temperature, , TEMPERATURE, MPM_USE_TEMPERATURE, MPM_USE_TEMPERATURE, \
-        0, "temperature", "temperature that the particle carries, N&G (62)")
+        0, "temperature", "temperature that the particle carries, N&G (62)")                       \
+    ROW(CONCENTRATION, double, concentration, , NONE, MPM_USE_CONCENTRATION,                       \
+        MPM_USE_CONCENTRATION, 0, "concentration",                                                 \
+        "concentration of solvent that the particle carries, 1 where it is saturated")
 #define MPM_INNER_PARTICLE_FIELDS(ROW)                                                             \
     ROW(STRESS, double, stress, [MPM_SYMMETRIC_SIZE], SPECIFIC_ENERGY, MPM_USE_DEFORMABLE,         \
         MPM_USE_LAW_STATE, 0, "kirchhoff_stress", "Kirchhoff stress over initial density")         \

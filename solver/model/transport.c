@@ -12,6 +12,12 @@ const struct mpm_scalar_row mpm_scalar_rows[MPM_SCALAR_COUNT] = {
                          .content = MPM_DIMENSION_ENERGY,
                          .content_name = "thermal_energy",
                          .flow_name = "heat"},
+    [MPM_CONCENTRATION] = {.name = "concentration",
+                           .use = MPM_USE_CONCENTRATION,
+                           .field = MPM_PARTICLE_CONCENTRATION,
+                           .content = MPM_DIMENSION_MASS,
+                           .content_name = "solvent_mass",
+                           .flow_name = "solvent"},
 };
 
 bool mpm_scene_expands(const struct mpm_scene *scene)

@@ -1,5 +1,8 @@
-/* What a scene says of scalars that are conducted: temperature, and what else is a row of
- * mpm_scalar_rows.
+/* What a scene says of scalars that are conducted: temperature, and concentration of a solvent.
+ *
+ * Concentration is N&G's and the Notes' potential mu = c / c_sat. A particle's solvent is c_sat m /
+ * rho_0 times mu: the capacity is that of the undeformed volume, so that deformation in a closed
+ * box neither makes nor takes solvent.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_MODEL_TRANSPORT_H
@@ -10,7 +13,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum mpm_scalar { MPM_TEMPERATURE, MPM_SCALAR_COUNT };
+enum mpm_scalar { MPM_TEMPERATURE, MPM_CONCENTRATION, MPM_SCALAR_COUNT };
 
 /* How the particles' values follow the grid. */
 enum mpm_scalar_transfer {

@@ -94,6 +94,8 @@ bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field)
 {
     if (field == MPM_FIELD_TEMPERATURE)
         return scene->scalars[MPM_TEMPERATURE].asked;
+    if (field == MPM_FIELD_CONCENTRATION)
+        return scene->scalars[MPM_CONCENTRATION].asked;
     return field != MPM_FIELD_FRINGE || scene->fringe > 0.0;
 }
 

@@ -295,7 +295,9 @@
     X(S, PAIR, velocity, EXPRESSION, ANYWHERE, OPTIONAL, VELOCITY, "[0, 0]", ANY,             \
       "initial velocity of a deformable body, in the coordinates")                                 \
     X(S, ONE, temperature, EXPRESSION, ANYWHERE, OPTIONAL, TEMPERATURE, NULL, ANY,                   \
-      "initial temperature of a deformable body, in the coordinates; transport.temperature.start if missing")
+      "initial temperature of a deformable body, in the coordinates; transport.temperature.start if missing") \
+    X(S, ONE, concentration, EXPRESSION, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                        \
+      "initial concentration of solvent, in the coordinates; transport.concentration.start if missing")
 
 #define KEYS_boundary(X, S)                                                                        \
     X(S, GROUP, region, boundary_region, ANYWHERE, REQUIRED, NONE, NULL, ANY,                        \
@@ -487,7 +489,8 @@
     L(units) L(grid) L(rest) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
     L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary)            \
     L(traction) L(loads) L(propagation) L(j_integral) L(cohesive) L(crack) L(contact_pair) L(contact) \
-    L(temperature_condition) L(convection) L(radiation) L(heat_flux) L(temperature) L(transport) L(thermostat) L(damping) L(output) L(scene)
+    L(temperature_condition) L(convection) L(radiation) L(heat_flux) L(temperature) \
+    L(concentration_condition) L(evaporation) L(solvent_flux) L(concentration) L(transport) L(thermostat) L(damping) L(output) L(scene)
 /* clang-format on */
 
 #endif

@@ -1,149 +1,177 @@
-/* Scalars that are conducted: what materials, bodies and the key transport say of them, and scenes
- * in which nothing else happens.
+/* Scalars that are conducted: what bodies and the key transport say of them, and scenes in which
+ * nothing else happens.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/scene/scene_build.h"
+#include "io/scene/scene_conduction.h"
 #include "mpm_transport.h"
 
 #include <math.h>
 #include <stdio.h>
 
-/* ------------------------------------------------------------------- materials */
+/* ------------------------------------------------- what the file says of a scalar */
 
-/* Along both axes, turned by an angle: a number times the unit tensor if they are equal. */
-static void set_principal(struct mpm_conduction *conduction, double first, double second,
-                          double degrees)
+struct given_condition {
+    const struct mpm_raw_boundary_region *region;
+    const char *value;
+};
+
+/* One of value, convection and radiation; radiation is of heat alone. */
+struct given_flux {
+    const char *body;
+    int edge;
+    const char *value;
+    const char *coefficient, *ambient; /* of convection */
+    const struct mpm_raw_radiation *radiation;
+};
+
+struct given {
+    bool asked;
+    const char *start, *source;
+    int transfer;
+    size_t condition_count, flux_count;
+};
+
+/* The same of each scalar, whose keys have structs of their own. */
+#define READERS(scalar)                                                                            \
+    static struct given scalar##_given(const struct mpm_reading *reading)                          \
+    {                                                                                              \
+        const struct mpm_raw_##scalar *const raw = reading->raw->transport->scalar;                \
+        return raw == NULL ? (struct given){.asked = false}                                        \
+                           : (struct given){.asked = true,                                         \
+                                            .start = raw->start,                                   \
+                                            .source = raw->source,                                 \
+                                            .transfer = raw->transfer,                             \
+                                            .condition_count = raw->conditions_count,              \
+                                            .flux_count = raw->fluxes_count};                      \
+    }                                                                                              \
+    static struct given_condition scalar##_condition(const struct mpm_reading *reading,            \
+                                                     size_t index)                                 \
+    {                                                                                              \
+        const struct mpm_raw_##scalar##_condition *const raw =                                     \
+            &reading->raw->transport->scalar->conditions[index];                                   \
+        return (struct given_condition){raw->region, raw->value};                                  \
+    }                                                                                              \
+    static const char *scalar##_start(const struct mpm_reading *reading, size_t body)              \
+    {                                                                                              \
+        return reading->raw->bodies[body].scalar;                                                  \
+    }
+READERS(temperature)
+READERS(concentration)
+
+static struct given_flux temperature_flux(const struct mpm_reading *reading, size_t index)
 {
-    static const double radians = 3.14159265358979323846 / 180.0;
-    const double mean = 0.5 * (first + second), half = 0.5 * (first - second);
-    const double cosine = cos(2.0 * radians * degrees), sine = sin(2.0 * radians * degrees);
-    conduction->k[0] = mean + half * cosine;
-    conduction->k[1] = mean - half * cosine;
-    conduction->k[2] = half * sine;
-    conduction->anisotropic = first != second;
+    const struct mpm_raw_heat_flux *const raw =
+        &reading->raw->transport->temperature->fluxes[index];
+    const struct mpm_raw_convection *const convection = raw->convection;
+    return (struct given_flux){
+        .body = raw->body,
+        .edge = raw->edge,
+        .value = raw->value,
+        .coefficient = convection == NULL ? NULL : convection->coefficient,
+        .ambient = convection == NULL ? NULL : convection->ambient,
+        .radiation = raw->radiation,
+    };
 }
 
-static enum mpm_status build_conductivity(const struct mpm_reading *reading, const char *path,
-                                          const struct mpm_raw_material *raw,
-                                          struct mpm_conduction *conduction)
+static struct given_flux concentration_flux(const struct mpm_reading *reading, size_t index)
 {
-    const bool one = raw->conductivity != NULL, two = raw->principal_conductivities[0] != NULL;
-    if (one == two)
-        return mpm_reading_fault(reading, path,
-                                 "%s of conductivity and principal_conductivities given; allowed: "
-                                 "exactly one",
-                                 one ? "both" : "none");
-    if (one && raw->conductivity_angle != NULL)
-        return mpm_reading_fault(reading, mpm_path_join(path, "conductivity_angle").text,
-                                 "got %s, for a conductivity without directions; allowed: with "
-                                 "principal_conductivities only",
-                                 raw->conductivity_angle);
-    const double single = mpm_raw_double(raw->conductivity);
-    if (one)
-        set_principal(conduction, single, single, 0.0);
-    else
-        set_principal(conduction, mpm_raw_double(raw->principal_conductivities[0]),
-                      mpm_raw_double(raw->principal_conductivities[1]),
-                      mpm_raw_double(raw->conductivity_angle));
-    return MPM_OK;
+    const struct mpm_raw_solvent_flux *const raw =
+        &reading->raw->transport->concentration->fluxes[index];
+    const struct mpm_raw_evaporation *const convection = raw->convection;
+    return (struct given_flux){
+        .body = raw->body,
+        .edge = raw->edge,
+        .value = raw->value,
+        .coefficient = convection == NULL ? NULL : convection->coefficient,
+        .ambient = convection == NULL ? NULL : convection->ambient,
+    };
 }
 
-static enum mpm_status build_expansion(const struct mpm_reading *reading, const char *path,
-                                       const struct mpm_raw_material *raw,
-                                       struct mpm_material_spec *material)
+static const struct reader {
+    struct given (*given)(const struct mpm_reading *reading);
+    struct given_condition (*condition)(const struct mpm_reading *reading, size_t index);
+    struct given_flux (*flux)(const struct mpm_reading *reading, size_t index);
+    const char *(*start)(const struct mpm_reading *reading, size_t body);
+    const char *kinds; /* of fluxes */
+} readers[MPM_SCALAR_COUNT] = {
+    [MPM_TEMPERATURE] = {temperature_given, temperature_condition, temperature_flux,
+                         temperature_start, "value, convection and radiation"},
+    [MPM_CONCENTRATION] = {concentration_given, concentration_condition, concentration_flux,
+                           concentration_start, "value and convection"},
+};
+
+/* "transport.temperature", and what is under it. */
+static struct mpm_path scalar_path(enum mpm_scalar which)
 {
-    const bool one = raw->thermal_expansion != NULL, two = raw->stress_free_temperature != NULL;
-    if (one != two)
-        return mpm_reading_fault(reading, path, "%s without %s; allowed: both or none",
-                                 one ? "thermal_expansion" : "stress_free_temperature",
-                                 one ? "stress_free_temperature" : "thermal_expansion");
-    if (!one)
-        return MPM_OK;
-    if (material->law->reads_temperature || material->law == &mpm_none)
-        return mpm_reading_fault(reading, mpm_path_join(path, "thermal_expansion").text,
-                                 "given for the law %s; allowed: for laws of solids",
-                                 material->law->name);
-    material->expansion[MPM_TEMPERATURE] = (struct mpm_expansion){
-        mpm_raw_double(raw->thermal_expansion), mpm_raw_double(raw->stress_free_temperature)};
-    return MPM_OK;
+    return mpm_path_join("transport", mpm_scalar_rows[which].name);
 }
 
-static enum mpm_status build_material(const struct mpm_reading *reading, size_t index)
+static struct mpm_path path_under(enum mpm_scalar which, const char *key)
 {
-    const struct mpm_path path = mpm_path_entry("materials", index);
-    const struct mpm_raw_material *const raw = &reading->raw->materials[index];
-    struct mpm_conduction *const conduction =
-        &reading->scene->materials[index].conduction[MPM_TEMPERATURE];
-    if (raw->heat_capacity == NULL)
-        return mpm_reading_fault(reading, path.text,
-                                 "no heat_capacity, in a scene with transport.temperature; "
-                                 "allowed: a number above 0");
-    conduction->given = true;
-    conduction->capacity = mpm_raw_double(raw->heat_capacity);
-    MPM_TRY(build_expansion(reading, path.text, raw, &reading->scene->materials[index]));
-    return build_conductivity(reading, path.text, raw, conduction);
+    return mpm_path_join(scalar_path(which).text, key);
 }
 
 /* ------------------------------------------------------------ the scalar itself */
 
-static enum mpm_status build_condition(const struct mpm_reading *reading, size_t index)
+static enum mpm_status build_condition(const struct mpm_reading *reading, enum mpm_scalar which,
+                                       size_t index)
 {
-    const struct mpm_path path = mpm_path_entry("transport.temperature.conditions", index);
-    const struct mpm_raw_temperature_condition *const raw =
-        &reading->raw->transport->temperature->conditions[index];
+    const struct mpm_path path = mpm_path_entry(path_under(which, "conditions").text, index);
+    const struct given_condition given = readers[which].condition(reading, index);
     struct mpm_scalar_condition_spec *const condition =
-        &reading->scene->scalars[MPM_TEMPERATURE].conditions[index];
+        &reading->scene->scalars[which].conditions[index];
     double place[2], value;
     condition->line = mpm_reading_line(reading, path.text);
-    MPM_TRY(mpm_build_boundary_region(reading, mpm_path_join(path.text, "region").text, raw->region,
-                                      &condition->region));
+    MPM_TRY(mpm_build_boundary_region(reading, mpm_path_join(path.text, "region").text,
+                                      given.region, &condition->region));
     mpm_region_sample(reading->scene, &condition->region, place);
-    return mpm_build_expression(reading, mpm_path_join(path.text, "value").text, raw->value, true,
+    return mpm_build_expression(reading, mpm_path_join(path.text, "value").text, given.value, true,
                                 place, &condition->value, &value);
 }
 
-/* The kind of a flux, with its coefficient; *text is its value or the surroundings' temperature. */
+/* The kind of a flux, with its coefficient; *text is its value or that of the surroundings. */
 static enum mpm_status find_flux_kind(const struct mpm_reading *reading, const char *path,
-                                      const struct mpm_raw_heat_flux *raw,
+                                      const struct given_flux *given, const char *kinds,
                                       struct mpm_edge_load_spec *flux, const char **text)
 {
-    const int given = (raw->value != NULL) + (raw->convection != NULL) + (raw->radiation != NULL);
-    if (given != 1)
-        return mpm_reading_fault(
-            reading, path, "%d of value, convection and radiation given; allowed: exactly one",
-            given);
-    flux->flux = raw->value != NULL        ? MPM_FLUX_GIVEN
-                 : raw->convection != NULL ? MPM_FLUX_CONVECTS
-                                           : MPM_FLUX_RADIATES;
-    *text = raw->value;
-    if (raw->convection != NULL) {
-        flux->coefficient = mpm_raw_double(raw->convection->coefficient);
-        *text = raw->convection->ambient;
+    const int count =
+        (given->value != NULL) + (given->coefficient != NULL) + (given->radiation != NULL);
+    if (count != 1)
+        return mpm_reading_fault(reading, path, "%d of %s given; allowed: exactly one", count,
+                                 kinds);
+    flux->flux = given->value != NULL         ? MPM_FLUX_GIVEN
+                 : given->coefficient != NULL ? MPM_FLUX_CONVECTS
+                                              : MPM_FLUX_RADIATES;
+    *text = given->value;
+    if (given->coefficient != NULL) {
+        flux->coefficient = mpm_raw_double(given->coefficient);
+        *text = given->ambient;
     }
-    if (raw->radiation != NULL) {
+    if (given->radiation != NULL) {
         flux->coefficient =
-            mpm_raw_double(raw->radiation->emissivity) * mpm_raw_double(raw->radiation->sigma);
-        *text = raw->radiation->ambient;
+            mpm_raw_double(given->radiation->emissivity) * mpm_raw_double(given->radiation->sigma);
+        *text = given->radiation->ambient;
     }
     return MPM_OK;
 }
 
 /* Beside the scene's forces on edges, which it has room after. */
-static enum mpm_status build_flux(const struct mpm_reading *reading, size_t index)
+static enum mpm_status build_flux(const struct mpm_reading *reading, enum mpm_scalar which,
+                                  size_t index)
 {
-    const struct mpm_path path = mpm_path_entry("transport.temperature.fluxes", index);
-    const struct mpm_raw_heat_flux *const raw =
-        &reading->raw->transport->temperature->fluxes[index];
+    const struct mpm_path path = mpm_path_entry(path_under(which, "fluxes").text, index);
+    const struct given_flux given = readers[which].flux(reading, index);
     struct mpm_scene *const scene = reading->scene;
     struct mpm_edge_load_spec *const flux = &scene->edge_loads[scene->edge_load_count++];
     const char *text = NULL;
     double place[2], value;
-    (void)snprintf(flux->key, sizeof flux->key, "transport.temperature.fluxes.%zu", index);
-    flux->scalar = MPM_TEMPERATURE;
-    flux->edge = (enum mpm_edge)raw->edge;
+    (void)snprintf(flux->key, sizeof flux->key, "transport.%s.fluxes.%zu",
+                   mpm_scalar_rows[which].name, index);
+    flux->scalar = which;
+    flux->edge = (enum mpm_edge)given.edge;
     flux->line = mpm_reading_line(reading, path.text);
-    MPM_TRY(find_flux_kind(reading, path.text, raw, flux, &text));
-    MPM_TRY(mpm_build_loaded_body(reading, mpm_path_join(path.text, "body").text, raw->body,
+    MPM_TRY(find_flux_kind(reading, path.text, &given, readers[which].kinds, flux, &text));
+    MPM_TRY(mpm_build_loaded_body(reading, mpm_path_join(path.text, "body").text, given.body,
                                   &flux->body));
     mpm_region_sample(scene, &scene->bodies[flux->body].region, place);
     return mpm_build_expression(reading, path.text, text, true, place, &flux->value.text[0],
@@ -159,26 +187,29 @@ static enum mpm_status build_start(const struct mpm_reading *reading, const char
     return mpm_build_expression(reading, path, raw, false, place, start, &value);
 }
 
-static enum mpm_status build_body(const struct mpm_reading *reading, size_t index)
+static enum mpm_status build_body(const struct mpm_reading *reading, enum mpm_scalar which,
+                                  size_t index)
 {
     const struct mpm_path path = mpm_path_entry("bodies", index);
-    const struct mpm_path key = mpm_path_join(path.text, "temperature");
-    const char *const raw = reading->raw->bodies[index].temperature;
+    const struct mpm_path key = mpm_path_join(path.text, mpm_scalar_rows[which].name);
+    const char *const raw = readers[which].start(reading, index);
     struct mpm_body_spec *const body = &reading->scene->bodies[index];
     if (raw == NULL)
         return MPM_OK;
     if (body->rigid)
         return mpm_reading_fault(reading, key.text,
-                                 "a temperature for a rigid body, which does not conduct; allowed: "
-                                 "for a body with a material");
-    return build_start(reading, key.text, &body->region, raw, &body->start[MPM_TEMPERATURE]);
+                                 "a %s for a rigid body, which does not conduct; allowed: for a "
+                                 "body with a material",
+                                 mpm_scalar_rows[which].name);
+    return build_start(reading, key.text, &body->region, raw, &body->start[which]);
 }
 
 /* Something has to change temperatures where deformation is to. */
 static enum mpm_status build_heating(const struct mpm_reading *reading)
 {
     struct mpm_scene *const scene = reading->scene;
-    scene->scalars[MPM_TEMPERATURE].heats = reading->raw->transport->temperature->heating;
+    const struct mpm_raw_temperature *const raw = reading->raw->transport->temperature;
+    scene->scalars[MPM_TEMPERATURE].heats = raw != NULL && raw->heating;
     if (!scene->scalars[MPM_TEMPERATURE].heats || mpm_scene_couples(scene))
         return MPM_OK;
     return mpm_reading_fault(reading, "transport.temperature.heating",
@@ -186,73 +217,75 @@ static enum mpm_status build_heating(const struct mpm_reading *reading)
                              "that has thermal_expansion or the law ideal_gas");
 }
 
-static enum mpm_status build_temperature(const struct mpm_reading *reading)
+/* The region of a body that conducts, for samples of what may be anywhere. */
+static const struct mpm_region *conducting_region(const struct mpm_scene *scene)
 {
-    const struct mpm_raw_temperature *const raw = reading->raw->transport->temperature;
+    size_t body = 0;
+    while (body + 1 < scene->body_count && scene->bodies[body].rigid)
+        body++;
+    return &scene->bodies[body].region;
+}
+
+static enum mpm_status build_source(const struct mpm_reading *reading, enum mpm_scalar which,
+                                    const char *raw)
+{
+    struct mpm_scalar_spec *const scalar = &reading->scene->scalars[which];
+    double place[2], value;
+    if (raw == NULL)
+        return MPM_OK;
+    mpm_region_sample(reading->scene, conducting_region(reading->scene), place);
+    MPM_TRY(mpm_build_expression(reading, path_under(which, "source").text, raw, true, place,
+                                 &scalar->source, &value));
+    mpm_drop_constant(&scalar->source, 0.0);
+    return MPM_OK;
+}
+
+static enum mpm_status build_scalar(const struct mpm_reading *reading, enum mpm_scalar which,
+                                    const struct given *given)
+{
     struct mpm_scene *const scene = reading->scene;
-    struct mpm_scalar_spec *const scalar = &scene->scalars[MPM_TEMPERATURE];
-    const struct mpm_region *region = NULL;
+    struct mpm_scalar_spec *const scalar = &scene->scalars[which];
     scalar->asked = true;
-    scalar->line = mpm_reading_line(reading, "transport.temperature");
-    scalar->transfer = (enum mpm_scalar_transfer)raw->transfer;
+    scalar->line = mpm_reading_line(reading, scalar_path(which).text);
+    scalar->transfer = (enum mpm_scalar_transfer)given->transfer;
     for (size_t k = 0; k < scene->material_count; k++)
-        MPM_TRY(build_material(reading, k));
-    MPM_TRY(build_heating(reading));
-    for (size_t k = 0; k < scene->body_count; k++) {
-        region = region == NULL && !scene->bodies[k].rigid ? &scene->bodies[k].region : region;
-        MPM_TRY(build_body(reading, k));
-    }
-    MPM_TRY(
-        build_start(reading, "transport.temperature.start", region, raw->start, &scalar->start));
-    if (raw->source != NULL) {
-        double place[2], value;
-        mpm_region_sample(scene, region, place);
-        MPM_TRY(mpm_build_expression(reading, "transport.temperature.source", raw->source, true,
-                                     place, &scalar->source, &value));
-        mpm_drop_constant(&scalar->source, 0.0);
-    }
-    MPM_TRY(mpm_reading_allocate(reading, raw->conditions_count, sizeof *scalar->conditions,
+        MPM_TRY(mpm_build_conduction(reading, which, k));
+    for (size_t k = 0; k < scene->body_count; k++)
+        MPM_TRY(build_body(reading, which, k));
+    MPM_TRY(build_start(reading, path_under(which, "start").text, conducting_region(scene),
+                        given->start, &scalar->start));
+    MPM_TRY(build_source(reading, which, given->source));
+    MPM_TRY(mpm_reading_allocate(reading, given->condition_count, sizeof *scalar->conditions,
                                  "conditions", &scalar->conditions));
-    scalar->condition_count = raw->conditions_count;
-    for (size_t k = 0; k < raw->conditions_count; k++)
-        MPM_TRY(build_condition(reading, k));
-    for (size_t k = 0; k < raw->fluxes_count; k++)
-        MPM_TRY(build_flux(reading, k));
+    scalar->condition_count = given->condition_count;
+    for (size_t k = 0; k < given->condition_count; k++)
+        MPM_TRY(build_condition(reading, which, k));
+    for (size_t k = 0; k < given->flux_count; k++)
+        MPM_TRY(build_flux(reading, which, k));
     return MPM_OK;
 }
 
 /* ------------------------------------------------------ keys that do not fit */
 
-static enum mpm_status refuse_key(const struct mpm_reading *reading, const char *path)
+/* What only the conduction of that scalar reads. */
+static enum mpm_status check_without(const struct mpm_reading *reading, enum mpm_scalar which)
 {
-    return mpm_reading_fault(reading, path,
-                             "given in a scene without transport.temperature; allowed: with it");
-}
-
-/* What only conduction reads. */
-static enum mpm_status check_without(const struct mpm_reading *reading)
-{
-    static const char *const keys[] = {
-        "heat_capacity",      "conductivity",      "principal_conductivities",
-        "conductivity_angle", "thermal_expansion", "stress_free_temperature"};
-    for (size_t m = 0; m < reading->scene->material_count; m++)
-        for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++) {
-            const struct mpm_path path = mpm_path_entry("materials", m);
-            const struct mpm_path key = mpm_path_join(path.text, keys[k]);
-            if (mpm_reading_given(reading, key.text))
-                return refuse_key(reading, key.text);
-        }
-    for (size_t m = 0; m < reading->scene->material_count; m++)
-        if (reading->scene->materials[m].law->reads_temperature)
+    const struct mpm_scene *const scene = reading->scene;
+    MPM_TRY(mpm_refuse_conduction(reading, which));
+    for (size_t m = 0; which == MPM_TEMPERATURE && m < scene->material_count; m++)
+        if (scene->materials[m].law->reads_temperature)
             return mpm_reading_fault(
                 reading, mpm_path_join(mpm_path_entry("materials", m).text, "law").text,
                 "got %s, whose stress depends on the temperature, in a scene without "
                 "transport.temperature; allowed: with it",
-                reading->scene->materials[m].law->name);
-    for (size_t b = 0; b < reading->scene->body_count; b++)
-        if (reading->raw->bodies[b].temperature != NULL)
-            return refuse_key(reading,
-                              mpm_path_join(mpm_path_entry("bodies", b).text, "temperature").text);
+                scene->materials[m].law->name);
+    for (size_t b = 0; b < scene->body_count; b++)
+        if (readers[which].start(reading, b) != NULL)
+            return mpm_reading_fault(
+                reading,
+                mpm_path_join(mpm_path_entry("bodies", b).text, mpm_scalar_rows[which].name).text,
+                "given in a scene without transport.%s; allowed: with it",
+                mpm_scalar_rows[which].name);
     return MPM_OK;
 }
 
@@ -316,7 +349,7 @@ static enum mpm_status find_rest(const struct mpm_reading *reading, bool conduct
         return mpm_reading_fault(
             reading, mpm_path_join(mpm_path_entry("materials", first).text, "law").text,
             "got none %s; allowed: none in all materials of a scene with "
-            "transport.temperature, or a law with a stress",
+            "transport.temperature or transport.concentration, or a law with a stress",
             conducts ? "beside materials with a stress" : "in a scene that conducts nothing");
     scene->at_rest = true;
     return check_at_rest(reading);
@@ -328,18 +361,28 @@ static enum mpm_status check_fields(const struct mpm_reading *reading)
     const struct mpm_scene *const scene = reading->scene;
     if (scene->crack_count == 0 && scene->contact.field_count == 0)
         return MPM_OK;
-    return mpm_reading_fault(reading, "transport.temperature",
-                             "heat conduction with %s, which it does not know yet; allowed: "
-                             "without",
+    return mpm_reading_fault(reading, "transport",
+                             "conduction with %s, which it does not know yet; allowed: without",
                              scene->crack_count > 0 ? "cracks" : "contact between bodies");
 }
 
 enum mpm_status mpm_build_transport(const struct mpm_reading *reading)
 {
-    const bool conducts = reading->raw->transport->temperature != NULL;
+    struct given given[MPM_SCALAR_COUNT];
+    bool conducts = false;
+    for (int which = 0; which < MPM_SCALAR_COUNT; which++) {
+        given[which] = readers[which].given(reading);
+        conducts = conducts || given[which].asked;
+    }
     MPM_TRY(find_rest(reading, conducts));
-    if (!conducts)
-        return check_without(reading);
-    MPM_TRY(check_fields(reading));
-    return build_temperature(reading);
+    if (conducts)
+        MPM_TRY(check_fields(reading));
+    for (int k = 0; k < MPM_SCALAR_COUNT; k++) {
+        const enum mpm_scalar which = (enum mpm_scalar)k;
+        MPM_TRY(given[k].asked ? build_scalar(reading, which, &given[k])
+                               : check_without(reading, which));
+        if (which == MPM_TEMPERATURE) /* which swelling does not count for */
+            MPM_TRY(build_heating(reading));
+    }
+    return MPM_OK;
 }

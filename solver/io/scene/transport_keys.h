@@ -17,7 +17,19 @@
     X(S, ONE, thermal_expansion, NUMBER, ANYWHERE, OPTIONAL, EXPANSION, NULL, ANY,                   \
       "linear, alpha of the stretch exp(alpha (T - stress_free_temperature)); with transport.temperature, and only there; none if missing") \
     X(S, ONE, stress_free_temperature, NUMBER, ANYWHERE, OPTIONAL, TEMPERATURE, NULL, ANY,           \
-      "at which the undeformed body has no stress; with thermal_expansion")
+      "at which the undeformed body has no stress; with thermal_expansion")                        \
+    X(S, ONE, saturation, NUMBER, ANYWHERE, OPTIONAL, DENSITY, NULL, ABOVE(0),                       \
+      "mass of solvent per undeformed volume at the concentration 1; with transport.concentration, and only there") \
+    X(S, ONE, diffusivity, NUMBER, ANYWHERE, OPTIONAL, AREA_RATE, NULL, AT_LEAST(0),                 \
+      "of the solvent, the same in all directions; or principal_diffusivities")                    \
+    X(S, PAIR, principal_diffusivities, NUMBER, ANYWHERE, OPTIONAL, AREA_RATE, NULL, AT_LEAST(0),    \
+      "of the solvent along two axes of the material, which turn with it; instead of diffusivity") \
+    X(S, ONE, diffusivity_angle, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(-360, 360),         \
+      "degrees from the first axis of the grid to the first principal one, in the undeformed body; 0 if missing") \
+    X(S, ONE, swelling, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                                 \
+      "linear, beta of the stretch exp(beta (concentration - stress_free_concentration)); none if missing") \
+    X(S, ONE, stress_free_concentration, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                \
+      "at which the undeformed body has no stress; with swelling")
 
 #define KEYS_temperature_condition(X, S)                                                           \
     X(S, GROUP, region, boundary_region, ANYWHERE, REQUIRED, NONE, NULL, ANY,                        \
@@ -64,9 +76,44 @@
     X(S, LIST, fluxes, heat_flux, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                               \
       "on edges of particles, deformed as those of tractions; edges without one insulate")
 
+#define KEYS_concentration_condition(X, S)                                                         \
+    X(S, GROUP, region, boundary_region, ANYWHERE, REQUIRED, NONE, NULL, ANY,                        \
+      "which nodes: exactly one shape")                                                            \
+    X(S, ONE, value, EXPRESSION, ANYWHERE, REQUIRED, NONE, NULL, ANY,                                \
+      "their concentration, in coordinates and t")
+
+#define KEYS_evaporation(X, S)                                                                     \
+    X(S, ONE, coefficient, NUMBER, ANYWHERE, REQUIRED, MASS_FLUX, NULL, ABOVE(0),                    \
+      "of the flux coefficient (ambient - concentration)")                                         \
+    X(S, ONE, ambient, EXPRESSION, ANYWHERE, REQUIRED, NONE, NULL, ANY,                              \
+      "concentration that the surroundings lead to, in coordinates and t")
+
+#define KEYS_solvent_flux(X, S)                                                                    \
+    X(S, ONE, body, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "name of a deformable body")          \
+    X(S, CHOICE, edge, edge, ANYWHERE, REQUIRED, NONE, NULL, ANY,                                    \
+      "which edges of its particles, as those of tractions")                                       \
+    X(S, ONE, value, EXPRESSION, ANYWHERE, OPTIONAL, MASS_FLUX, NULL, ANY,                           \
+      "mass of solvent per area and time into the body, in coordinates and t; or convection")      \
+    X(S, GROUP, convection, evaporation, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                        \
+      "solvent exchanged with surroundings, proportional to the difference of concentrations")
+
+#define KEYS_concentration(X, S)                                                                   \
+    X(S, CHOICE, transfer, scalar_transfer, ANYWHERE, OPTIONAL, NONE, "flip", ANY,                   \
+      "how particles' concentrations follow the grid, as those of temperature")                    \
+    X(S, ONE, start, EXPRESSION, ANYWHERE, OPTIONAL, NONE, "0", ANY,                                 \
+      "initial concentration of bodies without their own, in the coordinates")                     \
+    X(S, ONE, source, EXPRESSION, ANYWHERE, OPTIONAL, MASS_SOURCE, NULL, ANY,                        \
+      "mass of solvent per volume and time, in coordinates of the particle and t")                 \
+    X(S, LIST, conditions, concentration_condition, ANYWHERE, OPTIONAL, NONE, "[]", ANY,             \
+      "prescribed concentrations of nodes")                                                        \
+    X(S, LIST, fluxes, solvent_flux, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                            \
+      "on edges of particles, deformed as those of tractions; others let nothing through")
+
 #define KEYS_transport(X, S)                                                                       \
     X(S, GROUP, temperature, temperature, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                       \
-      "heat conduction: materials need heat_capacity and a conductivity")
+      "heat conduction: materials need heat_capacity and a conductivity")                       \
+    X(S, GROUP, concentration, concentration, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                   \
+      "diffusion of a solvent, as a part of saturation: materials need saturation and a diffusivity")
 
 /* clang-format on */
 
