@@ -21,6 +21,7 @@ enum { MPM_VECTOR_SIZE = 4 };
 
 typedef double mpm_vector __attribute__((vector_size(32)));
 typedef double mpm_half_vector __attribute__((vector_size(16), may_alias));
+typedef double mpm_loose_half __attribute__((vector_size(16), may_alias, aligned(8)));
 typedef int64_t mpm_mask __attribute__((vector_size(32))); /* all bits of a lane, or none */
 typedef uint64_t mpm_bits __attribute__((vector_size(32)));
 typedef int64_t mpm_half_mask __attribute__((vector_size(16)));
@@ -238,6 +239,71 @@ MPM_INLINE void mpm_transpose(mpm_vector v[4])
     v[2] = MPM_MIX(a, 2, b, 2, c, 2, d, 2);
     v[3] = MPM_MIX(a, 3, b, 3, c, 3, d, 3);
 #endif
+}
+
+MPM_INLINE mpm_half_vector mpm_load_half(const double *from)
+{
+    mpm_half_vector v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+/* Two numbers from each place. */
+MPM_INLINE mpm_vector mpm_load_halves(const double *low, const double *high)
+{
+#if defined __AVX__ && !defined __clang__ /* gcc would load number by number */
+    const mpm_loose_half *const a = (const void *)low, *const b = (const void *)high;
+    return __builtin_ia32_vinsertf128_pd256(__builtin_ia32_pd256_pd(*a), *b, 1);
+#else
+    return mpm_join(mpm_load_half(low), mpm_load_half(high));
+#endif
+}
+
+/* Lanes 0 and 2 of two vectors in turn; lanes 1 and 3. */
+#ifdef __AVX__
+#define MPM_EVEN(a, b) __builtin_shufflevector(a, b, 0, 4, 2, 6)
+#define MPM_ODD(a, b)  __builtin_shufflevector(a, b, 1, 5, 3, 7)
+#else
+#define MPM_EVEN(a, b) MPM_MIX(a, 0, b, 0, a, 2, b, 2)
+#define MPM_ODD(a, b)  MPM_MIX(a, 1, b, 1, a, 3, b, 3)
+#endif
+
+/* Number i of each of four rows, in column[i]: two, three or four columns. Of three, each row is
+ * read up to a fourth number. */
+MPM_INLINE void mpm_load_columns(double *const row[MPM_VECTOR_SIZE], int64_t offset, int columns,
+                                 mpm_vector column[4])
+{
+#pragma GCC unroll 4
+    for (int i = 0; i < columns; i += 2) {
+        const mpm_vector a = mpm_load_halves(row[0] + offset + i, row[2] + offset + i);
+        const mpm_vector b = mpm_load_halves(row[1] + offset + i, row[3] + offset + i);
+        column[i] = MPM_EVEN(a, b);
+        if (i + 1 < columns)
+            column[i + 1] = MPM_ODD(a, b);
+    }
+}
+
+/* Adds number i of column[i] to each of four rows, one row after the other; of three columns, zero
+ * to a fourth number. */
+MPM_INLINE void mpm_add_columns(double *const row[MPM_VECTOR_SIZE], int64_t offset, int columns,
+                                const mpm_vector column[4])
+{
+    const mpm_vector zero = mpm_splat(0.0);
+    const mpm_vector third = columns > 2 ? column[2] : zero,
+                     fourth = columns > 3 ? column[3] : zero;
+    mpm_vector lane[4] = {column[0], column[1], third, fourth};
+    mpm_transpose(lane);
+#pragma GCC unroll 4
+    for (int i = 0; i < MPM_VECTOR_SIZE; i++) {
+        double *const to = row[i] + offset;
+        if (columns > 2) {
+            mpm_store(to, mpm_load(to) + lane[i]);
+        } else {
+            const mpm_half_vector sum =
+                mpm_load_half(to) + (mpm_half_vector){lane[i][0], lane[i][1]};
+            memcpy(to, &sum, sizeof sum);
+        }
+    }
 }
 
 MPM_INLINE double mpm_largest_lane(mpm_vector v)

@@ -5,7 +5,7 @@
 #include "method/grid/grid_update.h"
 #include "method/transfer/transfer.h"
 #include "method/transfer/transfers.h"
-#include "method/transport/transport.h"
+#include "method/transport/transport_passes.h"
 
 static const struct mpm_passes *reference_passes(const struct mpm_scene *scene)
 {
@@ -47,7 +47,7 @@ static void choose_reference(const struct mpm_scene *scene, const char *reason,
     *choice = (struct mpm_kernel_choice){
         .passes = reference_passes(scene),
         .start_rows = mpm_row_start_velocity,
-        .conduct = mpm_pass_conduct,
+        .scalar = &mpm_scalar_passes,
         .name = "reference",
         .reason = reason,
         .simd = "none",
@@ -82,7 +82,7 @@ static enum mpm_status choose_fast(const struct mpm_scene *scene, bool packed_fi
                              "simd: %s is not what this build and this machine have; allowed: "
                              "auto, baseline",
                              simd_names[simd]);
-    choice->conduct = choice->passes->conduct;
+    choice->scalar = choice->passes->scalar;
     if (without_forces && (packed_fields || reads_masses(scene))) {
         choice->gather_rows = mpm_row_gather_mass;
         choice->start_rows = mpm_row_start_velocity;

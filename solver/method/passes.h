@@ -17,6 +17,15 @@ typedef void mpm_pass(void *state, int64_t strip, int worker);
         (body)(state, strip, __VA_ARGS__);                                                         \
     }
 
+/* Passes over a scalar that is conducted: see method/transport/transport_passes.h. */
+struct mpm_scalar_passes {
+    mpm_pass *spread;            /* content and capacity of the nodes */
+    mpm_pass *conduct;           /* their inflow, by sources and conduction */
+    mpm_pass *update;            /* values of the particles, */
+    mpm_pass *update_and_spread; /* and with them the content of the next step */
+    mpm_pass *filter;
+};
+
 /* The passes of one step, in their order; NULL: nothing to do there. */
 struct mpm_passes {
     mpm_pass *to_grid;       /* Task 1; with the stress at hand also Task 3 */
@@ -25,7 +34,7 @@ struct mpm_passes {
     mpm_pass *finish;        /* Task 6 of USL, MUSL and USAVG; positions */
     mpm_pass *recompute;     /* not part of a step: stress and domain of the F at hand */
     mpm_pass *project;       /* of any values: see method/transfer/projection.h */
-    mpm_pass *conduct;       /* of a scalar, method/transport/transport.h; fast kernels */
+    const struct mpm_scalar_passes *scalar; /* those of the fast kernels */
 };
 
 struct mpm_state;
@@ -39,7 +48,7 @@ struct mpm_kernel_choice {
      * order; NULL: nothing. `smooth` works on all of the grid. */
     void (*smooth)(struct mpm_state *state, int workers);
     mpm_pass *flip_rows, *flip_particles;
-    mpm_pass *conduct;  /* inflow by conduction */
+    const struct mpm_scalar_passes *scalar;
     const char *name;   /* "fast" or "reference" */
     const char *reason; /* why this set */
     const char *simd;   /* the instructions it uses */

@@ -9,6 +9,24 @@ static double place_of_axis(const struct mpm_shape_grid *grid)
     return mpm_shape_cells(-grid->origin[0] * grid->inverse_cell[0]);
 }
 
+static struct fast_scalar scalar_of(const struct mpm_state *state,
+                                    const struct mpm_nodal_scalar *scalar, uint32_t body)
+{
+    return (struct fast_scalar){
+        .nodes = {[FAST_CONTENT] = scalar->content,
+                  [FAST_CAPACITY] = scalar->capacity,
+                  [FAST_VALUE] = scalar->value,
+                  [FAST_INFLOW] = scalar->inflow,
+                  [FAST_RESULT] = scalar->result},
+        .field = scalar->row->field,
+        .weight = scalar->weight[body],
+        .inverse_density =
+            scalar->source == NULL ? 0.0 : 1.0 / state->bodies[body].material.density,
+        .pic = scalar->transfer == MPM_SCALAR_PIC,
+        .conduction = scalar->bodies[body],
+    };
+}
+
 void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double part,
                         struct fast_constants *constants)
 {
@@ -28,19 +46,14 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
         .read = projection != NULL ? (double *)projection->from : (double *)grid->motion,
         .gradient =
             projection != NULL && projection->to != NULL ? (void *)projection->to : grid->gradient,
-        .weight = projection != NULL && projection->weight != NULL ? projection->weight[body] : 1.0,
-        .scalar = scalar,
         .time_step = state->time_step,
         .stress_step = part * state->time_step,
         .back = midpoint ? 0.5 * state->time_step : 0.0,
         .deformation_terms = state->scene->deformation_terms,
         .material = state->bodies[body].material,
     };
-    if (scalar != NULL) {
-        constants->sum = (struct mpm_node_sum(*)[2])scalar->inflow;
-        constants->gradient = (double(*)[2][2])scalar->value;
-        constants->conduction = scalar->bodies[body];
-    }
+    if (scalar != NULL)
+        constants->scalar = scalar_of(state, scalar, body);
     constants->cut = constants->truncated ? constants->axis : -DBL_MAX;
     constants->cut_cell = floor(constants->cut);
     mpm_shape_reach(state->family, &state->shape_grid, state->bodies[body].half_size,

@@ -15,7 +15,7 @@ enum { MPM_BLOCK_VECTORS = 4 };
 struct fast_patches;
 
 struct fast_sums {
-    mpm_vector kinetic, wave;
+    mpm_vector kinetic, wave, diffusivity;
     mpm_vector low[2], high[2]; /* hull of the domains */
     const struct mpm_state *state;
     struct mpm_strip *strip;

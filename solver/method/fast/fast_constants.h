@@ -15,7 +15,30 @@ struct fast_spec {
     bool momentum; /* spread mass and momentum */
     bool force;    /* spread internal forces */
     bool finish;   /* the last pass, which only reads */
-    bool conducts; /* a scalar, whose sources are spread with S beside the flow, a force */
+    bool scalars;  /* exchange scalars with nodes, by S: see fast_scalars.h */
+    bool conducts; /* and by G */
+    bool alone;    /* nothing else than scalars */
+    bool spreads;  /* spread them anew once they are updated */
+};
+
+/* Nodal arrays of a scalar, one number each. */
+enum fast_numbers {
+    FAST_CONTENT,
+    FAST_CAPACITY,
+    FAST_VALUE,
+    FAST_INFLOW,
+    FAST_RESULT,
+    FAST_NUMBERS,
+};
+
+/* A scalar that a pass works on, for the particles of a body; see struct mpm_nodal_scalar. */
+struct fast_scalar {
+    double *nodes[FAST_NUMBERS];
+    size_t field;           /* of the particles */
+    double weight;          /* c */
+    double inverse_density; /* of sources; 0: there are none */
+    bool pic;
+    struct mpm_scalar_body conduction;
 };
 
 struct fast_constants {
@@ -34,10 +57,8 @@ struct fast_constants {
     double *mass;      /* arrays of the grid, by node index */
     struct mpm_node_sum (*sum)[2];
     double *read; /* nodal vectors that are read with S: motion; of a projection `from`, or NULL */
-    double (*gradient)[2][2];              /* in a projection its `to`, if it has one */
-    double weight;                         /* of a projection: what masses are multiplied with */
-    const struct mpm_nodal_scalar *scalar; /* that is conducted: its nodes are sum and gradient */
-    struct mpm_scalar_body conduction;
+    double (*gradient)[2][2];      /* in a projection its `to`, if it has one */
+    struct fast_scalar scalar;     /* that is conducted, if one is */
     double time_step, stress_step; /* the latter is the part that this update stands for */
     double back;                   /* of the midpoint update: v^{n+1} - back a */
     int deformation_terms;

@@ -111,13 +111,13 @@ MPM_INLINE struct corner_factors corner_factors(const struct fast_spec *spec, co
 /* Of the other passes: one takes gradients and spreads forces, */
 MPM_INLINE bool wants_gradient_weights(const struct fast_spec *spec)
 {
-    return spec->force && !spec->momentum;
+    return spec->force && !spec->momentum && !spec->alone;
 }
 
 /* the others spread momentum. */
 MPM_INLINE bool wants_value_weights(const struct fast_spec *spec)
 {
-    return spec->momentum || !spec->force || spec->conducts;
+    return spec->momentum || !spec->force || spec->scalars;
 }
 
 MPM_INLINE void set_node(const struct fast_spec *spec, const struct corner_factors *factors,
@@ -129,9 +129,9 @@ MPM_INLINE void set_node(const struct fast_spec *spec, const struct corner_facto
             s += factors->s_even * sums->even + factors->s_odd * sums->odd;
         mpm_store(nodes->s[n], s);
     }
-    if (spec->axisymmetric)
+    if (spec->axisymmetric && !spec->alone)
         mpm_store(nodes->t[n], factors->t * sums->all);
-    if (!spec->force)
+    if (!spec->force && !spec->conducts)
         return;
     mpm_vector g[2];
     for (int axis = 0; axis < 2; axis++) {

@@ -106,7 +106,7 @@ MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state,
     struct mpm_strip *const strip = &state->strips[index];
     const mpm_vector zero = mpm_splat(0.0), most = mpm_splat(DBL_MAX);
     struct mpm_span run = {.end = strip->begin};
-    *sums = (struct fast_sums){zero, zero, {most, most}, {-most, -most}, state, strip, NULL};
+    *sums = (struct fast_sums){zero, zero, zero, {most, most}, {-most, -most}, state, strip, NULL};
     while (run.end < strip->end) {
         struct fast_constants k;
         struct fast_block block = {.k = &k,
@@ -146,7 +146,8 @@ static void set_box(struct mpm_state *state, const struct fast_sums *sums)
 
 MPM_INLINE void pass_to_grid(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
 {
-    const struct fast_traffic traffic = {.adds = 1u << FAST_SUM, .adds_mass = spec->force};
+    const struct fast_traffic traffic = {.adds = 1u << FAST_SUM,
+                                         .adds_single = spec->force ? 1u << FAST_MASS : 0};
     struct fast_sums sums;
     run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_to_grid);
 }
@@ -154,7 +155,7 @@ MPM_INLINE void pass_to_grid(const struct fast_spec *spec, struct mpm_state *sta
 MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_state *state,
                                    int64_t strip)
 {
-    const struct fast_traffic traffic = {1u << FAST_GRADIENT, 1u << FAST_SUM, false};
+    const struct fast_traffic traffic = {.reads = 1u << FAST_GRADIENT, .adds = 1u << FAST_SUM};
     struct fast_sums sums;
     run_strip(spec, state, strip, state->order->before, (int)state->scene->geometry, &traffic,
               &sums, block_stress_before);
@@ -172,18 +173,44 @@ MPM_INLINE void pass_project(const struct fast_spec *spec, struct mpm_state *sta
     run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_project);
 }
 
+MPM_INLINE void pass_spread_scalar(const struct fast_spec *spec, struct mpm_state *state,
+                                   int64_t strip)
+{
+    const struct fast_traffic traffic = {.adds_single = 1u << FAST_CONTENT | 1u << FAST_CAPACITY};
+    struct fast_sums sums;
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_spread_scalar);
+}
+
 MPM_INLINE void pass_conduct(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
 {
-    const struct fast_traffic traffic = {1u << FAST_GRADIENT, 1u << FAST_SUM, false};
+    const struct fast_traffic traffic = {.reads_single = 1u << FAST_VALUE,
+                                         .adds_single = 1u << FAST_INFLOW};
     struct fast_sums sums;
     run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_conduct);
-    sums.strip->diffusivity = mpm_largest_lane(sums.wave);
+    sums.strip->diffusivity = mpm_largest_lane(sums.diffusivity);
+}
+
+MPM_INLINE void pass_update_scalar(const struct fast_spec *spec, struct mpm_state *state,
+                                   int64_t strip)
+{
+    const struct fast_traffic traffic = {.reads_single = 1u << FAST_RESULT,
+                                         .adds_single = spec->spreads ? 1u << FAST_CONTENT : 0};
+    struct fast_sums sums;
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_update_scalar);
+}
+
+MPM_INLINE void pass_filter(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
+{
+    const struct fast_traffic traffic = {.reads_single = 1u << FAST_VALUE,
+                                         .adds_single = 1u << FAST_RESULT};
+    struct fast_sums sums;
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_filter);
 }
 
 MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state *state,
                                   int64_t strip)
 {
-    const struct fast_traffic traffic = {1u << FAST_READ, 1u << FAST_GRADIENT, false};
+    const struct fast_traffic traffic = {.reads = 1u << FAST_READ, .adds = 1u << FAST_GRADIENT};
     struct fast_sums sums;
     run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_to_particles);
     sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
@@ -216,6 +243,9 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
         body(&spec, state, strip);                                                                 \
     }
 
+/* Of passes of scalars alone. */
+#define SCALARS .scalars = true, .alone = true
+
 #define KERNELS(plane, ...)                                                                        \
     KERNEL(pass_to_grid, plane##_momentum_force, .momentum = true, .force = true, __VA_ARGS__)     \
     KERNEL(pass_to_grid, plane##_momentum, .momentum = true, __VA_ARGS__)                          \
@@ -223,11 +253,18 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
     KERNEL(pass_to_particles, plane##_extrapolate, __VA_ARGS__)                                    \
     KERNEL(pass_finish, plane##_finish, .finish = true, __VA_ARGS__)                               \
     KERNEL(pass_project, plane##_project, __VA_ARGS__)                                             \
-    KERNEL(pass_conduct, plane##_conduct, .force = true, .conducts = true, __VA_ARGS__)
+    KERNEL(pass_spread_scalar, plane##_spread_scalar, SCALARS, __VA_ARGS__)                        \
+    KERNEL(pass_conduct, plane##_conduct, SCALARS, .conducts = true, __VA_ARGS__)                  \
+    KERNEL(pass_update_scalar, plane##_update_scalar, SCALARS, __VA_ARGS__)                        \
+    KERNEL(pass_update_scalar, plane##_update_spread, SCALARS, .spreads = true, __VA_ARGS__)       \
+    KERNEL(pass_filter, plane##_filter, SCALARS, __VA_ARGS__)                                      \
+    static const struct mpm_scalar_passes plane##_scalar = {                                       \
+        plane##_spread_scalar, plane##_conduct, plane##_update_scalar, plane##_update_spread,      \
+        plane##_filter};
 
 #define STEP(plane, first, before, back)                                                           \
     {                                                                                              \
-        first, before, back, plane##_finish, recompute, plane##_project, plane##_conduct           \
+        first, before, back, plane##_finish, recompute, plane##_project, &plane##_scalar           \
     }
 
 #define ORDERS(plane)                                                                              \

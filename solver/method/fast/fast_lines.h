@@ -29,6 +29,8 @@ struct fast_lines {
     double y[MPM_LINE_NODES][8];   /* pairs (weight, slope) */
     double t[MPM_LINE_NODES][MPM_VECTOR_SIZE];
     mpm_vector sx[MPM_LINE_NODES]; /* the weights of x once more, by particles */
+    /* and the others, where scalars are exchanged */
+    mpm_vector dx[MPM_LINE_NODES], sy[MPM_LINE_NODES], dy[MPM_LINE_NODES];
 };
 
 /* The place of a lane's pair, see mpm_store_pairs. */
@@ -222,11 +224,19 @@ MPM_INLINE void fast_lines_evaluate(const struct fast_spec *spec, const struct f
     const mpm_mask node = mpm_to_integer(y.first * k->columns + x.first) + k->node_zero;
     memcpy(lines->node, &node, sizeof node);
     for (int i = 0; i < line_nodes(spec); i++) {
+        lines->sx[i] = x.s[i];
+        if (spec->scalars)
+            lines->sy[i] = y.s[i];
+        if (spec->conducts) {
+            lines->dx[i] = x.d[i];
+            lines->dy[i] = y.d[i];
+        }
+        if (spec->alone)
+            continue;
         mpm_store_pairs(x.d[i], x.s[i], lines->x[i]);
         mpm_store_pairs(y.s[i], y.d[i], lines->y[i]);
         if (spec->axisymmetric)
             mpm_store(lines->t[i], x.t[i]);
-        lines->sx[i] = x.s[i];
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "method/fast/fast_block.h"
 #include "method/fast/fast_patches.h"
+#include "method/fast/fast_scalars.h"
 #include "method/transfer/extent.h"
 
 /* ----------------------------------------------------------- either stencil */
@@ -309,41 +310,24 @@ MPM_INLINE void store_values(const struct mpm_projection *projection,
         mpm_store((double *)mpm_particle_array(particles, projection->field, i) + p, values[i]);
 }
 
-/* What the particles have, what they gather, or their sum. */
-MPM_INLINE void find_values(const struct fast_spec *spec, const struct fast_block *block,
-                            const struct mpm_projection *projection, size_t p,
-                            const union fast_stencil *stencil, mpm_vector values[4])
-{
-    if (projection->from == NULL) {
-        load_values(projection, block->particles, p, values);
-        return;
-    }
-    gather_values(spec, block->k, stencil, block->k->read, values);
-    if (!projection->adds)
-        return;
-    mpm_vector own[4];
-    load_values(projection, block->particles, p, own);
-    for (int i = 0; i < MPM_PROJECTION_COMPONENTS; i++)
-        values[i] = own[i] + projection->factor * values[i];
-}
-
 /* See projection.h. */
 MPM_INLINE void block_project(const struct fast_spec *spec, const struct fast_block *block)
 {
     const struct mpm_projection *const projection = block->sums->state->projection;
-    const bool to_nodes = projection->to != NULL, stores = !to_nodes || projection->stores;
+    const bool from_nodes = projection->from != NULL, to_nodes = projection->to != NULL;
     union fast_stencil stencil[MPM_BLOCK_VECTORS];
     mpm_vector sums[MPM_BLOCK_VECTORS][MPM_PROJECTION_COMPONENTS];
     evaluate_block(spec, block, stencil);
     FOR_VECTORS(block, p, v)
     {
-        const mpm_vector mass = mpm_load(block->particles->mass + p) * block->k->weight;
+        const mpm_vector mass = mpm_load(block->particles->mass + p);
         mpm_vector values[4];
-        find_values(spec, block, projection, p, &stencil[v], values);
-        if (stores)
+        if (from_nodes)
+            gather_values(spec, block->k, &stencil[v], block->k->read, values);
+        else
+            load_values(projection, block->particles, p, values);
+        if (!to_nodes)
             store_values(projection, block->particles, p, values);
-        if (projection->whole)
-            values[1] = mpm_splat(1.0);
         for (int i = 0; i < MPM_PROJECTION_COMPONENTS; i++)
             sums[v][i] = mass * values[i];
     }
@@ -356,61 +340,18 @@ MPM_INLINE void block_project(const struct fast_spec *spec, const struct fast_bl
     }
 }
 
-/* J k grad v, k turned by R of F = R U */
-MPM_INLINE void conduct_vector(const struct mpm_scalar_body *body,
-                               const mpm_vector f[MPM_GRADIENT_SIZE], const mpm_vector gradient[2],
-                               mpm_vector flow[2])
-{
-    if (!body->turns) {
-        flow[0] = body->k[0] * gradient[0];
-        flow[1] = body->k[0] * gradient[1];
-        return;
+/* Passes of scalars alone: see transport_passes.h. */
+#define MPM_SCALAR_BLOCK(name, work)                                                               \
+    MPM_INLINE void name(const struct fast_spec *spec, const struct fast_block *block)             \
+    {                                                                                              \
+        union fast_stencil stencil[MPM_BLOCK_VECTORS];                                             \
+        evaluate_block(spec, block, stencil);                                                      \
+        work(spec, block, stencil);                                                                \
     }
-    const mpm_vector sum = f[MPM_XX] + f[MPM_YY], difference = f[MPM_YX] - f[MPM_XY];
-    const mpm_vector inverse = 1.0 / mpm_square_root(sum * sum + difference * difference);
-    const mpm_vector cosine = sum * inverse, sine = difference * inverse;
-    const mpm_vector along[2] = {cosine * gradient[0] + sine * gradient[1],
-                                 cosine * gradient[1] - sine * gradient[0]};
-    const mpm_vector turned[2] = {body->k[0] * along[0] + body->k[2] * along[1],
-                                  body->k[2] * along[0] + body->k[1] * along[1]};
-    flow[0] = cosine * turned[0] - sine * turned[1];
-    flow[1] = sine * turned[0] + cosine * turned[1];
-}
-
-/* See transport.h: what particles conduct to nodes, as a stress -m tau / rho_0 whose row x is minus
- * the flow. */
-MPM_INLINE void block_conduct(const struct fast_spec *spec, const struct fast_block *block)
-{
-    const struct fast_constants *const k = block->k;
-    const struct mpm_particles *const particles = block->particles;
-    const mpm_vector zero = mpm_splat(0.0);
-    const bool has_source = k->scalar->source != NULL;
-    const double inverse_density = 1.0 / k->material.density;
-    union fast_stencil stencil[MPM_BLOCK_VECTORS];
-    mpm_vector source[MPM_BLOCK_VECTORS];
-    evaluate_block(spec, block, stencil);
-    FOR_VECTORS(block, p, v)
-    {
-        struct fast_load load = {.mass = zero};
-        mpm_vector f[MPM_GRADIENT_SIZE], gradient[MPM_GRADIENT_SIZE], flow[2];
-        load_deformation(particles, p, f);
-        const mpm_vector j = determinant_vector(f), volume = mpm_load(particles->mass + p) * j;
-        gather_gradient(spec, k, &stencil[v], gradient);
-        conduct_vector(&k->conduction, f, gradient, flow);
-        load.stress[MPM_SYM_XX] = -volume * flow[0];
-        load.stress[MPM_SYM_XY] = -volume * flow[1];
-        spread(spec, k, &stencil[v], &load);
-        block->sums->wave = mpm_larger(j * k->conduction.diffusivity, block->sums->wave);
-        source[v] =
-            has_source ? volume * (inverse_density * mpm_load(particles->source + p)) : zero;
-    }
-    if (has_source)
-        FOR_VECTORS(block, p, v)
-        {
-            const mpm_vector values[4] = {source[v], zero, zero, zero};
-            spread_values(spec, k, &stencil[v], k->sum, values);
-        }
-}
+MPM_SCALAR_BLOCK(block_spread_scalar, spread_scalar)
+MPM_SCALAR_BLOCK(block_conduct, conduct_scalar)
+MPM_SCALAR_BLOCK(block_update_scalar, update_scalar)
+MPM_SCALAR_BLOCK(block_filter, filter_scalar)
 
 /* Task 5, velocities, and (31) */
 MPM_INLINE void block_to_particles(const struct fast_spec *spec, const struct fast_block *block)

@@ -39,16 +39,19 @@ enum {
 /* Nodal arrays of vectors that a pass exchanges values with. */
 enum fast_array { FAST_SUM, FAST_READ, FAST_GRADIENT, FAST_ARRAYS };
 
+/* And those of single numbers: masses, then enum fast_numbers of the scalar. */
+enum { FAST_MASS = FAST_NUMBERS, FAST_SINGLE_ARRAYS };
+
 /* What a pass does with nodes: bits of the arrays. */
 struct fast_traffic {
-    unsigned reads, adds;
-    bool adds_mass; /* to the array of masses */
+    unsigned reads, adds;               /* enum fast_array */
+    unsigned reads_single, adds_single; /* arrays of single numbers */
 };
 
 /* Where the constants of a run say that nodes are. */
 struct fast_place {
     int64_t stride, pitch;
-    double *mass, *arrays[FAST_ARRAYS];
+    double *arrays[FAST_ARRAYS], *singles[FAST_SINGLE_ARRAYS];
 };
 
 struct fast_patches {
@@ -63,21 +66,30 @@ struct fast_patches {
      * step in mpm_field_use */
     const uint32_t *node[MPM_PATCHES];
     uint32_t own[MPM_PATCHES][MPM_PATCH_NODES];
-    double mass[MPM_PATCHES * MPM_PATCH_NODES];
+    double singles[FAST_SINGLE_ARRAYS][MPM_PATCHES * MPM_PATCH_NODES];
     double values[FAST_ARRAYS][MPM_PATCHES * MPM_PATCH_NODES][MPM_VECTOR_SIZE];
 };
 
 MPM_INLINE struct fast_place place_of_constants(const struct fast_constants *k)
 {
-    return (struct fast_place){
-        k->stride, k->pitch, k->mass, {(double *)k->sum, k->read, (double *)k->gradient}};
+    struct fast_place place = {
+        .stride = k->stride,
+        .pitch = k->pitch,
+        .arrays = {(double *)k->sum, k->read, (double *)k->gradient},
+        .singles = {[FAST_MASS] = k->mass},
+    };
+    for (int a = 0; a < FAST_NUMBERS; a++)
+        place.singles[a] = k->scalar.nodes[a];
+    return place;
 }
 
 MPM_INLINE void set_place(struct fast_constants *k, const struct fast_place *place)
 {
     k->stride = place->stride;
     k->pitch = place->pitch;
-    k->mass = place->mass;
+    k->mass = place->singles[FAST_MASS];
+    for (int a = 0; a < FAST_NUMBERS; a++)
+        k->scalar.nodes[a] = place->singles[a];
     k->sum = (struct mpm_node_sum(*)[2])place->arrays[FAST_SUM];
     k->read = place->arrays[FAST_READ];
     k->gradient = (double(*)[2][2])place->arrays[FAST_GRADIENT];
@@ -97,13 +109,14 @@ MPM_INLINE void fast_patches_open(struct fast_patches *patches, const struct mpm
 MPM_INLINE void fast_patches_aim(struct fast_patches *patches, bool at_patches,
                                  struct fast_constants *k)
 {
-    const struct fast_place made = {
+    struct fast_place made = {
         .stride = MPM_PATCH_EDGE,
         .pitch = MPM_PATCH_EDGE * (int64_t)sizeof(mpm_vector),
-        .mass = patches->mass,
         .arrays = {patches->values[FAST_SUM][0], patches->values[FAST_READ][0],
                    patches->values[FAST_GRADIENT][0]},
     };
+    for (int a = 0; a < FAST_SINGLE_ARRAYS; a++)
+        made.singles[a] = patches->singles[a];
     set_place(k, at_patches ? &made : &patches->grid);
 }
 
@@ -191,12 +204,12 @@ MPM_INLINE void clear_nodes(const double *grid, const uint32_t *node, int edge,
             mpm_store(values[MPM_PATCH_EDGE * j + i], mpm_splat(0.0));
 }
 
-MPM_INLINE void clear_masses(const double *grid, const uint32_t *node, int edge, double *mass)
+MPM_INLINE void clear_singles(const double *grid, const uint32_t *node, int edge, double *values)
 {
     (void)grid;
     (void)node;
     for (int j = 0; j < edge; j++)
-        mpm_store(mass + MPM_PATCH_EDGE * j, mpm_splat(0.0));
+        mpm_store(values + MPM_PATCH_EDGE * j, mpm_splat(0.0));
 }
 
 MPM_INLINE void read_nodes(const double *grid, const uint32_t *node, int edge,
@@ -207,6 +220,15 @@ MPM_INLINE void read_nodes(const double *grid, const uint32_t *node, int edge,
             const int n = MPM_PATCH_EDGE * j + i;
             mpm_store(values[n], mpm_load(grid + MPM_VECTOR_SIZE * (size_t)node[n]));
         }
+}
+
+/* To a fourth number of each row: kernels read three columns in halves of vectors. */
+MPM_INLINE void read_singles(const double *grid, const uint32_t *node, int edge, double *values)
+{
+    clear_singles(grid, node, edge, values);
+    for (int j = 0; j < edge; j++)
+        for (int i = 0; i < edge; i++)
+            values[MPM_PATCH_EDGE * j + i] = grid[node[MPM_PATCH_EDGE * j + i]];
 }
 
 MPM_INLINE void add_nodes(double *grid, const uint32_t *node, int edge,
@@ -220,11 +242,11 @@ MPM_INLINE void add_nodes(double *grid, const uint32_t *node, int edge,
         }
 }
 
-MPM_INLINE void add_masses(double *grid, const uint32_t *node, int edge, const double *mass)
+MPM_INLINE void add_singles(double *grid, const uint32_t *node, int edge, const double *values)
 {
     for (int j = 0; j < edge; j++)
         for (int i = 0; i < edge; i++)
-            grid[node[MPM_PATCH_EDGE * j + i]] += mass[MPM_PATCH_EDGE * j + i];
+            grid[node[MPM_PATCH_EDGE * j + i]] += values[MPM_PATCH_EDGE * j + i];
 }
 
 /* Of all patches, work(array, nodes, edge, values); most edges are 3. */
@@ -248,8 +270,12 @@ MPM_SEPARATE void fast_patches_begin(const struct fast_spec *spec, struct fast_p
         if ((patches->traffic.adds >> a & 1u) != 0)
             FOR_PATCHES(patches, clear_nodes, patches->grid.arrays[a], patches->values[a])
     }
-    if (patches->traffic.adds_mass)
-        FOR_PATCHES(patches, clear_masses, patches->grid.mass, patches->mass)
+    for (int a = 0; a < FAST_SINGLE_ARRAYS; a++) {
+        if ((patches->traffic.reads_single >> a & 1u) != 0)
+            FOR_PATCHES(patches, read_singles, patches->grid.singles[a], patches->singles[a])
+        if ((patches->traffic.adds_single >> a & 1u) != 0)
+            FOR_PATCHES(patches, clear_singles, patches->grid.singles[a], patches->singles[a])
+    }
     mpm_keep_in_memory(patches);
 }
 
@@ -261,8 +287,9 @@ MPM_SEPARATE void fast_patches_end(struct fast_patches *patches)
         if ((patches->traffic.adds >> a & 1u) != 0)
             FOR_PATCHES(patches, add_nodes, patches->grid.arrays[a],
                         (const double(*)[MPM_VECTOR_SIZE])patches->values[a])
-    if (patches->traffic.adds_mass)
-        FOR_PATCHES(patches, add_masses, patches->grid.mass, patches->mass)
+    for (int a = 0; a < FAST_SINGLE_ARRAYS; a++)
+        if ((patches->traffic.adds_single >> a & 1u) != 0)
+            FOR_PATCHES(patches, add_singles, patches->grid.singles[a], patches->singles[a])
 }
 
 #endif

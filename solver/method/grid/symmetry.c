@@ -27,23 +27,18 @@ int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, doubl
     return node;
 }
 
-/* A scalar of the nodes, or NULL, and a vector, whose component k is number 2 k of a node's values;
- * or values that are all scalars. */
+/* A scalar of the nodes and a vector, whose component k is number 2 k of a node's values; NULL:
+ * none. */
 struct spread {
     double *scalar, *vector;
-    double (*scalars)[MPM_NODE_VALUES];
 };
 
 static void fold_nodes(const struct spread *spread, int axis, int64_t inside, int64_t beyond)
 {
     double *const vector = spread->vector;
-    for (int k = 0; spread->scalars != NULL && k < MPM_NODE_VALUES; k++)
-        fold(&spread->scalars[inside][k], &spread->scalars[beyond][k], 1.0);
-    if (vector == NULL)
-        return;
     if (spread->scalar != NULL)
         fold(&spread->scalar[inside], &spread->scalar[beyond], 1.0);
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; vector != NULL && k < 2; k++)
         fold(&vector[MPM_NODE_VALUES * inside + 2 * k], &vector[MPM_NODE_VALUES * beyond + 2 * k],
              k == axis ? -1.0 : 1.0);
 }
@@ -121,22 +116,22 @@ static void reflect(struct mpm_state *state, struct spread spread)
 
 void mpm_symmetries_reflect_momentum(struct mpm_state *state)
 {
-    reflect(state, (struct spread){state->grid.mass, &state->grid.sum[0][0].momentum, NULL});
+    reflect(state, (struct spread){state->grid.mass, &state->grid.sum[0][0].momentum});
 }
 
 void mpm_symmetries_reflect_force(struct mpm_state *state)
 {
-    reflect(state, (struct spread){NULL, &state->grid.sum[0][0].force, NULL});
+    reflect(state, (struct spread){NULL, &state->grid.sum[0][0].force});
 }
 
 void mpm_symmetries_reflect_extrapolated(struct mpm_state *state)
 {
-    reflect(state, (struct spread){NULL, state->grid.gradient[0][0], NULL});
+    reflect(state, (struct spread){NULL, state->grid.gradient[0][0]});
 }
 
-void mpm_symmetries_reflect_scalar(struct mpm_state *state, double (*nodes)[MPM_NODE_VALUES])
+void mpm_symmetries_reflect_scalar(struct mpm_state *state, double *nodes)
 {
-    reflect(state, (struct spread){NULL, NULL, nodes});
+    reflect(state, (struct spread){nodes, NULL});
 }
 
 /* ------------------------------------------------------------------- images */

@@ -60,6 +60,6 @@ void mpm_symmetries_reflect_force(struct mpm_state *state);
  * and FMPM. */
 void mpm_symmetries_reflect_extrapolated(struct mpm_state *state);
 /* Of sums of scalars, in all numbers of a node. */
-void mpm_symmetries_reflect_scalar(struct mpm_state *state, double (*nodes)[MPM_NODE_VALUES]);
+void mpm_symmetries_reflect_scalar(struct mpm_state *state, double *nodes);
 
 #endif

@@ -36,36 +36,6 @@ static void spread(const struct mpm_stencil *stencil, double mass,
     }
 }
 
-static void load(const struct mpm_projection *projection, const struct mpm_particles *particles,
-                 size_t p, double value[MPM_PROJECTION_COMPONENTS])
-{
-    for (size_t i = 0; i < projection->components; i++)
-        value[i] = ((double *)mpm_particle_array(particles, projection->field, i))[p];
-}
-
-static void store(const struct mpm_projection *projection, const struct mpm_particles *particles,
-                  size_t p, const double value[MPM_PROJECTION_COMPONENTS])
-{
-    for (size_t i = 0; i < projection->components; i++)
-        ((double *)mpm_particle_array(particles, projection->field, i))[p] = value[i];
-}
-
-/* What the particle has, what it gathers, or their sum. */
-static void find_value(const struct mpm_projection *projection,
-                       const struct mpm_particles *particles, size_t p,
-                       const struct mpm_stencil *stencil, const double *from,
-                       double value[MPM_PROJECTION_COMPONENTS])
-{
-    double gathered[MPM_PROJECTION_COMPONENTS] = {0.0};
-    if (projection->from == NULL || projection->adds)
-        load(projection, particles, p, value);
-    if (projection->from == NULL)
-        return;
-    gather(stencil, from, gathered);
-    for (int i = 0; i < MPM_PROJECTION_COMPONENTS; i++)
-        value[i] = projection->adds ? value[i] + projection->factor * gathered[i] : gathered[i];
-}
-
 void mpm_pass_project(void *context, int64_t index, int worker)
 {
     const struct mpm_state *const state = context;
@@ -77,15 +47,13 @@ void mpm_pass_project(void *context, int64_t index, int worker)
         struct mpm_stencil room;
         double value[MPM_PROJECTION_COMPONENTS] = {0.0};
         const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-        const double weight =
-            projection->weight == NULL ? 1.0 : projection->weight[particles->body[p]];
-        find_value(projection, particles, p, stencil,
-                   projection->from == NULL ? NULL : projection->from + zero, value);
-        if (projection->to == NULL || projection->stores)
-            store(projection, particles, p, value);
-        if (projection->whole)
-            value[1] = 1.0;
+        if (projection->from != NULL)
+            gather(stencil, projection->from + zero, value);
+        for (size_t i = 0; projection->from == NULL && i < projection->components; i++)
+            value[i] = ((double *)mpm_particle_array(particles, projection->field, i))[p];
         if (projection->to != NULL)
-            spread(stencil, particles->mass[p] * weight, value, projection->to + zero);
+            spread(stencil, particles->mass[p], value, projection->to + zero);
+        for (size_t i = 0; projection->to == NULL && i < projection->components; i++)
+            ((double *)mpm_particle_array(particles, projection->field, i))[p] = value[i];
     }
 }

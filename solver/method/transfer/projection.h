@@ -4,10 +4,6 @@
  *   gather    v_p  = sum_i S_ip n_i                        to a field of the particles
  *   filter    n_i += sum_p m_p S_ip sum_j S_jp w_j         both, and S is found once
  *
- * For scalars, whose weights c_p m_p may differ from body to body (transport.h), also
- *
- *   add       v_p += a sum_i S_ip n_i                      and the new v_p may be spread at once
- *
  * by either set of kernels, and with the additional velocity fields of nodes near cracks. Sums over
  * particles go in their order. Spread is the transpose of gather times the particles' masses: what
  * one hands over, sum_i n_i u_i, is sum_p m_p v_p (S u)_p of the other.

@@ -20,12 +20,6 @@ struct mpm_projection {
     /* Nodes; component k is added to number 2 k, and perhaps to the next one: as grid.gradient has
      * them. Others are of no use afterwards. NULL: to particles */
     double *to;
-    /* Of scalars; 0 and NULL elsewhere. */
-    const double *weight; /* per body: what masses are multiplied with; NULL: 1 */
-    bool whole;           /* spreads the weights themselves, m_p times it, as component 1 */
-    bool adds;            /* what is gathered is added, times `factor`, to the field, */
-    bool stores;          /* which takes the sum also where it is spread again */
-    double factor;
 };
 
 #endif

@@ -4,9 +4,9 @@
 #include "base/strips.h"
 #include "method/grid/grid_update.h"
 #include "method/grid/symmetry.h"
-#include "method/transfer/projection.h"
 #include "method/transfer/transfer.h"
 #include "method/transport/transport_edges.h"
+#include "method/transport/transport_passes.h"
 
 #include <float.h>
 #include <string.h>
@@ -15,10 +15,10 @@ void mpm_nodal_scalar_layout(const struct mpm_state *state, struct mpm_nodal_sca
                              struct mpm_arena *arena)
 {
     const size_t nodes = (size_t)mpm_grid_nodes(&state->grid) + MPM_ROW_PADDING;
-    scalar->content = mpm_arena_take(arena, nodes, sizeof *scalar->content);
-    scalar->value = mpm_arena_take(arena, nodes, sizeof *scalar->value);
-    scalar->inflow = mpm_arena_take(arena, nodes, sizeof *scalar->inflow);
-    scalar->result = mpm_arena_take(arena, nodes, sizeof *scalar->result);
+    double **const arrays[] = {&scalar->content, &scalar->capacity, &scalar->value, &scalar->inflow,
+                               &scalar->result};
+    for (size_t k = 0; k < sizeof arrays / sizeof arrays[0]; k++)
+        *arrays[k] = MPM_TAKE(arena, double, nodes);
     scalar->row_inflow =
         MPM_TAKE(arena, double, (size_t)(state->grid.rows + state->grid.field_rows));
 }
@@ -46,32 +46,47 @@ static void run_rows(struct mpm_state *state, const struct mpm_nodal_scalar *sca
     state->transport.conducted = NULL;
 }
 
-static void row_clear_content(void *context, int64_t row, int worker)
+/* Zeros to add to: a row of one of the arrays. */
+static void clear(const struct mpm_state *state, double *nodes, int64_t row)
 {
-    const struct mpm_state *const state = context;
     const struct mpm_row_span span = mpm_row_span(state, row);
-    const struct mpm_nodal_scalar *const scalar = at_work(state);
-    (void)worker;
-    memset(scalar->content + span.first, 0,
-           (size_t)(span.end - span.first) * sizeof *scalar->content);
+    memset(nodes + span.first, 0, (size_t)(span.end - span.first) * sizeof *nodes);
 }
 
-/* v_i = (sum c m v S) / M_i; room for inflow. Where held nodes are to settle, number 1 will say
- * which they are. */
+static void row_clear_content(void *state, int64_t row, int worker)
+{
+    (void)worker;
+    clear(state, at_work(state)->content, row);
+}
+
+static void row_clear_capacity(void *state, int64_t row, int worker)
+{
+    (void)worker;
+    clear(state, at_work(state)->capacity, row);
+}
+
+static void row_clear_inflow(void *state, int64_t row, int worker)
+{
+    (void)worker;
+    clear(state, at_work(state)->inflow, row);
+}
+
+static void row_clear_result(void *state, int64_t row, int worker)
+{
+    (void)worker;
+    clear(state, at_work(state)->result, row);
+}
+
+/* v_i = (sum c m v S) / M_i; room for inflow. */
 static void row_values(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;
     const struct mpm_row_span span = mpm_row_span(state, row);
     const struct mpm_nodal_scalar *const scalar = at_work(state);
     (void)worker;
-    for (int64_t node = span.first; node < span.end; node++) {
-        const double *const content = scalar->content[node];
-        const double value = content[0] * mpm_inverse_mass(content[2]);
-        scalar->value[node][0] = value;
-        scalar->value[node][1] = scalar->settles ? 0.0 : value;
-    }
-    memset(scalar->inflow + span.first, 0,
-           (size_t)(span.end - span.first) * sizeof *scalar->inflow);
+    for (int64_t node = span.first; node < span.end; node++)
+        scalar->value[node] = scalar->content[node] * mpm_inverse_mass(scalar->capacity[node]);
+    clear(state, scalar->inflow, row);
 }
 
 /* What particles will read: dv_i/dt, or with PIC v_i + dt dv_i/dt of the v_i without conditions. */
@@ -81,11 +96,11 @@ static inline void find_result(const struct mpm_state *state, int64_t row, bool 
     const struct mpm_nodal_scalar *const scalar = at_work(state);
     double sum = 0.0;
     for (int64_t node = span.first; node < span.end; node++) {
-        const double *const content = scalar->content[node], *const inflow = scalar->inflow[node];
-        const double inverse = mpm_inverse_mass(content[2]);
-        const double rate = (inflow[0] + inflow[1]) * inverse;
-        scalar->result[node][0] = pic ? content[0] * inverse + state->time_step * rate : rate;
-        sum += inflow[0] + inflow[1];
+        const double inverse = mpm_inverse_mass(scalar->capacity[node]);
+        const double rate = scalar->inflow[node] * inverse;
+        scalar->result[node] =
+            pic ? scalar->content[node] * inverse + state->time_step * rate : rate;
+        sum += scalar->inflow[node];
     }
     scalar->row_inflow[row] = sum;
 }
@@ -109,7 +124,7 @@ static bool is_held(const struct mpm_state *state, const struct mpm_nodal_scalar
                     int64_t node)
 {
     return mpm_node_is_active(state, node) && mpm_node_is_inside(state, node) &&
-           scalar->content[node][2] != 0.0;
+           scalar->capacity[node] != 0.0;
 }
 
 static enum mpm_status prescribed(const struct mpm_state *state,
@@ -129,15 +144,14 @@ static enum mpm_status prescribed(const struct mpm_state *state,
                           position[1], time, *value);
 }
 
-/* A number of the node's values and of those of its images. */
-static void set_number(const struct mpm_state *state, double (*const values)[MPM_NODE_VALUES],
-                       int64_t node, int number, double value)
+/* Of the node and its images. */
+static void set_number(const struct mpm_state *state, double *numbers, int64_t node, double number)
 {
     struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES];
     const int count = state->symmetries.count == 0 ? 0 : mpm_symmetry_images(state, node, images);
-    values[node][number] = value;
+    numbers[node] = number;
     for (int i = 0; i < count; i++)
-        values[images[i].node][number] = value;
+        numbers[images[i].node] = number;
 }
 
 static enum mpm_status hold_values(const struct mpm_state *state,
@@ -149,59 +163,42 @@ static enum mpm_status hold_values(const struct mpm_state *state,
         if (!is_held(state, scalar, hold->node))
             continue;
         MPM_TRY(prescribed(state, scalar, hold, state->time, &value, error));
-        set_number(state, scalar->value, hold->node, 0, value);
-        set_number(state, scalar->value, hold->node, 1, scalar->settles ? 1.0 : value);
+        set_number(state, scalar->value, hold->node, value);
     }
     return MPM_OK;
 }
 
-static void row_clear_result(void *context, int64_t row, int worker)
+/* result_i = sum_p c m S_ip sum_j S_jp value_j */
+static void filter(struct mpm_state *state, int workers, const struct mpm_nodal_scalar *scalar)
 {
-    const struct mpm_state *const state = context;
-    const struct mpm_row_span span = mpm_row_span(state, row);
-    const struct mpm_nodal_scalar *const scalar = at_work(state);
-    (void)worker;
-    memset(scalar->result + span.first, 0,
-           (size_t)(span.end - span.first) * sizeof *scalar->result);
-}
-
-static void row_restore_values(void *context, int64_t row, int worker)
-{
-    const struct mpm_state *const state = context;
-    const struct mpm_row_span span = mpm_row_span(state, row);
-    const struct mpm_nodal_scalar *const scalar = at_work(state);
-    (void)worker;
-    for (int64_t node = span.first; node < span.end; node++)
-        scalar->value[node][1] = scalar->value[node][0];
+    run_rows(state, scalar, row_clear_result);
+    mpm_scalar_pass_run(state, workers, scalar, state->kernels.scalar->filter);
+    mpm_symmetries_reflect_scalar(state, scalar->result);
 }
 
 /* D of each held node: what the nodes have at the places of its particles, less what those have;
  * both as sums with S_bp. */
 static void settle(struct mpm_state *state, int workers, struct mpm_nodal_scalar *scalar)
 {
-    const struct mpm_projection filter = {
-        .components = 2,
-        .field = scalar->row->field,
-        .from = scalar->value[0],
-        .to = scalar->result[0],
-        .weight = scalar->weight,
-    };
-    if (!scalar->settles) {
-        for (size_t k = 0; k < scalar->hold_count; k++)
-            scalar->settling[k] = 0.0;
+    struct mpm_nodal_scalar held = *scalar;
+    for (size_t k = 0; k < scalar->hold_count; k++)
+        scalar->settling[k] = 0.0;
+    if (!scalar->settles)
         return;
-    }
-    run_rows(state, scalar, row_clear_result);
-    mpm_projection_run(state, workers, &filter);
-    mpm_symmetries_reflect_scalar(state, scalar->result);
+    filter(state, workers, scalar);
     for (size_t k = 0; k < scalar->hold_count; k++) {
         const int64_t node = scalar->holds[k].node;
-        const double *const filtered = scalar->result[node];
-        scalar->settling[k] = is_held(state, scalar, node)
-                                  ? (filtered[0] - scalar->content[node][0]) / filtered[2]
-                                  : 0.0;
+        if (is_held(state, scalar, node)) {
+            scalar->settling[k] = scalar->result[node] - scalar->content[node];
+            set_number(state, scalar->inflow, node, 1.0);
+        }
     }
-    run_rows(state, scalar, row_restore_values);
+    held.value = scalar->inflow; /* 1 at held nodes: nothing has flowed in yet */
+    filter(state, workers, &held);
+    for (size_t k = 0; k < scalar->hold_count; k++)
+        if (is_held(state, scalar, scalar->holds[k].node))
+            scalar->settling[k] /= scalar->result[scalar->holds[k].node];
+    run_rows(state, scalar, row_clear_inflow);
     scalar->settles = false;
 }
 
@@ -214,16 +211,15 @@ static enum mpm_status hold_results(const struct mpm_state *state, struct mpm_no
     const bool pic = scalar->transfer == MPM_SCALAR_PIC;
     for (size_t k = 0; k < scalar->hold_count; k++) {
         const struct mpm_scalar_hold *const hold = &scalar->holds[k];
-        const double *const content = scalar->content[hold->node];
-        const double *const inflow = scalar->inflow[hold->node];
+        const double capacity = scalar->capacity[hold->node];
         double end;
         if (!is_held(state, scalar, hold->node))
             continue;
         MPM_TRY(prescribed(state, scalar, hold, state->time + dt, &end, error));
-        const double change = pic ? end - content[0] / content[2]
-                                  : end - scalar->value[hold->node][0] + scalar->settling[k];
-        scalar->totals.held += content[2] * change - dt * (inflow[0] + inflow[1]);
-        set_number(state, scalar->result, hold->node, 0, pic ? end : change / dt);
+        const double change = pic ? end - scalar->content[hold->node] / capacity
+                                  : end - scalar->value[hold->node] + scalar->settling[k];
+        scalar->totals.held += capacity * change - dt * scalar->inflow[hold->node];
+        set_number(state, scalar->result, hold->node, pic ? end : change / dt);
     }
     return MPM_OK;
 }
@@ -253,119 +249,34 @@ static void pass_source(void *context, int64_t index, int worker)
     strip->inflow = sum;
 }
 
-static void run_particles(struct mpm_state *state, int workers, struct mpm_nodal_scalar *scalar,
-                          mpm_pass *pass)
-{
-    state->transport.conducted = scalar;
-    mpm_strips_run(state->strip_count, workers, pass, state);
-    state->transport.conducted = NULL;
-}
-
 static void find_sources(struct mpm_state *state, int workers, struct mpm_nodal_scalar *scalar)
 {
     if (scalar->source == NULL)
         return;
-    run_particles(state, workers, scalar, pass_source);
+    mpm_scalar_pass_run(state, workers, scalar, pass_source);
     for (int64_t s = 0; s < state->strip_count; s++)
         scalar->totals.source += state->time_step * state->strips[s].inflow;
 }
 
-/* --------------------------------------------------------------------- conduction */
-
-/* k grad v; k turned by R of F = R U, the rotation by the angle of (F_xx + F_yy, F_yx - F_xy) */
-static void conduct(const struct mpm_scalar_body *body, const double f[MPM_GRADIENT_SIZE],
-                    const double gradient[2], double flow[2])
-{
-    double cosine = 1.0, sine = 0.0;
-    if (body->turns) {
-        const double sum = f[MPM_XX] + f[MPM_YY], difference = f[MPM_YX] - f[MPM_XY];
-        const double inverse = 1.0 / sqrt(sum * sum + difference * difference);
-        cosine = sum * inverse;
-        sine = difference * inverse;
-    }
-    const double along[2] = {cosine * gradient[0] + sine * gradient[1],
-                             cosine * gradient[1] - sine * gradient[0]};
-    const double turned[2] = {body->k[0] * along[0] + body->k[2] * along[1],
-                              body->k[2] * along[0] + body->k[1] * along[1]};
-    flow[0] = cosine * turned[0] - sine * turned[1];
-    flow[1] = sine * turned[0] + cosine * turned[1];
-}
-
-static void find_gradient(const struct mpm_stencil *stencil, double (*const value)[MPM_NODE_VALUES],
-                          double gradient[2])
-{
-    gradient[0] = gradient[1] = 0.0;
-    for (int k = 0; k < stencil->count; k++) {
-        const struct mpm_stencil_node *const entry = &stencil->node[k];
-        gradient[0] += value[entry->node][0] * entry->g[0];
-        gradient[1] += value[entry->node][0] * entry->g[1];
-    }
-}
-
-void mpm_pass_conduct(void *context, int64_t index, int worker)
-{
-    const struct mpm_state *const state = context;
-    struct mpm_strip *const strip = &state->strips[index];
-    const struct mpm_particles *const particles = &state->particles;
-    const struct mpm_nodal_scalar *const scalar = at_work(state);
-    double(*const inflow)[MPM_NODE_VALUES] = scalar->inflow + state->node_zero;
-    double largest = 0.0;
-    (void)worker;
-    for (size_t p = strip->begin; p < strip->end; p++) {
-        const struct mpm_scalar_body *const body = &scalar->bodies[particles->body[p]];
-        const double density = state->bodies[particles->body[p]].material.density;
-        struct mpm_stencil room;
-        double f[MPM_GRADIENT_SIZE], gradient[2], flow[2];
-        const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
-        mpm_particle_deformation(particles, p, f);
-        const double j = mpm_determinant(f), volume = particles->mass[p] * j;
-        const double source = scalar->source == NULL ? 0.0 : particles->source[p] / density;
-        find_gradient(stencil, scalar->value + state->node_zero, gradient);
-        conduct(body, f, gradient, flow);
-        largest = fmax(largest, j * body->diffusivity);
-        for (int k = 0; k < stencil->count; k++) {
-            const struct mpm_stencil_node *const entry = &stencil->node[k];
-            inflow[entry->node][0] += volume * source * entry->s;
-            inflow[entry->node][1] -= volume * (flow[0] * entry->g[0] + flow[1] * entry->g[1]);
-        }
-    }
-    strip->diffusivity = largest;
-}
-
 /* ------------------------------------------------------------------------ the step */
 
-static void spread(struct mpm_state *state, int workers, struct mpm_nodal_scalar *scalar)
+static void spread(struct mpm_state *state, int workers, const struct mpm_nodal_scalar *scalar)
 {
-    const struct mpm_projection content = {
-        .components = 1,
-        .field = scalar->row->field,
-        .to = scalar->content[0],
-        .weight = scalar->weight,
-        .whole = true,
-    };
     run_rows(state, scalar, row_clear_content);
-    mpm_projection_run(state, workers, &content);
+    run_rows(state, scalar, row_clear_capacity);
+    mpm_scalar_pass_run(state, workers, scalar, state->kernels.scalar->spread);
+    mpm_symmetries_reflect_scalar(state, scalar->capacity);
 }
 
 /* (62), Notes (142); nothing moves in a scene at rest, and the next step's contents are those of
  * the values that particles have now. */
 static void update_particles(struct mpm_state *state, int workers, struct mpm_nodal_scalar *scalar)
 {
+    const struct mpm_scalar_passes *const passes = state->kernels.scalar;
     const bool again = state->scene->at_rest;
-    const struct mpm_projection update = {
-        .components = 1,
-        .field = scalar->row->field,
-        .from = scalar->result[0],
-        .to = again ? scalar->content[0] : NULL,
-        .weight = scalar->weight,
-        .whole = true,
-        .adds = scalar->transfer == MPM_SCALAR_FLIP,
-        .stores = true,
-        .factor = state->time_step,
-    };
     if (again)
         run_rows(state, scalar, row_clear_content);
-    mpm_projection_run(state, workers, &update);
+    mpm_scalar_pass_run(state, workers, scalar, again ? passes->update_and_spread : passes->update);
     scalar->at_hand = again;
 }
 
@@ -390,7 +301,7 @@ static enum mpm_status advance(struct mpm_state *state, int workers,
     MPM_TRY(hold_values(state, scalar, error));
     settle(state, workers, scalar);
     find_sources(state, workers, scalar);
-    run_particles(state, workers, scalar, state->kernels.conduct);
+    mpm_scalar_pass_run(state, workers, scalar, state->kernels.scalar->conduct);
     mpm_transport_edges_spread(state, workers, scalar);
     mpm_symmetries_reflect_scalar(state, scalar->inflow);
     run_rows(state, scalar, scalar->transfer == MPM_SCALAR_PIC ? row_pic : row_rates);

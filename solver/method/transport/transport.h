@@ -65,9 +65,6 @@ void mpm_transport_forget(struct mpm_state *state);
 /* 1 / (2 kappa (1/h_x^2 + 1/h_y^2) + film (1/h_x + 1/h_y)); HUGE_VAL where nothing flows. */
 double mpm_transport_stable_step(const struct mpm_grid *grid, double diffusivity, double film);
 
-/* Inflow by conduction: a pass of the reference kernels, for state->transport.conducted. */
-void mpm_pass_conduct(void *state, int64_t strip, int worker);
-
 /* Content of a scalar: sum c_p m_p v_p; extremes of v_p, where not NULL. */
 double mpm_transport_content(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar,
                              double extremes[2]);

@@ -44,7 +44,7 @@ static void share_out(const struct mpm_state *state, const struct mpm_nodal_scal
     double taken = 0.0;
     int kept = 0;
     for (int k = 0; k < weights->count; k++)
-        if (scalar->content[state->node_zero + weights->entry[k].node][2] == 0.0)
+        if (scalar->capacity[state->node_zero + weights->entry[k].node] == 0.0)
             taken += weights->entry[k].w;
         else
             weights->entry[kept++] = weights->entry[k];
@@ -65,14 +65,14 @@ static void spread_edge(struct mpm_state *state, const struct mpm_nodal_scalar *
     share_out(state, scalar, edge);
     for (int k = 0; k < weights->count; k++) {
         area += weights->entry[k].w;
-        value += weights->entry[k].w * scalar->value[state->node_zero + weights->entry[k].node][0];
+        value += weights->entry[k].w * scalar->value[state->node_zero + weights->entry[k].node];
     }
     value = area == 0.0 ? 0.0 : value / area;
     if (flux->flux == MPM_FLUX_RADIATES && value < 0.0)
         mpm_strip_record(strip, MPM_BELOW_ZERO, edge->site->id, 0, value);
     const double phi = flux_at(flux, edge->traction[0], value);
     for (int k = 0; k < weights->count; k++)
-        scalar->inflow[state->node_zero + weights->entry[k].node][0] += weights->entry[k].w * phi;
+        scalar->inflow[state->node_zero + weights->entry[k].node] += weights->entry[k].w * phi;
     strip->inflow += area * phi;
     strip->film =
         fmax(strip->film, mpm_flux_slope(flux, value) /

@@ -5,7 +5,6 @@
 #define MPM_METHOD_TRANSPORT_STATE_H
 
 #include "base/expression.h"
-#include "method/transfer/projection_state.h"
 #include "model/scalar_conditions.h"
 #include "model/transport.h"
 
@@ -42,14 +41,15 @@ struct mpm_nodal_scalar {
     double *settling; /* per hold: what its node is moved by besides; see transport.h */
     bool settles;     /* in this step */
 
-    /* Per node, in the form that projections and fast kernels have: numbers 0 and 1 are equal or
-     * are to be added. Valid within one step; where nothing is, all zero. */
-    double (*content)[MPM_NODE_VALUES]; /* sum c m v S; from number 2 on sum c m S */
-    double (*value)[MPM_NODE_VALUES];   /* v_i at the start of the step, conditions included */
-    double (*inflow)[MPM_NODE_VALUES];  /* content per time: 0 of sources, 1 of conduction */
-    double (*result)[MPM_NODE_VALUES];  /* what particles read: dv_i/dt, or with PIC v_i^{n+1} */
-    double *row_inflow;                 /* per node row: its sum; finite if all are */
-    bool at_hand;                       /* content is that of the particles as they are */
+    /* One number per node. Valid within one step, in scenes at rest content and capacity until
+     * particles are sorted; where nothing is, zero. */
+    double *content;    /* sum c m v S */
+    double *capacity;   /* sum c m S */
+    double *value;      /* v_i at the start of the step, conditions included */
+    double *inflow;     /* content per time */
+    double *result;     /* what particles read: dv_i/dt, or with PIC v_i^{n+1} */
+    double *row_inflow; /* per node row: its sum; finite if all are */
+    bool at_hand;       /* content and capacity are those of the particles as they are */
     struct mpm_scalar_totals totals;
 };
 

@@ -33,19 +33,19 @@ static void first_moment(const struct test_run *run, const double b[AXES], doubl
     for (int64_t node = 0; node < nodes; node++) {
         double place[AXES];
         mpm_grid_position(&state->grid, node, place);
-        scalar->value[node][0] = scalar->value[node][1] = 0.7 + b[0] * place[0] + b[1] * place[1];
-        scalar->inflow[node][0] = scalar->inflow[node][1] = 0.0;
+        scalar->value[node] = 0.7 + b[0] * place[0] + b[1] * place[1];
+        scalar->inflow[node] = 0.0;
     }
     state->transport.conducted = scalar;
     for (int64_t strip = 0; strip < state->strip_count; strip++)
-        state->kernels.conduct(state, strip, 0);
+        state->kernels.scalar->conduct(state, strip, 0);
     state->transport.conducted = NULL;
     moment[0] = moment[1] = 0.0;
     for (int64_t node = 0; node < nodes; node++) {
         double place[AXES];
         mpm_grid_position(&state->grid, node, place);
         for (int axis = 0; axis < AXES; axis++)
-            moment[axis] += place[axis] * (scalar->inflow[node][0] + scalar->inflow[node][1]);
+            moment[axis] += place[axis] * scalar->inflow[node];
     }
 }
 
