@@ -15,8 +15,7 @@ static double value_at_end(const struct mpm_state *state, const struct mpm_nodal
     double sum = 0.0;
     for (int k = 0; k < stencil->count; k++) {
         const int64_t node = state->node_zero + stencil->node[k].node;
-        sum +=
-            stencil->node[k].s * (kept * scalar->value[node][0] + factor * scalar->result[node][0]);
+        sum += stencil->node[k].s * (kept * scalar->value[node] + factor * scalar->result[node]);
     }
     return sum;
 }

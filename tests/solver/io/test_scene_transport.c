@@ -78,8 +78,8 @@ static const char *const refused[][2] = {
     {"bodies.right={name: right, rigid: {velocity: [0, 0]}, temperature: 3, region: {rectangle: "
      "{from: [6, 0], to: [8, 2]}}}",
      "a temperature for a rigid body"},
-    {"contact={law: stick}", "heat conduction with contact between bodies"},
-    {"cracks=[{points: [[1, 1], [3, 1.1]]}]", "heat conduction with cracks"},
+    {"contact={law: stick}", "conduction with contact between bodies"},
+    {"cracks=[{points: [[1, 1], [3, 1.1]]}]", "conduction with cracks"},
     {"materials.wood={name: wood, law: none, density: 2, heat_capacity: 1, conductivity: 1}",
      "materials.1.law: got none beside materials with a stress"},
     {AT_REST, "bodies.0: a velocity in a scene where nothing moves"},
