@@ -202,6 +202,8 @@ static const char *rest_advice(const struct run *run, const struct mpm_rest *res
     const bool still = rest->kinetic_energy < asked->kinetic_energy;
     const bool falls = rest->fallen_time > 0.75 * mpm_simulation_time(run->simulation) &&
                        !mpm_simulation_stagnates(run->simulation);
+    if (mpm_scene_is_at_rest(run->scene))
+        return "the flow still changes: run longer";
     if (balanced && still)
         return "both are below now: run longer";
     if (balanced)

@@ -22,6 +22,7 @@
 #include "method/transfer/transfer.h"
 #include "method/transport/transport.h"
 #include "method/transport/transport_coupling.h"
+#include "method/transport/transport_rest.h"
 
 #include <math.h>
 #include <time.h>
@@ -273,6 +274,7 @@ static enum mpm_status advance_at_rest(struct mpm_state *state, double seconds[M
     mpm_grid_find_active(state);
     mpm_edge_loads_prepare(state);
     MPM_TRY(mpm_transport_advance(state, strips_touch(state) ? 1 : state->workers, error));
+    mpm_transport_measure_rest(state);
     charge(seconds, MPM_PHASE_TRANSPORT, &mark);
     state->steps_since_sort++;
     return mpm_step_collect(state);
@@ -296,6 +298,7 @@ static enum mpm_status advance_in_motion(struct mpm_state *state, double seconds
     if (state->transport.count > 0) {
         MPM_TRY(mpm_transport_advance(state, workers, error));
         mpm_transport_couple(state, workers);
+        mpm_transport_measure_rest(state);
         charge(seconds, MPM_PHASE_TRANSPORT, &mark);
     }
 

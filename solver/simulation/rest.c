@@ -17,7 +17,7 @@ static double residual(const struct mpm_simulation *simulation)
     const double scale = fmax(balance->internal, balance->unbalanced);
     if (simulation->step == 0)
         return 1.0;
-    return scale > 0.0 ? balance->unbalanced / scale : 0.0;
+    return fmax(scale > 0.0 ? balance->unbalanced / scale : 0.0, balance->flow);
 }
 
 static double kinetic_energy(const struct mpm_simulation *simulation)

@@ -90,7 +90,8 @@ static enum mpm_status build_rest(const struct mpm_reading *reading)
     scene->rest = (struct mpm_rest_spec){
         .asked = true,
         .residual = mpm_raw_double(raw->residual),
-        .kinetic_energy = mpm_raw_double(raw->kinetic_energy),
+        .kinetic_energy = raw->kinetic_energy == NULL ? 1.0 /* nothing moves */
+                                                      : mpm_raw_double(raw->kinetic_energy),
         .after = mpm_raw_double(raw->after),
         .steps = raw->steps,
         .patience = raw->patience,

@@ -172,9 +172,9 @@
 
 #define KEYS_rest(X, S)                                                                            \
     X(S, ONE, residual, NUMBER, ANYWHERE, REQUIRED, NONE, NULL, ABOVE_TO(0, 1),                      \
-      "threshold: unbalanced force of the free nodes over the internal forces of all")             \
-    X(S, ONE, kinetic_energy, NUMBER, ANYWHERE, REQUIRED, NONE, NULL, ABOVE_TO(0, 1),                \
-      "threshold: kinetic energy over the largest sum of kinetic and strain energy so far")        \
+      "threshold: unbalanced force of the free nodes over the internal forces of all; of transport, flow to the free nodes over the largest flow to all so far")             \
+    X(S, ONE, kinetic_energy, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, ABOVE_TO(0, 1),                \
+      "threshold: kinetic energy over the largest sum of kinetic and strain energy so far; required where something moves, and only there")        \
     X(S, ONE, steps, INTEGER, ANYWHERE, OPTIONAL, NONE, "10", FROM_TO(1, 1000000),                   \
       "both must be below for so many steps in a row")                                             \
     X(S, ONE, after, NUMBER, ANYWHERE, OPTIONAL, TIME, "0", AT_LEAST(0),                         \

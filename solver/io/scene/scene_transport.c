@@ -306,7 +306,7 @@ static enum mpm_status check_at_rest(const struct mpm_reading *reading)
         "damping",
         "contact",
         "cracks",
-        "time.rest",
+        "time.rest.kinetic_energy",
         "output.energy_balance",
         "output.fringe",
     };
@@ -333,6 +333,17 @@ static enum mpm_status check_at_rest(const struct mpm_reading *reading)
     return MPM_OK;
 }
 
+/* What moves comes to rest only with its particles. */
+static enum mpm_status check_rest(const struct mpm_reading *reading)
+{
+    const struct mpm_raw_rest *const rest = reading->raw->time->rest;
+    if (rest == NULL || rest->kinetic_energy != NULL)
+        return MPM_OK;
+    return mpm_reading_fault(reading, "time.rest",
+                             "no kinetic_energy, in a scene where something moves; allowed: above "
+                             "0, up to 1");
+}
+
 /* Materials without stress: all or none, and only with something to conduct. */
 static enum mpm_status find_rest(const struct mpm_reading *reading, bool conducts)
 {
@@ -344,7 +355,7 @@ static enum mpm_status find_rest(const struct mpm_reading *reading, bool conduct
         first = none && first == scene->material_count ? k : first;
     }
     if (without == 0)
-        return MPM_OK;
+        return check_rest(reading);
     if (without < scene->material_count || !conducts)
         return mpm_reading_fault(
             reading, mpm_path_join(mpm_path_entry("materials", first).text, "law").text,

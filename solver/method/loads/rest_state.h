@@ -10,6 +10,7 @@
 struct mpm_balance {
     double internal;   /* of all nodes */
     double unbalanced; /* of the components that nothing holds */
+    double flow;       /* of scalars, 0 to 1: transport/transport_rest.h */
 };
 
 /* What passes over rows leave for a sum in the rows' order; where a scene damps nodes, requires

@@ -10,9 +10,10 @@
 
 /* Content that has come in since t = 0. */
 struct mpm_scalar_totals {
-    double held;   /* at nodes with a prescribed value */
-    double source; /* by the source */
-    double edges;  /* through edges of particles */
+    double held;         /* at nodes with a prescribed value */
+    double source;       /* by the source */
+    double edges;        /* through edges of particles */
+    double largest_flow; /* per time, sum |inflow| over the nodes; with time.rest */
 };
 
 /* Of bodies that expand with a scalar, or are gases, since t = 0; see transfer/law_state.h. */

@@ -83,6 +83,11 @@ static const char *const refused[][2] = {
     {"materials.wood={name: wood, law: none, density: 2, heat_capacity: 1, conductivity: 1}",
      "materials.1.law: got none beside materials with a stress"},
     {AT_REST, "bodies.0: a velocity in a scene where nothing moves"},
+    {"time={end: 1, rest: {residual: 0.1}}", "time.rest: no kinetic_energy"},
+    {"materials.steel.saturation=1", "given in a scene without transport.concentration"},
+    {"materials.steel.swelling=1", "given in a scene without transport.concentration"},
+    {"bodies.left.concentration=1", "given in a scene without transport.concentration"},
+    {"transport.concentration={}", "no saturation, in a scene with transport.concentration"},
 };
 
 START_TEST(what_contradicts_itself_is_refused)
@@ -100,7 +105,7 @@ static const char *const refused_at_rest[][2] = {
     {"method.transfer={kind: pic}", "method.transfer: given in a scene where nothing moves"},
     {"loads={body_force: [0, 1]}", "loads: given in a scene where nothing moves"},
     {"damping={grid: 1}", "damping: given in a scene where nothing moves"},
-    {"time={end: 1, rest: {residual: 0.1, kinetic_energy: 0.1}}", "time.rest: given"},
+    {"time={end: 1, rest: {residual: 0.1, kinetic_energy: 0.1}}", "time.rest.kinetic_energy: given"},
     {"output={energy_balance: true}", "output.energy_balance: given"},
     {"boundary=[{region: all, velocity: [0, 0]}]", "boundary.0: a velocity in a scene where"},
     {"bodies.right={name: right, rigid: {velocity: [0, 0]}, region: {rectangle: {from: [6, 0], to: "

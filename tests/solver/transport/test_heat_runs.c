@@ -225,6 +225,74 @@ START_TEST(steps_stay_below_the_limit_of_explicit_conduction)
 }
 END_TEST
 
+/* ------------------------------------------------------------- a steady state */
+
+/* A hot and a cold side: in the end what flows into one flows out of the other. The slowest mode
+ * dies as exp(-pi^2 kappa t / 4.8^2) = exp(-0.107 t). */
+START_TEST(conduction_comes_to_rest_when_what_flows_in_flows_out)
+{
+    static const char SIDES[] =
+        "transport.temperature.conditions=[{region: {line: {from: [0, 3.2], to: [14, 3.2]}}, "
+        "value: 1}, {region: {line: {from: [0, 8], to: [14, 8]}}, value: 3}]";
+    struct settings settings = {.count = 0};
+    settings_add(&settings, HEAT_BLOCK_AT_REST);
+    settings_add(&settings, SIDES);
+    settings_add(&settings, "time={end: 1000, courant: 0.4, rest: {residual: 1e-8}}");
+    struct test_run run = heat_block_open(&settings, heat_block_kernels(_i));
+    struct mpm_rest rest;
+    int steps = 0;
+    while (!mpm_simulation_at_rest(run.simulation, &rest) && steps++ < 1000)
+        test_run_steps(&run, 1);
+    const struct mpm_particles *const particles = &run.simulation->state.particles;
+    ck_assert(rest.residual < 1e-8 && steps > 100 && steps < 1000);
+    for (size_t p = 0; p < particles->count; p++)
+        ck_assert_near(particles->temperature[p],
+                       1.0 + 2.0 * (particles->position[1][p] - 3.2) / 4.8, 1e-2);
+    test_run_close(&run);
+    settings_clear(&settings);
+}
+END_TEST
+
+/* -------------------------------------------------------------------- solvent */
+
+/* The same numbers as conductivity and capacity of heat, with a saturation for the scale. */
+static const char TWO_SCALARS[] =
+    "materials=[{name: soft, law: neo_hookean, density: 2, bulk: 1.25, shear: 0.75, heat_capacity: "
+    "0.5, principal_conductivities: [0.25, 0.1], conductivity_angle: 20, saturation: 3, "
+    "principal_diffusivities: [0.25, 0.1], diffusivity_angle: 20}]";
+
+/* c rho_0 = 1 and k = D: both follow the same equation, and content differs by c_s / (c rho_0). */
+START_TEST(a_solvent_diffuses_as_heat_does)
+{
+    struct settings settings = test_combination_settings(_i);
+    const bool axisymmetric = is_axisymmetric(_i);
+    settings_add(&settings, TWO_SCALARS);
+    heat_block_add_wild_heat(&settings, axisymmetric);
+    settings_add(&settings, HEAT_BLOCK_HOT_SIDE);
+    settings_add(&settings, "transport.temperature.fluxes=[{body: block, edge: right, convection: "
+                            "{coefficient: 0.4, ambient: 2}}]");
+    settings_add_formatted(
+        &settings,
+        "transport.concentration={start: '%s', source: '3*cos(%s+2*%s+t)', conditions: [{region: "
+        "{line: {from: [0, 3.2], to: [14, 3.2]}}, value: '1+0.1*t'}], fluxes: [{body: block, edge: "
+        "right, convection: {coefficient: 1.2, ambient: 2}}]}",
+        axisymmetric ? "sin(3*r)*cos(2*z)" : "sin(3*x)*cos(2*y)", axisymmetric ? "r" : "x",
+        axisymmetric ? "z" : "y");
+    settings_add(&settings, "time={end: 1000, step: 0.05}");
+    struct test_run run = heat_block_open(&settings, MPM_KERNELS_AUTO);
+    test_run_steps(&run, test_combination(_i).amplifies_round_off ? 3 : 20);
+    const struct mpm_particles *const particles = &run.simulation->state.particles;
+    for (size_t p = 0; p < particles->count; p++)
+        ck_assert_near(particles->concentration[p], particles->temperature[p], 1e-11);
+    const struct mpm_nodal_scalar *const list = run.simulation->state.transport.list;
+    ck_assert_near(list[1].totals.held, 3.0 * list[0].totals.held, 1e-10);
+    ck_assert_near(list[1].totals.edges, 3.0 * list[0].totals.edges, 1e-10);
+    ck_assert_near(list[1].totals.source, 3.0 * list[0].totals.source, 1e-10);
+    test_run_close(&run);
+    settings_clear(&settings);
+}
+END_TEST
+
 Suite *suite_heat_runs(void)
 {
     Suite *suite = suite_create("heat_runs");
@@ -238,6 +306,9 @@ Suite *suite_heat_runs(void)
     tcase_add_loop_test(all, bits_of_temperatures_do_not_depend_on_threads, 0, 2);
     tcase_add_loop_test(all, a_failed_run_has_the_temperatures_of_its_last_good_step, 0, 2);
     tcase_add_loop_test(all, a_prescribed_temperature_that_is_not_finite_ends_the_run, 0, 1);
+    tcase_add_loop_test(all, conduction_comes_to_rest_when_what_flows_in_flows_out, 0,
+                        HEAT_BLOCK_SETS);
+    tcase_add_loop_test(all, a_solvent_diffuses_as_heat_does, 0, TEST_COMBINATIONS);
     tcase_add_test(all, steps_stay_below_the_limit_of_explicit_conduction);
     suite_add_tcase(suite, all);
     return suite;
