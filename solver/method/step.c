@@ -23,6 +23,7 @@
 #include "method/transport/transport.h"
 #include "method/transport/transport_coupling.h"
 #include "method/transport/transport_rest.h"
+#include "method/transport/transport_steps.h"
 
 #include <math.h>
 #include <time.h>
@@ -296,9 +297,7 @@ static enum mpm_status advance_in_motion(struct mpm_state *state, double seconds
     charge(seconds, MPM_PHASE_TO_GRID, &mark);
 
     if (state->transport.count > 0) {
-        MPM_TRY(mpm_transport_advance(state, workers, error));
-        mpm_transport_couple(state, workers);
-        mpm_transport_measure_rest(state);
+        MPM_TRY(mpm_transport_take(state, workers, error));
         charge(seconds, MPM_PHASE_TRANSPORT, &mark);
     }
 

@@ -296,7 +296,9 @@ struct mpm_scene {
     size_t crack_count;
     struct mpm_contact_spec contact;
     struct mpm_scalar_spec scalars[MPM_SCALAR_COUNT];
-    bool at_rest; /* materials have no stress, nothing moves: transport alone */
+    int64_t transport_substeps,
+        transport_every; /* method/transport/transport_steps.h; 1: one each */
+    bool at_rest;        /* materials have no stress, nothing moves: transport alone */
     struct mpm_j_integral_spec *j_integrals; /* of all cracks, crack by crack */
     size_t j_integral_count;
 

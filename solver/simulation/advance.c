@@ -72,12 +72,14 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
     }
     bool lands;
     state->time_step = mpm_time_step_next(simulation, time_limit, &lands);
+    state->transport.flush = lands;
     if (take_step(simulation, error) != MPM_OK)
         return fail(simulation, simulation->step, error);
     const uint64_t since = simulation->step - simulation->backup.step;
     state->time = lands ? time_limit : state->time + state->time_step;
     simulation->backup.time_steps[since] = state->time_step;
     simulation->backup.times[since] = state->time;
+    simulation->backup.landed[since] = lands;
     mpm_speeds_update(simulation);
     mpm_simulation_count_step(simulation);
     if (simulation->scene->rest.asked)

@@ -66,6 +66,8 @@ void mpm_backup_save(struct mpm_simulation *simulation)
     backup->sudden_energy = state->sudden_energy;
     backup->damping = state->damping.totals;
     backup->expansion = state->transport.expansion;
+    backup->transport_waited = state->transport.waited;
+    backup->transport_steps_waited = state->transport.steps_waited;
     backup->energy = state->energy;
     backup->wave_speed = simulation->wave_speed;
     backup->diffusivity = simulation->diffusivity;
@@ -91,6 +93,8 @@ static void copy_back(struct mpm_simulation *simulation)
     state->sudden_energy = backup->sudden_energy;
     state->damping.totals = backup->damping;
     state->transport.expansion = backup->expansion;
+    state->transport.waited = backup->transport_waited;
+    state->transport.steps_waited = backup->transport_steps_waited;
     state->energy = backup->energy;
     simulation->wave_speed = backup->wave_speed;
     simulation->diffusivity = backup->diffusivity;
@@ -105,6 +109,7 @@ void mpm_backup_repeat(struct mpm_simulation *simulation)
     struct mpm_state *const state = &simulation->state;
     const uint64_t k = simulation->step - simulation->backup.step;
     state->time_step = simulation->backup.time_steps[k];
+    state->transport.flush = simulation->backup.landed[k];
     (void)mpm_step_advance(state, simulation->seconds, NULL); /* it has succeeded before, */
     (void)mpm_cracks_grow(simulation, NULL);                  /* and so has this */
     state->time = simulation->backup.times[k];

@@ -36,12 +36,15 @@ struct mpm_backup {
     double time, external_work, largest_work, sudden_energy, wave_speed, diffusivity, film;
     struct mpm_scalar_totals scalars[MPM_SCALAR_COUNT];
     struct mpm_expansion_totals expansion;
+    double transport_waited;
+    int64_t transport_steps_waited;
     struct mpm_damping_totals damping;
     struct mpm_contact_totals *contact_totals; /* per pair of fields */
     struct mpm_contact_sample *contact_samples;
     struct mpm_energy_balance energy;
     uint64_t step;
     double time_steps[MPM_STEPS_BETWEEN_SORTS]; /* of the steps since, */
+    bool landed[MPM_STEPS_BETWEEN_SORTS];       /* at a time of results, */
     double times[MPM_STEPS_BETWEEN_SORTS];      /* and where they ended */
 };
 

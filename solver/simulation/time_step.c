@@ -85,7 +85,8 @@ static double conduction_time(const struct mpm_simulation *simulation)
 
 static double longest_step(const struct mpm_simulation *simulation)
 {
-    return fmin(crossing_time(simulation), conduction_time(simulation));
+    const double parts = (double)simulation->scene->transport_substeps;
+    return fmin(crossing_time(simulation), parts * conduction_time(simulation));
 }
 
 /* The scene's, or the Courant number times the bound. */
@@ -151,7 +152,8 @@ enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,
                                     struct mpm_error *error)
 {
     const struct mpm_scene *const scene = simulation->scene;
-    const double crossing = crossing_time(simulation), conduction = conduction_time(simulation);
+    const double crossing = crossing_time(simulation);
+    const double conduction = (double)scene->transport_substeps * conduction_time(simulation);
     const bool particles = simulation->particle_speed > simulation->wave_speed;
     MPM_TRY(check_count(simulation, error));
     if (scene->step <= fmin(crossing, conduction) || scene->allow_unstable)
@@ -159,7 +161,10 @@ enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,
     if (conduction < crossing)
         return refuse_step(
             simulation, conduction,
-            "1 / (2 kappa (1/h_x^2 + 1/h_y^2)) without fluxes on edges, diffusivity kappa",
+            scene->transport_substeps == 1
+                ? "1 / (2 kappa (1/h_x^2 + 1/h_y^2)) without fluxes on edges, diffusivity kappa"
+                : "transport.substeps / (2 kappa (1/h_x^2 + 1/h_y^2)) without fluxes on edges, "
+                  "diffusivity kappa",
             simulation->diffusivity, error);
     return refuse_step(simulation, crossing,
                        particles ? "cell size over the speed of particles,"

@@ -241,6 +241,8 @@ enum mpm_status mpm_transport_fill(struct mpm_simulation *simulation, struct mpm
             simulation->diffusivity =
                 fmax(simulation->diffusivity, scalar->bodies[body].diffusivity);
     }
+    state->transport.diffusivity = simulation->diffusivity;
+    state->transport.film = simulation->film;
     return MPM_OK;
 }
 

@@ -307,6 +307,8 @@ static enum mpm_status check_at_rest(const struct mpm_reading *reading)
         "contact",
         "cracks",
         "time.rest.kinetic_energy",
+        "transport.substeps",
+        "transport.every",
         "output.energy_balance",
         "output.fringe",
     };
@@ -377,6 +379,17 @@ static enum mpm_status check_fields(const struct mpm_reading *reading)
                              scene->crack_count > 0 ? "cracks" : "contact between bodies");
 }
 
+static enum mpm_status check_steps(const struct mpm_reading *reading, bool conducts)
+{
+    static const char *const keys[] = {"transport.substeps", "transport.every"};
+    for (size_t k = 0; !conducts && k < sizeof keys / sizeof keys[0]; k++)
+        if (mpm_reading_given(reading, keys[k]))
+            return mpm_reading_fault(reading, keys[k],
+                                     "given in a scene that conducts nothing; allowed: with "
+                                     "transport.temperature or transport.concentration");
+    return MPM_OK;
+}
+
 enum mpm_status mpm_build_transport(const struct mpm_reading *reading)
 {
     struct given given[MPM_SCALAR_COUNT];
@@ -385,7 +398,10 @@ enum mpm_status mpm_build_transport(const struct mpm_reading *reading)
         given[which] = readers[which].given(reading);
         conducts = conducts || given[which].asked;
     }
+    reading->scene->transport_substeps = reading->raw->transport->substeps;
+    reading->scene->transport_every = reading->raw->transport->every;
     MPM_TRY(find_rest(reading, conducts));
+    MPM_TRY(check_steps(reading, conducts));
     if (conducts)
         MPM_TRY(check_fields(reading));
     for (int k = 0; k < MPM_SCALAR_COUNT; k++) {

@@ -112,6 +112,10 @@
 #define KEYS_transport(X, S)                                                                       \
     X(S, GROUP, temperature, temperature, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                       \
       "heat conduction: materials need heat_capacity and a conductivity")                       \
+    X(S, ONE, substeps, INTEGER, ANYWHERE, OPTIONAL, NONE, "1", FROM_TO(1, 10000),                   \
+      "a step of the mechanics may have so many equal ones of transport, as many as the limit of transport requires") \
+    X(S, ONE, every, INTEGER, ANYWHERE, OPTIONAL, NONE, "1", FROM_TO(1, 1000000),                    \
+      "transport takes place after so many steps of the mechanics, over their time; earlier where its limit requires it, and at times of results") \
     X(S, GROUP, concentration, concentration, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                   \
       "diffusion of a solvent, as a part of saturation: materials need saturation and a diffusivity")
 

@@ -267,9 +267,12 @@ static bool add_heat(const struct mpm_state *state, size_t p, struct evaluation 
 /* ---------------------------------------------------------------- a step's part */
 
 /* The free strain and temperature that transport leads to by the end of this part. */
-static void take_scalars(const struct mpm_particles *particles, size_t p, double part,
+static void take_scalars(const struct mpm_state *state, size_t p, double part,
                          struct evaluation *at)
 {
+    const struct mpm_particles *const particles = &state->particles;
+    if (!state->transport.couples)
+        return;
     if (particles->free_strain != NULL)
         at->now.free_strain += part * particles->free_strain_step[p];
     if (particles->law_temperature != NULL)
@@ -310,7 +313,7 @@ bool mpm_particle_update_law(const struct mpm_state *state, size_t p, double par
     at.duration = part * state->time_step;
     at.plane_stress = state->scene->geometry == MPM_PLANE_STRESS;
     memcpy(at.now.f, f, sizeof at.now.f);
-    take_scalars(particles, p, part, &at);
+    take_scalars(state, p, part, &at);
     evaluate(particles, p, &at);
     if (heats && !add_heat(state, p, &at, strip))
         return false;

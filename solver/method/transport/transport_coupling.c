@@ -23,10 +23,9 @@ static double value_at_end(const struct mpm_state *state, const struct mpm_nodal
 static void couple_strip(void *context, int64_t index, int worker)
 {
     const struct mpm_state *const state = context;
-    struct mpm_strip *const strip = &state->strips[index];
+    const struct mpm_strip *const strip = &state->strips[index];
     const struct mpm_particles *const particles = &state->particles;
     (void)worker;
-    strip->expansion_work = strip->deformation_heat = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         double value[MPM_SCALAR_COUNT] = {0.0};
         struct mpm_stencil room;
@@ -46,8 +45,18 @@ static void couple_strip(void *context, int64_t index, int worker)
 
 void mpm_transport_couple(struct mpm_state *state, int workers)
 {
-    if (mpm_scene_couples(state->scene))
-        mpm_strips_run(state->strip_count, workers, couple_strip, state);
+    mpm_transport_couple_nothing(state);
+    if (!mpm_scene_couples(state->scene))
+        return;
+    mpm_strips_run(state->strip_count, workers, couple_strip, state);
+    state->transport.couples = true;
+}
+
+void mpm_transport_couple_nothing(struct mpm_state *state)
+{
+    state->transport.couples = false;
+    for (int64_t s = 0; s < state->strip_count; s++)
+        state->strips[s].expansion_work = state->strips[s].deformation_heat = 0.0;
 }
 
 void mpm_transport_finish(struct mpm_state *state)

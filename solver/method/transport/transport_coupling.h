@@ -12,6 +12,9 @@
  * Cost: one pass over the particles. */
 void mpm_transport_couple(struct mpm_state *state, int workers);
 
+/* The same in a step without conduction. */
+void mpm_transport_couple_nothing(struct mpm_state *state);
+
 /* After the last stress update of a step: sums of what it did. */
 void mpm_transport_finish(struct mpm_state *state);
 

@@ -59,6 +59,10 @@ struct mpm_transport {
     struct mpm_nodal_scalar *list;
     size_t count;
     struct mpm_expansion_totals expansion;
+    bool couples;  /* in this step the stresses follow what conduction has changed */
+    bool flush;    /* the step ends at a time of results: transport_steps.h */
+    double waited; /* time since the last conduction, with this step */
+    int64_t steps_waited;
     const struct mpm_nodal_scalar *conducted; /* by the pass that runs */
     double diffusivity; /* largest J k / (c rho_0) of all particles and scalars in the step */
     double film;        /* largest derivative of a flux on edges by its scalar, over c rho_0 */

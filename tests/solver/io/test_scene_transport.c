@@ -108,6 +108,7 @@ static const char *const refused_at_rest[][2] = {
     {"time={end: 1, rest: {residual: 0.1, kinetic_energy: 0.1}}", "time.rest.kinetic_energy: given"},
     {"output={energy_balance: true}", "output.energy_balance: given"},
     {"boundary=[{region: all, velocity: [0, 0]}]", "boundary.0: a velocity in a scene where"},
+    {"transport.substeps=2", "transport.substeps: given in a scene where nothing moves"},
     {"bodies.right={name: right, rigid: {velocity: [0, 0]}, region: {rectangle: {from: [6, 0], to: "
      "[8, 2]}}}",
      "bodies.1: a rigid body in a scene where nothing moves"},

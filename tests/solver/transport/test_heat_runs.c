@@ -169,8 +169,10 @@ START_TEST(a_failed_run_has_the_temperatures_of_its_last_good_step)
     for (int k = 0; k < 2; k++) {
         struct settings settings = heat_block_rest_settings(_i);
         settings_add(&settings, "transport.temperature.source='1/(2-t>0.001 ? 1 : 0)'");
-        if (_i % 2 == 0)
+        if (_i == 0)
             settings_add(&settings, HEAT_BLOCK_AT_REST);
+        if (_i == 2)
+            settings_add(&settings, "transport.every=3");
         runs[k] = heat_block_open(&settings, MPM_KERNELS_AUTO);
         settings_clear(&settings);
     }
@@ -253,6 +255,68 @@ START_TEST(conduction_comes_to_rest_when_what_flows_in_flows_out)
 }
 END_TEST
 
+/* ------------------------------------------------- steps of conduction of their own */
+
+/* A block that stays where it is, after `steps` steps, fewer than there are between two sorts,
+ * after which particles settle (transport.h). */
+static struct test_run resting_block(int index, const char *time, const char *transport, int steps)
+{
+    struct settings settings = heat_block_rest_settings(index);
+    settings_add(&settings, "materials.soft.conductivity=2");
+    settings_add(&settings, time);
+    settings_add(&settings, transport);
+    struct test_run run = heat_block_open(&settings, MPM_KERNELS_AUTO);
+    test_run_steps(&run, steps);
+    settings_clear(&settings);
+    return run;
+}
+
+static void compare_temperatures(struct test_run runs[2])
+{
+    const struct mpm_particles *const a = &runs[0].simulation->state.particles;
+    const struct mpm_particles *const b = &runs[1].simulation->state.particles;
+    for (size_t p = 0; p < a->count; p++)
+        ck_assert_near(a->temperature[p], b->temperature[p], 1e-12);
+    ck_assert_near(heat_block_scalar(&runs[0])->totals.held,
+                   heat_block_scalar(&runs[1])->totals.held, 1e-11);
+    ck_assert_near(heat_block_scalar(&runs[0])->totals.source,
+                   heat_block_scalar(&runs[1])->totals.source, 1e-11);
+    for (int k = 0; k < 2; k++)
+        test_run_close(&runs[k]);
+}
+
+/* kappa = 2: its limit is 0.0976, and 0.2 has three steps of conduction. */
+START_TEST(a_step_in_parts_conducts_as_so_many_steps_do)
+{
+    struct test_run runs[2] = {
+        resting_block(_i, "time={end: 1000, step: 0.2}", "transport.substeps=10", 7),
+        resting_block(_i, "time={end: 1000, step: 0.066666666666666666}", "transport.every=1", 21),
+    };
+    compare_temperatures(runs);
+}
+END_TEST
+
+START_TEST(conduction_that_waits_is_that_of_one_long_step)
+{
+    struct test_run runs[2] = {
+        resting_block(_i, "time={end: 1000, step: 0.015}", "transport.every=5", 30),
+        resting_block(_i, "time={end: 1000, step: 0.075}", "transport.every=1", 6),
+    };
+    compare_temperatures(runs);
+}
+END_TEST
+
+/* It would pass its limit, 0.0976, with the seventh step. */
+START_TEST(conduction_does_not_wait_beyond_its_limit)
+{
+    struct test_run runs[2] = {
+        resting_block(_i, "time={end: 1000, step: 0.015}", "transport.every=100", 30),
+        resting_block(_i, "time={end: 1000, step: 0.09}", "transport.every=1", 5),
+    };
+    compare_temperatures(runs);
+}
+END_TEST
+
 /* -------------------------------------------------------------------- solvent */
 
 /* The same numbers as conductivity and capacity of heat, with a saturation for the scale. */
@@ -304,10 +368,13 @@ Suite *suite_heat_runs(void)
                         HEAT_BLOCK_REST);
     tcase_add_loop_test(all, heat_alone_is_heat_in_a_body_that_does_not_move, 0, HEAT_BLOCK_REST);
     tcase_add_loop_test(all, bits_of_temperatures_do_not_depend_on_threads, 0, 2);
-    tcase_add_loop_test(all, a_failed_run_has_the_temperatures_of_its_last_good_step, 0, 2);
+    tcase_add_loop_test(all, a_failed_run_has_the_temperatures_of_its_last_good_step, 0, 3);
     tcase_add_loop_test(all, a_prescribed_temperature_that_is_not_finite_ends_the_run, 0, 1);
     tcase_add_loop_test(all, conduction_comes_to_rest_when_what_flows_in_flows_out, 0,
                         HEAT_BLOCK_SETS);
+    tcase_add_loop_test(all, a_step_in_parts_conducts_as_so_many_steps_do, 0, HEAT_BLOCK_REST);
+    tcase_add_loop_test(all, conduction_that_waits_is_that_of_one_long_step, 0, HEAT_BLOCK_REST);
+    tcase_add_loop_test(all, conduction_does_not_wait_beyond_its_limit, 0, HEAT_BLOCK_REST);
     tcase_add_loop_test(all, a_solvent_diffuses_as_heat_does, 0, TEST_COMBINATIONS);
     tcase_add_test(all, steps_stay_below_the_limit_of_explicit_conduction);
     suite_add_tcase(suite, all);
