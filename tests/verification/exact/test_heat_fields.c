@@ -5,6 +5,7 @@
 #include "suites.h"
 #include "support/near.h"
 #include "verification/exact/heat.h"
+#include "verification/exact/uptake.h"
 
 #include <glib.h>
 #include <math.h>
@@ -85,6 +86,37 @@ START_TEST(a_driven_slab_has_the_temperature_of_nafems)
 }
 END_TEST
 
+/* A slab in 200 layers by explicit differences; the surface is half a layer from the last one. */
+static double layered_uptake(double b, double tau)
+{
+    enum { LAYERS = 200 };
+    const double h = 1.0 / LAYERS, step = 0.25 * h * h;
+    const int steps = (int)ceil(tau / step);
+    double v[LAYERS] = {0.0}, flux[LAYERS + 1] = {0.0}, sum = 0.0;
+    for (int n = 0; n < steps; n++) {
+        for (int k = 1; k < LAYERS; k++)
+            flux[k] = (v[k] - v[k - 1]) / h;
+        flux[LAYERS] = b * (1.0 - v[LAYERS - 1]) / (1.0 + 0.5 * b * h);
+        for (int k = 0; k < LAYERS; k++)
+            v[k] += tau / steps * (flux[k + 1] - flux[k]) / h;
+    }
+    for (int k = 0; k < LAYERS; k++)
+        sum += v[k] * h;
+    return sum;
+}
+
+START_TEST(what_a_slab_takes_up_is_that_of_its_layers)
+{
+    static const double b[] = {0.1, 2.0, 30.0};
+    for (size_t k = 0; k < G_N_ELEMENTS(b); k++) {
+        ck_assert_near(slab_uptake(b[k], 0.0), 0.0, 1e-7 * (1.0 + b[k] * b[k]));
+        ck_assert_near(slab_uptake(b[k], 0.05), layered_uptake(b[k], 0.05), 2e-5);
+        ck_assert_near(slab_uptake(b[k], 0.5), layered_uptake(b[k], 0.5), 2e-5);
+        ck_assert_near(slab_uptake(b[k], 200.0), 1.0, 1e-8);
+    }
+}
+END_TEST
+
 Suite *suite_heat_fields(void)
 {
     Suite *suite = suite_create("heat_fields");
@@ -93,6 +125,7 @@ Suite *suite_heat_fields(void)
     tcase_add_loop_test(fields, fields_of_fluxes_solve_the_equation, 0, HEAT_SPHERE);
     tcase_add_test(fields, a_sphere_has_no_field_of_a_flux);
     tcase_add_test(fields, a_driven_slab_has_the_temperature_of_nafems);
+    tcase_add_test(fields, what_a_slab_takes_up_is_that_of_its_layers);
     suite_add_tcase(suite, fields);
     return suite;
 }
