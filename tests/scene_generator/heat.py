@@ -12,7 +12,7 @@ import numpy
 import compare
 from case import evaluate, require
 from meaning import OF_MOTION
-from motion import still
+from motion import LAST_DIGITS, inside_planes, nodes_of, still
 from transform import names_of
 
 LEVEL = 7.3  # of temperatures that a scene is given, of the size of those that it has
@@ -87,6 +87,26 @@ def temperatures_stay_between(case):
             f"temperatures between {lowest:.6g} and {highest:.6g}, where the start, the conditions and "
             f"the surroundings have {low:.6g} to {high:.6g}")
     return True
+
+
+def prescribed_temperatures_hold(case):
+    """At the start of each step nodes with a prescribed temperature have it where gradients are taken."""
+    conditions = case.heat.get("conditions", []) if case.heat is not None else []
+    if not conditions or case.plain.status != 0:
+        return False
+    status, message, rows = case.runner.nodes(case.brief)
+    require(status == 0, f"mpm-nodes: exit {status}: {message}")
+    rows = rows[inside_planes(case, rows[:, 3:5])]
+    judged = False
+    for condition in conditions:
+        for row in rows[nodes_of(condition["region"], rows[:, 3:5], case.cell)]:
+            wanted = evaluate(condition["value"], t=row[1] - row[2],
+                              **dict(zip(names_of(case.scene), row[3:5])))
+            judged = True
+            require(abs(row[8] - wanted) <= 1e2 * LAST_DIGITS * (abs(wanted) + LEVEL),
+                    f"step {row[0]:.0f}: node ({row[3]:g}, {row[4]:g}) has the temperature "
+                    f"{row[8]:.6g}, not {wanted:.6g}")
+    return judged
 
 
 # ----------------------------------------------------------- changes of temperature
