@@ -179,6 +179,28 @@ def one_temperature_stays(case):
     return True
 
 
+def surroundings_warm_what_is_colder(case):
+    """Bodies of one temperature, and surroundings that are warmer by 1: heat flows in, and not more than they
+    need to become as warm. At the longest stable step an edge may swing, and give back less than it took."""
+    if case.heat is None or case.plain.status != 0:
+        return False
+    scene = with_temperatures(case.brief, lambda _: LEVEL)
+    heat = scene["transport"]["temperature"]
+    heat.pop("source", None), heat.pop("conditions", None)
+    heat["fluxes"] = [flux for flux in heat.get("fluxes", []) if "value" not in flux]
+    for flux in heat["fluxes"]:
+        (flux.get("convection") or flux["radiation"])["ambient"] = LEVEL + 1
+    if not heat["fluxes"]:
+        return False
+    run = ended(case, scene, "with warm surroundings")
+    gained = numpy.diff(run.history["edge_heat"])
+    room = capacity_of(case, run.start).sum()
+    require(gained[0] > 0 and gained.min() > -gained.max() and 0 < gained.sum() < room,
+            f"warm surroundings give {gained.min():.3g} to {gained.max():.3g} in a step, "
+            f"{gained.sum():.3g} in all, to bodies that could take {room:.3g}")
+    return True
+
+
 # ------------------------------------------------------------------------- at rest
 def alone(scene):
     """The scene without mechanics."""
