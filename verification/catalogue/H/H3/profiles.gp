@@ -3,7 +3,7 @@
 load style
 set output output
 set xlabel 'distance from the centre / a'
-set ylabel 'temperature over that of the surface, over q a/k, or at first'
+set ylabel 'temperature over its scale'
 set xrange [0:1.02]
 set yrange [-0.02:1.05]
 set key top left
@@ -14,4 +14,4 @@ plot file('held_ugimp') using (rho($1, $2)):4 smooth unique with lines ls 1 titl
      file('mode_ugimp') using (rho($1, $2)):4 smooth unique with lines ls 1 notitle, \
      file('held_ugimp') using (rho($1, $2)):3 every 11 with points ls 2 title 'surface held, 16 cells', \
      file('flux_ugimp') using (rho($1, $2)):3 every 41 with points ls 3 title 'flux, 32 cells', \
-     file('mode_ugimp') using (rho($1, $2)):3 every 41 with points ls 4 title 'mode in a cylinder of 0.6 a, 32 cells'
+     file('mode_ugimp') using (rho($1, $2)):3 every 97 with points ls 4 title 'mode in a cylinder of 0.6 a, 32 cells'
