@@ -42,21 +42,38 @@ def runs_end_as_promised(case):
     return True
 
 
-def a_failed_run_leaves_the_step_before(case):
-    """A body force that is not a number from half of the run on ends it. What it leaves is what the run to
-    that step gives, state and history, though its last steps are taken again from the last sort."""
+def failing(case, after):
+    """The brief scene with a heat source, or a body force where there is no heat, that is no number after
+    that time; None where every force would act across a plane of symmetry."""
+    scene = case.brief
+    no_number = f"0*sqrt({after!r}-t)"
+    if case.heat is not None:
+        heat = scene["transport"]["temperature"]
+        heat["source"] = f"({heat.get('source', 0)})+{no_number}"
+        return scene
     planes = [boundary["region"]["line"] for boundary in case.scene.get("boundary", [])
               if boundary.get("symmetry")]
     free = [k for k in (1, 0) if not any(line["from"][k] == line["to"][k] for line in planes)]
-    if case.plain.status != 0 or case.plain.end.step < 3 or not free:
-        return False  # no force acts across a plane of symmetry
+    if not free:
+        return None
+    force = scene.setdefault("loads", {}).setdefault("body_force", [0, 0])
+    force[free[0]] = f"({force[free[0]]})+{no_number}"
+    return scene
+
+
+def a_failed_run_leaves_the_step_before(case):
+    """A body force, or a heat source, that is not a number from half of the run on ends it. What it leaves
+    is what the run to that step gives, state and history, though its last steps are taken again from the last sort."""
+    if case.plain.status != 0 or case.plain.end.step < 3:
+        return False
     times = case.plain.history["time"]
     row = len(times) // 2
-    scene = case.brief
-    force = scene.setdefault("loads", {}).setdefault("body_force", [0, 0])
-    force[free[0]] = f"({force[free[0]]})+0*sqrt({0.5 * (times[row] + times[row + 1])!r}-t)"
+    scene = failing(case, float(0.5 * (times[row] + times[row + 1])))
+    if scene is None:
+        return False
     failed = case.runner.run(scene)
-    require(failed.status == 3, f"with a body force that is not a number: exit {failed.status}")
+    require(failed.status == 3, f"with a load that is not a number: exit {failed.status}: "
+            f"{failed.message}")
     scene["time"]["steps"] = failed.end.step
     good = case.runner.run(scene)
     require(good.status == 0, f"the same up to step {failed.end.step}: exit {good.status}: {good.message}")

@@ -68,13 +68,23 @@ class Case(Scales):
     # -------------------------------------------------------------------- questions
     @property
     def measures_losses(self):
-        """Can a scene measure what is lost between particles and nodes?"""
-        return self.schema.child("output").child(BALANCE) is not None
+        """Can the scene measure what is lost between particles and nodes?"""
+        return self.schema.child("output").child(BALANCE) is not None and not self.at_rest
 
     @property
     def hides_losses(self):
         """Has the scene been drawn without them?"""
-        return self.measures_losses and not self.scene["output"][BALANCE]
+        return self.at_rest or self.measures_losses and not self.scene["output"][BALANCE]
+
+    @property
+    def at_rest(self):
+        """Has the scene no mechanics: are its materials without stress?"""
+        return any(material["law"] == "none" for material in self.scene["materials"])
+
+    @property
+    def heat(self):
+        """Conduction of heat; None without."""
+        return self.scene.get("transport", {}).get("temperature")
 
     @property
     def method(self):

@@ -35,11 +35,13 @@ FAINT = 1e-3  # of the wave speed: velocities below are measured by this
 NUMBERS = ("kinetic_energy", "strain_energy", "external_work", "total_energy",
            "damping_dissipation", "cohesive_stored", "cohesive_dissipated",
            "transfer_loss", "contact_loss", "contact_stored", "contact_dissipated")
+HEATS = ("thermal_energy", "boundary_heat", "source_heat", "edge_heat")
 
 
 class Difference:
     """The largest difference of two answers and where it is: positions in cells, velocities in
-    parts of the largest one, deformation gradients, energies as fractions of the largest one."""
+    parts of the largest one, deformation gradients, temperatures, energies and heats as fractions of
+    the largest one of each."""
 
     def __init__(self, parts):
         self.parts = parts
@@ -69,6 +71,13 @@ def difference(one, other, order, motion, cell, wave):
         "F": largest(second.deformation_gradient[order] -
                      motion.gradient(first.deformation_gradient)),
     }
+    if "temperature" in first.fields:
+        level = largest(one.start.temperature) + largest(first.temperature) or 1.0
+        parts["temperature"] = largest(second.temperature[order] - first.temperature) / level
+        heat = sum(largest(one.history[name]) for name in HEATS) + \
+            level * one.history["mass"][0] * wave ** 2  # capacities are near wave^2: sums may cancel
+        parts["heats"] = max(abs(one.history[name][-1] - other.history[name][-1]) / heat
+                             for name in HEATS)
     mass = one.history["mass"][0]
     energy = max([largest(one.history[name]) for name in NUMBERS if name in one.history] +
                  [mass * (FAINT * wave) ** 2])

@@ -82,7 +82,8 @@ class Canvas(Scales):
         if "materials" in self.scene:
             speed = self.wave
             density = max(material["density"] for material in self.scene["materials"])
-        sizes = {"length": length, "time": length / speed, "mass": density * length ** 3}
+        sizes = {"length": length, "time": length / speed, "mass": density * length ** 3,
+                 "temperature": 1}
         return math.prod(sizes[name] ** power for name, power in unit_exponents(unit).items())
 
     def expression(self, unit, part, place=True, time=True):
@@ -154,7 +155,7 @@ def draw_value(canvas, key, left_out):
 
 def draw_key(canvas, key, tables):
     """A value of the key, or ABSENT."""
-    if key.path in tables.LEFT_OUT:
+    if key.path in tables.LEFT_OUT or canvas.notes["still"] and key.path in tables.OF_MOTION:
         return ABSENT
     wanted = {None: True, "planar": "geometry" in canvas.scene and not canvas.axisymmetric,
               "axisymmetric": "geometry" in canvas.scene and canvas.axisymmetric}
@@ -262,7 +263,8 @@ def uncovered(keys, tables):
     """Faults of the tables against the schema: keys that they name and the schema lacks, and
     keys that neither a table nor their kind lets draw."""
     faults = []
-    named = [*tables.LEFT_OUT, *tables.MEANING, *tables.COUNT, *tables.COVERED]
+    named = [*tables.LEFT_OUT, *tables.MEANING, *tables.COUNT, *tables.COVERED,
+             *tables.OF_MOTION]
     for path in named:
         if path.split("=")[0] not in keys:
             faults.append(f"{path} is in a table of meaning.py, and not in the schema")

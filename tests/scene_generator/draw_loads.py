@@ -24,7 +24,8 @@ def draw_boundaries(canvas, key):
         sides.remove(canvas.notes["past"])
         normal, at_end = SIDES[canvas.notes["past"]]
         planes = [draw_plane(canvas, normal, canvas.notes["whole"][at_end][normal])]
-    return planes + [draw_boundary(canvas, velocity, sides) for _ in range(count)] or ABSENT
+    made = [draw_boundary(canvas, velocity, sides) for _ in range(count)]
+    return planes + [boundary for boundary in made if boundary is not None] or ABSENT
 
 
 def last_nodes(canvas):
@@ -47,7 +48,7 @@ def draw_plane(canvas, normal, along):
 
 
 def draw_boundary(canvas, velocity, sides):
-    """One of them; each side is taken once."""
+    """One of them; each side is taken once. None where there can be none."""
     low, high = canvas.notes["whole"]
     last = last_nodes(canvas)
     axis = canvas.notes["axis"]
@@ -63,8 +64,11 @@ def draw_boundary(canvas, velocity, sides):
     ends = nodes_across(canvas, normal, along)
     on_axis = axis is not None and side == "left" and along <= axis
     far = canvas.notes["contact"] and canvas.notes["cracked"]  # cracks must be far from planes
-    if not pressed and not on_axis and canvas.chance(25) and not far:
+    still = canvas.notes["still"]  # no velocities
+    if not pressed and not on_axis and (still or canvas.chance(25)) and not far:
         return draw_plane(canvas, normal, along)
+    if still:
+        return None
     form = 0 if pressed else canvas.integer(0, 6)
     held = canvas.integer(0, 2) if form != 0 else 0
     drives = ["free", "free"]

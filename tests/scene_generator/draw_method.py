@@ -139,11 +139,11 @@ def draw_time(canvas, key):
     else:
         steps = canvas.pick([10, 5, 20, 20, 60])
         if canvas.chance(20):
-            time.update(step=short(canvas.pick([0.2, 0.4]) * min(canvas.cell) / canvas.wave),
-                        steps=steps)
+            bound = 1 / max(canvas.wave / min(canvas.cell), 2 * canvas.conduction_rate)
+            time.update(step=short(canvas.pick([0.2, 0.4]) * bound), steps=steps)
         else:
             time.update(courant=canvas.pick([0.4, 0.1, 0.5, 0.8, 1]), steps=steps)
-        if canvas.chance(4):
+        if canvas.chance(4) and not canvas.notes["still"]:
             rest = {"residual": 0.5, "kinetic_energy": 0.5, "steps": canvas.integer(1, 3),
                     "after": short(wave)}
             for child in key.child("rest").children:

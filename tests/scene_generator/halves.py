@@ -120,12 +120,34 @@ def with_images(fold, entries, move):
 
 
 def moving(fold, entry):
-    """The body or boundary with the velocity of the whole model."""
+    """The body or boundary with the velocity and temperature of the whole model."""
     if "rigid" in entry:
         return dict(entry, rigid=moving(fold, entry["rigid"]))
+    entry = heated(fold, entry)
     if "velocity" in entry:
         return dict(entry, velocity=fold.components(entry["velocity"]))
     return entry
+
+
+def heated(fold, entry):
+    """A body, a condition or a flux with its temperatures and fluxes on both sides."""
+    entry = dict(entry)
+    for name in ("temperature", "value", "ambient", "start", "source"):
+        if name in entry:
+            entry[name] = fold.expression(entry[name])
+    return entry
+
+
+def heat_with_images(fold, heat, images):
+    """Conduction in the whole model; edges are those of faces that the plane cuts."""
+    heat = heated(fold, heat)
+    heat["conditions"], _ = with_images(fold, heat.get("conditions", []), heated)
+    fluxes = [heated(fold, flux) | {kind: heated(fold, flux[kind])
+                                    for kind in ("convection", "radiation") if kind in flux}
+              for flux in heat.get("fluxes", [])]
+    heat["fluxes"] = fluxes + [dict(flux, body=images[flux["body"]]) for flux in fluxes
+                               if flux["body"] in images]
+    return heat
 
 
 def contact_with_images(contact, images, rigid):
@@ -160,6 +182,9 @@ def unfolded(fold, index, cells):
         scene["contact"] = contact_with_images(scene["contact"], images, rigid)
     if "body_force" in scene.get("loads", {}):
         scene["loads"]["body_force"] = fold.components(scene["loads"]["body_force"])
+    if "transport" in scene:
+        scene["transport"] = {name: heat_with_images(fold, heat, images)
+                              for name, heat in scene["transport"].items()}
     for name, rate in scene.get("damping", {}).items():
         if name in ("grid", "particle"):
             scene["damping"][name] = fold.expression(rate)
@@ -170,13 +195,18 @@ def unfolded(fold, index, cells):
 
 
 def is_foldable(case, axis):
-    """No loads on faces, which may have no other half in the same entry; no cracks; no normal given
-    across the plane, which would have to be another one beyond it; no rigid body that moves across
-    it, which is not half of one."""
+    """No loads on faces, which may have no other half in the same entry, nor fluxes but through faces that
+    the plane cuts; no cracks; no normal given across the plane, which would have to be another one
+    beyond it, nor axes of conduction that are oblique to it; no rigid body that moves across it, which is
+    not half of one."""
     given = [pair["direction"][axis] for pair in case.scene.get("contact", {}).get("pairs", [])
              if "direction" in pair]
     moving_across = any("rigid" in body and body["rigid"]["velocity"][axis] not in (0, "free")
                         for body in case.scene["bodies"])
+    cut = (("bottom", "top"), ("left", "right"))[axis]
+    oblique = any(material.get("conductivity_angle", 0) % 90 for material in case.scene["materials"])
+    if oblique or any(flux["edge"] not in cut for flux in case.fluxes):
+        return False
     return not case.cracks and not set(case.loads) & {"tractions", "particle_forces"} and \
         not any(given) and not moving_across
 
@@ -203,7 +233,7 @@ def half_is_the_whole(case):
     require(len(there) == 2 * len(here) and away.min(axis=1).max() <= 1e-6 * min(case.cell),
             "the whole model: other particles at t = 0")
     order = away.argmin(axis=1)
-    for name in compare.NUMBERS:
+    for name in compare.NUMBERS + compare.HEATS:
         if name in other.history:
             other.history[name] = other.history[name] / 2
     return agrees(case, other, order, Motion(), "the whole model")

@@ -7,21 +7,25 @@ from draw import ABSENT
 import draw_bodies as bodies
 import draw_contact as contact
 import draw_cracks as cracks
+import draw_heat as heat
 import draw_loads as loads
 import draw_method as method
 
 # ------------------------------------------------------------------- left out
-HEAT = "of heat conduction, which no invariant judges yet"
-
 LEFT_OUT = {
     "time.allow_unstable": "beyond the stability limit nothing is promised",
     "output.checkpoint": "reserved: this version writes none",
     "output.snapshots": "the first state and the last are compared; more would land steps on them",
     "contact.normal=given": "refused: it is for pairs, each with its direction",
     "output.fringe": "a field for pictures; its values follow from the stress",
-    "materials[].law=none": HEAT, "materials[].heat_capacity": HEAT,
-    "materials[].conductivity": HEAT, "materials[].principal_conductivities": HEAT,
-    "materials[].conductivity_angle": HEAT, "bodies[].temperature": HEAT, "transport": HEAT,
+}
+
+# Refused where nothing moves, since materials have law: none.
+OF_MOTION = {
+    "method.stress_update", "method.extrapolate", "method.position_update", "method.radius_update",
+    "method.axis_nodes", "method.form", "method.transfer", "method.cracks",
+    "method.deformation_terms", "loads", "damping", "contact", "cracks", "output.energy_balance",
+    "output.fringe", "bodies[].velocity", "bodies[].rigid",
 }
 
 # Drawn by the function of a group or list in MEANING: all keys within must be named.
@@ -52,6 +56,23 @@ COVERED = {
     "contact.pairs[].friction", "contact.pairs[].static_friction", "contact.pairs[].adhesion",
     "contact.pairs[].touching", "contact.pairs[].tension", "contact.pairs[].compression",
     "contact.pairs[].shear",
+    "transport.temperature", "transport.temperature.transfer", "transport.temperature.start",
+    "transport.temperature.source", "transport.temperature.conditions",
+    "transport.temperature.conditions[].region", "transport.temperature.conditions[].region.line",
+    "transport.temperature.conditions[].region.line.from",
+    "transport.temperature.conditions[].region.line.to",
+    "transport.temperature.conditions[].region.rectangle",
+    "transport.temperature.conditions[].region.rectangle.from",
+    "transport.temperature.conditions[].region.rectangle.to",
+    "transport.temperature.conditions[].region.all", "transport.temperature.conditions[].value",
+    "transport.temperature.fluxes", "transport.temperature.fluxes[].body",
+    "transport.temperature.fluxes[].edge", "transport.temperature.fluxes[].value",
+    "transport.temperature.fluxes[].convection",
+    "transport.temperature.fluxes[].convection.coefficient",
+    "transport.temperature.fluxes[].convection.ambient", "transport.temperature.fluxes[].radiation",
+    "transport.temperature.fluxes[].radiation.emissivity",
+    "transport.temperature.fluxes[].radiation.sigma",
+    "transport.temperature.fluxes[].radiation.ambient",
 }
 
 # Groups within those of which keys that the function does not know are drawn by their kind.
@@ -59,7 +80,8 @@ OPEN = ("time.rest.",)
 
 # Children that are drawn before the others, in this order.
 FIRST = {
-    "": ("format", "geometry", "units", "grid", "materials", "bodies", "boundary", "cracks"),
+    "": ("format", "geometry", "units", "grid", "materials", "bodies", "boundary", "cracks",
+         "transport"),
     "grid": ("cell",),
     "materials": ("young", "poisson"),
     "cracks": ("points", "contact", "j_integral"),
@@ -68,23 +90,26 @@ FIRST = {
 }
 ALWAYS = {"method", "output", "loads", "damping"}  # groups that are left out only where empty
 
-GENERAL = ("any", "touching")  # the situations that together have all keys
+GENERAL = ("any", "touching", "heated")  # the situations that together have all keys
 
 
 def prepare(canvas):
     """Settles what several sections must agree on. The situation `touching` is `any` with contact between
-    bodies."""
+    bodies, `heated` is `any` with heat conduction, without contact and cracks, in half of its scenes
+    with nothing else: still."""
     notes = canvas.notes
-    notes["contact"] = canvas.situation == "touching"
-    if notes["contact"]:
+    notes["contact"], notes["heat"] = canvas.situation == "touching", canvas.situation == "heated"
+    if notes["contact"] or notes["heat"]:
         canvas.situation = "any"
-    notes["cracked"] = canvas.situation == "pressed" or \
-        canvas.situation == "any" and canvas.chance(25 if notes["contact"] else 40)
+    notes["still"] = notes["heat"] and canvas.chance(50)
+    notes["level"] = canvas.pick(heat.LEVELS) if notes["heat"] else 0
+    notes["cracked"] = canvas.situation == "pressed" or canvas.situation == "any" and \
+        not notes["heat"] and canvas.chance(25 if notes["contact"] else 40)
     free = notes["cracked"] and canvas.situation == "any" and not notes["contact"]
     notes["fracture"] = free and canvas.chance(15)
     notes["past"] = free and not notes["fracture"] and \
         canvas.chance(25)  # a crack past a plane of symmetry
-    notes["rigid"] = canvas.situation == "any" and \
+    notes["rigid"] = canvas.situation == "any" and not notes["still"] and \
         canvas.chance(40 if notes["contact"] else 15)
     notes["bodies"] = (2 if canvas.situation == "any" and not notes["fracture"] and
                        not notes["past"] and canvas.chance(25) else 1)
@@ -114,6 +139,11 @@ MEANING = {
     "method.transfer": method.draw_transfer,
     "method.cracks": method.draw_crack_method,
     "materials[].name": bodies.draw_name,
+    "materials[].law": heat.draw_law,
+    "materials[].heat_capacity": heat.draw_heat_capacity,
+    "materials[].conductivity": heat.draw_conductivity,
+    "materials[].principal_conductivities": heat.draw_principal,
+    "materials[].conductivity_angle": heat.draw_angle,
     "materials[].density": bodies.draw_density,
     "materials[].young": bodies.draw_young,
     "materials[].poisson": bodies.draw_poisson,
@@ -125,6 +155,8 @@ MEANING = {
     "bodies[].region": bodies.draw_body_region,
     "bodies[].particles_per_cell": bodies.draw_lattice,
     "bodies[].velocity": bodies.draw_body_velocity,
+    "bodies[].temperature": heat.draw_body_temperature,
+    "transport": heat.draw_transport,
     "boundary": loads.draw_boundaries,
     "loads.body_force": loads.draw_body_force,
     "loads.body_force_at": loads.draw_body_force_at,

@@ -2,12 +2,14 @@
  * line for each node with mass in every step, additional velocity fields of nodes near cracks
  * included:
  *
- *     step time time_step x y v_x v_y mass
+ *     step time time_step x y v_x v_y mass temperature
  *
  * of the step that ends at `time`: the velocity of the node at its end, or with position_update:
- * midpoint the mean of both ends, and the mass of the field. Snapshots have particles alone; the
- * tests of scenes hold the nodes against the conditions of the scene. Nodes beyond the grid's edge
- * are left out. Exit status: that of a run of the scene.
+ * midpoint the mean of both ends, the mass of the field, and the temperature of which gradients
+ * were taken, at the start of the step; 0 in a scene without. In a scene where nothing moves the
+ * mass is the capacity. Snapshots have particles alone; the tests of scenes hold the nodes against
+ * the conditions of the scene. Nodes beyond the grid's edge are left out. Exit status: that of a
+ * run of the scene.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/fields/fields.h"
@@ -16,22 +18,35 @@
 
 #include <stdio.h>
 
+static double mass_of(const struct mpm_state *state, int64_t node)
+{
+    return state->scene->at_rest ? state->transport.list[0].content[node][2]
+                                 : state->grid.mass[node];
+}
+
+static double temperature_of(const struct mpm_state *state, int64_t node)
+{
+    const bool conducts = state->transport.count > 0 && node < mpm_grid_nodes(&state->grid);
+    return conducts ? state->transport.list[0].value[node][0] : 0.0;
+}
+
 static void print_node(const struct mpm_simulation *simulation, int64_t node)
 {
-    const struct mpm_grid *const grid = &simulation->state.grid;
-    const int64_t parent = mpm_field_parent(&simulation->state, node);
-    if (mpm_grid_is_ghost(grid, parent) || !(grid->mass[node] > 0.0))
+    const struct mpm_state *const state = &simulation->state;
+    const struct mpm_grid *const grid = &state->grid;
+    const int64_t parent = mpm_field_parent(state, node);
+    if (mpm_grid_is_ghost(grid, parent) || !(mass_of(state, node) > 0.0))
         return;
-    const double step = simulation->state.time_step;
+    const double step = state->time_step;
     const bool midpoint = simulation->scene->position_update == MPM_MIDPOINT;
     double position[2], velocity[2];
     mpm_grid_position(grid, parent, position);
     for (int axis = 0; axis < 2; axis++)
         velocity[axis] = grid->motion[node].end[axis] -
                          (midpoint ? 0.5 * step * grid->motion[node].acceleration[axis] : 0.0);
-    (void)printf("%llu %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n",
-                 (unsigned long long)simulation->step, simulation->state.time, step, position[0],
-                 position[1], velocity[0], velocity[1], grid->mass[node]);
+    (void)printf("%llu %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n",
+                 (unsigned long long)simulation->step, state->time, step, position[0], position[1],
+                 velocity[0], velocity[1], mass_of(state, node), temperature_of(state, node));
 }
 
 /* Nodes of active rows, in their order, rows of additional fields after those of the grid; what

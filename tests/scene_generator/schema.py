@@ -35,10 +35,10 @@ class Key:
 
 
 def unit_exponents(unit):
-    """{"length": 1, "time": -2} of "length/time^2"; {} of ""."""
+    """{"length": 1, "time": -2} of "length/time^2", and of "length/(time^2 temperature)"; {} of ""."""
     exponents = {}
     for sign, part in zip((1, -1), (unit.split("/") + [""])[:2]):
-        for name, power in re.findall(r"(length|mass|time)(?:\^(\d+))?", part):
+        for name, power in re.findall(r"(length|mass|time|temperature)(?:\^(\d+))?", part):
             exponents[name] = exponents.get(name, 0) + sign * int(power or 1)
     return exponents
 

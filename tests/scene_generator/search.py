@@ -37,8 +37,8 @@ from case import Case, Discarded, Violation
 from schema import read_schema
 
 HERE = pathlib.Path(__file__).resolve().parent
-TURNS = ["any", "touching", "any", "pressed", "any", "touching", "loaded", "any", "touching",
-         "pressed", "any", "any"]  # situations
+TURNS = ["any", "touching", "heated", "pressed", "any", "touching", "loaded", "heated", "any",
+         "touching", "pressed", "heated", "any", "any"]  # situations
 BATCH = 20  # scenes drawn from one seed
 AT_ONCE = 4  # of the invariants that cost runs of their own, judged on one scene
 DISCARDED_MOST = 0.3  # part of the scenes drawn

@@ -11,6 +11,7 @@ import numpy
 from schema import unit_exponents, visit
 
 SIZES = {"grid.cell", "grid.cells", "bodies[].particles_per_cell"}  # pairs without a place or a way
+ALONG = {"materials[].principal_conductivities"}  # pairs along axes that an angle turns
 WAYS = {"contact.pairs[].direction"}  # pairs that are vectors
 NORMALS = {"left": (-1, 0), "right": (1, 0), "bottom": (0, -1), "top": (0, 1)}
 
@@ -46,6 +47,13 @@ class Motion:
             return edge
         normal = tuple(int(value) for value in self.matrix @ numpy.array(NORMALS[edge]))
         return next(name for name, other in NORMALS.items() if other == normal)
+
+    def angle(self, degrees):
+        """Of a direction, in degrees from the first axis."""
+        (c, s), (d, e) = self.matrix[0], self.matrix[1]
+        if c * e - s * d > 0:
+            return degrees + float(numpy.degrees(numpy.arctan2(d, c)))
+        return -degrees if s == 0 and c > 0 else 180 - degrees
 
     def substitute(self, expression, names):
         """The expression in the new coordinates."""
@@ -93,6 +101,8 @@ def moved(schema, scene, motion):
             return [motion.point(point) for point in value]
         if key.shape == "pair" and key.path in SIZES:
             return value[::-1] if motion.swaps else list(value)
+        if key.path in ALONG:
+            return list(value)
         if key.path in WAYS:
             return [float(part) for part in motion.matrix @ numpy.array(value)]
         if key.shape == "pair" and key.value == "number":
@@ -107,7 +117,14 @@ def moved(schema, scene, motion):
             return motion.edge(value)
         return value
 
+    def change_material(material):
+        if "principal_conductivities" not in material:
+            return material
+        return dict(material, conductivity_angle=within_a_turn(
+            motion.angle(material.get("conductivity_angle", 0))))
+
     new = visit(schema, scene, change)
+    new["materials"] = [change_material(material) for material in new["materials"]]
     for section in ("tractions", "particle_forces"):
         for load, old in zip(new.get("loads", {}).get(section, []),
                              scene.get("loads", {}).get(section, [])):
@@ -124,6 +141,11 @@ def moved(schema, scene, motion):
     return new
 
 
+def within_a_turn(degrees):
+    """The angle within the range that a scene may have."""
+    return degrees - 360 if degrees > 360 else degrees
+
+
 def sort_corners(value):
     """Makes `from` the lower corner and `to` the upper one, all through a scene."""
     if isinstance(value, list):
@@ -138,9 +160,9 @@ def sort_corners(value):
             sort_corners(entry)
 
 
-def in_units(schema, scene, length, mass, time):
+def in_units(schema, scene, length, mass, time, temperature):
     """The scene in units so many times smaller: powers of two change no digit of any number."""
-    sizes = {"length": length, "mass": mass, "time": time}
+    sizes = {"length": length, "mass": mass, "time": time, "temperature": temperature}
     names = names_of(scene)
 
     def scale(unit):

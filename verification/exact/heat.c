@@ -46,22 +46,67 @@ double heat_surface_held(enum heat_body body, double place, double tau)
     return 1.0 - sum;
 }
 
+/* tan d = d between n pi and (n + 1/2) pi, by Newton's method of sin d - d cos d */
+static double root_of_tangent(unsigned n)
+{
+    const double end = (n + 0.5) * PI;
+    double root = end - 1.0 / end;
+    for (int k = 0; k < 6; k++)
+        root -= (sin(root) - root * cos(root)) / (root * sin(root));
+    return root;
+}
+
+/* Of the term exp(-d^2 tau), over 2/d^2; *root is d. */
+static double flux_term(enum heat_body body, unsigned n, double place, double *root)
+{
+    switch (body) {
+    case HEAT_SLAB:
+        *root = n * PI;
+        return (n % 2 == 0 ? 1.0 : -1.0) * cos(*root * place);
+    case HEAT_CYLINDER:
+        *root = gsl_sf_bessel_zero_J1(n);
+        return gsl_sf_bessel_J0(*root * place) / gsl_sf_bessel_J0(*root);
+    case HEAT_SPHERE:
+        *root = root_of_tangent(n);
+        return (place == 0.0 ? *root : sin(*root * place) / place) / sin(*root);
+    case HEAT_BODIES:
+    default:
+        *root = 0.0;
+        return (double)NAN;
+    }
+}
+
 double heat_surface_flux(enum heat_body body, double place, double tau)
 {
-    const double square = place * place;
+    const double axes = (double)body + 1.0; /* that it is round or straight along */
     double sum = 0.0;
     for (unsigned n = 1; n < TERMS_MAX; n++) {
-        const double root = body == HEAT_SLAB ? n * PI : gsl_sf_bessel_zero_J1(n);
+        double root;
+        const double term = flux_term(body, n, place, &root);
         if (root * root * tau > NOTHING)
             break;
-        const double shape = body == HEAT_SLAB
-                                 ? (n % 2 == 0 ? 1.0 : -1.0) * cos(root * place)
-                                 : gsl_sf_bessel_J0(root * place) / gsl_sf_bessel_J0(root);
-        sum += 2.0 * shape * exp(-root * root * tau) / (root * root);
+        sum += 2.0 * term * exp(-root * root * tau) / (root * root);
     }
-    if (body == HEAT_SLAB)
-        return tau + 0.5 * square - 1.0 / 6.0 - sum;
-    return body == HEAT_CYLINDER ? 2.0 * tau + 0.5 * square - 0.25 - sum : (double)NAN;
+    return axes * tau + 0.5 * place * place - 0.5 * axes / (axes + 2.0) - sum;
+}
+
+double heat_sphere_mode(double place, double tau)
+{
+    const double shape = place == 0.0 ? 1.0 : sin(PI * place) / (PI * place);
+    return shape * exp(-PI * PI * tau);
+}
+
+double heat_spot(const double place[2], double width, const double diffusivity[2], double time)
+{
+    const double first = width * width + 4.0 * diffusivity[0] * time;
+    const double second = width * width + 4.0 * diffusivity[1] * time;
+    return width * width / sqrt(first * second) *
+           exp(-place[0] * place[0] / first - place[1] * place[1] / second);
+}
+
+double heat_passing_rod(double place, double speed, double diffusivity)
+{
+    return fmin(1.0, exp(speed / diffusivity * place));
 }
 
 double heat_slab_driven(double place, double rate, double frequency, double time)

@@ -9,44 +9,64 @@
  *   held     T = start + scale v                              a surface held at start + scale
  *   flux     T = scale v                                      scale = q a/k
  *   wave     T = scale sin(p x + q y + phase) exp(-decay t)   a manufactured field: the scene has
- * its source kept     T = that of the particle at t = 0
+ *                                                             its source
+ *   mode     T = scale v                                      first mode of a sphere
+ *   spot     T = start + scale v                              a hot spot, in material coordinates:
+ *                                                             of the place at t = 0
+ *   passing  T = scale v(speed)                               a rod through a held place
+ *   kept     T = that of the particle at t = 0
+ *
+ * With `from` and `to`, particles that began between these x alone count.
  *
  * Reports: error_l2, error_worst (% of scale), axis_worst (of particles within a tenth of the
  * length from x = origin), probe (T at the parameter `probe` along the axis), heat_imbalance
  * (|change of heat - what went in| over the sum of their sizes), unchanged (1 if no bit of any
- * temperature has changed since t = 0), spread (standard deviation over that at t = 0), finished;
- * orders over levels. Series: profile.
+ * temperature has changed since t = 0), spread (standard deviation over that at t = 0), of a spot
+ * conducted (the diffusivity by which its second moment has grown, over the mean of the given ones)
+ * and, with `cell`, own_conduction (what is left of it without the given one, in h^2 over the
+ * step), finished; orders over levels. Series: profile; with `picture`, temperature.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/exact/heat.h"
 #include "verification/measures/error_norms.h"
 #include "verification/programs/follow.h"
 #include "verification/programs/levels.h"
+#include "verification/programs/picture.h"
 
 #include <glib.h>
 #include <math.h>
 #include <string.h>
 
-enum { AXES = 2, COLUMNS = 4 };
+enum { AXES = 2, COLUMNS = 6 };
 static const double PI = 3.14159265358979323846;
 
-enum kind { DRIVEN, HELD, FLUX, WAVE, KEPT, KINDS };
-static const char *const kind_names[KINDS] = {"driven", "held", "flux", "wave", "kept"};
+enum kind { DRIVEN, HELD, FLUX, WAVE, MODE, SPOT, PASSING, KEPT, KINDS };
+static const char *const kind_names[KINDS] = {"driven", "held", "flux",    "wave",
+                                              "mode",   "spot", "passing", "kept"};
 static const char *const body_names[HEAT_BODIES] = {"slab", "cylinder", "sphere"};
 
 struct problem {
     enum kind kind;
     enum heat_body body;
     double scale, start, length, origin, diffusivity;
-    double frequency;    /* over pi */
-    double p, q, phase;  /* over pi */
-    double decay, probe; /* probe over the length */
+    double frequency;                          /* over pi */
+    double p, q, phase;                        /* over pi */
+    double decay, probe;                       /* probe over the length */
+    double center[AXES], width, second, angle; /* of a spot; diffusivity along its other axis */
+    double speed, cell;
+    double from, to; /* of places at t = 0 */
     unsigned along;
+};
+
+/* Particles, those that count first. */
+struct particles {
+    size_t count, counting;
+    double *first, *value, *wanted, *mass, *start, *position;
 };
 
 struct outcome {
     bool finished;
-    double error_l2, error_worst, axis_worst, probe, imbalance, spread;
+    double error_l2, error_worst, axis_worst, probe, imbalance, spread, conducted, own_conduction;
     bool unchanged;
 };
 
@@ -74,6 +94,15 @@ static enum mpm_status read_problem(const struct measurement *m, struct problem 
         {"phase", &problem->phase},
         {"decay", &problem->decay},
         {"probe", &problem->probe},
+        {"center_x", &problem->center[0]},
+        {"center_y", &problem->center[1]},
+        {"width", &problem->width},
+        {"second_diffusivity", &problem->second},
+        {"angle", &problem->angle},
+        {"speed", &problem->speed},
+        {"cell", &problem->cell},
+        {"from", &problem->from},
+        {"to", &problem->to},
     };
     TRY(measurement_choice(m, "solution", kind_names, KINDS, &kind, error));
     if (measurement_has(m, "body"))
@@ -96,8 +125,19 @@ static double place_of(const struct problem *problem, const double position[AXES
     return (position[problem->along] - problem->origin) / problem->length;
 }
 
-static double exact(const struct problem *problem, const double position[AXES], double time,
-                    double at_start)
+/* Places from the middle of the spot, along its axes. */
+static double spot_at(const struct problem *problem, const double start[AXES], double time)
+{
+    const double degrees = problem->angle / 180.0;
+    const double x = start[0] - problem->center[0], y = start[1] - problem->center[1];
+    const double c = cos(PI * degrees), s = sin(PI * degrees);
+    const double place[AXES] = {c * x + s * y, c * y - s * x};
+    const double diffusivity[AXES] = {problem->diffusivity, problem->second};
+    return heat_spot(place, problem->width, diffusivity, time);
+}
+
+static double exact(const struct problem *problem, const double start[AXES],
+                    const double position[AXES], double time, double at_start)
 {
     const double rate = problem->diffusivity / (problem->length * problem->length);
     const double place = place_of(problem, position);
@@ -112,6 +152,13 @@ static double exact(const struct problem *problem, const double position[AXES], 
     case WAVE:
         return problem->scale * exp(-problem->decay * time) *
                sin(PI * (problem->p * position[0] + problem->q * position[1] + problem->phase));
+    case MODE:
+        return problem->scale * heat_sphere_mode(place, rate * time);
+    case SPOT:
+        return problem->start + problem->scale * spot_at(problem, start, time);
+    case PASSING:
+        return problem->scale * heat_passing_rod(position[problem->along] - problem->origin,
+                                                 problem->speed, problem->diffusivity);
     case KEPT:
     case KINDS:
     default:
@@ -184,36 +231,137 @@ struct study {
     bool last;
 };
 
-static enum mpm_status write_profile(struct measurement *m, size_t count, const double *position,
-                                     const double *value, const double *wanted,
+static enum mpm_status write_profile(struct measurement *m, const struct particles *particles,
                                      struct mpm_error *error)
 {
-    double *const rows = g_new(double, COLUMNS *count);
-    for (size_t p = 0; p < count; p++) {
+    double *const rows = g_new(double, COLUMNS * particles->counting);
+    for (size_t p = 0; p < particles->counting; p++) {
         double *const row = rows + COLUMNS * p;
-        row[0] = position[AXES * p];
-        row[1] = position[AXES * p + 1];
-        row[2] = value[p];
-        row[3] = wanted[p];
+        memcpy(row, particles->position + AXES * p, AXES * sizeof *row);
+        row[2] = particles->value[p];
+        row[3] = particles->wanted[p];
+        memcpy(row + 4, particles->start + AXES * p, AXES * sizeof *row);
     }
     const enum mpm_status status =
-        measurement_series(m, "profile", "x y temperature exact", COLUMNS, count, rows, error);
+        measurement_series(m, "profile", "x y temperature exact start_x start_y", COLUMNS,
+                           particles->counting, rows, error);
     g_free(rows);
     return status;
 }
 
-static void compare(const struct problem *problem, size_t count, const double *position,
-                    const double *mass, const double *value, const double *wanted,
+static enum mpm_status write_picture(struct measurement *m, const struct mpm_simulation *simulation,
+                                     struct mpm_error *error)
+{
+    struct picture picture = {.pixel = 0.0};
+    bool asked;
+    TRY(picture_read(m, &picture, &asked, error));
+    return asked ? picture_write(m, &picture, simulation, MPM_FIELD_TEMPERATURE, 0, "temperature",
+                                 error)
+                 : MPM_OK;
+}
+
+/* <r^2> of the excess over the start, of places at t = 0: w^2 (1 + 1)/2 of a spot of width w, and
+ * it grows by 2 (k_1 + k_2) t. */
+static double second_moment(const struct problem *problem, const struct particles *particles,
+                            const double *value)
+{
+    double sum = 0.0, square = 0.0;
+    for (size_t p = 0; p < particles->count; p++) {
+        const double *const start = particles->start + AXES * p;
+        const double x = start[0] - problem->center[0], y = start[1] - problem->center[1];
+        const double excess = particles->mass[p] * (value[p] - problem->start);
+        sum += excess;
+        square += excess * (x * x + y * y);
+    }
+    return square / sum;
+}
+
+static void compare(const struct problem *problem, const struct particles *particles,
                     struct outcome *outcome)
 {
-    const double percent = 100.0 / problem->scale;
-    const struct error_norms norms = error_norms(count, 1, NULL, mass, value, wanted);
+    const double percent = 100.0 / problem->scale, *const value = particles->value;
+    const struct error_norms norms =
+        error_norms(particles->counting, 1, NULL, particles->mass, value, particles->wanted);
     outcome->error_l2 = percent * norms.l2;
     outcome->error_worst = percent * norms.linf;
+    for (size_t p = 0; p < particles->counting; p++)
+        if (place_of(problem, particles->position + AXES * p) < 0.1)
+            outcome->axis_worst =
+                fmax(outcome->axis_worst, percent * fabs(value[p] - particles->wanted[p]));
+    outcome->probe = probe_at(problem, particles->counting, particles->position, value);
+}
+
+static void measure_spot(const struct problem *problem, const struct particles *particles,
+                         const struct mpm_simulation *simulation, struct outcome *outcome)
+{
+    const double time = mpm_simulation_time(simulation);
+    const double mean = 0.5 * (problem->diffusivity + problem->second);
+    const double seen = (second_moment(problem, particles, particles->value) -
+                         second_moment(problem, particles, particles->first)) /
+                        (4.0 * time);
+    outcome->conducted = seen / mean;
+    outcome->own_conduction =
+        (seen - mean) * time /
+        ((double)mpm_simulation_step(simulation) * problem->cell * problem->cell);
+}
+
+static void exchange(double *values, size_t size, size_t one, size_t other)
+{
+    for (size_t k = 0; k < size; k++) {
+        const double kept = values[size * one + k];
+        values[size * one + k] = values[size * other + k];
+        values[size * other + k] = kept;
+    }
+}
+
+/* At the end; of all particles, since those that count go to the front. */
+static void look_at(const struct problem *problem, const struct mpm_simulation *simulation,
+                    struct particles *particles, struct outcome *outcome)
+{
+    const size_t count = particles->count;
+    double *const arrays[] = {particles->first, particles->value, particles->wanted,
+                              particles->mass};
+    mpm_simulation_field(simulation, MPM_FIELD_TEMPERATURE, particles->value);
+    mpm_simulation_field(simulation, MPM_FIELD_POSITION, particles->position);
+    mpm_simulation_field(simulation, MPM_FIELD_MASS, particles->mass);
     for (size_t p = 0; p < count; p++)
-        if (place_of(problem, position + AXES * p) < 0.1)
-            outcome->axis_worst = fmax(outcome->axis_worst, percent * fabs(value[p] - wanted[p]));
-    outcome->probe = probe_at(problem, count, position, value);
+        particles->wanted[p] =
+            exact(problem, particles->start + AXES * p, particles->position + AXES * p,
+                  mpm_simulation_time(simulation), particles->first[p]);
+    outcome->unchanged = memcmp(particles->first, particles->value, count * sizeof(double)) == 0;
+    outcome->spread = deviation(count, particles->value) / deviation(count, particles->first);
+    particles->counting = problem->to > problem->from ? 0 : count;
+    for (size_t p = 0; p < count && problem->to > problem->from; p++) {
+        const double x = particles->start[AXES * p];
+        if (x < problem->from || x > problem->to)
+            continue;
+        for (size_t k = 0; k < G_N_ELEMENTS(arrays); k++)
+            exchange(arrays[k], 1, particles->counting, p);
+        exchange(particles->start, AXES, particles->counting, p);
+        exchange(particles->position, AXES, particles->counting, p);
+        particles->counting++;
+    }
+}
+
+static struct particles make_particles(size_t count)
+{
+    return (struct particles){.count = count,
+                              .first = g_new(double, count),
+                              .value = g_new(double, count),
+                              .wanted = g_new(double, count),
+                              .mass = g_new(double, count),
+                              .start = g_new(double, AXES *count),
+                              .position = g_new(double, AXES *count)};
+}
+
+static void free_particles(struct particles *particles)
+{
+    g_free(particles->first);
+    g_free(particles->value);
+    g_free(particles->wanted);
+    g_free(particles->mass);
+    g_free(particles->start);
+    g_free(particles->position);
 }
 
 static enum mpm_status measure_scene(void *context, struct measurement *m,
@@ -222,35 +370,26 @@ static enum mpm_status measure_scene(void *context, struct measurement *m,
 {
     const struct study *const study = context;
     struct outcome *const outcome = study->outcome;
-    const size_t count = mpm_simulation_particle_count(simulation);
-    double *const first = g_new(double, count), *const value = g_new(double, count);
-    double *const wanted = g_new(double, count), *const mass = g_new(double, count);
-    double *const position = g_new(double, AXES *count);
+    struct particles particles = make_particles(mpm_simulation_particle_count(simulation));
     const double heat = quantity(scene, simulation, "thermal_energy");
     outcome->finished = true;
-    mpm_simulation_field(simulation, MPM_FIELD_TEMPERATURE, first);
+    mpm_simulation_field(simulation, MPM_FIELD_TEMPERATURE, particles.first);
+    mpm_simulation_field(simulation, MPM_FIELD_POSITION, particles.start);
     enum mpm_status status =
         follow_to(m, simulation, mpm_scene_end_time(scene), &outcome->finished, error);
     follow_count_work(m, simulation);
     if (status == MPM_OK) {
-        mpm_simulation_field(simulation, MPM_FIELD_TEMPERATURE, value);
-        mpm_simulation_field(simulation, MPM_FIELD_POSITION, position);
-        mpm_simulation_field(simulation, MPM_FIELD_MASS, mass);
-        for (size_t p = 0; p < count; p++)
-            wanted[p] = exact(study->problem, position + AXES * p, mpm_simulation_time(simulation),
-                              first[p]);
-        compare(study->problem, count, position, mass, value, wanted, outcome);
+        look_at(study->problem, simulation, &particles, outcome);
+        compare(study->problem, &particles, outcome);
         outcome->imbalance = imbalance(scene, simulation, heat);
-        outcome->unchanged = memcmp(first, value, count * sizeof *value) == 0;
-        outcome->spread = deviation(count, value) / deviation(count, first);
-        if (study->last)
-            status = write_profile(m, count, position, value, wanted, error);
+        if (study->problem->kind == SPOT)
+            measure_spot(study->problem, &particles, simulation, outcome);
     }
-    g_free(first);
-    g_free(value);
-    g_free(wanted);
-    g_free(mass);
-    g_free(position);
+    if (status == MPM_OK && study->last)
+        status = write_profile(m, &particles, error);
+    if (status == MPM_OK && study->last)
+        status = write_picture(m, simulation, error);
+    free_particles(&particles);
     return status;
 }
 
@@ -265,6 +404,10 @@ static void report(struct measurement *m, const struct problem *problem,
     levels_report_value(m, "axis_worst", "", missing + outcome->axis_worst);
     if (problem->probe > 0.0)
         levels_report_value(m, "probe", "", missing + outcome->probe);
+    if (problem->kind == SPOT && problem->diffusivity > 0.0)
+        levels_report_value(m, "conducted", "", missing + outcome->conducted);
+    if (problem->kind == SPOT && problem->cell > 0.0)
+        levels_report_value(m, "own_conduction", "", missing + outcome->own_conduction);
     measurement_report(m, "unchanged", outcome->unchanged ? 1.0 : 0.0);
     if (isfinite(outcome->spread))
         measurement_report(m, "spread", outcome->spread);

@@ -4,11 +4,16 @@
 #include "method/fields/fields.h"
 #include "method/grid/grid_update.h"
 
-/* Adds to both values of a pair of images what the other has, with the sign of the image. */
-static inline void fold(double *inside, double *beyond, double sign)
+/* First what nodes beyond a plane have is added to those that they are images of, then they take
+ * these nodes' values. */
+enum stage { ADD_UP, COPY };
+
+static inline void fold(enum stage stage, double *inside, double *beyond, double sign)
 {
-    *inside += sign * *beyond;
-    *beyond = sign * *inside;
+    if (stage == ADD_UP)
+        *inside += sign * *beyond;
+    else
+        *beyond = sign * *inside;
 }
 
 int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, double sign[2])
@@ -30,6 +35,7 @@ int64_t mpm_symmetry_original(const struct mpm_state *state, int64_t node, doubl
 /* A scalar of the nodes and a vector, whose component k is number 2 k of a node's values; NULL:
  * none. */
 struct spread {
+    enum stage stage;
     double *scalar, *vector;
 };
 
@@ -37,10 +43,10 @@ static void fold_nodes(const struct spread *spread, int axis, int64_t inside, in
 {
     double *const vector = spread->vector;
     if (spread->scalar != NULL)
-        fold(&spread->scalar[inside], &spread->scalar[beyond], 1.0);
+        fold(spread->stage, &spread->scalar[inside], &spread->scalar[beyond], 1.0);
     for (int k = 0; vector != NULL && k < 2; k++)
-        fold(&vector[MPM_NODE_VALUES * inside + 2 * k], &vector[MPM_NODE_VALUES * beyond + 2 * k],
-             k == axis ? -1.0 : 1.0);
+        fold(spread->stage, &vector[MPM_NODE_VALUES * inside + 2 * k],
+             &vector[MPM_NODE_VALUES * beyond + 2 * k], k == axis ? -1.0 : 1.0);
 }
 
 /* All nodes of the grid or of a layer beyond the plane that are active; images inside are reached
@@ -103,35 +109,48 @@ void mpm_symmetries_visit(struct mpm_state *state, mpm_symmetry_visit *visit, co
         visit_across(state, &state->symmetries.planes[k], visit, context);
 }
 
+static void reflect_one(struct mpm_state *state, const struct mpm_symmetry *plane,
+                        const struct spread *spread)
+{
+    for (int64_t layer = 0; layer <= state->fields.layers; layer++)
+        reflect_across(state, plane, spread, mpm_layer_shift(state, layer));
+    if (state->symmetries.passed)
+        visit_across(state, plane, reflect_packed, spread);
+}
+
+/* Where planes cross, a node is the image of an image. All is added up before any value is copied,
+ * and copied in the opposite order: a node beyond one plane takes what came from beyond the other,
+ * too, even if no particle reaches the node beyond both. */
 static void reflect(struct mpm_state *state, struct spread spread)
 {
-    for (size_t k = 0; k < state->symmetries.count; k++) {
-        const struct mpm_symmetry *const plane = &state->symmetries.planes[k];
-        for (int64_t layer = 0; layer <= state->fields.layers; layer++)
-            reflect_across(state, plane, &spread, mpm_layer_shift(state, layer));
-        if (state->symmetries.passed)
-            visit_across(state, plane, reflect_packed, &spread);
-    }
+    const size_t count = state->symmetries.count;
+    spread.stage = ADD_UP;
+    for (size_t k = 0; k < count; k++)
+        reflect_one(state, &state->symmetries.planes[k], &spread);
+    spread.stage = COPY;
+    for (size_t k = count; k-- > 0;)
+        reflect_one(state, &state->symmetries.planes[k], &spread);
 }
 
 void mpm_symmetries_reflect_momentum(struct mpm_state *state)
 {
-    reflect(state, (struct spread){state->grid.mass, &state->grid.sum[0][0].momentum});
+    reflect(state,
+            (struct spread){.scalar = state->grid.mass, .vector = &state->grid.sum[0][0].momentum});
 }
 
 void mpm_symmetries_reflect_force(struct mpm_state *state)
 {
-    reflect(state, (struct spread){NULL, &state->grid.sum[0][0].force});
+    reflect(state, (struct spread){.vector = &state->grid.sum[0][0].force});
 }
 
 void mpm_symmetries_reflect_extrapolated(struct mpm_state *state)
 {
-    reflect(state, (struct spread){NULL, state->grid.gradient[0][0]});
+    reflect(state, (struct spread){.vector = state->grid.gradient[0][0]});
 }
 
 void mpm_symmetries_reflect_scalar(struct mpm_state *state, double *nodes)
 {
-    reflect(state, (struct spread){nodes, NULL});
+    reflect(state, (struct spread){.scalar = nodes});
 }
 
 /* ------------------------------------------------------------------- images */

@@ -62,9 +62,55 @@ START_TEST(fields_of_fluxes_solve_the_equation)
 }
 END_TEST
 
-START_TEST(a_sphere_has_no_field_of_a_flux)
+static double sphere_mode(enum heat_body body, double place, double tau)
 {
-    ck_assert(isnan(heat_surface_flux(HEAT_SPHERE, 0.5, 0.1)));
+    (void)body;
+    return heat_sphere_mode(place, tau);
+}
+
+START_TEST(the_mode_of_a_sphere_solves_the_equation)
+{
+    for (size_t t = 0; t < G_N_ELEMENTS(times); t++) {
+        for (size_t k = 0; k < G_N_ELEMENTS(places); k++)
+            ck_assert_near(residual(sphere_mode, HEAT_SPHERE, places[k], times[t]), 0.0, SLOPE);
+        ck_assert_near(heat_sphere_mode(1.0, times[t]), 0.0, 1e-15);
+        ck_assert_near(heat_sphere_mode(1e-9, times[t]), heat_sphere_mode(0.0, times[t]), 1e-15);
+    }
+    ck_assert_near(heat_sphere_mode(0.0, 0.0), 1.0, 0.0);
+}
+END_TEST
+
+/* v_t = k_1 v_xx + k_2 v_yy, and a source keeps its heat: v is pi w^2 in all. */
+START_TEST(a_spot_solves_the_equation_with_two_diffusivities)
+{
+    const double k[2] = {0.7, 0.2}, width = 0.8, time = 0.3, x[2] = {0.3, -0.5};
+    double spatial = 0.0;
+    for (int axis = 0; axis < 2; axis++) {
+        double left[2] = {x[0], x[1]}, right[2] = {x[0], x[1]};
+        left[axis] -= STEP;
+        right[axis] += STEP;
+        spatial += k[axis] *
+                   (heat_spot(left, width, k, time) - 2.0 * heat_spot(x, width, k, time) +
+                    heat_spot(right, width, k, time)) /
+                   (STEP * STEP);
+    }
+    ck_assert_near((heat_spot(x, width, k, time + STEP) - heat_spot(x, width, k, time - STEP)) /
+                       (2 * STEP),
+                   spatial, 1e-5);
+    ck_assert_near(heat_spot(x, width, k, 0.0), exp(-0.34 / 0.64), 1e-15);
+}
+END_TEST
+
+START_TEST(a_passing_rod_is_steady)
+{
+    const double u = 0.9, kappa = 0.3, x = -0.4;
+    const double left = heat_passing_rod(x - STEP, u, kappa);
+    const double right = heat_passing_rod(x + STEP, u, kappa);
+    ck_assert_near(u * (right - left) / (2.0 * STEP),
+                   kappa * (left - 2.0 * heat_passing_rod(x, u, kappa) + right) / (STEP * STEP),
+                   1e-5);
+    ck_assert_near(heat_passing_rod(0.0, u, kappa), 1.0, 0.0);
+    ck_assert_near(heat_passing_rod(0.7, u, kappa), 1.0, 0.0);
 }
 END_TEST
 
@@ -122,8 +168,10 @@ Suite *suite_heat_fields(void)
     Suite *suite = suite_create("heat_fields");
     TCase *fields = tcase_create("fields");
     tcase_add_loop_test(fields, fields_of_held_surfaces_solve_the_equation, 0, HEAT_BODIES);
-    tcase_add_loop_test(fields, fields_of_fluxes_solve_the_equation, 0, HEAT_SPHERE);
-    tcase_add_test(fields, a_sphere_has_no_field_of_a_flux);
+    tcase_add_loop_test(fields, fields_of_fluxes_solve_the_equation, 0, HEAT_BODIES);
+    tcase_add_test(fields, the_mode_of_a_sphere_solves_the_equation);
+    tcase_add_test(fields, a_spot_solves_the_equation_with_two_diffusivities);
+    tcase_add_test(fields, a_passing_rod_is_steady);
     tcase_add_test(fields, a_driven_slab_has_the_temperature_of_nafems);
     tcase_add_test(fields, what_a_slab_takes_up_is_that_of_its_layers);
     suite_add_tcase(suite, fields);
