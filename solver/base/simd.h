@@ -306,6 +306,30 @@ MPM_INLINE void mpm_add_columns(double *const row[MPM_VECTOR_SIZE], int64_t offs
     }
 }
 
+/* Adds the sum of column[i] to number i of one row; of three columns, zero to a fourth one. */
+MPM_INLINE void mpm_add_sums(double *row, int columns, const mpm_vector column[4])
+{
+    const mpm_vector zero = mpm_splat(0.0);
+    const mpm_vector third = columns > 2 ? column[2] : zero,
+                     fourth = columns > 3 ? column[3] : zero;
+    const mpm_vector a = MPM_EVEN(column[0], column[1]) + MPM_ODD(column[0], column[1]);
+    const mpm_vector b = MPM_EVEN(third, fourth) + MPM_ODD(third, fourth);
+    const mpm_half_vector sum = (mpm_half_vector){a[0], a[1]} + (mpm_half_vector){a[2], a[3]};
+    const mpm_half_vector rest = (mpm_half_vector){b[0], b[1]} + (mpm_half_vector){b[2], b[3]};
+    if (columns > 2) {
+        mpm_store(row, mpm_load(row) + mpm_join(sum, rest));
+    } else {
+        const mpm_half_vector both = mpm_load_half(row) + sum;
+        memcpy(row, &both, sizeof both);
+    }
+}
+
+/* Are all lanes the same? */
+MPM_INLINE bool mpm_is_uniform(mpm_mask a)
+{
+    return !mpm_any(a != (mpm_mask){a[0], a[0], a[0], a[0]});
+}
+
 MPM_INLINE double mpm_largest_lane(mpm_vector v)
 {
     const double a = v[0] > v[1] ? v[0] : v[1], b = v[2] > v[3] ? v[2] : v[3];

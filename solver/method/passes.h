@@ -4,6 +4,7 @@
 #ifndef MPM_METHOD_PASSES_H
 #define MPM_METHOD_PASSES_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /* One pass over the particles of a strip; see mpm_strips_run. */
@@ -19,10 +20,11 @@ typedef void mpm_pass(void *state, int64_t strip, int worker);
 
 /* Passes over a scalar that is conducted: see method/transport/transport_passes.h. */
 struct mpm_scalar_passes {
-    mpm_pass *spread;            /* content and capacity of the nodes */
-    mpm_pass *conduct;           /* their inflow, by sources and conduction */
-    mpm_pass *update;            /* values of the particles, */
-    mpm_pass *update_and_spread; /* and with them the content of the next step */
+    mpm_pass *spread;             /* content and capacity of the nodes */
+    mpm_pass *conduct;            /* their inflow, by sources and conduction */
+    mpm_pass *conduct_undeformed; /* the same, where F = 1 */
+    mpm_pass *update;             /* values of the particles, */
+    mpm_pass *update_and_spread;  /* and with them the content of the next step */
     mpm_pass *filter;
 };
 
@@ -35,6 +37,9 @@ struct mpm_passes {
     mpm_pass *recompute;     /* not part of a step: stress and domain of the F at hand */
     mpm_pass *project;       /* of any values: see method/transfer/projection.h */
     const struct mpm_scalar_passes *scalar; /* those of the fast kernels */
+    /* The only scalar goes along: to_grid spreads it, finish updates it, and the first one between
+     * them conducts, where there is one. */
+    bool with_scalar;
 };
 
 struct mpm_state;

@@ -177,6 +177,8 @@ static enum mpm_status begin(struct mpm_state *state, int workers, bool uniform_
     MPM_TRY(mpm_cracks_find_fields(state, workers, error));
     mpm_edge_loads_prepare(state);
     mpm_grid_rows_run(state, mpm_row_clear);
+    if (state->kernels.passes->with_scalar)
+        mpm_transport_begin(state);
     return MPM_OK;
 }
 
@@ -297,7 +299,8 @@ static enum mpm_status advance_in_motion(struct mpm_state *state, double seconds
     charge(seconds, MPM_PHASE_TO_GRID, &mark);
 
     if (state->transport.count > 0) {
-        MPM_TRY(mpm_transport_take(state, workers, error));
+        MPM_TRY(passes->with_scalar ? mpm_transport_prepare(state, workers, error)
+                                    : mpm_transport_take(state, workers, error));
         charge(seconds, MPM_PHASE_TRANSPORT, &mark);
     }
 
@@ -326,6 +329,8 @@ static enum mpm_status advance_in_motion(struct mpm_state *state, double seconds
 
     /* Task 6: stress update of USL, MUSL, USAVG; Task 5: positions, last, since every
      * task uses the shape functions of the positions at the start */
+    if (passes->with_scalar)
+        MPM_TRY(mpm_transport_conclude(state, error));
     run_particles(state, workers, passes->finish);
     mpm_transport_finish(state);
     mpm_damping_finish(state);

@@ -37,6 +37,18 @@ static enum mpm_fast_geometry geometry_of(const struct mpm_scene *scene)
     return scene->geometry == MPM_AXISYMMETRIC ? MPM_FAST_AXISYMMETRIC : MPM_FAST_PLANAR;
 }
 
+/* With several scalars each has passes of its own: sources of particles are those of one. So has
+ * one with steps of its own. */
+static enum mpm_fast_cargo cargo_of(const struct mpm_scene *scene)
+{
+    int scalars = 0;
+    for (int which = 0; which < MPM_SCALAR_COUNT; which++)
+        scalars += scene->scalars[which].asked ? 1 : 0;
+    const bool each_step = scene->transport_substeps == 1 && scene->transport_every == 1;
+    return scalars == 1 && each_step && !scene->at_rest ? MPM_FAST_WITH_SCALAR
+                                                        : MPM_FAST_WITHOUT_SCALAR;
+}
+
 static bool has_vectors(const struct mpm_material_law *law)
 {
     const struct mpm_fast_law *row = mpm_fast_laws_baseline;
@@ -73,5 +85,5 @@ const struct mpm_passes *mpm_fast_passes(const struct mpm_scene *scene, enum mpm
     mpm_fast_family *const family = families[simd][scene->shape];
     if (family == NULL || (simd == MPM_SIMD_X86_64_V3 && !runs_v3()))
         return NULL;
-    return &(*family)[geometry_of(scene)][scene->stress_update];
+    return &(*family)[cargo_of(scene)][geometry_of(scene)][scene->stress_update];
 }

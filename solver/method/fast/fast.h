@@ -16,8 +16,12 @@ enum mpm_fast_geometry {
     MPM_FAST_GEOMETRIES,
 };
 
-/* A family's kernels, by geometry and order of the stress update. */
-typedef const struct mpm_passes mpm_fast_family[MPM_FAST_GEOMETRIES][MPM_ORDER_COUNT];
+/* Do passes of mechanics take a scalar along (struct mpm_passes)? */
+enum mpm_fast_cargo { MPM_FAST_WITHOUT_SCALAR, MPM_FAST_WITH_SCALAR, MPM_FAST_CARGOES };
+
+/* A family's kernels, by cargo, geometry and order of the stress update. */
+typedef const struct mpm_passes mpm_fast_family[MPM_FAST_CARGOES][MPM_FAST_GEOMETRIES]
+                                               [MPM_ORDER_COUNT];
 
 /* The families that have fast kernels, those that the makefile compiles them for: F(enumerator,
  * name, level). */

@@ -27,12 +27,20 @@ static struct fast_scalar scalar_of(const struct mpm_state *state,
     };
 }
 
+/* The one that a pass is for, or goes along with mechanics, or NULL. */
+static const struct mpm_nodal_scalar *scalar_at_work(const struct mpm_state *state)
+{
+    const struct mpm_nodal_scalar *const conducted = state->transport.conducted;
+    return conducted == NULL && state->kernels.passes->with_scalar ? state->transport.list
+                                                                   : conducted;
+}
+
 void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double part,
                         struct fast_constants *constants)
 {
     const struct mpm_grid *const grid = &state->grid;
     const struct mpm_projection *const projection = state->projection;
-    const struct mpm_nodal_scalar *const scalar = state->transport.conducted;
+    const struct mpm_nodal_scalar *const scalar = scalar_at_work(state);
     const bool midpoint = state->scene->position_update == MPM_MIDPOINT;
     *constants = (struct fast_constants){
         .axis = place_of_axis(&state->shape_grid),

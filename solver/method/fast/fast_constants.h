@@ -12,13 +12,14 @@
 struct fast_spec {
     enum mpm_shape shape;
     bool axisymmetric;
-    bool momentum; /* spread mass and momentum */
-    bool force;    /* spread internal forces */
-    bool finish;   /* the last pass, which only reads */
-    bool scalars;  /* exchange scalars with nodes, by S: see fast_scalars.h */
-    bool conducts; /* and by G */
-    bool alone;    /* nothing else than scalars */
-    bool spreads;  /* spread them anew once they are updated */
+    bool momentum;   /* spread mass and momentum */
+    bool force;      /* spread internal forces */
+    bool finish;     /* the last pass, which only reads */
+    bool scalars;    /* exchange scalars with nodes, by S: see fast_scalars.h */
+    bool conducts;   /* and by G */
+    bool alone;      /* nothing else than scalars */
+    bool spreads;    /* spread them anew once they are updated */
+    bool undeformed; /* F = 1 */
 };
 
 /* Nodal arrays of a scalar, one number each. */

@@ -16,6 +16,7 @@ enum { MPM_BLOCK_EDGE = 3, MPM_BLOCK_NODES = MPM_BLOCK_EDGE * MPM_BLOCK_EDGE };
 /* Weights of a block's nodes, row by row; only what the pass asks for. */
 struct fast_nodes {
     int64_t first[MPM_VECTOR_SIZE]; /* node at lower left */
+    bool together;                  /* of all four; where scalars are exchanged */
     double s[MPM_BLOCK_NODES][MPM_VECTOR_SIZE];
     double t[MPM_BLOCK_NODES][MPM_VECTOR_SIZE];
     mpm_vector g[MPM_BLOCK_NODES][2]; /* to spread forces with, */
@@ -216,6 +217,8 @@ MPM_INLINE void fast_cpdi_evaluate(const struct fast_spec *spec, const struct fa
     }
     const mpm_mask node = mpm_to_integer(first[1] * k->columns + first[0]) + k->node_zero;
     memcpy(cpdi->nodes.first, &node, sizeof node);
+    if (spec->scalars)
+        cpdi->nodes.together = mpm_is_uniform(node);
     const struct corner_factors factors = corner_factors(spec, d, inverse_r);
     set_nodes(spec, &factors, hats, &cpdi->nodes);
 }

@@ -144,10 +144,13 @@ static void set_box(struct mpm_state *state, const struct fast_sums *sums)
 
 /* --------------------------------------------------------------- the passes */
 
+static const unsigned scalar_spreads = 1u << FAST_CONTENT | 1u << FAST_CAPACITY;
+
 MPM_INLINE void pass_to_grid(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
 {
     const struct fast_traffic traffic = {.adds = 1u << FAST_SUM,
-                                         .adds_single = spec->force ? 1u << FAST_MASS : 0};
+                                         .adds_single = (spec->force ? 1u << FAST_MASS : 0) |
+                                                        (spec->scalars ? scalar_spreads : 0)};
     struct fast_sums sums;
     run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_to_grid);
 }
@@ -155,10 +158,17 @@ MPM_INLINE void pass_to_grid(const struct fast_spec *spec, struct mpm_state *sta
 MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_state *state,
                                    int64_t strip)
 {
-    const struct fast_traffic traffic = {.reads = 1u << FAST_GRADIENT, .adds = 1u << FAST_SUM};
+    const struct fast_traffic traffic = {
+        .reads = 1u << FAST_GRADIENT,
+        .adds = 1u << FAST_SUM,
+        .reads_single = spec->conducts ? 1u << FAST_VALUE : 0,
+        .adds_single = spec->conducts ? 1u << FAST_INFLOW : 0,
+    };
     struct fast_sums sums;
     run_strip(spec, state, strip, state->order->before, (int)state->scene->geometry, &traffic,
               &sums, block_stress_before);
+    if (spec->conducts)
+        sums.strip->diffusivity = mpm_largest_lane(sums.diffusivity);
     sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
 }
 
@@ -176,7 +186,7 @@ MPM_INLINE void pass_project(const struct fast_spec *spec, struct mpm_state *sta
 MPM_INLINE void pass_spread_scalar(const struct fast_spec *spec, struct mpm_state *state,
                                    int64_t strip)
 {
-    const struct fast_traffic traffic = {.adds_single = 1u << FAST_CONTENT | 1u << FAST_CAPACITY};
+    const struct fast_traffic traffic = {.adds_single = scalar_spreads};
     struct fast_sums sums;
     run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_spread_scalar);
 }
@@ -210,10 +220,17 @@ MPM_INLINE void pass_filter(const struct fast_spec *spec, struct mpm_state *stat
 MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state *state,
                                   int64_t strip)
 {
-    const struct fast_traffic traffic = {.reads = 1u << FAST_READ, .adds = 1u << FAST_GRADIENT};
+    const struct fast_traffic traffic = {
+        .reads = 1u << FAST_READ,
+        .adds = 1u << FAST_GRADIENT,
+        .reads_single = spec->conducts ? 1u << FAST_VALUE : 0,
+        .adds_single = spec->conducts ? 1u << FAST_INFLOW : 0,
+    };
     struct fast_sums sums;
     run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_to_particles);
     sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
+    if (spec->conducts)
+        sums.strip->diffusivity = mpm_largest_lane(sums.diffusivity);
 }
 
 MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
@@ -222,6 +239,7 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
     const struct fast_traffic traffic = {
         .reads =
             (updates ? 1u << FAST_GRADIENT : 0) | (state->order->extrapolate ? 0 : 1u << FAST_READ),
+        .reads_single = spec->scalars ? 1u << FAST_RESULT : 0,
     };
     struct fast_sums sums;
     run_strip(spec, state, strip, state->order->after,
@@ -243,43 +261,64 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
         body(&spec, state, strip);                                                                 \
     }
 
-/* Of passes of scalars alone. */
-#define SCALARS .scalars = true, .alone = true
-
-#define KERNELS(plane, ...)                                                                        \
+/* What all passes of mechanics are in. */
+#define MECHANICS(plane, ...)                                                                      \
     KERNEL(pass_to_grid, plane##_momentum_force, .momentum = true, .force = true, __VA_ARGS__)     \
     KERNEL(pass_to_grid, plane##_momentum, .momentum = true, __VA_ARGS__)                          \
-    KERNEL(pass_stress_before, plane##_stress_force, .force = true, __VA_ARGS__)                   \
-    KERNEL(pass_to_particles, plane##_extrapolate, __VA_ARGS__)                                    \
-    KERNEL(pass_finish, plane##_finish, .finish = true, __VA_ARGS__)                               \
-    KERNEL(pass_project, plane##_project, __VA_ARGS__)                                             \
-    KERNEL(pass_spread_scalar, plane##_spread_scalar, SCALARS, __VA_ARGS__)                        \
-    KERNEL(pass_conduct, plane##_conduct, SCALARS, .conducts = true, __VA_ARGS__)                  \
-    KERNEL(pass_update_scalar, plane##_update_scalar, SCALARS, __VA_ARGS__)                        \
-    KERNEL(pass_update_scalar, plane##_update_spread, SCALARS, .spreads = true, __VA_ARGS__)       \
-    KERNEL(pass_filter, plane##_filter, SCALARS, __VA_ARGS__)                                      \
-    static const struct mpm_scalar_passes plane##_scalar = {                                       \
-        plane##_spread_scalar, plane##_conduct, plane##_update_scalar, plane##_update_spread,      \
-        plane##_filter};
+    KERNEL(pass_finish, plane##_finish, .finish = true, __VA_ARGS__)
 
-#define STEP(plane, first, before, back)                                                           \
+/* Those that conduct, where a scalar goes along. */
+#define GATHERING(plane, ...)                                                                      \
+    KERNEL(pass_stress_before, plane##_stress_force, .force = true, __VA_ARGS__)                   \
+    KERNEL(pass_to_particles, plane##_extrapolate, __VA_ARGS__)
+
+#define ALONE .scalars = true, .alone = true
+
+#define KERNELS(plane, ...)                                                                        \
+    MECHANICS(plane, __VA_ARGS__)                                                                  \
+    GATHERING(plane, __VA_ARGS__)                                                                  \
+    MECHANICS(plane##_scalar, .scalars = true, __VA_ARGS__)                                        \
+    GATHERING(plane##_scalar, .scalars = true, .conducts = true, __VA_ARGS__)                      \
+    KERNEL(pass_project, plane##_project, __VA_ARGS__)                                             \
+    KERNEL(pass_spread_scalar, plane##_spread, ALONE, __VA_ARGS__)                                 \
+    KERNEL(pass_conduct, plane##_conduct, ALONE, .conducts = true, __VA_ARGS__)                    \
+    KERNEL(pass_conduct, plane##_conduct_undeformed, ALONE, .conducts = true, .undeformed = true,  \
+           __VA_ARGS__)                                                                            \
+    KERNEL(pass_update_scalar, plane##_update, ALONE, __VA_ARGS__)                                 \
+    KERNEL(pass_update_scalar, plane##_update_and_spread, ALONE, .spreads = true, __VA_ARGS__)     \
+    KERNEL(pass_filter, plane##_filter, ALONE, __VA_ARGS__)                                        \
+    static const struct mpm_scalar_passes plane##_passes = {                                       \
+        plane##_spread, plane##_conduct,           plane##_conduct_undeformed,                     \
+        plane##_update, plane##_update_and_spread, plane##_filter};
+
+#define STEP(plane, last, first, before, back, with_scalar)                                        \
     {                                                                                              \
-        first, before, back, plane##_finish, recompute, plane##_project, &plane##_scalar           \
+        first, before, back, last, recompute, plane##_project, &plane##_passes, with_scalar        \
     }
 
-#define ORDERS(plane)                                                                              \
+/* own: the kernels of mechanics. The second one of USAVG between the first and the last does not
+ * conduct. */
+#define ORDERS(plane, own, with_scalar)                                                            \
     {                                                                                              \
-        [MPM_USL] = STEP(plane, plane##_momentum_force, NULL, NULL),                               \
-        [MPM_MUSL] = STEP(plane, plane##_momentum_force, NULL, plane##_extrapolate),               \
-        [MPM_USF] = STEP(plane, plane##_momentum, plane##_stress_force, NULL),                     \
-        [MPM_USAVG] = STEP(plane, plane##_momentum, plane##_stress_force, plane##_extrapolate),    \
-        [MPM_USAVG_ONCE] = STEP(plane, plane##_momentum, plane##_stress_force, NULL),              \
+        [MPM_USL] = STEP(plane, own##_finish, own##_momentum_force, NULL, NULL, with_scalar),      \
+        [MPM_MUSL] =                                                                               \
+            STEP(plane, own##_finish, own##_momentum_force, NULL, own##_extrapolate, with_scalar), \
+        [MPM_USF] =                                                                                \
+            STEP(plane, own##_finish, own##_momentum, own##_stress_force, NULL, with_scalar),      \
+        [MPM_USAVG] = STEP(plane, own##_finish, own##_momentum, own##_stress_force,                \
+                           plane##_extrapolate, with_scalar),                                      \
+        [MPM_USAVG_ONCE] =                                                                         \
+            STEP(plane, own##_finish, own##_momentum, own##_stress_force, NULL, with_scalar),      \
     }
 
 KERNELS(planar, .axisymmetric = false)
 KERNELS(axisymmetric, .axisymmetric = true)
 
-const struct mpm_passes FAST_NAME(FAST_FAMILY)[MPM_FAST_GEOMETRIES][MPM_ORDER_COUNT] = {
-    [MPM_FAST_PLANAR] = ORDERS(planar),
-    [MPM_FAST_AXISYMMETRIC] = ORDERS(axisymmetric),
+mpm_fast_family FAST_NAME(FAST_FAMILY) = {
+    [MPM_FAST_WITHOUT_SCALAR] = {[MPM_FAST_PLANAR] = ORDERS(planar, planar, false),
+                                 [MPM_FAST_AXISYMMETRIC] = ORDERS(axisymmetric, axisymmetric,
+                                                                  false)},
+    [MPM_FAST_WITH_SCALAR] = {[MPM_FAST_PLANAR] = ORDERS(planar, planar_scalar, true),
+                              [MPM_FAST_AXISYMMETRIC] = ORDERS(axisymmetric, axisymmetric_scalar,
+                                                               true)},
 };

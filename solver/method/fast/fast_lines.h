@@ -31,6 +31,7 @@ struct fast_lines {
     mpm_vector sx[MPM_LINE_NODES]; /* the weights of x once more, by particles */
     /* and the others, where scalars are exchanged */
     mpm_vector dx[MPM_LINE_NODES], sy[MPM_LINE_NODES], dy[MPM_LINE_NODES];
+    bool together; /* all four have the same nodes; there */
 };
 
 /* The place of a lane's pair, see mpm_store_pairs. */
@@ -223,6 +224,8 @@ MPM_INLINE void fast_lines_evaluate(const struct fast_spec *spec, const struct f
     const struct fast_line y = fast_line_of(spec, k, 1, position[1]);
     const mpm_mask node = mpm_to_integer(y.first * k->columns + x.first) + k->node_zero;
     memcpy(lines->node, &node, sizeof node);
+    if (spec->scalars)
+        lines->together = mpm_is_uniform(node);
     for (int i = 0; i < line_nodes(spec); i++) {
         lines->sx[i] = x.s[i];
         if (spec->scalars)

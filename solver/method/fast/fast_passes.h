@@ -252,6 +252,8 @@ MPM_INLINE void block_to_grid(const struct fast_spec *spec, const struct fast_bl
             spread_values(spec, block->k, &stencil[v], block->k->sum, values);
         }
     }
+    if (spec->scalars)
+        spread_scalar(spec, block, stencil);
 }
 
 /* Tasks 2 and 3 of USF and USAVG */
@@ -259,6 +261,8 @@ MPM_INLINE void block_stress_before(const struct fast_spec *spec, const struct f
 {
     union fast_stencil stencil[MPM_BLOCK_VECTORS];
     evaluate_block(spec, block, stencil);
+    if (spec->conducts) /* with the F of the start */
+        conduct_scalar(spec, block, stencil);
     update_stress_block(spec, block, stencil);
     FOR_VECTORS(block, p, v)
     {
@@ -362,6 +366,8 @@ MPM_INLINE void block_to_particles(const struct fast_spec *spec, const struct fa
     move_block(spec, block, stencil, momentum);
     FOR_VECTORS(block, p, v)
     spread_momentum(spec, block->k, &stencil[v], momentum[v]);
+    if (spec->conducts)
+        conduct_scalar(spec, block, stencil);
 }
 
 MPM_INLINE void keep_edges(const struct fast_constants *k, const struct mpm_particles *particles,
@@ -380,6 +386,8 @@ MPM_INLINE void block_finish(const struct fast_spec *spec, const struct fast_blo
     union fast_stencil stencil[MPM_BLOCK_VECTORS];
     mpm_vector momentum[MPM_BLOCK_VECTORS][2];
     evaluate_block(spec, block, stencil);
+    if (spec->scalars)
+        update_scalar(spec, block, stencil);
     if (block->moves)
         move_block(spec, block, stencil, momentum);
     if (block->update != NULL)

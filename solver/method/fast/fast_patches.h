@@ -177,6 +177,11 @@ MPM_INLINE void make_patch_of_corners(struct fast_patches *patches, const struct
 MPM_INLINE void make_patches(const struct fast_spec *spec, struct fast_patches *patches,
                              union fast_stencil *stencil)
 {
+    for (size_t v = 0; spec->scalars && v < patches->lanes / MPM_VECTOR_SIZE; v++)
+        if (spec->shape != MPM_CPDI)
+            stencil[v].lines.together = false;
+        else if (!takes_corners(spec) && stencil[v].cpdi.near)
+            stencil[v].cpdi.nodes.together = false;
     for (size_t lane = 0; lane < patches->lanes; lane++) {
         union fast_stencil *const own = &stencil[lane / MPM_VECTOR_SIZE];
         const size_t i = lane % MPM_VECTOR_SIZE;

@@ -23,26 +23,50 @@ struct fast_gift {
 
 /* ------------------------------------------------------------- product stencils */
 
-/* The first node of each particle. */
-MPM_INLINE void places_of(double *array, const int64_t first[MPM_VECTOR_SIZE],
-                          double *place[MPM_VECTOR_SIZE])
+/* Where the nodes of four particles begin. Mostly, as particles are sorted, they are the same: then
+ * they are read once, and what the four give is summed up before it is added. */
+struct fast_place_of_four {
+    double *place[MPM_VECTOR_SIZE];
+    bool together;
+};
+
+MPM_INLINE struct fast_place_of_four
+place_of_four(double *array, const int64_t first[MPM_VECTOR_SIZE], bool together)
 {
+    return (struct fast_place_of_four){
+        {array + first[0], array + first[1], array + first[2], array + first[3]}, together};
+}
+
+MPM_INLINE void load_row(const struct fast_place_of_four *from, int64_t offset, int nodes,
+                         mpm_vector value[4])
+{
+    if (!from->together) {
+        mpm_load_columns(from->place, offset, nodes, value);
+        return;
+    }
 #pragma GCC unroll 4
-    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
-        place[lane] = array + first[lane];
+    for (int i = 0; i < nodes; i++)
+        value[i] = mpm_splat(from->place[0][offset + i]);
+}
+
+MPM_INLINE void add_to_row(const struct fast_place_of_four *to, int64_t offset, int nodes,
+                           const mpm_vector value[4])
+{
+    if (to->together)
+        mpm_add_sums(to->place[0] + offset, nodes, value);
+    else
+        mpm_add_columns(to->place, offset, nodes, value);
 }
 
 /* sum_j w_j v_ij for each i */
-MPM_INLINE void sum_rows(const struct fast_lines *lines, int nodes, int64_t stride, double *array,
+MPM_INLINE void sum_rows(const struct fast_place_of_four *from, int nodes, int64_t stride,
                          const mpm_vector *const weights[2], int sets,
                          mpm_vector sum[2][MPM_LINE_NODES])
 {
-    double *place[MPM_VECTOR_SIZE];
-    places_of(array, lines->node, place);
 #pragma GCC unroll 4
     for (int j = 0; j < nodes; j++) {
         mpm_vector value[4];
-        mpm_load_columns(place, j * stride, nodes, value);
+        load_row(from, j * stride, nodes, value);
 #pragma GCC unroll 4
         for (int set = 0; set < sets; set++)
 #pragma GCC unroll 4
@@ -56,88 +80,77 @@ MPM_INLINE void sum_rows(const struct fast_lines *lines, int nodes, int64_t stri
 MPM_INLINE mpm_vector dot(const mpm_vector *a, const mpm_vector *b, int count)
 {
     mpm_vector sum = a[0] * b[0];
+#pragma GCC unroll 4
     for (int i = 1; i < count; i++)
         sum += a[i] * b[i];
     return sum;
 }
 
-MPM_INLINE mpm_vector fast_lines_number(const struct fast_spec *spec,
-                                        const struct fast_constants *k,
-                                        const struct fast_lines *lines, double *array)
+MPM_INLINE mpm_vector lines_number(const struct fast_lines *lines, int nodes, int64_t stride,
+                                   const struct fast_place_of_four *from)
 {
     const mpm_vector *const weights[2] = {lines->sy, NULL};
     mpm_vector sum[2][MPM_LINE_NODES];
-    sum_rows(lines, line_nodes(spec), k->stride, array, weights, 1, sum);
-    return dot(lines->sx, sum[0], line_nodes(spec));
+    sum_rows(from, nodes, stride, weights, 1, sum);
+    return dot(lines->sx, sum[0], nodes);
 }
 
-MPM_INLINE void fast_lines_slope(const struct fast_spec *spec, const struct fast_constants *k,
-                                 const struct fast_lines *lines, double *array,
-                                 mpm_vector gradient[2])
+MPM_INLINE void lines_slope(const struct fast_lines *lines, int nodes, int64_t stride,
+                            const struct fast_place_of_four *from, mpm_vector gradient[2])
 {
     const mpm_vector *const weights[2] = {lines->sy, lines->dy};
     mpm_vector sum[2][MPM_LINE_NODES];
-    sum_rows(lines, line_nodes(spec), k->stride, array, weights, 2, sum);
-    gradient[0] = dot(lines->dx, sum[0], line_nodes(spec));
-    gradient[1] = dot(lines->sx, sum[1], line_nodes(spec));
+    sum_rows(from, nodes, stride, weights, 2, sum);
+    gradient[0] = dot(lines->dx, sum[0], nodes);
+    gradient[1] = dot(lines->sx, sum[1], nodes);
 }
 
-MPM_INLINE void fast_lines_add_number(const struct fast_spec *spec, const struct fast_constants *k,
-                                      const struct fast_lines *lines, double *array,
-                                      mpm_vector number)
+MPM_INLINE void lines_add_number(const struct fast_lines *lines, int nodes, int64_t stride,
+                                 const struct fast_place_of_four *to, mpm_vector number)
 {
-    double *place[MPM_VECTOR_SIZE];
-    const int nodes = line_nodes(spec);
     mpm_vector along[MPM_LINE_NODES];
 #pragma GCC unroll 4
     for (int i = 0; i < nodes; i++)
         along[i] = lines->sx[i] * number;
-    places_of(array, lines->node, place);
 #pragma GCC unroll 4
     for (int j = 0; j < nodes; j++) {
         mpm_vector add[4];
 #pragma GCC unroll 4
         for (int i = 0; i < nodes; i++)
             add[i] = lines->sy[j] * along[i];
-        mpm_add_columns(place, j * k->stride, nodes, add);
+        add_to_row(to, j * stride, nodes, add);
     }
 }
 
-MPM_INLINE void fast_lines_give(const struct fast_spec *spec, const struct fast_constants *k,
-                                const struct fast_lines *lines, double *array,
-                                const struct fast_gift *gift)
+MPM_INLINE void lines_give(const struct fast_lines *lines, int nodes, int64_t stride,
+                           const struct fast_place_of_four *to, const struct fast_gift *gift)
 {
-    double *place[MPM_VECTOR_SIZE];
-    const int nodes = line_nodes(spec);
     mpm_vector across[MPM_LINE_NODES], along[MPM_LINE_NODES];
 #pragma GCC unroll 4
     for (int i = 0; i < nodes; i++) {
         across[i] = lines->dx[i] * gift->flow[0] + lines->sx[i] * gift->value;
         along[i] = lines->sx[i] * gift->flow[1];
     }
-    places_of(array, lines->node, place);
 #pragma GCC unroll 4
     for (int j = 0; j < nodes; j++) {
         mpm_vector add[4];
 #pragma GCC unroll 4
         for (int i = 0; i < nodes; i++)
             add[i] = lines->sy[j] * across[i] + lines->dy[j] * along[i];
-        mpm_add_columns(place, j * k->stride, nodes, add);
+        add_to_row(to, j * stride, nodes, add);
     }
 }
 
 /* ------------------------------------------------------------------ CPDI, near */
 
-MPM_INLINE mpm_vector near_number(const struct fast_constants *k, const struct fast_nodes *nodes,
-                                  double *array)
+MPM_INLINE mpm_vector near_number(const struct fast_nodes *nodes, int64_t stride,
+                                  const struct fast_place_of_four *from)
 {
-    double *place[MPM_VECTOR_SIZE];
     mpm_vector sum = mpm_splat(0.0);
-    places_of(array, nodes->first, place);
 #pragma GCC unroll 4
     for (int j = 0; j < MPM_BLOCK_EDGE; j++) {
         mpm_vector value[4];
-        mpm_load_columns(place, j * k->stride, MPM_BLOCK_EDGE, value);
+        load_row(from, j * stride, MPM_BLOCK_EDGE, value);
 #pragma GCC unroll 4
         for (int i = 0; i < MPM_BLOCK_EDGE; i++)
             sum += mpm_load(nodes->s[MPM_BLOCK_EDGE * j + i]) * value[i];
@@ -145,16 +158,14 @@ MPM_INLINE mpm_vector near_number(const struct fast_constants *k, const struct f
     return sum;
 }
 
-MPM_INLINE void near_slope(const struct fast_constants *k, const struct fast_nodes *nodes,
-                           double *array, mpm_vector gradient[2])
+MPM_INLINE void near_slope(const struct fast_nodes *nodes, int64_t stride,
+                           const struct fast_place_of_four *from, mpm_vector gradient[2])
 {
-    double *place[MPM_VECTOR_SIZE];
     gradient[0] = gradient[1] = mpm_splat(0.0);
-    places_of(array, nodes->first, place);
 #pragma GCC unroll 4
     for (int j = 0; j < MPM_BLOCK_EDGE; j++) {
         mpm_vector value[4];
-        mpm_load_columns(place, j * k->stride, MPM_BLOCK_EDGE, value);
+        load_row(from, j * stride, MPM_BLOCK_EDGE, value);
 #pragma GCC unroll 4
         for (int i = 0; i < MPM_BLOCK_EDGE; i++)
             for (int axis = 0; axis < 2; axis++)
@@ -162,26 +173,22 @@ MPM_INLINE void near_slope(const struct fast_constants *k, const struct fast_nod
     }
 }
 
-MPM_INLINE void near_add_number(const struct fast_constants *k, const struct fast_nodes *nodes,
-                                double *array, mpm_vector number)
+MPM_INLINE void near_add_number(const struct fast_nodes *nodes, int64_t stride,
+                                const struct fast_place_of_four *to, mpm_vector number)
 {
-    double *place[MPM_VECTOR_SIZE];
-    places_of(array, nodes->first, place);
 #pragma GCC unroll 4
     for (int j = 0; j < MPM_BLOCK_EDGE; j++) {
         mpm_vector add[4];
 #pragma GCC unroll 4
         for (int i = 0; i < MPM_BLOCK_EDGE; i++)
             add[i] = mpm_load(nodes->s[MPM_BLOCK_EDGE * j + i]) * number;
-        mpm_add_columns(place, j * k->stride, MPM_BLOCK_EDGE, add);
+        add_to_row(to, j * stride, MPM_BLOCK_EDGE, add);
     }
 }
 
-MPM_INLINE void near_give(const struct fast_constants *k, const struct fast_nodes *nodes,
-                          double *array, const struct fast_gift *gift)
+MPM_INLINE void near_give(const struct fast_nodes *nodes, int64_t stride,
+                          const struct fast_place_of_four *to, const struct fast_gift *gift)
 {
-    double *place[MPM_VECTOR_SIZE];
-    places_of(array, nodes->first, place);
 #pragma GCC unroll 4
     for (int j = 0; j < MPM_BLOCK_EDGE; j++) {
         mpm_vector add[4];
@@ -191,7 +198,7 @@ MPM_INLINE void near_give(const struct fast_constants *k, const struct fast_node
             add[i] = nodes->g[n][0] * gift->flow[0] + nodes->g[n][1] * gift->flow[1] +
                      mpm_load(nodes->s[n]) * gift->value;
         }
-        mpm_add_columns(place, j * k->stride, MPM_BLOCK_EDGE, add);
+        add_to_row(to, j * stride, MPM_BLOCK_EDGE, add);
     }
 }
 
@@ -262,17 +269,58 @@ MPM_SEPARATE void corners_give(const struct fast_constants *k, const struct fast
 
 /* ----------------------------------------------------------- either stencil */
 
+/* Corner by corner, and not in a block of nodes */
+MPM_INLINE bool by_corners(const struct fast_spec *spec, const union fast_stencil *stencil)
+{
+    return spec->shape == MPM_CPDI && (takes_corners(spec) || !stencil->cpdi.near);
+}
+
+/* Nodes of four particles that are not by corners; `together` is known when this is compiled. */
+MPM_INLINE struct fast_place_of_four nodes_of_four(const struct fast_spec *spec,
+                                                   const union fast_stencil *stencil, double *array,
+                                                   bool together)
+{
+    return place_of_four(
+        array, spec->shape == MPM_CPDI ? stencil->cpdi.nodes.first : stencil->lines.node, together);
+}
+
+MPM_INLINE bool are_together(const struct fast_spec *spec, const union fast_stencil *stencil)
+{
+    return spec->shape == MPM_CPDI ? stencil->cpdi.nodes.together : stencil->lines.together;
+}
+
+MPM_INLINE mpm_vector number_at(const struct fast_spec *spec, const struct fast_constants *k,
+                                const union fast_stencil *stencil, double *array, bool together)
+{
+    const struct fast_place_of_four from = nodes_of_four(spec, stencil, array, together);
+    return spec->shape == MPM_CPDI
+               ? near_number(&stencil->cpdi.nodes, k->stride, &from)
+               : lines_number(&stencil->lines, line_nodes(spec), k->stride, &from);
+}
+
 /* sum S of an array */
 MPM_INLINE mpm_vector gather_number(const struct fast_spec *spec, const struct fast_constants *k,
                                     const union fast_stencil *stencil, double *array)
 {
     mpm_vector number;
-    if (spec->shape != MPM_CPDI)
-        return fast_lines_number(spec, k, &stencil->lines, array);
-    if (!takes_corners(spec) && stencil->cpdi.near)
-        return near_number(k, &stencil->cpdi.nodes, array);
-    corners_number(k, &stencil->cpdi.corners, array, &number);
+    if (by_corners(spec, stencil))
+        corners_number(k, &stencil->cpdi.corners, array, &number);
+    else if (are_together(spec, stencil))
+        number = number_at(spec, k, stencil, array, true);
+    else
+        number = number_at(spec, k, stencil, array, false);
     return number;
+}
+
+MPM_INLINE void slope_at(const struct fast_spec *spec, const struct fast_constants *k,
+                         const union fast_stencil *stencil, double *array, bool together,
+                         mpm_vector gradient[2])
+{
+    const struct fast_place_of_four from = nodes_of_four(spec, stencil, array, together);
+    if (spec->shape == MPM_CPDI)
+        near_slope(&stencil->cpdi.nodes, k->stride, &from, gradient);
+    else
+        lines_slope(&stencil->lines, line_nodes(spec), k->stride, &from, gradient);
 }
 
 /* sum G of an array */
@@ -280,24 +328,46 @@ MPM_INLINE void gather_slope(const struct fast_spec *spec, const struct fast_con
                              const union fast_stencil *stencil, double *array,
                              mpm_vector gradient[2])
 {
-    if (spec->shape != MPM_CPDI)
-        fast_lines_slope(spec, k, &stencil->lines, array, gradient);
-    else if (stencil->cpdi.near)
-        near_slope(k, &stencil->cpdi.nodes, array, gradient);
-    else
+    if (by_corners(spec, stencil))
         corners_slope(k, &stencil->cpdi.corners, array, gradient);
+    else if (are_together(spec, stencil))
+        slope_at(spec, k, stencil, array, true, gradient);
+    else
+        slope_at(spec, k, stencil, array, false, gradient);
+}
+
+MPM_INLINE void add_number_at(const struct fast_spec *spec, const struct fast_constants *k,
+                              const union fast_stencil *stencil, double *array, bool together,
+                              mpm_vector number)
+{
+    const struct fast_place_of_four to = nodes_of_four(spec, stencil, array, together);
+    if (spec->shape == MPM_CPDI)
+        near_add_number(&stencil->cpdi.nodes, k->stride, &to, number);
+    else
+        lines_add_number(&stencil->lines, line_nodes(spec), k->stride, &to, number);
 }
 
 /* An array's numbers += S number */
 MPM_INLINE void spread_number(const struct fast_spec *spec, const struct fast_constants *k,
                               const union fast_stencil *stencil, double *array, mpm_vector number)
 {
-    if (spec->shape != MPM_CPDI)
-        fast_lines_add_number(spec, k, &stencil->lines, array, number);
-    else if (stencil->cpdi.near)
-        near_add_number(k, &stencil->cpdi.nodes, array, number);
-    else
+    if (by_corners(spec, stencil))
         corners_add_number(k, &stencil->cpdi.corners, array, &number);
+    else if (are_together(spec, stencil))
+        add_number_at(spec, k, stencil, array, true, number);
+    else
+        add_number_at(spec, k, stencil, array, false, number);
+}
+
+MPM_INLINE void give_at(const struct fast_spec *spec, const struct fast_constants *k,
+                        const union fast_stencil *stencil, double *array, bool together,
+                        const struct fast_gift *gift)
+{
+    const struct fast_place_of_four to = nodes_of_four(spec, stencil, array, together);
+    if (spec->shape == MPM_CPDI)
+        near_give(&stencil->cpdi.nodes, k->stride, &to, gift);
+    else
+        lines_give(&stencil->lines, line_nodes(spec), k->stride, &to, gift);
 }
 
 /* An array's numbers += G . flow + S value */
@@ -305,12 +375,12 @@ MPM_INLINE void spread_gift(const struct fast_spec *spec, const struct fast_cons
                             const union fast_stencil *stencil, double *array,
                             const struct fast_gift *gift)
 {
-    if (spec->shape != MPM_CPDI)
-        fast_lines_give(spec, k, &stencil->lines, array, gift);
-    else if (stencil->cpdi.near)
-        near_give(k, &stencil->cpdi.nodes, array, gift);
-    else
+    if (by_corners(spec, stencil))
         corners_give(k, &stencil->cpdi.corners, array, gift);
+    else if (are_together(spec, stencil))
+        give_at(spec, k, stencil, array, true, gift);
+    else
+        give_at(spec, k, stencil, array, false, gift);
 }
 
 /* ------------------------------------------------- what a block of particles does */
@@ -340,6 +410,13 @@ MPM_INLINE void spread_scalar(const struct fast_spec *spec, const struct fast_bl
     }
 }
 
+/* K a, xx yy xy */
+MPM_INLINE void multiply(const double k[3], const mpm_vector a[2], mpm_vector product[2])
+{
+    product[0] = k[0] * a[0] + k[2] * a[1];
+    product[1] = k[2] * a[0] + k[1] * a[1];
+}
+
 /* k grad v, k turned by R of F = R U */
 MPM_INLINE void turned_flow(const double k[3], const mpm_vector f[MPM_GRADIENT_SIZE],
                             const mpm_vector gradient[2], mpm_vector flow[2])
@@ -349,26 +426,31 @@ MPM_INLINE void turned_flow(const double k[3], const mpm_vector f[MPM_GRADIENT_S
     const mpm_vector cosine = sum * inverse, sine = difference * inverse;
     const mpm_vector along[2] = {cosine * gradient[0] + sine * gradient[1],
                                  cosine * gradient[1] - sine * gradient[0]};
-    const mpm_vector turned[2] = {k[0] * along[0] + k[2] * along[1],
-                                  k[2] * along[0] + k[1] * along[1]};
+    mpm_vector turned[2];
+    multiply(k, along, turned);
     flow[0] = cosine * turned[0] - sine * turned[1];
     flow[1] = sine * turned[0] + cosine * turned[1];
 }
 
-/* Flow and source of four particles, of their F. */
+/* Flow and source of four particles, with their F. */
 MPM_INLINE void conduct_vector(const struct fast_spec *spec, const struct fast_block *block,
                                size_t p, const union fast_stencil *stencil, bool has_source)
 {
     const struct fast_scalar *const scalar = &block->k->scalar;
     const struct mpm_particles *const particles = block->particles;
     struct fast_gift gift = {.value = mpm_splat(0.0)};
-    mpm_vector f[MPM_GRADIENT_SIZE], gradient[2];
-    load_deformation(particles, p, f);
-    const mpm_vector j = determinant_vector(f), volume = mpm_load(particles->mass + p) * j;
+    mpm_vector f[MPM_GRADIENT_SIZE], gradient[2], j = mpm_splat(1.0);
+    if (!spec->undeformed) {
+        load_deformation(particles, p, f);
+        j = determinant_vector(f);
+    }
+    const mpm_vector volume = mpm_load(particles->mass + p) * j;
     gather_slope(spec, block->k, stencil, scalar->nodes[FAST_VALUE], gradient);
     for (int axis = 0; axis < 2; axis++)
         gift.flow[axis] = scalar->conduction.k[0] * gradient[axis];
-    if (scalar->conduction.turns)
+    if (scalar->conduction.turns && spec->undeformed)
+        multiply(scalar->conduction.k, gradient, gift.flow);
+    else if (scalar->conduction.turns)
         turned_flow(scalar->conduction.k, f, gradient, gift.flow);
     for (int axis = 0; axis < 2; axis++)
         gift.flow[axis] *= -volume;

@@ -19,7 +19,7 @@
     }
 #define STEP(first, before, back, last)                                                            \
     {                                                                                              \
-        first, before, back, last, mpm_pass_recompute, mpm_pass_project, NULL                      \
+        first, before, back, last, mpm_pass_recompute, mpm_pass_project, NULL, false               \
     }
 
 static const struct mpm_passes velocity_passes[MPM_ORDER_COUNT] = ORDERS(

@@ -7,6 +7,7 @@
 #include "method/transfer/transfer.h"
 #include "method/transport/transport_edges.h"
 #include "method/transport/transport_passes.h"
+#include "method/transport/transport_rest.h"
 
 #include <float.h>
 #include <string.h>
@@ -23,8 +24,19 @@ void mpm_nodal_scalar_layout(const struct mpm_state *state, struct mpm_nodal_sca
         MPM_TAKE(arena, double, (size_t)(state->grid.rows + state->grid.field_rows));
 }
 
+static bool is_undeformed(const struct mpm_particles *particles)
+{
+    static const double one[MPM_GRADIENT_SIZE] = {[MPM_XX] = 1.0, [MPM_YY] = 1.0, [MPM_ZZ] = 1.0};
+    for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+        for (size_t p = 0; p < particles->count; p++)
+            if (particles->deformation[i][p] != one[i])
+                return false;
+    return true;
+}
+
 void mpm_transport_forget(struct mpm_state *state)
 {
+    state->transport.undeformed = state->scene->at_rest && is_undeformed(&state->particles);
     for (size_t k = 0; k < state->transport.count; k++) {
         state->transport.list[k].at_hand = false;
         state->transport.list[k].settles = state->transport.list[k].hold_count > 0;
@@ -291,23 +303,33 @@ static enum mpm_status check_finite(const struct mpm_state *state,
     return MPM_OK;
 }
 
-static enum mpm_status advance(struct mpm_state *state, int workers,
+static mpm_pass *conduction(const struct mpm_state *state)
+{
+    return state->transport.undeformed ? state->kernels.scalar->conduct_undeformed
+                                       : state->kernels.scalar->conduct;
+}
+
+/* From contents to what gradients are made of, and what flows in otherwise. */
+static enum mpm_status prepare(struct mpm_state *state, int workers,
                                struct mpm_nodal_scalar *scalar, struct mpm_error *error)
 {
-    if (!scalar->at_hand)
-        spread(state, workers, scalar);
     mpm_symmetries_reflect_scalar(state, scalar->content);
     run_rows(state, scalar, row_values);
     MPM_TRY(hold_values(state, scalar, error));
     settle(state, workers, scalar);
     find_sources(state, workers, scalar);
-    mpm_scalar_pass_run(state, workers, scalar, state->kernels.scalar->conduct);
     mpm_transport_edges_spread(state, workers, scalar);
+    return MPM_OK;
+}
+
+/* From inflow to what particles read. */
+static enum mpm_status conclude(struct mpm_state *state, struct mpm_nodal_scalar *scalar,
+                                struct mpm_error *error)
+{
     mpm_symmetries_reflect_scalar(state, scalar->inflow);
     run_rows(state, scalar, scalar->transfer == MPM_SCALAR_PIC ? row_pic : row_rates);
     MPM_TRY(check_finite(state, scalar, error));
     MPM_TRY(hold_results(state, scalar, error));
-    update_particles(state, workers, scalar);
     for (int64_t s = 0; s < state->strip_count; s++) {
         state->transport.diffusivity =
             fmax(state->transport.diffusivity, state->strips[s].diffusivity);
@@ -316,11 +338,48 @@ static enum mpm_status advance(struct mpm_state *state, int workers,
     return MPM_OK;
 }
 
+static enum mpm_status advance(struct mpm_state *state, int workers,
+                               struct mpm_nodal_scalar *scalar, struct mpm_error *error)
+{
+    if (!scalar->at_hand)
+        spread(state, workers, scalar);
+    MPM_TRY(prepare(state, workers, scalar, error));
+    mpm_scalar_pass_run(state, workers, scalar, conduction(state));
+    MPM_TRY(conclude(state, scalar, error));
+    update_particles(state, workers, scalar);
+    return MPM_OK;
+}
+
 enum mpm_status mpm_transport_advance(struct mpm_state *state, int workers, struct mpm_error *error)
 {
     state->transport.diffusivity = state->transport.film = 0.0;
     for (size_t k = 0; k < state->transport.count; k++)
         MPM_TRY(advance(state, workers, &state->transport.list[k], error));
+    return MPM_OK;
+}
+
+void mpm_transport_begin(struct mpm_state *state)
+{
+    run_rows(state, state->transport.list, row_clear_content);
+    run_rows(state, state->transport.list, row_clear_capacity);
+}
+
+enum mpm_status mpm_transport_prepare(struct mpm_state *state, int workers, struct mpm_error *error)
+{
+    const struct mpm_passes *const passes = state->kernels.passes;
+    struct mpm_nodal_scalar *const scalar = state->transport.list;
+    state->transport.diffusivity = state->transport.film = 0.0;
+    mpm_symmetries_reflect_scalar(state, scalar->capacity);
+    MPM_TRY(prepare(state, workers, scalar, error));
+    if (passes->stress_before == NULL && passes->to_particles == NULL)
+        mpm_scalar_pass_run(state, workers, scalar, conduction(state));
+    return MPM_OK;
+}
+
+enum mpm_status mpm_transport_conclude(struct mpm_state *state, struct mpm_error *error)
+{
+    MPM_TRY(conclude(state, state->transport.list, error));
+    mpm_transport_measure_rest(state);
     return MPM_OK;
 }
 

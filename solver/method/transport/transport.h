@@ -52,12 +52,21 @@
 void mpm_nodal_scalar_layout(const struct mpm_state *state, struct mpm_nodal_scalar *scalar,
                              struct mpm_arena *arena);
 
-/* One step of all scalars, in the places and with the F of its start, between the spreading of
- * momenta and the first stress update. MPM_RUN_FAILED: a prescribed value or the result is not
- * finite; a source that is not is a failure of its strip. Cost: three passes over the particles; in
- * scenes at rest two, since the second one spreads for the next step. */
+/* One step of all scalars, in the places and with the F of its start. MPM_RUN_FAILED: a prescribed
+ * value or the result is not finite; a source that is not is a failure of its strip. Cost: three
+ * passes over the particles; in scenes at rest two, since the second one spreads for the next step.
+ */
 enum mpm_status mpm_transport_advance(struct mpm_state *state, int workers,
                                       struct mpm_error *error);
+
+/* The same beside mechanics, with one result, where the passes of mechanics take the scalar along
+ * (with_scalar of struct mpm_passes): they find each stencil once for both. `begin` comes before
+ * anything is spread; `prepare` between that and the first stress update; `conclude` before the
+ * last pass. The new values are those of that pass. */
+void mpm_transport_begin(struct mpm_state *state);
+enum mpm_status mpm_transport_prepare(struct mpm_state *state, int workers,
+                                      struct mpm_error *error);
+enum mpm_status mpm_transport_conclude(struct mpm_state *state, struct mpm_error *error);
 
 /* Particles are in another order, or have other values: contents at hand are not theirs. */
 void mpm_transport_forget(struct mpm_state *state);

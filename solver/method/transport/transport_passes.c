@@ -148,6 +148,7 @@ static MPM_PASS(pass_update, update, false) static MPM_PASS(pass_update_and_spre
 const struct mpm_scalar_passes mpm_scalar_passes = {
     .spread = pass_spread,
     .conduct = pass_conduct,
+    .conduct_undeformed = pass_conduct,
     .update = pass_update,
     .update_and_spread = pass_update_and_spread,
     .filter = pass_filter,

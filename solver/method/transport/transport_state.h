@@ -64,6 +64,7 @@ struct mpm_transport {
     double waited; /* time since the last conduction, with this step */
     int64_t steps_waited;
     const struct mpm_nodal_scalar *conducted; /* by the pass that runs */
+    bool undeformed;                          /* nothing moves, and F = 1 */
     double diffusivity; /* largest J k / (c rho_0) of all particles and scalars in the step */
     double film;        /* largest derivative of a flux on edges by its scalar, over c rho_0 */
 };
