@@ -8,6 +8,7 @@
 #include "method/cracks/crack_detection.h"
 #include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_opening.h"
+#include "method/cracks/crack_passages.h"
 #include "method/energy_balance.h"
 #include "method/fields/fields.h"
 #include "method/grid/conditions.h"
@@ -21,6 +22,7 @@
 #include "method/transfer/nearby.h"
 #include "method/transfer/transfer.h"
 #include "method/transport/transport.h"
+#include "method/transport/transport_contact.h"
 
 #include <math.h>
 #include <time.h>
@@ -264,14 +266,37 @@ static void add_loads(struct mpm_state *state, int workers, bool varying_force)
     mpm_symmetries_reflect_force(state);
 }
 
-/* Nothing moves: no momentum, no stress. */
+/* What flows between the fields of nodes, and the particles' scalars */
+static enum mpm_status transport(struct mpm_state *state, int workers, struct mpm_error *error)
+{
+    if (!state->transport.fields_known) {
+        mpm_transport_contact_list(state);
+        mpm_crack_passages_list(state);
+    }
+    return mpm_transport_advance(state, workers, error);
+}
+
+/* Nothing moves: no momentum, no stress. Fields of nodes, for which masses are needed, stay as they
+ * are until particles have another order. */
+static enum mpm_status find_fields_at_rest(struct mpm_state *state, int workers,
+                                           struct mpm_error *error)
+{
+    if (state->transport.fields_known)
+        return MPM_OK;
+    MPM_TRY(begin(state, workers, false, error));
+    return state->fields.layers > 0 || state->fields.keys > 0 ? spread(state, workers, error)
+                                                              : MPM_OK;
+}
+
 static enum mpm_status advance_at_rest(struct mpm_state *state, double seconds[MPM_PHASE_COUNT],
                                        struct mpm_error *error)
 {
     double mark = seconds_now();
-    mpm_grid_find_active(state);
+    const int workers = strips_touch(state) ? 1 : state->workers;
+    MPM_TRY(find_fields_at_rest(state, workers, error));
     mpm_edge_loads_prepare(state);
-    MPM_TRY(mpm_transport_advance(state, strips_touch(state) ? 1 : state->workers, error));
+    MPM_TRY(transport(state, workers, error));
+    state->transport.fields_known = true;
     charge(seconds, MPM_PHASE_TRANSPORT, &mark);
     state->steps_since_sort++;
     return mpm_step_collect(state);
@@ -293,7 +318,7 @@ static enum mpm_status advance_in_motion(struct mpm_state *state, double seconds
     charge(seconds, MPM_PHASE_TO_GRID, &mark);
 
     if (state->transport.count > 0) {
-        MPM_TRY(mpm_transport_advance(state, workers, error));
+        MPM_TRY(transport(state, workers, error));
         charge(seconds, MPM_PHASE_TRANSPORT, &mark);
     }
 
