@@ -4,7 +4,26 @@
 #include "method/contact/body_contact.h"
 #include "method/contact/shared_nodes.h"
 #include "method/grid/grid_update.h"
-#include "method/transport/transport_exchange.h"
+
+#include <math.h>
+
+/* Of the surfaces at the node: what they share must be more than round-off. */
+static const double FACING = 1e-9;
+
+/* Are the surfaces of both at the node, and do they face each other? Beside corners the normal may
+ * be along them: then they do not, and the gap along it says nothing. Bonded fields are one
+ * wherever they share a node. */
+static bool touch(const struct mpm_state *state, const struct mpm_contact_pair *pair,
+                  enum mpm_pair_law law, double gap)
+{
+    double least = HUGE_VAL;
+    for (int k = 0; k < 2; k++) {
+        const double *const surface = state->contact.fields[pair->fields[k]].sums.surface;
+        least = fmin(least, hypot(surface[0], surface[1]));
+    }
+    return pair->touches &&
+           (law == MPM_PAIR_BONDED || (pair->gap <= gap && pair->area > FACING * least));
+}
 
 /* Passages of a pair in the order of its node's; rigid bodies have none. */
 static void list_pair(struct mpm_state *state, struct mpm_nodal_scalar *scalar,
@@ -14,7 +33,7 @@ static void list_pair(struct mpm_state *state, struct mpm_nodal_scalar *scalar,
     const struct mpm_surface_spec *const surface = &spec->surfaces[scalar->which];
     const bool perfect = surface->law == MPM_SURFACE_PERFECT;
     const double conductance = perfect ? 0.0 : surface->conductance * pair->area;
-    if (surface->law == MPM_SURFACE_INSULATES || !pair->touches || pair->gap > surface->gap ||
+    if (surface->law == MPM_SURFACE_INSULATES || !touch(state, pair, spec->law, surface->gap) ||
         (!perfect && conductance == 0.0))
         return;
     mpm_scalar_passage_add(scalar,

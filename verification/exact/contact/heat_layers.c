@@ -8,7 +8,7 @@
 
 static const double PI = 3.14159265358979323846;
 /* exp(-40) is 4e-18. */
-static const double NOTHING = 40.0, EXACT = 1e-14;
+static const double NOTHING = 40.0, EXACT = 1e-14, BESIDE = 1e-9;
 
 /* ------------------------------------------------------------------- the functions */
 
@@ -156,9 +156,9 @@ bool heat_layers_solve(const struct heat_layers *layers, double from,
         if (!isfinite(of[0]) || !isfinite(of[1]) || series->count == HEAT_LAYERS_MODES)
             return false;
         if (high - low > EXACT * high) { /* of equal ones the mode has no content */
-            /* at 0 the condition is 0 too, for the mode that does not decay */
-            const double rate =
-                root_between(condition, &own, low == 0.0 ? 1e-9 * high : low, high, EXACT);
+            /* there the condition may be 0 too, for modes that do not decay or have no content */
+            const double margin = BESIDE * (high - low);
+            const double rate = root_between(condition, &own, low + margin, high - margin, EXACT);
             if (!isfinite(rate))
                 return false;
             series->modes[series->count++] = mode_of(&own, rate);

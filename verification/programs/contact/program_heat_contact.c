@@ -7,8 +7,8 @@
  * _2, capacity_1 and _2 (per volume), start_1 and _2, conductance (0: none flows, inf: perfect
  * contact), origin, height (of the bodies, for what has passed), field: cylinder or slabs.
  *
- * Reports: error_l2, error_worst (% of the difference at t = 0), passed_error (heat that has gone
- * from the first field to the second against the exact one, % of it; where the scene has contact
+ * Reports: error_l2, error_worst (% of the difference at t = 0), passed_part (heat that has gone
+ * from the first field to the second over the exact one; where the scene has contact
  * and something flows), between (temperature at the contact: of the particles nearest to it on
  * either side, as straight lines through two columns give it, mean of both), heat_imbalance (change
  * of heat over that at t = 0), unchanged (1 if no bit of any temperature has changed), finished;
@@ -36,7 +36,7 @@ struct problem {
 
 struct outcome {
     bool finished, unchanged;
-    double error_l2, error_worst, passed_error, between, imbalance;
+    double error_l2, error_worst, passed_part, between, imbalance;
 };
 
 struct study {
@@ -80,7 +80,7 @@ static enum mpm_status solve(struct problem *problem, double time, struct mpm_er
         heat_layers_solve(&problem->layers, time, &problem->series))
         return MPM_OK;
     return failure_set(error, MPM_BAD_INPUT,
-                         "no series for the two bodies at time %g: too early for its modes", time);
+                       "no series for the two bodies at time %g: too early for its modes", time);
 }
 
 static int body_of(const struct problem *problem, double place)
@@ -221,7 +221,7 @@ static enum mpm_status measure_scene(void *context, struct measurement *m,
         const double wanted =
             study->problem->height *
             heat_layers_passed(&study->problem->series, mpm_simulation_time(simulation));
-        outcome->passed_error = 100.0 * (passed(scene, simulation) - wanted) / wanted;
+        outcome->passed_part = passed(scene, simulation) / wanted;
     }
     return status;
 }
@@ -235,8 +235,8 @@ static void report(struct measurement *m, const struct problem *problem,
     levels_report_value(m, "error_l2", "", missing + outcome->error_l2);
     levels_report_value(m, "error_worst", "", missing + outcome->error_worst);
     levels_report_value(m, "between", "", missing + outcome->between);
-    if (problem->layers.conductance > 0.0 && !isnan(outcome->passed_error))
-        levels_report_value(m, "passed_error", "", missing + outcome->passed_error);
+    if (problem->layers.conductance > 0.0 && !isnan(outcome->passed_part))
+        levels_report_value(m, "passed_part", "", missing + outcome->passed_part);
     measurement_report(m, "unchanged", outcome->unchanged ? 1.0 : 0.0);
     measurement_report(m, "finished", outcome->finished ? 1.0 : 0.0);
 }
@@ -259,9 +259,8 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
         l2[k] = missing + outcome.error_l2;
         worst[k] = missing + outcome.error_worst;
         unbalanced = fmax(unbalanced, outcome.imbalance);
-        measurement_note(m,
-                         "level %zu: error %.6g %% (worst %.6g %%), between %.6f, passed %+.4g %%",
-                         k + 1, l2[k], worst[k], outcome.between, outcome.passed_error);
+        measurement_note(m, "level %zu: error %.6g %% (worst %.6g %%), between %.6f, passed %.6f",
+                         k + 1, l2[k], worst[k], outcome.between, outcome.passed_part);
     }
     report(m, &problem, &outcome);
     measurement_report(m, "heat_imbalance", unbalanced);
