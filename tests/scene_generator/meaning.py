@@ -22,6 +22,9 @@ LEFT_OUT = {
     "materials[].law=none": HEAT, "materials[].heat_capacity": HEAT,
     "materials[].conductivity": HEAT, "materials[].principal_conductivities": HEAT,
     "materials[].conductivity_angle": HEAT, "bodies[].temperature": HEAT, "transport": HEAT,
+    "contact.heat": HEAT, "contact.conductance": HEAT, "contact.heat_gap": HEAT,
+    "contact.pairs[].heat": HEAT, "contact.pairs[].conductance": HEAT,
+    "contact.pairs[].heat_gap": HEAT, "cracks[].heat": HEAT, "cracks[].conductance": HEAT,
 }
 
 # Drawn by the function of a group or list in MEANING: all keys within must be named.
