@@ -290,6 +290,29 @@ START_TEST(heat_flows_from_when_bodies_meet)
 }
 END_TEST
 
+/* Over the whole section, the heat of the exchange of two slabs of one temperature each: the sum of
+ * the areas at nodes is that of the crack, a circle's per radian in axisymmetry. */
+START_TEST(areas_of_a_crack_add_up_to_its_own)
+{
+    const struct test_combination c = test_combination(_i);
+    struct settings settings = {.count = 0};
+    settings_add_formatted(&settings, "method.shape=%s", c.shape);
+    settings_add_formatted(&settings, "geometry=%s", c.geometry);
+    settings_add(&settings, WHOLE);
+    settings_add(&settings, CRACK(", heat: conductance, conductance: 1"));
+    struct test_run run = test_run_open(TWO_BLOCKS, settings.texts, 1);
+    test_run_steps(&run, 1);
+    const struct mpm_nodal_scalar *const scalar = heat_block_scalar(&run);
+    double sum = 0.0;
+    for (size_t k = 0; k < scalar->passage_count; k++)
+        sum += scalar->passages[k].conductance;
+    const double joint = 19.0 / 3.0; /* where the sites of particles on both sides meet */
+    ck_assert_near(sum, 4.8 * (c.axisymmetric ? joint : 1.0), 1e-12);
+    test_run_close(&run);
+    settings_clear(&settings);
+}
+END_TEST
+
 /* ------------------------------------------------------------------------- kernels */
 
 START_TEST(fast_kernels_exchange_as_reference_kernels_do)
@@ -340,6 +363,7 @@ Suite *suite_heat_contact(void)
     tcase_add_loop_test(tests, the_history_has_the_heat_that_has_passed, 0, TEST_SHAPES);
     tcase_add_test(tests, heat_flows_where_bodies_touch_alone);
     tcase_add_test(tests, heat_flows_from_when_bodies_meet);
+    tcase_add_loop_test(tests, areas_of_a_crack_add_up_to_its_own, 0, REST);
     tcase_add_loop_test(tests, fast_kernels_exchange_as_reference_kernels_do, 0, REST);
     tcase_add_loop_test(tests, threads_change_no_bit_of_an_exchange, 0, 2);
     suite_add_tcase(suite, tests);
