@@ -49,7 +49,10 @@
     SUITE(transfer_series)                                                                         \
     SUITE(heat)                                                                                    \
     SUITE(heat_runs)                                                                               \
+    SUITE(heat_contact)                                                                            \
+    SUITE(scalar_exchange)                                                                         \
     SUITE(heat_fields)                                                                             \
+    SUITE(heat_layers)                                                                             \
     SUITE(scene_transport)                                                                         \
     SUITE(projection)                                                                              \
     SUITE(start)                                                                                   \

@@ -8,6 +8,7 @@
 #include "method/cracks/crack_detection.h"
 #include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_opening.h"
+#include "method/cracks/crack_passages.h"
 #include "method/energy_balance.h"
 #include "method/fields/fields.h"
 #include "method/grid/conditions.h"
@@ -21,6 +22,7 @@
 #include "method/transfer/nearby.h"
 #include "method/transfer/transfer.h"
 #include "method/transport/transport.h"
+#include "method/transport/transport_contact.h"
 #include "method/transport/transport_coupling.h"
 #include "method/transport/transport_rest.h"
 #include "method/transport/transport_steps.h"
@@ -269,15 +271,38 @@ static void add_loads(struct mpm_state *state, int workers, bool varying_force)
     mpm_symmetries_reflect_force(state);
 }
 
-/* Nothing moves: no momentum, no stress. */
+/* Where scalars flow between the fields of nodes. */
+static void list_passages(struct mpm_state *state)
+{
+    if (state->transport.fields_known)
+        return;
+    mpm_transport_contact_list(state);
+    mpm_crack_passages_list(state);
+}
+
+/* Nothing moves: no momentum, no stress. Fields of nodes, for which masses are needed, stay as they
+ * are until particles have another order. */
+static enum mpm_status find_fields_at_rest(struct mpm_state *state, int workers,
+                                           struct mpm_error *error)
+{
+    if (state->transport.fields_known)
+        return MPM_OK;
+    MPM_TRY(begin(state, workers, false, error));
+    return state->fields.layers > 0 || state->fields.keys > 0 ? spread(state, workers, error)
+                                                              : MPM_OK;
+}
+
 static enum mpm_status advance_at_rest(struct mpm_state *state, double seconds[MPM_PHASE_COUNT],
                                        struct mpm_error *error)
 {
     double mark = seconds_now();
-    mpm_grid_find_active(state);
+    const int workers = strips_touch(state) ? 1 : state->workers;
+    MPM_TRY(find_fields_at_rest(state, workers, error));
     mpm_edge_loads_prepare(state);
-    MPM_TRY(mpm_transport_advance(state, strips_touch(state) ? 1 : state->workers, error));
+    list_passages(state);
+    MPM_TRY(mpm_transport_advance(state, workers, error));
     mpm_transport_measure_rest(state);
+    state->transport.fields_known = true;
     charge(seconds, MPM_PHASE_TRANSPORT, &mark);
     state->steps_since_sort++;
     return mpm_step_collect(state);
@@ -299,6 +324,7 @@ static enum mpm_status advance_in_motion(struct mpm_state *state, double seconds
     charge(seconds, MPM_PHASE_TO_GRID, &mark);
 
     if (state->transport.count > 0) {
+        list_passages(state);
         MPM_TRY(passes->with_scalar ? mpm_transport_prepare(state, workers, error)
                                     : mpm_transport_take(state, workers, error));
         charge(seconds, MPM_PHASE_TRANSPORT, &mark);

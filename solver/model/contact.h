@@ -5,6 +5,8 @@
 #ifndef MPM_MODEL_CONTACT_H
 #define MPM_MODEL_CONTACT_H
 
+#include "model/transport.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -50,6 +52,7 @@ struct mpm_pair_spec {
     double adhesion; /* stress */
     double tension, compression,
         shear; /* D_n of an opening, of an overlap; D_t: stress over length */
+    struct mpm_surface_spec surfaces[MPM_SCALAR_COUNT];
 };
 
 /* A group has one velocity field: a material's bodies, or one body; or a rigid body. */

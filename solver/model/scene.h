@@ -160,6 +160,7 @@ struct mpm_crack_spec {
                      * cell side */
     bool opening;   /* are its surfaces followed? With a law they always are */
     struct mpm_cohesive cohesive; /* traction between its surfaces; law NULL: none */
+    struct mpm_surface_spec surfaces[MPM_SCALAR_COUNT];
     int line;
 };
 

@@ -29,6 +29,19 @@ enum mpm_flux_kind {
     MPM_FLUX_RADIATES, /* e sigma (v_env^4 - v^4) */
 };
 
+/* What surfaces that meet pass on: those of bodies in contact, or of a crack. */
+enum mpm_surface_law {
+    MPM_SURFACE_INSULATES,   /* nothing */
+    MPM_SURFACE_PERFECT,     /* both have one value at a node */
+    MPM_SURFACE_CONDUCTANCE, /* H (v_a - v_b) per area and time */
+};
+
+struct mpm_surface_spec {
+    enum mpm_surface_law law;
+    double conductance; /* H; of other laws 0 */
+    double gap;         /* of bodies, detection: extent: the largest one that it acts across */
+};
+
 /* What is the same for every scene, one row for each scalar. */
 struct mpm_scalar_row {
     const char *name;             /* of its group of keys: transport.<name> */

@@ -43,6 +43,15 @@ bool mpm_contacts_have_interfaces(const struct mpm_scene *scene)
     return false;
 }
 
+bool mpm_contacts_join(const struct mpm_scene *scene, enum mpm_scalar which)
+{
+    for (size_t k = 0; k < scene->contact.pair_count; k++)
+        if (scene->contact.pairs[k].law != MPM_PAIR_BONDED &&
+            scene->contact.pairs[k].surfaces[which].law == MPM_SURFACE_PERFECT)
+            return true;
+    return false;
+}
+
 static void fill_body(struct mpm_state *state, size_t body)
 {
     const struct mpm_contact_spec *const spec = &state->scene->contact;
@@ -131,26 +140,48 @@ static double stiff_nodes(const struct mpm_state *state, size_t pair)
     return (double)state->contact.samples[pair].stiff;
 }
 
+static double heat(const struct mpm_state *state, size_t pair)
+{
+    return state->contact.totals[pair].passed[MPM_TEMPERATURE];
+}
+
+/* Which pairs have a column. */
+enum holder { OF_MOTION, OF_INTERFACE, OF_HEAT };
+
 static const struct quantity {
     const char *name, *description;
     double (*value)(const struct mpm_state *state, size_t pair);
     struct mpm_dimension dimension;
-    bool of_interface;
+    enum holder of;
 } quantities[] = {
     {"force_x", "force of contact on the first field in the last step", force_x,
-     MPM_DIMENSION_FORCE, false},
+     MPM_DIMENSION_FORCE, OF_MOTION},
     {"force_y", "force of contact on the first field in the last step", force_y,
-     MPM_DIMENSION_FORCE, false},
-    {"area", "area of the surfaces in contact in the last step", area, MPM_DIMENSION_AREA, false},
-    {"nodes", "nodes in contact in the last step", nodes, MPM_DIMENSION_NONE, false},
-    {"dissipated", "energy that contact has dissipated", dissipated, MPM_DIMENSION_ENERGY, false},
-    {"stored", "energy that the interface has stored", stored, MPM_DIMENSION_ENERGY, true},
+     MPM_DIMENSION_FORCE, OF_MOTION},
+    {"area", "area of the surfaces in contact in the last step", area, MPM_DIMENSION_AREA,
+     OF_MOTION},
+    {"nodes", "nodes in contact in the last step", nodes, MPM_DIMENSION_NONE, OF_MOTION},
+    {"dissipated", "energy that contact has dissipated", dissipated, MPM_DIMENSION_ENERGY,
+     OF_MOTION},
+    {"stored", "energy that the interface has stored", stored, MPM_DIMENSION_ENERGY, OF_INTERFACE},
     {"stiff_nodes", "nodes of the last step where the interface is too stiff for an explicit step",
-     stiff_nodes, MPM_DIMENSION_NONE, true},
+     stiff_nodes, MPM_DIMENSION_NONE, OF_INTERFACE},
+    {"heat", "heat that has gone from the first field to the second since t = 0", heat,
+     MPM_DIMENSION_ENERGY, OF_HEAT},
 };
+
 static bool has_row(const struct mpm_scene *scene, size_t pair, size_t row)
 {
-    return !quantities[row].of_interface || scene->contact.pairs[pair].law == MPM_PAIR_INTERFACE;
+    const struct mpm_pair_spec *const spec = &scene->contact.pairs[pair];
+    switch (quantities[row].of) {
+    case OF_INTERFACE:
+        return spec->law == MPM_PAIR_INTERFACE;
+    case OF_HEAT:
+        return spec->surfaces[MPM_TEMPERATURE].law != MPM_SURFACE_INSULATES;
+    case OF_MOTION:
+        break;
+    }
+    return !scene->at_rest;
 }
 
 static struct mpm_quantity_rows rows_of(const struct mpm_scene *scene)

@@ -5,6 +5,7 @@
 #include "method/cracks/crack_detection.h"
 #include "method/cracks/crack_fields.h"
 #include "method/cracks/crack_map.h"
+#include "method/cracks/crack_passages.h"
 #include "simulation/crack_points.h"
 #include "simulation/simulation.h"
 
@@ -146,6 +147,7 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
     mpm_crack_map_layout(state, nodes_around(state, state->scene->crack_count), arena);
     state->fields.use_capacity = particles_listed(state);
     mpm_crack_fields_layout(state, arena);
+    mpm_crack_passages_layout(state, arena);
     mpm_crack_contact_layout(state, arena);
 }
 

@@ -182,6 +182,8 @@ void mpm_contacts_create(struct mpm_state *state);
 void mpm_contacts_fill(struct mpm_state *state);
 /* Follows a pair the jump of displacement? Particles carry their place at t = 0 then. */
 bool mpm_contacts_have_interfaces(const struct mpm_scene *scene);
+/* May bodies come together that then have one value of a scalar where they touch? */
+bool mpm_contacts_join(const struct mpm_scene *scene, enum mpm_scalar which);
 /* What interfaces have stored, and contact has dissipated. */
 void mpm_contact_energies(const struct mpm_state *state, double *stored, double *dissipated);
 

@@ -3,6 +3,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/transport/transport.h"
+#include "method/contact/body_contact.h"
+#include "method/transport/scalar_nodes.h"
 #include "method/transport/transport_edges.h"
 
 #include "simulation/simulation.h"
@@ -95,7 +97,14 @@ void mpm_transport_layout(struct mpm_state *state, struct mpm_arena *arena)
         struct mpm_nodal_scalar *const scalar = &state->transport.list[k];
         scalar->weight = MPM_TAKE(arena, double, state->scene->body_count);
         scalar->bodies = MPM_TAKE(arena, struct mpm_scalar_body, state->scene->body_count);
-        scalar->settling = MPM_TAKE(arena, double, scalar->hold_count);
+        scalar->hold_fields = mpm_scalar_fields(state);
+        scalar->settling = MPM_TAKE(arena, double, scalar->hold_count *(size_t)scalar->hold_fields);
+        scalar->passage_capacity = mpm_body_contact_is_used(state)
+                                       ? state->contact.pair_capacity
+                                       : 2 * state->fields.node_capacity;
+        scalar->joins =
+            scalar->transfer == MPM_SCALAR_FLIP && mpm_contacts_join(state->scene, scalar->which);
+        scalar->passages = MPM_TAKE(arena, struct mpm_scalar_passage, scalar->passage_capacity);
         mpm_nodal_scalar_layout(state, scalar, arena);
     }
 }

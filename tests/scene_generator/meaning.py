@@ -18,6 +18,9 @@ LEFT_OUT = {
     "output.snapshots": "the first state and the last are compared; more would land steps on them",
     "contact.normal=given": "refused: it is for pairs, each with its direction",
     "output.fringe": "a field for pictures; its values follow from the stress",
+    "contact.heat": HEAT, "contact.conductance": HEAT, "contact.heat_gap": HEAT,
+    "contact.pairs[].heat": HEAT, "contact.pairs[].conductance": HEAT,
+    "contact.pairs[].heat_gap": HEAT, "cracks[].heat": HEAT, "cracks[].conductance": HEAT,
 }
 
 # Refused where nothing moves, since materials have law: none.

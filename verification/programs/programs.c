@@ -14,6 +14,7 @@
     PROGRAM(energy)                                                                                \
     PROGRAM(vibration)                                                                             \
     PROGRAM(heat)                                                                                  \
+    PROGRAM(heat_contact)                                                                          \
     PROGRAM(heat_stability)                                                                        \
     PROGRAM(solvent)                                                                               \
     PROGRAM(damped_flight)                                                                         \

@@ -50,6 +50,17 @@ enum mpm_status mpm_build_cracks(const struct mpm_reading *reading);
 /* A part of it: what holds its surfaces together, once its points are known. */
 enum mpm_status mpm_build_cohesive(const struct mpm_reading *reading, const char *path,
                                    const struct mpm_raw_crack *raw, struct mpm_crack_spec *crack);
+/* Parts of cracks and contact: what flows across of temperature. `path` is that of the crack, of
+ * the pair, or "contact"; `rigid`: one of the pair is. */
+enum mpm_status mpm_build_crack_surface(const struct mpm_reading *reading, const char *path,
+                                        const struct mpm_raw_crack *raw,
+                                        struct mpm_crack_spec *crack);
+enum mpm_status mpm_build_pair_surface(const struct mpm_reading *reading, const char *path,
+                                       const struct mpm_raw_contact_pair *raw, bool rigid,
+                                       struct mpm_pair_spec *pair);
+/* Once pairs are listed: does one use what contact itself says of heat? */
+enum mpm_status mpm_check_pair_surfaces(const struct mpm_reading *reading);
+bool mpm_surfaces_agree(const struct mpm_surface_spec *one, const struct mpm_surface_spec *other);
 /* Contact between bodies. */
 enum mpm_status mpm_build_contact(const struct mpm_reading *reading);
 /* The velocity field that cracks cut, where bodies have several. */

@@ -201,6 +201,9 @@ static enum mpm_status fill_defaults(const struct mpm_reading *reading, const st
         .tension = raw->tension,
         .compression = raw->compression,
         .shear = raw->shear,
+        .heat = raw->heat,
+        .conductance = raw->conductance,
+        .heat_gap = raw->heat_gap,
     };
     struct mpm_pair_spec usual = {.key = "contact"};
     if (raw->normal == MPM_NORMAL_GIVEN)
@@ -208,12 +211,15 @@ static enum mpm_status fill_defaults(const struct mpm_reading *reading, const st
                                  "given for all pairs; allowed: with pairs, each with its "
                                  "direction");
     MPM_TRY(fill_law(reading, "contact", &as_pair, &usual));
+    MPM_TRY(mpm_build_pair_surface(reading, "contact", &as_pair, false, &usual));
     for (size_t a = 0; a < table->groups; a++)
         for (size_t b = a + 1; b < table->groups; b++) {
             struct mpm_pair_spec *const law = law_of(table, a, b);
             *law = usual;
             if (contact->groups[b].rigid)
                 law->law = MPM_PAIR_NONE;
+            if (law->law == MPM_PAIR_NONE)
+                memset(law->surfaces, 0, sizeof law->surfaces);
             law->of[0] = a;
             law->of[1] = b;
         }
@@ -269,6 +275,9 @@ static enum mpm_status fill_pair(const struct mpm_reading *reading, size_t index
                                  raw->of[0], raw->of[1], law->key);
     MPM_TRY(fill_law(reading, path.text, raw, law));
     MPM_TRY(check_rigid(reading, of.text, group[0], group[1], law));
+    const struct mpm_contact_group *const groups = reading->scene->contact.groups;
+    MPM_TRY(mpm_build_pair_surface(reading, path.text, raw,
+                                   groups[group[0]].rigid || groups[group[1]].rigid, law));
     (void)snprintf(law->key, sizeof law->key, "contact.pairs.%zu", index);
     for (int axis = 0; axis < 2 && group[0] > group[1]; axis++)
         law->direction[axis] = -law->direction[axis];
@@ -315,7 +324,8 @@ static bool same_law(const struct mpm_pair_spec *one, const struct mpm_pair_spec
            a.direction[0] == b.direction[0] && a.direction[1] == b.direction[1] &&
            a.touching == b.touching && a.friction == b.friction &&
            a.static_friction == b.static_friction && a.adhesion == b.adhesion &&
-           a.tension == b.tension && a.compression == b.compression && a.shear == b.shear;
+           a.tension == b.tension && a.compression == b.compression && a.shear == b.shear &&
+           mpm_surfaces_agree(&a.surfaces[MPM_TEMPERATURE], &b.surfaces[MPM_TEMPERATURE]);
 }
 
 /* Puts the law of two groups into the list of pairs of fields, which must agree. */
@@ -375,7 +385,7 @@ static enum mpm_status list_pairs(const struct mpm_reading *reading, const struc
     for (size_t a = 0; a < table->groups; a++)
         for (size_t b = a + 1; b < table->groups; b++)
             MPM_TRY(add_pair(reading, law_of(table, a, b)));
-    return MPM_OK;
+    return mpm_check_pair_surfaces(reading);
 }
 
 static enum mpm_status build_table(const struct mpm_reading *reading, const struct table *table)

@@ -261,6 +261,7 @@ static enum mpm_status build_crack(const struct mpm_reading *reading, size_t ind
     MPM_TRY(check_friction(reading, path.text, raw));
     MPM_TRY(build_points(reading, points.text, raw, crack));
     MPM_TRY(mpm_build_cohesive(reading, path.text, raw, crack));
+    MPM_TRY(mpm_build_crack_surface(reading, path.text, raw, crack));
     return check_others(reading, points.text, index);
 }
 

@@ -138,6 +138,11 @@
     C("flip", MPM_SCALAR_FLIP)                                                                     \
     C("pic", MPM_SCALAR_PIC)
 
+#define CHOICES_surface_law(C)                                                                     \
+    C("insulated", MPM_SURFACE_INSULATES)                                                          \
+    C("perfect", MPM_SURFACE_PERFECT)                                                              \
+    C("conductance", MPM_SURFACE_CONDUCTANCE)
+
 #define CHOICES_cohesive_law(C)                                                                    \
     C("linear", MPM_COHESIVE_LINEAR)                                                               \
     C("trilinear", MPM_COHESIVE_TRILINEAR)                                                         \
@@ -150,7 +155,7 @@
     L(geometry) L(shape) L(axis) L(axis_nodes) L(stress_update) L(position_update) L(radius_update) \
     L(form) L(body_force_at) L(grid_form) L(transfer_kind) L(edge) L(frame) L(crack_method) L(contact) L(detection) L(tip)       \
     L(j_form) L(growth_direction) L(cohesive_law) L(contact_fields) L(pair_law) L(pair_normal) L(pair_detection) \
-    L(scalar_transfer)
+    L(scalar_transfer) L(surface_law)
 
 /* -------------------------------------------------------------------- keys */
 
@@ -382,6 +387,10 @@
       "track both surfaces, and write how far they have opened and slid to history.csv, at an end outside of bodies where the chain enters one; with cohesive they always are") \
     X(S, GROUP, cohesive, cohesive, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                             \
       "traction between its surfaces; without it there is none") \
+    X(S, CHOICE, heat, surface_law, ANYWHERE, OPTIONAL, NONE, "insulated", ANY,                      \
+      "with transport.temperature: what flows across, open or closed: nothing (insulated), as without the crack (perfect), conductance times the difference of temperatures") \
+    X(S, ONE, conductance, NUMBER, ANYWHERE, OPTIONAL, FILM, NULL, AT_LEAST(0),                      \
+      "heat: conductance, and only there: heat per area, time and difference of temperatures") \
     X(S, LIST, j_integral, j_integral, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                          \
       "J integrals around its tips, and K_I and K_II: columns of history.csv")
 
@@ -400,7 +409,11 @@
     X(S, ONE, compression, NUMBER, ANYWHERE, OPTIONAL, STIFFNESS, NULL, AT_LEAST(0),               \
       "law: interface: D_n where the bodies overlap; tension if missing")                          \
     X(S, ONE, shear, NUMBER, ANYWHERE, OPTIONAL, STIFFNESS, NULL, AT_LEAST(0),                     \
-      "law: interface: D_t, traction per sliding")
+      "law: interface: D_t, traction per sliding")                                                 \
+    X(S, ONE, conductance, NUMBER, ANYWHERE, OPTIONAL, FILM, NULL, AT_LEAST(0),                      \
+      "heat: conductance, and only there: heat per area, time and difference of temperatures")     \
+    X(S, ONE, heat_gap, NUMBER, ANYWHERE, OPTIONAL, LENGTH, NULL, AT_LEAST(0),                       \
+      "of heat with detection: extent and law: friction, stick or frictionless: largest gap that it flows across; 0.01 of the smaller cell side if missing")
 
 #define KEYS_contact_pair(X, S)                                                                    \
     X(S, PAIR, of, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY,                                        \
@@ -413,6 +426,8 @@
       "normal: given: vector from the first to the second, of any length")                         \
     X(S, CHOICE, detection, pair_detection, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                     \
       "when they touch; that of contact if missing")                                               \
+    X(S, CHOICE, heat, surface_law, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                             \
+      "what flows where they touch; if missing that of contact, with its conductance and heat_gap") \
     KEYS_OF_PAIR_LAW(X, S)
 
 #define KEYS_contact(X, S)                                                                         \
@@ -424,6 +439,8 @@
       "where normals come from: gradients of both bodies' areas weighted with them (average), not weighted (area), of volumes, of the body with the larger area, a plane between the particles by linear or logistic regression, or given in pairs") \
     X(S, CHOICE, detection, pair_detection, ANYWHERE, OPTIONAL, NONE, "extent", ANY,                 \
       "when bodies touch: by the gap between the edges of their particles (extent), by the areas at a node (volume), whenever they share a node (shared)") \
+    X(S, CHOICE, heat, surface_law, ANYWHERE, OPTIONAL, NONE, "insulated", ANY,                      \
+      "with transport.temperature: what flows between deformable bodies that touch: nothing (insulated), all that makes their temperatures one (perfect), conductance times the difference of temperatures") \
     KEYS_OF_PAIR_LAW(X, S)                                                                         \
     X(S, LIST, pairs, contact_pair, ANYWHERE, OPTIONAL, NONE, NULL, ANY, "pairs with a law of their own")
 

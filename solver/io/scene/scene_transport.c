@@ -304,8 +304,6 @@ static enum mpm_status check_at_rest(const struct mpm_reading *reading)
         "method.deformation_terms",
         "loads",
         "damping",
-        "contact",
-        "cracks",
         "time.rest.kinetic_energy",
         "transport.substeps",
         "transport.every",
@@ -346,6 +344,39 @@ static enum mpm_status check_rest(const struct mpm_reading *reading)
                              "0, up to 1");
 }
 
+/* Laws of contact say where bodies touch, and no more. */
+static enum mpm_status check_contact_at_rest(const struct mpm_reading *reading)
+{
+    const struct mpm_contact_spec *const contact = &reading->scene->contact;
+    for (size_t k = 0; k < contact->pair_count; k++) {
+        const struct mpm_pair_spec *const pair = &contact->pairs[k];
+        if ((pair->law != MPM_PAIR_BONDED && pair->law != MPM_PAIR_STICK) || pair->adhesion != 0.0)
+            return mpm_reading_fault(reading, pair->key,
+                                     "%s in a scene where nothing moves, since its materials have "
+                                     "law: none; allowed: law: bonded, or stick where their "
+                                     "distance decides whether bodies touch",
+                                     pair->adhesion != 0.0 ? "adhesion" : "a law of motion");
+    }
+    return MPM_OK;
+}
+
+/* Of cracks only what flows across has a meaning. */
+static enum mpm_status check_cracks_at_rest(const struct mpm_reading *reading)
+{
+    static const char *const keys[] = {"contact",  "detection", "friction", "separated",
+                                       "touching", "opening",   "cohesive", "j_integral"};
+    for (size_t c = 0; c < reading->scene->crack_count; c++)
+        for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++) {
+            const struct mpm_path path = mpm_path_join(mpm_path_entry("cracks", c).text, keys[k]);
+            if (mpm_reading_given(reading, path.text))
+                return mpm_reading_fault(reading, path.text,
+                                         "given in a scene where nothing moves, since its "
+                                         "materials have law: none; allowed: points, spacing, heat "
+                                         "and conductance");
+        }
+    return MPM_OK;
+}
+
 /* Materials without stress: all or none, and only with something to conduct. */
 static enum mpm_status find_rest(const struct mpm_reading *reading, bool conducts)
 {
@@ -365,18 +396,24 @@ static enum mpm_status find_rest(const struct mpm_reading *reading, bool conduct
             "transport.temperature or transport.concentration, or a law with a stress",
             conducts ? "beside materials with a stress" : "in a scene that conducts nothing");
     scene->at_rest = true;
-    return check_at_rest(reading);
+    MPM_TRY(check_at_rest(reading));
+    MPM_TRY(check_contact_at_rest(reading));
+    return check_cracks_at_rest(reading);
 }
 
-/* Nodes with several velocity fields, for which there is no exchange of scalars. */
+/* Nodes with several fields: exchange is between bodies, or across cracks that hide nothing. */
 static enum mpm_status check_fields(const struct mpm_reading *reading)
 {
     const struct mpm_scene *const scene = reading->scene;
-    if (scene->crack_count == 0 && scene->contact.field_count == 0)
-        return MPM_OK;
-    return mpm_reading_fault(reading, "transport",
-                             "conduction with %s, which it does not know yet; allowed: without",
-                             scene->crack_count > 0 ? "cracks" : "contact between bodies");
+    if (scene->crack_count > 0 && scene->contact.field_count > 0)
+        return mpm_reading_fault(reading, "transport",
+                                 "conduction with cracks beside contact between bodies; "
+                                 "allowed: with one of both");
+    if (scene->crack_count > 0 && scene->crack_method == MPM_CRACKS_VISIBILITY)
+        return mpm_reading_fault(reading, "transport",
+                                 "conduction with method.cracks: visibility, where the shares "
+                                 "of a particle's nodes do not add up to 1; allowed: fields");
+    return MPM_OK;
 }
 
 static enum mpm_status check_steps(const struct mpm_reading *reading, bool conducts)

@@ -68,8 +68,9 @@ struct mpm_contact_node {
 
 /* Of a pair of fields of the scene. */
 struct mpm_contact_totals {
-    double dissipated; /* since t = 0 */
-    double work;       /* that an interface has taken from the nodes since t = 0 */
+    double dissipated;               /* since t = 0 */
+    double work;                     /* that an interface has taken from the nodes since t = 0 */
+    double passed[MPM_SCALAR_COUNT]; /* content of scalars, from the first field to the second */
 };
 struct mpm_contact_sample {
     double force[2]; /* on the first field in the last step */

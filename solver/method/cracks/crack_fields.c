@@ -17,13 +17,22 @@ bool mpm_cracks_have_contact(const struct mpm_scene *scene)
     return false;
 }
 
+bool mpm_cracks_have_conductance(const struct mpm_scene *scene)
+{
+    for (size_t k = 0; k < scene->crack_count; k++)
+        for (size_t which = 0; which < MPM_SCALAR_COUNT; which++)
+            if (scene->cracks[k].surfaces[which].law == MPM_SURFACE_CONDUCTANCE)
+                return true;
+    return false;
+}
+
 /* ------------------------------------------------------------ the particles */
 
 /* What finding the fields of a particle works on. */
 struct search {
     struct mpm_state *state;
     int64_t strip;
-    bool segments; /* are crossed segments needed? For contact alone */
+    bool segments; /* are crossed segments needed? For contact and conductance alone */
 };
 
 /* A particle with the segments that lines to nodes on another side cross. */
@@ -129,7 +138,8 @@ static void find_in_strip(void *context, int64_t index, int worker)
 {
     struct search search = {.state = context, .strip = index};
     (void)worker;
-    search.segments = mpm_cracks_have_contact(search.state->scene);
+    search.segments = mpm_cracks_have_contact(search.state->scene) ||
+                      mpm_cracks_have_conductance(search.state->scene);
     mpm_nearby_visit(search.state, index, &search.state->cracks.map->listed, find_sides, &search);
 }
 

@@ -45,6 +45,9 @@ static inline bool mpm_cracks_cut(const struct mpm_state *state, size_t p)
 /* Or of any? */
 bool mpm_cracks_have_contact(const struct mpm_scene *scene);
 
+/* Has any crack a conductance for a scalar? */
+bool mpm_cracks_have_conductance(const struct mpm_scene *scene);
+
 /* Task 1, first part: v(p, i) of all particles near cracks; the nodes' additional fields, and their
  * rows. A line that crosses two cracks is recorded with its particle, and fails the step at its
  * end. MPM_RUN_FAILED: cracks have grown so that there is no room for what is near them. */

@@ -64,8 +64,9 @@ struct mpm_cracks {
     /* For additional fields; see crack_fields.h. Per particle in `uses` of mpm_fields, per node of
      * its stencil: */
     struct mpm_crack_crossing (*crossings)[MPM_STENCIL_MAX];
-    struct mpm_crack_sums *sums;        /* per node in `nodes`: of its own field */
-    struct mpm_crack_field *fields;     /* per field in `list` */
+    struct mpm_crack_sums *sums;                 /* per node in `nodes`: of its own field */
+    struct mpm_crack_field *fields;              /* per field in `list` */
+    struct mpm_crack_surface_sums *surface_sums; /* the same; see crack_passages.h; or NULL */
     struct mpm_exchange_touch *touches; /* pairs of fields that touch; see crack_contact.h */
     uint32_t *touch_of; /* per node in `nodes`, beside contact between bodies: one more than the
                          * place of its first pair, or 0; or NULL */

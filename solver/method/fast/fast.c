@@ -38,15 +38,16 @@ static enum mpm_fast_geometry geometry_of(const struct mpm_scene *scene)
 }
 
 /* With several scalars each has passes of its own: sources of particles are those of one. So has
- * one with steps of its own. */
+ * one with steps of its own, or with several fields at a node. */
 static enum mpm_fast_cargo cargo_of(const struct mpm_scene *scene)
 {
     int scalars = 0;
     for (int which = 0; which < MPM_SCALAR_COUNT; which++)
         scalars += scene->scalars[which].asked ? 1 : 0;
     const bool each_step = scene->transport_substeps == 1 && scene->transport_every == 1;
-    return scalars == 1 && each_step && !scene->at_rest ? MPM_FAST_WITH_SCALAR
-                                                        : MPM_FAST_WITHOUT_SCALAR;
+    const bool one_field = scene->crack_count == 0 && scene->contact.field_count == 0;
+    return scalars == 1 && each_step && one_field && !scene->at_rest ? MPM_FAST_WITH_SCALAR
+                                                                     : MPM_FAST_WITHOUT_SCALAR;
 }
 
 static bool has_vectors(const struct mpm_material_law *law)

@@ -5,7 +5,9 @@
 #include "method/grid/grid_update.h"
 #include "method/grid/symmetry.h"
 #include "method/transfer/transfer.h"
+#include "method/transport/scalar_nodes.h"
 #include "method/transport/transport_edges.h"
+#include "method/transport/transport_exchange.h"
 #include "method/transport/transport_passes.h"
 #include "method/transport/transport_rest.h"
 
@@ -37,9 +39,11 @@ static bool is_undeformed(const struct mpm_particles *particles)
 void mpm_transport_forget(struct mpm_state *state)
 {
     state->transport.undeformed = state->scene->at_rest && is_undeformed(&state->particles);
+    state->transport.fields_known = false;
     for (size_t k = 0; k < state->transport.count; k++) {
         state->transport.list[k].at_hand = false;
-        state->transport.list[k].settles = state->transport.list[k].hold_count > 0;
+        state->transport.list[k].settles =
+            state->transport.list[k].hold_count > 0 || state->transport.list[k].joins;
     }
 }
 
@@ -131,14 +135,6 @@ static void row_pic(void *state, int64_t row, int worker)
 
 /* -------------------------------------------------------------- prescribed values */
 
-/* Does the node bear the condition itself? One beyond a plane of symmetry is an image. */
-static bool is_held(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar,
-                    int64_t node)
-{
-    return mpm_node_is_active(state, node) && mpm_node_is_inside(state, node) &&
-           scalar->capacity[node] != 0.0;
-}
-
 static enum mpm_status prescribed(const struct mpm_state *state,
                                   const struct mpm_nodal_scalar *scalar,
                                   const struct mpm_scalar_hold *hold, double time, double *value,
@@ -156,27 +152,19 @@ static enum mpm_status prescribed(const struct mpm_state *state,
                           position[1], time, *value);
 }
 
-/* Of the node and its images. */
-static void set_number(const struct mpm_state *state, double *numbers, int64_t node, double number)
-{
-    struct mpm_symmetry_image images[MPM_SYMMETRY_IMAGES];
-    const int count = state->symmetries.count == 0 ? 0 : mpm_symmetry_images(state, node, images);
-    numbers[node] = number;
-    for (int i = 0; i < count; i++)
-        numbers[images[i].node] = number;
-}
-
 static enum mpm_status hold_values(const struct mpm_state *state,
                                    const struct mpm_nodal_scalar *scalar, struct mpm_error *error)
 {
-    for (size_t k = 0; k < scalar->hold_count; k++) {
-        const struct mpm_scalar_hold *const hold = &scalar->holds[k];
-        double value;
-        if (!is_held(state, scalar, hold->node))
-            continue;
-        MPM_TRY(prescribed(state, scalar, hold, state->time, &value, error));
-        set_number(state, scalar->value, hold->node, value);
-    }
+    for (size_t k = 0; k < scalar->hold_count; k++)
+        for (int i = 0; i < scalar->hold_fields; i++) {
+            const struct mpm_scalar_hold *const hold = &scalar->holds[k];
+            const int64_t field = mpm_scalar_field_at(state, scalar, hold->node, i);
+            double value;
+            if (field < 0)
+                continue;
+            MPM_TRY(prescribed(state, scalar, hold, state->time, &value, error));
+            mpm_scalar_set(state, scalar->value, field, value);
+        }
     return MPM_OK;
 }
 
@@ -188,50 +176,83 @@ static void filter(struct mpm_state *state, int workers, const struct mpm_nodal_
     mpm_symmetries_reflect_scalar(state, scalar->result);
 }
 
+static void row_less_content(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    const struct mpm_nodal_scalar *const scalar = at_work(state);
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++)
+        scalar->result[node] -= scalar->content[node];
+}
+
+/* The field that a place in `settling` is of, or -1. */
+static int64_t held_field(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar,
+                          size_t place)
+{
+    const size_t fields = (size_t)scalar->hold_fields;
+    return mpm_scalar_field_at(state, scalar, scalar->holds[place / fields].node,
+                               (int)(place % fields));
+}
+
 /* D of each held node: what the nodes have at the places of its particles, less what those have;
  * both as sums with S_bp. */
 static void settle(struct mpm_state *state, int workers, struct mpm_nodal_scalar *scalar)
 {
     struct mpm_nodal_scalar held = *scalar;
-    for (size_t k = 0; k < scalar->hold_count; k++)
+    const size_t places = scalar->hold_count * (size_t)scalar->hold_fields;
+    for (size_t k = 0; k < places; k++)
         scalar->settling[k] = 0.0;
     if (!scalar->settles)
         return;
     filter(state, workers, scalar);
-    for (size_t k = 0; k < scalar->hold_count; k++) {
-        const int64_t node = scalar->holds[k].node;
-        if (is_held(state, scalar, node)) {
-            scalar->settling[k] = scalar->result[node] - scalar->content[node];
-            set_number(state, scalar->inflow, node, 1.0);
+    run_rows(state, scalar, row_less_content);
+    mpm_scalar_exchange_lags(state, scalar);
+    for (size_t k = 0; k < places; k++) {
+        const int64_t field = held_field(state, scalar, k);
+        if (field >= 0) {
+            scalar->settling[k] = scalar->result[field];
+            mpm_scalar_set(state, scalar->inflow, field, 1.0);
         }
     }
-    held.value = scalar->inflow; /* 1 at held nodes: nothing has flowed in yet */
+    held.value = scalar->inflow; /* 1 at held and joined nodes: nothing has flowed in yet */
     filter(state, workers, &held);
-    for (size_t k = 0; k < scalar->hold_count; k++)
-        if (is_held(state, scalar, scalar->holds[k].node))
-            scalar->settling[k] /= scalar->result[scalar->holds[k].node];
+    mpm_scalar_exchange_settle(state, scalar);
+    for (size_t k = 0; k < places; k++) {
+        const int64_t field = held_field(state, scalar, k);
+        if (field >= 0)
+            scalar->settling[k] /= scalar->result[field];
+    }
     run_rows(state, scalar, row_clear_inflow);
     scalar->settles = false;
 }
 
 /* The nodes reach the value at the end of the step; what that takes beside the inflow is counted.
  * With PIC they come from the value that particles gave them. */
+static enum mpm_status hold_result(const struct mpm_state *state, struct mpm_nodal_scalar *scalar,
+                                   const struct mpm_scalar_hold *hold, int64_t field,
+                                   double settling, struct mpm_error *error)
+{
+    const double dt = state->time_step, capacity = scalar->capacity[field];
+    const bool pic = scalar->transfer == MPM_SCALAR_PIC;
+    double end;
+    MPM_TRY(prescribed(state, scalar, hold, state->time + dt, &end, error));
+    const double change =
+        pic ? end - scalar->content[field] / capacity : end - scalar->value[field] + settling;
+    scalar->totals.held += capacity * change - dt * scalar->inflow[field];
+    mpm_scalar_set(state, scalar->result, field, pic ? end : change / dt);
+    return MPM_OK;
+}
+
 static enum mpm_status hold_results(const struct mpm_state *state, struct mpm_nodal_scalar *scalar,
                                     struct mpm_error *error)
 {
-    const double dt = state->time_step;
-    const bool pic = scalar->transfer == MPM_SCALAR_PIC;
-    for (size_t k = 0; k < scalar->hold_count; k++) {
-        const struct mpm_scalar_hold *const hold = &scalar->holds[k];
-        const double capacity = scalar->capacity[hold->node];
-        double end;
-        if (!is_held(state, scalar, hold->node))
-            continue;
-        MPM_TRY(prescribed(state, scalar, hold, state->time + dt, &end, error));
-        const double change = pic ? end - scalar->content[hold->node] / capacity
-                                  : end - scalar->value[hold->node] + scalar->settling[k];
-        scalar->totals.held += capacity * change - dt * scalar->inflow[hold->node];
-        set_number(state, scalar->result, hold->node, pic ? end : change / dt);
+    const size_t fields = (size_t)scalar->hold_fields;
+    for (size_t k = 0; k < scalar->hold_count * fields; k++) {
+        const int64_t field = held_field(state, scalar, k);
+        if (field >= 0)
+            MPM_TRY(hold_result(state, scalar, &scalar->holds[k / fields], field,
+                                scalar->settling[k], error));
     }
     return MPM_OK;
 }
@@ -315,6 +336,7 @@ static enum mpm_status prepare(struct mpm_state *state, int workers,
 {
     mpm_symmetries_reflect_scalar(state, scalar->content);
     run_rows(state, scalar, row_values);
+    mpm_scalar_exchange_values(state, scalar);
     MPM_TRY(hold_values(state, scalar, error));
     settle(state, workers, scalar);
     find_sources(state, workers, scalar);
@@ -329,6 +351,7 @@ static enum mpm_status conclude(struct mpm_state *state, struct mpm_nodal_scalar
     mpm_symmetries_reflect_scalar(state, scalar->inflow);
     run_rows(state, scalar, scalar->transfer == MPM_SCALAR_PIC ? row_pic : row_rates);
     MPM_TRY(check_finite(state, scalar, error));
+    mpm_scalar_exchange_results(state, scalar);
     MPM_TRY(hold_results(state, scalar, error));
     for (int64_t s = 0; s < state->strip_count; s++) {
         state->transport.diffusivity =

@@ -8,6 +8,8 @@
 #include "model/scalar_conditions.h"
 #include "model/transport.h"
 
+#include <assert.h>
+
 /* Content that has come in since t = 0. */
 struct mpm_scalar_totals {
     double held;         /* at nodes with a prescribed value */
@@ -29,6 +31,17 @@ struct mpm_scalar_body {
     bool turns;         /* k is not a number times the unit tensor */
 };
 
+/* Two fields of a node between which something flows; see transport_exchange.h. */
+struct mpm_scalar_passage {
+    int64_t node;      /* of the grid */
+    int64_t fields[2]; /* indices of nodes */
+    bool perfect;
+    bool settles;       /* of perfect ones: between bodies that have come together */
+    double settling[2]; /* what the fields are moved by besides, in a step in which they settle */
+    double conductance; /* H A; of perfect ones 0 */
+    double *total;      /* what has gone from the first to the second since t = 0; or NULL */
+};
+
 struct mpm_nodal_scalar {
     enum mpm_scalar which;
     const struct mpm_scalar_row *row;
@@ -39,8 +52,10 @@ struct mpm_nodal_scalar {
     struct mpm_expression **conditions; /* per condition of the scene */
     struct mpm_scalar_hold *holds;      /* nodes with a prescribed value */
     size_t hold_count;
-    double *settling; /* per hold: what its node is moved by besides; see transport.h */
-    bool settles;     /* in this step */
+    int hold_fields;  /* fields that a node may have; see scalar_nodes.h */
+    double *settling; /* per hold and field: what that is moved by besides; see transport.h */
+    bool settles;     /* in this step: held nodes, and fields of bodies that have come together */
+    bool joins;       /* are there such bodies? */
 
     /* One number per node. Valid within one step, in scenes at rest content and capacity until
      * particles are sorted; where nothing is, zero. */
@@ -50,7 +65,10 @@ struct mpm_nodal_scalar {
     double *inflow;     /* content per time */
     double *result;     /* what particles read: dv_i/dt, or with PIC v_i^{n+1} */
     double *row_inflow; /* per node row: its sum; finite if all are */
-    bool at_hand;       /* content and capacity are those of the particles as they are */
+    /* Of the step: those of a node follow each other. */
+    struct mpm_scalar_passage *passages;
+    size_t passage_count, passage_capacity;
+    bool at_hand; /* content and capacity are those of the particles as they are */
     struct mpm_scalar_totals totals;
 };
 
@@ -65,8 +83,17 @@ struct mpm_transport {
     int64_t steps_waited;
     const struct mpm_nodal_scalar *conducted; /* by the pass that runs */
     bool undeformed;                          /* nothing moves, and F = 1 */
+    bool fields_known;  /* in scenes at rest: fields and passages are those of the particles */
     double diffusivity; /* largest J k / (c rho_0) of all particles and scalars in the step */
     double film;        /* largest derivative of a flux on edges by its scalar, over c rho_0 */
 };
+
+/* Adds a passage of the step: those of a node one after the other. */
+static inline void mpm_scalar_passage_add(struct mpm_nodal_scalar *scalar,
+                                          const struct mpm_scalar_passage *passage)
+{
+    assert(scalar->passage_count < scalar->passage_capacity);
+    scalar->passages[scalar->passage_count++] = *passage;
+}
 
 #endif

@@ -53,6 +53,9 @@ END_TEST
 
 /* Settings of the good scene, and part of the message. */
 static const char *const refused[][2] = {
+    {"contact.heat=perfect", "contact.heat: given in a scene without transport.temperature"},
+    {"contact.conductance=1",
+     "contact.conductance: given in a scene without transport.temperature"},
     {"contact={law: none}", "contact: no pair with a law: all bodies share one velocity field"},
     {"contact={law: glue}", "allowed: none | bonded | stick"},
     {"contact={law: friction}", "contact.law: friction without its coefficient"},

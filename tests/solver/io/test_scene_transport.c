@@ -78,8 +78,30 @@ static const char *const refused[][2] = {
     {"bodies.right={name: right, rigid: {velocity: [0, 0]}, temperature: 3, region: {rectangle: "
      "{from: [6, 0], to: [8, 2]}}}",
      "a temperature for a rigid body"},
-    {"contact={law: stick}", "conduction with contact between bodies"},
-    {"cracks=[{points: [[1, 1], [3, 1.1]]}]", "conduction with cracks"},
+    {"contact={law: stick, heat: conductance}", "contact.heat: conductance without its value"},
+    {"contact={law: stick, heat: perfect, conductance: 1}",
+     "contact.conductance: got 1, beside another law of heat"},
+    {"contact={law: stick, heat: conductance, conductance: -1}",
+     "contact.conductance: out of range"},
+    {"contact={law: stick, heat: perfekt}", "allowed: insulated | perfect | conductance"},
+    {"contact={pairs: [{of: [steel, wod], law: stick, heat: perfect}]}", "unknown material"},
+    {"contact={pairs: [{of: [steel, wood], law: stick, heat: perfect}, {of: [wood, steel], law: "
+     "stick, heat: insulated}]}",
+     "'wood' and 'steel' again, which contact.pairs.0 has already"},
+    {"contact={pairs: [{of: [steel, wood], law: stick, conductance: 1}]}",
+     "contact.pairs.0: conductance or heat_gap without heat"},
+    {"contact={law: stick, pairs: [{of: [steel, wood], law: none, heat: perfect}]}",
+     "contact.pairs.0.heat: a law of heat for a pair that shares its fields"},
+    {"contact={heat: perfect, pairs: [{of: [steel, wood], law: stick, heat: insulated}]}",
+     "contact.heat: given, and no pair uses it"},
+    {"contact={law: bonded, heat: perfect, heat_gap: 0.1}",
+     "contact.heat_gap: given, and no pair uses it"},
+    {"contact={pairs: [{of: [steel, wood], law: bonded, heat: perfect, heat_gap: 0.1}]}",
+     "contact.pairs.0.heat_gap: got 0.1, which this pair does not use"},
+    {"cracks=[{points: [[1, 1], [3, 1.1]], conductance: 1}]",
+     "cracks.0.conductance: got 1, beside another law of heat"},
+    {"cracks=[{points: [[1, 1], [3, 1.1]], heat: conductance}]",
+     "cracks.0.heat: conductance without its value"},
     {"materials.wood={name: wood, law: none, density: 2, heat_capacity: 1, conductivity: 1}",
      "materials.1.law: got none beside materials with a stress"},
     {AT_REST, "bodies.0: a velocity in a scene where nothing moves"},
@@ -99,6 +121,32 @@ START_TEST(what_contradicts_itself_is_refused)
 }
 END_TEST
 
+/* Combinations of two settings. */
+static const char *const refused_together[][3] = {
+    {"contact={law: stick}", "cracks=[{points: [[1, 1], [3, 1.1]]}]",
+     "heat conduction with cracks beside contact between bodies"},
+    {"method.cracks=visibility", "cracks=[{points: [[1, 1], [3, 1.1]]}]",
+     "heat conduction with method.cracks: visibility"},
+    {"bodies.right={name: wall, rigid: {velocity: [0, 0]}, region: {rectangle: {from: [6, 0], to: "
+     "[8, 2]}}}",
+     "contact={pairs: [{of: [steel, wall], law: stick, heat: perfect}]}",
+     "contact.pairs.0.heat: a law of heat with a rigid body"},
+    {"bodies.right={name: wall, rigid: {velocity: [0, 0]}, region: {rectangle: {from: [6, 0], to: "
+     "[8, 2]}}}",
+     "contact={heat: perfect, pairs: [{of: [steel, wall], law: stick}]}",
+     "contact.heat: given, and no pair uses it"},
+};
+
+START_TEST(what_does_not_fit_together_is_refused)
+{
+    struct mpm_scene *scene = NULL;
+    struct mpm_error error = {.message = ""};
+    ck_assert_int_eq(mpm_scene_read(CONDUCTING, refused_together[_i], 2, &scene, &error),
+                     MPM_BAD_INPUT);
+    test_contains(error.message, refused_together[_i][2]);
+}
+END_TEST
+
 /* The same in a scene where nothing moves. */
 static const char *const refused_at_rest[][2] = {
     {"method.stress_update=usl", "method.stress_update: given in a scene where nothing moves"},
@@ -112,6 +160,10 @@ static const char *const refused_at_rest[][2] = {
     {"bodies.right={name: right, rigid: {velocity: [0, 0]}, region: {rectangle: {from: [6, 0], to: "
      "[8, 2]}}}",
      "bodies.1: a rigid body in a scene where nothing moves"},
+    {"contact={law: friction, friction: 0.3}", "contact: a law of motion in a scene where nothing"},
+    {"contact={law: stick, adhesion: 2}", "contact: adhesion in a scene where nothing"},
+    {"cracks=[{points: [[1, 1], [3, 1.1]], contact: stick}]",
+     "cracks.0.contact: given in a scene where nothing moves"},
 };
 
 START_TEST(what_belongs_to_motion_is_refused_where_nothing_moves)
@@ -157,6 +209,8 @@ Suite *suite_scene_transport(void)
     Suite *suite = suite_create("scene_transport");
     TCase *reading = tcase_create("reading");
     tcase_add_test(reading, transport_says_what_its_file_says);
+    tcase_add_loop_test(reading, what_does_not_fit_together_is_refused, 0,
+                        (int)G_N_ELEMENTS(refused_together));
     tcase_add_loop_test(reading, what_contradicts_itself_is_refused, 0, (int)G_N_ELEMENTS(refused));
     tcase_add_loop_test(reading, what_belongs_to_motion_is_refused_where_nothing_moves, 0,
                         (int)G_N_ELEMENTS(refused_at_rest));
