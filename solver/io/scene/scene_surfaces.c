@@ -140,7 +140,8 @@ enum mpm_status mpm_check_pair_surfaces(const struct mpm_reading *reading)
             strcmp(contact->pairs[k].key, "contact") != 0 && mpm_reading_given(reading, path.text);
         const bool rigid = contact->pairs[k].of[1] >= contact->deformable_fields;
         law = law || (!own && !rigid);
-        gap = gap || (!own && !rigid && uses_gap(&contact->pairs[k], whole->heat));
+        gap = gap ||
+              (!own && !rigid && uses_gap(&contact->pairs[k], (enum mpm_surface_law)whole->heat));
     }
     if (law && gap)
         return MPM_OK;
