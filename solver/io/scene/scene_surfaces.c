@@ -19,12 +19,14 @@ struct keys {
     const char *conductance, *gap;
 };
 
+/* What is the default may be said. */
 static enum mpm_status refuse_without(const struct mpm_reading *reading, const struct keys *keys)
 {
     static const char *const names[] = {"heat", "conductance", "heat_gap"};
     for (size_t k = 0; k < sizeof names / sizeof names[0]; k++) {
         const struct mpm_path path = mpm_path_join(keys->path, names[k]);
-        if (mpm_reading_given(reading, path.text))
+        const bool usual = k == 0 && keys->law == MPM_SURFACE_INSULATES;
+        if (!usual && mpm_reading_given(reading, path.text))
             return mpm_reading_fault(reading, path.text,
                                      "given in a scene without transport.temperature; allowed: "
                                      "with it");
@@ -131,14 +133,15 @@ enum mpm_status mpm_check_pair_surfaces(const struct mpm_reading *reading)
     const struct mpm_raw_contact *const whole = reading->raw->contact;
     const struct mpm_contact_spec *const contact = &reading->scene->contact;
     bool gap = whole->heat_gap == NULL;
-    bool law = !mpm_reading_given(reading, "contact.heat");
+    bool law = whole->heat == MPM_SURFACE_INSULATES;
     for (size_t k = 0; k < contact->pair_count; k++) {
         const struct mpm_path path = mpm_path_join(contact->pairs[k].key, "heat");
         const bool own =
             strcmp(contact->pairs[k].key, "contact") != 0 && mpm_reading_given(reading, path.text);
         const bool rigid = contact->pairs[k].of[1] >= contact->deformable_fields;
         law = law || (!own && !rigid);
-        gap = gap || (!own && !rigid && uses_gap(&contact->pairs[k], whole->heat));
+        gap = gap ||
+              (!own && !rigid && uses_gap(&contact->pairs[k], (enum mpm_surface_law)whole->heat));
     }
     if (law && gap)
         return MPM_OK;
