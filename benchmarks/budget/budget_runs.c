@@ -12,6 +12,12 @@ enum { STEPS = 40 };
 /* Across the grid, through a quarter of the strips, with both tips inside. */
 #define CRACK(contact) "cracks=[{points: [[1.6, 2.1], [3.2, 2.9]], " contact "}]"
 
+/* What block.yaml takes to conduct heat as well. */
+#define UNITS    "units={length: m, mass: kg, time: s, temperature: K}"
+#define CAPACITY "materials.rubber.heat_capacity=1"
+#define CONDUCTS "materials.rubber.conductivity=0.1"
+#define HEAT     "transport={temperature: {start: 'x'}}"
+
 /* Of 1600 particles, but for R1 with its 352. */
 const struct budget_run budget_runs[] = {
     {"planar uGIMP MUSL", PLANAR, MPM_KERNELS_AUTO, {NULL}},
@@ -31,6 +37,10 @@ const struct budget_run budget_runs[] = {
      MPM_KERNELS_AUTO,
      {"method.shape=cpdi", "method.stress_update=usavg",
       CRACK("contact: friction, friction: 0.3")}},
+    {"heat alone, planar uGIMP", "heat.yaml", MPM_KERNELS_AUTO, {NULL}},
+    {"heat alone, planar CPDI", "heat.yaml", MPM_KERNELS_AUTO, {"method.shape=cpdi"}},
+    {"planar uGIMP MUSL with heat", PLANAR, MPM_KERNELS_AUTO, {UNITS, CAPACITY, CONDUCTS, HEAT}},
+    {"reference, heat alone, planar uGIMP", "heat.yaml", MPM_KERNELS_REFERENCE, {NULL}},
     {"reference, planar uGIMP MUSL", PLANAR, MPM_KERNELS_REFERENCE, {NULL}},
     {"reference, axisymmetric CPDI USAVG",
      AXISYMMETRIC,

@@ -6,7 +6,7 @@
 
 #include "benchmarks/budget/budget.h"
 
-enum { BUDGET_SETTINGS = 4 };
+enum { BUDGET_SETTINGS = 5 };
 
 struct budget_run {
     const char *name;

@@ -8,7 +8,7 @@
 static const char *const geometries[] = {"plane_strain", "axisymmetric"};
 
 /* Seconds for each list, in the standard tier. */
-static const double VARIANTS = 60, SIZES = 50, OTHERS = 25;
+static const double VARIANTS = 60, SIZES = 50, HEAT = 20, OTHERS = 25;
 
 static unsigned usual_size(const struct bench_context *context)
 {
@@ -42,6 +42,31 @@ static void add_sizes(struct bench_context *context, GArray *points)
         if (i > 0)
             point->against = g_strdup_printf("plane_strain ugimp musl, %s", sizes[0].name);
     }
+}
+
+/* Heat alone by every family, and beside the plain block. */
+static void add_heat(struct bench_context *context, GArray *points)
+{
+    static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
+    const struct bench_block plain = bench_block_plain(usual_size(context));
+    char *scene = bench_scene(context, "heat.yaml");
+    for (size_t g = 0; g < G_N_ELEMENTS(geometries); g++)
+        for (size_t k = 0; k < G_N_ELEMENTS(shapes); k++) {
+            struct bench_point *point = bench_points_add(
+                points, scene, &context->simulation, "heat alone, %s %s", geometries[g], shapes[k]);
+            bench_point_vary(point, "geometry", geometries[g]);
+            bench_point_vary(point, "method.shape", shapes[k]);
+            bench_point_set(point, "grid.refine=%u", plain.refine);
+            bench_point_text(point, "law", "none");
+        }
+    g_free(scene);
+    bench_block_add(context, points, &plain, "without heat");
+    struct bench_point *both = bench_block_add(context, points, &plain, "with heat");
+    bench_point_set(both, "units={length: m, mass: kg, time: s, temperature: K}");
+    bench_point_set(both, "materials.rubber.heat_capacity=1");
+    bench_point_set(both, "materials.rubber.conductivity=0.001");
+    bench_point_set(both, "transport={temperature: {start: 'x'}}");
+    both->against = g_strdup("plane_strain ugimp musl, without heat");
 }
 
 /* What the tables of variants and sizes leave out, each beside the plain block. */
@@ -80,6 +105,6 @@ static void add_others(struct bench_context *context, GArray *points)
 enum mpm_status bench_throughput(struct bench_context *context, struct mpm_error *error)
 {
     const struct bench_list lists[] = {
-        {add_variants, VARIANTS}, {add_sizes, SIZES}, {add_others, OTHERS}};
+        {add_variants, VARIANTS}, {add_sizes, SIZES}, {add_heat, HEAT}, {add_others, OTHERS}};
     return bench_measure_lists(context, "throughput", lists, G_N_ELEMENTS(lists), error);
 }

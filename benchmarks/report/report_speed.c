@@ -155,7 +155,7 @@ void report_throughput(struct report *report)
     if (variants)
         add_variants(report, lines);
     if (others) {
-        document_heading(report->document, 3, "Sizes, laws, kernels");
+        document_heading(report->document, 3, "Sizes, laws, kernels, heat");
         document_table(report->document, "One thread; rate: million particle-steps a second.",
                        columns);
     }

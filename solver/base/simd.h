@@ -283,27 +283,21 @@ MPM_INLINE void mpm_load_columns(double *const row[MPM_VECTOR_SIZE], int64_t off
     }
 }
 
-/* Adds number i of column[i] to each of four rows, one row after the other; of three columns, zero
- * to a fourth number. */
+/* Adds number i of column[i] to each of four rows, one row after the other, number by number: rows
+ * may overlap, and whoever loads a vector that was stored in pieces waits until these are there. */
 MPM_INLINE void mpm_add_columns(double *const row[MPM_VECTOR_SIZE], int64_t offset, int columns,
                                 const mpm_vector column[4])
 {
-    const mpm_vector zero = mpm_splat(0.0);
-    const mpm_vector third = columns > 2 ? column[2] : zero,
-                     fourth = columns > 3 ? column[3] : zero;
-    mpm_vector lane[4] = {column[0], column[1], third, fourth};
-    mpm_transpose(lane);
+    double number[4][MPM_VECTOR_SIZE];
 #pragma GCC unroll 4
-    for (int i = 0; i < MPM_VECTOR_SIZE; i++) {
-        double *const to = row[i] + offset;
-        if (columns > 2) {
-            mpm_store(to, mpm_load(to) + lane[i]);
-        } else {
-            const mpm_half_vector sum =
-                mpm_load_half(to) + (mpm_half_vector){lane[i][0], lane[i][1]};
-            memcpy(to, &sum, sizeof sum);
-        }
-    }
+    for (int i = 0; i < columns; i++)
+        mpm_store(number[i], column[i]);
+    __asm__("" : "+m"(number)); /* loaded from there: lanes are not picked from registers */
+#pragma GCC unroll 4
+    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+#pragma GCC unroll 4
+        for (int i = 0; i < columns; i++)
+            row[lane][offset + i] += number[i][lane];
 }
 
 /* Adds the sum of column[i] to number i of one row; of three columns, zero to a fourth one. */

@@ -135,6 +135,20 @@ static void describe_bodies(const struct mpm_state *state, struct mpm_nodal_scal
     }
 }
 
+/* Is c that of all deformable bodies? */
+static bool is_uniform(const struct mpm_scene *scene, const struct mpm_nodal_scalar *scalar)
+{
+    double first = 0.0;
+    for (size_t body = 0; body < scene->body_count; body++) {
+        if (scene->bodies[body].rigid)
+            continue;
+        if (first != 0.0 && scalar->weight[body] != first)
+            return false;
+        first = scalar->weight[body];
+    }
+    return true;
+}
+
 static enum mpm_status set_start(const struct mpm_simulation *simulation,
                                  const struct mpm_nodal_scalar *scalar, uint32_t body,
                                  const struct mpm_expression *start, size_t first, size_t end,
@@ -242,6 +256,7 @@ enum mpm_status mpm_transport_fill(struct mpm_simulation *simulation, struct mpm
     for (size_t k = 0; k < state->transport.count; k++) {
         struct mpm_nodal_scalar *const scalar = &state->transport.list[k];
         describe_bodies(state, scalar);
+        scalar->uniform = is_uniform(simulation->scene, scalar);
         MPM_TRY(set_starts(simulation, scalar, error));
         MPM_TRY(check_conditions(simulation, scalar, error));
         MPM_TRY(check_source(simulation, scalar, error));

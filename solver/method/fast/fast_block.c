@@ -23,6 +23,7 @@ static struct fast_scalar scalar_of(const struct mpm_state *state,
         .inverse_density =
             scalar->source == NULL ? 0.0 : 1.0 / state->bodies[body].material.density,
         .pic = scalar->transfer == MPM_SCALAR_PIC,
+        .follows_mass = state->kernels.passes->with_scalar && scalar->uniform,
         .conduction = scalar->bodies[body],
     };
 }

@@ -39,6 +39,7 @@ struct fast_scalar {
     double weight;          /* c */
     double inverse_density; /* of sources; 0: there are none */
     bool pic;
+    bool follows_mass; /* capacities are c times the nodes' masses, which others spread */
     struct mpm_scalar_body conduction;
 };
 

@@ -395,7 +395,7 @@ MPM_INLINE mpm_vector capacity_vector(const struct fast_block *block, size_t p)
     return mpm_load(block->particles->mass + p) * block->k->scalar.weight;
 }
 
-/* Content and capacity */
+/* Content; capacity, where it does not follow from masses (mpm_transport_prepare) */
 MPM_INLINE void spread_scalar(const struct fast_spec *spec, const struct fast_block *block,
                               const union fast_stencil stencil[MPM_BLOCK_VECTORS])
 {
@@ -406,7 +406,8 @@ MPM_INLINE void spread_scalar(const struct fast_spec *spec, const struct fast_bl
         const mpm_vector capacity = capacity_vector(block, p);
         spread_number(spec, block->k, &stencil[v], scalar->nodes[FAST_CONTENT],
                       capacity * mpm_load(numbers + p));
-        spread_number(spec, block->k, &stencil[v], scalar->nodes[FAST_CAPACITY], capacity);
+        if (!scalar->follows_mass)
+            spread_number(spec, block->k, &stencil[v], scalar->nodes[FAST_CAPACITY], capacity);
     }
 }
 

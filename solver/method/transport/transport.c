@@ -384,7 +384,31 @@ enum mpm_status mpm_transport_advance(struct mpm_state *state, int workers, stru
 void mpm_transport_begin(struct mpm_state *state)
 {
     run_rows(state, state->transport.list, row_clear_content);
-    run_rows(state, state->transport.list, row_clear_capacity);
+    if (!state->transport.list->uniform)
+        run_rows(state, state->transport.list, row_clear_capacity);
+}
+
+/* M_i = c m_i; masses may still be beside the momenta, see struct mpm_node_sum. */
+static void row_capacity_of_mass(void *context, int64_t row, int worker)
+{
+    const struct mpm_state *const state = context;
+    const struct mpm_row_span span = mpm_row_span(state, row);
+    const struct mpm_nodal_scalar *const scalar = at_work(state);
+    const bool in_sums = state->kernels.start_rows == mpm_row_start_from_sums;
+    (void)worker;
+    for (int64_t node = span.first; node < span.end; node++)
+        scalar->capacity[node] = scalar->weight[state->particles.body[0]] *
+                                 (in_sums ? state->grid.sum[node][0].mass : state->grid.mass[node]);
+}
+
+/* Capacities of a scalar that went along with mechanics; planes of symmetry have reflected masses.
+ */
+static void find_capacity(struct mpm_state *state, const struct mpm_nodal_scalar *scalar)
+{
+    if (scalar->uniform)
+        run_rows(state, scalar, row_capacity_of_mass);
+    else
+        mpm_symmetries_reflect_scalar(state, scalar->capacity);
 }
 
 enum mpm_status mpm_transport_prepare(struct mpm_state *state, int workers, struct mpm_error *error)
@@ -392,7 +416,7 @@ enum mpm_status mpm_transport_prepare(struct mpm_state *state, int workers, stru
     const struct mpm_passes *const passes = state->kernels.passes;
     struct mpm_nodal_scalar *const scalar = state->transport.list;
     state->transport.diffusivity = state->transport.film = 0.0;
-    mpm_symmetries_reflect_scalar(state, scalar->capacity);
+    find_capacity(state, scalar);
     MPM_TRY(prepare(state, workers, scalar, error));
     if (passes->stress_before == NULL && passes->to_particles == NULL)
         mpm_scalar_pass_run(state, workers, scalar, conduction(state));

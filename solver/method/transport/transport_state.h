@@ -47,6 +47,7 @@ struct mpm_nodal_scalar {
     const struct mpm_scalar_row *row;
     enum mpm_scalar_transfer transfer;
     double *weight; /* per body: c, capacity per mass */
+    bool uniform;   /* c is the same for all */
     struct mpm_scalar_body *bodies;
     struct mpm_expression *source;      /* NULL: none */
     struct mpm_expression **conditions; /* per condition of the scene */

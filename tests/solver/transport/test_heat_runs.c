@@ -114,6 +114,46 @@ START_TEST(fast_kernels_conduct_at_rest_as_reference_kernels_do)
 }
 END_TEST
 
+/* What fast kernels do in other ways: four particles with the same nodes, as two by two a cell
+ * mostly have, at rest and not; capacities that do not follow from masses. */
+static const char *const other_ways[][2] = {
+    {"bodies.block.particles_per_cell=[2, 2]", NULL},
+    {"bodies.block.particles_per_cell=[2, 2]", HEAT_BLOCK_AT_REST},
+    {"bodies=[{name: block, material: soft, region: {rectangle: {from: [3, 3.2], to: [6, 8]}}}, "
+     "{name: other, material: dear, region: {rectangle: {from: [6, 3.2], to: [9, 8]}}}]",
+     "materials=[{name: soft, law: neo_hookean, density: 2, bulk: 1.25, shear: 0.75, "
+     "heat_capacity: 0.5, conductivity: 0.25}, {name: dear, law: neo_hookean, density: 1, bulk: "
+     "1.25, shear: 0.75, heat_capacity: 2, conductivity: 0.5}]"},
+};
+enum { OTHER_WAYS = 3 };
+
+START_TEST(fast_kernels_conduct_in_other_ways_as_reference_kernels_do)
+{
+    const char *const *const way = other_ways[_i / TEST_COMBINATIONS];
+    const int index = _i % TEST_COMBINATIONS;
+    const bool at_rest = way[1] == HEAT_BLOCK_AT_REST;
+    struct settings settings = at_rest ? heat_block_rest_settings(index % HEAT_BLOCK_REST)
+                                       : test_combination_settings(index);
+    for (int k = 0; k < 2; k++)
+        if (way[k] != NULL)
+            settings_add(&settings, way[k]);
+    if (!at_rest) {
+        heat_block_add_wild_heat(&settings, is_axisymmetric(index));
+        settings_add(&settings, HEAT_BLOCK_HOT_SIDE);
+    }
+    const struct kernel_side sides[HEAT_BLOCK_SETS] = {
+        {settings.texts, {.kernels = MPM_KERNELS_REFERENCE, .threads = 1}},
+        {settings.texts, {.kernels = MPM_KERNELS_FAST, .threads = 1}},
+    };
+    struct kernel_pair pair = kernel_pair_open_text(HEAT_BLOCK, sides);
+    for (int step = 0; step < KERNEL_PAIR_STEPS; step++)
+        ck_assert(kernel_pair_step(&pair));
+    ck_assert_msg(kernel_pair_worst(&pair) <= KERNEL_PAIR_BOUND, "%s", kernel_pair_text(&pair));
+    kernel_pair_close(&pair);
+    settings_clear(&settings);
+}
+END_TEST
+
 /* A body with stress that nothing moves takes the passes of a step in motion. */
 START_TEST(heat_alone_is_heat_in_a_body_that_does_not_move)
 {
@@ -366,6 +406,8 @@ Suite *suite_heat_runs(void)
     tcase_add_loop_test(all, fast_kernels_conduct_as_reference_kernels_do, 0, TEST_COMBINATIONS);
     tcase_add_loop_test(all, fast_kernels_conduct_at_rest_as_reference_kernels_do, 0,
                         HEAT_BLOCK_REST);
+    tcase_add_loop_test(all, fast_kernels_conduct_in_other_ways_as_reference_kernels_do, 0,
+                        OTHER_WAYS * TEST_COMBINATIONS);
     tcase_add_loop_test(all, heat_alone_is_heat_in_a_body_that_does_not_move, 0, HEAT_BLOCK_REST);
     tcase_add_loop_test(all, bits_of_temperatures_do_not_depend_on_threads, 0, 2);
     tcase_add_loop_test(all, a_failed_run_has_the_temperatures_of_its_last_good_step, 0, 3);
