@@ -91,10 +91,11 @@ static enum mpm_status read_setting(struct bundle *bundle, struct mpm_error *err
         g++;
     if (g == G_N_ELEMENTS(geometries))
         return refuse(bundle, error, "geometry", "plane_strain, plane_stress or axisymmetric");
-    bundle->format = (struct score_format){
-        (enum mpm_geometry)g,
-        {record_text(units, "length"), record_text(units, "mass"), record_text(units, "time")},
-        (int)json_integer_value(json_object_get(bundle->json, "body"))};
+    bundle->format =
+        (struct score_format){(enum mpm_geometry)g,
+                              {record_text(units, "length"), record_text(units, "mass"),
+                               record_text(units, "time"), record_text(units, "temperature")},
+                              (int)json_integer_value(json_object_get(bundle->json, "body"))};
     bundle->end = record_number(bundle->json, "end");
     const json_int_t instants = json_integer_value(json_object_get(bundle->json, "instants"));
     if (!(bundle->end > 0) || instants < 1 || instants > 1000)

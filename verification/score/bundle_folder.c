@@ -16,7 +16,7 @@
 static json_t *problem_of(const json_t *scene)
 {
     static const char *const sections[] = {"title",    "thickness", "materials", "bodies",
-                                           "boundary", "loads",     "cracks"};
+                                           "boundary", "loads",     "cracks",    "transport"};
     json_t *problem = json_object();
     for (size_t i = 0; i < G_N_ELEMENTS(sections); i++)
         if (json_object_get(scene, sections[i]) != NULL)
@@ -34,6 +34,7 @@ static const struct law {
      "U the right stretch: Hooke's law that turns with the body"},
     {"neo_hookean", "W = K/2 ((J^2 - 1)/2 - ln J) + G/2 (J^(-2/3) tr(F F^T) - 3) per volume of the "
                     "undeformed body, J = det F; K and G follow from young and poisson"},
+    {"none", "no stress: the material only conducts"},
     {"linear", "cohesive: the traction rises with the opening at `stiffness` to `strength`, then "
                "falls along a line to nothing at the opening 2 toughness/strength"},
 };

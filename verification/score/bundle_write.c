@@ -311,10 +311,11 @@ static enum mpm_status prepare(struct writing *writing, struct mpm_error *error)
     TRY(reference_open(writing->entry, &writing->problem, error));
     TRY(scene_json_read(writing->entry->scene_path, &writing->scene, error));
     const json_t *units = json_object_get(writing->scene, "units");
-    writing->format = (struct score_format){
-        geometry_of(record_text(writing->scene, "geometry")),
-        {record_text(units, "length"), record_text(units, "mass"), record_text(units, "time")},
-        (int)bundle->body};
+    writing->format =
+        (struct score_format){geometry_of(record_text(writing->scene, "geometry")),
+                              {record_text(units, "length"), record_text(units, "mass"),
+                               record_text(units, "time"), record_text(units, "temperature")},
+                              (int)bundle->body};
     writing->lattice =
         (struct lattice){.count = {(size_t)bundle->points[0], (size_t)bundle->points[1]},
                          .polar = bundle->polar,

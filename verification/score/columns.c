@@ -26,6 +26,7 @@ static const struct {
     [SCORE_STRESS_ZZ] = {"stress_zz", "stress_tt", MPM_DIMENSION_STRESS},
     [SCORE_STRESS_XY] = {"stress_xy", "stress_rz", MPM_DIMENSION_STRESS},
     [SCORE_RELATIVE_VOLUME] = {"relative_volume", "relative_volume", MPM_DIMENSION_NONE},
+    [SCORE_TEMPERATURE] = {"temperature", "temperature", MPM_DIMENSION_TEMPERATURE},
     [SCORE_FORCE_X] = {"body_force_x", "body_force_r", MPM_DIMENSION_ACCELERATION},
     [SCORE_FORCE_Y] = {"body_force_y", "body_force_z", MPM_DIMENSION_ACCELERATION},
 };
@@ -60,6 +61,7 @@ char *score_column_unit(enum score_column column, const struct score_units *unit
     add_factor(text, units->mass, dimension.mass);
     add_factor(text, units->length, dimension.length);
     add_factor(text, units->time, dimension.time);
+    add_factor(text, units->temperature, dimension.temperature);
     if (text->len == 0)
         g_string_append_c(text, '1');
     return g_string_free(text, FALSE);

@@ -27,6 +27,7 @@ enum score_column {
     SCORE_STRESS_ZZ,
     SCORE_STRESS_XY,
     SCORE_RELATIVE_VOLUME,
+    SCORE_TEMPERATURE,
     SCORE_FORCE_X, /* body force per unit mass; of bundles alone */
     SCORE_FORCE_Y,
     SCORE_COLUMNS
@@ -40,7 +41,7 @@ enum score_column score_column_find(const char *name, enum mpm_geometry geometry
 
 /* Names of the units of a problem; as in its scene. */
 struct score_units {
-    const char *length, *mass, *time;
+    const char *length, *mass, *time, *temperature;
 };
 
 /* The unit as text, mass first: "g mm^-1 ms^-2"; "1" for none. g_free. */

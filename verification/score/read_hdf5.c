@@ -19,6 +19,7 @@ static const struct dataset {
     {"velocity", SCORE_VELOCITY_X},
     {"stress", SCORE_STRESS_XX},
     {"deformation_gradient", SCORE_RELATIVE_VOLUME},
+    {"temperature", SCORE_TEMPERATURE},
     {"id", SCORE_ID},
     {"body", SCORE_BODY},
 };

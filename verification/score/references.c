@@ -7,6 +7,7 @@
 #include "verification/exact/compression.h"
 #include "verification/exact/contact/laminate.h"
 #include "verification/exact/contact/struck_bars.h"
+#include "verification/exact/heat.h"
 #include "verification/exact/homogeneous_load.h"
 #include "verification/exact/lame_cylinder.h"
 #include "verification/exact/radial_mode.h"
@@ -148,6 +149,27 @@ static void laminate(const struct reference_problem *problem, const double place
     values[SCORE_STRESS_YY] = traction;
 }
 
+/* A bar whose one end is at 0, the other driven by a sine. */
+static void driven_heat(const struct reference_problem *problem, const double place[2], double time,
+                        double values[SCORE_COLUMNS])
+{
+    static const double PI = 3.141592653589793238463;
+    const double *n = problem->number, length = n[1];
+    values[SCORE_TEMPERATURE] =
+        n[0] * heat_slab_driven(place[0] / length, n[2] / (length * length), PI * n[3], time);
+}
+
+/* A cylinder, cold at first, whose rim is held from then on. */
+static void held_cylinder(const struct reference_problem *problem, const double place[2],
+                          double time, double values[SCORE_COLUMNS])
+{
+    const double *n = problem->number, radius = n[1];
+    values[SCORE_TEMPERATURE] = time > 0.0
+                                    ? n[0] * heat_surface_held(HEAT_CYLINDER, place[0] / radius,
+                                                               n[2] / (radius * radius) * time)
+                                    : 0.0;
+}
+
 static const struct reference references[] = {
     {"vibrating_bar",
      {"length", "modulus", "density", "amplitude"},
@@ -197,6 +219,12 @@ static const struct reference references[] = {
      {SCORE_DISPLACEMENT_Y, SCORE_STRESS_YY},
      NULL,
      laminate},
+    {"driven_heat",
+     {"scale", "length", "diffusivity", "frequency"},
+     {SCORE_TEMPERATURE},
+     NULL,
+     driven_heat},
+    {"held_cylinder", {"scale", "length", "diffusivity"}, {SCORE_TEMPERATURE}, NULL, held_cylinder},
 };
 
 static const struct reference *find(const char *name)

@@ -17,9 +17,9 @@
 
 /* -------------------------------------------------------------------------- bundles */
 
-static const char *const exported[] = {"D5",  "E3",  "M1", "M2", "M3", "M4",
-                                       "R1b", "T1b", "T3", "T4", "W1", "W2"};
-enum { EXPORTED = 12 };
+static const char *const exported[] = {"D5", "E3",  "H1",  "H2", "M1", "M2", "M3",
+                                       "M4", "R1b", "T1b", "T3", "T4", "W1", "W2"};
+enum { EXPORTED = 14 };
 
 /* The agreement of each criterion, from the rows of a score. */
 static void assert_rows(const struct bundle *bundle, const struct score_table *results,
@@ -337,25 +337,58 @@ START_TEST(an_export_replaces_bundles_of_the_case_alone)
 END_TEST
 
 /* Snapshots of `mpm run` carry their units. */
+static const struct {
+    const char *scene, *end, *unit, *bundle, *message;
+} OTHER_UNITS[] = {
+    {"verification/catalogue/E/E3/scene.yaml", "time.end=4", "units.mass=kg", "E3",
+     "stress: stress_xx is in \"kg mm^-1 ms^-2\": allowed is"},
+    {"verification/catalogue/H/H2/cylinder.yaml", "time.end=0.1", "units.temperature=F", "H2",
+     "temperature: temperature is in \"F\": allowed is \"K\""},
+};
+
 START_TEST(snapshots_in_other_units_are_refused)
 {
-    char *results = test_folder_path(test_bundles, "mpm"),
-         *home = test_folder_path(test_bundles, "E3");
-    char *output = test_folder_path(test_bundles, "units");
-    struct test_command command =
-        test_command_run("mpm", "run", "verification/catalogue/E/E3/scene.yaml", "--quiet", "--set",
-                         "time.end=4", "--set", "units.mass=kg", "--output", results, NULL);
+    char *folder = test_folder_create(), *results = test_folder_path(folder, "mpm"),
+         *home = test_folder_path(test_bundles, OTHER_UNITS[_i].bundle);
+    char *output = test_folder_path(folder, "units");
+    struct test_command command = test_command_run("mpm", "run", OTHER_UNITS[_i].scene, "--quiet",
+                                                   "--set", OTHER_UNITS[_i].end, "--set",
+                                                   OTHER_UNITS[_i].unit, "--output", results, NULL);
     ck_assert_msg(command.exit_status == 0, "%s", command.errors);
     test_command_free(&command);
     command = test_command_run("mpm-verify", "score", home, results, "--output", output, NULL);
     ck_assert_int_eq(command.exit_status, 2);
-    ck_assert_msg(
-        strstr(command.errors, "stress: stress_xx is in \"kg mm^-1 ms^-2\": allowed is") != NULL,
-        "%s", command.errors);
+    ck_assert_msg(strstr(command.errors, OTHER_UNITS[_i].message) != NULL, "%s", command.errors);
     test_command_free(&command);
     g_free(output);
     g_free(home);
     g_free(results);
+    test_folder_remove(folder);
+}
+END_TEST
+
+/* Temperatures of snapshots, per radian and of a slab, which the cylinder's field is not. */
+START_TEST(snapshots_with_temperatures_are_scored)
+{
+    static const char *const geometries[] = {"geometry=axisymmetric", "geometry=plane_strain"};
+    char *folder = test_folder_create(), *home = test_folder_path(test_bundles, "H2");
+    for (int k = 0; k < 2; k++) {
+        char *results = test_folder_path(folder, geometries[k]);
+        char *output = test_folder_path(folder, "score");
+        struct test_command command =
+            test_command_run("mpm", "run", "verification/catalogue/H/H2/cylinder.yaml", "--quiet",
+                             "--set", geometries[k], "--set", "grid.refine=4", "--set",
+                             "output.snapshots=0.05", "--output", results, NULL);
+        ck_assert_msg(command.exit_status == 0, "%s", command.errors);
+        test_command_free(&command);
+        command = test_command_run("mpm-verify", "score", home, results, "--output", output, NULL);
+        ck_assert_msg(command.exit_status == k, "%s: %s", geometries[k], command.output);
+        test_command_free(&command);
+        g_free(output);
+        g_free(results);
+    }
+    g_free(home);
+    test_folder_remove(folder);
 }
 END_TEST
 
@@ -372,7 +405,8 @@ Suite *suite_score(void)
     tcase_add_test(scores, bad_results_end_with_status_2_and_touch_nothing);
     tcase_add_test(scores, too_few_points_are_refused);
     tcase_add_test(scores, an_export_replaces_bundles_of_the_case_alone);
-    tcase_add_test(scores, snapshots_in_other_units_are_refused);
+    tcase_add_loop_test(scores, snapshots_in_other_units_are_refused, 0, G_N_ELEMENTS(OTHER_UNITS));
+    tcase_add_test(scores, snapshots_with_temperatures_are_scored);
     suite_add_tcase(suite, scores);
     return suite;
 }

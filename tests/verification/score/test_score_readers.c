@@ -12,7 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-static const struct score_format planar = {MPM_PLANE_STRAIN, {"mm", "g", "ms"}, 0};
+static const struct score_format planar = {MPM_PLANE_STRAIN, {"mm", "g", "ms", "K"}, 0};
 
 /* The same three points at time 2 in every format. */
 static const double places[3][2] = {{0, 1}, {1, 1}, {2, 1.5}};

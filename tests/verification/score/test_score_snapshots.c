@@ -69,7 +69,7 @@ static void write_declared(const char *path, const struct declared *what)
 START_TEST(what_a_snapshot_declares_is_not_believed)
 {
     char *folder = test_folder_create(), *path = test_folder_path(folder, "a.hdf");
-    const struct score_format format = {MPM_PLANE_STRAIN, {"mm", "g", "ms"}, 0};
+    const struct score_format format = {MPM_PLANE_STRAIN, {"mm", "g", "ms", "K"}, 0};
     struct score_table table;
     struct mpm_error error = {.message = "accepted"};
     write_declared(path, &declared[_i]);
