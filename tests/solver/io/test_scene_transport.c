@@ -124,9 +124,9 @@ END_TEST
 /* Combinations of two settings. */
 static const char *const refused_together[][3] = {
     {"contact={law: stick}", "cracks=[{points: [[1, 1], [3, 1.1]]}]",
-     "heat conduction with cracks beside contact between bodies"},
+     "conduction with cracks beside contact between bodies"},
     {"method.cracks=visibility", "cracks=[{points: [[1, 1], [3, 1.1]]}]",
-     "heat conduction with method.cracks: visibility"},
+     "conduction with method.cracks: visibility"},
     {"bodies.right={name: wall, rigid: {velocity: [0, 0]}, region: {rectangle: {from: [6, 0], to: "
      "[8, 2]}}}",
      "contact={pairs: [{of: [steel, wall], law: stick, heat: perfect}]}",
