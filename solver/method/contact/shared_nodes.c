@@ -211,27 +211,18 @@ static unsigned fields_at(const struct mpm_state *state, int64_t node)
     return mask;
 }
 
-/* The columns of a row of nodes between which some have mass; none: first >= end. */
-static struct mpm_row_span massive(const struct mpm_state *state, int64_t row, int64_t layer)
+/* The active columns of a row of the grid or of a layer become those between which some have mass:
+ * nothing is to be done for the others. */
+static void narrow(struct mpm_state *state, int64_t row)
 {
-    const double *const mass =
-        state->grid.mass + (row + layer * state->grid.rows) * state->grid.columns;
+    const double *const mass = state->grid.mass + row * state->grid.columns;
     int64_t low = state->row_low[row], high = state->row_high[row];
     while (low <= high && mass[low] == 0.0)
         low++;
-    while (high >= low && mass[high] == 0.0)
+    while (high > low && mass[high] == 0.0)
         high--;
-    return (struct mpm_row_span){low, high + 1};
-}
-
-/* The active columns of a layer become those with mass: nothing is to be done for the others. */
-static void narrow_layer(struct mpm_state *state, int64_t row, int64_t layer,
-                         const struct mpm_row_span *span)
-{
-    const int64_t place = row + layer * state->grid.rows;
-    const bool any = span->first < span->end;
-    state->row_low[place] = any ? span->first : state->grid.columns;
-    state->row_high[place] = any ? span->end - 1 : -1;
+    state->row_low[row] = low <= high ? low : state->grid.columns;
+    state->row_high[row] = low <= high ? high : -1;
 }
 
 /* From the second of the columns where fields begin to the last but one of those where they end:
@@ -261,13 +252,13 @@ static struct mpm_row_span shared_span(struct mpm_state *state, int64_t row)
 {
     const struct mpm_body_contact *const contact = &state->contact;
     const int64_t columns = state->grid.columns;
+    const bool cut = mpm_contact_spec(state)->cracked_field != MPM_NO_FIELD;
     struct overlap overlap = {{columns, columns}, {0, 0}};
     for (int64_t layer = 0; layer <= state->fields.layers; layer++) {
-        struct mpm_row_span span = massive(state, row, layer);
-        if (layer > 0)
-            narrow_layer(state, row, layer, &span);
-        else if (mpm_contact_spec(state)->cracked_field != MPM_NO_FIELD)
-            span = (struct mpm_row_span){state->row_low[row], state->row_high[row] + 1};
+        const int64_t place = row + layer * state->grid.rows;
+        if (layer > 0 || !cut)
+            narrow(state, place);
+        const struct mpm_row_span span = {state->row_low[place], state->row_high[place] + 1};
         add_span(&overlap, &span);
     }
     for (int k = 0; k < 2 && contact->rigid_at != NULL; k++) { /* of several bodies, perhaps */
@@ -275,9 +266,9 @@ static struct mpm_row_span shared_span(struct mpm_state *state, int64_t row)
                                           contact->rigid_in.high[row] + 1};
         add_span(&overlap, &span);
     }
-    const int64_t low = state->row_low[row], high = state->row_high[row] + 1;
+    const int64_t low = state->fields.reached.low[row], end = state->fields.reached.high[row] + 1;
     return (struct mpm_row_span){overlap.first[1] > low ? overlap.first[1] : low,
-                                 overlap.end[1] < high ? overlap.end[1] : high};
+                                 overlap.end[1] < end ? overlap.end[1] : end};
 }
 
 enum mpm_status mpm_shared_nodes_find(struct mpm_state *state, struct mpm_error *error)

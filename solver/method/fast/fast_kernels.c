@@ -98,10 +98,23 @@ MPM_INLINE void run_pieces(const struct fast_spec *spec, const struct mpm_state 
     block->sums->patches = NULL;
 }
 
-/* traffic: what the pass does with nodes; NULL: nothing. */
+/* Of the particles of a run: takes their hull out of the sums. */
+MPM_INLINE void take_extent(struct fast_sums *sums, struct mpm_extent *extent)
+{
+    for (int axis = 0; axis < 2; axis++) {
+        const double low = mpm_smallest_lane(sums->low[axis]);
+        const double high = mpm_largest_lane(sums->high[axis]);
+        extent->low[axis] = low < extent->low[axis] ? low : extent->low[axis];
+        extent->high[axis] = high > extent->high[axis] ? high : extent->high[axis];
+        sums->low[axis] = mpm_splat(DBL_MAX);
+        sums->high[axis] = mpm_splat(-DBL_MAX);
+    }
+}
+
+/* traffic: what the pass does with nodes; extents: where particles are after it; NULL: nothing. */
 MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state, int64_t index,
                           double part, int kind, const struct fast_traffic *traffic,
-                          struct fast_sums *sums, fast_work *work)
+                          struct fast_sums *sums, struct mpm_extents *extents, fast_work *work)
 {
     struct mpm_strip *const strip = &state->strips[index];
     const mpm_vector zero = mpm_splat(0.0), most = mpm_splat(DBL_MAX);
@@ -116,10 +129,13 @@ MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state,
                                    .hoop_radius = state->scene->radius_update == MPM_RADIUS_HOOP};
         run.begin = run.end;
         run.end = mpm_fast_run_end(state, run.begin, strip->end);
-        mpm_fast_constants(state, state->particles.body[run.begin], part, &k);
+        const uint32_t body = state->particles.body[run.begin];
+        mpm_fast_constants(state, body, part, &k);
         if (kind != NO_UPDATE)
             block.update = update_of(&k.material, kind);
         run_pieces(spec, state, index, traffic, &run, &k, &block, work);
+        if (extents != NULL)
+            take_extent(sums, &extents->of[state->bodies[body].layer]);
     }
 }
 
@@ -128,18 +144,7 @@ static void recompute(void *state, int64_t strip, int worker)
     static const struct fast_spec spec = {.shape = FAST_SHAPE};
     struct fast_sums sums;
     (void)worker;
-    run_strip(&spec, state, strip, 0.0, MPM_FAST_RECOMPUTE, NULL, &sums, block_recompute);
-}
-
-static void set_box(struct mpm_state *state, const struct fast_sums *sums)
-{
-    struct mpm_extent extent;
-    for (int axis = 0; axis < 2; axis++) {
-        extent.low[axis] = mpm_smallest_lane(sums->low[axis]);
-        extent.high[axis] = mpm_largest_lane(sums->high[axis]);
-    }
-    if (sums->strip->failure.kind == MPM_NO_FAILURE)
-        mpm_strip_set_box(state, sums->strip, &extent);
+    run_strip(&spec, state, strip, 0.0, MPM_FAST_RECOMPUTE, NULL, &sums, NULL, block_recompute);
 }
 
 /* --------------------------------------------------------------- the passes */
@@ -148,7 +153,7 @@ MPM_INLINE void pass_to_grid(const struct fast_spec *spec, struct mpm_state *sta
 {
     const struct fast_traffic traffic = {.adds = 1u << FAST_SUM, .adds_mass = spec->force};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_to_grid);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_to_grid);
 }
 
 MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_state *state,
@@ -157,7 +162,7 @@ MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_stat
     const struct fast_traffic traffic = {1u << FAST_GRADIENT, 1u << FAST_SUM, false};
     struct fast_sums sums;
     run_strip(spec, state, strip, state->order->before, (int)state->scene->geometry, &traffic,
-              &sums, block_stress_before);
+              &sums, NULL, block_stress_before);
     sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
 }
 
@@ -169,14 +174,14 @@ MPM_INLINE void pass_project(const struct fast_spec *spec, struct mpm_state *sta
         .adds = projection->to != NULL ? 1u << FAST_GRADIENT : 0,
     };
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_project);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_project);
 }
 
 MPM_INLINE void pass_conduct(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
 {
     const struct fast_traffic traffic = {1u << FAST_GRADIENT, 1u << FAST_SUM, false};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_conduct);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_conduct);
     sums.strip->diffusivity = mpm_largest_lane(sums.wave);
 }
 
@@ -185,7 +190,7 @@ MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state
 {
     const struct fast_traffic traffic = {1u << FAST_READ, 1u << FAST_GRADIENT, false};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_to_particles);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_to_particles);
     sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
 }
 
@@ -197,13 +202,17 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
             (updates ? 1u << FAST_GRADIENT : 0) | (state->order->extrapolate ? 0 : 1u << FAST_READ),
     };
     struct fast_sums sums;
+    struct mpm_extents extents;
+    mpm_extents_begin(state, &extents);
     run_strip(spec, state, strip, state->order->after,
-              updates ? (int)state->scene->geometry : NO_UPDATE, &traffic, &sums, block_finish);
+              updates ? (int)state->scene->geometry : NO_UPDATE, &traffic, &sums, &extents,
+              block_finish);
     if (!state->order->extrapolate)
         sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
     if (updates)
         sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
-    set_box(state, &sums);
+    if (sums.strip->failure.kind == MPM_NO_FAILURE)
+        mpm_strip_set_boxes(state, sums.strip, &extents);
 }
 
 /* ------------------------------------------------------------- the instances */

@@ -13,11 +13,55 @@ void mpm_grid_rows_run(struct mpm_state *state, mpm_pass *pass)
         mpm_rows_run(additional, additional + count - 1, state->workers, pass, state);
 }
 
-void mpm_grid_find_active(struct mpm_state *state)
+/* The columns of a box, in its rows. */
+static void add_box(const struct mpm_node_box *box, int64_t *low, int64_t *high)
 {
-    for (int64_t row = state->first_row; row <= state->last_row; row++) {
+    const int64_t first = box->low[0] + MPM_GHOST_ROWS, last = box->high[0] + MPM_GHOST_ROWS;
+    for (int64_t k = box->low[1]; k <= box->high[1]; k++) {
+        const int64_t row = k + MPM_GHOST_ROWS;
+        low[row] = first < low[row] ? first : low[row];
+        high[row] = last > high[row] ? last : high[row];
+    }
+}
+
+/* Nodes of a row that were active in the step before and are not any more lose their mass. */
+static void forget_masses(const struct mpm_state *state, int64_t row)
+{
+    double *const mass = state->grid.mass + row * state->grid.columns;
+    const int64_t first = state->fields.before.low[row], last = state->fields.before.high[row];
+    const int64_t low = state->row_low[row], high = state->row_high[row];
+    for (int64_t column = first; column <= last && column < low; column++)
+        mass[column] = 0.0;
+    for (int64_t column = last; column >= first && column > high; column--)
+        mass[column] = 0.0;
+}
+
+static void find_active_of_layers(struct mpm_state *state)
+{
+    const int64_t layers = 1 + state->fields.layers, rows = layers * state->grid.rows;
+    const struct mpm_bands *const before = &state->fields.before;
+    memcpy(before->low, state->row_low, (size_t)rows * sizeof *before->low);
+    memcpy(before->high, state->row_high, (size_t)rows * sizeof *before->high);
+    for (int64_t row = 0; row < rows; row++) {
         state->row_low[row] = state->grid.columns;
         state->row_high[row] = -1;
+    }
+    for (int64_t s = 0; s < state->strip_count; s++)
+        for (int64_t layer = 0; layer < layers; layer++)
+            if (state->strips[s].begin < state->strips[s].end)
+                add_box(&mpm_layer_boxes(state, &state->strips[s])[layer],
+                        state->row_low + layer * state->grid.rows,
+                        state->row_high + layer * state->grid.rows);
+    for (int64_t row = 0; row < rows; row++)
+        forget_masses(state, row);
+}
+
+void mpm_grid_find_active(struct mpm_state *state)
+{
+    const struct mpm_bands *const reached = &state->fields.reached;
+    for (int64_t row = state->first_row; row <= state->last_row; row++) {
+        reached->low[row] = state->grid.columns;
+        reached->high[row] = -1;
     }
     state->first_row = state->grid.rows;
     state->last_row = -1;
@@ -25,17 +69,14 @@ void mpm_grid_find_active(struct mpm_state *state)
         const struct mpm_strip *const strip = &state->strips[s];
         if (strip->begin == strip->end)
             continue;
-        const int64_t low = strip->box.low[0] + MPM_GHOST_ROWS;
-        const int64_t high = strip->box.high[0] + MPM_GHOST_ROWS;
         const int64_t first = strip->box.low[1] + MPM_GHOST_ROWS;
         const int64_t last = strip->box.high[1] + MPM_GHOST_ROWS;
-        for (int64_t row = first; row <= last; row++) {
-            state->row_low[row] = low < state->row_low[row] ? low : state->row_low[row];
-            state->row_high[row] = high > state->row_high[row] ? high : state->row_high[row];
-        }
+        add_box(&strip->box, reached->low, reached->high);
         state->first_row = first < state->first_row ? first : state->first_row;
         state->last_row = last > state->last_row ? last : state->last_row;
     }
+    if (state->fields.layers > 0)
+        find_active_of_layers(state);
 }
 
 void mpm_row_clear(void *context, int64_t row, int worker)

@@ -108,7 +108,7 @@ static void row_pic(void *state, int64_t row, int worker)
 static bool is_held(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar,
                     int64_t node)
 {
-    return mpm_node_is_active(state, node) && mpm_node_is_inside(state, node) &&
+    return mpm_node_is_reached(state, node) && mpm_node_is_inside(state, node) &&
            scalar->content[node][2] != 0.0;
 }
 
