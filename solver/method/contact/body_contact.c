@@ -2,7 +2,9 @@
 #include "method/contact/body_contact.h"
 
 #include "method/contact/contact_detection.h"
+#include "method/contact/contact_edges.h"
 #include "method/contact/contact_normal.h"
+#include "method/contact/contact_particles.h"
 #include "method/contact/contact_solve.h"
 #include "method/contact/contact_sums.h"
 #include "method/contact/interface_law.h"
@@ -19,6 +21,7 @@ void mpm_body_contact_layout(struct mpm_state *state, struct mpm_arena *arena)
     if (spec->field_count == 0)
         return;
     mpm_shared_nodes_layout(state, arena);
+    mpm_contact_particles_layout(state, arena);
     contact->field_of = MPM_TAKE(arena, uint8_t, state->scene->body_count);
     if (spec->field_count > spec->deformable_fields)
         contact->touched = MPM_TAKE(arena, uint8_t, state->scene->body_count);
@@ -32,6 +35,8 @@ enum mpm_status mpm_body_contact_begin(struct mpm_state *state, int workers,
     if (!mpm_body_contact_is_used(state))
         return MPM_OK;
     MPM_TRY(mpm_shared_nodes_find(state, error));
+    if (state->contact.node_count > 0)
+        mpm_contact_particles_find(state, workers);
     mpm_contact_sums_find(state, workers);
     mpm_contact_normals_find(state, workers);
     if (mpm_contact_needs_edges(mpm_contact_spec(state)))

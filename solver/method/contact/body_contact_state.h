@@ -79,6 +79,13 @@ struct mpm_contact_sample {
     size_t stiff;    /* of an interface: nodes where it is stiffer than an explicit step allows */
 };
 
+/* A particle with nodes in the list: they are in a block from a column and a row of nodes on. */
+struct mpm_contact_near {
+    uint32_t particle;
+    int32_t column, row;
+    uint16_t columns, rows;
+};
+
 struct mpm_state;
 struct mpm_contact_side;
 struct mpm_exchange_touch;
@@ -109,6 +116,8 @@ struct mpm_body_contact {
     uint8_t *rigid_at;         /* per node of the grid: bits of the rigid fields; or NULL */
     struct mpm_bands rigid_in; /* nodes in rigid_at */
     struct mpm_bands beside;   /* cells with a corner in `nodes` */
+    struct mpm_contact_near *near; /* see mpm_contact_near_of */
+    size_t *near_count;            /* per strip */
     /* per pair of the scene */
     struct mpm_contact_totals *totals;
     struct mpm_contact_sample *samples;

@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/contact/contact_edges.h"
+
+#include "base/strips.h"
+#include "method/contact/contact_sums.h"
+
+#include <math.h>
+
+/* The least n . x + MPM_EDGE_SLOPE |t . x| of a particle's domain, t across n, from the node: at
+ * one of its corners, or where one of its sides crosses the line through the node along n. */
+static double nearest(const struct mpm_contact_particle *particle, const double from[2],
+                      const double n[2], double *least_beside)
+{
+    static const double corners[4][2] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
+    const double *const e = particle->edge;
+    double away[4], beside[4], least = HUGE_VAL;
+    for (int k = 0; k < 4; k++) {
+        const double x = from[0] + corners[k][0] * e[0] + corners[k][1] * e[2];
+        const double y = from[1] + corners[k][0] * e[1] + corners[k][1] * e[3];
+        away[k] = n[0] * x + n[1] * y;
+        beside[k] = n[0] * y - n[1] * x;
+        least = fmin(least, away[k] + MPM_EDGE_SLOPE * fabs(beside[k]));
+        *least_beside = fmin(*least_beside, fabs(beside[k]));
+    }
+    for (int k = 0; k < 4; k++) {
+        const int next = (k + 1) % 4;
+        if (!(beside[k] * beside[next] < 0.0))
+            continue;
+        *least_beside = 0.0;
+        const double part = beside[k] / (beside[k] - beside[next]);
+        least = fmin(least, away[k] + part * (away[next] - away[k]));
+    }
+    return least;
+}
+
+static void add_edge(const struct mpm_contact_particle *particle, const double from[2], int side,
+                     struct mpm_contact_pair *pair)
+{
+    const double *const n = pair->normal;
+    if (side == 0)
+        pair->edge[0] =
+            fmax(pair->edge[0],
+                 -nearest(particle, from, (const double[2]){-n[0], -n[1]}, &pair->beside[0]));
+    else
+        pair->edge[1] = fmin(pair->edge[1], nearest(particle, from, n, &pair->beside[1]));
+}
+
+static bool is_in(const struct mpm_contact_field *field,
+                  const struct mpm_contact_particle *particle, int key)
+{
+    return field->field == particle->field && field->key == key;
+}
+
+static void widen(const struct mpm_contact_particle *particle, const double from[2],
+                  struct mpm_contact_field *field)
+{
+    for (int axis = 0; axis < 2 && field != NULL; axis++) {
+        const double half = fabs(particle->edge[axis]) + fabs(particle->edge[2 + axis]);
+        field->low[axis] = fmin(field->low[axis], from[axis] - half);
+        field->high[axis] = fmax(field->high[axis], from[axis] + half);
+    }
+}
+
+static void add_edges(struct mpm_state *state, const struct mpm_contact_particle *particle,
+                      const double from[2], struct mpm_contact_node *node)
+{
+    const int key = mpm_contact_key_at(state, particle, node->node);
+    if (node->cut)
+        widen(particle, from, mpm_contact_field_at(state, node, particle->field, key));
+    for (uint32_t k = node->first_pair; k < node->first_pair + node->pairs; k++) {
+        struct mpm_contact_pair *const pair = &state->contact.pairs[k];
+        for (int side = 0; side < 2 && pair->has_normal; side++)
+            if (is_in(&state->contact.fields[pair->fields[side]], particle, key))
+                add_edge(particle, from, side, pair);
+    }
+}
+
+static void edges_of_strip(void *context, int64_t index, int worker)
+{
+    (void)worker;
+    mpm_contact_strip_visit(context, index, add_edges);
+}
+
+static void edges_of_rigid(struct mpm_state *state, const struct mpm_contact_particle *particle,
+                           const struct mpm_stencil *stencil)
+{
+    mpm_contact_stencil_visit(state, particle, stencil, add_edges);
+}
+
+/* The pair of a node that is of the same fields as another one's, or NULL. */
+static struct mpm_contact_pair *same_pair(const struct mpm_state *state,
+                                          const struct mpm_contact_node *node,
+                                          const struct mpm_contact_pair *other)
+{
+    for (uint32_t k = node->first_pair; k < node->first_pair + node->pairs; k++)
+        if (mpm_contact_is_image(state, &state->contact.pairs[k], other))
+            return &state->contact.pairs[k];
+    return NULL;
+}
+
+/* Normals from inside to beyond a plane of symmetry. */
+static void mirror_normals(struct mpm_state *state, int axis, struct mpm_contact_node *inside,
+                           const struct mpm_contact_node *beyond)
+{
+    for (uint32_t k = beyond->first_pair; k < beyond->first_pair + beyond->pairs; k++) {
+        struct mpm_contact_pair *const other = &state->contact.pairs[k];
+        const struct mpm_contact_pair *const one = same_pair(state, inside, other);
+        other->has_normal = one != NULL && one->has_normal;
+        for (int i = 0; i < 2 && other->has_normal; i++)
+            other->normal[i] = i == axis ? -one->normal[i] : one->normal[i];
+    }
+}
+
+/* Edges from beyond to inside. */
+static void fold_edges(struct mpm_state *state, int axis, struct mpm_contact_node *inside,
+                       const struct mpm_contact_node *beyond)
+{
+    (void)axis;
+    for (uint32_t k = beyond->first_pair; k < beyond->first_pair + beyond->pairs; k++) {
+        const struct mpm_contact_pair *const other = &state->contact.pairs[k];
+        struct mpm_contact_pair *const one = same_pair(state, inside, other);
+        if (one == NULL)
+            continue;
+        one->edge[0] = fmax(one->edge[0], other->edge[0]);
+        one->edge[1] = fmin(one->edge[1], other->edge[1]);
+        for (int side = 0; side < 2; side++)
+            one->beside[side] = fmin(one->beside[side], other->beside[side]);
+    }
+}
+
+/* Where a field has nothing at the node, what is nearest beside it counts in full. */
+static void count_from_nearest(struct mpm_contact_pair *pair)
+{
+    if (!pair->has_normal || isinf(pair->edge[0]) || isinf(pair->edge[1]))
+        return;
+    pair->edge[0] += MPM_EDGE_SLOPE * pair->beside[0];
+    pair->edge[1] -= MPM_EDGE_SLOPE * pair->beside[1];
+}
+
+void mpm_contact_edges_find(struct mpm_state *state, int workers)
+{
+    for (size_t k = 0; k < state->contact.pair_count; k++) {
+        state->contact.pairs[k].edge[0] = -HUGE_VAL;
+        state->contact.pairs[k].edge[1] = HUGE_VAL;
+        state->contact.pairs[k].beside[0] = state->contact.pairs[k].beside[1] = HUGE_VAL;
+    }
+    for (size_t k = 0; k < state->contact.field_count; k++)
+        for (int axis = 0; axis < 2; axis++) {
+            state->contact.fields[k].low[axis] = HUGE_VAL;
+            state->contact.fields[k].high[axis] = -HUGE_VAL;
+        }
+    mpm_contact_images_visit(state, mirror_normals);
+    if (state->contact.node_count > 0) {
+        mpm_strips_run(state->strip_count, workers, edges_of_strip, state);
+        mpm_contact_rigid_run(state, edges_of_rigid);
+    }
+    mpm_contact_images_visit(state, fold_edges);
+    for (size_t k = 0; k < state->contact.pair_count; k++)
+        count_from_nearest(&state->contact.pairs[k]);
+}
