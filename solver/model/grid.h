@@ -91,12 +91,10 @@ static inline void mpm_grid_position(const struct mpm_grid *grid, int64_t index,
     position[1] = grid->origin[1] + grid->cell[1] * (double)(row - MPM_GHOST_ROWS);
 }
 
-/* From the node of a column and a row to a place. */
-static inline void mpm_grid_way(const struct mpm_grid *grid, int64_t column, int64_t row,
-                                const double place[2], double from[2])
+/* Along an axis, from the line of nodes with that number to a place. */
+static inline double mpm_grid_way(const struct mpm_grid *grid, int axis, int64_t line, double place)
 {
-    from[0] = place[0] - (grid->origin[0] + grid->cell[0] * (double)(column - MPM_GHOST_ROWS));
-    from[1] = place[1] - (grid->origin[1] + grid->cell[1] * (double)(row - MPM_GHOST_ROWS));
+    return place - (grid->origin[axis] + grid->cell[axis] * (double)(line - MPM_GHOST_ROWS));
 }
 
 /* As mpm_grid_position; for a ghost node the place of the edge node whose condition it continues.

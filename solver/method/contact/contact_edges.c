@@ -6,43 +6,64 @@
 
 #include <math.h>
 
-/* The least n . x + MPM_EDGE_SLOPE |t . x| of a particle's domain, t across n, from the node: at
- * one of its corners, or where one of its sides crosses the line through the node along n. */
-static double nearest(const struct mpm_contact_particle *particle, const double from[2],
-                      const double n[2], double *least_beside)
+/* Of a domain from the node: parts along the normal and across it, of its centre and of both of its
+ * half edges. */
+struct seen {
+    double along, across;
+    double edge_along[2], edge_across[2];
+};
+
+/* The least (n + s t) . x of the domain. */
+static double least_along(const struct seen *seen, double s)
 {
-    static const double corners[4][2] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
-    const double *const e = particle->edge;
-    double away[4], beside[4], least = HUGE_VAL;
-    for (int k = 0; k < 4; k++) {
-        const double x = from[0] + corners[k][0] * e[0] + corners[k][1] * e[2];
-        const double y = from[1] + corners[k][0] * e[1] + corners[k][1] * e[3];
-        away[k] = n[0] * x + n[1] * y;
-        beside[k] = n[0] * y - n[1] * x;
-        least = fmin(least, away[k] + MPM_EDGE_SLOPE * fabs(beside[k]));
-        *least_beside = fmin(*least_beside, fabs(beside[k]));
-    }
-    for (int k = 0; k < 4; k++) {
-        const int next = (k + 1) % 4;
-        if (!(beside[k] * beside[next] < 0.0))
-            continue;
-        *least_beside = 0.0;
-        const double part = beside[k] / (beside[k] - beside[next]);
-        least = fmin(least, away[k] + part * (away[next] - away[k]));
-    }
-    return least;
+    return seen->along + s * seen->across - fabs(seen->edge_along[0] + s * seen->edge_across[0]) -
+           fabs(seen->edge_along[1] + s * seen->edge_across[1]);
 }
 
+/* Where the line through the node crosses the domain: the largest one has s at an end or where a
+ * term changes its sign. */
+static double largest_least(const struct seen *seen)
+{
+    const double low = least_along(seen, -MPM_EDGE_SLOPE), high = least_along(seen, MPM_EDGE_SLOPE);
+    double largest = low > high ? low : high;
+    for (int k = 0; k < 2; k++) {
+        const double s = -seen->edge_along[k];
+        if (!(fabs(s) < MPM_EDGE_SLOPE * fabs(seen->edge_across[k])))
+            continue;
+        const double least = least_along(seen, s / seen->edge_across[k]);
+        largest = least > largest ? least : largest;
+    }
+    return largest;
+}
+
+double mpm_domain_nearest(const double edge[4], const double from[2], const double n[2],
+                          double *beside)
+{
+    const struct seen seen = {
+        .along = n[0] * from[0] + n[1] * from[1],
+        .across = n[0] * from[1] - n[1] * from[0],
+        .edge_along = {n[0] * edge[0] + n[1] * edge[1], n[0] * edge[2] + n[1] * edge[3]},
+        .edge_across = {n[0] * edge[1] - n[1] * edge[0], n[0] * edge[3] - n[1] * edge[2]},
+    };
+    const double apart = fabs(seen.across) - fabs(seen.edge_across[0]) - fabs(seen.edge_across[1]);
+    *beside = apart > 0.0 ? apart : 0.0;
+    if (apart > 0.0)
+        return least_along(&seen, seen.across > 0.0 ? MPM_EDGE_SLOPE : -MPM_EDGE_SLOPE);
+    return largest_least(&seen);
+}
+
+/* The first field is below its edge, the second one above: n points from the first to the second.
+ */
 static void add_edge(const struct mpm_contact_particle *particle, const double from[2], int side,
                      struct mpm_contact_pair *pair)
 {
-    const double *const n = pair->normal;
-    if (side == 0)
-        pair->edge[0] =
-            fmax(pair->edge[0],
-                 -nearest(particle, from, (const double[2]){-n[0], -n[1]}, &pair->beside[0]));
-    else
-        pair->edge[1] = fmin(pair->edge[1], nearest(particle, from, n, &pair->beside[1]));
+    const double sign = side == 0 ? -1.0 : 1.0;
+    const double n[2] = {sign * pair->normal[0], sign * pair->normal[1]};
+    double beside;
+    const double edge = sign * mpm_domain_nearest(particle->edge, from, n, &beside);
+    pair->beside[side] = beside < pair->beside[side] ? beside : pair->beside[side];
+    if (side == 0 ? edge > pair->edge[0] : edge < pair->edge[1])
+        pair->edge[side] = edge;
 }
 
 static bool is_in(const struct mpm_contact_field *field,

@@ -52,17 +52,20 @@ MPM_INLINE void mpm_contact_nodes_visit(struct mpm_state *state,
                                         mpm_contact_visit *visit)
 {
     const struct mpm_grid *const grid = &state->grid;
-    for (int64_t row = near->row; row < near->row + near->rows; row++)
-        for (int64_t column = near->column; column < near->column + near->columns; column++) {
-            struct mpm_contact_node *const node =
-                mpm_contact_node_at(state, row * grid->columns + column);
-            double from[2];
-            if (node == NULL)
+    const int64_t end[2] = {near->column + near->columns, near->row + near->rows};
+    for (int64_t row = near->row; row < end[1]; row++) {
+        const uint32_t *const place = state->contact.node_of + row * grid->columns;
+        double from[2];
+        from[1] = mpm_grid_way(grid, 1, row, particle->place[1]);
+        for (int64_t column = near->column; column < end[0] && fabs(from[1]) < particle->support[1];
+             column++) {
+            if (place[column] == 0)
                 continue;
-            mpm_grid_way(grid, column, row, particle->place, from);
-            if (fabs(from[0]) < particle->support[0] && fabs(from[1]) < particle->support[1])
-                visit(state, particle, from, node);
+            from[0] = mpm_grid_way(grid, 0, column, particle->place[0]);
+            if (fabs(from[0]) < particle->support[0])
+                visit(state, particle, from, &state->contact.nodes[place[column] - 1]);
         }
+    }
 }
 
 /* All listed particles of a strip. */

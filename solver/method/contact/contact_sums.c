@@ -32,27 +32,12 @@ static void add_moments(const struct mpm_state *state, const struct mpm_contact_
         moments[k] += weight * terms[k];
 }
 
-/* `per_hoop`: the area over sum T in axisymmetry, else 0. */
-static void add_sums(const struct mpm_state *state, const struct mpm_contact_particle *particle,
-                     double per_hoop, const struct mpm_stencil_node *entry,
-                     const struct mpm_contact_node *node)
+static void add_moments_and_displacement(const struct mpm_state *state,
+                                         const struct mpm_contact_particle *particle, double weight,
+                                         int64_t node, struct mpm_contact_sums *sums)
 {
-    struct mpm_contact_field *const field = mpm_contact_field_at(
-        state, node, particle->field, mpm_contact_key_at(state, particle, node->node));
     double from[2];
-    if (field == NULL || entry->s == 0.0)
-        return;
-    struct mpm_contact_sums *const sums = &field->sums;
-    const double weight = particle->area * entry->s;
-    place_from(state, node->node, particle->place, from);
-    sums->area += weight;
-    sums->volume += particle->volume * entry->s;
-    sums->seen += per_hoop > 0.0 ? per_hoop * entry->t : weight;
-    for (int axis = 0; axis < 2; axis++) {
-        sums->area_normal[axis] += particle->area * entry->g[axis];
-        sums->volume_normal[axis] += particle->volume * entry->g[axis];
-        sums->surface[axis] += particle->volume * (entry->g[axis] + (axis == 0 ? entry->t : 0.0));
-    }
+    place_from(state, node, particle->place, from);
     if (state->contact.sums_moments)
         add_moments(state, particle, from, sums->moments);
     if (state->contact.sums_displacement)
@@ -61,11 +46,34 @@ static void add_sums(const struct mpm_state *state, const struct mpm_contact_par
                                                       particle->slope, particle->velocity});
 }
 
+/* `per_hoop`: the area over sum T in axisymmetry, else 0. */
+static void add_sums(const struct mpm_state *state, const struct mpm_contact_particle *particle,
+                     double per_hoop, const struct mpm_stencil_node *entry,
+                     const struct mpm_contact_node *node)
+{
+    struct mpm_contact_field *const field = mpm_contact_field_at(
+        state, node, particle->field, mpm_contact_key_at(state, particle, node->node));
+    if (field == NULL || entry->s == 0.0)
+        return;
+    struct mpm_contact_sums *const sums = &field->sums;
+    const double weight = particle->area * entry->s;
+    sums->area += weight;
+    sums->volume += particle->volume * entry->s;
+    sums->seen += per_hoop > 0.0 ? per_hoop * entry->t : weight;
+    for (int axis = 0; axis < 2; axis++) {
+        sums->area_normal[axis] += particle->area * entry->g[axis];
+        sums->volume_normal[axis] += particle->volume * entry->g[axis];
+        sums->surface[axis] += particle->volume * (entry->g[axis] + (axis == 0 ? entry->t : 0.0));
+    }
+    if (state->contact.sums_moments || state->contact.sums_displacement)
+        add_moments_and_displacement(state, particle, weight, node->node, sums);
+}
+
 static void add_particle(const struct mpm_state *state, const struct mpm_contact_particle *particle,
                          const struct mpm_stencil *stencil, int64_t shift)
 {
     double hoop = 0.0;
-    for (int k = 0; k < stencil->count; k++)
+    for (int k = 0; k < stencil->count && state->shape_grid.axisymmetric; k++)
         hoop += stencil->node[k].t;
     const double per_hoop = hoop > 0.0 ? particle->area / hoop : 0.0;
     for (int k = 0; k < stencil->count; k++) {

@@ -4,7 +4,6 @@
 #include "method/grid/conditions.h"
 #include "method/grid/grid_update.h"
 
-
 /* ------------------------------------------------------------------- memory */
 
 static bool needs_planes(const struct mpm_contact_spec *spec)
