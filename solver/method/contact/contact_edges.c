@@ -99,7 +99,7 @@ static void add_edges(struct mpm_state *state, const struct mpm_contact_particle
 static void edges_of_strip(void *context, int64_t index, int worker)
 {
     (void)worker;
-    mpm_contact_strip_visit(context, index, add_edges);
+    mpm_contact_strip_visit(context, index, false, add_edges);
 }
 
 static void edges_of_rigid(struct mpm_state *state, const struct mpm_contact_particle *particle,

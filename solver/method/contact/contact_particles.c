@@ -66,11 +66,9 @@ void mpm_contact_particles_find(struct mpm_state *state, int workers)
 
 /* ------------------------------------------------------------ one particle */
 
-int mpm_contact_key_at(const struct mpm_state *state, const struct mpm_contact_particle *particle,
-                       int64_t node)
+int mpm_contact_key_in(const struct mpm_state *state, const struct mpm_field_use *use, int64_t node)
 {
-    const struct mpm_field_use *const use = particle->use;
-    for (int k = 0; use != NULL && k < use->detours; k++)
+    for (int k = 0; k < use->detours; k++)
         if (use->detour[k].node == node)
             return state->fields.list[use->detour[k].field - mpm_fields_first(state)].key;
     return 0;
@@ -98,32 +96,33 @@ static void add_displacement(const struct mpm_particles *particles, size_t p,
     }
 }
 
+void mpm_contact_particle_weigh(const struct mpm_state *state, size_t p,
+                                struct mpm_contact_particle *particle)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const struct mpm_body *const body = &state->bodies[particles->body[p]];
+    double f[MPM_GRADIENT_SIZE];
+    mpm_particle_deformation(particles, p, f);
+    particle->area = 4.0 * body->half_size[0] * body->half_size[1] *
+                     (f[MPM_XX] * f[MPM_YY] - f[MPM_XY] * f[MPM_YX]);
+    particle->volume = particles->mass[p] * mpm_determinant(f) / body->material.density;
+    if (state->contact.sums_displacement)
+        add_displacement(particles, p, particle);
+}
+
 /* Of a cell: a node on the edge of a particle's support gets nothing from it, by round-off either.
  */
 static const double SUPPORT_SLACK = 1e-9;
 
-struct mpm_contact_particle mpm_contact_particle_of(const struct mpm_state *state, size_t p)
+void mpm_contact_particle_find_domain(const struct mpm_state *state, size_t p,
+                                      struct mpm_contact_particle *particle)
 {
-    const struct mpm_particles *const particles = &state->particles;
     const struct mpm_shape_domain domain = mpm_particle_carried_domain(state, p);
-    const struct mpm_body *const body = &state->bodies[particles->body[p]];
-    double f[MPM_GRADIENT_SIZE];
-    mpm_particle_deformation(particles, p, f);
-    struct mpm_contact_particle made = {
-        .field = state->contact.field_of[particles->body[p]],
-        .use = mpm_field_use_of(state, p),
-        .place = {domain.position[0], domain.position[1]},
-        .area = 4.0 * body->half_size[0] * body->half_size[1] *
-                (f[MPM_XX] * f[MPM_YY] - f[MPM_XY] * f[MPM_YX]),
-        .volume = particles->mass[p] * mpm_determinant(f) / body->material.density,
-        .edge = {domain.edge[0], domain.edge[1], domain.edge[2], domain.edge[3]},
-    };
-    state->family->reach(&state->shape_grid, &domain, made.support);
+    state->family->reach(&state->shape_grid, &domain, particle->support);
+    for (int k = 0; k < 4; k++)
+        particle->edge[k] = domain.edge[k];
     for (int axis = 0; axis < 2; axis++)
-        made.support[axis] += state->grid.cell[axis] * (1.0 - SUPPORT_SLACK);
-    if (state->contact.sums_displacement)
-        add_displacement(particles, p, &made);
-    return made;
+        particle->support[axis] += state->grid.cell[axis] * (1.0 - SUPPORT_SLACK);
 }
 
 /* ------------------------------------------------------------------ rigid */

@@ -10,16 +10,19 @@
 #include "base/simd.h"
 #include "method/contact/shared_nodes.h"
 
-/* A particle, rigid or not, as sums see it. */
+/* A particle, rigid or not, as those see it who visit it; what it weighs and what its domain is are
+ * set by functions of their own. */
 struct mpm_contact_particle {
     int field;
     const struct mpm_field_use *use; /* where cracks cut its body: its fields; or NULL */
     double place[2];
+    /* what it weighs */
     double area, volume;
-    double edge[4];    /* half edges of its domain */
+    double displacement[2], slope[4]; /* of scenes with an interface: u, H = I - F^-1, */
+    double velocity[2];               /* and the velocity */
+    /* its domain */
+    double edge[4];    /* half edges */
     double support[2]; /* nodes that it gives mass to are nearer than this along each axis */
-    /* of scenes with an interface, else 0: u, H = I - F^-1, and the velocity */
-    double displacement[2], slope[4], velocity[2];
 };
 
 /* Takes the memory. */
@@ -35,11 +38,29 @@ static inline const struct mpm_contact_near *mpm_contact_near_of(const struct mp
     return state->contact.near + state->strips[strip].begin;
 }
 
-struct mpm_contact_particle mpm_contact_particle_of(const struct mpm_state *state, size_t p);
+/* Field and place of a particle that is not rigid. */
+static inline void mpm_contact_particle_begin(const struct mpm_state *state, size_t p,
+                                              struct mpm_contact_particle *particle)
+{
+    particle->field = state->contact.field_of[state->particles.body[p]];
+    particle->use = mpm_field_use_of(state, p);
+    for (int axis = 0; axis < 2; axis++)
+        particle->place[axis] = state->particles.position[axis][p];
+}
+void mpm_contact_particle_weigh(const struct mpm_state *state, size_t p,
+                                struct mpm_contact_particle *particle);
+void mpm_contact_particle_find_domain(const struct mpm_state *state, size_t p,
+                                      struct mpm_contact_particle *particle);
 
-/* The key that a particle has at a node. */
-int mpm_contact_key_at(const struct mpm_state *state, const struct mpm_contact_particle *particle,
+/* The key of a particle of several fields at a node. */
+int mpm_contact_key_in(const struct mpm_state *state, const struct mpm_field_use *use,
                        int64_t node);
+/* The key that a particle has at a node. */
+static inline int mpm_contact_key_at(const struct mpm_state *state,
+                                     const struct mpm_contact_particle *particle, int64_t node)
+{
+    return particle->use == NULL ? 0 : mpm_contact_key_in(state, particle->use, node);
+}
 
 /* Work for a particle and a listed node that it gives mass to; `from` the node to the particle. */
 typedef void mpm_contact_visit(struct mpm_state *state, const struct mpm_contact_particle *particle,
@@ -68,14 +89,17 @@ MPM_INLINE void mpm_contact_nodes_visit(struct mpm_state *state,
     }
 }
 
-/* All listed particles of a strip. */
-MPM_INLINE void mpm_contact_strip_visit(struct mpm_state *state, int64_t strip,
+/* All listed particles of a strip, with their domains and, if `weighs`, with what they weigh. */
+MPM_INLINE void mpm_contact_strip_visit(struct mpm_state *state, int64_t strip, bool weighs,
                                         mpm_contact_visit *visit)
 {
     const struct mpm_contact_near *const near = mpm_contact_near_of(state, strip);
     for (size_t k = 0; k < state->contact.near_count[strip]; k++) {
-        const struct mpm_contact_particle particle =
-            mpm_contact_particle_of(state, near[k].particle);
+        struct mpm_contact_particle particle;
+        mpm_contact_particle_begin(state, near[k].particle, &particle);
+        mpm_contact_particle_find_domain(state, near[k].particle, &particle);
+        if (weighs)
+            mpm_contact_particle_weigh(state, near[k].particle, &particle);
         mpm_contact_nodes_visit(state, &near[k], &particle, visit);
     }
 }

@@ -88,7 +88,7 @@ static void add_particle(struct mpm_state *state, const struct mpm_contact_parti
 static void add_strip(void *context, int64_t index, int worker)
 {
     (void)worker;
-    mpm_contact_strip_visit(context, index, add_particle);
+    mpm_contact_strip_visit(context, index, true, add_particle);
 }
 
 static void add_rigid(struct mpm_state *state, const struct mpm_contact_particle *particle,

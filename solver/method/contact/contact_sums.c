@@ -91,8 +91,10 @@ static void sum_strip(void *context, int64_t index, int worker)
     (void)worker;
     for (size_t k = 0; k < state->contact.near_count[index]; k++) {
         const size_t p = near[k].particle;
-        const struct mpm_contact_particle particle = mpm_contact_particle_of(state, p);
+        struct mpm_contact_particle particle;
         struct mpm_stencil stencil;
+        mpm_contact_particle_begin(state, p, &particle);
+        mpm_contact_particle_weigh(state, p, &particle);
         mpm_particle_plain_stencil(state, p, &stencil);
         add_particle(state, &particle, &stencil, state->contact.shift[particle.field]);
     }
