@@ -69,6 +69,8 @@ void mpm_contacts_fill(struct mpm_state *state)
         const enum mpm_pair_normal normal = spec->pairs[k].normal;
         if (spec->pairs[k].law == MPM_PAIR_BONDED)
             state->contact.exchange_smoothed = mpm_body_contact_smoothed;
+        if (normal == MPM_NORMAL_VOLUME || spec->pairs[k].detection == MPM_TOUCH_VOLUME)
+            state->contact.sums_volume = true;
         if (normal == MPM_NORMAL_LINEAR || normal == MPM_NORMAL_LOGISTIC)
             state->contact.sums_moments = true;
     }

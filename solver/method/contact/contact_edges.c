@@ -6,56 +6,10 @@
 
 #include <math.h>
 
-/* Of a domain from the node: parts along the normal and across it, of its centre and of both of its
- * half edges. */
-struct seen {
-    double along, across;
-    double edge_along[2], edge_across[2];
-};
-
-/* The least (n + s t) . x of the domain. */
-static double least_along(const struct seen *seen, double s)
-{
-    return seen->along + s * seen->across - fabs(seen->edge_along[0] + s * seen->edge_across[0]) -
-           fabs(seen->edge_along[1] + s * seen->edge_across[1]);
-}
-
-/* Where the line through the node crosses the domain: the largest one has s at an end or where a
- * term changes its sign. */
-static double largest_least(const struct seen *seen)
-{
-    const double low = least_along(seen, -MPM_EDGE_SLOPE), high = least_along(seen, MPM_EDGE_SLOPE);
-    double largest = low > high ? low : high;
-    for (int k = 0; k < 2; k++) {
-        const double s = -seen->edge_along[k];
-        if (!(fabs(s) < MPM_EDGE_SLOPE * fabs(seen->edge_across[k])))
-            continue;
-        const double least = least_along(seen, s / seen->edge_across[k]);
-        largest = least > largest ? least : largest;
-    }
-    return largest;
-}
-
-double mpm_domain_nearest(const double edge[4], const double from[2], const double n[2],
-                          double *beside)
-{
-    const struct seen seen = {
-        .along = n[0] * from[0] + n[1] * from[1],
-        .across = n[0] * from[1] - n[1] * from[0],
-        .edge_along = {n[0] * edge[0] + n[1] * edge[1], n[0] * edge[2] + n[1] * edge[3]},
-        .edge_across = {n[0] * edge[1] - n[1] * edge[0], n[0] * edge[3] - n[1] * edge[2]},
-    };
-    const double apart = fabs(seen.across) - fabs(seen.edge_across[0]) - fabs(seen.edge_across[1]);
-    *beside = apart > 0.0 ? apart : 0.0;
-    if (apart > 0.0)
-        return least_along(&seen, seen.across > 0.0 ? MPM_EDGE_SLOPE : -MPM_EDGE_SLOPE);
-    return largest_least(&seen);
-}
-
 /* The first field is below its edge, the second one above: n points from the first to the second.
  */
-static void add_edge(const struct mpm_contact_particle *particle, const double from[2], int side,
-                     struct mpm_contact_pair *pair)
+MPM_INLINE void add_edge(const struct mpm_contact_particle *particle, const double from[2],
+                         int side, struct mpm_contact_pair *pair)
 {
     const double sign = side == 0 ? -1.0 : 1.0;
     const double n[2] = {sign * pair->normal[0], sign * pair->normal[1]};
@@ -64,12 +18,6 @@ static void add_edge(const struct mpm_contact_particle *particle, const double f
     pair->beside[side] = beside < pair->beside[side] ? beside : pair->beside[side];
     if (side == 0 ? edge > pair->edge[0] : edge < pair->edge[1])
         pair->edge[side] = edge;
-}
-
-static bool is_in(const struct mpm_contact_field *field,
-                  const struct mpm_contact_particle *particle, int key)
-{
-    return field->field == particle->field && field->key == key;
 }
 
 static void widen(const struct mpm_contact_particle *particle, const double from[2],
@@ -82,17 +30,20 @@ static void widen(const struct mpm_contact_particle *particle, const double from
     }
 }
 
-static void add_edges(struct mpm_state *state, const struct mpm_contact_particle *particle,
-                      const double from[2], struct mpm_contact_node *node)
+MPM_INLINE void add_edges(struct mpm_state *state, const struct mpm_contact_particle *particle,
+                          const double from[2], struct mpm_contact_node *node)
 {
     const int key = mpm_contact_key_at(state, particle, node->node);
     if (node->cut)
         widen(particle, from, mpm_contact_field_at(state, node, particle->field, key));
     for (uint32_t k = node->first_pair; k < node->first_pair + node->pairs; k++) {
         struct mpm_contact_pair *const pair = &state->contact.pairs[k];
-        for (int side = 0; side < 2 && pair->has_normal; side++)
-            if (is_in(&state->contact.fields[pair->fields[side]], particle, key))
-                add_edge(particle, from, side, pair);
+        if (!pair->has_normal)
+            continue;
+        if (pair->of[0] == particle->field && pair->keys[0] == key)
+            add_edge(particle, from, 0, pair);
+        else if (pair->of[1] == particle->field && pair->keys[1] == key)
+            add_edge(particle, from, 1, pair);
     }
 }
 

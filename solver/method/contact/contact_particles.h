@@ -78,8 +78,9 @@ MPM_INLINE void mpm_contact_nodes_visit(struct mpm_state *state,
         const uint32_t *const place = state->contact.node_of + row * grid->columns;
         double from[2];
         from[1] = mpm_grid_way(grid, 1, row, particle->place[1]);
-        for (int64_t column = near->column; column < end[0] && fabs(from[1]) < particle->support[1];
-             column++) {
+        if (!(fabs(from[1]) < particle->support[1]))
+            continue;
+        for (int64_t column = near->column; column < end[0]; column++) {
             if (place[column] == 0)
                 continue;
             from[0] = mpm_grid_way(grid, 0, column, particle->place[0]);

@@ -46,6 +46,15 @@ static void add_moments_and_displacement(const struct mpm_state *state,
                                                       particle->slope, particle->velocity});
 }
 
+static void add_volume(const struct mpm_contact_particle *particle, double seen,
+                       const struct mpm_stencil_node *entry, struct mpm_contact_sums *sums)
+{
+    sums->volume += particle->volume * entry->s;
+    sums->seen += seen;
+    for (int axis = 0; axis < 2; axis++)
+        sums->volume_normal[axis] += particle->volume * entry->g[axis];
+}
+
 /* `per_hoop`: the area over sum T in axisymmetry, else 0. */
 static void add_sums(const struct mpm_state *state, const struct mpm_contact_particle *particle,
                      double per_hoop, const struct mpm_stencil_node *entry,
@@ -58,26 +67,25 @@ static void add_sums(const struct mpm_state *state, const struct mpm_contact_par
     struct mpm_contact_sums *const sums = &field->sums;
     const double weight = particle->area * entry->s;
     sums->area += weight;
-    sums->volume += particle->volume * entry->s;
-    sums->seen += per_hoop > 0.0 ? per_hoop * entry->t : weight;
     for (int axis = 0; axis < 2; axis++) {
         sums->area_normal[axis] += particle->area * entry->g[axis];
-        sums->volume_normal[axis] += particle->volume * entry->g[axis];
         sums->surface[axis] += particle->volume * (entry->g[axis] + (axis == 0 ? entry->t : 0.0));
     }
+    if (state->contact.sums_volume)
+        add_volume(particle, per_hoop > 0.0 ? per_hoop * entry->t : weight, entry, sums);
     if (state->contact.sums_moments || state->contact.sums_displacement)
         add_moments_and_displacement(state, particle, weight, node->node, sums);
 }
 
 static void add_particle(const struct mpm_state *state, const struct mpm_contact_particle *particle,
-                         const struct mpm_stencil *stencil, int64_t shift)
+                         const struct mpm_stencil *stencil)
 {
     double hoop = 0.0;
     for (int k = 0; k < stencil->count && state->shape_grid.axisymmetric; k++)
         hoop += stencil->node[k].t;
     const double per_hoop = hoop > 0.0 ? particle->area / hoop : 0.0;
     for (int k = 0; k < stencil->count; k++) {
-        const int64_t node = state->node_zero + stencil->node[k].node - shift;
+        const int64_t node = state->node_zero + stencil->node[k].node;
         const struct mpm_contact_node *const listed = mpm_contact_node_at(state, node);
         if (listed != NULL)
             add_sums(state, particle, per_hoop, &stencil->node[k], listed);
@@ -95,15 +103,15 @@ static void sum_strip(void *context, int64_t index, int worker)
         struct mpm_stencil stencil;
         mpm_contact_particle_begin(state, p, &particle);
         mpm_contact_particle_weigh(state, p, &particle);
-        mpm_particle_plain_stencil(state, p, &stencil);
-        add_particle(state, &particle, &stencil, state->contact.shift[particle.field]);
+        mpm_particle_grid_stencil(state, p, &stencil);
+        add_particle(state, &particle, &stencil);
     }
 }
 
 static void sum_rigid(struct mpm_state *state, const struct mpm_contact_particle *particle,
                       const struct mpm_stencil *stencil)
 {
-    add_particle(state, particle, stencil, 0);
+    add_particle(state, particle, stencil);
 }
 
 /* ------------------------------------------------------- planes of symmetry */

@@ -63,8 +63,11 @@ static bool add_pairs_of(struct mpm_body_contact *contact, const struct mpm_cont
                 continue;
             if (contact->pair_count == contact->pair_capacity)
                 return false;
-            contact->pairs[contact->pair_count++] =
-                (struct mpm_contact_pair){.fields = {i, j}, .spec = index};
+            contact->pairs[contact->pair_count++] = (struct mpm_contact_pair){
+                .fields = {i, j},
+                .spec = index,
+                .of = {contact->fields[i].field, contact->fields[j].field},
+                .keys = {contact->fields[i].key, contact->fields[j].key}};
             node->pairs++;
         }
     return true;

@@ -63,6 +63,11 @@ static inline void evaluate(const struct mpm_state *state, size_t p, struct mpm_
     state->family->evaluate(&state->shape_grid, &domain, stencil);
 }
 
+void mpm_particle_grid_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+{
+    evaluate(state, p, stencil);
+}
+
 void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
                                 struct mpm_stencil *stencil)
 {
