@@ -97,10 +97,6 @@ static inline int64_t mpm_grid_next_row(const struct mpm_state *state, int64_t r
     return next < state->grid.rows + state->fields.rows ? next : -1;
 }
 
-/* From the strips' boxes: which columns of which rows of nodes are active. The others of the grid
- * and of its layers, in scenes with layers, have mass zero. */
-void mpm_grid_find_active(struct mpm_state *state);
-
 void mpm_row_clear(void *state, int64_t row, int worker);
 /* m_i: adds the masses that fast kernels leave in the sums (struct mpm_node_sum) */
 void mpm_row_gather_mass(void *state, int64_t row, int worker);

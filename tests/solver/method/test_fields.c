@@ -10,6 +10,7 @@
 #include "base/strips.h"
 #include "method/contact/exchange.h"
 #include "method/fields/fields.h"
+#include "method/grid/active_nodes.h"
 #include "method/grid/grid_update.h"
 #include "method/transfer/transfer.h"
 #include "simulation/simulation.h"
