@@ -128,8 +128,7 @@ struct mpm_state {
     int64_t strip_count;
     int workers;
     size_t deformable_bodies;
-    int64_t *row_low,
-        *row_high; /* active columns of each row of nodes: that the row has, from 0 on */
+    int64_t *row_low, *row_high; /* active columns of each row of nodes, from the row's first on */
     int64_t first_row, last_row; /* active rows */
     uint32_t *sort_counts;
     double sort_size[2]; /* reach of the smallest domain */

@@ -1,5 +1,5 @@
-/* Sums over the particles at nodes that several fields reach, from which normals and
- * areas of their surfaces follow.
+/* Sums over the particles at nodes that several fields reach, from which normals and areas of their
+ * surfaces follow.
  *
  * They are those of the whole model where a plane of symmetry is near: what mirrored particles
  * would add is folded in, and what is odd along the plane's normal is zero on the plane, as on
