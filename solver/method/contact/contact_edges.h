@@ -23,8 +23,10 @@ struct mpm_domain_seen {
 /* The least (n + s t) . x of the domain. */
 static inline double mpm_domain_least(const struct mpm_domain_seen *seen, double s)
 {
-    return seen->along + s * seen->across - fabs(seen->edge_along[0] + s * seen->edge_across[0]) -
-           fabs(seen->edge_along[1] + s * seen->edge_across[1]);
+    /* both at once: round-off of a mirrored domain, whose edges change places, is the same */
+    return seen->along + s * seen->across -
+           (fabs(seen->edge_along[0] + s * seen->edge_across[0]) +
+            fabs(seen->edge_along[1] + s * seen->edge_across[1]));
 }
 
 /* Where the line through the node crosses the domain: the largest one has s at an end or where a
@@ -62,7 +64,8 @@ MPM_INLINE double mpm_domain_nearest(const double edge[4], const double from[2],
         .edge_along = {n[0] * edge[0] + n[1] * edge[1], n[0] * edge[2] + n[1] * edge[3]},
         .edge_across = {n[0] * edge[1] - n[1] * edge[0], n[0] * edge[3] - n[1] * edge[2]},
     };
-    const double apart = fabs(seen.across) - fabs(seen.edge_across[0]) - fabs(seen.edge_across[1]);
+    const double apart =
+        fabs(seen.across) - (fabs(seen.edge_across[0]) + fabs(seen.edge_across[1]));
     *beside = apart > 0.0 ? apart : 0.0;
     if (apart > 0.0)
         return mpm_domain_least(&seen, seen.across > 0.0 ? MPM_EDGE_SLOPE : -MPM_EDGE_SLOPE);
