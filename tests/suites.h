@@ -91,6 +91,7 @@
     SUITE(scene_materials)                                                                         \
     SUITE(scene_cracks)                                                                            \
     SUITE(contact_solve)                                                                           \
+    SUITE(contact_edges)                                                                           \
     SUITE(cracked_bodies)                                                                          \
     SUITE(contact_points)                                                                          \
     SUITE(body_contact)                                                                            \

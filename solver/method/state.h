@@ -71,6 +71,11 @@ struct mpm_node_box {
 };
 #define MPM_NO_BOX ((struct mpm_node_box){{0, 0}, {-1, -1}})
 
+static inline bool mpm_box_is_empty(const struct mpm_node_box *box)
+{
+    return box->low[0] > box->high[0];
+}
+
 struct mpm_strip {
     size_t begin, end;       /* its particles */
     size_t span_count;       /* of those with additional velocity fields */
@@ -91,7 +96,7 @@ struct mpm_strip {
 
 struct mpm_body {
     double half_size[2];
-    int64_t shift; /* from a node to its copy in the layer that the body moves in; see fields.h */
+    int64_t layer; /* that the body moves in; 0: the grid itself; see fields.h */
     struct mpm_material material;
     const struct mpm_material_spec *given; /* of the scene */
 };
@@ -127,7 +132,7 @@ struct mpm_state {
     int64_t strip_count;
     int workers;
     size_t deformable_bodies;
-    int64_t *row_low, *row_high; /* active columns of each node row, as node indices in the row */
+    int64_t *row_low, *row_high; /* active columns of each row of nodes, from the row's first on */
     int64_t first_row, last_row; /* active rows */
     uint32_t *sort_counts;
     double sort_size[2]; /* reach of the smallest domain */
@@ -166,6 +171,13 @@ struct mpm_state {
     bool strips_touch_when_sorted; /* domains too long for the strips: sorting does not help */
     struct mpm_failure failure;
 };
+
+/* The boxes of a strip's particles by layers, in scenes with some: fields.h. */
+static inline struct mpm_node_box *mpm_layer_boxes(const struct mpm_state *state,
+                                                   const struct mpm_strip *strip)
+{
+    return state->fields.boxes + (strip - state->strips) * (1 + state->fields.layers);
+}
 
 /* Keeps the failure with the smaller id. */
 void mpm_failure_merge(struct mpm_failure *into, const struct mpm_failure *failure);

@@ -11,6 +11,7 @@
 #include "method/cracks/crack_passages.h"
 #include "method/energy_balance.h"
 #include "method/fields/fields.h"
+#include "method/grid/active_nodes.h"
 #include "method/grid/conditions.h"
 #include "method/grid/grid_update.h"
 #include "method/grid/symmetry.h"

@@ -91,7 +91,14 @@ static inline void mpm_grid_position(const struct mpm_grid *grid, int64_t index,
     position[1] = grid->origin[1] + grid->cell[1] * (double)(row - MPM_GHOST_ROWS);
 }
 
-/* The same; for a ghost node the place of the edge node whose condition it continues. */
+/* Along an axis, from the line of nodes with that number to a place. */
+static inline double mpm_grid_way(const struct mpm_grid *grid, int axis, int64_t line, double place)
+{
+    return place - (grid->origin[axis] + grid->cell[axis] * (double)(line - MPM_GHOST_ROWS));
+}
+
+/* As mpm_grid_position; for a ghost node the place of the edge node whose condition it continues.
+ */
 static inline void mpm_grid_edge_position(const struct mpm_grid *grid, int64_t index,
                                           double position[2])
 {

@@ -21,6 +21,7 @@ void mpm_contacts_create(struct mpm_state *state)
     const struct mpm_contact_spec *const spec = &state->scene->contact;
     if (spec->deformable_fields < 2)
         return;
+    _Static_assert((int)MPM_CONTACT_FIELDS <= (int)MPM_LAYERS, "each field may have a layer");
     const int64_t first = mpm_fields_claim_layers(state, (int64_t)spec->deformable_fields - 1);
     assert(first == 1);
     (void)first;
@@ -28,11 +29,11 @@ void mpm_contacts_create(struct mpm_state *state)
 
 /* The field that cracks cut is in the grid itself, where packed fields have their parents; without
  * cracks the first one is. */
-static int64_t shift_of(const struct mpm_state *state, size_t field)
+static int64_t layer_of(const struct mpm_state *state, size_t field)
 {
     const size_t cracked = state->scene->contact.cracked_field;
     const size_t base = cracked == MPM_NO_FIELD ? 0 : cracked;
-    return mpm_layer_shift(state, (int64_t)(field == base ? 0 : field < base ? field + 1 : field));
+    return (int64_t)(field == base ? 0 : field < base ? field + 1 : field);
 }
 
 bool mpm_contacts_have_interfaces(const struct mpm_scene *scene)
@@ -59,7 +60,7 @@ static void fill_body(struct mpm_state *state, size_t body)
     const size_t field = spec->field_of[spec->group_of[body]];
     contact->field_of[body] = field == SIZE_MAX ? MPM_CONTACT_FIELDS : (uint8_t)field;
     if (!state->scene->bodies[body].rigid) {
-        state->bodies[body].shift = shift_of(state, field);
+        state->bodies[body].layer = layer_of(state, field);
         return;
     }
     for (size_t k = 0; k < spec->pair_count && field != SIZE_MAX; k++)
@@ -77,6 +78,8 @@ void mpm_contacts_fill(struct mpm_state *state)
         const enum mpm_pair_normal normal = spec->pairs[k].normal;
         if (spec->pairs[k].law == MPM_PAIR_BONDED)
             state->contact.exchange_smoothed = mpm_body_contact_smoothed;
+        if (normal == MPM_NORMAL_VOLUME || spec->pairs[k].detection == MPM_TOUCH_VOLUME)
+            state->contact.sums_volume = true;
         if (normal == MPM_NORMAL_LINEAR || normal == MPM_NORMAL_LOGISTIC)
             state->contact.sums_moments = true;
     }
@@ -84,7 +87,7 @@ void mpm_contacts_fill(struct mpm_state *state)
     if (mpm_cracks_have_contact(state->scene))
         state->contact.crack_touches = mpm_crack_contact_touches;
     for (size_t k = 0; k < spec->deformable_fields; k++)
-        state->contact.shift[k] = shift_of(state, k);
+        state->contact.shift[k] = mpm_layer_shift(state, layer_of(state, k));
     for (size_t body = 0; body < state->scene->body_count; body++)
         fill_body(state, body);
 }

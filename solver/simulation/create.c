@@ -440,6 +440,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
         state->row_low[row] = state->grid.columns;
         state->row_high[row] = -1;
     }
+    mpm_bands_clear(state, &state->fields.reached);
     describe_bodies(simulation);
     MPM_TRY(mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid, error));
     mpm_law_states_begin(state);

@@ -2,7 +2,9 @@
 #include "method/contact/body_contact.h"
 
 #include "method/contact/contact_detection.h"
+#include "method/contact/contact_edges.h"
 #include "method/contact/contact_normal.h"
+#include "method/contact/contact_particles.h"
 #include "method/contact/contact_solve.h"
 #include "method/contact/contact_sums.h"
 #include "method/contact/interface_law.h"
@@ -19,6 +21,7 @@ void mpm_body_contact_layout(struct mpm_state *state, struct mpm_arena *arena)
     if (spec->field_count == 0)
         return;
     mpm_shared_nodes_layout(state, arena);
+    mpm_contact_particles_layout(state, arena);
     contact->field_of = MPM_TAKE(arena, uint8_t, state->scene->body_count);
     if (spec->field_count > spec->deformable_fields)
         contact->touched = MPM_TAKE(arena, uint8_t, state->scene->body_count);
@@ -32,6 +35,8 @@ enum mpm_status mpm_body_contact_begin(struct mpm_state *state, int workers,
     if (!mpm_body_contact_is_used(state))
         return MPM_OK;
     MPM_TRY(mpm_shared_nodes_find(state, error));
+    if (state->contact.node_count > 0)
+        mpm_contact_particles_find(state, workers);
     mpm_contact_sums_find(state, workers);
     mpm_contact_normals_find(state, workers);
     if (mpm_contact_needs_edges(mpm_contact_spec(state)))
@@ -132,22 +137,21 @@ static struct mpm_contact_side side_of(const struct exchange *exchange,
     return (struct mpm_contact_side){.velocity = {v[0], v[1]}};
 }
 
-static struct mpm_solve_pair to_solve(const struct exchange *exchange,
-                                      const struct mpm_contact_pair *pair)
+/* All but the lines of an interface. */
+static void prepare(const struct exchange *exchange, const struct mpm_contact_pair *pair,
+                    struct mpm_solve_pair *solved)
 {
     const struct mpm_state *const state = exchange->state;
     const struct mpm_pair_spec *const spec = &mpm_contact_spec(state)->pairs[pair->spec];
-    return (struct mpm_solve_pair){
-        .of = {(int)(pair->fields[0] - exchange->node->first_field),
-               (int)(pair->fields[1] - exchange->node->first_field)},
-        .normal = {pair->has_normal ? pair->normal[0] : 1.0,
-                   pair->has_normal ? pair->normal[1] : 0.0},
-        .law = spec->law,
-        .friction = spec->friction,
-        .static_friction = spec->static_friction,
-        .pull = spec->adhesion * pair->area * state->time_step,
-        .approach = pair->gap > 0.0 ? pair->gap / state->time_step : 0.0,
-    };
+    solved->of[0] = (int)(pair->fields[0] - exchange->node->first_field);
+    solved->of[1] = (int)(pair->fields[1] - exchange->node->first_field);
+    solved->normal[0] = pair->has_normal ? pair->normal[0] : 1.0;
+    solved->normal[1] = pair->has_normal ? pair->normal[1] : 0.0;
+    solved->law = spec->law;
+    solved->friction = spec->friction;
+    solved->static_friction = spec->static_friction;
+    solved->pull = spec->adhesion * pair->area * state->time_step;
+    solved->approach = pair->gap > 0.0 ? pair->gap / state->time_step : 0.0;
 }
 
 static bool takes_part(const struct mpm_contact_pair *pair, enum mpm_pair_law law,
@@ -171,7 +175,7 @@ static void add_pair(struct exchange *exchange, const struct mpm_contact_pair *p
     struct mpm_solve_pair *const solved = &exchange->pairs[k];
     exchange->of[k] = pair;
     exchange->stiff[k] = false;
-    *solved = to_solve(exchange, pair);
+    prepare(exchange, pair, solved);
     if (solved->law != MPM_PAIR_INTERFACE)
         return;
     const struct mpm_contact_side *const sides[2] = {&exchange->before[solved->of[0]],
@@ -291,11 +295,13 @@ static void give_impulses(const struct exchange *exchange)
             &state->contact.fields[exchange->node->first_field + (uint32_t)k];
         const struct mpm_exchange_field exchanged = as_exchanged(field);
         double impulse[2] = {0.0, 0.0};
-        for (int i = 0; i < exchange->count; i++)
-            for (int axis = 0; axis < 2; axis++)
-                impulse[axis] += exchange->pairs[i].of[0] == k   ? exchange->pairs[i].impulse[axis]
-                                 : exchange->pairs[i].of[1] == k ? -exchange->pairs[i].impulse[axis]
-                                                                 : 0.0;
+        for (int i = 0; i < exchange->count; i++) {
+            const struct mpm_solve_pair *const pair = &exchange->pairs[i];
+            for (int axis = 0; axis < 2 && pair->of[0] == k; axis++)
+                impulse[axis] += pair->impulse[axis];
+            for (int axis = 0; axis < 2 && pair->of[1] == k; axis++)
+                impulse[axis] -= pair->impulse[axis];
+        }
         if (field->node >= 0)
             mpm_exchange_give(state, exchange->when, &exchanged, &exchange->before[k], impulse);
         if (exchange->when != MPM_EXCHANGE_END)

@@ -18,11 +18,12 @@ struct mpm_displacement_sums {
 
 /* Sums over the particles of a field at a node; places are counted from the node. */
 struct mpm_contact_sums {
-    double area, volume;   /* sum A_p S_ip, sum V_p S_ip */
-    double seen;           /* the same with means of N_i in axisymmetry: see contact_detection.h */
+    double area;           /* sum A_p S_ip */
     double area_normal[2]; /* sum A_p G_ip */
-    double volume_normal[2];
-    double surface[2]; /* integral of N_i n over the field's surface: contact_detection.h */
+    double surface[2];     /* integral of N_i n over the field's surface: contact_detection.h */
+    /* where sums_volume: sum V_p S_ip, sum V_p G_ip, and the area with means of N_i in axisymmetry:
+     * contact_detection.h */
+    double volume, volume_normal[2], seen;
     double moments[6]; /* for regressions: sum w {1, x, y, xx, xy, yy}, in cells */
     struct mpm_displacement_sums displacement; /* of an interface */
 };
@@ -40,8 +41,9 @@ struct mpm_contact_field {
 
 /* Two fields of a node between which there is contact. */
 struct mpm_contact_pair {
-    uint32_t fields[2]; /* places in the list of fields */
-    uint32_t spec;      /* place in the scene's pairs */
+    uint32_t fields[2];     /* places in the list of fields */
+    uint32_t spec;          /* place in the scene's pairs */
+    uint8_t of[2], keys[2]; /* the fields, and their keys */
     bool has_normal, touches;
     double normal[2]; /* unit vector from the first to the second */
     double edge[2];   /* how far the first goes along the normal, and where the second begins */
@@ -80,6 +82,13 @@ struct mpm_contact_sample {
     size_t stiff;    /* of an interface: nodes where it is stiffer than an explicit step allows */
 };
 
+/* A particle with nodes in the list: they are in a block from a column and a row of nodes on. */
+struct mpm_contact_near {
+    uint32_t particle;
+    int32_t column, row;
+    uint16_t columns, rows;
+};
+
 struct mpm_state;
 struct mpm_contact_side;
 struct mpm_exchange_touch;
@@ -93,7 +102,8 @@ struct mpm_body_contact {
      * energy by velocities of the nodes follows it. */
     void (*follow_impulse)(struct mpm_state *state, int64_t node,
                            const struct mpm_contact_side *side, const double impulse[2]);
-    bool sums_moments, sums_displacement; /* does a pair's normal, or its law, need them? */
+    /* Does a pair's normal, its detection or its law need them? */
+    bool sums_moments, sums_displacement, sums_volume;
     size_t node_capacity, field_capacity, pair_capacity;
     int64_t shift[MPM_CONTACT_FIELDS]; /* of a deformable field: from a node to its copy */
     uint8_t *field_of;                 /* per body: its field; MPM_CONTACT_FIELDS: none */
@@ -110,6 +120,8 @@ struct mpm_body_contact {
     uint8_t *rigid_at;         /* per node of the grid: bits of the rigid fields; or NULL */
     struct mpm_bands rigid_in; /* nodes in rigid_at */
     struct mpm_bands beside;   /* cells with a corner in `nodes` */
+    struct mpm_contact_near *near; /* see mpm_contact_near_of */
+    size_t *near_count;            /* per strip */
     /* per pair of the scene */
     struct mpm_contact_totals *totals;
     struct mpm_contact_sample *samples;

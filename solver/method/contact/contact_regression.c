@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/contact/contact_regression.h"
 
+#include "base/strips.h"
+#include "method/contact/contact_particles.h"
 #include "method/contact/contact_sums.h"
 
 #include <math.h>
@@ -69,14 +71,11 @@ static void add_to_plane(const double terms[3], double sign, double weight,
 }
 
 static void add_particle(struct mpm_state *state, const struct mpm_contact_particle *particle,
-                         struct mpm_contact_node *node)
+                         const double from[2], struct mpm_contact_node *node)
 {
     const double *const scale = state->grid.inverse_cell;
     const double weight = particle->area * scale[0] * scale[1];
-    double at[2];
-    mpm_grid_position(&state->grid, node->node, at);
-    const double terms[3] = {1.0, (particle->place[0] - at[0]) * scale[0],
-                             (particle->place[1] - at[1]) * scale[1]};
+    const double terms[3] = {1.0, from[0] * scale[0], from[1] * scale[1]};
     for (uint32_t k = node->first_pair; k < node->first_pair + node->pairs; k++) {
         const struct mpm_contact_pair *const pair = &state->contact.pairs[k];
         struct mpm_contact_plane *const plane = &state->contact.planes[k];
@@ -84,6 +83,18 @@ static void add_particle(struct mpm_state *state, const struct mpm_contact_parti
             if (state->contact.fields[pair->fields[side]].field == particle->field)
                 add_to_plane(terms, side == 0 ? -1.0 : 1.0, weight, plane);
     }
+}
+
+static void add_strip(void *context, int64_t index, int worker)
+{
+    (void)worker;
+    mpm_contact_strip_visit(context, index, true, add_particle);
+}
+
+static void add_rigid(struct mpm_state *state, const struct mpm_contact_particle *particle,
+                      const struct mpm_stencil *stencil)
+{
+    mpm_contact_stencil_visit(state, particle, stencil, add_particle);
 }
 
 static void begin_plane(const struct mpm_state *state, const struct mpm_contact_node *node,
@@ -191,7 +202,8 @@ void mpm_contact_logistic_find(struct mpm_state *state, int workers)
     }
     mpm_contact_images_visit(state, mirror_planes);
     for (int k = 0; k < STEPS && any; k++) {
-        mpm_shared_nodes_visit(state, workers, add_particle);
+        mpm_strips_run(state->strip_count, workers, add_strip, state);
+        mpm_contact_rigid_run(state, add_rigid);
         any = step_all(state);
     }
 }

@@ -37,7 +37,8 @@ static double difference_along(const struct approach *approach, const double alo
 static double stopping(const struct approach *approach, const double along[2], double allowed)
 {
     const double m = mobility_along(approach, along);
-    if (!(m > HELD_ALONG * fmax(approach->mobility[0], approach->mobility[1])))
+    const double x = approach->mobility[0], y = approach->mobility[1];
+    if (!(m > HELD_ALONG * (x > y ? x : y)))
         return 0.0;
     return (allowed - difference_along(approach, along)) / m;
 }
@@ -166,15 +167,32 @@ static void find_shares(const struct mpm_contact_side *sides, const struct mpm_s
     }
 }
 
+/* One exchange does all that a pair needs that has its fields for itself. */
+static void solve_one(struct mpm_contact_side *sides, const struct mpm_solve_pair *pair,
+                      struct parts *parts)
+{
+    static const struct parts none = {0.0, 0.0};
+    *parts = change_of(pair, sides, &none, 1.0);
+    apply(pair, parts, sides);
+}
+
+static void solve_several(struct mpm_contact_side *sides, const struct mpm_solve_pair *pairs,
+                          int count, struct parts parts[PAIRS])
+{
+    double shares[PAIRS];
+    find_shares(sides, pairs, count, shares);
+    memset(parts, 0, (size_t)count * sizeof *parts);
+    for (int k = 0; k < SWEEPS && sweep(sides, pairs, count, shares, parts); k++)
+        continue;
+}
+
 void mpm_contact_solve(struct mpm_contact_side *sides, struct mpm_solve_pair *pairs, int count)
 {
     struct parts parts[PAIRS];
-    double shares[PAIRS];
-    const int sweeps = count > 1 ? SWEEPS : 1;
-    find_shares(sides, pairs, count, shares);
-    memset(parts, 0, (size_t)count * sizeof *parts);
-    for (int k = 0; k < sweeps && sweep(sides, pairs, count, shares, parts); k++)
-        continue;
+    if (count == 1)
+        solve_one(sides, pairs, parts);
+    else
+        solve_several(sides, pairs, count, parts);
     for (int k = 0; k < count; k++) {
         const double *const n = pairs[k].normal;
         pairs[k].impulse[0] = parts[k].pressed * n[0] - parts[k].dragged * n[1];

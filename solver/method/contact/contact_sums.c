@@ -2,8 +2,8 @@
 #include "method/contact/contact_sums.h"
 
 #include "base/strips.h"
+#include "method/contact/contact_particles.h"
 #include "method/contact/displacement_fit.h"
-#include "method/grid/conditions.h"
 #include "method/grid/symmetry.h"
 #include "method/transfer/transfer.h"
 
@@ -32,27 +32,12 @@ static void add_moments(const struct mpm_state *state, const struct mpm_contact_
         moments[k] += weight * terms[k];
 }
 
-/* `per_hoop`: the area over sum T in axisymmetry, else 0. */
-static void add_sums(const struct mpm_state *state, const struct mpm_contact_particle *particle,
-                     double per_hoop, const struct mpm_stencil_node *entry,
-                     const struct mpm_contact_node *node)
+static void add_moments_and_displacement(const struct mpm_state *state,
+                                         const struct mpm_contact_particle *particle, double weight,
+                                         int64_t node, struct mpm_contact_sums *sums)
 {
-    struct mpm_contact_field *const field = mpm_contact_field_at(
-        state, node, particle->field, mpm_contact_key_at(state, particle, node->node));
     double from[2];
-    if (field == NULL || entry->s == 0.0)
-        return;
-    struct mpm_contact_sums *const sums = &field->sums;
-    const double weight = particle->area * entry->s;
-    place_from(state, node->node, particle->place, from);
-    sums->area += weight;
-    sums->volume += particle->volume * entry->s;
-    sums->seen += per_hoop > 0.0 ? per_hoop * entry->t : weight;
-    for (int axis = 0; axis < 2; axis++) {
-        sums->area_normal[axis] += particle->area * entry->g[axis];
-        sums->volume_normal[axis] += particle->volume * entry->g[axis];
-        sums->surface[axis] += particle->volume * (entry->g[axis] + (axis == 0 ? entry->t : 0.0));
-    }
+    place_from(state, node, particle->place, from);
     if (state->contact.sums_moments)
         add_moments(state, particle, from, sums->moments);
     if (state->contact.sums_displacement)
@@ -61,50 +46,72 @@ static void add_sums(const struct mpm_state *state, const struct mpm_contact_par
                                                       particle->slope, particle->velocity});
 }
 
+static void add_volume(const struct mpm_contact_particle *particle, double seen,
+                       const struct mpm_stencil_node *entry, struct mpm_contact_sums *sums)
+{
+    sums->volume += particle->volume * entry->s;
+    sums->seen += seen;
+    for (int axis = 0; axis < 2; axis++)
+        sums->volume_normal[axis] += particle->volume * entry->g[axis];
+}
+
+/* `per_hoop`: the area over sum T in axisymmetry, else 0. */
+static void add_sums(const struct mpm_state *state, const struct mpm_contact_particle *particle,
+                     double per_hoop, const struct mpm_stencil_node *entry,
+                     const struct mpm_contact_node *node)
+{
+    struct mpm_contact_field *const field = mpm_contact_field_at(
+        state, node, particle->field, mpm_contact_key_at(state, particle, node->node));
+    if (field == NULL || entry->s == 0.0)
+        return;
+    struct mpm_contact_sums *const sums = &field->sums;
+    const double weight = particle->area * entry->s;
+    sums->area += weight;
+    for (int axis = 0; axis < 2; axis++) {
+        sums->area_normal[axis] += particle->area * entry->g[axis];
+        sums->surface[axis] += particle->volume * (entry->g[axis] + (axis == 0 ? entry->t : 0.0));
+    }
+    if (state->contact.sums_volume)
+        add_volume(particle, per_hoop > 0.0 ? per_hoop * entry->t : weight, entry, sums);
+    if (state->contact.sums_moments || state->contact.sums_displacement)
+        add_moments_and_displacement(state, particle, weight, node->node, sums);
+}
+
 static void add_particle(const struct mpm_state *state, const struct mpm_contact_particle *particle,
-                         const struct mpm_stencil *stencil, int64_t shift)
+                         const struct mpm_stencil *stencil)
 {
     double hoop = 0.0;
-    for (int k = 0; k < stencil->count; k++)
+    for (int k = 0; k < stencil->count && state->shape_grid.axisymmetric; k++)
         hoop += stencil->node[k].t;
     const double per_hoop = hoop > 0.0 ? particle->area / hoop : 0.0;
     for (int k = 0; k < stencil->count; k++) {
-        const int64_t node = state->node_zero + stencil->node[k].node - shift;
+        const int64_t node = state->node_zero + stencil->node[k].node;
         const struct mpm_contact_node *const listed = mpm_contact_node_at(state, node);
         if (listed != NULL)
             add_sums(state, particle, per_hoop, &stencil->node[k], listed);
     }
 }
 
-static void sum_particle(void *context, size_t p, const struct mpm_cell_block *block)
-{
-    const struct mpm_state *const state = context;
-    const size_t field = state->contact.field_of[state->particles.body[p]];
-    struct mpm_stencil stencil;
-    if (field == MPM_CONTACT_FIELDS || !mpm_contact_reaches(state, block))
-        return;
-    const struct mpm_contact_particle particle = mpm_contact_particle_of(state, p);
-    mpm_particle_plain_stencil(state, p, &stencil);
-    add_particle(state, &particle, &stencil, state->contact.shift[field]);
-}
-
 static void sum_strip(void *context, int64_t index, int worker)
 {
     const struct mpm_state *const state = context;
+    const struct mpm_contact_near *const near = mpm_contact_near_of(state, index);
     (void)worker;
-    mpm_nearby_visit(state, index, &state->contact.beside, sum_particle, context);
+    for (size_t k = 0; k < state->contact.near_count[index]; k++) {
+        const size_t p = near[k].particle;
+        struct mpm_contact_particle particle;
+        struct mpm_stencil stencil;
+        mpm_contact_particle_begin(state, p, &particle);
+        mpm_contact_particle_weigh(state, p, &particle);
+        mpm_particle_grid_stencil(state, p, &stencil);
+        add_particle(state, &particle, &stencil);
+    }
 }
 
-static void sum_rigid(struct mpm_state *state)
+static void sum_rigid(struct mpm_state *state, const struct mpm_contact_particle *particle,
+                      const struct mpm_stencil *stencil)
 {
-    for (size_t p = 0; state->contact.rigid_at != NULL && p < state->rigid.count; p++) {
-        struct mpm_stencil stencil;
-        if (state->contact.field_of[state->rigid.body[p]] == MPM_CONTACT_FIELDS)
-            continue;
-        mpm_rigid_particle_stencil(state, p, &stencil);
-        const struct mpm_contact_particle particle = mpm_contact_rigid_particle(state, p);
-        add_particle(state, &particle, &stencil, 0);
-    }
+    add_particle(state, particle, stencil);
 }
 
 /* ------------------------------------------------------- planes of symmetry */
@@ -174,6 +181,14 @@ static void fold_node(struct mpm_state *state, int axis, struct mpm_contact_node
     }
 }
 
+bool mpm_contact_is_image(const struct mpm_state *state, const struct mpm_contact_pair *one,
+                          const struct mpm_contact_pair *other)
+{
+    const struct mpm_contact_field *const list = state->contact.fields;
+    return one->spec == other->spec && list[one->fields[0]].key == list[other->fields[0]].key &&
+           list[one->fields[1]].key == list[other->fields[1]].key;
+}
+
 void mpm_contact_images_visit(struct mpm_state *state, mpm_contact_image_visit *visit)
 {
     for (size_t i = 0; i < state->symmetries.count; i++)
@@ -235,156 +250,6 @@ void mpm_contact_sums_find(struct mpm_state *state, int workers)
     if (state->contact.node_count == 0)
         return;
     mpm_strips_run(state->strip_count, workers, sum_strip, state);
-    sum_rigid(state);
+    mpm_contact_rigid_run(state, sum_rigid);
     fold_all(state);
-}
-
-/* -------------------------------------------------------------------- edges */
-
-/* The least n . x + MPM_EDGE_SLOPE |t . x| of a particle's domain, t across n, from the node: at
- * one of its corners, or where one of its sides crosses the line through the node along n. */
-static double nearest(const struct mpm_contact_particle *particle, const double from[2],
-                      const double n[2], double *least_beside)
-{
-    static const double corners[4][2] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
-    const double *const e = particle->edge;
-    double away[4], beside[4], least = HUGE_VAL;
-    for (int k = 0; k < 4; k++) {
-        const double x = from[0] + corners[k][0] * e[0] + corners[k][1] * e[2];
-        const double y = from[1] + corners[k][0] * e[1] + corners[k][1] * e[3];
-        away[k] = n[0] * x + n[1] * y;
-        beside[k] = n[0] * y - n[1] * x;
-        least = fmin(least, away[k] + MPM_EDGE_SLOPE * fabs(beside[k]));
-        *least_beside = fmin(*least_beside, fabs(beside[k]));
-    }
-    for (int k = 0; k < 4; k++) {
-        const int next = (k + 1) % 4;
-        if (!(beside[k] * beside[next] < 0.0))
-            continue;
-        *least_beside = 0.0;
-        const double part = beside[k] / (beside[k] - beside[next]);
-        least = fmin(least, away[k] + part * (away[next] - away[k]));
-    }
-    return least;
-}
-
-static void add_edge(const struct mpm_contact_particle *particle, const double from[2], int side,
-                     struct mpm_contact_pair *pair)
-{
-    const double *const n = pair->normal;
-    if (side == 0)
-        pair->edge[0] =
-            fmax(pair->edge[0],
-                 -nearest(particle, from, (const double[2]){-n[0], -n[1]}, &pair->beside[0]));
-    else
-        pair->edge[1] = fmin(pair->edge[1], nearest(particle, from, n, &pair->beside[1]));
-}
-
-static bool is_in(const struct mpm_contact_field *field,
-                  const struct mpm_contact_particle *particle, int key)
-{
-    return field->field == particle->field && field->key == key;
-}
-
-static void widen(const struct mpm_contact_particle *particle, const double from[2],
-                  struct mpm_contact_field *field)
-{
-    for (int axis = 0; axis < 2 && field != NULL; axis++) {
-        const double half = fabs(particle->edge[axis]) + fabs(particle->edge[2 + axis]);
-        field->low[axis] = fmin(field->low[axis], from[axis] - half);
-        field->high[axis] = fmax(field->high[axis], from[axis] + half);
-    }
-}
-
-static void add_edges(struct mpm_state *state, const struct mpm_contact_particle *particle,
-                      struct mpm_contact_node *node)
-{
-    const int key = mpm_contact_key_at(state, particle, node->node);
-    double from[2];
-    place_from(state, node->node, particle->place, from);
-    if (node->cut)
-        widen(particle, from, mpm_contact_field_at(state, node, particle->field, key));
-    for (uint32_t k = node->first_pair; k < node->first_pair + node->pairs; k++) {
-        struct mpm_contact_pair *const pair = &state->contact.pairs[k];
-        for (int side = 0; side < 2 && pair->has_normal; side++)
-            if (is_in(&state->contact.fields[pair->fields[side]], particle, key))
-                add_edge(particle, from, side, pair);
-    }
-}
-
-bool mpm_contact_is_image(const struct mpm_state *state, const struct mpm_contact_pair *one,
-                          const struct mpm_contact_pair *other)
-{
-    const struct mpm_contact_field *const list = state->contact.fields;
-    return one->spec == other->spec && list[one->fields[0]].key == list[other->fields[0]].key &&
-           list[one->fields[1]].key == list[other->fields[1]].key;
-}
-
-/* The pair of a node that is of the same fields as another one's, or NULL. */
-static struct mpm_contact_pair *same_pair(const struct mpm_state *state,
-                                          const struct mpm_contact_node *node,
-                                          const struct mpm_contact_pair *other)
-{
-    for (uint32_t k = node->first_pair; k < node->first_pair + node->pairs; k++)
-        if (mpm_contact_is_image(state, &state->contact.pairs[k], other))
-            return &state->contact.pairs[k];
-    return NULL;
-}
-
-/* Normals from inside to beyond a plane of symmetry. */
-static void mirror_normals(struct mpm_state *state, int axis, struct mpm_contact_node *inside,
-                           const struct mpm_contact_node *beyond)
-{
-    for (uint32_t k = beyond->first_pair; k < beyond->first_pair + beyond->pairs; k++) {
-        struct mpm_contact_pair *const other = &state->contact.pairs[k];
-        const struct mpm_contact_pair *const one = same_pair(state, inside, other);
-        other->has_normal = one != NULL && one->has_normal;
-        for (int i = 0; i < 2 && other->has_normal; i++)
-            other->normal[i] = i == axis ? -one->normal[i] : one->normal[i];
-    }
-}
-
-/* Edges from beyond to inside. */
-static void fold_edges(struct mpm_state *state, int axis, struct mpm_contact_node *inside,
-                       const struct mpm_contact_node *beyond)
-{
-    (void)axis;
-    for (uint32_t k = beyond->first_pair; k < beyond->first_pair + beyond->pairs; k++) {
-        const struct mpm_contact_pair *const other = &state->contact.pairs[k];
-        struct mpm_contact_pair *const one = same_pair(state, inside, other);
-        if (one == NULL)
-            continue;
-        one->edge[0] = fmax(one->edge[0], other->edge[0]);
-        one->edge[1] = fmin(one->edge[1], other->edge[1]);
-        for (int side = 0; side < 2; side++)
-            one->beside[side] = fmin(one->beside[side], other->beside[side]);
-    }
-}
-
-/* Where a field has nothing at the node, what is nearest beside it counts in full. */
-static void count_from_nearest(struct mpm_contact_pair *pair)
-{
-    if (!pair->has_normal || isinf(pair->edge[0]) || isinf(pair->edge[1]))
-        return;
-    pair->edge[0] += MPM_EDGE_SLOPE * pair->beside[0];
-    pair->edge[1] -= MPM_EDGE_SLOPE * pair->beside[1];
-}
-
-void mpm_contact_edges_find(struct mpm_state *state, int workers)
-{
-    for (size_t k = 0; k < state->contact.pair_count; k++) {
-        state->contact.pairs[k].edge[0] = -HUGE_VAL;
-        state->contact.pairs[k].edge[1] = HUGE_VAL;
-        state->contact.pairs[k].beside[0] = state->contact.pairs[k].beside[1] = HUGE_VAL;
-    }
-    for (size_t k = 0; k < state->contact.field_count; k++)
-        for (int axis = 0; axis < 2; axis++) {
-            state->contact.fields[k].low[axis] = HUGE_VAL;
-            state->contact.fields[k].high[axis] = -HUGE_VAL;
-        }
-    mpm_contact_images_visit(state, mirror_normals);
-    mpm_shared_nodes_visit(state, workers, add_edges);
-    mpm_contact_images_visit(state, fold_edges);
-    for (size_t k = 0; k < state->contact.pair_count; k++)
-        count_from_nearest(&state->contact.pairs[k]);
 }

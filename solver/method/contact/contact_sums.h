@@ -1,5 +1,5 @@
-/* Sums over the particles at nodes that several fields reach, from which normals, areas and
- * distances of their surfaces follow.
+/* Sums over the particles at nodes that several fields reach, from which normals and areas of their
+ * surfaces follow.
  *
  * They are those of the whole model where a plane of symmetry is near: what mirrored particles
  * would add is folded in, and what is odd along the plane's normal is zero on the plane, as on
@@ -22,13 +22,6 @@ const struct mpm_contact_sums *mpm_contact_whole_sums(const struct mpm_state *st
                                                       const struct mpm_contact_node *node,
                                                       uint32_t place,
                                                       struct mpm_contact_sums *room);
-
-/* The edges of both fields of pairs with a normal: how far their particles, with the domains that F
- * carries, go along the line through the node along the normal. What lies beside that line counts
- * for less, by MPM_EDGE_SLOPE of its distance: of curved surfaces and corners the part at the node
- * is meant. Cost: the same particles, without stencils. */
-void mpm_contact_edges_find(struct mpm_state *state, int workers);
-#define MPM_EDGE_SLOPE 1.0
 
 /* Calls `visit` for each listed node beyond a plane of symmetry and the one that it is an image of,
  * plane by plane; `axis` is that of the plane's normal. */

@@ -1,13 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/contact/shared_nodes.h"
 
-#include "base/strips.h"
 #include "method/grid/conditions.h"
 #include "method/grid/grid_update.h"
-#include "method/transfer/nearby.h"
-#include "method/transfer/transfer.h"
-
-#include <math.h>
 
 /* ------------------------------------------------------------------- memory */
 
@@ -68,8 +63,11 @@ static bool add_pairs_of(struct mpm_body_contact *contact, const struct mpm_cont
                 continue;
             if (contact->pair_count == contact->pair_capacity)
                 return false;
-            contact->pairs[contact->pair_count++] =
-                (struct mpm_contact_pair){.fields = {i, j}, .spec = index};
+            contact->pairs[contact->pair_count++] = (struct mpm_contact_pair){
+                .fields = {i, j},
+                .spec = index,
+                .of = {contact->fields[i].field, contact->fields[j].field},
+                .keys = {contact->fields[i].key, contact->fields[j].key}};
             node->pairs++;
         }
     return true;
@@ -211,27 +209,18 @@ static unsigned fields_at(const struct mpm_state *state, int64_t node)
     return mask;
 }
 
-/* The columns of a row of nodes between which some have mass; none: first >= end. */
-static struct mpm_row_span massive(const struct mpm_state *state, int64_t row, int64_t layer)
+/* The active columns of a row of the grid or of a layer become those between which some have mass:
+ * nothing is to be done for the others. */
+static void narrow(struct mpm_state *state, int64_t row)
 {
-    const double *const mass =
-        state->grid.mass + (row + layer * state->grid.rows) * state->grid.columns;
+    const double *const mass = state->grid.mass + row * state->grid.columns;
     int64_t low = state->row_low[row], high = state->row_high[row];
     while (low <= high && mass[low] == 0.0)
         low++;
-    while (high >= low && mass[high] == 0.0)
+    while (high > low && mass[high] == 0.0)
         high--;
-    return (struct mpm_row_span){low, high + 1};
-}
-
-/* The active columns of a layer become those with mass: nothing is to be done for the others. */
-static void narrow_layer(struct mpm_state *state, int64_t row, int64_t layer,
-                         const struct mpm_row_span *span)
-{
-    const int64_t place = row + layer * state->grid.rows;
-    const bool any = span->first < span->end;
-    state->row_low[place] = any ? span->first : state->grid.columns;
-    state->row_high[place] = any ? span->end - 1 : -1;
+    state->row_low[row] = low <= high ? low : state->grid.columns;
+    state->row_high[row] = low <= high ? high : -1;
 }
 
 /* From the second of the columns where fields begin to the last but one of those where they end:
@@ -261,13 +250,13 @@ static struct mpm_row_span shared_span(struct mpm_state *state, int64_t row)
 {
     const struct mpm_body_contact *const contact = &state->contact;
     const int64_t columns = state->grid.columns;
+    const bool cut = mpm_contact_spec(state)->cracked_field != MPM_NO_FIELD;
     struct overlap overlap = {{columns, columns}, {0, 0}};
     for (int64_t layer = 0; layer <= state->fields.layers; layer++) {
-        struct mpm_row_span span = massive(state, row, layer);
-        if (layer > 0)
-            narrow_layer(state, row, layer, &span);
-        else if (mpm_contact_spec(state)->cracked_field != MPM_NO_FIELD)
-            span = (struct mpm_row_span){state->row_low[row], state->row_high[row] + 1};
+        const int64_t place = row + layer * state->grid.rows;
+        if (layer > 0 || !cut)
+            narrow(state, place);
+        const struct mpm_row_span span = {state->row_low[place], state->row_high[place] + 1};
         add_span(&overlap, &span);
     }
     for (int k = 0; k < 2 && contact->rigid_at != NULL; k++) { /* of several bodies, perhaps */
@@ -275,9 +264,9 @@ static struct mpm_row_span shared_span(struct mpm_state *state, int64_t row)
                                           contact->rigid_in.high[row] + 1};
         add_span(&overlap, &span);
     }
-    const int64_t low = state->row_low[row], high = state->row_high[row] + 1;
+    const int64_t low = state->fields.reached.low[row], end = state->fields.reached.high[row] + 1;
     return (struct mpm_row_span){overlap.first[1] > low ? overlap.first[1] : low,
-                                 overlap.end[1] < high ? overlap.end[1] : high};
+                                 overlap.end[1] < end ? overlap.end[1] : end};
 }
 
 enum mpm_status mpm_shared_nodes_find(struct mpm_state *state, struct mpm_error *error)
@@ -302,158 +291,4 @@ enum mpm_status mpm_shared_nodes_find(struct mpm_state *state, struct mpm_error 
         }
     }
     return MPM_OK;
-}
-
-/* ----------------------------------------------------------------- visiting */
-
-int mpm_contact_key_at(const struct mpm_state *state, const struct mpm_contact_particle *particle,
-                       int64_t node)
-{
-    const struct mpm_field_use *const use = particle->use;
-    for (int k = 0; use != NULL && k < use->detours; k++)
-        if (use->detour[k].node == node)
-            return state->fields.list[use->detour[k].field - mpm_fields_first(state)].key;
-    return 0;
-}
-
-/* H = I - F^-1, in the plane. */
-static void find_slope(const struct mpm_particles *particles, size_t p, double slope[4])
-{
-    double *const *const f = particles->deformation;
-    const double xx = f[MPM_XX][p], xy = f[MPM_XY][p], yx = f[MPM_YX][p], yy = f[MPM_YY][p];
-    const double j = xx * yy - xy * yx;
-    slope[0] = 1.0 - yy / j;
-    slope[1] = xy / j;
-    slope[2] = yx / j;
-    slope[3] = 1.0 - xx / j;
-}
-
-/* Of a cell: a node on the edge of a particle's support gets nothing from it, by round-off either.
- */
-static const double SUPPORT_SLACK = 1e-9;
-
-struct mpm_contact_particle mpm_contact_particle_of(const struct mpm_state *state, size_t p)
-{
-    const struct mpm_particles *const particles = &state->particles;
-    const struct mpm_shape_domain domain = mpm_particle_carried_domain(state, p);
-    const struct mpm_body *const body = &state->bodies[particles->body[p]];
-    double f[MPM_GRADIENT_SIZE];
-    mpm_particle_deformation(particles, p, f);
-    struct mpm_contact_particle made = {
-        .field = state->contact.field_of[particles->body[p]],
-        .use = mpm_field_use_of(state, p),
-        .place = {domain.position[0], domain.position[1]},
-        .area = 4.0 * body->half_size[0] * body->half_size[1] *
-                (f[MPM_XX] * f[MPM_YY] - f[MPM_XY] * f[MPM_YX]),
-        .volume = particles->mass[p] * mpm_determinant(f) / body->material.density,
-        .edge = {domain.edge[0], domain.edge[1], domain.edge[2], domain.edge[3]},
-    };
-    state->family->reach(&state->shape_grid, &domain, made.support);
-    for (int axis = 0; axis < 2; axis++)
-        made.support[axis] += state->grid.cell[axis] * (1.0 - SUPPORT_SLACK);
-    for (int axis = 0; axis < 2 && particles->origin[0] != NULL; axis++)
-        made.displacement[axis] = made.place[axis] - particles->origin[axis][p];
-    if (particles->origin[0] != NULL)
-        find_slope(particles, p, made.slope);
-    for (int axis = 0; axis < 2; axis++)
-        made.velocity[axis] = particles->velocity[axis][p];
-    return made;
-}
-
-struct mpm_contact_particle mpm_contact_rigid_particle(const struct mpm_state *state, size_t p)
-{
-    const struct mpm_rigid_particles *const rigid = &state->rigid;
-    const double *const half = state->bodies[rigid->body[p]].half_size;
-    const double area = 4.0 * half[0] * half[1];
-    const double depth =
-        state->shape_grid.axisymmetric ? rigid->position[0][p] : state->scene->thickness;
-    return (struct mpm_contact_particle){
-        .field = state->contact.field_of[rigid->body[p]],
-        .place = {rigid->position[0][p], rigid->position[1][p]},
-        .area = area,
-        .volume = area * depth,
-        .edge = {half[0], 0.0, 0.0, half[1]},
-    };
-}
-
-static bool is_supported(const struct mpm_state *state, const struct mpm_contact_particle *particle,
-                         int64_t node)
-{
-    double at[2];
-    mpm_grid_position(&state->grid, node, at);
-    return fabs(particle->place[0] - at[0]) < particle->support[0] &&
-           fabs(particle->place[1] - at[1]) < particle->support[1];
-}
-
-/* Nodes of a block that are listed. */
-static void visit_block(struct mpm_state *state, const struct mpm_cell_block *block,
-                        const struct mpm_contact_particle *particle, mpm_contact_visit *visit)
-{
-    for (int64_t row = block->low[1]; row <= block->high[1] + 1; row++)
-        for (int64_t column = block->low[0]; column <= block->high[0] + 1; column++) {
-            struct mpm_contact_node *const node =
-                mpm_contact_node_at(state, row * state->grid.columns + column);
-            if (node != NULL && is_supported(state, particle, node->node))
-                visit(state, particle, node);
-        }
-}
-
-bool mpm_contact_reaches(const struct mpm_state *state, const struct mpm_cell_block *block)
-{
-    for (int64_t row = block->low[1]; row <= block->high[1] + 1; row++)
-        for (int64_t column = block->low[0]; column <= block->high[0] + 1; column++)
-            if (state->contact.node_of[row * state->grid.columns + column] != 0)
-                return true;
-    return false;
-}
-
-/* What visits the particles of a strip. */
-struct visiting {
-    struct mpm_state *state;
-    mpm_contact_visit *visit;
-};
-
-static void visit_particle(void *context, size_t p, const struct mpm_cell_block *block)
-{
-    const struct visiting *const visiting = context;
-    struct mpm_state *const state = visiting->state;
-    if (state->contact.field_of[state->particles.body[p]] == MPM_CONTACT_FIELDS ||
-        !mpm_contact_reaches(state, block))
-        return;
-    const struct mpm_contact_particle particle = mpm_contact_particle_of(state, p);
-    visit_block(state, block, &particle, visiting->visit);
-}
-
-static void visit_strip(void *context, int64_t index, int worker)
-{
-    const struct visiting *const visiting = context;
-    const struct mpm_state *const state = visiting->state;
-    (void)worker;
-    mpm_nearby_visit(state, index, &state->contact.beside, visit_particle, context);
-}
-
-static void visit_rigid(struct mpm_state *state, mpm_contact_visit *visit)
-{
-    for (size_t p = 0; state->contact.rigid_at != NULL && p < state->rigid.count; p++) {
-        struct mpm_stencil stencil;
-        if (state->contact.field_of[state->rigid.body[p]] == MPM_CONTACT_FIELDS)
-            continue;
-        mpm_rigid_particle_stencil(state, p, &stencil);
-        const struct mpm_contact_particle particle = mpm_contact_rigid_particle(state, p);
-        for (int k = 0; k < stencil.count; k++) {
-            struct mpm_contact_node *const node =
-                mpm_contact_node_at(state, state->node_zero + stencil.node[k].node);
-            if (node != NULL && stencil.node[k].s != 0.0)
-                visit(state, &particle, node);
-        }
-    }
-}
-
-void mpm_shared_nodes_visit(struct mpm_state *state, int workers, mpm_contact_visit *visit)
-{
-    struct visiting visiting = {state, visit};
-    if (state->contact.node_count == 0)
-        return;
-    mpm_strips_run(state->strip_count, workers, visit_strip, &visiting);
-    visit_rigid(state, visit);
 }

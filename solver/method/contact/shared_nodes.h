@@ -7,7 +7,7 @@
 #ifndef MPM_METHOD_SHARED_NODES_H
 #define MPM_METHOD_SHARED_NODES_H
 
-#include "method/transfer/nearby.h"
+#include "method/fields/fields.h"
 
 /* The scene's contact; only where it has some: mpm_body_contact_is_used. */
 static inline const struct mpm_contact_spec *mpm_contact_spec(const struct mpm_state *state)
@@ -21,29 +21,6 @@ void mpm_shared_nodes_layout(struct mpm_state *state, struct mpm_arena *arena);
 /* Lists nodes, fields and pairs, after task 1 and reflection. MPM_RUN_FAILED: no room. */
 enum mpm_status mpm_shared_nodes_find(struct mpm_state *state, struct mpm_error *error);
 
-/* A particle, rigid or not, as sums see it. */
-struct mpm_contact_particle {
-    int field;
-    const struct mpm_field_use *use; /* where cracks cut its body: its fields; or NULL */
-    double place[2];
-    double area, volume;
-    double edge[4];    /* half edges of its domain */
-    double support[2]; /* nodes that it gives mass to are nearer than this along each axis */
-    double displacement[2], slope[4]; /* u, and H = I - F^-1; of an interface */
-    double velocity[2];
-};
-
-struct mpm_contact_particle mpm_contact_particle_of(const struct mpm_state *state, size_t p);
-struct mpm_contact_particle mpm_contact_rigid_particle(const struct mpm_state *state, size_t p);
-
-/* Is one of the nodes of a block listed? */
-bool mpm_contact_reaches(const struct mpm_state *state, const struct mpm_cell_block *block);
-
-/* Calls `visit` for all particles with a node in the list, deformable ones by strips. */
-typedef void mpm_contact_visit(struct mpm_state *state, const struct mpm_contact_particle *particle,
-                               struct mpm_contact_node *node);
-void mpm_shared_nodes_visit(struct mpm_state *state, int workers, mpm_contact_visit *visit);
-
 /* The node's entry of a field, with the key of a crack's side or 0; or NULL. */
 static inline struct mpm_contact_field *mpm_contact_field_at(const struct mpm_state *state,
                                                              const struct mpm_contact_node *node,
@@ -55,10 +32,6 @@ static inline struct mpm_contact_field *mpm_contact_field_at(const struct mpm_st
             return &list[k];
     return NULL;
 }
-
-/* The key that a particle has at a node. */
-int mpm_contact_key_at(const struct mpm_state *state, const struct mpm_contact_particle *particle,
-                       int64_t node);
 
 static inline struct mpm_contact_node *mpm_contact_node_at(const struct mpm_state *state,
                                                            int64_t node)

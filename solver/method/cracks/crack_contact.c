@@ -222,7 +222,7 @@ static bool point_velocity(const struct mpm_state *state, size_t point, double v
         const int64_t node = state->node_zero + stencil.node[k].node;
         double momentum[2] = {0.0, 0.0};
         const double mass =
-            mpm_node_is_active(state, node) ? node_momentum(state, node, momentum) : 0.0;
+            mpm_node_is_reached(state, node) ? node_momentum(state, node, momentum) : 0.0;
         if (!(mass >= state->cracks.least_mass))
             continue;
         weight += stencil.node[k].s;

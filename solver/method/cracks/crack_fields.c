@@ -215,7 +215,7 @@ static void ask_originals(struct mpm_state *state, size_t place)
         if ((keys & 15u) == 0 || state->cracks.passes[state->cracks.crossings[place][k].crack] == 0)
             continue;
         const int64_t original = mpm_symmetry_original(state, node, sign);
-        if (original != node && mpm_node_is_active(state, original))
+        if (original != node && mpm_node_is_reached(state, original))
             mpm_field_ask_at(state, original, (int)(keys & 15u));
     }
 }

@@ -39,7 +39,7 @@ static inline bool mpm_crack_has_contact(const struct mpm_scene *scene, size_t c
  * the grid's own. */
 static inline bool mpm_cracks_cut(const struct mpm_state *state, size_t p)
 {
-    return state->bodies[state->particles.body[p]].shift == 0;
+    return state->bodies[state->particles.body[p]].layer == 0;
 }
 
 /* Or of any? */

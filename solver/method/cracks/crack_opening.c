@@ -85,7 +85,7 @@ static void find_sides(const struct mpm_state *state, const double from[2],
 static int64_t field_of(const struct mpm_state *state, int64_t parent, enum mpm_crack_side side)
 {
     int64_t field = parent;
-    if (!mpm_node_is_active(state, parent))
+    if (!mpm_node_is_reached(state, parent))
         return -1;
     if (side != MPM_CRACK_SAME_SIDE) {
         const struct mpm_field_node *const node = mpm_field_node_at(state, parent);

@@ -49,7 +49,7 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
         .columns = (double)grid->columns,
         .stride = grid->columns,
         .pitch = grid->columns * (int64_t)sizeof(mpm_vector),
-        .node_zero = state->node_zero + state->bodies[body].shift,
+        .node_zero = state->node_zero + mpm_layer_shift(state, state->bodies[body].layer),
         .mass = grid->mass,
         .sum = grid->sum,
         .read = projection != NULL ? (double *)projection->from : (double *)grid->motion,

@@ -98,10 +98,23 @@ MPM_INLINE void run_pieces(const struct fast_spec *spec, const struct mpm_state 
     block->sums->patches = NULL;
 }
 
-/* traffic: what the pass does with nodes; NULL: nothing. */
+/* Of the particles of a run: takes their hull out of the sums. */
+MPM_INLINE void take_extent(struct fast_sums *sums, struct mpm_extent *extent)
+{
+    for (int axis = 0; axis < 2; axis++) {
+        const double low = mpm_smallest_lane(sums->low[axis]);
+        const double high = mpm_largest_lane(sums->high[axis]);
+        extent->low[axis] = low < extent->low[axis] ? low : extent->low[axis];
+        extent->high[axis] = high > extent->high[axis] ? high : extent->high[axis];
+        sums->low[axis] = mpm_splat(DBL_MAX);
+        sums->high[axis] = mpm_splat(-DBL_MAX);
+    }
+}
+
+/* traffic: what the pass does with nodes; extents: where particles are after it; NULL: nothing. */
 MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state, int64_t index,
                           double part, int kind, const struct fast_traffic *traffic,
-                          struct fast_sums *sums, fast_work *work)
+                          struct fast_sums *sums, struct mpm_extents *extents, fast_work *work)
 {
     struct mpm_strip *const strip = &state->strips[index];
     const mpm_vector zero = mpm_splat(0.0), most = mpm_splat(DBL_MAX);
@@ -116,10 +129,13 @@ MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state,
                                    .hoop_radius = state->scene->radius_update == MPM_RADIUS_HOOP};
         run.begin = run.end;
         run.end = mpm_fast_run_end(state, run.begin, strip->end);
-        mpm_fast_constants(state, state->particles.body[run.begin], part, &k);
+        const uint32_t body = state->particles.body[run.begin];
+        mpm_fast_constants(state, body, part, &k);
         if (kind != NO_UPDATE)
             block.update = update_of(&k.material, kind);
         run_pieces(spec, state, index, traffic, &run, &k, &block, work);
+        if (extents != NULL)
+            take_extent(sums, &extents->of[state->bodies[body].layer]);
     }
 }
 
@@ -128,18 +144,7 @@ static void recompute(void *state, int64_t strip, int worker)
     static const struct fast_spec spec = {.shape = FAST_SHAPE};
     struct fast_sums sums;
     (void)worker;
-    run_strip(&spec, state, strip, 0.0, MPM_FAST_RECOMPUTE, NULL, &sums, block_recompute);
-}
-
-static void set_box(struct mpm_state *state, const struct fast_sums *sums)
-{
-    struct mpm_extent extent;
-    for (int axis = 0; axis < 2; axis++) {
-        extent.low[axis] = mpm_smallest_lane(sums->low[axis]);
-        extent.high[axis] = mpm_largest_lane(sums->high[axis]);
-    }
-    if (sums->strip->failure.kind == MPM_NO_FAILURE)
-        mpm_strip_set_box(state, sums->strip, &extent);
+    run_strip(&spec, state, strip, 0.0, MPM_FAST_RECOMPUTE, NULL, &sums, NULL, block_recompute);
 }
 
 /* --------------------------------------------------------------- the passes */
@@ -152,7 +157,7 @@ MPM_INLINE void pass_to_grid(const struct fast_spec *spec, struct mpm_state *sta
                                          .adds_single = (spec->force ? 1u << FAST_MASS : 0) |
                                                         (spec->scalars ? scalar_spreads : 0)};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_to_grid);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_to_grid);
 }
 
 MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_state *state,
@@ -166,7 +171,7 @@ MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_stat
     };
     struct fast_sums sums;
     run_strip(spec, state, strip, state->order->before, (int)state->scene->geometry, &traffic,
-              &sums, block_stress_before);
+              &sums, NULL, block_stress_before);
     if (spec->conducts)
         sums.strip->diffusivity = mpm_largest_lane(sums.diffusivity);
     sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
@@ -180,7 +185,7 @@ MPM_INLINE void pass_project(const struct fast_spec *spec, struct mpm_state *sta
         .adds = projection->to != NULL ? 1u << FAST_GRADIENT : 0,
     };
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_project);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_project);
 }
 
 MPM_INLINE void pass_spread_scalar(const struct fast_spec *spec, struct mpm_state *state,
@@ -188,7 +193,7 @@ MPM_INLINE void pass_spread_scalar(const struct fast_spec *spec, struct mpm_stat
 {
     const struct fast_traffic traffic = {.adds_single = scalar_spreads};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_spread_scalar);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_spread_scalar);
 }
 
 MPM_INLINE void pass_conduct(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
@@ -196,7 +201,7 @@ MPM_INLINE void pass_conduct(const struct fast_spec *spec, struct mpm_state *sta
     const struct fast_traffic traffic = {.reads_single = 1u << FAST_VALUE,
                                          .adds_single = 1u << FAST_INFLOW};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_conduct);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_conduct);
     sums.strip->diffusivity = mpm_largest_lane(sums.diffusivity);
 }
 
@@ -206,7 +211,7 @@ MPM_INLINE void pass_update_scalar(const struct fast_spec *spec, struct mpm_stat
     const struct fast_traffic traffic = {.reads_single = 1u << FAST_RESULT,
                                          .adds_single = spec->spreads ? 1u << FAST_CONTENT : 0};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_update_scalar);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_update_scalar);
 }
 
 MPM_INLINE void pass_filter(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
@@ -214,7 +219,7 @@ MPM_INLINE void pass_filter(const struct fast_spec *spec, struct mpm_state *stat
     const struct fast_traffic traffic = {.reads_single = 1u << FAST_VALUE,
                                          .adds_single = 1u << FAST_RESULT};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_filter);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_filter);
 }
 
 MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state *state,
@@ -227,7 +232,7 @@ MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state
         .adds_single = spec->conducts ? 1u << FAST_INFLOW : 0,
     };
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, block_to_particles);
+    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_to_particles);
     sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
     if (spec->conducts)
         sums.strip->diffusivity = mpm_largest_lane(sums.diffusivity);
@@ -242,13 +247,17 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
         .reads_single = spec->scalars ? 1u << FAST_RESULT : 0,
     };
     struct fast_sums sums;
+    struct mpm_extents extents;
+    mpm_extents_begin(state, &extents);
     run_strip(spec, state, strip, state->order->after,
-              updates ? (int)state->scene->geometry : NO_UPDATE, &traffic, &sums, block_finish);
+              updates ? (int)state->scene->geometry : NO_UPDATE, &traffic, &sums, &extents,
+              block_finish);
     if (!state->order->extrapolate)
         sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
     if (updates)
         sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
-    set_box(state, &sums);
+    if (sums.strip->failure.kind == MPM_NO_FAILURE)
+        mpm_strip_set_boxes(state, sums.strip, &extents);
 }
 
 /* ------------------------------------------------------------- the instances */

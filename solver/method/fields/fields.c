@@ -50,14 +50,29 @@ int64_t mpm_fields_claim_layers(struct mpm_state *state, int64_t layers)
 {
     const int64_t first = state->fields.layers + 1;
     state->fields.layers += layers;
+    assert(state->fields.layers < MPM_LAYERS);
     make_room(state);
     return first;
+}
+
+static void layout_layers(struct mpm_state *state, struct mpm_arena *arena)
+{
+    struct mpm_fields *const fields = &state->fields;
+    const size_t layers = 1 + (size_t)fields->layers, rows = layers * (size_t)state->grid.rows;
+    fields->reached = (struct mpm_bands){state->row_low, state->row_high};
+    if (layers == 1)
+        return;
+    fields->boxes = MPM_TAKE(arena, struct mpm_node_box, layers * (size_t)state->strip_count);
+    fields->reached = mpm_bands_layout(state, arena);
+    fields->before.low = MPM_TAKE(arena, int64_t, rows);
+    fields->before.high = MPM_TAKE(arena, int64_t, rows);
 }
 
 void mpm_fields_layout(struct mpm_state *state, struct mpm_arena *arena)
 {
     struct mpm_fields *const fields = &state->fields;
     const size_t nodes = (size_t)mpm_layer_size(state);
+    layout_layers(state, arena);
     if (fields->keys == 0)
         return;
     fields->uses = MPM_TAKE(arena, struct mpm_field_use, fields->use_capacity);
@@ -81,22 +96,11 @@ static size_t uses_listed(const struct mpm_fields *fields)
     return fields->use_count < fields->use_capacity ? fields->use_count : fields->use_capacity;
 }
 
-/* The columns of the grid's rows that are active are active in each layer. */
-static void open_layers(struct mpm_state *state)
-{
-    const int64_t rows = state->grid.rows;
-    for (int64_t layer = 1; layer <= state->fields.layers; layer++) {
-        memcpy(state->row_low + layer * rows, state->row_low, (size_t)rows * sizeof(int64_t));
-        memcpy(state->row_high + layer * rows, state->row_high, (size_t)rows * sizeof(int64_t));
-    }
-    state->fields.rows = state->fields.layers * rows;
-}
-
 void mpm_fields_begin(struct mpm_state *state)
 {
     struct mpm_fields *const fields = &state->fields;
     const size_t uses = uses_listed(fields);
-    open_layers(state);
+    fields->rows = fields->layers * state->grid.rows;
     if (fields->keys == 0)
         return;
     for (size_t k = 0; k < fields->node_count; k++)

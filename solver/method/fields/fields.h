@@ -18,10 +18,11 @@
  * There are two ways to have one:
  *
  * Layers, for a body that moves in a field of its own everywhere. mpm_fields_claim_layers makes
- * room, mpm_body's `shift` is the distance from a node to its copy: mpm_layer_shift. Both sets of
- * kernels spread to the layer and read from it: fast kernels stay fast. A layer's active columns
- * are the grid's, or fewer, where its client has found the others without mass; conditions, mirrors
- * and planes of symmetry treat its nodes as their parents. Packed fields
+ * room, mpm_body's `layer` is the one it moves in, 0 the grid itself: mpm_layer_shift is the
+ * distance from a node to its copy. Both sets of kernels spread to the layer and read from it: fast
+ * kernels stay fast. The active nodes of a layer, and of the grid, are those that particles of its
+ * own bodies reach (grid/active_nodes.h), or fewer, where its client has found the others without
+ * mass; conditions, mirrors and planes of symmetry treat its nodes as their parents. Packed fields
  * are not for particles of such a body: bodies with cracks stay in the grid.
  *
  * Keys, for particles that leave their node's own field here and there. A key is the owner: the

@@ -12,6 +12,9 @@
 /* Fields that a node may have besides its own, layers not counted: a key has four bits. */
 enum { MPM_FIELD_KEYS = 15 };
 
+/* Copies of the grid's nodes, the grid itself counted. */
+enum { MPM_LAYERS = 8 };
+
 /* Particles begin..end - 1. */
 struct mpm_span {
     size_t begin, end;
@@ -21,6 +24,8 @@ struct mpm_span {
 struct mpm_bands {
     int64_t *low, *high;
 };
+
+struct mpm_node_box;
 
 /* A field of a node besides its own. */
 struct mpm_additional_field {
@@ -60,8 +65,12 @@ struct mpm_field_use {
 };
 
 struct mpm_fields {
-    int64_t layers; /* whole copies of the grid's nodes */
-    int keys;       /* that clients have claimed */
+    int64_t layers;             /* whole copies of the grid's nodes */
+    int keys;                   /* that clients have claimed */
+    struct mpm_node_box *boxes; /* of scenes with layers: mpm_layer_boxes; or NULL */
+    /* Per row of the grid the columns of its nodes that particles reach in any layer, and of scenes
+     * with layers per row of each of them what was active in the step before. */
+    struct mpm_bands reached, before;
     /* Of the step */
     int64_t rows; /* behind those of the grid: of all layers, then of packed fields */
     struct mpm_field_use *uses;

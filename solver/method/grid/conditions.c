@@ -133,7 +133,7 @@ static enum mpm_status gather_boundaries(struct mpm_state *state, struct mpm_err
 {
     for (size_t k = 0; k < state->conditions.count; k++) {
         const struct mpm_condition *const condition = &state->conditions.list[k];
-        if (!mpm_node_is_active(state, condition->node) || !has_mass(state, condition->node))
+        if (!mpm_node_is_reached(state, condition->node) || !has_mass(state, condition->node))
             continue;
         struct mpm_active_condition active = {condition->node, condition->component,
                                               MPM_FROM_BOUNDARY, 0.0, 0.0};
@@ -246,7 +246,7 @@ static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *e
             if (stencil.node[k].s == 0.0)
                 continue;
             const int64_t node = state->node_zero + stencil.node[k].node;
-            if (!mpm_node_is_active(state, node) || !has_mass(state, node) ||
+            if (!mpm_node_is_reached(state, node) || !has_mass(state, node) ||
                 state->conditions.rigid_owner[node] == body + 1 || !mpm_node_is_inside(state, node))
                 continue;
             MPM_TRY(drive_node(state, first_rigid, body, node, error));
@@ -263,8 +263,9 @@ static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *e
 /* Their velocities are known when they are applied, after all others. */
 static void gather_mirrors(struct mpm_state *state)
 {
+    const struct mpm_bands *const reached = &state->fields.reached;
     for (int64_t row = state->first_row; row <= state->last_row; row++)
-        for (int64_t column = state->row_low[row]; column <= state->row_high[row]; column++) {
+        for (int64_t column = reached->low[row]; column <= reached->high[row]; column++) {
             const int64_t node = row * state->grid.columns + column;
             if (column < state->conditions.mirror_column && has_mass(state, node))
                 append(state, (struct mpm_active_condition){node, 0, MPM_FROM_MIRROR, 0.0, 0.0});

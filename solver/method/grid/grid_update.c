@@ -13,31 +13,6 @@ void mpm_grid_rows_run(struct mpm_state *state, mpm_pass *pass)
         mpm_rows_run(additional, additional + count - 1, state->workers, pass, state);
 }
 
-void mpm_grid_find_active(struct mpm_state *state)
-{
-    for (int64_t row = state->first_row; row <= state->last_row; row++) {
-        state->row_low[row] = state->grid.columns;
-        state->row_high[row] = -1;
-    }
-    state->first_row = state->grid.rows;
-    state->last_row = -1;
-    for (int64_t s = 0; s < state->strip_count; s++) {
-        const struct mpm_strip *const strip = &state->strips[s];
-        if (strip->begin == strip->end)
-            continue;
-        const int64_t low = strip->box.low[0] + MPM_GHOST_ROWS;
-        const int64_t high = strip->box.high[0] + MPM_GHOST_ROWS;
-        const int64_t first = strip->box.low[1] + MPM_GHOST_ROWS;
-        const int64_t last = strip->box.high[1] + MPM_GHOST_ROWS;
-        for (int64_t row = first; row <= last; row++) {
-            state->row_low[row] = low < state->row_low[row] ? low : state->row_low[row];
-            state->row_high[row] = high > state->row_high[row] ? high : state->row_high[row];
-        }
-        state->first_row = first < state->first_row ? first : state->first_row;
-        state->last_row = last > state->last_row ? last : state->last_row;
-    }
-}
-
 void mpm_row_clear(void *context, int64_t row, int worker)
 {
     const struct mpm_state *const state = context;

@@ -19,11 +19,19 @@ static inline struct mpm_row_span mpm_row_span(const struct mpm_state *state, in
     return (struct mpm_row_span){start + state->row_low[row], start + state->row_high[row] + 1};
 }
 
-/* Is a node of the grid or a layer in a span? Rows that are not active have none. */
+/* Is a node of the grid, of a layer or of packed fields in a span? Rows that are not active have
+ * none. */
 static inline bool mpm_node_is_active(const struct mpm_state *state, int64_t node)
 {
     const int64_t row = node / state->grid.columns, column = node % state->grid.columns;
     return column >= state->row_low[row] && column <= state->row_high[row];
+}
+
+/* Do particles reach a node of the grid, or its copy in a layer? */
+static inline bool mpm_node_is_reached(const struct mpm_state *state, int64_t node)
+{
+    const int64_t row = node / state->grid.columns, column = node % state->grid.columns;
+    return column >= state->fields.reached.low[row] && column <= state->fields.reached.high[row];
 }
 
 /* The row of the grid that a row is, or is a copy of in a layer; -1: packed fields. */
@@ -61,8 +69,16 @@ static inline bool mpm_node_is_inside(const struct mpm_state *state, int64_t nod
 {
     if (state->symmetries.count == 0)
         return true;
-    const struct mpm_row_span span = mpm_row_span_inside(state, node / state->grid.columns);
-    return node >= span.first && node < span.end;
+    const int64_t columns = state->grid.columns, row = mpm_layer_row(state, node / columns);
+    const int64_t place[2] = {node % columns, row};
+    if (row < 0)
+        return !state->symmetries.passed || node < mpm_fields_first(state) + state->fields.inside;
+    for (size_t k = 0; k < state->symmetries.count; k++) {
+        const struct mpm_symmetry *const plane = &state->symmetries.planes[k];
+        if ((place[plane->axis] - plane->line) * plane->inside < 0)
+            return false;
+    }
+    return true;
 }
 
 /* 1 / m_i; 0 for a node without mass, so that it has no motion. */
@@ -88,9 +104,6 @@ static inline int64_t mpm_grid_next_row(const struct mpm_state *state, int64_t r
     const int64_t next = row == state->last_row ? state->grid.rows : row + 1;
     return next < state->grid.rows + state->fields.rows ? next : -1;
 }
-
-/* From the strips' boxes: which columns of which node rows are active. */
-void mpm_grid_find_active(struct mpm_state *state);
 
 void mpm_row_clear(void *state, int64_t row, int worker);
 /* m_i: adds the masses that fast kernels leave in the sums (struct mpm_node_sum) */

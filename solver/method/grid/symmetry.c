@@ -49,17 +49,18 @@ static void fold_nodes(const struct spread *spread, int axis, int64_t inside, in
              &vector[MPM_NODE_VALUES * beyond + 2 * k], k == axis ? -1.0 : 1.0);
 }
 
-/* All nodes of the grid or of a layer beyond the plane that are active; images inside are reached
+/* All nodes of a layer beyond the plane that are active; images inside are reached
  * by the same particles. Nodes on the plane have nothing along its normal. */
 static void reflect_across(const struct mpm_state *state, const struct mpm_symmetry *plane,
-                           const struct spread *spread, int64_t shift)
+                           const struct spread *spread, int64_t layer)
 {
-    const int64_t columns = state->grid.columns;
+    const int64_t columns = state->grid.columns, shift = layer * state->grid.rows;
+    const int64_t *const low = state->row_low + shift, *const high = state->row_high + shift;
     for (int64_t row = state->first_row; row <= state->last_row; row++)
-        for (int64_t column = state->row_low[row]; column <= state->row_high[row]; column++) {
+        for (int64_t column = low[row]; column <= high[row]; column++) {
             const int64_t place[2] = {column, row};
             const int64_t depth = (plane->line - place[plane->axis]) * plane->inside;
-            const int64_t node = shift + row * columns + column;
+            const int64_t node = (shift + row) * columns + column;
             const int64_t stride = plane->axis == 0 ? 1 : columns;
             if (depth == 0 && spread->vector != NULL)
                 spread->vector[MPM_NODE_VALUES * node + 2 * plane->axis] = 0.0;
@@ -113,7 +114,7 @@ static void reflect_one(struct mpm_state *state, const struct mpm_symmetry *plan
                         const struct spread *spread)
 {
     for (int64_t layer = 0; layer <= state->fields.layers; layer++)
-        reflect_across(state, plane, spread, mpm_layer_shift(state, layer));
+        reflect_across(state, plane, spread, layer);
     if (state->symmetries.passed)
         visit_across(state, plane, reflect_packed, spread);
 }
@@ -170,7 +171,7 @@ static bool find_image(const struct mpm_state *state, const struct mpm_symmetry 
     *image = *of;
     image->node = shift + place[1] * columns + place[0];
     image->sign[plane->axis] = -of->sign[plane->axis];
-    return mpm_node_is_active(state, image->node);
+    return mpm_node_is_reached(state, image->node - shift);
 }
 
 int mpm_symmetry_images(const struct mpm_state *state, int64_t node,

@@ -274,7 +274,8 @@ static inline void settle_way(struct mpm_state *state, int64_t index, double *co
                               double back)
 {
     struct mpm_strip *const strip = &state->strips[index];
-    struct mpm_extent extent = MPM_NO_EXTENT;
+    struct mpm_extents extents;
+    mpm_extents_begin(state, &extents);
     for (size_t p = strip->begin; p < strip->end; p++) {
         double step[2];
         for (int axis = 0; axis < 2; axis++) {
@@ -285,10 +286,10 @@ static inline void settle_way(struct mpm_state *state, int64_t index, double *co
         placement.step[0] = step[0];
         placement.step[1] = step[1];
         if (mpm_placement_check(state, &placement, state->particles.id[p], strip))
-            mpm_extent_add(&extent, &placement);
+            mpm_extents_add(&extents, state->bodies[state->particles.body[p]].layer, &placement);
     }
     if (strip->failure.kind == MPM_NO_FAILURE)
-        mpm_strip_set_box(state, strip, &extent);
+        mpm_strip_set_boxes(state, strip, &extents);
 }
 
 /* The midpoint's way, Notes (42), (51) */

@@ -119,7 +119,8 @@ static void find_traction(const struct mpm_state *state, const struct mpm_shape_
 static void divert(const struct mpm_state *state, struct mpm_loaded_edge *edge)
 {
     struct mpm_stencil plain;
-    const int64_t shift = state->bodies[state->particles.body[edge->particle]].shift;
+    const int64_t layer = state->bodies[state->particles.body[edge->particle]].layer;
+    const int64_t shift = mpm_layer_shift(state, layer);
     for (int k = 0; k < edge->weights.count; k++)
         edge->weights.entry[k].node += shift;
     if (mpm_field_use_of(state, edge->particle) == NULL)

@@ -22,13 +22,14 @@ void mpm_pass_measure(void *context, int64_t index, int worker)
 {
     struct mpm_state *const state = context;
     struct mpm_strip *const strip = &state->strips[index];
-    struct mpm_extent extent = MPM_NO_EXTENT;
+    struct mpm_extents extents;
     (void)worker;
+    mpm_extents_begin(state, &extents);
     for (size_t p = strip->begin; p < strip->end; p++) {
         const struct mpm_placement placement = mpm_particle_placement(state, p);
         if (mpm_domain_check(state, &placement, state->particles.id[p], strip))
-            mpm_extent_add(&extent, &placement);
+            mpm_extents_add(&extents, state->bodies[state->particles.body[p]].layer, &placement);
     }
     if (strip->failure.kind == MPM_NO_FAILURE)
-        mpm_strip_set_box(state, strip, &extent);
+        mpm_strip_set_boxes(state, strip, &extents);
 }

@@ -57,8 +57,16 @@ bool mpm_placement_check(const struct mpm_state *state, const struct mpm_placeme
            mpm_domain_check(state, placement, particle, strip);
 }
 
-void mpm_extent_add(struct mpm_extent *extent, const struct mpm_placement *placement)
+void mpm_extents_begin(const struct mpm_state *state, struct mpm_extents *extents)
 {
+    for (int64_t layer = 0; layer <= state->fields.layers; layer++)
+        extents->of[layer] = MPM_NO_EXTENT;
+}
+
+void mpm_extents_add(struct mpm_extents *extents, int64_t layer,
+                     const struct mpm_placement *placement)
+{
+    struct mpm_extent *const extent = &extents->of[layer];
     for (int axis = 0; axis < 2; axis++) {
         const double low = placement->position[axis] - placement->reach[axis];
         const double high = placement->position[axis] + placement->reach[axis];
@@ -70,12 +78,11 @@ void mpm_extent_add(struct mpm_extent *extent, const struct mpm_placement *place
 /* Node positions beyond the extremes, in cells: round-off must not decide. */
 static const double BOX_SLACK = 1e-9;
 
-void mpm_strip_set_box(const struct mpm_state *state, struct mpm_strip *strip,
-                       const struct mpm_extent *extent)
+static struct mpm_node_box box_of(const struct mpm_state *state, const struct mpm_extent *extent)
 {
     const struct mpm_grid *const grid = &state->grid;
     struct mpm_node_box box = MPM_NO_BOX;
-    for (int axis = 0; axis < 2 && strip->begin < strip->end; axis++) {
+    for (int axis = 0; axis < 2 && extent->low[axis] <= extent->high[axis]; axis++) {
         const double scale = grid->inverse_cell[axis], origin = grid->origin[axis];
         box.low[axis] = (int64_t)floor((extent->low[axis] - origin) * scale - BOX_SLACK);
         box.high[axis] = (int64_t)floor((extent->high[axis] - origin) * scale + BOX_SLACK) +
@@ -86,5 +93,32 @@ void mpm_strip_set_box(const struct mpm_state *state, struct mpm_strip *strip,
         if (box.low[axis] < -MPM_GHOST_ROWS)
             box.low[axis] = -MPM_GHOST_ROWS;
     }
-    strip->box = box;
+    return box;
+}
+
+static void widen(struct mpm_node_box *box, const struct mpm_node_box *by)
+{
+    if (mpm_box_is_empty(by))
+        return;
+    if (mpm_box_is_empty(box))
+        *box = *by;
+    for (int axis = 0; axis < 2; axis++) {
+        box->low[axis] = by->low[axis] < box->low[axis] ? by->low[axis] : box->low[axis];
+        box->high[axis] = by->high[axis] > box->high[axis] ? by->high[axis] : box->high[axis];
+    }
+}
+
+void mpm_strip_set_boxes(const struct mpm_state *state, struct mpm_strip *strip,
+                         const struct mpm_extents *extents)
+{
+    const int64_t layers = state->fields.layers;
+    strip->box = box_of(state, &extents->of[0]);
+    if (layers == 0)
+        return;
+    struct mpm_node_box *const boxes = mpm_layer_boxes(state, strip);
+    boxes[0] = strip->box;
+    for (int64_t layer = 1; layer <= layers; layer++) {
+        boxes[layer] = box_of(state, &extents->of[layer]);
+        widen(&strip->box, &boxes[layer]);
+    }
 }

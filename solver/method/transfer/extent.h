@@ -39,10 +39,17 @@ bool mpm_placement_check(const struct mpm_state *state, const struct mpm_placeme
 /* The same without the way. */
 bool mpm_domain_check(const struct mpm_state *state, const struct mpm_placement *placement,
                       uint32_t particle, struct mpm_strip *strip);
-void mpm_extent_add(struct mpm_extent *extent, const struct mpm_placement *placement);
+/* One extent for each layer of nodes, the grid's own first: fields.h. */
+struct mpm_extents {
+    struct mpm_extent of[MPM_LAYERS];
+};
+void mpm_extents_begin(const struct mpm_state *state, struct mpm_extents *extents);
+void mpm_extents_add(struct mpm_extents *extents, int64_t layer,
+                     const struct mpm_placement *placement);
 
-/* Sets the box of the nodes that an extent reaches. */
-void mpm_strip_set_box(const struct mpm_state *state, struct mpm_strip *strip,
-                       const struct mpm_extent *extent);
+/* Sets the box of the nodes that a strip's particles reach, and in scenes with layers that of each
+ * layer. */
+void mpm_strip_set_boxes(const struct mpm_state *state, struct mpm_strip *strip,
+                         const struct mpm_extents *extents);
 
 #endif

@@ -63,10 +63,15 @@ static inline void evaluate(const struct mpm_state *state, size_t p, struct mpm_
     state->family->evaluate(&state->shape_grid, &domain, stencil);
 }
 
+void mpm_particle_grid_stencil(const struct mpm_state *state, size_t p, struct mpm_stencil *stencil)
+{
+    evaluate(state, p, stencil);
+}
+
 void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
                                 struct mpm_stencil *stencil)
 {
-    const int64_t shift = state->bodies[state->particles.body[p]].shift;
+    const int64_t shift = mpm_layer_shift(state, state->bodies[state->particles.body[p]].layer);
     evaluate(state, p, stencil);
     for (int k = 0; shift != 0 && k < stencil->count; k++)
         stencil->node[k].node += shift;
@@ -418,7 +423,7 @@ struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_
  * end for the midpoint update (Notes (37), without damping). */
 static void update_position(const struct mpm_state *state, size_t p,
                             const struct mpm_stencil *stencil, struct mpm_strip *strip,
-                            struct mpm_extent *extent)
+                            struct mpm_extents *extents)
 {
     const struct mpm_particles *const particles = &state->particles;
     const double back =
@@ -443,14 +448,15 @@ static void update_position(const struct mpm_state *state, size_t p,
     placement.step[0] = step[0];
     placement.step[1] = step[1];
     if (mpm_placement_check(state, &placement, particles->id[p], strip))
-        mpm_extent_add(extent, &placement);
+        mpm_extents_add(extents, state->bodies[particles->body[p]].layer, &placement);
 }
 
 MPM_INLINE void finish(struct mpm_state *state, int64_t index, bool stress)
 {
     struct mpm_strip *const strip = &state->strips[index];
-    struct mpm_extent extent = MPM_NO_EXTENT;
+    struct mpm_extents extents;
     const bool by_momentum = reads_by_momentum(state);
+    mpm_extents_begin(state, &extents);
     if (stress)
         strip->wave_speed_squared = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
@@ -459,10 +465,10 @@ MPM_INLINE void finish(struct mpm_state *state, int64_t index, bool stress)
         const struct mpm_stencil *const read = read_weights(state, by_momentum, stencil, &weights);
         if (stress)
             update_stress(state, p, read, state->order->after, strip);
-        update_position(state, p, read, strip, &extent);
+        update_position(state, p, read, strip, &extents);
     }
     if (strip->failure.kind == MPM_NO_FAILURE)
-        mpm_strip_set_box(state, strip, &extent);
+        mpm_strip_set_boxes(state, strip, &extents);
 }
 
 MPM_PASS(mpm_pass_position, finish, false)

@@ -17,6 +17,10 @@ const struct mpm_stencil *mpm_particle_stencil(const struct mpm_state *state, si
 void mpm_particle_plain_stencil(const struct mpm_state *state, size_t p,
                                 struct mpm_stencil *stencil);
 
+/* Of the nodes of the grid, whatever layer its body moves in. */
+void mpm_particle_grid_stencil(const struct mpm_state *state, size_t p,
+                               struct mpm_stencil *stencil);
+
 /* The particle's domain with the edges that its F carries, whatever the family. */
 struct mpm_shape_domain mpm_particle_carried_domain(const struct mpm_state *state, size_t p);
 /* Puts the domain of a particle's F into its place, where domains are stored. */
