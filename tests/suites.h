@@ -49,6 +49,7 @@
     SUITE(transfer_series)                                                                         \
     SUITE(heat)                                                                                    \
     SUITE(heat_runs)                                                                               \
+    SUITE(expansion)                                                                               \
     SUITE(heat_fields)                                                                             \
     SUITE(scene_transport)                                                                         \
     SUITE(projection)                                                                              \
