@@ -15,6 +15,7 @@
     PROGRAM(vibration)                                                                             \
     PROGRAM(heat)                                                                                  \
     PROGRAM(heat_stability)                                                                        \
+    PROGRAM(thermodynamics)                                                                        \
     PROGRAM(damped_flight)                                                                         \
     PROGRAM(damped_bar)                                                                            \
     PROGRAM(step_wave)                                                                             \
