@@ -50,6 +50,7 @@
     SUITE(heat)                                                                                    \
     SUITE(heat_runs)                                                                               \
     SUITE(expansion)                                                                               \
+    SUITE(expansion_runs)                                                                          \
     SUITE(heat_fields)                                                                             \
     SUITE(scene_transport)                                                                         \
     SUITE(projection)                                                                              \

@@ -5,7 +5,6 @@
 #include "method/transfer/transfer.h"
 #include "suites.h"
 #include "support/combinations.h"
-#include "support/folder.h"
 #include "support/heat_block.h"
 #include "support/near.h"
 
@@ -428,79 +427,6 @@ START_TEST(a_failed_run_has_the_expansion_of_its_last_good_step)
 }
 END_TEST
 
-#define UNSTABLE                                                                                   \
-    MATERIAL("neo_hookean", "0",                                                                   \
-             "bulk: 1.25, shear: 0.75, thermal_expansion: 0.5, stress_free_temperature: 1")
-
-/* Settings of the block, one of them past what is allowed, and part of the message. c_v is negative
- * from T = 2 rho_0 c/(9 K) = 16/45 on for alpha = 0.5. */
-static const struct {
-    const char *settings[3], *message;
-} refused[] = {
-    {{UNSTABLE, HEATING, "transport.temperature.start='x<3.4 && y<4 ? 0.4 : 0.3'"},
-     "start: particle 0 (body 'block') is at a temperature of 0.4, at which thermal_expansion "
-     "makes the heat capacity at constant volume negative; allowed: 9 alpha^2 K T below density "
-     "times heat_capacity"},
-    {{MATERIAL("neo_hookean", "0", SOLID), HEATING,
-      "transport.temperature.start='x<3.4 && y<4 ? -0.5 : 1'"},
-     "start: particle 0 (body 'block') is at a temperature of -0.5; allowed"},
-    {{MATERIAL("ideal_gas", "0", "gas_constant: 0.3"),
-      "transport.temperature.start='x<3.4 && y<4 ? -0.5 : 1'"},
-     "start: particle 0 (body 'block') is at a temperature of -0.5; allowed"},
-};
-
-START_TEST(temperatures_without_meaning_are_refused_at_the_start)
-{
-    struct mpm_error error = {.message = ""};
-    const struct mpm_simulation_options options = {.threads = 1};
-    struct mpm_scene *scene = NULL;
-    struct mpm_simulation *simulation = NULL;
-    char *const folder = test_folder_create();
-    char *const path = test_folder_write(folder, "scene.yaml", HEAT_BLOCK);
-    const size_t count = refused[_i].settings[2] == NULL ? 2 : 3;
-    ck_assert_msg(mpm_scene_read(path, refused[_i].settings, count, &scene, &error) == MPM_OK, "%s",
-                  error.message);
-    ck_assert_int_eq(mpm_simulation_create(scene, &options, &simulation, &error), MPM_BAD_INPUT);
-    ck_assert_msg(strstr(error.message, refused[_i].message) != NULL, "%s", error.message);
-    mpm_scene_free(scene);
-    g_free(path);
-    test_folder_remove(folder);
-}
-END_TEST
-
-/* A source of -5, or of 5, in a body with rho c = 1; steps of 0.05. */
-static const struct {
-    const char *settings[4], *message;
-} failing[] = {
-    {{UNSTABLE, HEATING, "transport.temperature.start=0.2", "transport.temperature.source=5"},
-     "particle 0 (body 'block') is at a temperature of 0."},
-    {{MATERIAL("neo_hookean", "0", SOLID), HEATING, "transport.temperature.start=1",
-      "transport.temperature.source=-5"},
-     "(body 'block') is at a temperature of -"},
-    {{MATERIAL("ideal_gas", "0", "gas_constant: 0.3"), "transport.temperature.start=1",
-      "transport.temperature.source=-5"},
-     "(body 'block') is at a temperature of -"},
-};
-
-START_TEST(temperatures_without_meaning_end_the_run)
-{
-    struct settings settings = {.count = 0};
-    struct mpm_error error = {.message = ""};
-    settings_add(&settings, HELD);
-    settings_add(&settings, "time={end: 1000, step: 0.05}");
-    for (size_t k = 0; k < 4 && failing[_i].settings[k] != NULL; k++)
-        settings_add(&settings, failing[_i].settings[k]);
-    struct test_run run = heat_block_open(&settings, MPM_KERNELS_REFERENCE);
-    for (int step = 0; step < 6 && error.status == MPM_OK; step++)
-        (void)mpm_simulation_advance(run.simulation, 1000.0, &error);
-    ck_assert_int_eq(error.status, MPM_RUN_FAILED);
-    ck_assert_int_eq(error.cause, MPM_CAUSE_TEMPERATURE);
-    ck_assert_msg(strstr(error.message, failing[_i].message) != NULL, "%s", error.message);
-    test_run_close(&run);
-    settings_clear(&settings);
-}
-END_TEST
-
 Suite *suite_expansion(void)
 {
     Suite *suite = suite_create("expansion");
@@ -520,10 +446,6 @@ Suite *suite_expansion(void)
                         0, TEST_COMBINATIONS);
     tcase_add_loop_test(all, bits_of_bodies_that_expand_do_not_depend_on_threads, 0, LAWS);
     tcase_add_loop_test(all, a_failed_run_has_the_expansion_of_its_last_good_step, 0, LAWS);
-    tcase_add_loop_test(all, temperatures_without_meaning_are_refused_at_the_start, 0,
-                        (int)G_N_ELEMENTS(refused));
-    tcase_add_loop_test(all, temperatures_without_meaning_end_the_run, 0,
-                        (int)G_N_ELEMENTS(failing));
     suite_add_tcase(suite, all);
     return suite;
 }
