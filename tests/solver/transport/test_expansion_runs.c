@@ -133,6 +133,10 @@ static const struct {
     {{MATERIAL("ideal_gas", GAS), "transport.temperature.start=1",
       "transport.temperature.source=-5"},
      "(body 'block') is at a temperature of -"},
+    /* compressed, so that it warms, expands, is compressed more, without end */
+    {{UNSTABLE, HEATING, "transport.temperature.start=0.34",
+      "boundary=[{region: all, velocity: ['4*(6-x)', '4*(5-y)']}]"},
+     "(body 'block') has no temperature that fits its stress after the step, from 0.3"},
 };
 
 START_TEST(temperatures_without_meaning_end_the_run)

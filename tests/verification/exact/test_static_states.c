@@ -5,8 +5,8 @@
 #include "support/near.h"
 #include "verification/exact/homogeneous_load.h"
 #include "verification/exact/lame_cylinder.h"
-#include "verification/exact/thermal_disk.h"
 #include "verification/exact/self_weight.h"
+#include "verification/exact/thermal_disk.h"
 
 #include <glib.h>
 #include <math.h>
