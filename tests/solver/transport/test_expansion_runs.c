@@ -133,10 +133,12 @@ static const struct {
     {{MATERIAL("ideal_gas", GAS), "transport.temperature.start=1",
       "transport.temperature.source=-5"},
      "(body 'block') is at a temperature of -"},
-    /* compressed, so that it warms, expands, is compressed more, without end */
-    {{UNSTABLE, HEATING, "transport.temperature.start=0.34",
-      "boundary=[{region: all, velocity: ['4*(6-x)', '4*(5-y)']}]"},
-     "(body 'block') has no temperature that fits its stress after the step, from 0.3"},
+    /* alpha below zero: stretched, so that it warms, shrinks, is stretched more, without end */
+    {{MATERIAL("neo_hookean", "bulk: 1.25, shear: 0.75, thermal_expansion: -0.1, "
+                              "stress_free_temperature: 1.5"),
+      HEATING, "transport.temperature.start=8",
+      "boundary=[{region: all, velocity: ['4*(x-6)', '4*(y-5)']}]"},
+     "particle 0 (body 'block') has no temperature that fits its stress after the step, from 8"},
 };
 
 START_TEST(temperatures_without_meaning_end_the_run)
