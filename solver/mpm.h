@@ -52,6 +52,7 @@ enum mpm_cause {
     MPM_CAUSE_J_INTEGRAL,
     MPM_CAUSE_CONTACT,
     MPM_CAUSE_NOT_AT_REST,
+    MPM_CAUSE_TEMPERATURE,
     MPM_CAUSE_COUNT,
 };
 /* `name` is the value of "cause" in run.json: "left_grid"; `words` start the message: "left the

@@ -51,6 +51,8 @@
     SUITE(heat_runs)                                                                               \
     SUITE(heat_contact)                                                                            \
     SUITE(scalar_exchange)                                                                         \
+    SUITE(expansion)                                                                               \
+    SUITE(expansion_runs)                                                                          \
     SUITE(heat_fields)                                                                             \
     SUITE(heat_layers)                                                                             \
     SUITE(scene_transport)                                                                         \

@@ -37,6 +37,9 @@ static const struct mpm_cause_info causes[MPM_CAUSE_COUNT] = {
     [MPM_CAUSE_NOT_AT_REST] =
         {"not_at_rest", "not at rest",
          "time.end or time.steps reached, or time.rest.patience over, before rest"},
+    [MPM_CAUSE_TEMPERATURE] =
+        {"temperature_out_of_range", "temperature out of range",
+         "a temperature at which a law or heat of deformation has no meaning"},
 };
 
 const struct mpm_cause_info *mpm_cause_describe(enum mpm_cause cause)

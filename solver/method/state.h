@@ -54,7 +54,9 @@ enum mpm_failure_kind {
     MPM_USER_FORCE_NOT_FINITE,   /* value: the caller's body force along the axis */
     MPM_SOURCE_NOT_FINITE,       /* value: a scalar's source there */
     MPM_BELOW_ZERO,              /* value: temperature of an edge that radiates */
-    MPM_HEAT_UNSTABLE,           /* value: temperature; axis: 0 c_v <= 0, 1 below zero, 2 no end */
+    MPM_CAPACITY_NEGATIVE,       /* value: temperature at which c_v is not above 0 */
+    MPM_TEMPERATURE_NEGATIVE,    /* value: temperature, which should be absolute */
+    MPM_NO_TEMPERATURE,          /* value: temperature before heat of deformation without end */
 };
 
 struct mpm_failure {

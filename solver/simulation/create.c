@@ -115,9 +115,6 @@ static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulatio
     uses |= mpm_transport_uses(scene);
     const size_t law_states = mpm_law_states_of(scene);
     uses |= law_states > 0 ? MPM_USE_LAW_STATE : 0;
-    uses |= mpm_scene_expands(scene) ? MPM_USE_FREE_STRAIN : 0;
-    uses |=
-        mpm_scene_heats(scene) || mpm_scene_reads_temperature(scene) ? MPM_USE_LAW_TEMPERATURE : 0;
     return (struct mpm_particle_needs){.uses = uses, .law_states = (uint8_t)law_states};
 }
 
@@ -341,6 +338,7 @@ static void describe_method(struct mpm_simulation *simulation, int threads)
     state->shape_grid = mpm_shape_grid_describe(state->grid.origin, state->grid.cell,
                                                 state->grid.cells, scene->geometry, scene->axis);
     state->shape_grid.columns = state->grid.columns;
+    state->law_states = mpm_law_states_of(scene) > 0 || mpm_scene_couples(scene);
     const int64_t axis_column = MPM_GHOST_ROWS - llround(scene->origin[0] / scene->cell[0]);
     if (scene->axis_nodes == MPM_AXIS_NODES_MIRRORED && axis_column > 0)
         state->conditions.mirror_column = axis_column;
@@ -444,14 +442,14 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     describe_bodies(simulation);
     MPM_TRY(mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid, error));
     mpm_law_states_begin(state);
-    state->law_states = mpm_law_states_of(scene) > 0 || mpm_scene_couples(scene);
     MPM_TRY(mpm_edge_loads_fill(simulation, error));
     mpm_cracks_fill(state);
     mpm_contacts_fill(state);
     MPM_TRY(mpm_symmetries_fill(simulation, error));
     MPM_TRY(mpm_openings_fill(simulation, error));
     MPM_TRY(mpm_transport_fill(simulation, error));
-    mpm_law_scalars_begin(state);
+    if (mpm_law_scalars_begin(state) != MPM_OK)
+        return mpm_health_refuse_start(simulation, error);
     MPM_TRY(set_velocities(simulation, error));
     for (size_t p = 0; p < state->particles.count; p++)
         mpm_particle_set_domain(state, p);

@@ -35,6 +35,9 @@ static enum mpm_cause cause_of(enum mpm_failure_kind kind)
         [MPM_USER_FORCE_NOT_FINITE] = MPM_CAUSE_LOAD,
         [MPM_SOURCE_NOT_FINITE] = MPM_CAUSE_LOAD,
         [MPM_BELOW_ZERO] = MPM_CAUSE_LOAD,
+        [MPM_CAPACITY_NEGATIVE] = MPM_CAUSE_TEMPERATURE,
+        [MPM_TEMPERATURE_NEGATIVE] = MPM_CAUSE_TEMPERATURE,
+        [MPM_NO_TEMPERATURE] = MPM_CAUSE_TEMPERATURE,
     };
     return causes[kind];
 }
@@ -94,16 +97,19 @@ static const char *describe(const struct mpm_simulation *simulation,
     case MPM_BELOW_ZERO:
         return print(text, "radiates at a temperature of %g; allowed: absolute, at least 0",
                      failure->value);
-    case MPM_HEAT_UNSTABLE:
+    case MPM_CAPACITY_NEGATIVE:
         return print(text,
-                     failure->axis == 0
-                         ? "is at a temperature of %g, at which thermal_expansion makes the heat "
-                           "capacity at constant volume negative; allowed: 9 alpha^2 K T below "
-                           "density times heat_capacity"
-                     : failure->axis == 1
-                         ? "is at a temperature of %g; allowed with transport.temperature.heating: "
-                           "absolute, at least 0"
-                         : "has no temperature that fits its stress after the step, from %g before",
+                     "is at a temperature of %g, at which thermal_expansion makes the heat "
+                     "capacity at constant volume negative; allowed: 9 alpha^2 K T below "
+                     "density times heat_capacity",
+                     failure->value);
+    case MPM_TEMPERATURE_NEGATIVE:
+        return print(text,
+                     "is at a temperature of %g; allowed with transport.temperature.heating and "
+                     "for gases: absolute, at least 0",
+                     failure->value);
+    case MPM_NO_TEMPERATURE:
+        return print(text, "has no temperature that fits its stress after the step, from %g before",
                      failure->value);
     case MPM_RATE_REFUSED:
         return print(text,

@@ -114,7 +114,7 @@ enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, cons
             set_deformation(simulation, p, deformation_gradient + MPM_GRADIENT_SIZE * id);
     }
     mpm_law_states_begin(&simulation->state);
-    mpm_law_scalars_begin(&simulation->state);
+    (void)mpm_law_scalars_begin(&simulation->state); /* temperatures are those of before */
     mpm_step_recompute(&simulation->state);
     struct mpm_error why = {0};
     const enum mpm_status status =

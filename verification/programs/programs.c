@@ -17,6 +17,7 @@
     PROGRAM(heat_contact)                                                                          \
     PROGRAM(heat_stability)                                                                        \
     PROGRAM(solvent)                                                                               \
+    PROGRAM(thermodynamics)                                                                        \
     PROGRAM(damped_flight)                                                                         \
     PROGRAM(damped_bar)                                                                            \
     PROGRAM(step_wave)                                                                             \

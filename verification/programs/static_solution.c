@@ -4,6 +4,7 @@
 #include "verification/exact/homogeneous_load.h"
 #include "verification/exact/lame_cylinder.h"
 #include "verification/exact/self_weight.h"
+#include "verification/exact/thermal_disk.h"
 
 #include <math.h>
 #include <string.h>
@@ -158,17 +159,72 @@ static enum mpm_status read_column(const struct measurement *m, struct static_so
     return MPM_OK;
 }
 
+/* ------------------------------------------------------------------ thermal disk */
+
+static struct thermal_disk disk_of(const struct static_solution *s)
+{
+    const double *const n = s->numbers;
+    return (struct thermal_disk){n[0], n[1], n[2], n[3], n[4], n[5], n[6] != 0.0};
+}
+
+/* On a grid of r and z. */
+static struct static_state cylinder_at(const struct static_solution *s, const double start[2])
+{
+    const struct thermal_disk disk = disk_of(s);
+    const struct thermal_disk_state here = thermal_disk_state(&disk, start[0]);
+    return (struct static_state){
+        .displacement = {here.u, 0.0},
+        .stress = {[RR] = here.rr, [ZZ] = here.zz, [TT] = here.tt},
+        .strain = {here.strain},
+    };
+}
+
+/* On a grid of x and y, around the centre. */
+static struct static_state disk_at(const struct static_solution *s, const double start[2])
+{
+    enum { SIGMA_OF_X, SIGMA_OF_Y, SIGMA_OF_Z, SIGMA_OF_XY };
+    const struct thermal_disk disk = disk_of(s);
+    const double x = start[0] - s->centre[0], y = start[1] - s->centre[1], r = hypot(x, y);
+    const double c = x / r, d = y / r;
+    const struct thermal_disk_state here = thermal_disk_state(&disk, r);
+    return (struct static_state){
+        .displacement = {here.u * c, here.u * d},
+        .stress = {[SIGMA_OF_X] = here.rr * c * c + here.tt * d * d,
+                   [SIGMA_OF_Y] = here.rr * d * d + here.tt * c * c,
+                   [SIGMA_OF_Z] = here.zz,
+                   [SIGMA_OF_XY] = (here.rr - here.tt) * c * d},
+        .strain = {here.strain * c * c + here.u / r * d * d,
+                   here.strain * d * d + here.u / r * c * c},
+    };
+}
+
+static enum mpm_status read_thermal(const struct measurement *m, struct static_solution *solution,
+                                    struct mpm_error *error)
+{
+    static const char *const needs[] = {"inner", "outer", "young", "poisson", "expansion", "rise"};
+    enum mpm_geometry geometry;
+    TRY(read_numbers(m, needs, 6, solution->numbers, error));
+    TRY(measurement_geometry(m, &geometry, error));
+    solution->numbers[6] = geometry == MPM_PLANE_STRESS ? 1.0 : 0.0;
+    const struct thermal_disk disk = disk_of(solution);
+    solution->at = geometry == MPM_AXISYMMETRIC ? cylinder_at : disk_at;
+    solution->stress_scale = disk.expansion * disk.young * disk.rise;
+    solution->strain_scale = disk.expansion * disk.rise;
+    solution->displacement_scale = thermal_disk_state(&disk, disk.outer).u;
+    return MPM_OK;
+}
+
 /* ------------------------------------------------------------------------ table */
 
-enum { END_LOAD, RIM_LOAD, PLANE, LAME, SELF_WEIGHT, SOLUTIONS };
+enum { END_LOAD, RIM_LOAD, PLANE, LAME, SELF_WEIGHT, THERMAL, SOLUTIONS };
 
-static const char *const names[SOLUTIONS] = {"end_load", "rim_load", "plane", "lame",
-                                             "self_weight"};
+static const char *const names[SOLUTIONS] = {"end_load", "rim_load",    "plane",
+                                             "lame",     "self_weight", "thermal"};
 
 static enum mpm_status (*const readers[SOLUTIONS])(const struct measurement *m,
                                                    struct static_solution *solution,
                                                    struct mpm_error *error) = {
-    read_end_load, read_rim_load, read_plane, read_lame, read_column};
+    read_end_load, read_rim_load, read_plane, read_lame, read_column, read_thermal};
 
 enum mpm_status static_solution_read(const struct measurement *measurement,
                                      struct static_solution *solution, struct mpm_error *error)

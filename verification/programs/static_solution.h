@@ -18,7 +18,7 @@ struct static_state {
 struct static_solution {
     const char *name;                                      /* as in the parameter `solution` */
     double stress_scale, displacement_scale, strain_scale; /* what errors are divided by */
-    double numbers[6];                                     /* what the solution was read from */
+    double numbers[7];                                     /* what the solution was read from */
     double centre[STATIC_AXES];                            /* of a body that nothing holds */
     struct static_state (*at)(const struct static_solution *solution, const double start[2]);
 };
@@ -29,6 +29,8 @@ struct static_solution {
  *   plane        the same and centre_x, centre_y: a plane body loaded all around
  *   lame         inner, outer, inner_pressure, outer_pressure, young, poisson
  *   self_weight  height, weight, modulus
+ *   thermal      inner, outer, young, poisson, expansion, rise, geometry: thermal_disk.h, around
+ *                the origin
  * MPM_BAD_INPUT: no such solution, or none in the range of its root finder. */
 enum mpm_status static_solution_read(const struct measurement *measurement,
                                      struct static_solution *solution, struct mpm_error *error);

@@ -42,36 +42,6 @@ double mpm_free_strain(const struct mpm_material_spec *material,
     return sum;
 }
 
-/* Of F at hand, which gets its F_zz. */
-static void begin_stress(const struct mpm_state *state, size_t p)
-{
-    const struct mpm_particles *const particles = &state->particles;
-    double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], square;
-    mpm_particle_deformation(particles, p, f);
-    if (state->scene->geometry == MPM_PLANE_STRESS)
-        particles->deformation[MPM_ZZ][p] = mpm_particle_thickness(state, p, f);
-    mpm_particle_find_stress(state, p, stress, &square);
-    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
-        particles->stress[k][p] = stress[k];
-}
-
-void mpm_law_scalars_begin(struct mpm_state *state)
-{
-    const struct mpm_particles *const particles = &state->particles;
-    for (size_t p = 0; mpm_scene_couples(state->scene) && p < particles->count; p++) {
-        double value[MPM_SCALAR_COUNT] = {0.0};
-        for (size_t k = 0; k < state->transport.count; k++)
-            value[state->transport.list[k].which] = ((const double *)mpm_particle_array(
-                particles, state->transport.list[k].row->field, 0))[p];
-        if (particles->free_strain != NULL)
-            particles->free_strain[p] =
-                mpm_free_strain(state->bodies[particles->body[p]].given, value);
-        if (particles->law_temperature != NULL)
-            particles->law_temperature[p] = value[MPM_TEMPERATURE];
-        begin_stress(state, p);
-    }
-}
-
 /* tau : (dF F^-1) */
 static double work_rate(const double tau[MPM_SYMMETRIC_SIZE], const double df[MPM_GRADIENT_SIZE],
                         const double f[MPM_GRADIENT_SIZE])
@@ -187,7 +157,8 @@ static double trace(const double stress[MPM_SYMMETRIC_SIZE])
 
 /* ------------------------------------------------------------ heat of deformation */
 
-enum { HEAT_ITERATIONS = 100 };
+enum { HEAT_ITERATIONS = 1000 };
+static const double HEAT_ROUND_OFF = 1e-12;
 
 /* The temperature that deformation alone leads to from `start`, given the stress at hand. */
 static double adiabatic(const struct evaluation *at, double alpha, double start)
@@ -201,21 +172,24 @@ static double adiabatic(const struct evaluation *at, double alpha, double start)
     return start * exp(-alpha / at->heat_capacity * (trace(at->stress) - trace(at->old_stress)));
 }
 
-/* Finds temperature and stress together; false: there is no such temperature. */
+/* Finds temperature and stress together; false: there is no such temperature. Changes shrink by a
+ * constant factor until they are round-off of the stress. */
 static bool heat_up(const struct mpm_particles *particles, size_t p, double alpha,
                     struct evaluation *at)
 {
     const double start = at->now.temperature, strain = at->now.free_strain;
+    double last = HUGE_VAL;
     for (int k = 0; k < HEAT_ITERATIONS; k++) {
         const double next = adiabatic(at, alpha, start);
         const double change = fabs(next - at->now.temperature);
+        if (!isfinite(next))
+            return false;
         at->now.temperature = next;
         at->now.free_strain = strain + alpha * (next - start);
         evaluate(particles, p, at);
-        if (change <= 4e-16 * fabs(next))
+        if (change == 0.0 || (change >= last && change <= HEAT_ROUND_OFF * fabs(next)))
             return true;
-        if (!isfinite(next))
-            return false;
+        last = change;
     }
     return false;
 }
@@ -237,6 +211,21 @@ static double stiffening(const struct mpm_state *state, size_t p, const struct e
                : capacity_ratio(at->material, alpha, at->heat_capacity, at->now.temperature);
 }
 
+/* What is wrong with a temperature, if anything. */
+static enum mpm_failure_kind judge_temperature(const struct mpm_state *state, size_t p,
+                                               const struct evaluation *at)
+{
+    const double alpha =
+        state->bodies[state->particles.body[p]].given->expansion[MPM_TEMPERATURE].coefficient;
+    const double temperature = at->now.temperature;
+    const bool heats = alpha != 0.0 && !isnan(at->heat_capacity);
+    if ((heats || at->material->law->reads_temperature) && !(temperature >= 0.0))
+        return MPM_TEMPERATURE_NEGATIVE;
+    if (heats && !(capacity_ratio(at->material, alpha, at->heat_capacity, temperature) > 0.0))
+        return MPM_CAPACITY_NEGATIVE;
+    return MPM_NO_FAILURE;
+}
+
 static bool add_heat(const struct mpm_state *state, size_t p, struct evaluation *at,
                      struct mpm_strip *strip)
 {
@@ -244,18 +233,9 @@ static bool add_heat(const struct mpm_state *state, size_t p, struct evaluation 
     const struct mpm_material_spec *const given = state->bodies[particles->body[p]].given;
     const double alpha = given->expansion[MPM_TEMPERATURE].coefficient;
     const double start = at->now.temperature;
-    if (alpha != 0.0 && at->material->law->adiabatic == NULL) {
-        const double ratio = capacity_ratio(at->material, alpha, at->heat_capacity, start);
-        if (!(ratio > 0.0) || !(start >= 0.0)) {
-            mpm_strip_record(strip, MPM_HEAT_UNSTABLE, particles->id[p], ratio > 0.0, start);
-            return false;
-        }
-        if (!heat_up(particles, p, alpha, at)) {
-            mpm_strip_record(strip, MPM_HEAT_UNSTABLE, particles->id[p], 2, start);
-            return false;
-        }
-    } else if (at->material->law->adiabatic != NULL && !heat_up(particles, p, 0.0, at)) {
-        mpm_strip_record(strip, MPM_HEAT_UNSTABLE, particles->id[p], 2, start);
+    if ((alpha != 0.0 || at->material->law->adiabatic != NULL) &&
+        !heat_up(particles, p, alpha, at)) {
+        mpm_strip_record(strip, MPM_NO_TEMPERATURE, particles->id[p], 0, start);
         return false;
     }
     const double change = at->now.temperature - start;
@@ -314,6 +294,11 @@ bool mpm_particle_update_law(const struct mpm_state *state, size_t p, double par
     at.plane_stress = state->scene->geometry == MPM_PLANE_STRESS;
     memcpy(at.now.f, f, sizeof at.now.f);
     take_scalars(state, p, part, &at);
+    const enum mpm_failure_kind fault = judge_temperature(state, p, &at);
+    if (fault != MPM_NO_FAILURE) {
+        mpm_strip_record(strip, fault, particles->id[p], 0, at.now.temperature);
+        return false;
+    }
     evaluate(particles, p, &at);
     if (heats && !add_heat(state, p, &at, strip))
         return false;
@@ -381,4 +366,48 @@ double mpm_particle_thermoelastic_energy(const struct mpm_state *state, size_t p
     return state->scene->scalars[MPM_TEMPERATURE].heats && alpha != 0.0
                ? alpha * at.old.temperature * trace(at.old_stress)
                : 0.0;
+}
+
+/* ------------------------------------------------------------------------ start */
+
+/* Of F at hand, which gets its F_zz. */
+static void begin_stress(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], square;
+    mpm_particle_deformation(particles, p, f);
+    if (state->scene->geometry == MPM_PLANE_STRESS)
+        particles->deformation[MPM_ZZ][p] = mpm_particle_thickness(state, p, f);
+    mpm_particle_find_stress(state, p, stress, &square);
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        particles->stress[k][p] = stress[k];
+}
+
+static void begin_scalars(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    double value[MPM_SCALAR_COUNT] = {0.0};
+    for (size_t k = 0; k < state->transport.count; k++)
+        value[state->transport.list[k].which] = ((const double *)mpm_particle_array(
+            particles, state->transport.list[k].row->field, 0))[p];
+    if (particles->free_strain != NULL)
+        particles->free_strain[p] = mpm_free_strain(state->bodies[particles->body[p]].given, value);
+    if (particles->law_temperature != NULL)
+        particles->law_temperature[p] = value[MPM_TEMPERATURE];
+}
+
+enum mpm_status mpm_law_scalars_begin(struct mpm_state *state)
+{
+    for (size_t p = 0; mpm_scene_couples(state->scene) && p < state->particles.count; p++) {
+        begin_scalars(state, p);
+        const struct evaluation at = at_hand(state, p);
+        const enum mpm_failure_kind fault = judge_temperature(state, p, &at);
+        if (fault != MPM_NO_FAILURE) {
+            state->failure = (struct mpm_failure){fault, .particle = state->particles.id[p],
+                                                  .value = at.now.temperature};
+            return MPM_RUN_FAILED;
+        }
+        begin_stress(state, p);
+    }
+    return MPM_OK;
 }

@@ -32,8 +32,10 @@ size_t mpm_law_states_of(const struct mpm_scene *scene);
 /* Sets the state variables of all particles to their values at t = 0. */
 void mpm_law_states_begin(struct mpm_state *state);
 
-/* The same for free strains and the temperatures of laws, of the values that particles have. */
-void mpm_law_scalars_begin(struct mpm_state *state);
+/* The same for free strains and the temperatures of laws, of the values that particles have, and
+ * the stress with them. MPM_RUN_FAILED, with the failure in `state`: a temperature below zero where
+ * it has to be absolute, or at which c_v is not above zero. */
+enum mpm_status mpm_law_scalars_begin(struct mpm_state *state);
 
 /* sum_k alpha_k (v_k - v_k0) for the values v_k of all scalars. */
 double mpm_free_strain(const struct mpm_material_spec *material,

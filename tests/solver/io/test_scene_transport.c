@@ -147,6 +147,94 @@ START_TEST(what_does_not_fit_together_is_refused)
 }
 END_TEST
 
+#define STEEL(law, more)                                                                           \
+    "materials.steel={name: steel, law: " law ", density: 2, heat_capacity: 0.5, conductivity: "   \
+    "4, " more "}"
+#define SOLID "bulk: 3, shear: 1"
+
+/* Of heat and mechanics: settings and part of the message. */
+static const char *const refused_couplings[][3] = {
+    {STEEL("neo_hookean", SOLID ", thermal_expansion: 0.1"), "title=x",
+     "materials.0: thermal_expansion without stress_free_temperature; allowed: both or none"},
+    {STEEL("neo_hookean", SOLID ", stress_free_temperature: 3"), "title=x",
+     "materials.0: stress_free_temperature without thermal_expansion; allowed: both or none"},
+    {STEEL("ideal_gas", "gas_constant: 1, thermal_expansion: 0.1, stress_free_temperature: 3"),
+     "title=x", "materials.0.thermal_expansion: given for the law ideal_gas; allowed: for laws of"},
+    {"materials=[{name: steel, law: none, density: 2, heat_capacity: 1, conductivity: 1, "
+     "thermal_expansion: 0.1, stress_free_temperature: 3}, {name: wood, law: none, density: 2, "
+     "heat_capacity: 1, conductivity: 1}]",
+     "bodies.left={name: left, material: steel, region: {rectangle: {from: [0, 0], to: [4, 2]}}}",
+     "materials.0.thermal_expansion: given for the law none; allowed: for laws of solids"},
+    {STEEL("neo_hookean", SOLID), "transport.temperature.heating=true",
+     "transport.temperature.heating: got true where no deformation gives heat; allowed: with a "
+     "material that has thermal_expansion or the law ideal_gas"},
+    {STEEL("neo_hookean", SOLID ", thermal_expansion: 0, stress_free_temperature: 3"),
+     "transport.temperature.heating=true", "transport.temperature.heating: got true where no"},
+    {STEEL("ideal_gas", "gas_constant: 1"), "geometry=plane_stress",
+     "materials.0: the law ideal_gas has no plane stress; allowed geometry: plane_strain"},
+    {STEEL("ideal_gas", "gas_constant: 0"), "title=x", "materials.0.gas_constant: out of range"},
+    {STEEL("ideal_gas", SOLID ", gas_constant: 1"), "title=x", "materials.0"},
+    {STEEL("neo_hookean", SOLID ", gas_constant: 1"), "title=x", "materials.0"},
+    {STEEL("ideal_gas", "bulk: 3"), "title=x", "materials.0"},
+    {STEEL("neo_hookean", SOLID ", thermal_expansion: .nan, stress_free_temperature: 3"), "title=x",
+     "materials.0.thermal_expansion"},
+};
+
+START_TEST(couplings_that_contradict_themselves_are_refused)
+{
+    struct mpm_scene *scene = NULL;
+    struct mpm_error error = {.message = ""};
+    ck_assert_int_eq(mpm_scene_read(CONDUCTING, refused_couplings[_i], 2, &scene, &error),
+                     MPM_BAD_INPUT);
+    test_contains(error.message, refused_couplings[_i][2]);
+}
+END_TEST
+
+/* Without transport, temperatures have no meaning, nor has what depends on them. */
+static const char *const refused_without[][2] = {
+    {"materials=[{name: steel, law: ideal_gas, density: 2, gas_constant: 1}, {name: wood, law: "
+     "neo_hookean, density: 1, bulk: 1, shear: 1}]",
+     "materials.0.law: got ideal_gas, whose stress depends on the temperature, in a scene without "
+     "transport.temperature; allowed: with it"},
+    {"materials=[{name: steel, law: neo_hookean, density: 2, bulk: 3, shear: 1, "
+     "thermal_expansion: 1, stress_free_temperature: 0}, {name: wood, law: neo_hookean, density: "
+     "1, bulk: 1, shear: 1}]",
+     "materials.0.thermal_expansion: given in a scene without transport.temperature"},
+    {"materials=[{name: steel, law: neo_hookean, density: 2, bulk: 3, shear: 1, "
+     "stress_free_temperature: 1}, {name: wood, law: neo_hookean, density: 1, bulk: 1, shear: 1}]",
+     "materials.0.stress_free_temperature: given in a scene without transport.temperature"},
+};
+
+START_TEST(couplings_without_a_temperature_are_refused)
+{
+    struct mpm_scene *scene = NULL;
+    struct mpm_error error = {.message = ""};
+    const char *const settings[] = {refused_without[_i][0], "transport={}",
+                                    "bodies.left={name: left, material: steel, region: {rectangle: "
+                                    "{from: [0, 0], to: [4, 2]}}}"};
+    ck_assert_int_eq(mpm_scene_read(CONDUCTING, settings, 3, &scene, &error), MPM_BAD_INPUT);
+    test_contains(error.message, refused_without[_i][1]);
+}
+END_TEST
+
+START_TEST(expansion_and_heating_are_what_the_file_states)
+{
+    struct mpm_scene *scene = NULL;
+    struct mpm_error error = {.message = ""};
+    const char *const settings[] = {
+        STEEL("neo_hookean", SOLID ", thermal_expansion: -0.1, stress_free_temperature: -3"),
+        "transport.temperature.heating=true"};
+    ck_assert_msg(mpm_scene_read(CONDUCTING, settings, 2, &scene, &error) == MPM_OK, "%s",
+                  error.message);
+    ck_assert_double_eq(scene->materials[0].expansion[MPM_TEMPERATURE].coefficient, -0.1);
+    ck_assert_double_eq(scene->materials[0].expansion[MPM_TEMPERATURE].stress_free, -3.0);
+    ck_assert_double_eq(scene->materials[1].expansion[MPM_TEMPERATURE].coefficient, 0.0);
+    ck_assert(scene->scalars[MPM_TEMPERATURE].heats);
+    ck_assert(mpm_scene_couples(scene) && mpm_scene_heats(scene));
+    mpm_scene_free(scene);
+}
+END_TEST
+
 /* The same in a scene where nothing moves. */
 static const char *const refused_at_rest[][2] = {
     {"method.stress_update=usl", "method.stress_update: given in a scene where nothing moves"},
@@ -212,6 +300,11 @@ Suite *suite_scene_transport(void)
     tcase_add_loop_test(reading, what_does_not_fit_together_is_refused, 0,
                         (int)G_N_ELEMENTS(refused_together));
     tcase_add_loop_test(reading, what_contradicts_itself_is_refused, 0, (int)G_N_ELEMENTS(refused));
+    tcase_add_loop_test(reading, couplings_that_contradict_themselves_are_refused, 0,
+                        (int)G_N_ELEMENTS(refused_couplings));
+    tcase_add_loop_test(reading, couplings_without_a_temperature_are_refused, 0,
+                        (int)G_N_ELEMENTS(refused_without));
+    tcase_add_test(reading, expansion_and_heating_are_what_the_file_states);
     tcase_add_loop_test(reading, what_belongs_to_motion_is_refused_where_nothing_moves, 0,
                         (int)G_N_ELEMENTS(refused_at_rest));
     tcase_add_loop_test(reading, what_does_not_fit_the_grid_is_refused, 0,

@@ -6,6 +6,7 @@
 #include "verification/exact/homogeneous_load.h"
 #include "verification/exact/lame_cylinder.h"
 #include "verification/exact/self_weight.h"
+#include "verification/exact/thermal_disk.h"
 
 #include <glib.h>
 #include <math.h>
@@ -91,6 +92,35 @@ START_TEST(the_cylinder_is_in_balance_and_follows_hooke)
 }
 END_TEST
 
+/* Solid and hollow, in plane stress and plane strain: balance, Hooke's law with alpha theta, free
+ * surfaces. */
+START_TEST(the_disk_is_in_balance_and_follows_hooke_with_expansion)
+{
+    const bool hollow = _i / 2 == 1, plane_stress = _i % 2 == 1;
+    const struct thermal_disk d = {hollow ? 10.0 : 0.0, 20.0, 1000.0, 0.3, 1e-3, 2.0, plane_stress};
+    ck_assert_near(thermal_disk_state(&d, d.outer).rr, 0.0, 1e-14);
+    ck_assert_near(thermal_disk_state(&d, d.outer).rise, 0.0, 1e-14);
+    if (hollow) {
+        ck_assert_near(thermal_disk_state(&d, d.inner).rr, 0.0, 1e-14);
+        ck_assert_near(thermal_disk_state(&d, d.inner).rise, 2.0, 1e-14);
+        ck_assert_near(thermal_disk_state(&d, sqrt(200.0)).rise, 1.0, 1e-14);
+    }
+    for (double r = hollow ? 10.5 : 0.5; r < 20.0; r += 1.0) {
+        const struct thermal_disk_state at = thermal_disk_state(&d, r);
+        const struct thermal_disk_state up = thermal_disk_state(&d, r + DIFFERENCE);
+        const struct thermal_disk_state down = thermal_disk_state(&d, r - DIFFERENCE);
+        const double slope = (up.rr - down.rr) / (2.0 * DIFFERENCE);
+        const double stretch = (up.u - down.u) / (2.0 * DIFFERENCE), free = 1e-3 * at.rise;
+        ck_assert_near(slope + (at.rr - at.tt) / r, 0.0, 1e-9);
+        ck_assert_near(stretch, at.strain, 1e-9);
+        ck_assert_near(1000.0 * (stretch - free), at.rr - 0.3 * (at.tt + at.zz), 1e-6);
+        ck_assert_near(1000.0 * (at.u / r - free), at.tt - 0.3 * (at.rr + at.zz), 1e-12);
+        ck_assert_near(plane_stress ? at.zz : at.zz - 0.3 * (at.rr + at.tt) + 1000.0 * free, 0.0,
+                       1e-14);
+    }
+}
+END_TEST
+
 /* Also with a weight that grows with the height. */
 START_TEST(the_column_bears_what_is_above)
 {
@@ -121,6 +151,7 @@ Suite *suite_static_states(void)
     tcase_add_loop_test(states, a_rim_load_gives_the_state_of_radial_compression, 0, TRACTIONS);
     tcase_add_test(states, a_load_that_no_stretch_bears_has_no_state);
     tcase_add_test(states, the_cylinder_is_in_balance_and_follows_hooke);
+    tcase_add_loop_test(states, the_disk_is_in_balance_and_follows_hooke_with_expansion, 0, 4);
     tcase_add_loop_test(states, the_column_bears_what_is_above, 0, 2);
     suite_add_tcase(suite, states);
     return suite;
