@@ -38,7 +38,8 @@
 /* Settings with which they conduct heat. */
 #define TEST_BLOCKS_CONDUCTING                                                                     \
     "materials.rubber.heat_capacity=1", "materials.rubber.conductivity=1",                         \
-        "transport={temperature: {}}"
+        "materials.rubber.saturation=1", "materials.rubber.diffusivity=1",                         \
+        "transport={temperature: {}, concentration: {}}"
 
 enum { TEST_BLOCKS_PARTICLES = (3 * 3 + 2 * 3) * 4 };
 

@@ -339,9 +339,9 @@ static enum mpm_status check_rest(const struct mpm_reading *reading)
     const struct mpm_raw_rest *const rest = reading->raw->time->rest;
     if (rest == NULL || rest->kinetic_energy != NULL)
         return MPM_OK;
-    return mpm_reading_fault(reading, "time.rest",
-                             "no kinetic_energy, in a scene where something moves; allowed: above "
-                             "0, up to 1");
+    return mpm_reading_fault(
+        reading, "time.rest.kinetic_energy",
+        "missing, in a scene where something moves; allowed: above 0, up to 1");
 }
 
 /* Laws of contact say where bodies touch, and no more. */

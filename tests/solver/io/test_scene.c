@@ -331,6 +331,8 @@ static const char *scene_around(const char *key, bool axisymmetric)
         return "tests/scenes/good/cracked_block.yaml";
     if (g_str_has_prefix(key, "contact."))
         return "tests/scenes/good/touching.yaml";
+    if (g_str_has_prefix(key, "transport.concentration."))
+        return "tests/scenes/good/diffusing.yaml";
     if (g_str_has_prefix(key, "transport."))
         return "tests/scenes/good/conducting.yaml";
     return axisymmetric ? "tests/scenes/good/compressed_disk.yaml" : TEST_MINIMAL_SCENE;

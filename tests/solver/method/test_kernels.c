@@ -51,6 +51,11 @@ struct comparison {
     char *text;
 };
 
+static bool has_no_fast_ones(const struct mpm_error *error)
+{
+    return g_str_has_prefix(error->message, "kernels: fast: there are no fast kernels");
+}
+
 /* Steps of the short tier: fewer of scenes with many particles. */
 static uint64_t short_steps(const struct kernel_pair *pair)
 {
@@ -88,8 +93,7 @@ static struct comparison compare_kernels(const char *path, char **settings)
     const enum mpm_status status = kernel_pair_open(path, sides, &pair, &error);
     if (status != MPM_OK)
         return (struct comparison){
-            .has_none = status == MPM_BAD_INPUT &&
-                        g_str_has_prefix(error.message, "kernels: fast: there are no fast kernels"),
+            .has_none = status == MPM_BAD_INPUT && has_no_fast_ones(&error),
             .text = g_strdup(error.message),
         };
     const struct comparison comparison = follow(&pair);
@@ -139,12 +143,24 @@ static double times_noise(uint64_t steps)
     return fmax(10.0, sqrt((double)steps) / 20.0);
 }
 
+/* With classic functions a node just beyond a row of particles has a part of 1e-13 of their mass:
+ * its velocity after contact has no digits, and they take as much of it. */
+static double bound_of(char **settings)
+{
+    bool classic = false, touches = false;
+    for (size_t k = 0; settings[k] != NULL; k++) {
+        classic = classic || strcmp(settings[k], "method.shape=classic") == 0;
+        touches = touches || g_str_has_prefix(settings[k], "contact");
+    }
+    return classic && touches ? 10.0 * KERNEL_PAIR_BOUND : KERNEL_PAIR_BOUND;
+}
+
 /* A whole run may differ by more than the bound only if a rounding error at its start grows past
  * it, too; and by no more than a few times as much. */
 static bool holds(const struct comparison *comparison, const char *path, char **settings,
                   const char *name)
 {
-    bool good = comparison->compared && comparison->early <= KERNEL_PAIR_BOUND;
+    bool good = comparison->compared && comparison->early <= bound_of(settings);
     if (kernel_pair_is_long() && comparison->compared) {
         struct comparison noise = compare_with_noise(path, settings);
         good = good && comparison->all <=
@@ -204,8 +220,10 @@ START_TEST(automatic_kernels_are_the_fast_ones_to_the_bit)
             continue;
         struct kernel_pair pair;
         struct mpm_error error = {.message = ""};
-        ck_assert_msg(kernel_pair_open(entry->scene_path, sides, &pair, &error) == MPM_OK, "%s: %s",
-                      entry->file->name, error.message);
+        const enum mpm_status status = kernel_pair_open(entry->scene_path, sides, &pair, &error);
+        if (status == MPM_BAD_INPUT && has_no_fast_ones(&error))
+            continue;
+        ck_assert_msg(status == MPM_OK, "%s: %s", entry->file->name, error.message);
         for (int step = 0; step < STEPS && kernel_pair_step(&pair); step++)
             ;
         char *found = kernel_pair_text(&pair);
