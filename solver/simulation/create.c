@@ -108,9 +108,8 @@ static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulatio
     unsigned uses = MPM_USE_DEFORMABLE;
     uses |= keeps_domains(&simulation->state) ? MPM_USE_DOMAINS : 0;
     uses |= mpm_transfer_of(scene->transfer)->carries;
-    uses |= mpm_crack_detection_needs_surfaces(scene) || mpm_contacts_have_interfaces(scene)
-                ? MPM_USE_ORIGINS
-                : 0;
+    if (mpm_crack_detection_needs_surfaces(scene) || mpm_contacts_have_interfaces(scene))
+        uses |= MPM_USE_ORIGINS;
     uses |= simulation->state.damping.particles ? MPM_USE_DRAG : 0;
     uses |= mpm_transport_uses(scene);
     const size_t law_states = mpm_law_states_of(scene);

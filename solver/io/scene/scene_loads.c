@@ -55,8 +55,8 @@ static enum mpm_status build_edge_loads(const struct mpm_reading *reading)
     };
     const struct mpm_raw_temperature *const heat = reading->raw->transport->temperature;
     const struct mpm_raw_concentration *const solvent = reading->raw->transport->concentration;
-    const size_t fluxes = (heat == NULL ? 0 : heat->fluxes_count) +
-                          (solvent == NULL ? 0 : solvent->fluxes_count);
+    const size_t fluxes =
+        (heat == NULL ? 0 : heat->fluxes_count) + (solvent == NULL ? 0 : solvent->fluxes_count);
     const size_t count = lists[0].count + lists[1].count + fluxes; /* by mpm_build_transport */
     if (count == 0)
         return MPM_OK;

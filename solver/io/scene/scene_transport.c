@@ -36,13 +36,15 @@ struct given {
     static struct given scalar##_given(const struct mpm_reading *reading)                          \
     {                                                                                              \
         const struct mpm_raw_##scalar *const raw = reading->raw->transport->scalar;                \
-        return raw == NULL ? (struct given){.asked = false}                                        \
-                           : (struct given){.asked = true,                                         \
-                                            .start = raw->start,                                   \
-                                            .source = raw->source,                                 \
-                                            .transfer = raw->transfer,                             \
-                                            .condition_count = raw->conditions_count,              \
-                                            .flux_count = raw->fluxes_count};                      \
+        struct given given = {.asked = raw != NULL};                                               \
+        if (raw == NULL)                                                                           \
+            return given;                                                                          \
+        given.start = raw->start;                                                                  \
+        given.source = raw->source;                                                                \
+        given.transfer = raw->transfer;                                                            \
+        given.condition_count = raw->conditions_count;                                             \
+        given.flux_count = raw->fluxes_count;                                                      \
+        return given;                                                                              \
     }                                                                                              \
     static struct given_condition scalar##_condition(const struct mpm_reading *reading,            \
                                                      size_t index)                                 \

@@ -4,6 +4,7 @@
 #include "base/strips.h"
 #include "method/contact/contact_sums.h"
 
+#include <assert.h>
 #include <math.h>
 
 /* The first field is below its edge, the second one above: n points from the first to the second.
@@ -88,6 +89,7 @@ static void fold_edges(struct mpm_state *state, int axis, struct mpm_contact_nod
                        const struct mpm_contact_node *beyond)
 {
     (void)axis;
+    assert(state->contact.pairs != NULL);
     for (uint32_t k = beyond->first_pair; k < beyond->first_pair + beyond->pairs; k++) {
         const struct mpm_contact_pair *const other = &state->contact.pairs[k];
         struct mpm_contact_pair *const one = same_pair(state, inside, other);

@@ -2,12 +2,7 @@
  * transport_passes.c, which does the same one particle at a time.
  *
  * Weights stay in vectors of four particles. What the nodes of a row have comes from memory as one
- * row for each particle, and is turned into a vector for each node; sums go back in the same way:
- *
- *   sum S v     = sum_i sx_i (sum_j sy_j v_ij)
- *   sum G v     = (sum_i dx_i (sum_j sy_j v_ij), sum_i sx_i (sum_j dy_j v_ij))
- *
- * With CPDI weights are no products, and each node has its own.
+ * row for each particle, and is turned into a vector for each node; sums go back in the same way.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_FAST_SCALARS_H

@@ -43,20 +43,21 @@ struct mpm_scalar_passage {
 };
 
 struct mpm_nodal_scalar {
-    enum mpm_scalar which;
     const struct mpm_scalar_row *row;
+    enum mpm_scalar which;
     enum mpm_scalar_transfer transfer;
     double *weight; /* per body: c, capacity per mass */
-    bool uniform;   /* c is the same for all */
     struct mpm_scalar_body *bodies;
     struct mpm_expression *source;      /* NULL: none */
     struct mpm_expression **conditions; /* per condition of the scene */
     struct mpm_scalar_hold *holds;      /* nodes with a prescribed value */
     size_t hold_count;
-    int hold_fields;  /* fields that a node may have; see scalar_nodes.h */
     double *settling; /* per hold and field: what that is moved by besides; see transport.h */
+    int hold_fields;  /* fields that a node may have; see scalar_nodes.h */
+    bool uniform;     /* c is the same for all bodies */
     bool settles;     /* in this step: held nodes, and fields of bodies that have come together */
     bool joins;       /* are there such bodies? */
+    bool at_hand;     /* content and capacity are those of the particles as they are */
 
     /* One number per node. Valid within one step, in scenes at rest content and capacity until
      * particles are sorted; where nothing is, zero. */
@@ -69,7 +70,6 @@ struct mpm_nodal_scalar {
     /* Of the step: those of a node follow each other. */
     struct mpm_scalar_passage *passages;
     size_t passage_count, passage_capacity;
-    bool at_hand; /* content and capacity are those of the particles as they are */
     struct mpm_scalar_totals totals;
 };
 
