@@ -87,7 +87,8 @@ def draw_transport(canvas, key):
     """Of scenes with heat: one group for each scalar that the schema has."""
     if not canvas.notes["heat"]:
         return ABSENT
-    return {scalar.name: draw_scalar(canvas, scalar) for scalar in key.children}
+    return {scalar.name: draw_scalar(canvas, scalar) for scalar in key.children
+            if scalar.name == "temperature"}
 
 
 def draw_scalar(canvas, key):

@@ -34,6 +34,14 @@ LEFT_OUT = {
     "transport.every": COUPLING,
 }
 
+LEFT_OUT |= {"transport.concentration." + key: COUPLING for key in (
+    "transfer", "start", "source", "conditions", "conditions[].value", "conditions[].region",
+    "conditions[].region.line", "conditions[].region.line.from", "conditions[].region.line.to",
+    "conditions[].region.rectangle", "conditions[].region.rectangle.from",
+    "conditions[].region.rectangle.to", "conditions[].region.all", "fluxes", "fluxes[].body",
+    "fluxes[].edge", "fluxes[].value", "fluxes[].convection", "fluxes[].convection.coefficient",
+    "fluxes[].convection.ambient")}
+
 # Refused where nothing moves, since materials have law: none.
 OF_MOTION = {
     "method.stress_update", "method.extrapolate", "method.position_update", "method.radius_update",

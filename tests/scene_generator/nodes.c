@@ -20,14 +20,14 @@
 
 static double mass_of(const struct mpm_state *state, int64_t node)
 {
-    return state->scene->at_rest ? state->transport.list[0].content[node][2]
+    return state->scene->at_rest ? state->transport.list[0].capacity[node]
                                  : state->grid.mass[node];
 }
 
 static double temperature_of(const struct mpm_state *state, int64_t node)
 {
     const bool conducts = state->transport.count > 0 && node < mpm_grid_nodes(&state->grid);
-    return conducts ? state->transport.list[0].value[node][0] : 0.0;
+    return conducts ? state->transport.list[0].value[node] : 0.0;
 }
 
 static void print_node(const struct mpm_simulation *simulation, int64_t node)
