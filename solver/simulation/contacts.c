@@ -65,7 +65,7 @@ static void fill_body(struct mpm_state *state, size_t body)
     }
     for (size_t k = 0; k < spec->pair_count && field != SIZE_MAX; k++)
         if (spec->pairs[k].of[1] == field)
-            contact->touched[body] |= (uint8_t)(1u << spec->pairs[k].of[0]);
+            contact->touched[body] |= (uint8_t)(1u << layer_of(state, spec->pairs[k].of[0]));
 }
 
 void mpm_contacts_fill(struct mpm_state *state)

@@ -107,7 +107,7 @@ struct mpm_body_contact {
     size_t node_capacity, field_capacity, pair_capacity;
     int64_t shift[MPM_CONTACT_FIELDS]; /* of a deformable field: from a node to its copy */
     uint8_t *field_of;                 /* per body: its field; MPM_CONTACT_FIELDS: none */
-    uint8_t *touched; /* per body, of rigid ones: bits of the fields with contact; or NULL */
+    uint8_t *touched; /* per body, of rigid ones: bits of the layers with contact; or NULL */
     /* Of the step */
     struct mpm_contact_node *nodes;
     size_t node_count;
