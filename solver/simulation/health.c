@@ -54,6 +54,29 @@ __attribute__((format(printf, 2, 3))) static const char *print(char text[TEXT_SI
     return text;
 }
 
+/* What is wrong with the particle's temperature, or another scalar. */
+static const char *describe_scalar(const struct mpm_failure *failure, char text[TEXT_SIZE])
+{
+    if (failure->kind == MPM_SOURCE_NOT_FINITE)
+        return print(text, "has a source in transport that is not finite: %g", failure->value);
+    if (failure->kind == MPM_BELOW_ZERO)
+        return print(text, "radiates at a temperature of %g; allowed: absolute, at least 0",
+                     failure->value);
+    if (failure->kind == MPM_CAPACITY_NEGATIVE)
+        return print(text,
+                     "is at a temperature of %g, at which thermal_expansion makes the heat "
+                     "capacity at constant volume negative; allowed: 9 alpha^2 K T below "
+                     "density times heat_capacity",
+                     failure->value);
+    if (failure->kind == MPM_TEMPERATURE_NEGATIVE)
+        return print(text,
+                     "is at a temperature of %g; allowed with transport.temperature.heating and "
+                     "for gases: absolute, at least 0",
+                     failure->value);
+    return print(text, "has no temperature that fits its stress after the step, from %g before",
+                 failure->value);
+}
+
 /* What is wrong with the particle. */
 static const char *describe(const struct mpm_simulation *simulation,
                             const struct mpm_failure *failure, char text[TEXT_SIZE])
@@ -93,24 +116,11 @@ static const char *describe(const struct mpm_simulation *simulation,
         return print(text, "is given a body force that is not finite: %g along %s", failure->value,
                      name);
     case MPM_SOURCE_NOT_FINITE:
-        return print(text, "has a source in transport that is not finite: %g", failure->value);
     case MPM_BELOW_ZERO:
-        return print(text, "radiates at a temperature of %g; allowed: absolute, at least 0",
-                     failure->value);
     case MPM_CAPACITY_NEGATIVE:
-        return print(text,
-                     "is at a temperature of %g, at which thermal_expansion makes the heat "
-                     "capacity at constant volume negative; allowed: 9 alpha^2 K T below "
-                     "density times heat_capacity",
-                     failure->value);
     case MPM_TEMPERATURE_NEGATIVE:
-        return print(text,
-                     "is at a temperature of %g; allowed with transport.temperature.heating and "
-                     "for gases: absolute, at least 0",
-                     failure->value);
     case MPM_NO_TEMPERATURE:
-        return print(text, "has no temperature that fits its stress after the step, from %g before",
-                     failure->value);
+        return describe_scalar(failure, text);
     case MPM_RATE_REFUSED:
         return print(text,
                      "has damping.%s = %g; allowed: at least 0 and below %g, 1 over the "

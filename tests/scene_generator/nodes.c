@@ -20,8 +20,7 @@
 
 static double mass_of(const struct mpm_state *state, int64_t node)
 {
-    return state->scene->at_rest ? state->transport.list[0].capacity[node]
-                                 : state->grid.mass[node];
+    return state->scene->at_rest ? state->transport.list[0].capacity[node] : state->grid.mass[node];
 }
 
 static double temperature_of(const struct mpm_state *state, int64_t node)

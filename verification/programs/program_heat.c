@@ -346,12 +346,12 @@ static void look_at(const struct problem *problem, const struct mpm_simulation *
 static struct particles make_particles(size_t count)
 {
     return (struct particles){.count = count,
-                              .first = g_new(double, count),
-                              .value = g_new(double, count),
-                              .wanted = g_new(double, count),
-                              .mass = g_new(double, count),
-                              .start = g_new(double, AXES *count),
-                              .position = g_new(double, AXES *count)};
+                              .first = g_new0(double, count),
+                              .value = g_new0(double, count),
+                              .wanted = g_new0(double, count),
+                              .mass = g_new0(double, count),
+                              .start = g_new0(double, AXES *count),
+                              .position = g_new0(double, AXES *count)};
 }
 
 static void free_particles(struct particles *particles)

@@ -198,7 +198,7 @@ static void report(struct measurement *m, enum kind kind, const struct outcome *
 static enum mpm_status run(struct measurement *m, struct mpm_error *error)
 {
     struct problem problem = {.kind = SOAK};
-    struct levels levels;
+    struct levels levels = {.count = 0};
     struct outcome outcome = {.finished = false};
     struct follow_rows rows = {.columns = COLUMNS};
     double worst[LEVELS_MAX] = {0.0};

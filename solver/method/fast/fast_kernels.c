@@ -111,10 +111,19 @@ MPM_INLINE void take_extent(struct fast_sums *sums, struct mpm_extent *extent)
     }
 }
 
-/* traffic: what the pass does with nodes; extents: where particles are after it; NULL: nothing. */
+/* What a pass changes of particles: their stress, by a part of the step, and where they are. */
+struct fast_change {
+    double part;
+    int kind;                    /* of the stress update; NO_UPDATE: none */
+    struct mpm_extents *extents; /* where particles are after the pass; NULL: they do not move */
+};
+
+static const struct fast_change no_change = {0.0, NO_UPDATE, NULL};
+
+/* traffic: what the pass does with nodes; NULL: nothing. */
 MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state, int64_t index,
-                          double part, int kind, const struct fast_traffic *traffic,
-                          struct fast_sums *sums, struct mpm_extents *extents, fast_work *work)
+                          const struct fast_change *change, const struct fast_traffic *traffic,
+                          struct fast_sums *sums, fast_work *work)
 {
     struct mpm_strip *const strip = &state->strips[index];
     const mpm_vector zero = mpm_splat(0.0), most = mpm_splat(DBL_MAX);
@@ -130,21 +139,22 @@ MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state,
         run.begin = run.end;
         run.end = mpm_fast_run_end(state, run.begin, strip->end);
         const uint32_t body = state->particles.body[run.begin];
-        mpm_fast_constants(state, body, part, &k);
-        if (kind != NO_UPDATE)
-            block.update = update_of(&k.material, kind);
+        mpm_fast_constants(state, body, change->part, &k);
+        if (change->kind != NO_UPDATE)
+            block.update = update_of(&k.material, change->kind);
         run_pieces(spec, state, index, traffic, &run, &k, &block, work);
-        if (extents != NULL)
-            take_extent(sums, &extents->of[state->bodies[body].layer]);
+        if (change->extents != NULL)
+            take_extent(sums, &change->extents->of[state->bodies[body].layer]);
     }
 }
 
 static void recompute(void *state, int64_t strip, int worker)
 {
     static const struct fast_spec spec = {.shape = FAST_SHAPE};
+    static const struct fast_change change = {0.0, MPM_FAST_RECOMPUTE, NULL};
     struct fast_sums sums;
     (void)worker;
-    run_strip(&spec, state, strip, 0.0, MPM_FAST_RECOMPUTE, NULL, &sums, NULL, block_recompute);
+    run_strip(&spec, state, strip, &change, NULL, &sums, block_recompute);
 }
 
 /* --------------------------------------------------------------- the passes */
@@ -157,7 +167,7 @@ MPM_INLINE void pass_to_grid(const struct fast_spec *spec, struct mpm_state *sta
                                          .adds_single = (spec->force ? 1u << FAST_MASS : 0) |
                                                         (spec->scalars ? scalar_spreads : 0)};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_to_grid);
+    run_strip(spec, state, strip, &no_change, &traffic, &sums, block_to_grid);
 }
 
 MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_state *state,
@@ -169,9 +179,9 @@ MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_stat
         .reads_single = spec->conducts ? 1u << FAST_VALUE : 0,
         .adds_single = spec->conducts ? 1u << FAST_INFLOW : 0,
     };
+    const struct fast_change change = {state->order->before, (int)state->scene->geometry, NULL};
     struct fast_sums sums;
-    run_strip(spec, state, strip, state->order->before, (int)state->scene->geometry, &traffic,
-              &sums, NULL, block_stress_before);
+    run_strip(spec, state, strip, &change, &traffic, &sums, block_stress_before);
     if (spec->conducts)
         sums.strip->diffusivity = mpm_largest_lane(sums.diffusivity);
     sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
@@ -185,7 +195,7 @@ MPM_INLINE void pass_project(const struct fast_spec *spec, struct mpm_state *sta
         .adds = projection->to != NULL ? 1u << FAST_GRADIENT : 0,
     };
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_project);
+    run_strip(spec, state, strip, &no_change, &traffic, &sums, block_project);
 }
 
 MPM_INLINE void pass_spread_scalar(const struct fast_spec *spec, struct mpm_state *state,
@@ -193,7 +203,7 @@ MPM_INLINE void pass_spread_scalar(const struct fast_spec *spec, struct mpm_stat
 {
     const struct fast_traffic traffic = {.adds_single = scalar_spreads};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_spread_scalar);
+    run_strip(spec, state, strip, &no_change, &traffic, &sums, block_spread_scalar);
 }
 
 MPM_INLINE void pass_conduct(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
@@ -201,7 +211,7 @@ MPM_INLINE void pass_conduct(const struct fast_spec *spec, struct mpm_state *sta
     const struct fast_traffic traffic = {.reads_single = 1u << FAST_VALUE,
                                          .adds_single = 1u << FAST_INFLOW};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_conduct);
+    run_strip(spec, state, strip, &no_change, &traffic, &sums, block_conduct);
     sums.strip->diffusivity = mpm_largest_lane(sums.diffusivity);
 }
 
@@ -211,7 +221,7 @@ MPM_INLINE void pass_update_scalar(const struct fast_spec *spec, struct mpm_stat
     const struct fast_traffic traffic = {.reads_single = 1u << FAST_RESULT,
                                          .adds_single = spec->spreads ? 1u << FAST_CONTENT : 0};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_update_scalar);
+    run_strip(spec, state, strip, &no_change, &traffic, &sums, block_update_scalar);
 }
 
 MPM_INLINE void pass_filter(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
@@ -219,7 +229,7 @@ MPM_INLINE void pass_filter(const struct fast_spec *spec, struct mpm_state *stat
     const struct fast_traffic traffic = {.reads_single = 1u << FAST_VALUE,
                                          .adds_single = 1u << FAST_RESULT};
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_filter);
+    run_strip(spec, state, strip, &no_change, &traffic, &sums, block_filter);
 }
 
 MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state *state,
@@ -232,7 +242,7 @@ MPM_INLINE void pass_to_particles(const struct fast_spec *spec, struct mpm_state
         .adds_single = spec->conducts ? 1u << FAST_INFLOW : 0,
     };
     struct fast_sums sums;
-    run_strip(spec, state, strip, 0.0, NO_UPDATE, &traffic, &sums, NULL, block_to_particles);
+    run_strip(spec, state, strip, &no_change, &traffic, &sums, block_to_particles);
     sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
     if (spec->conducts)
         sums.strip->diffusivity = mpm_largest_lane(sums.diffusivity);
@@ -248,10 +258,10 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
     };
     struct fast_sums sums;
     struct mpm_extents extents;
+    const struct fast_change change = {state->order->after,
+                                       updates ? (int)state->scene->geometry : NO_UPDATE, &extents};
     mpm_extents_begin(state, &extents);
-    run_strip(spec, state, strip, state->order->after,
-              updates ? (int)state->scene->geometry : NO_UPDATE, &traffic, &sums, &extents,
-              block_finish);
+    run_strip(spec, state, strip, &change, &traffic, &sums, block_finish);
     if (!state->order->extrapolate)
         sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
     if (updates)

@@ -204,7 +204,7 @@ MPM_INLINE mpm_vector number_at_corner(const struct fast_constants *k,
                                        const struct fast_corners *corners, int c,
                                        const double *array)
 {
-    mpm_vector value;
+    mpm_vector value = mpm_splat(0.0);
 #pragma GCC unroll 4
     for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
         const double *const row = array + corners->node[c][lane], *const upper = row + k->stride;

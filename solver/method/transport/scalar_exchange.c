@@ -161,7 +161,7 @@ static void add_link(struct net *net, int one, int other, double conductance)
 /* L u = - gained, by elimination; the last of those that hang together has u = 0. */
 static void find_potentials(struct net *net)
 {
-    double pivots[SIDES];
+    double pivots[SIDES] = {0.0};
     for (int k = 0; k < net->n; k++) {
         const double whole = net->matrix[k][k];
         pivots[k] = whole;
@@ -261,7 +261,7 @@ struct groups {
 static void exchange_linked(const struct mpm_scalar_meeting *meeting, double time_step, int first,
                             struct groups *groups)
 {
-    int list[SIDES];
+    int list[SIDES] = {0};
     struct modes modes = {.n = list_linked(groups->label, meeting->side_count, first, list)};
     if (modes.n < 2)
         return;

@@ -377,12 +377,12 @@ END_TEST
 
 START_TEST(bits_of_bodies_that_expand_do_not_depend_on_threads)
 {
+    static const char moving[] = "bodies.block.velocity=['0.3*sin(2*x)*cos(y)', '0.4*cos(x+2*y)']";
     const char *const settings[] = {TEST_BLOCK_FOR_THREADS,
                                     conducting[_i],
                                     HEATING,
                                     "transport.temperature.start='3+sin(3*x)*cos(2*y)'",
-                                    "bodies.block.velocity=['0.3*sin(2*x)*cos(y)', "
-                                    "'0.4*cos(x+2*y)']",
+                                    moving,
                                     "output={energy_balance: true}",
                                     NULL};
     test_same_bits_over_threads(HEAT_BLOCK, settings, 20, NULL);
