@@ -55,6 +55,7 @@
     SUITE(expansion_runs)                                                                          \
     SUITE(heat_fields)                                                                             \
     SUITE(heat_layers)                                                                             \
+    SUITE(heat_manufactured)                                                                       \
     SUITE(scene_transport)                                                                         \
     SUITE(projection)                                                                              \
     SUITE(start)                                                                                   \

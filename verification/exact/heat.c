@@ -96,6 +96,11 @@ double heat_sphere_mode(double place, double tau)
     return shape * exp(-PI * PI * tau);
 }
 
+double heat_product(const double place[2], double p, double q, double decayed)
+{
+    return cos(p * PI * place[0]) * cos(q * PI * place[1]) * exp(-decayed);
+}
+
 double heat_spot(const double place[2], double width, const double diffusivity[2], double time)
 {
     const double first = width * width + 4.0 * diffusivity[0] * time;

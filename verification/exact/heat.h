@@ -24,6 +24,10 @@
  *   sphere whose surface is at 0, with the first term of its series alone at first:
  *     v = sin(pi r/a)/(pi r/a) exp(-pi^2 tau)
  *
+ *   a manufactured field on a unit square, planar or of r and z, with no flow through its sides and
+ *   the axis where p and q are whole; what source it needs is with the scenes of case H5:
+ *     v = cos(p pi x) cos(q pi y) exp(-decay t)
+ *
  *   an instantaneous source in a plane with diffusivities k_1, k_2 along its axes, that has spread
  *   to exp(-(x^2 + y^2)/w^2) at t = 0:
  *     v = w^2/(w_1 w_2) exp(-x^2/w_1^2 - y^2/w_2^2),    w_i^2 = w^2 + 4 k_i t
@@ -48,6 +52,8 @@ double heat_surface_flux(enum heat_body body, double place, double tau);
 /* place = x/a; rate = kappa/a^2 > 0, frequency w > 0. */
 double heat_slab_driven(double place, double rate, double frequency, double time);
 double heat_sphere_mode(double place, double tau);
+/* decayed = decay t */
+double heat_product(const double place[2], double p, double q, double decayed);
 /* place: from the middle along the axes; width w > 0. */
 double heat_spot(const double place[2], double width, const double diffusivity[2], double time);
 double heat_passing_rod(double place, double speed, double diffusivity);

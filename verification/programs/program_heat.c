@@ -10,6 +10,8 @@
  *   flux     T = scale v                                      scale = q a/k
  *   wave     T = scale sin(p x + q y + phase) exp(-decay t)   a manufactured field: the scene has
  *                                                             its source
+ *   product  T = scale cos(p x) cos(q y) exp(-decay t)        manufactured, insulated at whole p, q
+ *   ramp     T = scale (phase + p x + q y) exp(-decay t)      manufactured, linear
  *   mode     T = scale v                                      first mode of a sphere
  *   spot     T = start + scale v                              a hot spot, in material coordinates:
  *                                                             of the place at t = 0
@@ -40,9 +42,9 @@
 enum { AXES = 2, COLUMNS = 6 };
 static const double PI = 3.14159265358979323846;
 
-enum kind { DRIVEN, HELD, FLUX, WAVE, MODE, SPOT, PASSING, KEPT, KINDS };
-static const char *const kind_names[KINDS] = {"driven", "held", "flux",    "wave",
-                                              "mode",   "spot", "passing", "kept"};
+enum kind { DRIVEN, HELD, FLUX, WAVE, PRODUCT, RAMP, MODE, SPOT, PASSING, KEPT, KINDS };
+static const char *const kind_names[KINDS] = {"driven", "held", "flux", "wave",    "product",
+                                              "ramp",   "mode", "spot", "passing", "kept"};
 static const char *const body_names[HEAT_BODIES] = {"slab", "cylinder", "sphere"};
 
 struct problem {
@@ -50,7 +52,7 @@ struct problem {
     enum heat_body body;
     double scale, start, length, origin, diffusivity;
     double frequency;                          /* over pi */
-    double p, q, phase;                        /* over pi */
+    double p, q, phase;                        /* over pi, but for a ramp */
     double decay, probe;                       /* probe over the length */
     double center[AXES], width, second, angle; /* of a spot; diffusivity along its other axis */
     double speed, cell;
@@ -152,6 +154,12 @@ static double exact(const struct problem *problem, const double start[AXES],
     case WAVE:
         return problem->scale * exp(-problem->decay * time) *
                sin(PI * (problem->p * position[0] + problem->q * position[1] + problem->phase));
+    case PRODUCT:
+        return problem->scale *
+               heat_product(position, problem->p, problem->q, problem->decay * time);
+    case RAMP:
+        return problem->scale * exp(-problem->decay * time) *
+               (problem->phase + problem->p * position[0] + problem->q * position[1]);
     case MODE:
         return problem->scale * heat_sphere_mode(place, rate * time);
     case SPOT:

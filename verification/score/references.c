@@ -170,6 +170,14 @@ static void held_cylinder(const struct reference_problem *problem, const double 
                                     : 0.0;
 }
 
+/* A field with a source, on a unit square or of r and z. */
+static void product_heat(const struct reference_problem *problem, const double place[2],
+                         double time, double values[SCORE_COLUMNS])
+{
+    const double *n = problem->number;
+    values[SCORE_TEMPERATURE] = n[0] * heat_product(place, n[1], n[2], n[3] * time);
+}
+
 static const struct reference references[] = {
     {"vibrating_bar",
      {"length", "modulus", "density", "amplitude"},
@@ -224,6 +232,7 @@ static const struct reference references[] = {
      {SCORE_TEMPERATURE},
      NULL,
      driven_heat},
+    {"product_heat", {"scale", "p", "q", "decay"}, {SCORE_TEMPERATURE}, NULL, product_heat},
     {"held_cylinder", {"scale", "length", "diffusivity"}, {SCORE_TEMPERATURE}, NULL, held_cylinder},
 };
 
