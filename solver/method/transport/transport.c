@@ -302,11 +302,11 @@ static void spread(struct mpm_state *state, int workers, const struct mpm_nodal_
 }
 
 /* (62), Notes (142); nothing moves in a scene at rest, and the next step's contents are those of
- * the values that particles have now. */
+ * the values that particles have now; capacities too, unless they follow from tables. */
 static void update_particles(struct mpm_state *state, int workers, struct mpm_nodal_scalar *scalar)
 {
     const struct mpm_scalar_passes *const passes = state->kernels.scalar;
-    const bool again = state->scene->at_rest;
+    const bool again = state->scene->at_rest && !scalar->varies;
     if (again)
         run_rows(state, scalar, row_clear_content);
     mpm_scalar_pass_run(state, workers, scalar, again ? passes->update_and_spread : passes->update);
@@ -439,6 +439,13 @@ double mpm_transport_stable_step(const struct mpm_grid *grid, double diffusivity
     return rate > 0.0 ? 1.0 / rate : HUGE_VAL;
 }
 
+/* c v, or the integral of c from 0 to v. */
+static double content_per_mass(const struct mpm_nodal_scalar *scalar, uint32_t body, double value)
+{
+    const struct mpm_property *const table = &scalar->bodies[body].tables[MPM_TABLE_CAPACITY];
+    return table->count == 0 ? scalar->weight[body] * value : mpm_property_integral(table, value);
+}
+
 double mpm_transport_content(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar,
                              double extremes[2])
 {
@@ -446,7 +453,7 @@ double mpm_transport_content(const struct mpm_state *state, const struct mpm_nod
     const double *const value = mpm_particle_array(particles, scalar->row->field, 0);
     double sum = 0.0, low = DBL_MAX, high = -DBL_MAX;
     for (size_t p = 0; p < particles->count; p++) {
-        sum += scalar->weight[particles->body[p]] * particles->mass[p] * value[p];
+        sum += particles->mass[p] * content_per_mass(scalar, particles->body[p], value[p]);
         low = fmin(low, value[p]);
         high = fmax(high, value[p]);
     }
