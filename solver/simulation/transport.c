@@ -94,6 +94,14 @@ void mpm_transport_free(struct mpm_simulation *simulation)
     free(transport->list);
 }
 
+static bool has_capacity_table(const struct mpm_scene *scene, enum mpm_scalar which)
+{
+    bool any = false;
+    for (size_t k = 0; k < scene->material_count; k++)
+        any = any || scene->materials[k].conduction[which].tables[MPM_TABLE_CAPACITY].count > 0;
+    return any;
+}
+
 void mpm_transport_layout(struct mpm_state *state, struct mpm_arena *arena)
 {
     for (size_t k = 0; k < state->transport.count; k++) {
@@ -101,6 +109,7 @@ void mpm_transport_layout(struct mpm_state *state, struct mpm_arena *arena)
         scalar->weight = MPM_TAKE(arena, double, state->scene->body_count);
         scalar->bodies = MPM_TAKE(arena, struct mpm_scalar_body, state->scene->body_count);
         scalar->hold_fields = mpm_scalar_fields(state);
+        scalar->varies = has_capacity_table(state->scene, scalar->which);
         scalar->settling = MPM_TAKE(arena, double, scalar->hold_count *(size_t)scalar->hold_fields);
         scalar->passage_capacity = mpm_body_contact_is_used(state)
                                        ? state->contact.pair_capacity
@@ -149,7 +158,6 @@ static void describe_bodies(const struct mpm_state *state, struct mpm_nodal_scal
         made->turns = given->anisotropic;
         made->diffusivity = largest_diffusivity(given, made->k);
         made->tables = given->tables;
-        scalar->varies = scalar->varies || given->tables[MPM_TABLE_CAPACITY].count > 0;
     }
 }
 
@@ -289,11 +297,25 @@ static double first_film(const struct mpm_simulation *simulation,
     return film;
 }
 
+/* What bodies that meet settle by is a jump of temperatures: with c of their start particles would
+ * miss it (transport_passes.h). */
+static enum mpm_status check_joins(const struct mpm_scene *scene,
+                                   const struct mpm_nodal_scalar *scalar, struct mpm_error *error)
+{
+    if (!scalar->joins || !scalar->varies)
+        return MPM_OK;
+    return mpm_scene_error(error, scene, scene->scalars[scalar->which].line, "contact",
+                           "heat: perfect between bodies that may part, with a %s and transfer: "
+                           "flip; allowed: law: bonded, heat: conductance, or transfer: pic",
+                           mpm_table_keys[MPM_TABLE_CAPACITY]);
+}
+
 enum mpm_status mpm_transport_fill(struct mpm_simulation *simulation, struct mpm_error *error)
 {
     struct mpm_state *const state = &simulation->state;
     for (size_t k = 0; k < state->transport.count; k++) {
         struct mpm_nodal_scalar *const scalar = &state->transport.list[k];
+        MPM_TRY(check_joins(simulation->scene, scalar, error));
         describe_bodies(state, scalar);
         scalar->uniform = is_uniform(simulation->scene, scalar);
         MPM_TRY(set_starts(simulation, scalar, error));

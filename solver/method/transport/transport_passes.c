@@ -135,15 +135,34 @@ MPM_INLINE void conduct_particles(const struct mpm_state *state, int64_t index, 
     strip->diffusivity = largest;
 }
 
-/* The value that a change leads to. Of a table's capacity it is the enthalpy that changes by c
- * times the change: what the nodes have given. */
-MPM_INLINE double changed(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar,
-                          size_t p, double value, double change)
+/* Of tables: the enthalpy changes by c times what free nodes change the value by, what they have
+ * given; held nodes change the value. Returns what that takes. */
+static double follow(const struct mpm_nodal_scalar *scalar, const struct mpm_property *table,
+                     double free, double held, double *value)
 {
+    const double c = mpm_property_value(table, *value);
+    const double given = *value + mpm_property_rise(table, *value, c * free);
+    *value = given + held;
+    return scalar->held == NULL
+               ? 0.0
+               : mpm_property_integral(table, *value) - mpm_property_integral(table, given);
+}
+
+/* Returns what held nodes have given. */
+MPM_INLINE double update_by_tables(const struct mpm_state *state,
+                                   const struct mpm_nodal_scalar *scalar, size_t p,
+                                   const struct mpm_stencil *stencil, double result, double *value)
+{
+    const uint32_t body = state->particles.body[p];
     const struct mpm_property *const table = table_of(state, scalar, p, MPM_TABLE_CAPACITY);
-    if (table->count == 0)
-        return value + change;
-    return value + mpm_property_rise(table, value, mpm_property_value(table, value) * change);
+    const double dt = state->time_step, mass = state->particles.mass[p];
+    const double held =
+        scalar->held == NULL ? 0.0 : dt * gather(stencil, scalar->held + state->node_zero);
+    const double change = scalar->transfer == MPM_SCALAR_PIC ? result - *value : dt * result;
+    if (table->count > 0)
+        return mass * follow(scalar, table, change - held, held, value);
+    *value += change;
+    return mass * scalar->weight[body] * held;
 }
 
 MPM_INLINE void update(const struct mpm_state *state, int64_t index, bool spreads, bool tables)
@@ -152,13 +171,13 @@ MPM_INLINE void update(const struct mpm_state *state, int64_t index, bool spread
     const struct mpm_nodal_scalar *const scalar = state->transport.conducted;
     const bool pic = scalar->transfer == MPM_SCALAR_PIC;
     double *const values = mpm_scalar_values(scalar, &state->particles);
+    double held = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
         struct mpm_stencil room;
         const struct mpm_stencil *const stencil = mpm_particle_stencil(state, p, &room);
         const double result = gather(stencil, scalar->result + state->node_zero);
         if (tables) {
-            values[p] = changed(state, scalar, p, values[p],
-                                pic ? result - values[p] : state->time_step * result);
+            held += update_by_tables(state, scalar, p, stencil, result, &values[p]);
             mpm_strip_judge_tables(strip, scalar->bodies[state->particles.body[p]].tables,
                                    state->particles.id[p], values[p]);
         } else {
@@ -168,6 +187,7 @@ MPM_INLINE void update(const struct mpm_state *state, int64_t index, bool spread
             add(stencil, capacity_of(state, scalar, p, values[p], tables) * values[p],
                 scalar->content + state->node_zero);
     }
+    strip->inflow = held;
 }
 
 MPM_INLINE void filter(const struct mpm_state *state, int64_t index, bool tables)

@@ -64,11 +64,12 @@ struct mpm_nodal_scalar {
 
     /* One number per node. Valid within one step, in scenes at rest content and capacity until
      * particles are sorted; where nothing is, zero. */
-    double *content;    /* sum c m v S */
-    double *capacity;   /* sum c m S */
-    double *value;      /* v_i at the start of the step, conditions included */
-    double *inflow;     /* content per time */
-    double *result;     /* what particles read: dv_i/dt, or with PIC v_i^{n+1} */
+    double *content;  /* sum c m v S */
+    double *capacity; /* sum c m S */
+    double *value;    /* v_i at the start of the step, conditions included */
+    double *inflow;   /* content per time */
+    double *result;   /* what particles read: dv_i/dt, or with PIC v_i^{n+1} */
+    double *held;     /* the part of it that is of held nodes, with FLIP where c varies; or NULL */
     double *row_inflow; /* per node row: its sum; finite if all are */
     /* Of the step: those of a node follow each other. */
     struct mpm_scalar_passage *passages;
