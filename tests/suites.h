@@ -43,12 +43,14 @@
     SUITE(expression)                                                                              \
     SUITE(material)                                                                                \
     SUITE(particles)                                                                               \
+    SUITE(property)                                                                                \
     SUITE(scene)                                                                                   \
     SUITE(energy)                                                                                  \
     SUITE(guard)                                                                                   \
     SUITE(transfer_series)                                                                         \
     SUITE(heat)                                                                                    \
     SUITE(heat_runs)                                                                               \
+    SUITE(heat_tables)                                                                             \
     SUITE(heat_contact)                                                                            \
     SUITE(scalar_exchange)                                                                         \
     SUITE(expansion)                                                                               \

@@ -47,7 +47,7 @@ static void choose_reference(const struct mpm_scene *scene, const char *reason,
     *choice = (struct mpm_kernel_choice){
         .passes = reference_passes(scene),
         .start_rows = mpm_row_start_velocity,
-        .scalar = &mpm_scalar_passes,
+        .scalar = mpm_scene_has_tables(scene) ? &mpm_table_scalar_passes : &mpm_scalar_passes,
         .name = "reference",
         .reason = reason,
         .simd = "none",

@@ -316,6 +316,8 @@ struct mpm_scene {
 /* Does a material expand with a scalar? Depends the stress of one on the temperature itself? */
 bool mpm_scene_expands(const struct mpm_scene *scene);
 bool mpm_scene_reads_temperature(const struct mpm_scene *scene);
+/* Does a property of conduction depend on the temperature? */
+bool mpm_scene_has_tables(const struct mpm_scene *scene);
 
 /* The names of the coordinates: x and y, or r and z. */
 const char *const *mpm_scene_coordinates(const struct mpm_scene *scene);

@@ -37,6 +37,17 @@ bool mpm_scene_reads_temperature(const struct mpm_scene *scene)
     return any;
 }
 
+bool mpm_scene_has_tables(const struct mpm_scene *scene)
+{
+    bool any = false;
+    for (size_t k = 0; k < scene->material_count; k++) {
+        const struct mpm_conduction *const heat = &scene->materials[k].conduction[MPM_TEMPERATURE];
+        for (int table = 0; table < MPM_TABLE_COUNT; table++)
+            any = any || heat->tables[table].count > 0;
+    }
+    return any;
+}
+
 bool mpm_scene_couples(const struct mpm_scene *scene)
 {
     return mpm_scene_expands(scene) || mpm_scene_reads_temperature(scene);

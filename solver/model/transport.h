@@ -8,6 +8,7 @@
 #ifndef MPM_MODEL_TRANSPORT_H
 #define MPM_MODEL_TRANSPORT_H
 
+#include "model/property.h"
 #include "mpm_dimension.h"
 
 #include <stdbool.h>
@@ -59,12 +60,16 @@ struct mpm_expansion {
     double coefficient, stress_free;
 };
 
-/* Of a material: content = capacity per mass times mass times value; flux = - K grad value. */
+/* Of a material: content = capacity per mass times mass times value; flux = - K grad value. With
+ * tables, of temperature alone, both are those of the particle's own value; content is then the
+ * enthalpy, mass times the integral of the capacity from 0. */
 struct mpm_conduction {
     bool given;       /* the material has them */
-    double capacity;  /* per mass */
-    double k[3];      /* conductivity xx yy xy of the undeformed body */
+    double capacity;  /* per mass; of a table the smallest */
+    double k[3];      /* conductivity xx yy xy of the undeformed body; with a table 1 1 0, times its
+                         value */
     bool anisotropic; /* k is not a number times the unit tensor: it turns with the material */
+    struct mpm_property tables[MPM_TABLE_COUNT]; /* without points: constants */
 };
 
 #endif

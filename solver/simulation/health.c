@@ -8,13 +8,20 @@
  * for ever. No solid gets there; J would be 1e-12. */
 static const double RUNAWAY_WAVE = 1e4;
 
-const char *mpm_body_of_particle(const struct mpm_simulation *simulation, uint32_t id)
+/* NULL: there is no such particle. */
+static const struct mpm_body_spec *body_of(const struct mpm_simulation *simulation, uint32_t id)
 {
     const struct mpm_particles *const particles = &simulation->state.particles;
     for (size_t p = 0; p < particles->count; p++)
         if (particles->id[p] == id)
-            return simulation->scene->bodies[particles->body[p]].name;
-    return "?";
+            return &simulation->scene->bodies[particles->body[p]];
+    return NULL;
+}
+
+const char *mpm_body_of_particle(const struct mpm_simulation *simulation, uint32_t id)
+{
+    const struct mpm_body_spec *const body = body_of(simulation, id);
+    return body == NULL ? "?" : body->name;
 }
 
 static enum mpm_cause cause_of(enum mpm_failure_kind kind)
@@ -38,6 +45,7 @@ static enum mpm_cause cause_of(enum mpm_failure_kind kind)
         [MPM_CAPACITY_NEGATIVE] = MPM_CAUSE_TEMPERATURE,
         [MPM_TEMPERATURE_NEGATIVE] = MPM_CAUSE_TEMPERATURE,
         [MPM_NO_TEMPERATURE] = MPM_CAUSE_TEMPERATURE,
+        [MPM_OUTSIDE_TABLE] = MPM_CAUSE_TEMPERATURE,
     };
     return causes[kind];
 }
@@ -75,6 +83,20 @@ static const char *describe_scalar(const struct mpm_failure *failure, char text[
                      failure->value);
     return print(text, "has no temperature that fits its stress after the step, from %g before",
                  failure->value);
+}
+
+static const char *describe_outside(const struct mpm_simulation *simulation,
+                                    const struct mpm_failure *failure, char text[TEXT_SIZE])
+{
+    const struct mpm_body_spec *const body = body_of(simulation, failure->particle);
+    if (body == NULL)
+        return print(text, "is at a temperature of %g, outside of a table", failure->value);
+    const struct mpm_material_spec *const material = &simulation->scene->materials[body->material];
+    const struct mpm_property *const table =
+        &material->conduction[MPM_TEMPERATURE].tables[failure->axis];
+    return print(text, "is at a temperature of %g; allowed: %g to %g, the range of the %s of '%s'",
+                 failure->value, table->points[0][0], table->points[table->count - 1][0],
+                 mpm_table_keys[failure->axis], material->name);
 }
 
 /* What is wrong with the particle. */
@@ -121,6 +143,8 @@ static const char *describe(const struct mpm_simulation *simulation,
     case MPM_TEMPERATURE_NEGATIVE:
     case MPM_NO_TEMPERATURE:
         return describe_scalar(failure, text);
+    case MPM_OUTSIDE_TABLE:
+        return describe_outside(simulation, failure, text);
     case MPM_RATE_REFUSED:
         return print(text,
                      "has damping.%s = %g; allowed: at least 0 and below %g, 1 over the "

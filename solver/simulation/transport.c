@@ -94,6 +94,14 @@ void mpm_transport_free(struct mpm_simulation *simulation)
     free(transport->list);
 }
 
+static bool has_capacity_table(const struct mpm_scene *scene, enum mpm_scalar which)
+{
+    bool any = false;
+    for (size_t k = 0; k < scene->material_count; k++)
+        any = any || scene->materials[k].conduction[which].tables[MPM_TABLE_CAPACITY].count > 0;
+    return any;
+}
+
 void mpm_transport_layout(struct mpm_state *state, struct mpm_arena *arena)
 {
     for (size_t k = 0; k < state->transport.count; k++) {
@@ -101,6 +109,7 @@ void mpm_transport_layout(struct mpm_state *state, struct mpm_arena *arena)
         scalar->weight = MPM_TAKE(arena, double, state->scene->body_count);
         scalar->bodies = MPM_TAKE(arena, struct mpm_scalar_body, state->scene->body_count);
         scalar->hold_fields = mpm_scalar_fields(state);
+        scalar->varies = has_capacity_table(state->scene, scalar->which);
         scalar->settling = MPM_TAKE(arena, double, scalar->hold_count *(size_t)scalar->hold_fields);
         scalar->passage_capacity = mpm_body_contact_is_used(state)
                                        ? state->contact.pair_capacity
@@ -120,6 +129,19 @@ static double largest_conductivity(const double k[3])
     return 0.5 * (k[0] + k[1] + hypot(k[0] - k[1], 2.0 * k[2]));
 }
 
+/* k / (c rho_0), at any temperature; `k` is over the density. */
+static double largest_diffusivity(const struct mpm_conduction *given, const double k[3])
+{
+    const struct mpm_property *const capacities = &given->tables[MPM_TABLE_CAPACITY];
+    const struct mpm_property *const conductivities = &given->tables[MPM_TABLE_CONDUCTIVITY];
+    const double largest = largest_conductivity(k);
+    if (conductivities->count == 0)
+        return largest / given->capacity;
+    if (capacities->count == 0)
+        return largest * mpm_property_largest(conductivities) / given->capacity;
+    return largest * mpm_property_largest_ratio(conductivities, capacities);
+}
+
 static void describe_bodies(const struct mpm_state *state, struct mpm_nodal_scalar *scalar)
 {
     const struct mpm_scene *const scene = state->scene;
@@ -134,7 +156,8 @@ static void describe_bodies(const struct mpm_state *state, struct mpm_nodal_scal
         for (int i = 0; i < 3; i++)
             made->k[i] = given->k[i] / material->density;
         made->turns = given->anisotropic;
-        made->diffusivity = largest_conductivity(made->k) / given->capacity;
+        made->diffusivity = largest_diffusivity(given, made->k);
+        made->tables = given->tables;
     }
 }
 
@@ -149,7 +172,27 @@ static bool is_uniform(const struct mpm_scene *scene, const struct mpm_nodal_sca
             return false;
         first = scalar->weight[body];
     }
-    return true;
+    return !scalar->varies;
+}
+
+/* A temperature that a table of the body does not have. */
+static enum mpm_status check_tables(const struct mpm_simulation *simulation,
+                                    const struct mpm_nodal_scalar *scalar, uint32_t body,
+                                    const double position[2], double value, struct mpm_error *error)
+{
+    const struct mpm_body_spec *const spec = &simulation->scene->bodies[body];
+    for (int k = 0; k < MPM_TABLE_COUNT; k++) {
+        const struct mpm_property *const table = &scalar->bodies[body].tables[k];
+        if (!mpm_property_covers(table, value))
+            return mpm_scene_error(error, simulation->scene, spec->line, "bodies",
+                                   "initial %s of body '%s' is %g at (%g, %g); allowed: %g to %g, "
+                                   "the range of the %s of '%s'",
+                                   scalar->row->name, spec->name, value, position[0], position[1],
+                                   table->points[0][0], table->points[table->count - 1][0],
+                                   mpm_table_keys[k],
+                                   simulation->scene->materials[spec->material].name);
+    }
+    return MPM_OK;
 }
 
 static enum mpm_status set_start(const struct mpm_simulation *simulation,
@@ -169,6 +212,7 @@ static enum mpm_status set_start(const struct mpm_simulation *simulation,
                                    "finite",
                                    scalar->row->name, simulation->scene->bodies[body].name,
                                    value[p], position[0], position[1]);
+        MPM_TRY(check_tables(simulation, scalar, body, position, value[p], error));
     }
     return MPM_OK;
 }
@@ -253,11 +297,25 @@ static double first_film(const struct mpm_simulation *simulation,
     return film;
 }
 
+/* What bodies that meet settle by is a jump of temperatures: with c of their start particles would
+ * miss it (transport_passes.h). */
+static enum mpm_status check_joins(const struct mpm_scene *scene,
+                                   const struct mpm_nodal_scalar *scalar, struct mpm_error *error)
+{
+    if (!scalar->joins || !scalar->varies)
+        return MPM_OK;
+    return mpm_scene_error(error, scene, scene->scalars[scalar->which].line, "contact",
+                           "heat: perfect between bodies that may part, with a %s and transfer: "
+                           "flip; allowed: law: bonded, heat: conductance, or transfer: pic",
+                           mpm_table_keys[MPM_TABLE_CAPACITY]);
+}
+
 enum mpm_status mpm_transport_fill(struct mpm_simulation *simulation, struct mpm_error *error)
 {
     struct mpm_state *const state = &simulation->state;
     for (size_t k = 0; k < state->transport.count; k++) {
         struct mpm_nodal_scalar *const scalar = &state->transport.list[k];
+        MPM_TRY(check_joins(simulation->scene, scalar, error));
         describe_bodies(state, scalar);
         scalar->uniform = is_uniform(simulation->scene, scalar);
         MPM_TRY(set_starts(simulation, scalar, error));
@@ -318,7 +376,8 @@ static const struct quantity {
     enum { OF_CONTENT, OF_FLOW, OF_VALUE } of;
     double (*value)(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar);
 } quantities[] = {
-    {"", "", "sum of capacity times value of all particles", OF_CONTENT, content},
+    {"", "", "sum of capacity times value of all particles; of a table its integral from 0",
+     OF_CONTENT, content},
     {"boundary_", "", "taken in at nodes with a prescribed value since t = 0", OF_FLOW, held},
     {"source_", "", "put in by the source since t = 0", OF_FLOW, from_source},
     {"edge_", "", "taken in through edges of particles since t = 0", OF_FLOW, through_edges},

@@ -14,6 +14,7 @@ import draw_method as method
 # ------------------------------------------------------------------- left out
 PASSAGES = "heat between fields: tests of scalar_exchange and case H11 have it"
 COUPLING = "stresses that follow a scalar: tests of expansion, cases H9, H10 and H12 have it"
+TABLES = "points are temperatures, not places; invariants of heat assume constants (case H14)"
 LEFT_OUT = {
     "time.allow_unstable": "beyond the stability limit nothing is promised",
     "output.checkpoint": "reserved: this version writes none",
@@ -30,6 +31,7 @@ LEFT_OUT = {
     "materials[].saturation": COUPLING, "materials[].diffusivity": COUPLING,
     "materials[].principal_diffusivities": COUPLING, "materials[].diffusivity_angle": COUPLING,
     "bodies[].concentration": COUPLING, "transport.concentration": COUPLING,
+    "materials[].heat_capacity_table": TABLES, "materials[].conductivity_table": TABLES,
     "transport.temperature.heating": COUPLING, "transport.substeps": COUPLING,
     "transport.every": COUPLING,
 }

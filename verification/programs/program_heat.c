@@ -7,7 +7,7 @@
  *
  *   driven   T = scale v(frequency)                           NAFEMS T3
  *   held     T = start + scale v                              a surface held at start + scale
- *   flux     T = scale v                                      scale = q a/k
+ *   flux     T = start + scale v                              scale = q a/k
  *   wave     T = scale sin(p x + q y + phase) exp(-decay t)   a manufactured field: the scene has
  *                                                             its source
  *   product  T = scale cos(p x) cos(q y) exp(-decay t)        manufactured, insulated at whole p, q
@@ -16,7 +16,11 @@
  *   spot     T = start + scale v                              a hot spot, in material coordinates:
  *                                                             of the place at t = 0
  *   passing  T = scale v(speed)                               a rod through a held place
+ *   steady   T = start + scale v                              linear in the place
  *   kept     T = that of the particle at t = 0
+ *
+ * With `table`, points "T k T k ..." of a conductivity, T - start above is the rise of Kirchhoff's
+ * theta over that of start, and T follows from it (kirchhoff.h).
  *
  * With `from` and `to`, particles that began between these x alone count.
  *
@@ -29,7 +33,9 @@
  * step), finished; orders over levels. Series: profile; with `picture`, temperature.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/common/failure.h"
 #include "verification/exact/heat.h"
+#include "verification/exact/kirchhoff.h"
 #include "verification/measures/error_norms.h"
 #include "verification/programs/follow.h"
 #include "verification/programs/levels.h"
@@ -42,9 +48,10 @@
 enum { AXES = 2, COLUMNS = 6 };
 static const double PI = 3.14159265358979323846;
 
-enum kind { DRIVEN, HELD, FLUX, WAVE, PRODUCT, RAMP, MODE, SPOT, PASSING, KEPT, KINDS };
-static const char *const kind_names[KINDS] = {"driven", "held", "flux", "wave",    "product",
-                                              "ramp",   "mode", "spot", "passing", "kept"};
+enum kind { DRIVEN, HELD, FLUX, WAVE, PRODUCT, RAMP, MODE, SPOT, PASSING, STEADY, KEPT, KINDS };
+static const char *const kind_names[KINDS] = {"driven",  "held",   "flux", "wave",
+                                              "product", "ramp",   "mode", "spot",
+                                              "passing", "steady", "kept"};
 static const char *const body_names[HEAT_BODIES] = {"slab", "cylinder", "sphere"};
 
 struct problem {
@@ -58,6 +65,7 @@ struct problem {
     double speed, cell;
     double from, to; /* of places at t = 0 */
     unsigned along;
+    struct kirchhoff table; /* without points: none */
 };
 
 /* Particles, those that count first. */
@@ -78,6 +86,26 @@ static enum mpm_status optional(const struct measurement *m, const char *name, d
                                 struct mpm_error *error)
 {
     return measurement_has(m, name) ? measurement_number(m, name, value, error) : MPM_OK;
+}
+
+static enum mpm_status read_table(const struct measurement *m, struct kirchhoff *table,
+                                  struct mpm_error *error)
+{
+    const char *text = "";
+    if (!measurement_has(m, "table"))
+        return MPM_OK;
+    TRY(measurement_text(m, "table", &text, error));
+    char **const words = g_strsplit(text, " ", -1);
+    const size_t count = g_strv_length(words);
+    const bool fits = count >= 4 && count % 2 == 0 && count <= (size_t)2 * KIRCHHOFF_POINTS;
+    for (size_t k = 0; fits && k < count; k++)
+        table->point[k / 2][k % 2] = g_ascii_strtod(words[k], NULL);
+    table->count = count / 2;
+    g_strfreev(words);
+    return fits ? MPM_OK
+                : failure_set(error, MPM_BAD_INPUT,
+                              "parameter table: got '%s'; allowed: T k T k ..., 2 to %d points",
+                              text, (int)KIRCHHOFF_POINTS);
 }
 
 static enum mpm_status read_problem(const struct measurement *m, struct problem *problem,
@@ -114,6 +142,7 @@ static enum mpm_status read_problem(const struct measurement *m, struct problem 
     TRY(measurement_numbers(m, needed, G_N_ELEMENTS(needed), error));
     for (size_t k = 0; k < G_N_ELEMENTS(others); k++)
         TRY(optional(m, others[k].name, others[k].value, error));
+    TRY(read_table(m, &problem->table, error));
     problem->kind = (enum kind)kind;
     problem->body = (enum heat_body)body;
     return MPM_OK;
@@ -138,8 +167,9 @@ static double spot_at(const struct problem *problem, const double start[AXES], d
     return heat_spot(place, problem->width, diffusivity, time);
 }
 
-static double exact(const struct problem *problem, const double start[AXES],
-                    const double position[AXES], double time, double at_start)
+/* With a constant conductivity. */
+static double linear(const struct problem *problem, const double start[AXES],
+                     const double position[AXES], double time, double at_start)
 {
     const double rate = problem->diffusivity / (problem->length * problem->length);
     const double place = place_of(problem, position);
@@ -150,7 +180,8 @@ static double exact(const struct problem *problem, const double start[AXES],
         return problem->start +
                problem->scale * heat_surface_held(problem->body, place, rate * time);
     case FLUX:
-        return problem->scale * heat_surface_flux(problem->body, place, rate * time);
+        return problem->start +
+               problem->scale * heat_surface_flux(problem->body, place, rate * time);
     case WAVE:
         return problem->scale * exp(-problem->decay * time) *
                sin(PI * (problem->p * position[0] + problem->q * position[1] + problem->phase));
@@ -167,11 +198,22 @@ static double exact(const struct problem *problem, const double start[AXES],
     case PASSING:
         return problem->scale * heat_passing_rod(position[problem->along] - problem->origin,
                                                  problem->speed, problem->diffusivity);
+    case STEADY:
+        return problem->start + problem->scale * place;
     case KEPT:
     case KINDS:
     default:
         return at_start;
     }
+}
+
+static double exact(const struct problem *problem, const double start[AXES],
+                    const double position[AXES], double time, double at_start)
+{
+    const double value = linear(problem, start, position, time, at_start);
+    return problem->table.count == 0
+               ? value
+               : kirchhoff_temperature(&problem->table, problem->start, value - problem->start);
 }
 
 /* ------------------------------------------------------------------ measuring */

@@ -11,16 +11,26 @@
 /* The keys of a scalar's properties. */
 static const struct names {
     const char *capacity, *one, *two, *angle, *expansion, *stress_free;
+    const char *ways; /* to give a conductivity */
 } names[MPM_SCALAR_COUNT] = {
     [MPM_TEMPERATURE] = {"heat_capacity", "conductivity", "principal_conductivities",
-                         "conductivity_angle", "thermal_expansion", "stress_free_temperature"},
+                         "conductivity_angle", "thermal_expansion", "stress_free_temperature",
+                         "conductivity, principal_conductivities and conductivity_table"},
     [MPM_CONCENTRATION] = {"saturation", "diffusivity", "principal_diffusivities",
-                           "diffusivity_angle", "swelling", "stress_free_concentration"},
+                           "diffusivity_angle", "swelling", "stress_free_concentration",
+                           "diffusivity and principal_diffusivities"},
+};
+
+/* Points of a table; NULL: missing. */
+struct given_table {
+    char *(*points)[2];
+    size_t count;
 };
 
 /* Their texts of one material; NULL: missing. */
 struct given {
     const char *capacity, *one, *const *two, *angle, *expansion, *stress_free;
+    struct given_table tables[MPM_TABLE_COUNT];
 };
 
 static struct given given_by(const struct mpm_raw_material *raw, enum mpm_scalar which)
@@ -33,18 +43,104 @@ static struct given given_by(const struct mpm_raw_material *raw, enum mpm_scalar
                               (const char *const *)raw->principal_conductivities,
                               raw->conductivity_angle,
                               raw->thermal_expansion,
-                              raw->stress_free_temperature};
+                              raw->stress_free_temperature,
+                              {{raw->heat_capacity_table, raw->heat_capacity_table_count},
+                               {raw->conductivity_table, raw->conductivity_table_count}}};
     case MPM_CONCENTRATION:
-        return (struct given){raw->saturation,
-                              raw->diffusivity,
-                              (const char *const *)raw->principal_diffusivities,
-                              raw->diffusivity_angle,
-                              raw->swelling,
-                              raw->stress_free_concentration};
+        return (struct given){.capacity = raw->saturation,
+                              .one = raw->diffusivity,
+                              .two = (const char *const *)raw->principal_diffusivities,
+                              .angle = raw->diffusivity_angle,
+                              .expansion = raw->swelling,
+                              .stress_free = raw->stress_free_concentration};
     case MPM_SCALAR_COUNT:
         break;
     }
     return (struct given){.two = none};
+}
+
+/* ------------------------------------------------------------------------ tables */
+
+static enum mpm_status build_point(const struct mpm_reading *reading, const char *path,
+                                   char *const given[2], const double *before, double point[2])
+{
+    for (int i = 0; i < 2; i++)
+        point[i] = mpm_raw_double(given[i]);
+    if (before != NULL && !(point[0] > before[0]))
+        return mpm_reading_fault(reading, path, "got temperature %g after %g; allowed: above it",
+                                 point[0], before[0]);
+    if (!(point[1] > 0.0))
+        return mpm_reading_fault(reading, path, "got %g at temperature %g; allowed: above 0",
+                                 point[1], point[0]);
+    return MPM_OK;
+}
+
+static enum mpm_status build_table(const struct mpm_reading *reading, const char *path,
+                                   const struct given *all, enum mpm_table which,
+                                   struct mpm_property *table)
+{
+    const struct given_table *const given = &all->tables[which];
+    const struct mpm_path key = mpm_path_join(path, mpm_table_keys[which]);
+    if (given->points == NULL)
+        return MPM_OK;
+    MPM_TRY(mpm_reading_allocate(reading, given->count, sizeof *table->points, "a table",
+                                 &table->points));
+    MPM_TRY(mpm_reading_allocate(reading, given->count, sizeof *table->integral, "a table",
+                                 &table->integral));
+    table->count = given->count;
+    for (size_t k = 0; k < given->count; k++)
+        MPM_TRY(build_point(reading, mpm_path_entry(key.text, k).text, given->points[k],
+                            k == 0 ? NULL : table->points[k - 1], table->points[k]));
+    mpm_property_prepare(table);
+    return MPM_OK;
+}
+
+/* A temperature at which the material has both properties. */
+static enum mpm_status check_common(const struct mpm_reading *reading, const char *path,
+                                    const struct mpm_conduction *conduction)
+{
+    const struct mpm_property *const one = &conduction->tables[MPM_TABLE_CAPACITY],
+                                     *const other = &conduction->tables[MPM_TABLE_CONDUCTIVITY];
+    if (one->count == 0 || other->count == 0 || mpm_property_largest_ratio(other, one) > 0.0)
+        return MPM_OK;
+    return mpm_reading_fault(reading, path,
+                             "heat_capacity_table from %g to %g and conductivity_table from %g to "
+                             "%g; allowed: tables with temperatures in common",
+                             one->points[0][0], one->points[one->count - 1][0], other->points[0][0],
+                             other->points[other->count - 1][0]);
+}
+
+/* ---------------------------------------------------------------------- capacity */
+
+static enum mpm_status build_capacity(const struct mpm_reading *reading, const char *path,
+                                      enum mpm_scalar which, const struct given *given,
+                                      struct mpm_material_spec *material)
+{
+    const struct names *const name = &names[which];
+    struct mpm_conduction *const conduction = &material->conduction[which];
+    const bool one = given->capacity != NULL;
+    const bool table = given->tables[MPM_TABLE_CAPACITY].points != NULL;
+    if (one && table)
+        return mpm_reading_fault(reading, path, "both of %s and %s given; allowed: exactly one",
+                                 name->capacity, mpm_table_keys[MPM_TABLE_CAPACITY]);
+    if (!one && !table)
+        return mpm_reading_fault(reading, path,
+                                 "no %s, in a scene with transport.%s; allowed: a number above 0",
+                                 name->capacity, mpm_scalar_rows[which].name);
+    if (one) {
+        const double capacity = mpm_raw_double(given->capacity);
+        conduction->capacity =
+            which == MPM_TEMPERATURE ? capacity : capacity / material->density; /* per mass */
+        return MPM_OK;
+    }
+    if (reading->raw->transport->temperature->heating)
+        return mpm_reading_fault(
+            reading, mpm_path_join(path, mpm_table_keys[MPM_TABLE_CAPACITY]).text,
+            "given with transport.temperature.heating; allowed: %s", name->capacity);
+    MPM_TRY(build_table(reading, path, given, MPM_TABLE_CAPACITY,
+                        &conduction->tables[MPM_TABLE_CAPACITY]));
+    conduction->capacity = mpm_property_least(&conduction->tables[MPM_TABLE_CAPACITY]);
+    return MPM_OK;
 }
 
 /* ------------------------------------------------------------------ conductivity */
@@ -68,20 +164,25 @@ static enum mpm_status build_conductivity(const struct mpm_reading *reading, con
                                           double scale, struct mpm_conduction *conduction)
 {
     const bool one = given->one != NULL, two = given->two[0] != NULL;
-    if (one == two)
-        return mpm_reading_fault(reading, path, "%s of %s and %s given; allowed: exactly one",
-                                 one ? "both" : "none", name->one, name->two);
-    if (one && given->angle != NULL)
+    const bool table = given->tables[MPM_TABLE_CONDUCTIVITY].points != NULL;
+    if (one + two + table != 1)
+        return mpm_reading_fault(reading, path, "%d of %s given; allowed: exactly one",
+                                 one + two + table, name->ways);
+    if (!two && given->angle != NULL)
         return mpm_reading_fault(reading, mpm_path_join(path, name->angle).text,
                                  "got %s, for a %s without directions; allowed: with %s only",
                                  given->angle, name->one, name->two);
-    if (one)
+    if (table)
+        set_principal(conduction, 1.0, 1.0, 0.0);
+    else if (one)
         set_principal(conduction, scale * mpm_raw_double(given->one),
                       scale * mpm_raw_double(given->one), 0.0);
     else
         set_principal(conduction, scale * mpm_raw_double(given->two[0]),
                       scale * mpm_raw_double(given->two[1]), mpm_raw_double(given->angle));
-    return MPM_OK;
+    MPM_TRY(build_table(reading, path, given, MPM_TABLE_CONDUCTIVITY,
+                        &conduction->tables[MPM_TABLE_CONDUCTIVITY]));
+    return check_common(reading, path, conduction);
 }
 
 /* --------------------------------------------------------------------- expansion */
@@ -115,27 +216,29 @@ enum mpm_status mpm_build_conduction(const struct mpm_reading *reading, enum mpm
     struct mpm_material_spec *const material = &reading->scene->materials[index];
     struct mpm_conduction *const conduction = &material->conduction[which];
     const struct given given = given_by(&reading->raw->materials[index], which);
-    if (given.capacity == NULL)
-        return mpm_reading_fault(reading, path.text,
-                                 "no %s, in a scene with transport.%s; allowed: a number above 0",
-                                 names[which].capacity, mpm_scalar_rows[which].name);
-    const double capacity = mpm_raw_double(given.capacity);
-    const bool heat = which == MPM_TEMPERATURE; /* capacity per mass, else per volume */
     conduction->given = true;
-    conduction->capacity = heat ? capacity : capacity / material->density;
+    MPM_TRY(build_capacity(reading, path.text, which, &given, material));
     MPM_TRY(build_expansion(reading, path.text, &names[which], &given, material->law,
                             &material->expansion[which]));
-    return build_conductivity(reading, path.text, &names[which], &given, heat ? 1.0 : capacity,
+    return build_conductivity(reading, path.text, &names[which], &given,
+                              which == MPM_TEMPERATURE ? 1.0 : mpm_raw_double(given.capacity),
                               conduction);
 }
 
 enum mpm_status mpm_refuse_conduction(const struct mpm_reading *reading, enum mpm_scalar which)
 {
     const struct names *const name = &names[which];
-    const char *const keys[] = {name->capacity, name->one,       name->two,
-                                name->angle,    name->expansion, name->stress_free};
+    const char *const keys[] = {name->capacity,
+                                name->one,
+                                name->two,
+                                name->angle,
+                                name->expansion,
+                                name->stress_free,
+                                mpm_table_keys[MPM_TABLE_CAPACITY],
+                                mpm_table_keys[MPM_TABLE_CONDUCTIVITY]};
+    const size_t own = sizeof keys / sizeof keys[0] - (which == MPM_TEMPERATURE ? 0 : 2);
     for (size_t m = 0; m < reading->scene->material_count; m++)
-        for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++) {
+        for (size_t k = 0; k < own; k++) {
             const struct mpm_path path = mpm_path_entry("materials", m);
             const struct mpm_path key = mpm_path_join(path.text, keys[k]);
             if (mpm_reading_given(reading, key.text))

@@ -127,6 +127,17 @@ static void free_scalar(struct mpm_scalar_spec *scalar)
     free(scalar->source);
 }
 
+static void free_properties(const struct mpm_material_spec *material)
+{
+    for (int which = 0; which < MPM_SCALAR_COUNT; which++) {
+        const struct mpm_property *const tables = material->conduction[which].tables;
+        for (int k = 0; k < MPM_TABLE_COUNT; k++) {
+            free(tables[k].points);
+            free(tables[k].integral);
+        }
+    }
+}
+
 void mpm_scene_free(struct mpm_scene *scene)
 {
     if (scene == NULL)
@@ -145,6 +156,8 @@ void mpm_scene_free(struct mpm_scene *scene)
         free(scene->cracks[i].points);
     for (size_t i = 0; i < scene->setting_count; i++)
         free(scene->settings[i]);
+    for (size_t i = 0; i < scene->material_count; i++)
+        free_properties(&scene->materials[i]);
     free_vector(&scene->body_force);
     for (int k = 0; k < MPM_SCALAR_COUNT; k++)
         free_scalar(&scene->scalars[k]);

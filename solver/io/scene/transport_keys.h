@@ -7,9 +7,13 @@
 /* clang-format off */
 #define KEYS_conduction(X, S) /* of a material */                                                          \
     X(S, ONE, heat_capacity, NUMBER, ANYWHERE, OPTIONAL, HEAT_CAPACITY, NULL, ABOVE(0),              \
-      "specific heat capacity; with transport.temperature, and only there")                        \
+      "specific heat capacity, or heat_capacity_table; with transport.temperature, and only there") \
+    X(S, POINTS, heat_capacity_table, NUMBER, ANYWHERE, OPTIONAL, HEAT_CAPACITY, NULL, FROM_TO(2, MPM_POINTS_MAX), \
+      "points [temperature, specific heat capacity], linear between them; temperatures rise, capacities are above 0; instead of heat_capacity") \
     X(S, ONE, conductivity, NUMBER, ANYWHERE, OPTIONAL, CONDUCTIVITY, NULL, AT_LEAST(0),             \
-      "of heat, the same in all directions; or principal_conductivities")                          \
+      "of heat, the same in all directions; or principal_conductivities, or conductivity_table")   \
+    X(S, POINTS, conductivity_table, NUMBER, ANYWHERE, OPTIONAL, CONDUCTIVITY, NULL, FROM_TO(2, MPM_POINTS_MAX), \
+      "points [temperature, conductivity], linear between them; temperatures rise, conductivities are above 0; instead of conductivity") \
     X(S, PAIR, principal_conductivities, NUMBER, ANYWHERE, OPTIONAL, CONDUCTIVITY, NULL, AT_LEAST(0), \
       "of heat along two axes of the material, which turn with it; instead of conductivity")       \
     X(S, ONE, conductivity_angle, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(-360, 360),        \

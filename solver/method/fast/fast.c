@@ -74,6 +74,8 @@ const char *mpm_fast_lacks(const struct mpm_scene *scene)
             return "there are no fast kernels for laws with state variables";
     if (mpm_scene_couples(scene))
         return "there are no fast kernels for stresses that depend on a scalar";
+    if (mpm_scene_has_tables(scene))
+        return "there are no fast kernels for properties that depend on the temperature";
     if (scene->form == MPM_FORM_MOMENTUM)
         return "there are no fast kernels for method.form: momentum";
     if (scene->crack_count > 0 && scene->crack_method == MPM_CRACKS_VISIBILITY)

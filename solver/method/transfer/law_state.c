@@ -226,6 +226,14 @@ static enum mpm_failure_kind judge_temperature(const struct mpm_state *state, si
     return MPM_NO_FAILURE;
 }
 
+void mpm_strip_judge_tables(struct mpm_strip *strip, const struct mpm_property *tables, uint32_t id,
+                            double temperature)
+{
+    for (int k = 0; k < MPM_TABLE_COUNT; k++)
+        if (!mpm_property_covers(&tables[k], temperature))
+            mpm_strip_record(strip, MPM_OUTSIDE_TABLE, id, k, temperature);
+}
+
 static bool add_heat(const struct mpm_state *state, size_t p, struct evaluation *at,
                      struct mpm_strip *strip)
 {
@@ -240,6 +248,8 @@ static bool add_heat(const struct mpm_state *state, size_t p, struct evaluation 
     }
     const double change = at->now.temperature - start;
     particles->temperature[p] += change;
+    mpm_strip_judge_tables(strip, given->conduction[MPM_TEMPERATURE].tables, particles->id[p],
+                           particles->temperature[p]);
     strip->deformation_heat += particles->mass[p] * at->heat_capacity * change;
     return true;
 }

@@ -22,6 +22,8 @@ void mpm_nodal_scalar_layout(const struct mpm_state *state, struct mpm_nodal_sca
                                &scalar->result};
     for (size_t k = 0; k < sizeof arrays / sizeof arrays[0]; k++)
         *arrays[k] = MPM_TAKE(arena, double, nodes);
+    if (scalar->varies && scalar->transfer == MPM_SCALAR_FLIP)
+        scalar->held = MPM_TAKE(arena, double, nodes);
     scalar->row_inflow =
         MPM_TAKE(arena, double, (size_t)(state->grid.rows + state->grid.field_rows));
 }
@@ -91,6 +93,12 @@ static void row_clear_result(void *state, int64_t row, int worker)
 {
     (void)worker;
     clear(state, at_work(state)->result, row);
+}
+
+static void row_clear_held(void *state, int64_t row, int worker)
+{
+    (void)worker;
+    clear(state, at_work(state)->held, row);
 }
 
 /* v_i = (sum c m v S) / M_i; room for inflow. */
@@ -227,8 +235,9 @@ static void settle(struct mpm_state *state, int workers, struct mpm_nodal_scalar
     scalar->settles = false;
 }
 
-/* The nodes reach the value at the end of the step; what that takes beside the inflow is counted.
- * With PIC they come from the value that particles gave them. */
+/* The nodes reach the value at the end of the step; what that takes beside the inflow is counted,
+ * or will be when particles have followed (count_held). With PIC they come from the value that
+ * particles gave them. */
 static enum mpm_status hold_result(const struct mpm_state *state, struct mpm_nodal_scalar *scalar,
                                    const struct mpm_scalar_hold *hold, int64_t field,
                                    double settling, struct mpm_error *error)
@@ -239,15 +248,20 @@ static enum mpm_status hold_result(const struct mpm_state *state, struct mpm_nod
     MPM_TRY(prescribed(state, scalar, hold, state->time + dt, &end, error));
     const double change =
         pic ? end - scalar->content[field] / capacity : end - scalar->value[field] + settling;
-    scalar->totals.held += capacity * change - dt * scalar->inflow[field];
+    scalar->totals.held +=
+        (scalar->held == NULL ? capacity * change : 0.0) - dt * scalar->inflow[field];
     mpm_scalar_set(state, scalar->result, field, pic ? end : change / dt);
+    if (scalar->held != NULL)
+        mpm_scalar_set(state, scalar->held, field, change / dt);
     return MPM_OK;
 }
 
-static enum mpm_status hold_results(const struct mpm_state *state, struct mpm_nodal_scalar *scalar,
+static enum mpm_status hold_results(struct mpm_state *state, struct mpm_nodal_scalar *scalar,
                                     struct mpm_error *error)
 {
     const size_t fields = (size_t)scalar->hold_fields;
+    if (scalar->held != NULL)
+        run_rows(state, scalar, row_clear_held);
     for (size_t k = 0; k < scalar->hold_count * fields; k++) {
         const int64_t field = held_field(state, scalar, k);
         if (field >= 0)
@@ -301,15 +315,23 @@ static void spread(struct mpm_state *state, int workers, const struct mpm_nodal_
     mpm_symmetries_reflect_scalar(state, scalar->capacity);
 }
 
+/* What particles have taken of held nodes, where that is not capacities times changes. */
+static void count_held(const struct mpm_state *state, struct mpm_nodal_scalar *scalar)
+{
+    for (int64_t s = 0; s < state->strip_count && scalar->held != NULL; s++)
+        scalar->totals.held += state->strips[s].inflow;
+}
+
 /* (62), Notes (142); nothing moves in a scene at rest, and the next step's contents are those of
- * the values that particles have now. */
+ * the values that particles have now; capacities too, unless they follow from tables. */
 static void update_particles(struct mpm_state *state, int workers, struct mpm_nodal_scalar *scalar)
 {
     const struct mpm_scalar_passes *const passes = state->kernels.scalar;
-    const bool again = state->scene->at_rest;
+    const bool again = state->scene->at_rest && !scalar->varies;
     if (again)
         run_rows(state, scalar, row_clear_content);
     mpm_scalar_pass_run(state, workers, scalar, again ? passes->update_and_spread : passes->update);
+    count_held(state, scalar);
     scalar->at_hand = again;
 }
 
@@ -439,6 +461,13 @@ double mpm_transport_stable_step(const struct mpm_grid *grid, double diffusivity
     return rate > 0.0 ? 1.0 / rate : HUGE_VAL;
 }
 
+/* c v, or the integral of c from 0 to v. */
+static double content_per_mass(const struct mpm_nodal_scalar *scalar, uint32_t body, double value)
+{
+    const struct mpm_property *const table = &scalar->bodies[body].tables[MPM_TABLE_CAPACITY];
+    return table->count == 0 ? scalar->weight[body] * value : mpm_property_integral(table, value);
+}
+
 double mpm_transport_content(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar,
                              double extremes[2])
 {
@@ -446,7 +475,7 @@ double mpm_transport_content(const struct mpm_state *state, const struct mpm_nod
     const double *const value = mpm_particle_array(particles, scalar->row->field, 0);
     double sum = 0.0, low = DBL_MAX, high = -DBL_MAX;
     for (size_t p = 0; p < particles->count; p++) {
-        sum += scalar->weight[particles->body[p]] * particles->mass[p] * value[p];
+        sum += particles->mass[p] * content_per_mass(scalar, particles->body[p], value[p]);
         low = fmin(low, value[p]);
         high = fmax(high, value[p]);
     }

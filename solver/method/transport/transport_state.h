@@ -26,9 +26,11 @@ struct mpm_expansion_totals {
 
 /* One of a body's particles: content c m v, flux - J k m grad v / V. */
 struct mpm_scalar_body {
-    double k[3];        /* conductivity over initial density, xx yy xy of the undeformed body */
-    double diffusivity; /* the largest, k / (c rho_0) */
+    double k[3]; /* conductivity over initial density, xx yy xy of the undeformed body; with a
+                    table 1/rho_0 1/rho_0 0, times its value */
+    double diffusivity; /* the largest, k / (c rho_0), at any temperature of tables */
     bool turns;         /* k is not a number times the unit tensor */
+    const struct mpm_property *tables; /* of the material, by enum mpm_table */
 };
 
 /* Two fields of a node between which something flows; see transport_exchange.h. */
@@ -46,7 +48,7 @@ struct mpm_nodal_scalar {
     const struct mpm_scalar_row *row;
     enum mpm_scalar which;
     enum mpm_scalar_transfer transfer;
-    double *weight; /* per body: c, capacity per mass */
+    double *weight; /* per body: c, capacity per mass; with a table its smallest */
     struct mpm_scalar_body *bodies;
     struct mpm_expression *source;      /* NULL: none */
     struct mpm_expression **conditions; /* per condition of the scene */
@@ -57,15 +59,17 @@ struct mpm_nodal_scalar {
     bool uniform;     /* c is the same for all bodies */
     bool settles;     /* in this step: held nodes, and fields of bodies that have come together */
     bool joins;       /* are there such bodies? */
+    bool varies;      /* c is a table's for some body */
     bool at_hand;     /* content and capacity are those of the particles as they are */
 
     /* One number per node. Valid within one step, in scenes at rest content and capacity until
      * particles are sorted; where nothing is, zero. */
-    double *content;    /* sum c m v S */
-    double *capacity;   /* sum c m S */
-    double *value;      /* v_i at the start of the step, conditions included */
-    double *inflow;     /* content per time */
-    double *result;     /* what particles read: dv_i/dt, or with PIC v_i^{n+1} */
+    double *content;  /* sum c m v S */
+    double *capacity; /* sum c m S */
+    double *value;    /* v_i at the start of the step, conditions included */
+    double *inflow;   /* content per time */
+    double *result;   /* what particles read: dv_i/dt, or with PIC v_i^{n+1} */
+    double *held;     /* the part of it that is of held nodes, with FLIP where c varies; or NULL */
     double *row_inflow; /* per node row: its sum; finite if all are */
     /* Of the step: those of a node follow each other. */
     struct mpm_scalar_passage *passages;

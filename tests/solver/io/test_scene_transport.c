@@ -43,6 +43,10 @@ static const char AT_REST[] =
     "materials=[{name: steel, law: none, density: 2, heat_capacity: 1, conductivity: 1}, "
     "{name: wood, law: none, density: 2, heat_capacity: 1, conductivity: 1}]";
 
+#define TABLES(capacity, conductivity)                                                             \
+    "materials.steel={name: steel, law: neo_hookean, density: 1, bulk: 1, shear: 1, "              \
+    "heat_capacity_table: " capacity ", conductivity_table: " conductivity "}"
+
 /* Settings of the good scene, a line each, and part of the message. */
 static const char *const refused[][2] = {
     {"materials.steel.heat_capacity=0", "materials.0.heat_capacity: out of range"},
@@ -50,11 +54,31 @@ static const char *const refused[][2] = {
     {"materials.steel={name: steel, law: neo_hookean, density: 1, bulk: 1, shear: 1, conductivity: "
      "1}",
      "no heat_capacity"},
-    {"materials.wood.conductivity=1", "both of conductivity and principal_conductivities given"},
+    {"materials.wood.conductivity=1",
+     "2 of conductivity, principal_conductivities and conductivity_table given"},
     {"materials.steel={name: steel, law: neo_hookean, density: 1, bulk: 1, shear: 1, "
      "heat_capacity: 1}",
-     "none of conductivity and principal_conductivities given"},
+     "0 of conductivity, principal_conductivities and conductivity_table given"},
     {"materials.steel.conductivity_angle=3", "for a conductivity without directions"},
+    {"materials.steel.conductivity_table=[[0, 1], [1, 2]]",
+     "2 of conductivity, principal_conductivities and conductivity_table given"},
+    {"materials.steel.heat_capacity_table=[[0, 1], [1, 2]]",
+     "both of heat_capacity and heat_capacity_table given; allowed: exactly one"},
+    {TABLES("[[0, 1]]", "[[0, 1], [9, 1]]"), "materials.0.heat_capacity_table: "},
+    {TABLES("[[0, 1], [0, 2]]", "[[0, 1], [9, 1]]"),
+     "materials.0.heat_capacity_table.1: got temperature 0 after 0; allowed: above it"},
+    {TABLES("[[0, 1], [5, 1], [4, 2]]", "[[0, 1], [9, 1]]"),
+     "materials.0.heat_capacity_table.2: got temperature 4 after 5"},
+    {TABLES("[[0, 1], [5, 1]]", "[[0, 0], [9, 1]]"),
+     "materials.0.conductivity_table.0: got 0 at temperature 0; allowed: above 0"},
+    {TABLES("[[0, 1], [5, -1]]", "[[0, 1], [9, 1]]"),
+     "materials.0.heat_capacity_table.1: got -1 at temperature 5; allowed: above 0"},
+    {TABLES("[[0, 1], [5, x]]", "[[0, 1], [9, 1]]"), "materials.0.heat_capacity_table.1.1: "},
+    {TABLES("[[0, 1], [5, 1]]", "[[6, 1], [9, 1]]"),
+     "materials.0: heat_capacity_table from 0 to 5 and conductivity_table from 6 to 9; allowed: "
+     "tables with temperatures in common"},
+    {TABLES("[[0, 1], [5, 1]]", "[[0, 1], [9, 1]], conductivity_angle: 3"),
+     "for a conductivity without directions"},
     {"transport={}", "materials.0.heat_capacity: given in a scene without transport.temperature"},
     {"transport.temperature.source='x*'", "transport.temperature.source: "},
     {"transport.temperature.source='1/(x-x)'", "allowed: finite"},
@@ -123,6 +147,9 @@ END_TEST
 
 /* Combinations of two settings. */
 static const char *const refused_together[][3] = {
+    {TABLES("[[0, 1], [50, 2]]", "[[0, 1], [50, 1]]"), "transport.temperature.heating=true",
+     "materials.0.heat_capacity_table: given with transport.temperature.heating; allowed: "
+     "heat_capacity"},
     {"contact={law: stick}", "cracks=[{points: [[1, 1], [3, 1.1]]}]",
      "conduction with cracks beside contact between bodies"},
     {"method.cracks=visibility", "cracks=[{points: [[1, 1], [3, 1.1]]}]",

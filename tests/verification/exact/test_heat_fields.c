@@ -5,6 +5,7 @@
 #include "suites.h"
 #include "support/near.h"
 #include "verification/exact/heat.h"
+#include "verification/exact/kirchhoff.h"
 #include "verification/exact/uptake.h"
 
 #include <glib.h>
@@ -163,6 +164,25 @@ START_TEST(what_a_slab_takes_up_is_that_of_its_layers)
 }
 END_TEST
 
+/* k = 1 up to T = 2, then k = 1 + 2 (T - 2) up to 5, then down to 4 at 7. */
+static const struct kirchhoff bent = {4, {{-1.0, 1.0}, {2.0, 1.0}, {5.0, 7.0}, {7.0, 4.0}}};
+
+START_TEST(kirchhoffs_transform_is_the_integral_of_the_conductivity_and_its_inverse)
+{
+    ck_assert_near(kirchhoff_theta(&bent, 2.0), 3.0, 1e-14);
+    ck_assert_near(kirchhoff_theta(&bent, 3.0), 3.0 + 2.0, 1e-14); /* 1 + 2 (T - 2)/2 */
+    ck_assert_near(kirchhoff_theta(&bent, 5.0), 15.0, 1e-14);
+    ck_assert_near(kirchhoff_theta(&bent, 7.0), 26.0, 1e-14);
+    for (int k = -10; k <= 70; k++)
+        ck_assert_near(
+            kirchhoff_temperature(&bent, 0.5,
+                                  kirchhoff_theta(&bent, 0.1 * k) - kirchhoff_theta(&bent, 0.5)),
+            0.1 * k, 1e-13);
+    ck_assert(isnan(kirchhoff_temperature(&bent, 0.5, 100.0)));
+    ck_assert(isnan(kirchhoff_temperature(&bent, 0.5, -2.0)));
+}
+END_TEST
+
 Suite *suite_heat_fields(void)
 {
     Suite *suite = suite_create("heat_fields");
@@ -174,6 +194,8 @@ Suite *suite_heat_fields(void)
     tcase_add_test(fields, a_passing_rod_is_steady);
     tcase_add_test(fields, a_driven_slab_has_the_temperature_of_nafems);
     tcase_add_test(fields, what_a_slab_takes_up_is_that_of_its_layers);
+    tcase_add_test(fields,
+                   kirchhoffs_transform_is_the_integral_of_the_conductivity_and_its_inverse);
     suite_add_tcase(suite, fields);
     return suite;
 }
