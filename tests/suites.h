@@ -99,6 +99,7 @@
     SUITE(contact_edges)                                                                           \
     SUITE(cracked_bodies)                                                                          \
     SUITE(contact_points)                                                                          \
+    SUITE(rigid_contact)                                                                           \
     SUITE(body_contact)                                                                            \
     SUITE(scene_contact)                                                                           \
     SUITE(crack_line)                                                                              \

@@ -3,6 +3,7 @@
 
 #include "base/strips.h"
 #include "method/grid/conditions.h"
+#include "method/grid/symmetry.h"
 #include "method/transfer/nearby.h"
 #include "method/transfer/transfer.h"
 
@@ -143,6 +144,54 @@ static struct mpm_contact_particle rigid_particle(const struct mpm_state *state,
     };
 }
 
+/* Of a rigid particle beyond planes of symmetry across the axes with a sign -1: the nodes that it
+ * reaches there become those that they are images of, and the particle its own image. Entries of
+ * other nodes keep their T alone, whose sum is the whole particle's. Returns whether it reaches
+ * any.
+ */
+static bool take_image(const struct mpm_state *state, const double signs[2],
+                       struct mpm_contact_particle *particle, struct mpm_stencil *stencil)
+{
+    const double place[2] = {particle->place[0], particle->place[1]};
+    bool any = false;
+    for (int k = 0; k < stencil->count; k++) {
+        struct mpm_stencil_node *const entry = &stencil->node[k];
+        const int64_t beyond = state->node_zero + entry->node;
+        double sign[2], from[2], to[2];
+        const int64_t node = mpm_symmetry_original(state, beyond, sign);
+        if (entry->s == 0.0 || sign[0] != signs[0] || sign[1] != signs[1]) {
+            entry->s = 0.0;
+            continue;
+        }
+        any = true;
+        mpm_grid_position(&state->grid, beyond, from);
+        mpm_grid_position(&state->grid, node, to);
+        entry->node = node - state->node_zero;
+        for (int axis = 0; axis < 2; axis++) {
+            entry->g[axis] *= sign[axis];
+            if (sign[axis] < 0.0)
+                particle->place[axis] = to[axis] - (place[axis] - from[axis]);
+        }
+    }
+    for (int k = 0; k < 4; k++)
+        particle->edge[k] *= signs[k % 2];
+    return any;
+}
+
+/* Which nodes beyond a plane are listed depends on the strips of particles, so a rigid body's part
+ * there counts at the nodes inside from the start. */
+static void work_on_images(struct mpm_state *state, const struct mpm_contact_particle *particle,
+                           const struct mpm_stencil *stencil, mpm_contact_rigid_work *work)
+{
+    for (int k = 0; k < 4; k++) {
+        const double signs[2] = {(k & 1) != 0 ? -1.0 : 1.0, (k & 2) != 0 ? -1.0 : 1.0};
+        struct mpm_contact_particle seen = *particle;
+        struct mpm_stencil image = *stencil;
+        if (take_image(state, signs, &seen, &image))
+            work(state, &seen, &image);
+    }
+}
+
 void mpm_contact_rigid_run(struct mpm_state *state, mpm_contact_rigid_work *work)
 {
     for (size_t p = 0; state->contact.rigid_at != NULL && p < state->rigid.count; p++) {
@@ -151,6 +200,9 @@ void mpm_contact_rigid_run(struct mpm_state *state, mpm_contact_rigid_work *work
             continue;
         mpm_rigid_particle_stencil(state, p, &stencil);
         const struct mpm_contact_particle particle = rigid_particle(state, p);
-        work(state, &particle, &stencil);
+        if (state->symmetries.count == 0)
+            work(state, &particle, &stencil);
+        else
+            work_on_images(state, &particle, &stencil, work);
     }
 }

@@ -105,7 +105,8 @@ MPM_INLINE void mpm_contact_strip_visit(struct mpm_state *state, int64_t strip, 
     }
 }
 
-/* Work for a particle of a rigid body in contact. */
+/* Work for a particle of a rigid body in contact; beyond planes of symmetry, for its image inside.
+ */
 typedef void mpm_contact_rigid_work(struct mpm_state *state,
                                     const struct mpm_contact_particle *particle,
                                     const struct mpm_stencil *stencil);
