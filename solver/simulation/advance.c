@@ -52,6 +52,13 @@ static enum mpm_status take_step(struct mpm_simulation *simulation, struct mpm_e
     return status;
 }
 
+/* Results follow: at a time of them, or after the last step of the scene. */
+static bool ends_at_results(const struct mpm_simulation *simulation, bool lands)
+{
+    const int64_t steps = simulation->scene->steps;
+    return lands || (steps > 0 && simulation->step + 1 >= (uint64_t)steps);
+}
+
 enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double time_limit,
                                        struct mpm_error *error)
 {
@@ -72,14 +79,14 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
     }
     bool lands;
     state->time_step = mpm_time_step_next(simulation, time_limit, &lands);
-    state->transport.flush = lands;
+    state->transport.flush = ends_at_results(simulation, lands);
     if (take_step(simulation, error) != MPM_OK)
         return fail(simulation, simulation->step, error);
     const uint64_t since = simulation->step - simulation->backup.step;
     state->time = lands ? time_limit : state->time + state->time_step;
     simulation->backup.time_steps[since] = state->time_step;
     simulation->backup.times[since] = state->time;
-    simulation->backup.landed[since] = lands;
+    simulation->backup.flushed[since] = state->transport.flush;
     mpm_speeds_update(simulation);
     mpm_simulation_count_step(simulation);
     if (simulation->scene->rest.asked)

@@ -109,7 +109,7 @@ void mpm_backup_repeat(struct mpm_simulation *simulation)
     struct mpm_state *const state = &simulation->state;
     const uint64_t k = simulation->step - simulation->backup.step;
     state->time_step = simulation->backup.time_steps[k];
-    state->transport.flush = simulation->backup.landed[k];
+    state->transport.flush = simulation->backup.flushed[k];
     (void)mpm_step_advance(state, simulation->seconds, NULL); /* it has succeeded before, */
     (void)mpm_cracks_grow(simulation, NULL);                  /* and so has this */
     state->time = simulation->backup.times[k];

@@ -148,7 +148,8 @@ static void note_growth(struct mpm_simulation *simulation, double total)
 {
     struct mpm_energy_growth *const growth = &simulation->growth;
     const double made = total - simulation->state.external_work - simulation->energy_start;
-    const double factor = 1.0 + made / put_in(simulation);
+    const double given = put_in(simulation); /* of a gas at absolute zero nothing */
+    const double factor = given > 0.0 ? 1.0 + made / given : 1.0;
     growth->factor = factor;
     growth->largest = fmax(growth->largest, factor);
     if (factor <= FACTOR_GROWING || growth->seen)

@@ -44,7 +44,7 @@ struct mpm_backup {
     struct mpm_energy_balance energy;
     uint64_t step;
     double time_steps[MPM_STEPS_BETWEEN_SORTS]; /* of the steps since, */
-    bool landed[MPM_STEPS_BETWEEN_SORTS];       /* at a time of results, */
+    bool flushed[MPM_STEPS_BETWEEN_SORTS];      /* before results, */
     double times[MPM_STEPS_BETWEEN_SORTS];      /* and where they ended */
 };
 

@@ -82,9 +82,38 @@ class Case(Scales):
         return any(material["law"] == "none" for material in self.scene["materials"])
 
     @property
-    def heat(self):
-        """Conduction of heat; None without."""
-        return self.scene.get("transport", {}).get("temperature")
+    def conducts(self):
+        """Is there transport, of heat or a solvent?"""
+        return bool(self.scalars)
+
+    @property
+    def heats(self):
+        """Does deformation change temperatures?"""
+        return self.scene.get("transport", {}).get("temperature", {}).get("heating", False)
+
+    @property
+    def gas(self):
+        """Is a material a gas, which expands where nothing holds it?"""
+        return any(material["law"] == "ideal_gas" for material in self.scene["materials"])
+
+    @property
+    def couples(self):
+        """Do stresses follow a scalar?"""
+        return self.gas or any(material.get(scalar.expansion, 0) != 0 for scalar in self.scalars
+                               for material in self.scene["materials"])
+
+    @property
+    def exchanges(self):
+        """Does heat pass between surfaces?"""
+        contact = self.scene.get("contact", {})
+        return any(entry.get("heat", "insulated") != "insulated"
+                   for entry in [contact, *contact.get("pairs", []), *self.cracks])
+
+    @property
+    def waits(self):
+        """Has transport steps of its own?"""
+        transport = self.scene.get("transport", {})
+        return transport.get("every", 1) > 1 or transport.get("substeps", 1) > 1
 
     @property
     def method(self):

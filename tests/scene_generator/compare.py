@@ -26,6 +26,8 @@ import copy
 
 import numpy
 
+from scales import SCALARS
+
 ROUND_OFF = 1e-9
 STEPS = 20
 SHAKE = 1e-9
@@ -35,13 +37,13 @@ FAINT = 1e-3  # of the wave speed: velocities below are measured by this
 NUMBERS = ("kinetic_energy", "strain_energy", "external_work", "total_energy",
            "damping_dissipation", "cohesive_stored", "cohesive_dissipated",
            "transfer_loss", "contact_loss", "contact_stored", "contact_dissipated")
-HEATS = ("thermal_energy", "boundary_heat", "source_heat", "edge_heat")
+COUPLED = ("expansion_work", "deformation_heat", "thermoelastic_energy")
 
 
 class Difference:
     """The largest difference of two answers and where it is: positions in cells, velocities in
-    parts of the largest one, deformation gradients, temperatures, energies and heats as fractions of
-    the largest one of each."""
+    parts of the largest one, deformation gradients, scalars, energies and sums of scalars as
+    fractions of the largest one of each."""
 
     def __init__(self, parts):
         self.parts = parts
@@ -71,19 +73,27 @@ def difference(one, other, order, motion, cell, wave):
         "F": largest(second.deformation_gradient[order] -
                      motion.gradient(first.deformation_gradient)),
     }
-    if "temperature" in first.fields:
-        level = largest(one.start.temperature) + largest(first.temperature) or 1.0
-        parts["temperature"] = largest(second.temperature[order] - first.temperature) / level
-        heat = sum(largest(one.history[name]) for name in HEATS) + \
-            level * one.history["mass"][0] * wave ** 2  # capacities are near wave^2: sums may cancel
-        parts["heats"] = max(abs(one.history[name][-1] - other.history[name][-1]) / heat
-                             for name in HEATS)
+    for scalar in SCALARS.values():
+        if scalar.name in first.fields:
+            parts |= difference_of_scalar(one, other, order, scalar, wave)
     mass = one.history["mass"][0]
-    energy = max([largest(one.history[name]) for name in NUMBERS if name in one.history] +
+    energy = max([largest(one.history[name]) for name in NUMBERS + COUPLED if name in one.history] +
                  [mass * (FAINT * wave) ** 2])
     parts["energies"] = max(abs(one.history[name][-1] - other.history[name][-1]) / energy
-                            for name in NUMBERS if name in one.history)
+                            for name in NUMBERS + COUPLED if name in one.history)
     return Difference(parts)
+
+
+def difference_of_scalar(one, other, order, scalar, wave):
+    """Parts of a difference: of the particles' values and of sums of what they hold and have taken."""
+    mine, theirs = one.end.fields[scalar.name], other.end.fields[scalar.name][order]
+    level = largest(one.start.fields[scalar.name]) + largest(mine) or 1.0
+    columns = [scalar.content, *scalar.flows]
+    # Capacities are near wave^2, or 1: sums may cancel.
+    content = one.history["mass"][0] * (wave ** 2 if scalar.name == "temperature" else 1)
+    size = sum(largest(one.history[name]) for name in columns) + level * content
+    return {scalar.name: largest(theirs - mine) / level, scalar.content: max(
+        abs(one.history[name][-1] - other.history[name][-1]) / size for name in columns)}
 
 
 def shaken(scene):

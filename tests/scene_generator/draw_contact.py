@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 
 from draw import ABSENT, short
+from draw_passages import draw_gap, draw_heat_between
 
 HOLDS = ("stick", "frictionless", "friction")  # laws with detection and adhesion
 SMALLEST = 2  # cells that a body keeps along each axis
@@ -50,7 +51,7 @@ def draw_law(canvas, key, law):
         entry["friction"] = canvas.pick([0.3, 0, 1])
         if canvas.chance(50):
             entry["static_friction"] = short(entry["friction"] + canvas.pick([0.2, 0, 1]))
-    if law in HOLDS and canvas.chance(25):
+    if law in HOLDS and not canvas.notes["still"] and canvas.chance(25):
         entry["adhesion"] = short(canvas.pick([0.01, 0.001, 0.1]) * size("adhesion"))
     if law == "interface":
         for name in ("tension", "compression", "shear"):
@@ -59,9 +60,10 @@ def draw_law(canvas, key, law):
     return entry
 
 
-def draw_pair(canvas, key, law, usual):
+def draw_pair(canvas, key, law, usual, rigid=False):
     """A pair with its law, or contact itself, of which all pairs have what they do not give: `usual`."""
     entry = {"law": law, **draw_law(canvas, key, law)}
+    heat = canvas.notes["heat"] and canvas.chance(60) and not rigid and law != "none"
     if canvas.chance(60 if usual else 70):
         normals = [name for name in key.child("normal").choices if usual or name != "given"]
         entry["normal"] = canvas.pick(normals)
@@ -72,6 +74,24 @@ def draw_pair(canvas, key, law, usual):
     detection = entry.get("detection", usual.get("detection"))
     if law in HOLDS and detection == "volume" and canvas.chance(40):
         entry["touching"] = canvas.pick([0.9, 0.75, 1.2])
+    if heat and usual:
+        entry |= draw_heat_between(canvas, key)
+        entry |= draw_gap(canvas, key, entry, usual)
+    return entry
+
+
+def draw_usual_heat(canvas, key, contact, pairs, all_listed):
+    """Of contact itself, where a pair of deformable bodies has none of its own."""
+    law = contact.get("law", "none")
+    used = [{"law": law}] if not all_listed and law != "none" else []
+    used += [pair for pair in pairs if "heat" not in pair and pair["of"][1][0] != "r"]
+    if not canvas.notes["heat"] or not used or not canvas.chance(70):
+        return {}
+    entry = draw_heat_between(canvas, key)
+    for pair in used:
+        gap = draw_gap(canvas, key, pair | {"heat": entry["heat"]}, contact)
+        if gap:
+            return entry | gap
     return entry
 
 
@@ -97,6 +117,8 @@ def draw_contact(canvas, key):
         fields[-1] = canvas.integer(0, len(groups) - 2)
     entry = key.child("pairs")
     laws = [law for law in entry.child("law").choices if law != "none"]
+    if canvas.notes["still"]:
+        laws = [law for law in laws if law in ("bonded", "stick")]
     usual = draw_pair(canvas, key, canvas.pick(["none", *laws]), {})
     contact = {"fields": "bodies"} if by_body else \
         {"fields": "materials"} if canvas.chance(50) else {}
@@ -106,6 +128,9 @@ def draw_contact(canvas, key):
              *pairs_of_rigid(canvas, entry, groups, fields, (laws, usual))]
     if pairs:
         contact["pairs"] = pairs
+    listed = sum(pair["of"][1][0] != "r" for pair in pairs)
+    contact |= draw_usual_heat(canvas, key, contact, pairs,
+                               listed == len(groups) * (len(groups) - 1) // 2)
     return {child.name: contact[child.name] for child in key.children if child.name in contact}
 
 
@@ -139,7 +164,7 @@ def pairs_of_rigid(canvas, key, groups, fields, given):
     for body in canvas.scene["bodies"]:
         if "rigid" not in body or "free" in body["rigid"]["velocity"]:
             continue
-        made = {field: draw_pair(canvas, key, canvas.pick(laws), usual) if canvas.chance(80)
+        made = {field: draw_pair(canvas, key, canvas.pick(laws), usual, rigid=True) if canvas.chance(80)
                 else None for field in sorted(set(fields))}
         pairs += [with_names(made[field], group, body["name"], False)
                   for group, field in zip(groups, fields) if made[field] is not None]

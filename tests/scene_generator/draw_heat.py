@@ -1,16 +1,53 @@
-"""Draws heat conduction: functions (canvas, key) of the tables in meaning.py.
+"""Draws transport, of heat and of a solvent: functions (canvas, key) of the tables in meaning.py.
 
-Temperatures vary by 1, from a level of 0, 10 or -3; a conductivity of the natural size has a stable step
-of a quarter of a cell at the speed of waves.
+Temperatures vary by 1, from a level of 0, 10 or -3, and concentrations by a quarter, from 0 or 0.5; a
+conductivity of the natural size has a stable step of a quarter of a cell at the speed of waves.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 
+import math
+import re
+
 from draw import ABSENT, draw_value, short
 from draw_bodies import SIDES, is_rigid
 from draw_loads import line, nodes_across, place
+from scales import bulk_modulus
 
 RADIATING_LEVEL = 10  # absolute temperatures stay above 0
+LEVELS = [0, RADIATING_LEVEL, -3, RADIATING_LEVEL]
+PARTS = {"temperature": 1, "concentration": 0.25}  # by which they vary
+
+
+# ------------------------------------------------------------------------ what there is
+def settle(canvas):
+    """Which scalars a scene conducts, and what of mechanics they change. In `coupled` stresses follow
+    scalars; in `exchanging` bodies in contact, or the sides of cracks, exchange heat."""
+    notes, situation = canvas.notes, canvas.situation
+    conducts = situation in ("heated", "coupled", "exchanging")
+    kinds = ["heat", "heat", "heat", "solvent", "both"] if situation != "exchanging" else \
+        ["heat", "heat", "heat", "heat", "both", "solvent"]
+    kind = canvas.pick(kinds) if conducts else "none"
+    notes["heat"], notes["solvent"] = kind in ("heat", "both"), kind in ("solvent", "both")
+    notes["coupled"] = situation == "coupled"
+    notes["exchanging"] = situation == "exchanging"
+    notes["still"] = conducts and not notes["coupled"] and canvas.chance(50)
+    absolute = notes["coupled"] and canvas.chance(70)
+    notes["levels"] = {"temperature": canvas.pick([RADIATING_LEVEL] if absolute else LEVELS),
+                       "concentration": canvas.pick([0, 0.5])}
+    notes["gas"] = absolute and notes["heat"] and canvas.chance(50)
+    notes["heats"] = absolute and notes["heat"] and canvas.chance(60)
+
+
+def scalar_of(key):
+    """The scalar that a key is of."""
+    solvent = re.search("concentration|saturation|swelling|diffusivit", key.path)
+    return "concentration" if solvent else "temperature"
+
+
+def is_conducted(canvas, key):
+    """Does the scene conduct what the key is of?"""
+    return canvas.notes["heat" if scalar_of(key) == "temperature" else "solvent"]
 
 
 # ---------------------------------------------------------------------- materials
@@ -18,12 +55,19 @@ def draw_law(canvas, key):
     """None where nothing moves, and no other law is."""
     if canvas.notes["still"]:
         return "none"
+    if canvas.notes["gas"] and canvas.scene["geometry"] != "plane_stress" and canvas.chance(75):
+        return "ideal_gas"
     return canvas.pick([law for law in key.choices if law not in ("none", "ideal_gas")])
 
 
-def draw_heat_capacity(canvas, key):
-    """Of each material of a scene with heat."""
-    if not canvas.notes["heat"]:
+def draw_gas_constant(canvas, key):
+    """Waves as fast as in solids."""
+    return canvas.pick([0.03, 0.1, 0.01]) if canvas.law_requires(key) else ABSENT
+
+
+def draw_capacity(canvas, key):
+    """Of heat or solvent: of each material of a scene that has it."""
+    if not is_conducted(canvas, key):
         return ABSENT
     return short(canvas.pick([1, 0.5, 3]) * canvas.scale(key.unit))
 
@@ -35,60 +79,101 @@ def draw_size(canvas):
 
 def draw_conductivity(canvas, key):
     """A number, or a tensor below."""
-    canvas.notes["tensor"] = canvas.notes["heat"] and canvas.chance(40)
-    if not canvas.notes["heat"] or canvas.notes["tensor"]:
+    tensor = is_conducted(canvas, key) and canvas.chance(40)
+    canvas.notes["tensor of " + scalar_of(key)] = tensor
+    if not is_conducted(canvas, key) or tensor:
         return ABSENT
     return short(draw_size(canvas) * canvas.scale(key.unit))
 
 
 def draw_principal(canvas, key):
     """Two of them, equal or not."""
-    if not canvas.notes["tensor"]:
+    if not canvas.notes["tensor of " + scalar_of(key)]:
         return ABSENT
     return [short(draw_size(canvas) * canvas.scale(key.unit)) for _ in range(2)]
 
 
-def draw_angle(canvas, _):
+def draw_angle(canvas, key):
     """Of a tensor's first axis, in degrees."""
-    if not canvas.notes["tensor"] or not canvas.chance(70):
+    if not canvas.notes["tensor of " + scalar_of(key)] or not canvas.chance(70):
         return ABSENT
     return canvas.pick([30, 90, -45, 137.5, -360])
 
 
+HEATING_MOST = 0.2  # 9 alpha^2 K T/(rho c): by how much adiabatic moduli are larger
+
+
+def draw_expansion(canvas, key):
+    """Of solids whose stresses follow a scalar: percents of a strain for the changes that scalars have."""
+    material = canvas.notes["group"]
+    if not canvas.notes["coupled"] or not is_conducted(canvas, key) or \
+            material["law"] == "ideal_gas" or canvas.chance(20):
+        return ABSENT
+    if scalar_of(key) == "concentration":
+        return canvas.pick([0.04, -0.02, 0.1, 0])
+    most = math.sqrt(HEATING_MOST * material["density"] * material["heat_capacity"] /
+                     (9 * bulk_modulus(material) * (RADIATING_LEVEL + 3)))
+    return canvas.pick([1, -1, 0.3, 0]) * short(min(0.02, most))
+
+
+def draw_stress_free(canvas, key):
+    """Goes with expansion: at the level of the scene, or beside it."""
+    scalar = scalar_of(key)
+    if {"temperature": "thermal_expansion", "concentration": "swelling"}[scalar] not in \
+            canvas.notes["group"]:
+        return ABSENT
+    return short(canvas.notes["levels"][scalar] + canvas.pick([0, 0, 0.5, -0.25]))
+
+
 # ------------------------------------------------------------------- temperatures
 def draw_field(canvas, key, time=True):
-    """A temperature: the scene's level and a change of up to 1, in one direction, in both, or within cells."""
-    level = canvas.notes["level"]
+    """A scalar: the scene's level and a change of up to 1, or a quarter, in one direction, in both, or within cells."""
+    level, part = canvas.notes["levels"][scalar_of(key)], PARTS[scalar_of(key)]
     names = ["r", "z"] if canvas.axisymmetric else ["x", "y"]
     centre = canvas.notes["centre"]
     form = canvas.integer(0, 4)
     if form == 3:
-        size = short(canvas.pick([0.02, -0.02]) / (canvas.cell[0] * canvas.cell[1]))
+        size = short(part * canvas.pick([0.02, -0.02]) / (canvas.cell[0] * canvas.cell[1]))
         change = f"{size}*(({names[0]}-({centre[0]}))*({names[1]}-({centre[1]})))"
     elif form == 4:
         axis = canvas.integer(0, 1)
-        change = f"0.5*sin({names[axis]}*{short(canvas.pick([1, 2.5]) / canvas.cell[axis])})"
+        change = f"{0.5 * part}*sin({names[axis]}*{short(canvas.pick([1, 2.5]) / canvas.cell[axis])})"
     else:
-        change = canvas.expression(key.unit, 1, time=time)
+        change = canvas.expression(key.unit, part, time=time)
     if isinstance(change, str):
         return f"{level}+{change}" if level else change
     return short(level + change)
 
 
-def draw_body_temperature(canvas, key):
+def draw_body_start(canvas, key):
     """Of a body's own, at t = 0."""
-    if not canvas.notes["heat"] or is_rigid(canvas) or not canvas.chance(50):
+    if not is_conducted(canvas, key) or is_rigid(canvas) or not canvas.chance(50):
         return ABSENT
     return draw_field(canvas, key, time=False)
 
 
 # ---------------------------------------------------------------------- transport
 def draw_transport(canvas, key):
-    """Of scenes with heat: one group for each scalar that the schema has."""
-    if not canvas.notes["heat"]:
+    """Of scenes that conduct: one group for each scalar, and steps of their own beside mechanics."""
+    groups = [child for child in key.children if child.shape == "group" and
+              is_conducted(canvas, child)]
+    if not groups:
         return ABSENT
-    return {scalar.name: draw_scalar(canvas, scalar) for scalar in key.children
-            if scalar.name == "temperature"}
+    transport = {}
+    if not canvas.notes["still"]:
+        for name in ("substeps", "every"):
+            if canvas.chance(25):
+                transport[name] = canvas.pick([2, 1, 3, 7])
+    return transport | {scalar.name: draw_scalar(canvas, scalar) for scalar in groups}
+
+
+def draw_heating(canvas):
+    """Heat of deformation, where something expands or is a gas, and temperatures are absolute."""
+    changes = any(material["law"] == "ideal_gas" or "thermal_expansion" in material
+                  and material["thermal_expansion"] != 0
+                  for material in canvas.scene["materials"])
+    return {"heating": True} if canvas.notes["heats"] and changes else \
+        {"heating": False} if canvas.chance(10) else {}
 
 
 def draw_scalar(canvas, key):
@@ -97,10 +182,12 @@ def draw_scalar(canvas, key):
     fluxes = [draw_flux(canvas, key.child("fluxes")) for _ in range(canvas.pick([0, 0, 1, 1, 2]))]
     if canvas.chance(50):
         scalar["transfer"] = draw_value(canvas, key.child("transfer"), ())
-    if canvas.notes["level"] or canvas.chance(60):
+    if canvas.notes["levels"][key.name] or canvas.chance(60):
         scalar["start"] = draw_field(canvas, key.child("start"), time=False)
     if canvas.chance(30):
         scalar["source"] = canvas.expression(key.child("source").unit, 0.05)
+    if key.child("heating") is not None:
+        scalar |= draw_heating(canvas)
     conditions = draw_conditions(canvas, key.child("conditions"))
     return scalar | {name: entries for name, entries in
                      (("conditions", conditions), ("fluxes", fluxes)) if entries}
@@ -149,7 +236,9 @@ def draw_flux(canvas, key):
         edges = [edge for edge in edges if edge not in ("left", "all")]
     flux = {"body": f"b{canvas.integer(0, canvas.notes['deformable'] - 1)}",
             "edge": canvas.pick(edges)}
-    kinds = ["value", "convection"] + ["radiation"] * (canvas.notes["level"] == RADIATING_LEVEL)
+    kinds = ["value", "convection"]
+    if key.child("radiation") is not None and canvas.notes["levels"]["temperature"] == RADIATING_LEVEL:
+        kinds.append("radiation")
     kind = canvas.pick(kinds)
     part = key.child(kind)
     if kind == "value":
@@ -164,6 +253,3 @@ def draw_flux(canvas, key):
         flux[kind] = {"emissivity": canvas.pick([1, 0.5]),
                       "sigma": short(size / (4 * RADIATING_LEVEL ** 3)), "ambient": ambient}
     return flux
-
-
-LEVELS = [0, RADIATING_LEVEL, -3, RADIATING_LEVEL]

@@ -64,7 +64,7 @@ def draw_crack_method(canvas, key):
     cracks = canvas.scene.get("cracks", [])
     followed = any("opening" in crack or "cohesive" in crack or "j_integral" in crack
                    for crack in cracks)
-    if not cracks or followed or canvas.notes.get("transfer") == "apic" or canvas.situation != "any" or not canvas.chance(30):
+    if not cracks or followed or "transport" in canvas.scene or canvas.notes.get("transfer") == "apic" or canvas.situation != "any" or not canvas.chance(30):
         return ABSENT
     return canvas.pick(key.choices)
 
@@ -138,6 +138,8 @@ def draw_time(canvas, key):
         time.update(courant=canvas.pick([0.4, 0.8]), steps=canvas.pick([400, 800]))
     else:
         steps = canvas.pick([10, 5, 20, 20, 60])
+        if any(material["law"] == "ideal_gas" for material in canvas.scene["materials"]):
+            steps = min(steps, 10)  # it leaves the grid soon
         if canvas.chance(20):
             bound = 1 / max(canvas.wave / min(canvas.cell), 2 * canvas.conduction_rate)
             time.update(step=short(canvas.pick([0.2, 0.4]) * bound), steps=steps)

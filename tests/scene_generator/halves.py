@@ -11,6 +11,8 @@ import numpy
 import compare
 from case import Case, require
 from images import agrees
+from scalars import scalars_of
+from scales import SCALARS
 from transform import Motion, names_of
 
 
@@ -120,7 +122,7 @@ def with_images(fold, entries, move):
 
 
 def moving(fold, entry):
-    """The body or boundary with the velocity and temperature of the whole model."""
+    """The body or boundary with the velocity and scalars of the whole model."""
     if "rigid" in entry:
         return dict(entry, rigid=moving(fold, entry["rigid"]))
     entry = heated(fold, entry)
@@ -130,24 +132,24 @@ def moving(fold, entry):
 
 
 def heated(fold, entry):
-    """A body, a condition or a flux with its temperatures and fluxes on both sides."""
+    """A body, a condition or a flux with its scalars and fluxes on both sides."""
     entry = dict(entry)
-    for name in ("temperature", "value", "ambient", "start", "source"):
+    for name in (*SCALARS, "value", "ambient", "start", "source"):
         if name in entry:
             entry[name] = fold.expression(entry[name])
     return entry
 
 
-def heat_with_images(fold, heat, images):
-    """Conduction in the whole model; edges are those of faces that the plane cuts."""
-    heat = heated(fold, heat)
-    heat["conditions"], _ = with_images(fold, heat.get("conditions", []), heated)
+def given_with_images(fold, given, images):
+    """Conduction of a scalar in the whole model; edges are those of faces that the plane cuts."""
+    given = heated(fold, given)
+    given["conditions"], _ = with_images(fold, given.get("conditions", []), heated)
     fluxes = [heated(fold, flux) | {kind: heated(fold, flux[kind])
                                     for kind in ("convection", "radiation") if kind in flux}
-              for flux in heat.get("fluxes", [])]
-    heat["fluxes"] = fluxes + [dict(flux, body=images[flux["body"]]) for flux in fluxes
-                               if flux["body"] in images]
-    return heat
+              for flux in given.get("fluxes", [])]
+    given["fluxes"] = fluxes + [dict(flux, body=images[flux["body"]]) for flux in fluxes
+                                if flux["body"] in images]
+    return given
 
 
 def contact_with_images(contact, images, rigid):
@@ -183,8 +185,8 @@ def unfolded(fold, index, cells):
     if "body_force" in scene.get("loads", {}):
         scene["loads"]["body_force"] = fold.components(scene["loads"]["body_force"])
     if "transport" in scene:
-        scene["transport"] = {name: heat_with_images(fold, heat, images)
-                              for name, heat in scene["transport"].items()}
+        scene["transport"] |= {scalar.name: given_with_images(fold, given, images)
+                               for scalar, given in scalars_of(scene).items()}
     for name, rate in scene.get("damping", {}).items():
         if name in ("grid", "particle"):
             scene["damping"][name] = fold.expression(rate)
@@ -204,7 +206,8 @@ def is_foldable(case, axis):
     moving_across = any("rigid" in body and body["rigid"]["velocity"][axis] not in (0, "free")
                         for body in case.scene["bodies"])
     cut = (("bottom", "top"), ("left", "right"))[axis]
-    oblique = any(material.get("conductivity_angle", 0) % 90 for material in case.scene["materials"])
+    oblique = any(material.get(scalar.angle, 0) % 90 for scalar in case.scalars
+                  for material in case.scene["materials"])
     if oblique or any(flux["edge"] not in cut for flux in case.fluxes):
         return False
     return not case.cracks and not set(case.loads) & {"tractions", "particle_forces"} and \
@@ -233,7 +236,8 @@ def half_is_the_whole(case):
     require(len(there) == 2 * len(here) and away.min(axis=1).max() <= 1e-6 * min(case.cell),
             "the whole model: other particles at t = 0")
     order = away.argmin(axis=1)
-    for name in compare.NUMBERS + compare.HEATS:
+    sums = [name for scalar in case.scalars for name in (scalar.content, *scalar.flows)]
+    for name in (*compare.NUMBERS, *compare.COUPLED, *sums):
         if name in other.history:
             other.history[name] = other.history[name] / 2
     return agrees(case, other, order, Motion(), "the whole model")

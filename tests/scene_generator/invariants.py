@@ -8,6 +8,11 @@ from balance import (a_failed_run_leaves_the_step_before, momentum_changes_by_ex
                      the_ledger_closes_in_every_step, work_needs_motion)
 from contact import (another_crack_beside_changes_nothing, detections_agree,
                      surfaces_do_not_pass_through)
+from coupling import (bodies_free_of_stress_stay, gas_in_a_closed_box_stays,
+                      heat_between_bodies_is_counted, no_expansion_changes_no_digit,
+                      perfect_bonds_make_one_body, perfect_cracks_are_none,
+                      solvent_is_heat_by_another_name, substeps_are_steps,
+                      substeps_that_nothing_needs_change_nothing)
 from energy import energies_are_the_work_of_tractions
 from halves import half_is_the_whole
 from heat import (a_held_gradient_stays, an_even_source_warms_evenly,
@@ -38,5 +43,9 @@ SOMETIMES = [moved_by_whole_cells, mirrored_along_x, mirrored_along_y, turned_by
              another_crack_beside_changes_nothing, detections_agree, temperatures_have_no_zero,
              one_temperature_stays, heat_alone_is_heat_in_a_body_at_rest, an_even_source_warms_evenly,
              a_held_gradient_stays, prescribed_temperatures_hold,
-             surroundings_warm_what_is_colder, heat_moves_nothing, tensors_in_other_words]
+             surroundings_warm_what_is_colder, heat_moves_nothing, tensors_in_other_words,
+             solvent_is_heat_by_another_name, no_expansion_changes_no_digit,
+             bodies_free_of_stress_stay, gas_in_a_closed_box_stays,
+             substeps_that_nothing_needs_change_nothing, substeps_are_steps,
+             heat_between_bodies_is_counted, perfect_bonds_make_one_body, perfect_cracks_are_none]
 ALL = {function.__name__: function for function in ALWAYS + SOMETIMES}

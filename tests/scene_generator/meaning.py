@@ -10,10 +10,10 @@ import draw_cracks as cracks
 import draw_heat as heat
 import draw_loads as loads
 import draw_method as method
+import draw_passages as passages
+from scales import SCALARS
 
 # ------------------------------------------------------------------- left out
-PASSAGES = "heat between fields: tests of scalar_exchange and case H11 have it"
-COUPLING = "stresses that follow a scalar: tests of expansion, cases H9, H10 and H12 have it"
 TABLES = "points are temperatures, not places; invariants of heat assume constants (case H14)"
 LEFT_OUT = {
     "time.allow_unstable": "beyond the stability limit nothing is promised",
@@ -21,35 +21,17 @@ LEFT_OUT = {
     "output.snapshots": "the first state and the last are compared; more would land steps on them",
     "contact.normal=given": "refused: it is for pairs, each with its direction",
     "output.fringe": "a field for pictures; its values follow from the stress",
-    "contact.heat": PASSAGES, "contact.conductance": PASSAGES, "contact.heat_gap": PASSAGES,
-    "contact.pairs[].heat": PASSAGES, "contact.pairs[].conductance": PASSAGES,
-    "contact.pairs[].heat_gap": PASSAGES, "cracks[].heat": PASSAGES,
-    "cracks[].conductance": PASSAGES,
-    "materials[].law=ideal_gas": COUPLING, "materials[].gas_constant": COUPLING,
-    "materials[].thermal_expansion": COUPLING, "materials[].stress_free_temperature": COUPLING,
-    "materials[].swelling": COUPLING, "materials[].stress_free_concentration": COUPLING,
-    "materials[].saturation": COUPLING, "materials[].diffusivity": COUPLING,
-    "materials[].principal_diffusivities": COUPLING, "materials[].diffusivity_angle": COUPLING,
-    "bodies[].concentration": COUPLING, "transport.concentration": COUPLING,
     "materials[].heat_capacity_table": TABLES, "materials[].conductivity_table": TABLES,
-    "transport.temperature.heating": COUPLING, "transport.substeps": COUPLING,
-    "transport.every": COUPLING,
 }
-
-LEFT_OUT |= {"transport.concentration." + key: COUPLING for key in (
-    "transfer", "start", "source", "conditions", "conditions[].value", "conditions[].region",
-    "conditions[].region.line", "conditions[].region.line.from", "conditions[].region.line.to",
-    "conditions[].region.rectangle", "conditions[].region.rectangle.from",
-    "conditions[].region.rectangle.to", "conditions[].region.all", "fluxes", "fluxes[].body",
-    "fluxes[].edge", "fluxes[].value", "fluxes[].convection", "fluxes[].convection.coefficient",
-    "fluxes[].convection.ambient")}
 
 # Refused where nothing moves, since materials have law: none.
 OF_MOTION = {
     "method.stress_update", "method.extrapolate", "method.position_update", "method.radius_update",
     "method.axis_nodes", "method.form", "method.transfer", "method.cracks",
-    "method.deformation_terms", "loads", "damping", "contact", "cracks", "output.energy_balance",
-    "output.fringe", "bodies[].velocity", "bodies[].rigid",
+    "method.deformation_terms", "loads", "damping", "output.energy_balance", "output.fringe",
+    "bodies[].velocity", "bodies[].rigid", "cracks[].contact", "cracks[].detection",
+    "cracks[].friction", "cracks[].separated", "cracks[].touching", "cracks[].opening",
+    "cracks[].cohesive", "cracks[].j_integral",
 }
 
 # Drawn by the function of a group or list in MEANING: all keys within must be named.
@@ -80,24 +62,21 @@ COVERED = {
     "contact.pairs[].friction", "contact.pairs[].static_friction", "contact.pairs[].adhesion",
     "contact.pairs[].touching", "contact.pairs[].tension", "contact.pairs[].compression",
     "contact.pairs[].shear",
-    "transport.temperature", "transport.temperature.transfer", "transport.temperature.start",
-    "transport.temperature.source", "transport.temperature.conditions",
-    "transport.temperature.conditions[].region", "transport.temperature.conditions[].region.line",
-    "transport.temperature.conditions[].region.line.from",
-    "transport.temperature.conditions[].region.line.to",
-    "transport.temperature.conditions[].region.rectangle",
-    "transport.temperature.conditions[].region.rectangle.from",
-    "transport.temperature.conditions[].region.rectangle.to",
-    "transport.temperature.conditions[].region.all", "transport.temperature.conditions[].value",
-    "transport.temperature.fluxes", "transport.temperature.fluxes[].body",
-    "transport.temperature.fluxes[].edge", "transport.temperature.fluxes[].value",
-    "transport.temperature.fluxes[].convection",
-    "transport.temperature.fluxes[].convection.coefficient",
-    "transport.temperature.fluxes[].convection.ambient", "transport.temperature.fluxes[].radiation",
+    "contact.heat", "contact.conductance", "contact.heat_gap", "contact.pairs[].heat",
+    "contact.pairs[].conductance", "contact.pairs[].heat_gap", "transport.substeps",
+    "transport.every", "transport.temperature.heating", "transport.temperature.fluxes[].radiation",
     "transport.temperature.fluxes[].radiation.emissivity",
     "transport.temperature.fluxes[].radiation.sigma",
     "transport.temperature.fluxes[].radiation.ambient",
 }
+
+COVERED |= {f"transport.{scalar}{key}" for scalar in SCALARS for key in (
+    "", ".transfer", ".start", ".source", ".conditions", ".conditions[].region",
+    ".conditions[].region.line", ".conditions[].region.line.from", ".conditions[].region.line.to",
+    ".conditions[].region.rectangle", ".conditions[].region.rectangle.from",
+    ".conditions[].region.rectangle.to", ".conditions[].region.all", ".conditions[].value",
+    ".fluxes", ".fluxes[].body", ".fluxes[].edge", ".fluxes[].value", ".fluxes[].convection",
+    ".fluxes[].convection.coefficient", ".fluxes[].convection.ambient")}
 
 # Groups within those of which keys that the function does not know are drawn by their kind.
 OPEN = ("time.rest.",)
@@ -108,27 +87,30 @@ FIRST = {
          "transport"),
     "grid": ("cell",),
     "materials": ("young", "poisson"),
-    "cracks": ("points", "contact", "j_integral"),
+    "cracks": ("points", "contact", "j_integral", "heat"),
     "method": ("shape", "axis", "stress_update", "form", "transfer"),
     "loads": ("tractions", "particle_forces"),
 }
 ALWAYS = {"method", "output", "loads", "damping"}  # groups that are left out only where empty
 
-GENERAL = ("any", "touching", "heated")  # the situations that together have all keys
+GENERAL = ("any", "touching", "heated", "coupled", "exchanging")  # the situations that together have all keys
 
 
 def prepare(canvas):
     """Settles what several sections must agree on. The situation `touching` is `any` with contact between
-    bodies, `heated` is `any` with heat conduction, without contact and cracks, in half of its scenes
-    with nothing else: still."""
+    bodies; `heated`, `coupled` and `exchanging` are `any` with transport (draw_heat.py), the last one
+    with contact or cracks and the others without."""
     notes = canvas.notes
-    notes["contact"], notes["heat"] = canvas.situation == "touching", canvas.situation == "heated"
-    if notes["contact"] or notes["heat"]:
+    notes["contact"] = canvas.situation == "touching"
+    heat.settle(canvas)
+    conducts = notes["heat"] or notes["solvent"]
+    if notes["exchanging"]:
+        notes["contact"] = canvas.chance(65)
+    cracked = notes["exchanging"] and not notes["contact"]
+    if notes["contact"] or conducts:
         canvas.situation = "any"
-    notes["still"] = notes["heat"] and canvas.chance(50)
-    notes["level"] = canvas.pick(heat.LEVELS) if notes["heat"] else 0
-    notes["cracked"] = canvas.situation == "pressed" or canvas.situation == "any" and \
-        not notes["heat"] and canvas.chance(25 if notes["contact"] else 40)
+    notes["cracked"] = cracked or canvas.situation == "pressed" or canvas.situation == "any" and \
+        not conducts and canvas.chance(25 if notes["contact"] else 40)
     free = notes["cracked"] and canvas.situation == "any" and not notes["contact"]
     notes["fracture"] = free and canvas.chance(15)
     notes["past"] = free and not notes["fracture"] and \
@@ -164,10 +146,19 @@ MEANING = {
     "method.cracks": method.draw_crack_method,
     "materials[].name": bodies.draw_name,
     "materials[].law": heat.draw_law,
-    "materials[].heat_capacity": heat.draw_heat_capacity,
+    "materials[].gas_constant": heat.draw_gas_constant,
+    "materials[].heat_capacity": heat.draw_capacity,
     "materials[].conductivity": heat.draw_conductivity,
     "materials[].principal_conductivities": heat.draw_principal,
     "materials[].conductivity_angle": heat.draw_angle,
+    "materials[].thermal_expansion": heat.draw_expansion,
+    "materials[].stress_free_temperature": heat.draw_stress_free,
+    "materials[].saturation": heat.draw_capacity,
+    "materials[].diffusivity": heat.draw_conductivity,
+    "materials[].principal_diffusivities": heat.draw_principal,
+    "materials[].diffusivity_angle": heat.draw_angle,
+    "materials[].swelling": heat.draw_expansion,
+    "materials[].stress_free_concentration": heat.draw_stress_free,
     "materials[].density": bodies.draw_density,
     "materials[].young": bodies.draw_young,
     "materials[].poisson": bodies.draw_poisson,
@@ -179,7 +170,8 @@ MEANING = {
     "bodies[].region": bodies.draw_body_region,
     "bodies[].particles_per_cell": bodies.draw_lattice,
     "bodies[].velocity": bodies.draw_body_velocity,
-    "bodies[].temperature": heat.draw_body_temperature,
+    "bodies[].temperature": heat.draw_body_start,
+    "bodies[].concentration": heat.draw_body_start,
     "transport": heat.draw_transport,
     "boundary": loads.draw_boundaries,
     "loads.body_force": loads.draw_body_force,
@@ -193,6 +185,8 @@ MEANING = {
     "cracks[].touching": cracks.draw_touching,
     "cracks[].opening": cracks.draw_opening,
     "cracks[].cohesive": cracks.draw_cohesive,
+    "cracks[].heat": passages.draw_crack_heat,
+    "cracks[].conductance": passages.draw_crack_conductance,
     "cracks[].j_integral[].tip": cracks.draw_tip,
     "cracks[].j_integral[].contour": cracks.draw_contour,
     "cracks[].j_integral[].propagation": cracks.draw_propagation,

@@ -2,11 +2,11 @@
  * line for each node with mass in every step, additional velocity fields of nodes near cracks
  * included:
  *
- *     step time time_step x y v_x v_y mass temperature
+ *     step time time_step x y v_x v_y mass temperature concentration
  *
  * of the step that ends at `time`: the velocity of the node at its end, or with position_update:
- * midpoint the mean of both ends, the mass of the field, and the temperature of which gradients
- * were taken, at the start of the step; 0 in a scene without. In a scene where nothing moves the
+ * midpoint the mean of both ends, the mass of the field, and the scalars of which gradients were
+ * taken, at the start of the step; 0 in a scene without. In a scene where nothing moves the
  * mass is the capacity. Snapshots have particles alone; the tests of scenes hold the nodes against
  * the conditions of the scene. Nodes beyond the grid's edge are left out. Exit status: that of a
  * run of the scene.
@@ -23,10 +23,12 @@ static double mass_of(const struct mpm_state *state, int64_t node)
     return state->scene->at_rest ? state->transport.list[0].capacity[node] : state->grid.mass[node];
 }
 
-static double temperature_of(const struct mpm_state *state, int64_t node)
+static double value_of(const struct mpm_state *state, enum mpm_scalar which, int64_t node)
 {
-    const bool conducts = state->transport.count > 0 && node < mpm_grid_nodes(&state->grid);
-    return conducts ? state->transport.list[0].value[node] : 0.0;
+    for (size_t k = 0; k < state->transport.count; k++)
+        if (state->transport.list[k].which == which)
+            return state->transport.list[k].value[node];
+    return 0.0;
 }
 
 static void print_node(const struct mpm_simulation *simulation, int64_t node)
@@ -43,9 +45,10 @@ static void print_node(const struct mpm_simulation *simulation, int64_t node)
     for (int axis = 0; axis < 2; axis++)
         velocity[axis] = grid->motion[node].end[axis] -
                          (midpoint ? 0.5 * step * grid->motion[node].acceleration[axis] : 0.0);
-    (void)printf("%llu %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n",
+    (void)printf("%llu %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n",
                  (unsigned long long)simulation->step, state->time, step, position[0], position[1],
-                 velocity[0], velocity[1], mass_of(state, node), temperature_of(state, node));
+                 velocity[0], velocity[1], mass_of(state, node),
+                 value_of(state, MPM_TEMPERATURE, node), value_of(state, MPM_CONCENTRATION, node));
 }
 
 /* Nodes of active rows, in their order, rows of additional fields after those of the grid; what

@@ -157,9 +157,9 @@ class Runner:
 
     def nodes(self, scene):
         """Exit status, message, and the nodes of every step as rows (step, time, time step, x, y, v_x,
-        v_y, mass, temperature): what mpm-nodes prints."""
+        v_y, mass, temperature, concentration): what mpm-nodes prints."""
         self.runs += 1
         status, output, message = self.call(self.probe, str(self.write(scene)))
         rows = numpy.array([[float(cell) for cell in line.split()]
                             for line in output.splitlines()])
-        return status, message, rows.reshape(-1, 9)
+        return status, message, rows.reshape(-1, 10)

@@ -6,26 +6,67 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import math
 
 
-def wave_speed(material):
-    """Of longitudinal waves in the undeformed material."""
+class Scalar:
+    """A scalar that is conducted: its key in transport and what materials and results call it."""
+
+    def __init__(self, name, words, of_material):
+        self.name = name
+        self.content, self.flow = words  # columns of the history
+        self.capacity, self.one, self.two, self.angle, self.expansion, self.stress_free = of_material
+
+    @property
+    def flows(self):
+        """Columns of the history: conditions', the source's, edges'."""
+        return [f"{cause}_{self.flow}" for cause in ("boundary", "source", "edge")]
+
+    @property
+    def of_material(self):
+        """Keys of materials."""
+        return {self.capacity, self.one, self.two, self.angle, self.expansion, self.stress_free}
+
+    def capacity_per_volume(self, material):
+        """Of the undeformed material."""
+        return material[self.capacity] * (material["density"] if self.name == "temperature" else 1)
+
+    def diffusivity(self, material):
+        """The largest of a material, along any direction."""
+        largest = max([material.get(self.one, 0), *material.get(self.two, [])])
+        return largest / self.capacity_per_volume(material) if self.name == "temperature" else largest
+
+
+SCALARS = {scalar.name: scalar for scalar in (
+    Scalar("temperature", ("thermal_energy", "heat"),
+           ("heat_capacity", "conductivity", "principal_conductivities", "conductivity_angle",
+            "thermal_expansion", "stress_free_temperature")),
+    Scalar("concentration", ("solvent_mass", "solvent"),
+           ("saturation", "diffusivity", "principal_diffusivities", "diffusivity_angle", "swelling",
+            "stress_free_concentration")))}
+HOTTEST = 13  # of absolute temperatures in scenes
+
+
+def bulk_modulus(material):
+    """Of a solid."""
     if "young" in material:
-        young, poisson = material["young"], material["poisson"]
-        modulus = young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson))
-    else:
-        modulus = material.get("bulk", 1) + 4 / 3 * material.get("shear", 0)
-    return math.sqrt(modulus / material["density"])
+        return material["young"] / (3 * (1 - 2 * material["poisson"]))
+    return material.get("bulk", 1)
 
 
-def largest_conductivity(material):
-    """Along any direction; 0 without."""
-    return max([material.get("conductivity", 0), *material.get("principal_conductivities", [])])
+def wave_speed(material):
+    """Of longitudinal waves in the undeformed material, without flow of heat."""
+    if "gas_constant" in material:
+        constant = material["gas_constant"]
+        return math.sqrt(constant * HOTTEST * (1 + constant / material["heat_capacity"]))
+    shear = material.get("shear", 0)
+    if "young" in material:
+        shear = material["young"] / (2 * (1 + material["poisson"]))
+    return math.sqrt((bulk_modulus(material) + 4 / 3 * shear) / material["density"])
 
 
 def film_of(flux):
-    """Derivative of a flux by the temperature, at an absolute temperature of 13 with radiation."""
+    """Derivative of a flux by the scalar, at the highest temperature with radiation."""
     radiation = flux.get("radiation", {"emissivity": 0, "sigma": 0})
     return flux.get("convection", {}).get("coefficient", 0) + \
-        4 * radiation["emissivity"] * radiation["sigma"] * 13 ** 3
+        4 * radiation["emissivity"] * radiation["sigma"] * HOTTEST ** 3
 
 
 class Scales:
@@ -48,19 +89,33 @@ class Scales:
         return max(map(wave_speed, self.scene["materials"]))
 
     @property
+    def scalars(self):
+        """What the scene conducts: its keys in transport, by scalar."""
+        transport = self.scene.get("transport", {})
+        return {SCALARS[name]: transport[name] for name in SCALARS if name in transport}
+
+    @property
     def fluxes(self):
-        """Of heat, through edges."""
-        return self.scene.get("transport", {}).get("temperature", {}).get("fluxes", [])
+        """Of all scalars, through edges."""
+        return [flux for given in self.scalars.values() for flux in given.get("fluxes", [])]
 
     @property
     def conduction_rate(self):
-        """The inverse of the longest stable step of conduction in undeformed bodies; 0 without heat."""
-        capacities = [material["density"] * material["heat_capacity"]
-                      for material in self.scene["materials"] if "heat_capacity" in material]
-        if not capacities:
-            return 0.0
-        diffusivity = max(largest_conductivity(material) / (material["density"] * material["heat_capacity"])
-                          for material in self.scene["materials"])
-        film = max(map(film_of, self.fluxes), default=0.0) / min(capacities)
+        """The inverse of the longest stable step of conduction in undeformed bodies; 0 without."""
+        diffusivity = film = 0.0
+        for scalar in SCALARS.values():
+            bodies = self.scene.get("bodies", [])
+            used = [body.get("material") for body in bodies]
+            materials = [material for material in self.scene["materials"]
+                         if scalar.capacity in material and (material["name"] in used or not bodies)]
+            if not materials:
+                continue
+            diffusivity = max([diffusivity, *map(scalar.diffusivity, materials)])
+            capacities = {material["name"]: scalar.capacity_per_volume(material)
+                          for material in materials}
+            of = {body["name"]: capacities[body["material"]] for body in bodies
+                  if "material" in body}
+            fluxes = self.scene.get("transport", {}).get(scalar.name, {}).get("fluxes", [])
+            film = max([film, *(film_of(flux) / of[flux["body"]] for flux in fluxes)])
         x, y = (1 / side for side in self.cell)
         return 2 * diffusivity * (x * x + y * y) + film * (x + y)

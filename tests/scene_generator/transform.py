@@ -8,10 +8,12 @@ import re
 
 import numpy
 
+from scales import SCALARS
 from schema import unit_exponents, visit
 
 SIZES = {"grid.cell", "grid.cells", "bodies[].particles_per_cell"}  # pairs without a place or a way
-ALONG = {"materials[].principal_conductivities"}  # pairs along axes that an angle turns
+ALONG = {"materials[].principal_conductivities",
+         "materials[].principal_diffusivities"}  # pairs along axes that an angle turns
 WAYS = {"contact.pairs[].direction"}  # pairs that are vectors
 NORMALS = {"left": (-1, 0), "right": (1, 0), "bottom": (0, -1), "top": (0, 1)}
 
@@ -118,10 +120,8 @@ def moved(schema, scene, motion):
         return value
 
     def change_material(material):
-        if "principal_conductivities" not in material:
-            return material
-        return dict(material, conductivity_angle=within_a_turn(
-            motion.angle(material.get("conductivity_angle", 0))))
+        return material | {scalar.angle: within_a_turn(motion.angle(material.get(scalar.angle, 0)))
+                           for scalar in SCALARS.values() if scalar.two in material}
 
     new = visit(schema, scene, change)
     new["materials"] = [change_material(material) for material in new["materials"]]

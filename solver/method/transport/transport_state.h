@@ -83,7 +83,7 @@ struct mpm_transport {
     size_t count;
     struct mpm_expansion_totals expansion;
     bool couples;  /* in this step the stresses follow what conduction has changed */
-    bool flush;    /* the step ends at a time of results: transport_steps.h */
+    bool flush;    /* results follow the step: transport_steps.h */
     double waited; /* time since the last conduction, with this step */
     int64_t steps_waited;
     const struct mpm_nodal_scalar *conducted; /* by the pass that runs */

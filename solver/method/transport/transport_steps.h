@@ -3,8 +3,9 @@
  *
  * A longer step of the mechanics is divided into as few as transport's limit allows, up to
  * `substeps`; places, F and given fluxes are those of its start. Conduction that waits takes place
- * earlier where its limit requires it, and in a step that ends at a time of results: these are of
- * one time. Laws see new temperatures when conduction has taken place.
+ * earlier where its limit requires it, and in a step that results follow, at a time of them or the
+ * last one of the scene: these are of one time. Laws see new temperatures when conduction has taken
+ * place.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_TRANSPORT_STEPS_H

@@ -78,6 +78,27 @@ START_TEST(kinetic_energy_from_expansion_is_no_instability)
 }
 END_TEST
 
+/* No energy, no work and no waves: nothing has grown. */
+START_TEST(a_gas_at_absolute_zero_makes_no_energy_from_nothing)
+{
+    struct settings settings = {.count = 0};
+    struct mpm_energy_growth growth;
+    struct mpm_error error = {0};
+    settings_add(&settings, MATERIAL("ideal_gas", GAS));
+    settings_add(&settings, "time={end: 1, step: 0.01}");
+    settings_add(&settings, "bodies.0.velocity=[0, 0]");
+    settings_add(&settings, "transport.temperature.start=0");
+    settings_add(&settings, "transport.temperature.conditions=[]");
+    struct test_run run = heat_block_open(&settings, MPM_KERNELS_REFERENCE);
+    test_run_steps(&run, 3);
+    ck_assert_int_eq(mpm_simulation_judge(run.simulation, &error), MPM_OK);
+    ck_assert(!mpm_simulation_energy_growth(run.simulation, &growth));
+    ck_assert_near(growth.factor, 1.0, 0.0);
+    test_run_close(&run);
+    settings_clear(&settings);
+}
+END_TEST
+
 /* ------------------------------------------------------------------ failures */
 
 #define HEATING "transport.temperature.heating=true"
@@ -165,6 +186,7 @@ Suite *suite_expansion_runs(void)
     Suite *suite = suite_create("expansion_runs");
     TCase *waves = tcase_create("waves");
     tcase_add_loop_test(waves, the_time_step_is_that_of_waves_without_flow_of_heat, 0, 3);
+    tcase_add_test(waves, a_gas_at_absolute_zero_makes_no_energy_from_nothing);
     tcase_add_loop_test(waves, kinetic_energy_from_expansion_is_no_instability, 0, 2);
     tcase_add_loop_test(waves, temperatures_without_meaning_are_refused_at_the_start, 0,
                         (int)G_N_ELEMENTS(refused));

@@ -357,6 +357,20 @@ START_TEST(conduction_does_not_wait_beyond_its_limit)
 }
 END_TEST
 
+/* 28 steps that conduct every fifth time leave three. */
+START_TEST(conduction_does_not_wait_beyond_the_last_step)
+{
+    static const char *const ends[] = {"time={end: 1000, step: 0.015}",
+                                       "time={end: 1000, step: 0.015, steps: 28}"};
+    static const double waited[] = {3.0 * 0.015, 0.0};
+    for (int k = 0; k < 2; k++) {
+        struct test_run run = resting_block(_i, ends[k], "transport.every=5", 28);
+        ck_assert_near(run.simulation->state.transport.waited, waited[k], 1e-15);
+        test_run_close(&run);
+    }
+}
+END_TEST
+
 /* -------------------------------------------------------------------- solvent */
 
 /* The same numbers as conductivity and capacity of heat, with a saturation for the scale. */
@@ -417,6 +431,7 @@ Suite *suite_heat_runs(void)
     tcase_add_loop_test(all, a_step_in_parts_conducts_as_so_many_steps_do, 0, HEAT_BLOCK_REST);
     tcase_add_loop_test(all, conduction_that_waits_is_that_of_one_long_step, 0, HEAT_BLOCK_REST);
     tcase_add_loop_test(all, conduction_does_not_wait_beyond_its_limit, 0, HEAT_BLOCK_REST);
+    tcase_add_loop_test(all, conduction_does_not_wait_beyond_the_last_step, 0, HEAT_BLOCK_REST);
     tcase_add_loop_test(all, a_solvent_diffuses_as_heat_does, 0, TEST_COMBINATIONS);
     tcase_add_test(all, steps_stay_below_the_limit_of_explicit_conduction);
     suite_add_tcase(suite, all);
