@@ -18,7 +18,8 @@ def draw_law(canvas, key):
     """None where nothing moves, and no other law is."""
     if canvas.notes["still"]:
         return "none"
-    return canvas.pick([law for law in key.choices if law not in ("none", "ideal_gas")])
+    return canvas.pick([law for law in key.choices
+                        if law not in ("none", "ideal_gas", "von_mises")])
 
 
 def draw_heat_capacity(canvas, key):

@@ -14,7 +14,11 @@ import draw_method as method
 # ------------------------------------------------------------------- left out
 PASSAGES = "heat between fields: tests of scalar_exchange and case H11 have it"
 COUPLING = "stresses that follow a scalar: tests of expansion, cases H9, H10 and H12 have it"
+PLASTIC = "plastic strain: tests of von_mises, cases P1 and P2 have it"
 LEFT_OUT = {
+    "materials[].law=von_mises": PLASTIC, "materials[].yield_stress": PLASTIC,
+    "materials[].hardening_modulus": PLASTIC, "materials[].hardening_strain": PLASTIC,
+    "materials[].hardening_exponent": PLASTIC, "materials[].kinematic_modulus": PLASTIC,
     "time.allow_unstable": "beyond the stability limit nothing is promised",
     "output.checkpoint": "reserved: this version writes none",
     "output.snapshots": "the first state and the last are compared; more would land steps on them",
