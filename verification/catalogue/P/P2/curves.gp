@@ -4,7 +4,8 @@ load style
 set output output
 set xlabel 'equivalent strain, signed'
 set ylabel 'equivalent stress, signed'
-set key top left
+set yrange [-10:8]
+set key bottom right
 plot data.'/data-shear_perfect-path.dat' using 2:4 with lines ls 1 title 'exact', \
      data.'/data-shear_linear-path.dat' using 2:4 with lines ls 1 notitle, \
      data.'/data-shear_kinematic-path.dat' using 2:4 with lines ls 1 notitle, \
