@@ -53,6 +53,7 @@ enum mpm_cause {
     MPM_CAUSE_CONTACT,
     MPM_CAUSE_NOT_AT_REST,
     MPM_CAUSE_TEMPERATURE,
+    MPM_CAUSE_PLASTIC,
     MPM_CAUSE_COUNT,
 };
 /* `name` is the value of "cause" in run.json: "left_grid"; `words` start the message: "left the
@@ -289,6 +290,7 @@ struct mpm_ledger {
      * thermoelastic_energy change by external work and inflow of heat alone, but for errors of the
      * time step. */
     double expansion_work, deformation_heat, thermoelastic_energy;
+    double plastic_dissipation; /* by plastic strain since t = 0; 0 without */
     /* kinetic + strain + dissipation + cohesive + contact energies - expansion_work */
     double total_energy;
     /* With output.energy_balance, else 0: what went from particles to nodes and back without
@@ -303,6 +305,9 @@ void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_l
 
 /* Does the scene damp: does its history have the column damping_dissipation? */
 bool mpm_scene_is_damped(const struct mpm_scene *scene);
+
+/* Has one of its materials plastic strain: has its history the column plastic_dissipation? */
+bool mpm_scene_is_plastic(const struct mpm_scene *scene);
 
 /* Has one of its cracks a cohesive law: has its history the columns of cohesive energies? */
 bool mpm_scene_is_cohesive(const struct mpm_scene *scene);

@@ -24,6 +24,7 @@ enum mpm_field {
     MPM_FIELD_MASS,                 /* 1 */
     MPM_FIELD_TEMPERATURE,          /* 1: of scenes with transport.temperature, else 0 */
     MPM_FIELD_CONCENTRATION,        /* 1: of scenes with transport.concentration, else 0 */
+    MPM_FIELD_PLASTIC_STRAIN,       /* 1: equivalent; 0 of materials without it */
     MPM_FIELD_FRINGE,               /* 1: CRAMP (23); not a number without output.fringe */
     MPM_FIELD_COUNT,
 };
@@ -39,8 +40,8 @@ struct mpm_field_info {
 /* The descriptor of a field. Dimensions are per radian as they are for the thickness. */
 const struct mpm_field_info *mpm_field_describe(enum mpm_field field);
 
-/* Is the field one of the scene's snapshots? All but temperature, concentration
- * and fringe are always. */
+/* Is the field one of the scene's snapshots? All but temperature, concentration,
+ * plastic strain and fringe are always. */
 bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field);
 
 /* Copies a field of all particles, sorted by id: particle-major,

@@ -42,6 +42,7 @@
     APART(workers)                                                                                 \
     SUITE(expression)                                                                              \
     SUITE(material)                                                                                \
+    SUITE(von_mises)                                                                               \
     SUITE(particles)                                                                               \
     SUITE(property)                                                                                \
     SUITE(scene)                                                                                   \

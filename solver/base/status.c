@@ -40,6 +40,8 @@ static const struct mpm_cause_info causes[MPM_CAUSE_COUNT] = {
     [MPM_CAUSE_TEMPERATURE] =
         {"temperature_out_of_range", "temperature out of range",
          "a temperature at which a law or heat of deformation has no meaning"},
+    [MPM_CAUSE_PLASTIC] = {"no_plastic_return", "no return to yield",
+                           "a particle whose stress has no way back to its yield surface"},
 };
 
 const struct mpm_cause_info *mpm_cause_describe(enum mpm_cause cause)

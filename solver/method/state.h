@@ -58,6 +58,7 @@ enum mpm_failure_kind {
     MPM_TEMPERATURE_NEGATIVE,    /* value: temperature, which should be absolute */
     MPM_NO_TEMPERATURE,          /* value: temperature before heat of deformation without end */
     MPM_OUTSIDE_TABLE,           /* value: temperature; axis: of which table, enum mpm_table */
+    MPM_NO_RETURN,               /* value: equivalent trial stress without a way back to yield */
 };
 
 struct mpm_failure {

@@ -8,7 +8,7 @@
 #include <math.h>
 
 /* c^2 = gamma R T, gamma = 1 + R / c_v; or R T where deformation gives no heat */
-static void update(const struct mpm_material *m, const struct mpm_law_step *step, double *state,
+static bool update(const struct mpm_material *m, const struct mpm_law_step *step, double *state,
                    double tau[MPM_SYMMETRIC_SIZE], double *wave_speed_squared)
 {
     const double r = m->parameter[MPM_PARAMETER_GAS_CONSTANT];
@@ -18,6 +18,7 @@ static void update(const struct mpm_material *m, const struct mpm_law_step *step
     tau[MPM_SYM_XY] = 0.0;
     *wave_speed_squared =
         isnan(step->heat_capacity) ? pressure : pressure * (1.0 + r / step->heat_capacity);
+    return true;
 }
 
 static double adiabatic(const struct mpm_material *m, const struct mpm_law_step *step)

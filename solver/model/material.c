@@ -77,6 +77,6 @@ double mpm_material_start_wave(const struct mpm_material *material)
     }
     for (size_t k = 0; k < law->variable_count; k++)
         state[k] = law->variables[k].start;
-    law->update(material, &none, state, stress, &square);
+    (void)law->update(material, &none, state, stress, &square);
     return square;
 }

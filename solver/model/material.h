@@ -24,6 +24,16 @@
 #define MPM_LAW_PARAMETERS(ROW, A, B)                                                              \
     ROW(A, B, BULK, bulk, STRESS, ABOVE(0), "bulk modulus, together with shear")                   \
     ROW(A, B, SHEAR, shear, STRESS, ABOVE(0), "shear modulus, together with bulk")                 \
+    ROW(A, B, YIELD_STRESS, yield_stress, STRESS, ABOVE(0),                                        \
+        "in tension, in the Kirchhoff stress, before any plastic strain")                          \
+    ROW(A, B, HARDENING_MODULUS, hardening_modulus, STRESS, AT_LEAST(0),                           \
+        "linear isotropic hardening: yield stress per equivalent plastic strain")                  \
+    ROW(A, B, HARDENING_STRAIN, hardening_strain, NONE, ABOVE(0),                                  \
+        "p_0 of isotropic hardening by a power, yield_stress (1 + p/p_0)^n")                       \
+    ROW(A, B, HARDENING_EXPONENT, hardening_exponent, NONE, ABOVE_TO(0, 1),                        \
+        "n of isotropic hardening by a power, together with hardening_strain")                     \
+    ROW(A, B, KINEMATIC_MODULUS, kinematic_modulus, STRESS, AT_LEAST(0),                           \
+        "linear kinematic hardening: stress per plastic strain in tension")                        \
     ROW(A, B, GAS_CONSTANT, gas_constant, HEAT_CAPACITY, ABOVE(0),                                 \
         "of an ideal gas, per mass: pressure over density and absolute temperature")
 
@@ -86,14 +96,23 @@ struct mpm_material_law {
                    double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
     /* A law of the path: changes `state`, its state variables, from the start of the step to its
      * end. Without a step (duration 0) it leaves `state` as it is, and finds the stress of the
-     * state at hand. */
-    void (*update)(const struct mpm_material *material, const struct mpm_law_step *step,
+     * state at hand. False if there is no such end: `stress` is then that of the trial state. */
+    bool (*update)(const struct mpm_material *material, const struct mpm_law_step *step,
                    double *state, double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
 
     /* The stress depends on the temperature: only for scenes that have one. */
     bool reads_temperature;
 
     /* What follows may be NULL. */
+
+    /* What is wrong with parameters that are within their ranges each, or NULL. By enum
+     * mpm_parameter; an optional one that is not given has its fallback. */
+    const char *(*fault)(const double *parameter);
+
+    /* Of a law with plastic strain: energy per unit mass that it has dissipated since t = 0; and
+     * which of its state variables is the equivalent plastic strain. */
+    double (*dissipation)(const struct mpm_material *material, const double *state);
+    size_t plastic_strain;
 
     /* Temperature at the end of a step without flow of heat, from step->temperature at its start;
      * of laws that read it. */
@@ -120,6 +139,7 @@ struct mpm_material_law {
 #define MPM_MATERIAL_LAWS(LAW)                                                                     \
     LAW(neo_hookean)                                                                               \
     LAW(linear_elastic)                                                                            \
+    LAW(von_mises)                                                                                 \
     LAW(ideal_gas)                                                                                 \
     LAW(none)
 

@@ -1,6 +1,6 @@
 /* Is the energy of a run what was put into it? The total energy that the ledger knows, kinetic +
- * strain + dissipated by damping + of cohesive cracks, may differ from that of the start by the
- * work done alone. What is above that the scheme has made:
+ * strain + dissipated by damping and plastic strain + of cohesive cracks, may differ from that of
+ * the start by the work done alone. What is above that the scheme has made:
  *
  *   factor = 1 + (E - W - E_0) / (E_0 + the larger of largest |W| and 8 largest K_c so far),
  *
@@ -80,6 +80,7 @@ static void bound_strain_energy(void *context, int64_t index, int worker)
     strip->strain_energy = sum;
 }
 
+/* With what plastic strain has dissipated. */
 static void add_strain_energy(void *context, int64_t index, int worker)
 {
     struct mpm_state *const state = context;
@@ -88,7 +89,8 @@ static void add_strain_energy(void *context, int64_t index, int worker)
     double sum = 0.0;
     (void)worker;
     for (size_t p = strip->begin; p < strip->end; p++)
-        sum += particles->mass[p] * mpm_particle_strain_energy(state, p);
+        sum += particles->mass[p] *
+               (mpm_particle_strain_energy(state, p) + mpm_particle_dissipation(state, p));
     strip->strain_energy = sum;
 }
 

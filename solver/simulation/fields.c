@@ -38,6 +38,15 @@ static void find_volume(const struct mpm_simulation *simulation, size_t p, doubl
     out[0] = particles->mass[p] * (determinant_of(particles, p) / density_of(simulation, p));
 }
 
+static void find_plastic_strain(const struct mpm_simulation *simulation, size_t p, double *out)
+{
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    const struct mpm_material_law *const law =
+        simulation->state.bodies[particles->body[p]].material.law;
+    out[0] =
+        law->dissipation == NULL ? 0.0 : *mpm_particle_law_state(particles, p, law->plastic_strain);
+}
+
 /* CRAMP (23) */
 static void find_fringe(const struct mpm_simulation *simulation, size_t p, double *out)
 {
@@ -73,6 +82,9 @@ static const struct quantity quantities[MPM_FIELD_COUNT] = {
     [MPM_FIELD_VOLUME] = {.info = {"volume", 1, false, MPM_DIMENSION_VOLUME,
                                    "current volume, for the thickness or per radian"},
                           .find = find_volume},
+    [MPM_FIELD_PLASTIC_STRAIN] = {.info = {"plastic_strain", 1, false, MPM_DIMENSION_NONE,
+                                           "equivalent plastic strain"},
+                                  .find = find_plastic_strain},
     [MPM_FIELD_FRINGE] = {.info = {"fringe", 1, false, MPM_DIMENSION_NONE,
                                    "photoelastic fringes: cos(k sqrt((xx - yy)^2 + 4 xy^2)) of the "
                                    "Cauchy stress, k the scene's output.fringe"},
@@ -82,7 +94,7 @@ static const struct quantity quantities[MPM_FIELD_COUNT] = {
     MPM_WRITTEN_PARTICLE_FIELDS(MPM_ROW)
 #undef MPM_ROW
 };
-_Static_assert(MPM_FIELD_COUNT == MPM_PARTICLE_WRITTEN_COUNT + 3, "one row for each field");
+_Static_assert(MPM_FIELD_COUNT == MPM_PARTICLE_WRITTEN_COUNT + 4, "one row for each field");
 
 const struct mpm_field_info *mpm_field_describe(enum mpm_field field)
 {
@@ -96,6 +108,8 @@ bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field)
         return scene->scalars[MPM_TEMPERATURE].asked;
     if (field == MPM_FIELD_CONCENTRATION)
         return scene->scalars[MPM_CONCENTRATION].asked;
+    if (field == MPM_FIELD_PLASTIC_STRAIN)
+        return mpm_scene_is_plastic(scene);
     return field != MPM_FIELD_FRINGE || scene->fringe > 0.0;
 }
 

@@ -46,6 +46,7 @@ static enum mpm_cause cause_of(enum mpm_failure_kind kind)
         [MPM_TEMPERATURE_NEGATIVE] = MPM_CAUSE_TEMPERATURE,
         [MPM_NO_TEMPERATURE] = MPM_CAUSE_TEMPERATURE,
         [MPM_OUTSIDE_TABLE] = MPM_CAUSE_TEMPERATURE,
+        [MPM_NO_RETURN] = MPM_CAUSE_PLASTIC,
     };
     return causes[kind];
 }
@@ -145,6 +146,12 @@ static const char *describe(const struct mpm_simulation *simulation,
         return describe_scalar(failure, text);
     case MPM_OUTSIDE_TABLE:
         return describe_outside(simulation, failure, text);
+    case MPM_NO_RETURN:
+        return print(text,
+                     "has an equivalent trial stress of %g, from which no plastic strain "
+                     "leads back to yield; allowed: finite, of a body that is not stretched beyond "
+                     "what numbers hold",
+                     failure->value);
     case MPM_RATE_REFUSED:
         return print(text,
                      "has damping.%s = %g; allowed: at least 0 and below %g, 1 over the "

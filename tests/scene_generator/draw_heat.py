@@ -57,7 +57,7 @@ def draw_law(canvas, key):
         return "none"
     if canvas.notes["gas"] and canvas.scene["geometry"] != "plane_stress" and canvas.chance(75):
         return "ideal_gas"
-    return canvas.pick([law for law in key.choices if law not in ("none", "ideal_gas")])
+    return canvas.pick([law for law in key.choices if law not in ("none", "ideal_gas", "von_mises")])
 
 
 def draw_gas_constant(canvas, key):

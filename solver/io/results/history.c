@@ -35,6 +35,7 @@ static const struct column {
     COLUMN(j_min, NONE, NULL),
     COLUMN(j_max, NONE, NULL),
     COLUMN(damping_dissipation, ENERGY, mpm_scene_is_damped),
+    COLUMN(plastic_dissipation, ENERGY, mpm_scene_is_plastic),
     COLUMN(cohesive_stored, ENERGY, mpm_scene_is_cohesive),
     COLUMN(cohesive_dissipated, ENERGY, mpm_scene_is_cohesive),
     COLUMN(contact_stored, ENERGY, mpm_scene_has_contact),

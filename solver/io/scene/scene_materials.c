@@ -86,7 +86,8 @@ enum mpm_status mpm_build_parameters(const struct mpm_reading *reading, const ch
         if (isnan(parameter[law->parameters[k].which]))
             return mpm_reading_fault(reading, path, "the law %s requires %s, which is missing",
                                      law->name, mpm_parameter_key(law->parameters[k].which));
-    return MPM_OK;
+    const char *const fault = law->fault == NULL ? NULL : law->fault(parameter);
+    return fault == NULL ? MPM_OK : mpm_reading_fault(reading, path, "%s", fault);
 }
 
 static enum mpm_status build_material(const struct mpm_reading *reading, size_t index)

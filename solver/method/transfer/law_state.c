@@ -109,7 +109,8 @@ static double thickness(const struct mpm_material *material, struct point *point
     return point->free_strain == 0.0 ? stretch : stretch * exp(point->free_strain);
 }
 
-static void evaluate(const struct mpm_particles *particles, size_t p, struct evaluation *at)
+/* False: the law has no end of the step; `at->stress` is then that of its trial state. */
+static bool evaluate(const struct mpm_particles *particles, size_t p, struct evaluation *at)
 {
     const struct mpm_material_law *const law = at->material->law;
     double old_f[MPM_GRADIENT_SIZE], f[MPM_GRADIENT_SIZE];
@@ -120,13 +121,14 @@ static void evaluate(const struct mpm_particles *particles, size_t p, struct eva
     const struct mpm_law_step step = {old_f, f, at->duration, at->now.temperature,
                                       at->heat_capacity};
     load_variables(particles, p, law, at->variables);
-    if (law->update != NULL)
-        law->update(at->material, &step, at->variables, at->stress, &at->wave_speed_squared);
-    else
+    if (law->update == NULL)
         law->stress(at->material, f, at->stress, &at->wave_speed_squared);
+    else if (!law->update(at->material, &step, at->variables, at->stress, &at->wave_speed_squared))
+        return false;
     at->work = law->energy == NULL || law->reads_temperature
                    ? stress_work(at->old_stress, at->stress, &step)
                    : 0.0;
+    return true;
 }
 
 static struct evaluation at_hand(const struct mpm_state *state, size_t p)
@@ -153,6 +155,15 @@ static struct evaluation at_hand(const struct mpm_state *state, size_t p)
 static double trace(const double stress[MPM_SYMMETRIC_SIZE])
 {
     return stress[MPM_SYM_XX] + stress[MPM_SYM_YY] + stress[MPM_SYM_ZZ];
+}
+
+/* sqrt(3/2 s : s) of the deviator s */
+static double equivalent(const double stress[MPM_SYMMETRIC_SIZE])
+{
+    const double mean = trace(stress) / 3.0, xy = stress[MPM_SYM_XY];
+    const double xx = stress[MPM_SYM_XX] - mean, yy = stress[MPM_SYM_YY] - mean;
+    const double zz = stress[MPM_SYM_ZZ] - mean;
+    return sqrt(1.5 * (xx * xx + yy * yy + zz * zz + 2.0 * xy * xy));
 }
 
 /* ------------------------------------------------------------ heat of deformation */
@@ -186,7 +197,8 @@ static bool heat_up(const struct mpm_particles *particles, size_t p, double alph
             return false;
         at->now.temperature = next;
         at->now.free_strain = strain + alpha * (next - start);
-        evaluate(particles, p, at);
+        if (!evaluate(particles, p, at))
+            return false;
         if (change == 0.0 || (change >= last && change <= HEAT_ROUND_OFF * fabs(next)))
             return true;
         last = change;
@@ -309,7 +321,11 @@ bool mpm_particle_update_law(const struct mpm_state *state, size_t p, double par
         mpm_strip_record(strip, fault, particles->id[p], 0, at.now.temperature);
         return false;
     }
-    evaluate(particles, p, &at);
+    if (!evaluate(particles, p, &at)) {
+        mpm_strip_record(strip, MPM_NO_RETURN, particles->id[p], 0,
+                         at.material->density * equivalent(at.stress));
+        return false;
+    }
     if (heats && !add_heat(state, p, &at, strip))
         return false;
     keep_variables(particles, p, &at);
@@ -341,7 +357,7 @@ void mpm_particle_find_stress(const struct mpm_state *state, size_t p,
         return;
     }
     struct evaluation at = at_hand(state, p);
-    evaluate(particles, p, &at);
+    (void)evaluate(particles, p, &at); /* without a step it has one */
     memcpy(stress, at.stress, sizeof at.stress);
     *wave_speed_squared = at.wave_speed_squared / stiffening(state, p, &at);
 }
@@ -366,6 +382,17 @@ double mpm_particle_strain_energy(const struct mpm_state *state, size_t p)
     elastic_part(&at.now, f);
     load_variables(particles, p, law, variables);
     return law->energy(material, f, variables);
+}
+
+double mpm_particle_dissipation(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
+    double variables[MPM_LAW_STATES];
+    if (material->law->dissipation == NULL)
+        return 0.0;
+    load_variables(particles, p, material->law, variables);
+    return material->law->dissipation(material, variables);
 }
 
 double mpm_particle_thermoelastic_energy(const struct mpm_state *state, size_t p)

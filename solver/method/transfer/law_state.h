@@ -44,7 +44,7 @@ double mpm_free_strain(const struct mpm_material_spec *material,
 /* tau / rho_0 of particle p and the square of its wave speed when F changes to `f` in this part of
  * a time step; in plane stress `f` gets its F_zz. The particle still has the old F and the old
  * stress; its state variables, free strain and temperatures become those at the end. Sums go to
- * `strip`. False, with the failure in `strip`: heat of deformation has no solution. */
+ * `strip`. False, with the failure in `strip`: heat of deformation or the law has no solution. */
 bool mpm_particle_update_law(const struct mpm_state *state, size_t p, double part,
                              double f[MPM_GRADIENT_SIZE], struct mpm_strip *strip,
                              double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
@@ -63,6 +63,9 @@ double mpm_particle_thickness(const struct mpm_state *state, size_t p,
 
 /* Per unit mass: of the law, or the work of the stress since t = 0 if the law has no energy. */
 double mpm_particle_strain_energy(const struct mpm_state *state, size_t p);
+
+/* Per unit mass, since t = 0: of plastic strain; 0 of other laws. */
+double mpm_particle_dissipation(const struct mpm_state *state, size_t p);
 
 /* alpha T tr(tau) / rho_0 per unit mass, with the T of the law; 0 without heat of deformation. */
 double mpm_particle_thermoelastic_energy(const struct mpm_state *state, size_t p);

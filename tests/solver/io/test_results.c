@@ -205,7 +205,8 @@ END_TEST
 
 START_TEST(every_dataset_names_its_unit_its_meaning_and_its_components)
 {
-    static const char *const all[] = {"output.fringe=0.5", TEST_BLOCKS_CONDUCTING};
+    static const char *const all[] = {"output.fringe=0.5", "materials.rubber.law=von_mises",
+                                      "materials.rubber.yield_stress=1", TEST_BLOCKS_CONDUCTING};
     set_all(all, G_N_ELEMENTS(all));
     struct mpm_simulation *simulation = simulate(1);
     char *path = write_snapshot(simulation, "one.hdf");

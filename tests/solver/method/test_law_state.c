@@ -30,7 +30,7 @@ static double relaxing_energy(const struct mpm_material *m, const double f[MPM_G
     return mpm_neo_hookean.energy(m, f, NULL) + 0.5 * M * stretch * stretch;
 }
 
-static void relaxing_update(const struct mpm_material *m, const struct mpm_law_step *step,
+static bool relaxing_update(const struct mpm_material *m, const struct mpm_law_step *step,
                             double *state, double stress[MPM_SYMMETRIC_SIZE],
                             double *wave_speed_squared)
 {
@@ -40,6 +40,7 @@ static void relaxing_update(const struct mpm_material *m, const struct mpm_law_s
     for (int k = MPM_SYM_XX; k <= MPM_SYM_ZZ; k++)
         stress[k] += M * j * (j - 1.0 - state[0]);
     *wave_speed_squared += M * j * j;
+    return true;
 }
 
 static const struct mpm_law_variable relaxed[] = {
@@ -55,7 +56,7 @@ static const struct mpm_material_law relaxing = {
 
 /* With a viscous pressure, which no state variable knows; the work of the stress takes the place of
  * the energy. */
-static void viscous_update(const struct mpm_material *m, const struct mpm_law_step *step,
+static bool viscous_update(const struct mpm_material *m, const struct mpm_law_step *step,
                            double *state, double stress[MPM_SYMMETRIC_SIZE],
                            double *wave_speed_squared)
 {
@@ -63,6 +64,7 @@ static void viscous_update(const struct mpm_material *m, const struct mpm_law_st
     relaxing_update(m, step, state, stress, wave_speed_squared);
     for (int k = MPM_SYM_XX; k <= MPM_SYM_ZZ && step->duration > 0.0; k++)
         stress[k] += 0.05 * change / step->duration;
+    return true;
 }
 
 static const struct mpm_material_law viscous = {
