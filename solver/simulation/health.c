@@ -63,8 +63,8 @@ __attribute__((format(printf, 2, 3))) static const char *print(char text[TEXT_SI
     return text;
 }
 
-/* What is wrong with the particle's temperature, or another scalar. */
-static const char *describe_scalar(const struct mpm_failure *failure, char text[TEXT_SIZE])
+/* Why the particle's scalars or its law have no next state. */
+static const char *describe_update(const struct mpm_failure *failure, char text[TEXT_SIZE])
 {
     if (failure->kind == MPM_SOURCE_NOT_FINITE)
         return print(text, "has a source in transport that is not finite: %g", failure->value);
@@ -81,6 +81,12 @@ static const char *describe_scalar(const struct mpm_failure *failure, char text[
         return print(text,
                      "is at a temperature of %g; allowed with transport.temperature.heating and "
                      "for gases: absolute, at least 0",
+                     failure->value);
+    if (failure->kind == MPM_NO_RETURN)
+        return print(text,
+                     "has an equivalent trial stress of %g, from which no plastic strain "
+                     "leads back to yield; allowed: finite, of a body that is not stretched beyond "
+                     "what numbers hold",
                      failure->value);
     return print(text, "has no temperature that fits its stress after the step, from %g before",
                  failure->value);
@@ -143,15 +149,10 @@ static const char *describe(const struct mpm_simulation *simulation,
     case MPM_CAPACITY_NEGATIVE:
     case MPM_TEMPERATURE_NEGATIVE:
     case MPM_NO_TEMPERATURE:
-        return describe_scalar(failure, text);
+    case MPM_NO_RETURN:
+        return describe_update(failure, text);
     case MPM_OUTSIDE_TABLE:
         return describe_outside(simulation, failure, text);
-    case MPM_NO_RETURN:
-        return print(text,
-                     "has an equivalent trial stress of %g, from which no plastic strain "
-                     "leads back to yield; allowed: finite, of a body that is not stretched beyond "
-                     "what numbers hold",
-                     failure->value);
     case MPM_RATE_REFUSED:
         return print(text,
                      "has damping.%s = %g; allowed: at least 0 and below %g, 1 over the "

@@ -8,8 +8,7 @@
  *   driven   T = scale v(frequency)                           NAFEMS T3
  *   held     T = start + scale v                              a surface held at start + scale
  *   flux     T = start + scale v                              scale = q a/k
- *   wave     T = scale sin(p x + q y + phase) exp(-decay t)   a manufactured field: the scene has
- *                                                             its source
+ *   wave     T = scale sin(p x + q y + phase) exp(-decay t)   manufactured, by the scene's source
  *   product  T = scale cos(p x) cos(q y) exp(-decay t)        manufactured, insulated at whole p, q
  *   ramp     T = scale (phase + p x + q y) exp(-decay t)      manufactured, linear
  *   mode     T = scale v                                      first mode of a sphere
@@ -28,9 +27,9 @@
  * length from x = origin), probe (T at the parameter `probe` along the axis), heat_imbalance
  * (|change of heat - what went in| over the sum of their sizes), unchanged (1 if no bit of any
  * temperature has changed since t = 0), spread (standard deviation over that at t = 0), of a spot
- * conducted (the diffusivity by which its second moment has grown, over the mean of the given ones)
- * and, with `cell`, own_conduction (what is left of it without the given one, in h^2 over the
- * step), finished; orders over levels. Series: profile; with `picture`, temperature.
+ * conducted (the diffusivity by which its second moment has grown, over the mean of those given)
+ * and, with `cell`, own_conduction (the rest of it, in h^2 over the step), finished; orders over
+ * levels. Series: profile; with `picture`, temperature.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/common/failure.h"

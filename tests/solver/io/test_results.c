@@ -57,12 +57,11 @@ static void set(const char *setting)
 /* ------------------------------------------------------------------- fields */
 
 static const char RIGID_BETWEEN[] =
-    "bodies=[{name: wall, rigid: {velocity: [0, 0.1]}, region: {rectangle: {from: [1, 1], to: [2, "
-    "2]}}}, "
-    "{name: left, material: rubber, region: {rectangle: {from: [2, 2], to: [5, 5]}}, velocity: "
-    "['2*sin(y)', 'cos(x)']}, "
-    "{name: lid, rigid: {velocity: [free, 0]}, region: {rectangle: {from: [2, 7], to: [4, 8]}}}, "
-    "{name: right, material: rubber, region: {rectangle: {from: [7, 2], to: [9, 5]}}}]";
+    "bodies=[{name: wall, rigid: {velocity: [0, 0.1]}, region: {rectangle: {from: [1, 1], to: "
+    "[2, 2]}}}, {name: left, material: rubber, region: {rectangle: {from: [2, 2], to: [5, 5]}}, "
+    "velocity: ['2*sin(y)', 'cos(x)']}, {name: lid, rigid: {velocity: [free, 0]}, region: "
+    "{rectangle: {from: [2, 7], to: [4, 8]}}}, {name: right, material: rubber, region: "
+    "{rectangle: {from: [7, 2], to: [9, 5]}}}]";
 
 static void check_ranges(const struct mpm_simulation *simulation, enum mpm_field field)
 {
@@ -73,9 +72,9 @@ static void check_ranges(const struct mpm_simulation *simulation, enum mpm_field
     mpm_simulation_field(simulation, field, whole);
     for (size_t k = 0; k < G_N_ELEMENTS(sizes); k++)
         for (size_t first = 0; first + sizes[k] <= count; first++) {
-            const size_t size = sizes[k] * components * sizeof *part;
             mpm_simulation_field_range(simulation, field, first, sizes[k], part);
-            ck_assert_mem_eq(part, whole + first * components, size);
+            ck_assert_mem_eq(part, whole + first * components,
+                             sizes[k] * components * sizeof *part);
         }
     g_free(whole);
     g_free(part);
