@@ -83,10 +83,10 @@ static void compare_scenes(const struct settings *one, const struct settings *ot
 START_TEST(bonded_bodies_in_perfect_contact_are_one_body)
 {
     const int kind = _i % 2, transfer = _i / 2 % 2, index = _i / 4;
-    struct settings one = heat_block_rest_settings(index), other = one;
+    struct settings one = heat_block_rest_settings(index);
+    struct settings other = heat_block_rest_settings(index);
     for (int k = 0; k < 2; k++) {
         struct settings *const settings = k == 0 ? &one : &other;
-        *settings = heat_block_rest_settings(index);
         if (kind == 1)
             settings_add(settings, ELASTIC);
         if (transfer == 1)
