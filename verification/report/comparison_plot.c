@@ -18,7 +18,7 @@ enum { NAME_FONT = 12, NUMBER_FONT = 10, TIC_FONT = 14, NUMBERS_SHOWN = 3 };
 static const struct label_frame frame = {0.85 * 760, 0.71 * 520, 6.0};
 static const struct axis_room room_across = {
     .length = 0.85 * 760, .along = true, .beyond = 0.02 * 760 - 1, .font = TIC_FONT};
-static const struct axis_room room_up = {.length = 0.71 * 520, .across = 60, .font = TIC_FONT};
+static const struct axis_room room_up = {.length = 0.71 * 520, .across = 58, .font = TIC_FONT};
 static const double LINE = 1.2; /* height of a line in sizes of its font */
 
 struct point {
