@@ -118,9 +118,11 @@ LAW_OBJECTS  := $(foreach level,$(FAST_LEVELS),$(BUILD)/objects/fast/laws.$(leve
 # Square roots never set errno here: without that, lanes would be taken one by one. No vector
 # crosses a call, so its convention is nothing to be told of: gcc's note heeds this flag alone.
 # gcc looks for predictive commoning for a quarter of its time; with -g (sanitizers), it follows
-# variables through these long functions for minutes. Neither is worth it.
+# variables through these long functions for minutes. Neither is worth it. Nor is, with sanitizers,
+# a search for registers loop by loop, which takes half of the time.
 FAST_FLAGS    = -fno-math-errno -Wno-psabi \
-                $(if $(findstring clang,$(CC)),,-fno-predictive-commoning -fno-var-tracking) \
+                $(if $(findstring clang,$(CC)),,-fno-predictive-commoning -fno-var-tracking \
+                  $(if $(filter release,$(VARIANT)),,-fira-region=one)) \
                 $(FAST_FLAGS_$(1)) -DFAST_LEVEL=$(1)
 FAST_NAMES    = -DFAST_FAMILY=$(1) \
                 -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z)
