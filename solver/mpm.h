@@ -54,6 +54,7 @@ enum mpm_cause {
     MPM_CAUSE_NOT_AT_REST,
     MPM_CAUSE_TEMPERATURE,
     MPM_CAUSE_PLASTIC,
+    MPM_CAUSE_STATE,
     MPM_CAUSE_COUNT,
 };
 /* `name` is the value of "cause" in run.json: "left_grid"; `words` start the message: "left the

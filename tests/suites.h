@@ -43,6 +43,7 @@
     SUITE(expression)                                                                              \
     SUITE(material)                                                                                \
     SUITE(von_mises)                                                                               \
+    SUITE(equation_of_state)                                                                       \
     SUITE(particles)                                                                               \
     SUITE(property)                                                                                \
     SUITE(scene)                                                                                   \

@@ -291,6 +291,20 @@ static enum mpm_status check_without(const struct mpm_reading *reading, enum mpm
     return MPM_OK;
 }
 
+/* An equation of state has a temperature of its own, which conduction would not know. */
+static enum mpm_status check_states(const struct mpm_reading *reading)
+{
+    const struct mpm_scene *const scene = reading->scene;
+    for (size_t m = 0; m < scene->material_count; m++)
+        if (scene->materials[m].law->keeps_heat)
+            return mpm_reading_fault(
+                reading, mpm_path_join(mpm_path_entry("materials", m).text, "law").text,
+                "got %s, whose equation of state keeps its own heat, in a scene with "
+                "transport.temperature; allowed: without it",
+                scene->materials[m].law->name);
+    return MPM_OK;
+}
+
 /* What has no meaning where nothing moves. */
 static enum mpm_status check_at_rest(const struct mpm_reading *reading)
 {
@@ -447,6 +461,8 @@ enum mpm_status mpm_build_transport(const struct mpm_reading *reading)
         const enum mpm_scalar which = (enum mpm_scalar)k;
         MPM_TRY(given[k].asked ? build_scalar(reading, which, &given[k])
                                : check_without(reading, which));
+        if (which == MPM_TEMPERATURE && given[k].asked)
+            MPM_TRY(check_states(reading));
         if (which == MPM_TEMPERATURE) /* which swelling does not count for */
             MPM_TRY(build_heating(reading));
     }

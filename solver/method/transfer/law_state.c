@@ -24,10 +24,10 @@ void mpm_law_states_begin(struct mpm_state *state)
     const struct mpm_particles *const particles = &state->particles;
     const size_t carried = particles->components[MPM_PARTICLE_LAW_STATE];
     for (size_t p = 0; carried > 0 && p < particles->count; p++) {
-        const struct mpm_material_law *const law = state->bodies[particles->body[p]].material.law;
+        double start[MPM_LAW_STATES] = {0.0};
+        mpm_material_start(&state->bodies[particles->body[p]].material, start);
         for (size_t k = 0; k < carried; k++)
-            *mpm_particle_law_state(particles, p, k) =
-                k < law->variable_count ? law->variables[k].start : 0.0;
+            *mpm_particle_law_state(particles, p, k) = start[k];
     }
 }
 
@@ -118,8 +118,8 @@ static bool evaluate(const struct mpm_particles *particles, size_t p, struct eva
         at->now.f[MPM_ZZ] = thickness(at->material, &at->now);
     elastic_part(&at->old, old_f);
     elastic_part(&at->now, f);
-    const struct mpm_law_step step = {old_f, f, at->duration, at->now.temperature,
-                                      at->heat_capacity};
+    const struct mpm_law_step step = {
+        old_f, f, at->duration, at->now.temperature, at->heat_capacity, 0.0};
     load_variables(particles, p, law, at->variables);
     if (law->update == NULL)
         law->stress(at->material, f, at->stress, &at->wave_speed_squared);
@@ -176,8 +176,8 @@ static double adiabatic(const struct evaluation *at, double alpha, double start)
 {
     const struct mpm_material_law *const law = at->material->law;
     if (law->adiabatic != NULL) {
-        const struct mpm_law_step step = {at->old.f, at->now.f, at->duration, start,
-                                          at->heat_capacity};
+        const struct mpm_law_step step = {at->old.f, at->now.f,         at->duration,
+                                          start,     at->heat_capacity, 0.0};
         return law->adiabatic(at->material, &step);
     }
     return start * exp(-alpha / at->heat_capacity * (trace(at->stress) - trace(at->old_stress)));
@@ -305,6 +305,16 @@ static void keep_variables(const struct mpm_particles *particles, size_t p,
         *mpm_particle_law_state(particles, p, law->variable_count) += at->work;
 }
 
+/* The law has no end of the step. */
+static void record_no_end(const struct evaluation *at, uint32_t id, struct mpm_strip *strip)
+{
+    if (at->material->law->keeps_heat)
+        mpm_strip_record(strip, MPM_NO_STATE, id, 0, mpm_determinant(at->now.f));
+    else
+        mpm_strip_record(strip, MPM_NO_RETURN, id, 0,
+                         at->material->density * equivalent(at->stress));
+}
+
 bool mpm_particle_update_law(const struct mpm_state *state, size_t p, double part,
                              double f[MPM_GRADIENT_SIZE], struct mpm_strip *strip,
                              double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared)
@@ -322,8 +332,7 @@ bool mpm_particle_update_law(const struct mpm_state *state, size_t p, double par
         return false;
     }
     if (!evaluate(particles, p, &at)) {
-        mpm_strip_record(strip, MPM_NO_RETURN, particles->id[p], 0,
-                         at.material->density * equivalent(at.stress));
+        record_no_end(&at, particles->id[p], strip);
         return false;
     }
     if (heats && !add_heat(state, p, &at, strip))
@@ -382,6 +391,26 @@ double mpm_particle_strain_energy(const struct mpm_state *state, size_t p)
     elastic_part(&at.now, f);
     load_variables(particles, p, law, variables);
     return law->energy(material, f, variables);
+}
+
+double mpm_particle_internal_energy(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const struct mpm_material_law *const law = state->bodies[particles->body[p]].material.law;
+    return law->keeps_heat ? *mpm_particle_law_state(particles, p, law->internal_energy)
+                           : (double)NAN;
+}
+
+double mpm_particle_state_temperature(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
+    double f[MPM_GRADIENT_SIZE], variables[MPM_LAW_STATES];
+    if (!mpm_material_has_temperature(material->law, material->parameter))
+        return (double)NAN;
+    mpm_particle_deformation(particles, p, f);
+    load_variables(particles, p, material->law, variables);
+    return material->law->temperature(material, f, variables);
 }
 
 double mpm_particle_dissipation(const struct mpm_state *state, size_t p)

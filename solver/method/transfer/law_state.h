@@ -64,6 +64,11 @@ double mpm_particle_thickness(const struct mpm_state *state, size_t p,
 /* Per unit mass: of the law, or the work of the stress since t = 0 if the law has no energy. */
 double mpm_particle_strain_energy(const struct mpm_state *state, size_t p);
 
+/* Of its equation of state, NaN if it has none: internal energy per unit mass; temperature, NaN
+ * also without specific_heat. */
+double mpm_particle_internal_energy(const struct mpm_state *state, size_t p);
+double mpm_particle_state_temperature(const struct mpm_state *state, size_t p);
+
 /* Per unit mass, since t = 0: of plastic strain; 0 of other laws. */
 double mpm_particle_dissipation(const struct mpm_state *state, size_t p);
 
