@@ -28,6 +28,7 @@ enum mpm_field {
     MPM_FIELD_FRINGE,               /* 1: CRAMP (23); not a number without output.fringe */
     MPM_FIELD_INTERNAL_ENERGY,      /* 1: per mass; not a number without an equation of state */
     MPM_FIELD_STATE_TEMPERATURE,    /* 1: of the equation of state; not a number without */
+    MPM_FIELD_VISCOUS_PRESSURE,     /* 1: artificial, part of the stress; 0 of materials without */
     MPM_FIELD_COUNT,
 };
 

@@ -64,6 +64,12 @@ static double no_number(const struct mpm_simulation *simulation)
     return (double)NAN;
 }
 
+static void find_viscous_pressure(const struct mpm_simulation *simulation, size_t p, double *out)
+{
+    const double *const viscous = simulation->state.particles.viscous[0];
+    out[0] = viscous == NULL ? 0.0 : viscous[p] * stress_scale(simulation, p);
+}
+
 /* CRAMP (23) */
 static void find_fringe(const struct mpm_simulation *simulation, size_t p, double *out)
 {
@@ -117,11 +123,14 @@ static const struct quantity quantities[MPM_FIELD_COUNT] = {
                                               "of the equation of state, with specific_heat"},
                                      .find = find_state_temperature,
                                      .rigid = no_number},
+    [MPM_FIELD_VISCOUS_PRESSURE] = {.info = {"viscous_pressure", 1, false, MPM_DIMENSION_STRESS,
+                                             "artificial viscosity, part of the stress"},
+                                    .find = find_viscous_pressure},
 #define MPM_ROW(name, ...) [MPM_FIELD_##name] = {.stored = &mpm_particle_rows[MPM_PARTICLE_##name]},
     MPM_WRITTEN_PARTICLE_FIELDS(MPM_ROW)
 #undef MPM_ROW
 };
-_Static_assert(MPM_FIELD_COUNT == MPM_PARTICLE_WRITTEN_COUNT + 6, "one row for each field");
+_Static_assert(MPM_FIELD_COUNT == MPM_PARTICLE_WRITTEN_COUNT + 7, "one row for each field");
 
 const struct mpm_field_info *mpm_field_describe(enum mpm_field field)
 {
@@ -151,6 +160,8 @@ bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field)
         return mpm_scene_is_plastic(scene);
     if (field == MPM_FIELD_INTERNAL_ENERGY || field == MPM_FIELD_STATE_TEMPERATURE)
         return has_equation_of_state(scene, field == MPM_FIELD_STATE_TEMPERATURE);
+    if (field == MPM_FIELD_VISCOUS_PRESSURE)
+        return mpm_scene_is_viscous(scene);
     return field != MPM_FIELD_FRINGE || scene->fringe > 0.0;
 }
 

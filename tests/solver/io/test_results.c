@@ -240,7 +240,8 @@ START_TEST(every_dataset_names_its_unit_its_meaning_and_its_components)
                                         "materials.rubber.yield_stress=1", TEST_BLOCKS_CONDUCTING};
     static const char *const fluid[] = {
         "materials=[{name: rubber, law: mie_gruneisen, density: 1, sound_speed: 30, "
-        "hugoniot_slope: 1.5, gruneisen: 2, specific_heat: 3, start_temperature: 4}]"};
+        "hugoniot_slope: 1.5, gruneisen: 2, specific_heat: 3, start_temperature: 4, "
+        "viscosity: {linear: 0.1, quadratic: 1}}]"};
     bool seen[MPM_FIELD_COUNT] = {false};
     check_datasets(solid, G_N_ELEMENTS(solid), seen);
     check_datasets(fluid, G_N_ELEMENTS(fluid), seen);
