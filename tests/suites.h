@@ -44,6 +44,7 @@
     SUITE(material)                                                                                \
     SUITE(von_mises)                                                                               \
     SUITE(equation_of_state)                                                                       \
+    SUITE(viscosity)                                                                               \
     SUITE(particles)                                                                               \
     SUITE(property)                                                                                \
     SUITE(scene)                                                                                   \

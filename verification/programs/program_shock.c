@@ -9,11 +9,11 @@
  *          and the same of the right: riemann.h
  *
  * x counts from `origin`. Reports, of the time of the scene's end: means of pressure, density,
- * energy and (plate) temperature between plateau_from and plateau_to, in percent off the exact ones
- * in its middle, and pressure_scatter, the standard deviation; shock_speed, in percent off that
+ * energy and (plate) temperature between plateau_from and plateau_to, in percent of the exact ones
+ * in its middle, and pressure_scatter, the standard deviation; shock_speed, in percent of that
  * relative to the body ahead, from the places where the pressure last falls through the mean of the
  * states beside the front, at half the time and at its end; wall_energy, the mean internal energy
- * of the particles with x below wall_to in percent over the plateau's exact one (without it: none);
+ * of the particles with x below wall_to in percent of the plateau's exact one (without it: none);
  * energy_drift; error_density, error_velocity, error_pressure, error_energy: integrals of the
  * absolute error over the strip, over that of the exact field, in percent, and their orders over
  * levels. Series: profile.
@@ -161,7 +161,7 @@ static enum mpm_status measure(void *context, struct measurement *m, const struc
 
 /* ------------------------------------------------------------------------ results */
 
-/* Mean over the plateau in percent off the exact state in its middle; and the scatter. */
+/* Mean over the plateau in percent of the exact state in its middle; and the scatter. */
 static double plateau(const struct study *study, enum quantity quantity, double *scatter)
 {
     const struct problem *const p = study->problem;
@@ -178,7 +178,7 @@ static double plateau(const struct study *study, enum quantity quantity, double 
     }
     const double mean = sum / weight;
     *scatter = 100.0 * sqrt(squares / weight - mean * mean);
-    return 100.0 * mean;
+    return 100.0 * (1.0 + mean);
 }
 
 static double error_l1(const struct study *study, enum quantity quantity)
@@ -204,7 +204,7 @@ static double wall_energy(const struct study *study)
             sum += study->samples[k].volume * study->samples[k].value[ENERGY];
             weight += study->samples[k].volume;
         }
-    return 100.0 * (sum / weight / wanted[ENERGY] - 1.0);
+    return 100.0 * sum / weight / wanted[ENERGY];
 }
 
 static void report(struct measurement *m, const struct study *study)
@@ -221,8 +221,7 @@ static void report(struct measurement *m, const struct study *study)
             if (k == PRESSURE)
                 levels_report_value(m, "pressure_scatter", "", missing + scatter);
         }
-    levels_report_value(m, "shock_speed", "",
-                        missing + 100.0 * (speed / (p->front - p->ahead) - 1.0));
+    levels_report_value(m, "shock_speed", "", missing + 100.0 * speed / (p->front - p->ahead));
     if (measurement_has(m, "wall_to"))
         levels_report_value(m, "wall_energy", "", missing + wall_energy(study));
     follow_report(m, &study->result, 0.0);
