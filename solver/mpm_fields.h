@@ -26,8 +26,8 @@ enum mpm_field {
     MPM_FIELD_CONCENTRATION,        /* 1: of scenes with transport.concentration, else 0 */
     MPM_FIELD_PLASTIC_STRAIN,       /* 1: equivalent; 0 of materials without it */
     MPM_FIELD_FRINGE,               /* 1: CRAMP (23); not a number without output.fringe */
-    MPM_FIELD_INTERNAL_ENERGY,      /* 1: per mass; not a number without an equation of state */
-    MPM_FIELD_STATE_TEMPERATURE,    /* 1: of the equation of state; not a number without */
+    MPM_FIELD_INTERNAL_ENERGY,      /* 1: per mass; 0 of materials without an equation of state */
+    MPM_FIELD_STATE_TEMPERATURE,    /* 1: of the equation of state; 0 of materials without */
     MPM_FIELD_VISCOUS_PRESSURE,     /* 1: artificial, part of the stress; 0 of materials without */
     MPM_FIELD_COUNT,
 };

@@ -58,12 +58,6 @@ static void find_state_temperature(const struct mpm_simulation *simulation, size
     out[0] = mpm_particle_state_temperature(&simulation->state, p);
 }
 
-static double no_number(const struct mpm_simulation *simulation)
-{
-    (void)simulation;
-    return (double)NAN;
-}
-
 static void find_viscous_pressure(const struct mpm_simulation *simulation, size_t p, double *out)
 {
     const double *const viscous = simulation->state.particles.viscous[0];
@@ -116,13 +110,11 @@ static const struct quantity quantities[MPM_FIELD_COUNT] = {
     [MPM_FIELD_INTERNAL_ENERGY] = {.info = {"internal_energy", 1, false,
                                             MPM_DIMENSION_SPECIFIC_ENERGY,
                                             "of the equation of state, per mass"},
-                                   .find = find_internal_energy,
-                                   .rigid = no_number},
+                                   .find = find_internal_energy},
     [MPM_FIELD_STATE_TEMPERATURE] = {.info = {"state_temperature", 1, false,
                                               MPM_DIMENSION_TEMPERATURE,
                                               "of the equation of state, with specific_heat"},
-                                     .find = find_state_temperature,
-                                     .rigid = no_number},
+                                     .find = find_state_temperature},
     [MPM_FIELD_VISCOUS_PRESSURE] = {.info = {"viscous_pressure", 1, false, MPM_DIMENSION_STRESS,
                                              "artificial viscosity, part of the stress"},
                                     .find = find_viscous_pressure},

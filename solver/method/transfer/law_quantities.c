@@ -62,7 +62,7 @@ double mpm_particle_internal_energy(const struct mpm_state *state, size_t p)
 {
     const struct mpm_material_law *const law = material_of(state, p)->law;
     return law->keeps_heat ? *mpm_particle_law_state(&state->particles, p, law->internal_energy)
-                           : (double)NAN;
+                           : 0.0;
 }
 
 double mpm_particle_state_temperature(const struct mpm_state *state, size_t p)
@@ -70,7 +70,7 @@ double mpm_particle_state_temperature(const struct mpm_state *state, size_t p)
     const struct mpm_material *const material = material_of(state, p);
     double f[MPM_GRADIENT_SIZE], variables[MPM_LAW_STATES];
     if (!mpm_material_has_temperature(material->law, material->parameter))
-        return (double)NAN;
+        return 0.0;
     elastic_part(&state->particles, p, f);
     load_variables(&state->particles, p, material->law, variables);
     return material->law->temperature(material, f, variables);

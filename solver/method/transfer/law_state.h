@@ -65,8 +65,8 @@ double mpm_particle_thickness(const struct mpm_state *state, size_t p,
  * an equation of state its internal energy less the work of artificial viscosity. */
 double mpm_particle_strain_energy(const struct mpm_state *state, size_t p);
 
-/* Of its equation of state, NaN if it has none: internal energy per unit mass; temperature, NaN
- * also without specific_heat. */
+/* Of its equation of state, 0 if it has none: internal energy per unit mass; temperature, 0 also
+ * without specific_heat. */
 double mpm_particle_internal_energy(const struct mpm_state *state, size_t p);
 double mpm_particle_state_temperature(const struct mpm_state *state, size_t p);
 

@@ -146,22 +146,56 @@ START_TEST(tension_dissipates_nothing)
 }
 END_TEST
 
-/* A shock that compresses beyond the pole: u = 20 > c_0, where s is 6. */
+#define STIFF                                                                                      \
+    "{name: m, law: mie_gruneisen, density: 2, sound_speed: 10, hugoniot_slope: 6, gruneisen: 0, " \
+    "viscosity: {linear: 0, quadratic: 0.1}}"
+
+/* Advances to the end or to a failure. */
+static enum mpm_status run_on(struct mpm_simulation *simulation, double *dissipated, size_t steps,
+                              struct mpm_error *error)
+{
+    enum mpm_status status = MPM_OK;
+    while (status == MPM_OK && mpm_simulation_time(simulation) < 0.9) {
+        struct mpm_ledger now;
+        mpm_simulation_ledger(simulation, &now);
+        ck_assert_uint_lt(now.step, steps);
+        dissipated[now.step] = now.viscous_dissipation;
+        status = mpm_simulation_advance(simulation, 0.9, error);
+    }
+    return status;
+}
+
+enum { STEPS = 4096 };
+
+/* J = 1 - 1/s = 5/6, in the first step. */
 START_TEST(a_run_ends_at_the_pole_with_the_particle_and_its_volume)
 {
+    static double dissipated[STEPS];
     struct mpm_scene *scene = NULL;
-    struct mpm_simulation *const simulation =
-        start("{name: m, law: mie_gruneisen, density: 2, sound_speed: 10, hugoniot_slope: 6, "
-              "gruneisen: 0}",
-              "-40", "musl", &scene);
+    struct mpm_simulation *const simulation = start(STIFF, "-40", "musl", &scene);
     struct mpm_error error = {.message = ""};
-    enum mpm_status status = MPM_OK;
-    while (status == MPM_OK && mpm_simulation_time(simulation) < 0.9)
-        status = mpm_simulation_advance(simulation, 0.9, &error);
-    ck_assert_int_eq(status, MPM_RUN_FAILED);
+    ck_assert_int_eq(run_on(simulation, dissipated, STEPS, &error), MPM_RUN_FAILED);
     ck_assert_int_eq(error.cause, MPM_CAUSE_STATE);
     ck_assert_msg(strstr(error.message, "allowed by its equation of state: above 0.833") != NULL,
                   "%s", error.message);
+    mpm_simulation_free(simulation);
+    mpm_scene_free(scene);
+}
+END_TEST
+
+/* A body that rebounds and leaves the grid: steps are repeated from the last good state. */
+START_TEST(steps_that_are_repeated_dissipate_once)
+{
+    static double dissipated[STEPS];
+    struct mpm_scene *scene = NULL;
+    struct mpm_simulation *const simulation = start(STIFF, "-1*x", "musl", &scene);
+    struct mpm_error error = {.message = ""};
+    struct mpm_ledger now;
+    ck_assert_int_eq(run_on(simulation, dissipated, STEPS, &error), MPM_RUN_FAILED);
+    ck_assert_int_eq(error.cause, MPM_CAUSE_LEFT_GRID);
+    mpm_simulation_ledger(simulation, &now);
+    ck_assert_double_gt(now.viscous_dissipation, 0.0);
+    ck_assert_double_eq(now.viscous_dissipation, dissipated[now.step]);
     mpm_simulation_free(simulation);
     mpm_scene_free(scene);
 }
@@ -222,6 +256,7 @@ Suite *suite_viscosity(void)
                         MATERIALS * UPDATES);
     tcase_add_loop_test(runs, tension_dissipates_nothing, 0, MATERIALS);
     tcase_add_test(runs, a_run_ends_at_the_pole_with_the_particle_and_its_volume);
+    tcase_add_test(runs, steps_that_are_repeated_dissipate_once);
     suite_add_tcase(suite, runs);
     TCase *scenes = tcase_create("scenes");
     tcase_add_loop_test(scenes, what_has_no_meaning_is_refused, 0, G_N_ELEMENTS(refused));
