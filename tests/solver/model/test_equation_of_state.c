@@ -267,6 +267,8 @@ START_TEST(beyond_the_pole_there_is_no_state)
         ck_assert(!move(&point, least, 0.0));
         begin(&point, law);
         ck_assert(!move(&point, 0.999 * least, 0.0));
+        begin(&point, law); /* heat alone would give sound a speed there */
+        ck_assert(!move(&point, 0.9 * least, 1e6 * point.wave));
         begin(&point, law);
         ck_assert(move(&point, least + 1e-6, 0.0));
     }
