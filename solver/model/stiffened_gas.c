@@ -22,12 +22,22 @@ static double stiffening(const struct mpm_material *m)
     return m->parameter[MPM_PARAMETER_STIFFENING_PRESSURE] / m->density;
 }
 
-/* p/rho_0 and c^2 */
+static double start_energy(const struct mpm_material *m)
+{
+    const double gamma = m->parameter[MPM_PARAMETER_ADIABATIC_INDEX];
+    const double pressure = m->parameter[MPM_PARAMETER_START_PRESSURE] / m->density;
+    return (pressure + gamma * stiffening(m)) / (gamma - 1.0);
+}
+
+/* p/rho_0 and c^2; from the change of energy, so that a liquid at rest has its start_pressure to
+ * the last bit */
 static double pressure_of(const struct mpm_material *m, double j, double energy,
                           double *sound_squared)
 {
     const double gamma = m->parameter[MPM_PARAMETER_ADIABATIC_INDEX];
-    const double pressure = (gamma - 1.0) * energy / j - gamma * stiffening(m);
+    const double start = m->parameter[MPM_PARAMETER_START_PRESSURE] / m->density;
+    const double pressure = (gamma - 1.0) * (energy - start_energy(m)) / j +
+                            (start + gamma * stiffening(m)) / j - gamma * stiffening(m);
     *sound_squared = gamma * (pressure + stiffening(m)) * j;
     return pressure;
 }
@@ -59,9 +69,7 @@ static bool update(const struct mpm_material *m, const struct mpm_law_step *step
 
 static void start(const struct mpm_material *m, double *state)
 {
-    const double gamma = m->parameter[MPM_PARAMETER_ADIABATIC_INDEX];
-    const double pressure = m->parameter[MPM_PARAMETER_START_PRESSURE] / m->density;
-    state[ENERGY] = (pressure + gamma * stiffening(m)) / (gamma - 1.0);
+    state[ENERGY] = start_energy(m);
 }
 
 static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZE],
