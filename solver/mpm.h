@@ -54,6 +54,7 @@ enum mpm_cause {
     MPM_CAUSE_NOT_AT_REST,
     MPM_CAUSE_TEMPERATURE,
     MPM_CAUSE_PLASTIC,
+    MPM_CAUSE_STATE,
     MPM_CAUSE_COUNT,
 };
 /* `name` is the value of "cause" in run.json: "left_grid"; `words` start the message: "left the
@@ -291,6 +292,9 @@ struct mpm_ledger {
      * time step. */
     double expansion_work, deformation_heat, thermoelastic_energy;
     double plastic_dissipation; /* by plastic strain since t = 0; 0 without */
+    /* By artificial viscosity since t = 0; 0 without. With an equation of state it is part of the
+     * internal energy, and strain_energy is the rest. */
+    double viscous_dissipation;
     /* kinetic + strain + dissipation + cohesive + contact energies - expansion_work */
     double total_energy;
     /* With output.energy_balance, else 0: what went from particles to nodes and back without
@@ -308,6 +312,9 @@ bool mpm_scene_is_damped(const struct mpm_scene *scene);
 
 /* Has one of its materials plastic strain: has its history the column plastic_dissipation? */
 bool mpm_scene_is_plastic(const struct mpm_scene *scene);
+
+/* Has one of its materials artificial viscosity: has its history the column viscous_dissipation? */
+bool mpm_scene_is_viscous(const struct mpm_scene *scene);
 
 /* Has one of its cracks a cohesive law: has its history the columns of cohesive energies? */
 bool mpm_scene_is_cohesive(const struct mpm_scene *scene);

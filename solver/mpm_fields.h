@@ -26,6 +26,9 @@ enum mpm_field {
     MPM_FIELD_CONCENTRATION,        /* 1: of scenes with transport.concentration, else 0 */
     MPM_FIELD_PLASTIC_STRAIN,       /* 1: equivalent; 0 of materials without it */
     MPM_FIELD_FRINGE,               /* 1: CRAMP (23); not a number without output.fringe */
+    MPM_FIELD_INTERNAL_ENERGY,      /* 1: per mass; 0 of materials without an equation of state */
+    MPM_FIELD_STATE_TEMPERATURE,    /* 1: of the equation of state; 0 of materials without */
+    MPM_FIELD_VISCOUS_PRESSURE,     /* 1: artificial, part of the stress; 0 of materials without */
     MPM_FIELD_COUNT,
 };
 
@@ -40,8 +43,8 @@ struct mpm_field_info {
 /* The descriptor of a field. Dimensions are per radian as they are for the thickness. */
 const struct mpm_field_info *mpm_field_describe(enum mpm_field field);
 
-/* Is the field one of the scene's snapshots? All but temperature, concentration,
- * plastic strain and fringe are always. */
+/* Is the field one of the scene's snapshots? All up to mass are always, the others where the scene
+ * has them. */
 bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field);
 
 /* Copies a field of all particles, sorted by id: particle-major,

@@ -43,6 +43,8 @@
     SUITE(expression)                                                                              \
     SUITE(material)                                                                                \
     SUITE(von_mises)                                                                               \
+    SUITE(equation_of_state)                                                                       \
+    SUITE(viscosity)                                                                               \
     SUITE(particles)                                                                               \
     SUITE(property)                                                                                \
     SUITE(scene)                                                                                   \

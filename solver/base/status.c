@@ -42,6 +42,8 @@ static const struct mpm_cause_info causes[MPM_CAUSE_COUNT] = {
          "a temperature at which a law or heat of deformation has no meaning"},
     [MPM_CAUSE_PLASTIC] = {"no_plastic_return", "no return to yield",
                            "a particle whose stress has no way back to its yield surface"},
+    [MPM_CAUSE_STATE] = {"no_state", "beyond the equation of state",
+                         "a particle compressed or expanded beyond its equation of state"},
 };
 
 const struct mpm_cause_info *mpm_cause_describe(enum mpm_cause cause)

@@ -59,6 +59,7 @@ enum mpm_failure_kind {
     MPM_NO_TEMPERATURE,          /* value: temperature before heat of deformation without end */
     MPM_OUTSIDE_TABLE,           /* value: temperature; axis: of which table, enum mpm_table */
     MPM_NO_RETURN,               /* value: equivalent trial stress without a way back to yield */
+    MPM_NO_STATE,                /* value: J, at which an equation of state has no next state */
 };
 
 struct mpm_failure {

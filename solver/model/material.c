@@ -64,6 +64,19 @@ struct mpm_material mpm_material_make(const struct mpm_material_law *law, double
     };
 }
 
+void mpm_material_start(const struct mpm_material *material, double *state)
+{
+    for (size_t k = 0; k < material->law->variable_count; k++)
+        state[k] = material->law->variables[k].start;
+    if (material->law->start != NULL)
+        material->law->start(material, state);
+}
+
+bool mpm_material_has_temperature(const struct mpm_material_law *law, const double *parameter)
+{
+    return law->temperature != NULL && parameter[MPM_PARAMETER_SPECIFIC_HEAT] > 0.0;
+}
+
 double mpm_material_start_wave(const struct mpm_material *material)
 {
     static const double f[MPM_GRADIENT_SIZE] = {[MPM_XX] = 1.0, [MPM_YY] = 1.0, [MPM_ZZ] = 1.0};
@@ -75,8 +88,7 @@ double mpm_material_start_wave(const struct mpm_material *material)
         law->stress(material, f, stress, &square);
         return square;
     }
-    for (size_t k = 0; k < law->variable_count; k++)
-        state[k] = law->variables[k].start;
+    mpm_material_start(material, state);
     (void)law->update(material, &none, state, stress, &square);
     return square;
 }

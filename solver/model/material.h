@@ -35,7 +35,23 @@
     ROW(A, B, KINEMATIC_MODULUS, kinematic_modulus, STRESS, AT_LEAST(0),                           \
         "linear kinematic hardening: stress per plastic strain in tension")                        \
     ROW(A, B, GAS_CONSTANT, gas_constant, HEAT_CAPACITY, ABOVE(0),                                 \
-        "of an ideal gas, per mass: pressure over density and absolute temperature")
+        "of an ideal gas, per mass: pressure over density and absolute temperature")               \
+    ROW(A, B, SOUND_SPEED, sound_speed, VELOCITY, ABOVE(0),                                        \
+        "c_0 of a shock's speed, c_0 + s u behind which the material moves by u")                  \
+    ROW(A, B, HUGONIOT_SLOPE, hugoniot_slope, NONE, ABOVE(0), "s of a shock's speed, c_0 + s u")   \
+    ROW(A, B, GRUNEISEN, gruneisen, NONE, AT_LEAST(0),                                             \
+        "gamma_0 of the initial density: pressure per internal energy of a volume")                \
+    ROW(A, B, PRESSURE_CUTOFF, pressure_cutoff, STRESS, AT_LEAST(0),                               \
+        "largest tension of a fluid; no limit if missing")                                         \
+    ROW(A, B, ADIABATIC_INDEX, adiabatic_index, NONE, ABOVE(1), "gamma of a gas")                  \
+    ROW(A, B, START_PRESSURE, start_pressure, STRESS, AT_LEAST(0), "of a gas at its density")      \
+    ROW(A, B, STIFFENING_PRESSURE, stiffening_pressure, STRESS, AT_LEAST(0),                       \
+        "p_inf of a stiffened gas: the tension at which sound has no speed; 0: an ideal gas")      \
+    ROW(A, B, SPECIFIC_HEAT, specific_heat, HEAT_CAPACITY, ABOVE(0),                               \
+        "at constant volume, for the temperature of an equation of state, which it does not act "  \
+        "on")                                                                                      \
+    ROW(A, B, START_TEMPERATURE, start_temperature, TEMPERATURE, ABOVE(0),                         \
+        "absolute temperature of the undeformed body, together with specific_heat")
 
 #define MPM_PARAMETER_NAME(a, b, name, ...) MPM_PARAMETER_##name,
 enum mpm_parameter { MPM_LAW_PARAMETERS(MPM_PARAMETER_NAME, , ) MPM_PARAMETER_COUNT };
@@ -44,7 +60,8 @@ enum mpm_parameter { MPM_LAW_PARAMETERS(MPM_PARAMETER_NAME, , ) MPM_PARAMETER_CO
 struct mpm_law_parameter {
     enum mpm_parameter which;
     bool optional;
-    double fallback; /* its value if a scene does not have it, for an optional one */
+    double fallback; /* its value if a scene does not have it, for an optional one; may be
+                        infinite: no limit */
 };
 
 /* "bulk": the key of a material in a scene. */
@@ -79,6 +96,7 @@ struct mpm_law_step {
     double duration;         /* of this part of a time step: 0 if there is no step yet */
     double temperature;      /* at its end; NaN in a scene that has none */
     double heat_capacity;    /* per mass; NaN where deformation gives no heat */
+    double heat;             /* work of artificial viscosity in it, per mass */
 };
 
 struct mpm_material_law {
@@ -100,6 +118,16 @@ struct mpm_material_law {
     bool (*update)(const struct mpm_material *material, const struct mpm_law_step *step,
                    double *state, double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
 
+    /* State variables at t = 0; NULL: their `start`. */
+    void (*start)(const struct mpm_material *material, double *state);
+
+    /* An equation of state: state variable `internal_energy` is all energy per unit mass, heat
+     * included, and stays with the particle. Not for scenes with transport.temperature.
+     * `least_volume`: J has to be above it, beside other reasons for `update` to fail. */
+    bool keeps_heat;
+    size_t internal_energy;
+    double (*least_volume)(const struct mpm_material *material);
+
     /* The stress depends on the temperature: only for scenes that have one. */
     bool reads_temperature;
 
@@ -117,6 +145,10 @@ struct mpm_material_law {
     /* Temperature at the end of a step without flow of heat, from step->temperature at its start;
      * of laws that read it. */
     double (*adiabatic)(const struct mpm_material *material, const struct mpm_law_step *step);
+
+    /* Temperature of an equation of state, of materials that have specific_heat. */
+    double (*temperature)(const struct mpm_material *material, const double f[MPM_GRADIENT_SIZE],
+                          const double *state);
 
     /* Strain energy per unit mass; may use logarithms. Without it, each particle carries the work
      * of the stress since t = 0 as one more state variable, which takes its place; a caller may
@@ -141,6 +173,8 @@ struct mpm_material_law {
     LAW(linear_elastic)                                                                            \
     LAW(von_mises)                                                                                 \
     LAW(ideal_gas)                                                                                 \
+    LAW(mie_gruneisen)                                                                             \
+    LAW(stiffened_gas)                                                                             \
     LAW(none)
 
 #define MPM_DECLARE_LAW(name) extern const struct mpm_material_law mpm_##name;
@@ -166,6 +200,12 @@ size_t mpm_law_state_count(const struct mpm_material_law *law);
  * density > 0. */
 struct mpm_material mpm_material_make(const struct mpm_material_law *law, double density,
                                       const double *parameter);
+
+/* The state variables of a particle at t = 0, those of its law alone. */
+void mpm_material_start(const struct mpm_material *material, double *state);
+
+/* Has it a temperature of its own, that of its equation of state? */
+bool mpm_material_has_temperature(const struct mpm_material_law *law, const double *parameter);
 
 /* The square of the wave speed in the undeformed body, where all state variables have their start
  * values. */

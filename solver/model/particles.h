@@ -33,6 +33,7 @@ enum mpm_particle_use {
     MPM_USE_FREE_STRAIN = 1024,     /* materials expand with a scalar */
     MPM_USE_LAW_TEMPERATURE = 2048, /* stresses and temperature depend on each other */
     MPM_USE_CONCENTRATION = 4096,   /* a scalar of the scene */
+    MPM_USE_VISCOSITY = 8192,       /* a material has artificial viscosity */
 };
 
 /* State variables of a law, at most: two tensors of four components and two scalars. */
@@ -67,7 +68,8 @@ enum { MPM_LAW_STATES = 10 };
         "concentration of solvent that the particle carries, 1 where it is saturated")
 #define MPM_INNER_PARTICLE_FIELDS(ROW)                                                             \
     ROW(STRESS, double, stress, [MPM_SYMMETRIC_SIZE], SPECIFIC_ENERGY, MPM_USE_DEFORMABLE,         \
-        MPM_USE_LAW_STATE, 0, "kirchhoff_stress", "Kirchhoff stress over initial density")         \
+        MPM_USE_LAW_STATE | MPM_USE_VISCOSITY, 0, "kirchhoff_stress",                              \
+        "Kirchhoff stress over initial density")                                                   \
     ROW(AFFINE, double, affine, [4], AREA_RATE, MPM_USE_APIC, MPM_USE_APIC, 0, "affine",           \
         "xx xy yx yy; see method/transfer/affine.h")                                               \
     ROW(DOMAIN, double, domain, [4], LENGTH, MPM_USE_DOMAINS, 0, 0, "domain",                      \
@@ -79,7 +81,9 @@ enum { MPM_LAW_STATES = 10 };
     ROW(FREE_STRAIN, double, free_strain, , NONE, MPM_USE_FREE_STRAIN, MPM_USE_FREE_STRAIN, 0,     \
         "free_strain", "logarithm of the stretch without stress, in the stress at hand")           \
     ROW(LAW_TEMPERATURE, double, law_temperature, , TEMPERATURE, MPM_USE_LAW_TEMPERATURE,          \
-        MPM_USE_LAW_TEMPERATURE, 0, "law_temperature", "temperature in the stress at hand")
+        MPM_USE_LAW_TEMPERATURE, 0, "law_temperature", "temperature in the stress at hand")        \
+    ROW(VISCOUS, double, viscous, [2], SPECIFIC_ENERGY, MPM_USE_VISCOSITY, MPM_USE_VISCOSITY, 0,   \
+        "viscous", "artificial viscosity: q J / rho_0 in the stress at hand; work since t = 0")
 #define MPM_STEP_PARTICLE_FIELDS(ROW) /* of a step, not sorted: the sort works in their memory */  \
     ROW(CARRIED, double, carried, [2], LENGTH, MPM_USE_DEFORMABLE, 0, 0, "carried",                \
         "position at the end of the step, known before its last task")                             \

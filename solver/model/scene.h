@@ -12,6 +12,7 @@
 #include "model/contact.h"
 #include "model/material.h"
 #include "model/transport.h"
+#include "model/viscosity.h"
 
 enum { MPM_NAME_SIZE = 257 }; /* names up to 64 characters of UTF-8 */
 
@@ -78,6 +79,7 @@ struct mpm_material_spec {
                                               gives; NaN where the law has no such parameter */
     struct mpm_conduction conduction[MPM_SCALAR_COUNT];
     struct mpm_expansion expansion[MPM_SCALAR_COUNT];
+    struct mpm_viscosity viscosity;
     int line; /* in the scene file, for messages */
 };
 

@@ -1,6 +1,6 @@
 /* Is the energy of a run what was put into it? The total energy that the ledger knows, kinetic +
- * strain + dissipated by damping and plastic strain + of cohesive cracks, may differ from that of
- * the start by the work done alone. What is above that the scheme has made:
+ * strain + dissipated by damping, plastic strain and artificial viscosity + of cohesive cracks, may
+ * differ from that of the start by the work done alone. What is above that the scheme has made:
  *
  *   factor = 1 + (E - W - E_0) / (E_0 + the larger of largest |W| and 8 largest K_c so far),
  *
@@ -72,7 +72,8 @@ static void bound_strain_energy(void *context, int64_t index, int worker)
     for (size_t p = strip->begin, next; p < strip->end; p = next) {
         next = end_of_body(particles, p, strip->end);
         const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
-        sum += material->law->energy_bound == NULL || particles->free_strain != NULL
+        sum += material->law->energy_bound == NULL || particles->free_strain != NULL ||
+                       particles->viscous[0] != NULL
                    ? HUGE_VAL /* so that the sum itself is taken */
                    : material->law->energy_bound(material, particles->deformation, particles->mass,
                                                  p, next);
@@ -80,7 +81,7 @@ static void bound_strain_energy(void *context, int64_t index, int worker)
     strip->strain_energy = sum;
 }
 
-/* With what plastic strain has dissipated. */
+/* With what plastic strain and artificial viscosity have dissipated. */
 static void add_strain_energy(void *context, int64_t index, int worker)
 {
     struct mpm_state *const state = context;
@@ -90,7 +91,8 @@ static void add_strain_energy(void *context, int64_t index, int worker)
     (void)worker;
     for (size_t p = strip->begin; p < strip->end; p++)
         sum += particles->mass[p] *
-               (mpm_particle_strain_energy(state, p) + mpm_particle_dissipation(state, p));
+               (mpm_particle_strain_energy(state, p) + mpm_particle_dissipation(state, p) +
+                mpm_particle_viscous_work(state, p));
     strip->strain_energy = sum;
 }
 

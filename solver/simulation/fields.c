@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/transfer/law_state.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -47,6 +48,22 @@ static void find_plastic_strain(const struct mpm_simulation *simulation, size_t 
         law->dissipation == NULL ? 0.0 : *mpm_particle_law_state(particles, p, law->plastic_strain);
 }
 
+static void find_internal_energy(const struct mpm_simulation *simulation, size_t p, double *out)
+{
+    out[0] = mpm_particle_internal_energy(&simulation->state, p);
+}
+
+static void find_state_temperature(const struct mpm_simulation *simulation, size_t p, double *out)
+{
+    out[0] = mpm_particle_state_temperature(&simulation->state, p);
+}
+
+static void find_viscous_pressure(const struct mpm_simulation *simulation, size_t p, double *out)
+{
+    const double *const viscous = simulation->state.particles.viscous[0];
+    out[0] = viscous == NULL ? 0.0 : viscous[p] * stress_scale(simulation, p);
+}
+
 /* CRAMP (23) */
 static void find_fringe(const struct mpm_simulation *simulation, size_t p, double *out)
 {
@@ -90,16 +107,39 @@ static const struct quantity quantities[MPM_FIELD_COUNT] = {
                                    "Cauchy stress, k the scene's output.fringe"},
                           .find = find_fringe,
                           .rigid = fringe_without_stress},
+    [MPM_FIELD_INTERNAL_ENERGY] = {.info = {"internal_energy", 1, false,
+                                            MPM_DIMENSION_SPECIFIC_ENERGY,
+                                            "of the equation of state, per mass"},
+                                   .find = find_internal_energy},
+    [MPM_FIELD_STATE_TEMPERATURE] = {.info = {"state_temperature", 1, false,
+                                              MPM_DIMENSION_TEMPERATURE,
+                                              "of the equation of state, with specific_heat"},
+                                     .find = find_state_temperature},
+    [MPM_FIELD_VISCOUS_PRESSURE] = {.info = {"viscous_pressure", 1, false, MPM_DIMENSION_STRESS,
+                                             "artificial viscosity, part of the stress"},
+                                    .find = find_viscous_pressure},
 #define MPM_ROW(name, ...) [MPM_FIELD_##name] = {.stored = &mpm_particle_rows[MPM_PARTICLE_##name]},
     MPM_WRITTEN_PARTICLE_FIELDS(MPM_ROW)
 #undef MPM_ROW
 };
-_Static_assert(MPM_FIELD_COUNT == MPM_PARTICLE_WRITTEN_COUNT + 4, "one row for each field");
+_Static_assert(MPM_FIELD_COUNT == MPM_PARTICLE_WRITTEN_COUNT + 7, "one row for each field");
 
 const struct mpm_field_info *mpm_field_describe(enum mpm_field field)
 {
     const struct quantity *const quantity = &quantities[field];
     return quantity->stored != NULL ? &quantity->stored->info : &quantity->info;
+}
+
+static bool has_equation_of_state(const struct mpm_scene *scene, bool with_temperature)
+{
+    bool any = false;
+    for (size_t k = 0; k < scene->material_count; k++) {
+        const struct mpm_material_spec *const material = &scene->materials[k];
+        any = any ||
+              (with_temperature ? mpm_material_has_temperature(material->law, material->parameter)
+                                : material->law->keeps_heat);
+    }
+    return any;
 }
 
 bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field)
@@ -110,6 +150,10 @@ bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field)
         return scene->scalars[MPM_CONCENTRATION].asked;
     if (field == MPM_FIELD_PLASTIC_STRAIN)
         return mpm_scene_is_plastic(scene);
+    if (field == MPM_FIELD_INTERNAL_ENERGY || field == MPM_FIELD_STATE_TEMPERATURE)
+        return has_equation_of_state(scene, field == MPM_FIELD_STATE_TEMPERATURE);
+    if (field == MPM_FIELD_VISCOUS_PRESSURE)
+        return mpm_scene_is_viscous(scene);
     return field != MPM_FIELD_FRINGE || scene->fringe > 0.0;
 }
 

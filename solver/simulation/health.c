@@ -47,6 +47,7 @@ static enum mpm_cause cause_of(enum mpm_failure_kind kind)
         [MPM_NO_TEMPERATURE] = MPM_CAUSE_TEMPERATURE,
         [MPM_OUTSIDE_TABLE] = MPM_CAUSE_TEMPERATURE,
         [MPM_NO_RETURN] = MPM_CAUSE_PLASTIC,
+        [MPM_NO_STATE] = MPM_CAUSE_STATE,
     };
     return causes[kind];
 }
@@ -106,6 +107,26 @@ static const char *describe_outside(const struct mpm_simulation *simulation,
                  mpm_table_keys[failure->axis], material->name);
 }
 
+static const char *describe_no_state(const struct mpm_simulation *simulation,
+                                     const struct mpm_failure *failure, char text[TEXT_SIZE])
+{
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    double least = 0.0;
+    for (size_t p = 0; p < particles->count; p++)
+        if (particles->id[p] == failure->particle) {
+            const struct mpm_material *const material =
+                &simulation->state.bodies[particles->body[p]].material;
+            least = material->law->least_volume(material);
+        }
+    if (failure->value > least)
+        return print(text,
+                     "has J = %g, where its equation of state has no energy that fits, or sound no "
+                     "speed; allowed: shorter steps, less tension",
+                     failure->value);
+    return print(text, "has J = %g; allowed by its equation of state: above %g", failure->value,
+                 least);
+}
+
 /* What is wrong with the particle. */
 static const char *describe(const struct mpm_simulation *simulation,
                             const struct mpm_failure *failure, char text[TEXT_SIZE])
@@ -151,6 +172,8 @@ static const char *describe(const struct mpm_simulation *simulation,
     case MPM_NO_TEMPERATURE:
     case MPM_NO_RETURN:
         return describe_update(failure, text);
+    case MPM_NO_STATE:
+        return describe_no_state(simulation, failure, text);
     case MPM_OUTSIDE_TABLE:
         return describe_outside(simulation, failure, text);
     case MPM_RATE_REFUSED:

@@ -35,6 +35,7 @@ static void add_particle(const struct mpm_simulation *simulation, size_t p,
     ledger->kinetic_energy += 0.5 * mass * (vx * vx + vy * vy);
     ledger->strain_energy += mass * mpm_particle_strain_energy(&simulation->state, p);
     ledger->plastic_dissipation += mass * mpm_particle_dissipation(&simulation->state, p);
+    ledger->viscous_dissipation += mass * mpm_particle_viscous_work(&simulation->state, p);
     if (simulation->scene->scalars[MPM_TEMPERATURE].heats)
         ledger->thermoelastic_energy +=
             mass * mpm_particle_thermoelastic_energy(&simulation->state, p);
@@ -60,16 +61,18 @@ void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_l
     mpm_cohesive_energies(&simulation->state, &ledger->cohesive_stored,
                           &ledger->cohesive_dissipated);
     mpm_contact_energies(&simulation->state, &ledger->contact_stored, &ledger->contact_dissipated);
-    ledger->total_energy =
-        ledger->kinetic_energy + ledger->strain_energy + ledger->damping_dissipation +
-        ledger->plastic_dissipation + ledger->cohesive_stored + ledger->cohesive_dissipated +
-        ledger->contact_stored + ledger->contact_dissipated - ledger->expansion_work;
+    ledger->total_energy = ledger->kinetic_energy + ledger->strain_energy +
+                           ledger->damping_dissipation + ledger->plastic_dissipation +
+                           ledger->viscous_dissipation + ledger->cohesive_stored +
+                           ledger->cohesive_dissipated + ledger->contact_stored +
+                           ledger->contact_dissipated - ledger->expansion_work;
     if (energy->measured) {
         ledger->contact_loss =
             energy->contact - ledger->contact_stored - ledger->contact_dissipated;
         ledger->transfer_loss = energy->lost + energy->internal_work -
                                 (ledger->strain_energy - simulation->strain_start) -
-                                ledger->plastic_dissipation + ledger->expansion_work -
-                                ledger->cohesive_stored - ledger->cohesive_dissipated;
+                                ledger->plastic_dissipation - ledger->viscous_dissipation +
+                                ledger->expansion_work - ledger->cohesive_stored -
+                                ledger->cohesive_dissipated;
     }
 }

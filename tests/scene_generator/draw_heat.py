@@ -51,13 +51,35 @@ def is_conducted(canvas, key):
 
 
 # ---------------------------------------------------------------------- materials
+FLUIDS = ["mie_gruneisen", "stiffened_gas"]
+
+
 def draw_law(canvas, key):
     """None where nothing moves, and no other law is."""
     if canvas.notes["still"]:
         return "none"
     if canvas.notes["gas"] and canvas.scene["geometry"] != "plane_stress" and canvas.chance(75):
         return "ideal_gas"
-    return canvas.pick([law for law in key.choices if law not in ("none", "ideal_gas", "von_mises")])
+    fluid = canvas.situation == "any" and canvas.scene["geometry"] != "plane_stress" and \
+        not canvas.notes["heat"] and canvas.chance(15)
+    if fluid:
+        return canvas.pick(FLUIDS)
+    return canvas.pick([law for law in key.choices
+                        if law not in ("none", "ideal_gas", "von_mises", *FLUIDS)])
+
+
+def draw_of_fluid(sizes):
+    """A parameter of a fluid, with waves as fast as in solids: one of these."""
+    return lambda canvas, key: ABSENT if canvas.law_requires(key) is None else canvas.pick(sizes)
+
+
+def draw_viscosity(canvas, _):
+    """Of some materials, where nothing gives heat to it."""
+    material = canvas.notes["group"]
+    if material["law"] in ("none", "ideal_gas") or canvas.notes["heat"] or \
+            canvas.scene["geometry"] == "plane_stress" or not canvas.chance(15):
+        return ABSENT
+    return {"linear": canvas.pick([0.1, 0, 0.5]), "quadratic": canvas.pick([1.5, 0, 0.5])}
 
 
 def draw_gas_constant(canvas, key):

@@ -16,6 +16,8 @@ from scales import SCALARS
 # ------------------------------------------------------------------- left out
 TABLES = "points are temperatures, not places; invariants of heat assume constants (case H14)"
 PLASTIC = "plastic strain: tests of von_mises, cases P1 and P2 have it"
+CUT = "bodies that rip have no scale invariants; tests of equations of state have it"
+PASSIVE = "nothing depends on the temperature of an equation of state; case P5 has it"
 LEFT_OUT = {
     "materials[].law=von_mises": PLASTIC, "materials[].yield_stress": PLASTIC,
     "materials[].hardening_modulus": PLASTIC, "materials[].hardening_strain": PLASTIC,
@@ -25,6 +27,8 @@ LEFT_OUT = {
     "output.snapshots": "the first state and the last are compared; more would land steps on them",
     "contact.normal=given": "refused: it is for pairs, each with its direction",
     "output.fringe": "a field for pictures; its values follow from the stress",
+    "materials[].pressure_cutoff": CUT, "materials[].specific_heat": PASSIVE,
+    "materials[].start_temperature": PASSIVE,
     "materials[].heat_capacity_table": TABLES, "materials[].conductivity_table": TABLES,
 }
 
@@ -40,6 +44,7 @@ OF_MOTION = {
 
 # Drawn by the function of a group or list in MEANING: all keys within must be named.
 COVERED = {
+    "materials[].viscosity.linear", "materials[].viscosity.quadratic",
     "time.end", "time.courant", "time.step", "time.steps", "time.rest", "bodies[].region.rectangle",
     "bodies[].region.rectangle.from", "bodies[].region.rectangle.to", "bodies[].region.disk",
     "bodies[].region.disk.center", "bodies[].region.disk.radius", "bodies[].region.annulus",
@@ -151,6 +156,14 @@ MEANING = {
     "materials[].name": bodies.draw_name,
     "materials[].law": heat.draw_law,
     "materials[].gas_constant": heat.draw_gas_constant,
+    "materials[].viscosity": heat.draw_viscosity,
+    "materials[].sound_speed": heat.draw_of_fluid([1, 2]),
+    "materials[].hugoniot_slope": heat.draw_of_fluid([1.5, 1, 2.5]),
+    "materials[].gruneisen": heat.draw_of_fluid([2, 0, 1]),
+    "materials[].adiabatic_index": heat.draw_of_fluid([4.4, 1.4]),
+    # free of stress at the start, as solids are; gases at pressure have case P5
+    "materials[].start_pressure": heat.draw_of_fluid([0]),
+    "materials[].stiffening_pressure": heat.draw_of_fluid([1, 0.3]),
     "materials[].heat_capacity": heat.draw_capacity,
     "materials[].conductivity": heat.draw_conductivity,
     "materials[].principal_conductivities": heat.draw_principal,

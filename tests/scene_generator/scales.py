@@ -56,10 +56,18 @@ def wave_speed(material):
     if "gas_constant" in material:
         constant = material["gas_constant"]
         return math.sqrt(constant * HOTTEST * (1 + constant / material["heat_capacity"]))
+    viscous = material.get("viscosity", {"linear": 0})["linear"]
+    slower = viscous + math.sqrt(1 + viscous ** 2)
+    if "sound_speed" in material:
+        return slower * material["sound_speed"]
+    if "adiabatic_index" in material:
+        return slower * math.sqrt(material["adiabatic_index"] *
+                                  (material["start_pressure"] + material["stiffening_pressure"]) /
+                                  material["density"])
     shear = material.get("shear", 0)
     if "young" in material:
         shear = material["young"] / (2 * (1 + material["poisson"]))
-    return math.sqrt((bulk_modulus(material) + 4 / 3 * shear) / material["density"])
+    return slower * math.sqrt((bulk_modulus(material) + 4 / 3 * shear) / material["density"])
 
 
 def film_of(flux):

@@ -18,6 +18,7 @@
     PROGRAM(heat_stability)                                                                        \
     PROGRAM(solvent)                                                                               \
     PROGRAM(thermodynamics)                                                                        \
+    PROGRAM(shock)                                                                                 \
     PROGRAM(plastic_path)                                                                          \
     PROGRAM(damped_flight)                                                                         \
     PROGRAM(damped_bar)                                                                            \

@@ -36,6 +36,7 @@ static const struct column {
     COLUMN(j_max, NONE, NULL),
     COLUMN(damping_dissipation, ENERGY, mpm_scene_is_damped),
     COLUMN(plastic_dissipation, ENERGY, mpm_scene_is_plastic),
+    COLUMN(viscous_dissipation, ENERGY, mpm_scene_is_viscous),
     COLUMN(cohesive_stored, ENERGY, mpm_scene_is_cohesive),
     COLUMN(cohesive_dissipated, ENERGY, mpm_scene_is_cohesive),
     COLUMN(contact_stored, ENERGY, mpm_scene_has_contact),

@@ -199,7 +199,7 @@ static enum mpm_status build_expansion(const struct mpm_reading *reading, const 
                                  one ? name->stress_free : name->expansion);
     if (!one)
         return MPM_OK;
-    if (law->reads_temperature || law == &mpm_none)
+    if (law->reads_temperature || law->keeps_heat || law == &mpm_none)
         return mpm_reading_fault(reading, mpm_path_join(path, name->expansion).text,
                                  "given for the law %s; allowed: for laws of solids", law->name);
     *expansion = (struct mpm_expansion){mpm_raw_double(given->expansion),

@@ -238,6 +238,11 @@
 #define KEY_PARAMETER(X, S, name, key, dimension, range, help)                                     \
     X(S, ONE, key, NUMBER, ANYWHERE, OPTIONAL, dimension, NULL, range, help)
 
+#define KEYS_viscosity(X, S)                                                                       \
+    X(S, ONE, linear, NUMBER, ANYWHERE, REQUIRED, NONE, NULL, AT_LEAST(0),                           \
+      "A_1 of q = rho h |D| (A_1 c + A_2 h |D|), D < 0 the rate of volume, h the cell size")       \
+    X(S, ONE, quadratic, NUMBER, ANYWHERE, REQUIRED, NONE, NULL, AT_LEAST(0), "A_2 of the same")
+
 #define KEYS_material(X, S)                                                                        \
     X(S, ONE, name, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "unique name")                         \
     X(S, ONE, law, LAW, ANYWHERE, REQUIRED, NONE, NULL, ANY, "constitutive law")                     \
@@ -248,6 +253,8 @@
       "Young's modulus, together with poisson; instead of bulk and shear")                         \
     X(S, ONE, poisson, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, BETWEEN(-1, 0.5),                     \
       "Poisson's ratio, together with young; instead of bulk and shear")                           \
+    X(S, GROUP, viscosity, viscosity, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                           \
+      "artificial viscosity, which spreads shocks over some cells; none if missing")               \
     KEYS_conduction(X, S)
 
 #define KEYS_rectangle(X, S)                                                                       \
@@ -454,7 +461,7 @@
 
 /* Children before those who hold them; `scene` last. */
 #define MPM_KEY_LISTS(L)                                                                           \
-    L(units) L(grid) L(rest) L(time) L(transfer) L(method) L(material) L(rectangle) L(disk) L(annulus)     \
+    L(units) L(grid) L(rest) L(time) L(transfer) L(method) L(viscosity) L(material) L(rectangle) L(disk) L(annulus)     \
     L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary)            \
     L(traction) L(loads) L(propagation) L(j_integral) L(cohesive) L(crack) L(contact_pair) L(contact) \
     L(temperature_condition) L(convection) L(radiation) L(heat_flux) L(temperature) \

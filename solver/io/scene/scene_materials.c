@@ -90,6 +90,26 @@ enum mpm_status mpm_build_parameters(const struct mpm_reading *reading, const ch
     return fault == NULL ? MPM_OK : mpm_reading_fault(reading, path, "%s", fault);
 }
 
+static enum mpm_status build_viscosity(const struct mpm_reading *reading, const char *path,
+                                       const struct mpm_raw_viscosity *raw,
+                                       struct mpm_material_spec *material)
+{
+    if (raw == NULL)
+        return MPM_OK;
+    material->viscosity =
+        (struct mpm_viscosity){true, mpm_raw_double(raw->linear), mpm_raw_double(raw->quadratic)};
+    if (material->law->reads_temperature || material->law == &mpm_none)
+        return mpm_reading_fault(reading, mpm_path_join(path, "viscosity").text,
+                                 "given for the law %s, which cannot take its heat; allowed: for "
+                                 "solids, mie_gruneisen and stiffened_gas",
+                                 material->law->name);
+    if (reading->scene->geometry == MPM_PLANE_STRESS)
+        return mpm_reading_fault(reading, mpm_path_join(path, "viscosity").text,
+                                 "given in plane stress, whose pressure it is no part of; allowed "
+                                 "geometry: plane_strain, axisymmetric");
+    return MPM_OK;
+}
+
 static enum mpm_status build_material(const struct mpm_reading *reading, size_t index)
 {
     const struct mpm_path key = mpm_path_entry("materials", index);
@@ -106,6 +126,7 @@ static enum mpm_status build_material(const struct mpm_reading *reading, size_t 
                                  "the law %s has no plane stress; allowed geometry: plane_strain, "
                                  "axisymmetric",
                                  law->name);
+    MPM_TRY(build_viscosity(reading, path, raw->viscosity, material));
     return mpm_build_parameters(reading, path, law, raw, material->parameter);
 }
 

@@ -158,7 +158,8 @@ static json_t *parameters_of(const struct mpm_material_law *law)
     json_t *list = json_array();
     for (size_t k = 0; k < law->parameter_count; k++) {
         const struct mpm_law_parameter *const own = &law->parameters[k];
-        json_t *fallback = own->optional ? json_real(own->fallback) : json_null();
+        json_t *fallback =
+            own->optional && isfinite(own->fallback) ? json_real(own->fallback) : json_null();
         (void)json_array_append_new(list, json_pack("{ss sb so}", "key",
                                                     mpm_parameter_key(own->which), "required",
                                                     (int)!own->optional, "default", fallback));

@@ -4,7 +4,7 @@
 #include "method/fast/fast_laws.h"
 #include "method/shape/shape.h"
 #include "method/transfer/transfers.h"
-#include "mpm_transport.h"
+#include "mpm.h"
 
 #define FAMILY(shape, name, level) [shape] = &mpm_fast_##name##_##level,
 /* NULL: a family without fast kernels. */
@@ -72,6 +72,8 @@ const char *mpm_fast_lacks(const struct mpm_scene *scene)
     for (size_t k = 0; k < scene->material_count; k++)
         if (mpm_law_state_count(scene->materials[k].law) > 0)
             return "there are no fast kernels for laws with state variables";
+    if (mpm_scene_is_viscous(scene))
+        return "there are no fast kernels for artificial viscosity";
     if (mpm_scene_couples(scene))
         return "there are no fast kernels for stresses that depend on a scalar";
     if (mpm_scene_has_tables(scene))

@@ -24,10 +24,10 @@ void mpm_law_states_begin(struct mpm_state *state)
     const struct mpm_particles *const particles = &state->particles;
     const size_t carried = particles->components[MPM_PARTICLE_LAW_STATE];
     for (size_t p = 0; carried > 0 && p < particles->count; p++) {
-        const struct mpm_material_law *const law = state->bodies[particles->body[p]].material.law;
+        double start[MPM_LAW_STATES] = {0.0};
+        mpm_material_start(&state->bodies[particles->body[p]].material, start);
         for (size_t k = 0; k < carried; k++)
-            *mpm_particle_law_state(particles, p, k) =
-                k < law->variable_count ? law->variables[k].start : 0.0;
+            *mpm_particle_law_state(particles, p, k) = start[k];
     }
 }
 
@@ -90,7 +90,8 @@ struct evaluation {
     double old_stress[MPM_SYMMETRIC_SIZE];
     double stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
     double variables[MPM_LAW_STATES];
-    double work; /* of the stress, per mass */
+    double work;                           /* of the stress, per mass */
+    double viscous_pressure, viscous_work; /* q J / rho_0, which `stress` is without; per mass */
 };
 
 /* F_e */
@@ -118,8 +119,8 @@ static bool evaluate(const struct mpm_particles *particles, size_t p, struct eva
         at->now.f[MPM_ZZ] = thickness(at->material, &at->now);
     elastic_part(&at->old, old_f);
     elastic_part(&at->now, f);
-    const struct mpm_law_step step = {old_f, f, at->duration, at->now.temperature,
-                                      at->heat_capacity};
+    const struct mpm_law_step step = {
+        old_f, f, at->duration, at->now.temperature, at->heat_capacity, at->viscous_work};
     load_variables(particles, p, law, at->variables);
     if (law->update == NULL)
         law->stress(at->material, f, at->stress, &at->wave_speed_squared);
@@ -129,6 +130,13 @@ static bool evaluate(const struct mpm_particles *particles, size_t p, struct eva
                    ? stress_work(at->old_stress, at->stress, &step)
                    : 0.0;
     return true;
+}
+
+static void add_pressure(double pressure, double stress[MPM_SYMMETRIC_SIZE])
+{
+    stress[MPM_SYM_XX] -= pressure;
+    stress[MPM_SYM_YY] -= pressure;
+    stress[MPM_SYM_ZZ] -= pressure;
 }
 
 static struct evaluation at_hand(const struct mpm_state *state, size_t p)
@@ -148,6 +156,9 @@ static struct evaluation at_hand(const struct mpm_state *state, size_t p)
         particles->law_temperature == NULL ? (double)NAN : particles->law_temperature[p];
     for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
         at.old_stress[k] = particles->stress[k][p];
+    if (particles->viscous[0] != NULL)
+        at.viscous_pressure = particles->viscous[0][p];
+    add_pressure(-at.viscous_pressure, at.old_stress);
     at.now = at.old;
     return at;
 }
@@ -176,8 +187,8 @@ static double adiabatic(const struct evaluation *at, double alpha, double start)
 {
     const struct mpm_material_law *const law = at->material->law;
     if (law->adiabatic != NULL) {
-        const struct mpm_law_step step = {at->old.f, at->now.f, at->duration, start,
-                                          at->heat_capacity};
+        const struct mpm_law_step step = {at->old.f, at->now.f,         at->duration,
+                                          start,     at->heat_capacity, 0.0};
         return law->adiabatic(at->material, &step);
     }
     return start * exp(-alpha / at->heat_capacity * (trace(at->stress) - trace(at->old_stress)));
@@ -266,6 +277,38 @@ static bool add_heat(const struct mpm_state *state, size_t p, struct evaluation 
     return true;
 }
 
+/* ------------------------------------------------------------ artificial viscosity */
+
+static const struct mpm_viscosity *viscosity_of(const struct mpm_state *state, size_t p)
+{
+    return &state->bodies[state->particles.body[p]].given->viscosity;
+}
+
+static double cell_size(const struct mpm_state *state)
+{
+    return fmin(state->grid.cell[0], state->grid.cell[1]);
+}
+
+/* viscosity.h, with the wave speed of the step's end without its heat. An equation of state then
+ * has the step again, with the heat. */
+static bool add_viscosity(const struct mpm_state *state, size_t p, struct evaluation *at)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const struct mpm_viscosity *const viscosity = viscosity_of(state, p);
+    const double strain = log(mpm_determinant(at->now.f) / mpm_determinant(at->old.f));
+    const double rate = strain / at->duration;
+    at->viscous_pressure =
+        mpm_viscous_pressure(viscosity, cell_size(state), at->wave_speed_squared, rate);
+    at->viscous_work = -at->viscous_pressure * strain;
+    if (at->viscous_work > 0.0 && at->material->law->keeps_heat && !evaluate(particles, p, at))
+        return false;
+    at->wave_speed_squared =
+        mpm_viscous_wave_squared(viscosity, cell_size(state), at->wave_speed_squared, rate);
+    particles->viscous[0][p] = at->viscous_pressure;
+    particles->viscous[1][p] += at->viscous_work;
+    return true;
+}
+
 /* ---------------------------------------------------------------- a step's part */
 
 /* The free strain and temperature that transport leads to by the end of this part. */
@@ -305,6 +348,16 @@ static void keep_variables(const struct mpm_particles *particles, size_t p,
         *mpm_particle_law_state(particles, p, law->variable_count) += at->work;
 }
 
+/* The law has no end of the step. */
+static void record_no_end(const struct evaluation *at, uint32_t id, struct mpm_strip *strip)
+{
+    if (at->material->law->keeps_heat)
+        mpm_strip_record(strip, MPM_NO_STATE, id, 0, mpm_determinant(at->now.f));
+    else
+        mpm_strip_record(strip, MPM_NO_RETURN, id, 0,
+                         at->material->density * equivalent(at->stress));
+}
+
 bool mpm_particle_update_law(const struct mpm_state *state, size_t p, double part,
                              double f[MPM_GRADIENT_SIZE], struct mpm_strip *strip,
                              double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared)
@@ -321,9 +374,9 @@ bool mpm_particle_update_law(const struct mpm_state *state, size_t p, double par
         mpm_strip_record(strip, fault, particles->id[p], 0, at.now.temperature);
         return false;
     }
-    if (!evaluate(particles, p, &at)) {
-        mpm_strip_record(strip, MPM_NO_RETURN, particles->id[p], 0,
-                         at.material->density * equivalent(at.stress));
+    if (!evaluate(particles, p, &at) ||
+        (viscosity_of(state, p)->given && !add_viscosity(state, p, &at))) {
+        record_no_end(&at, particles->id[p], strip);
         return false;
     }
     if (heats && !add_heat(state, p, &at, strip))
@@ -331,6 +384,7 @@ bool mpm_particle_update_law(const struct mpm_state *state, size_t p, double par
     keep_variables(particles, p, &at);
     keep_scalars(particles, p, &at, strip);
     f[MPM_ZZ] = at.now.f[MPM_ZZ];
+    add_pressure(at.viscous_pressure, at.stress);
     memcpy(stress, at.stress, sizeof at.stress);
     *wave_speed_squared = at.wave_speed_squared / stiffening(state, p, &at);
     return true;
@@ -342,7 +396,7 @@ bool mpm_particle_update_law(const struct mpm_state *state, size_t p, double par
 static bool is_plain(const struct mpm_particles *particles)
 {
     return particles->law_state == NULL && particles->free_strain == NULL &&
-           particles->law_temperature == NULL;
+           particles->law_temperature == NULL && particles->viscous[0] == NULL;
 }
 
 void mpm_particle_find_stress(const struct mpm_state *state, size_t p,
@@ -358,8 +412,12 @@ void mpm_particle_find_stress(const struct mpm_state *state, size_t p,
     }
     struct evaluation at = at_hand(state, p);
     (void)evaluate(particles, p, &at); /* without a step it has one */
+    add_pressure(at.viscous_pressure, at.stress);
     memcpy(stress, at.stress, sizeof at.stress);
     *wave_speed_squared = at.wave_speed_squared / stiffening(state, p, &at);
+    if (viscosity_of(state, p)->given)
+        *wave_speed_squared = mpm_viscous_wave_squared(viscosity_of(state, p), cell_size(state),
+                                                       *wave_speed_squared, 0.0);
 }
 
 double mpm_particle_thickness(const struct mpm_state *state, size_t p,
@@ -368,41 +426,6 @@ double mpm_particle_thickness(const struct mpm_state *state, size_t p,
     struct evaluation at = at_hand(state, p);
     memcpy(at.now.f, f, sizeof at.now.f);
     return thickness(at.material, &at.now);
-}
-
-double mpm_particle_strain_energy(const struct mpm_state *state, size_t p)
-{
-    const struct mpm_particles *const particles = &state->particles;
-    const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
-    const struct mpm_material_law *const law = material->law;
-    double f[MPM_GRADIENT_SIZE], variables[MPM_LAW_STATES];
-    if (law->energy == NULL)
-        return *mpm_particle_law_state(particles, p, law->variable_count);
-    const struct evaluation at = at_hand(state, p);
-    elastic_part(&at.now, f);
-    load_variables(particles, p, law, variables);
-    return law->energy(material, f, variables);
-}
-
-double mpm_particle_dissipation(const struct mpm_state *state, size_t p)
-{
-    const struct mpm_particles *const particles = &state->particles;
-    const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
-    double variables[MPM_LAW_STATES];
-    if (material->law->dissipation == NULL)
-        return 0.0;
-    load_variables(particles, p, material->law, variables);
-    return material->law->dissipation(material, variables);
-}
-
-double mpm_particle_thermoelastic_energy(const struct mpm_state *state, size_t p)
-{
-    const struct evaluation at = at_hand(state, p);
-    const struct mpm_material_spec *const given = state->bodies[state->particles.body[p]].given;
-    const double alpha = given->expansion[MPM_TEMPERATURE].coefficient;
-    return state->scene->scalars[MPM_TEMPERATURE].heats && alpha != 0.0
-               ? alpha * at.old.temperature * trace(at.old_stress)
-               : 0.0;
 }
 
 /* ------------------------------------------------------------------------ start */

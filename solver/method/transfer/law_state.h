@@ -61,8 +61,17 @@ void mpm_strip_judge_tables(struct mpm_strip *strip, const struct mpm_property *
 double mpm_particle_thickness(const struct mpm_state *state, size_t p,
                               const double f[MPM_GRADIENT_SIZE]);
 
-/* Per unit mass: of the law, or the work of the stress since t = 0 if the law has no energy. */
+/* Per unit mass: of the law, or the work of the stress since t = 0 if the law has no energy; with
+ * an equation of state its internal energy less the work of artificial viscosity. */
 double mpm_particle_strain_energy(const struct mpm_state *state, size_t p);
+
+/* Of its equation of state, 0 if it has none: internal energy per unit mass; temperature, 0 also
+ * without specific_heat. */
+double mpm_particle_internal_energy(const struct mpm_state *state, size_t p);
+double mpm_particle_state_temperature(const struct mpm_state *state, size_t p);
+
+/* Per unit mass, since t = 0: work of artificial viscosity. */
+double mpm_particle_viscous_work(const struct mpm_state *state, size_t p);
 
 /* Per unit mass, since t = 0: of plastic strain; 0 of other laws. */
 double mpm_particle_dissipation(const struct mpm_state *state, size_t p);

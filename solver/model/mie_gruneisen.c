@@ -1,0 +1,173 @@
+/* A fluid with Mie and Grueneisen's equation of state; see mie_gruneisen.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "model/mie_gruneisen.h"
+
+#include <math.h>
+
+/* -------------------------------------------------------------------- the equation */
+
+/* A and dA/deta */
+static double cold_pressure(const struct mpm_material *m, double eta, double *slope)
+{
+    const double speed = m->parameter[MPM_PARAMETER_SOUND_SPEED];
+    const double s = m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE];
+    const double gamma = m->parameter[MPM_PARAMETER_GRUNEISEN];
+    const double square = speed * speed, way = 1.0 - s * eta;
+    *slope = square;
+    if (eta < 0.0)
+        return square * eta;
+    *slope = square * (1.0 + (s - gamma) * eta) / (way * way * way);
+    return square * eta * (1.0 - 0.5 * gamma * eta) / (way * way);
+}
+
+double mpm_gruneisen_least_volume(const struct mpm_material *m)
+{
+    return fmax(0.0, 1.0 - 1.0 / m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE]);
+}
+
+/* p/rho_0 with the cut-off */
+static double cut(const struct mpm_material *m, double pressure)
+{
+    return fmax(pressure, -m->parameter[MPM_PARAMETER_PRESSURE_CUTOFF] / m->density);
+}
+
+double mpm_gruneisen_pressure(const struct mpm_material *m, double j, double energy,
+                              double *sound_squared)
+{
+    const double gamma = m->parameter[MPM_PARAMETER_GRUNEISEN];
+    double slope;
+    const double pressure = cold_pressure(m, 1.0 - j, &slope) + gamma * energy;
+    *sound_squared = j * j * (slope + gamma * pressure);
+    return cut(m, pressure);
+}
+
+bool mpm_gruneisen_advance(const struct mpm_material *m, double old_j, double j, double heat,
+                           double *energy, double *pressure, double *sound_squared)
+{
+    const double gamma = m->parameter[MPM_PARAMETER_GRUNEISEN];
+    const double change = j - old_j, part = 1.0 + 0.5 * gamma * change;
+    double slope, unused;
+    if (!(j > mpm_gruneisen_least_volume(m)) || !(part > 0.0))
+        return false;
+    const double old = mpm_gruneisen_pressure(m, old_j, *energy, &unused);
+    const double cold = cold_pressure(m, 1.0 - j, &slope);
+    const double free = (*energy - 0.5 * (old + cold) * change + heat) / part;
+    const double whole = cold + gamma * free;
+    *pressure = cut(m, whole);
+    *energy = *pressure > whole ? *energy - 0.5 * (old + *pressure) * change + heat : free;
+    (void)mpm_gruneisen_pressure(m, j, *energy, sound_squared);
+    return *sound_squared > 0.0;
+}
+
+/* --------------------------------------------------------------------- temperature */
+
+/* Gauss and Legendre's points and weights on (-1, 1), those above 0. */
+enum { HALF = 4, PANELS = 8 };
+static const double gauss[HALF][2] = {{0.18343464249564980494, 0.36268378337836198297},
+                                      {0.52553240991632898582, 0.31370664587788728734},
+                                      {0.79666647741362673959, 0.22238103445337447054},
+                                      {0.96028985649753623168, 0.10122853629037625915}};
+
+/* exp(-gamma x) A(x) dx/dy, with y = -ln(1 - s x)/s in compression, which keeps it smooth towards
+ * the pole. */
+static double integrand(const struct mpm_material *m, double y)
+{
+    const double s = y > 0.0 ? m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE] : 0.0;
+    const double x = s > 0.0 ? -expm1(-s * y) / s : y;
+    double slope;
+    return exp(-m->parameter[MPM_PARAMETER_GRUNEISEN] * x - s * y) * cold_pressure(m, x, &slope);
+}
+
+static double isentropic_energy(const struct mpm_material *m, double eta)
+{
+    const double s = eta > 0.0 ? m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE] : 0.0;
+    const double end = s > 0.0 ? -log1p(-s * eta) / s : eta;
+    const double half = 0.5 * end / PANELS;
+    double sum = 0.0;
+    for (int panel = 0; panel < PANELS; panel++)
+        for (int k = 0; k < HALF; k++) {
+            const double middle = (2 * panel + 1) * half, off = gauss[k][0] * half;
+            sum += gauss[k][1] * (integrand(m, middle - off) + integrand(m, middle + off));
+        }
+    return exp(m->parameter[MPM_PARAMETER_GRUNEISEN] * eta) * half * sum;
+}
+
+double mpm_gruneisen_temperature(const struct mpm_material *m, double j, double energy)
+{
+    const double eta = 1.0 - j;
+    const double isentropic = m->parameter[MPM_PARAMETER_START_TEMPERATURE] *
+                              exp(m->parameter[MPM_PARAMETER_GRUNEISEN] * eta);
+    return isentropic +
+           (energy - isentropic_energy(m, eta)) / m->parameter[MPM_PARAMETER_SPECIFIC_HEAT];
+}
+
+const char *mpm_gruneisen_fault(const double *parameter)
+{
+    return (parameter[MPM_PARAMETER_SPECIFIC_HEAT] > 0.0) ==
+                   (parameter[MPM_PARAMETER_START_TEMPERATURE] > 0.0)
+               ? NULL
+               : "temperature requires specific_heat and start_temperature; allowed: both or none";
+}
+
+/* -------------------------------------------------------------------------- the law */
+
+enum { ENERGY, VARIABLES };
+
+static bool update(const struct mpm_material *m, const struct mpm_law_step *step, double *state,
+                   double tau[MPM_SYMMETRIC_SIZE], double *wave_speed_squared)
+{
+    const double j = mpm_determinant(step->f);
+    double pressure = 0.0;
+    if (!(step->duration > 0.0))
+        pressure = mpm_gruneisen_pressure(m, j, state[ENERGY], wave_speed_squared);
+    else if (!mpm_gruneisen_advance(m, mpm_determinant(step->old_f), j, step->heat, &state[ENERGY],
+                                    &pressure, wave_speed_squared))
+        return false;
+    tau[MPM_SYM_XX] = tau[MPM_SYM_YY] = tau[MPM_SYM_ZZ] = -j * pressure;
+    tau[MPM_SYM_XY] = 0.0;
+    return true;
+}
+
+static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZE],
+                     const double *state)
+{
+    (void)m;
+    (void)f;
+    return state[ENERGY];
+}
+
+static double temperature(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZE],
+                          const double *state)
+{
+    return mpm_gruneisen_temperature(m, mpm_determinant(f), state[ENERGY]);
+}
+
+static const struct mpm_law_parameter parameters[] = {
+    {.which = MPM_PARAMETER_SOUND_SPEED},
+    {.which = MPM_PARAMETER_HUGONIOT_SLOPE},
+    {.which = MPM_PARAMETER_GRUNEISEN},
+    {.which = MPM_PARAMETER_PRESSURE_CUTOFF, .optional = true, .fallback = HUGE_VAL},
+    {.which = MPM_PARAMETER_SPECIFIC_HEAT, .optional = true},
+    {.which = MPM_PARAMETER_START_TEMPERATURE, .optional = true},
+};
+static const struct mpm_law_variable variables[VARIABLES] = {
+    {"internal_energy", MPM_DIMENSION_SPECIFIC_ENERGY, 0.0, "per mass, 0 at the start"},
+};
+
+const struct mpm_material_law mpm_mie_gruneisen = {
+    .name = "mie_gruneisen",
+    .description = "p = rho_0 c_0^2 eta (1 - gamma_0 eta/2)/(1 - s eta)^2 + rho_0 gamma_0 e, eta = "
+                   "1 - J; no strength, and no plane stress",
+    .parameters = parameters,
+    .parameter_count = sizeof parameters / sizeof *parameters,
+    .fault = mpm_gruneisen_fault,
+    .variables = variables,
+    .variable_count = VARIABLES,
+    .update = update,
+    .energy = energy,
+    .keeps_heat = true,
+    .internal_energy = ENERGY,
+    .least_volume = mpm_gruneisen_least_volume,
+    .temperature = temperature,
+};

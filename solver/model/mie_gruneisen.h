@@ -1,0 +1,59 @@
+/* Mie and Grueneisen's equation of state along a linear Hugoniot: what laws of fluids and of solids
+ * share. With eta = 1 - J, e the internal energy per mass, 0 at the start, and Grueneisen's gamma
+ * times the density constant, gamma rho = gamma_0 rho_0,
+ *
+ *   p = rho_0 A(eta) + rho_0 gamma_0 e,
+ *   A = c_0^2 eta (1 - gamma_0 eta/2) / (1 - s eta)^2   in compression, eta >= 0
+ *   A = c_0^2 eta                                       in tension.
+ *
+ * In compression every state that a shock U_s = c_0 + s u reaches from rest has its exact pressure:
+ * there p_H = rho_0 c_0^2 eta/(1 - s eta)^2 and e_H = p_H eta/(2 rho_0), so that A is p_H/rho_0
+ * less gamma_0 e_H; the factor (1 - gamma_0 eta/2) is that. A and its slope are continuous at
+ * eta = 0. At eta = 1/s there is a pole. A pressure below -pressure_cutoff is -pressure_cutoff.
+ *
+ * Energy: de = -p dJ/rho_0 + dq, dq the work of viscosity and plastic strain. Over a step the
+ * trapezoidal rule and the pressure at its end, linear in e, are solved together, so that both hold
+ * to round-off:
+ *
+ *   e' = (e - (p/rho_0 + A(eta')) dJ/2 + dq) / (1 + gamma_0 dJ/2).
+ *
+ * One step from rest is then the jump of a shock, e' = (p + p')(1 - J')/(2 rho_0).
+ * Sound: c^2 = dp/drho at constant entropy, where de = p deta/rho_0, so that
+ *
+ *   c^2 = J^2 (A' + gamma_0 p/rho_0),   A' = c_0^2 (1 + (s - gamma_0) eta)/(1 - s eta)^3 or c_0^2.
+ *
+ * Temperature, with a constant heat capacity c_v at constant volume: on the isentrope through the
+ * start T_s = T_0 exp(gamma_0 eta), and de_s = (A + gamma_0 e_s) deta, so that
+ *
+ *   T = T_s + (e - e_s)/c_v,   e_s = exp(gamma_0 eta) int_0^eta exp(-gamma_0 x) A(x) dx.
+ *
+ * Sources: references.md P of the project's notes; Wilkins, Computer Simulation of Dynamic
+ * Phenomena, Springer 1999; the rest is derived here.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef MPM_MODEL_MIE_GRUNEISEN_H
+#define MPM_MODEL_MIE_GRUNEISEN_H
+
+#include "model/material.h"
+
+/* p/rho_0 at J and e, and the square of the speed of sound there. J above
+ * mpm_gruneisen_least_volume. */
+double mpm_gruneisen_pressure(const struct mpm_material *material, double j, double energy,
+                              double *sound_squared);
+
+/* e' at the end of a step from old_j to j in which viscosity and plastic strain gave `heat` per
+ * mass; p/rho_0 and c^2 there. False: beyond the pole, or no such energy (1 + gamma_0 dJ/2 or c^2
+ * not above 0). */
+bool mpm_gruneisen_advance(const struct mpm_material *material, double old_j, double j, double heat,
+                           double *energy, double *pressure, double *sound_squared);
+
+/* 1 - 1/s: J at the pole; 0 for s <= 1. */
+double mpm_gruneisen_least_volume(const struct mpm_material *material);
+
+/* T at J and e; by quadrature, to 1e-12. It has no meaning where the cut-off acts. */
+double mpm_gruneisen_temperature(const struct mpm_material *material, double j, double energy);
+
+/* What is wrong with the parameters of temperature, or NULL. */
+const char *mpm_gruneisen_fault(const double *parameter);
+
+#endif
