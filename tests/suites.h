@@ -74,6 +74,7 @@
     SUITE(fracture)                                                                                \
     SUITE(interface)                                                                               \
     SUITE(contact_states)                                                                          \
+    SUITE(plastic_states)                                                                          \
     SUITE(static_states)                                                                           \
     SUITE(jets)                                                                                    \
     SUITE(manufactured)                                                                            \

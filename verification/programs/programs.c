@@ -19,6 +19,7 @@
     PROGRAM(solvent)                                                                               \
     PROGRAM(thermodynamics)                                                                        \
     PROGRAM(plastic_path)                                                                          \
+    PROGRAM(pressed_shell)                                                                         \
     PROGRAM(damped_flight)                                                                         \
     PROGRAM(damped_bar)                                                                            \
     PROGRAM(step_wave)                                                                             \
