@@ -20,6 +20,7 @@
     PROGRAM(thermodynamics)                                                                        \
     PROGRAM(plastic_path)                                                                          \
     PROGRAM(pressed_shell)                                                                         \
+    PROGRAM(plastic_wave)                                                                          \
     PROGRAM(damped_flight)                                                                         \
     PROGRAM(damped_bar)                                                                            \
     PROGRAM(step_wave)                                                                             \

@@ -6,6 +6,7 @@
 #include "verification/exact/hill_sphere.h"
 #include "verification/exact/lame_cylinder.h"
 #include "verification/exact/plastic_tube.h"
+#include "verification/exact/plastic_wave.h"
 
 #include <math.h>
 
@@ -178,6 +179,47 @@ START_TEST(a_tube_has_no_equilibrium_beyond_its_limit)
 }
 END_TEST
 
+/* Small steps of the strain: the law of small strains along one axis, integrated. */
+static void strain_evenly(const struct plastic_wave *wave, double strain, double *pressure,
+                          double *q, double *plastic)
+{
+    enum { STEPS = 1000 };
+    *q = *plastic = 0.0;
+    for (int k = 1; k <= STEPS; k++) {
+        const double e = strain * k / STEPS;
+        const double trial = 3.0 * wave->shear * (2.0 / 3.0 * e - *plastic);
+        const double over = trial - wave->yield - wave->hardening * *plastic;
+        if (over > 0.0)
+            *plastic += over / (3.0 * wave->shear + wave->hardening);
+        *q = 3.0 * wave->shear * (2.0 / 3.0 * e - *plastic);
+    }
+    *pressure = wave->bulk * strain + 2.0 / 3.0 * *q;
+}
+
+START_TEST(fronts_of_a_plastic_wave_balance_mass_and_momentum)
+{
+    static const double hardenings[] = {0.0, 0.3};
+    const struct plastic_wave wave = {0.6, 0.3, 2.0, 6e-6, hardenings[_i], 3e-5};
+    const struct plastic_wave_fronts fronts = plastic_wave_fronts(&wave);
+    const struct plastic_wave_state *const first = &fronts.precursor, *const last = &fronts.plastic;
+    double pressure, q, plastic;
+    ck_assert_near(first->pressure, wave.yield * (0.6 / 0.6 + 2.0 / 3.0), 1e-20);
+    ck_assert_near(first->pressure,
+                   wave.density * first->celerity * (wave.speed - first->remaining), 1e-19);
+    ck_assert_near(first->strain * first->celerity, wave.speed - first->remaining, 1e-19);
+    ck_assert_near(last->pressure - first->pressure,
+                   wave.density * last->celerity * (first->remaining - last->remaining), 1e-19);
+    ck_assert_near((last->strain - first->strain) * last->celerity,
+                   first->remaining - last->remaining, 1e-19);
+    ck_assert_double_eq(last->remaining, 0.0);
+    ck_assert(last->celerity < first->celerity);
+    strain_evenly(&wave, last->strain, &pressure, &q, &plastic);
+    ck_assert_near(last->pressure, pressure, 1e-17);
+    ck_assert_near(last->lateral, pressure - q, 1e-17);
+    ck_assert_near(last->plastic, plastic, 1e-17);
+}
+END_TEST
+
 Suite *suite_plastic_states(void)
 {
     Suite *suite = suite_create("plastic_states");
@@ -192,6 +234,7 @@ Suite *suite_plastic_states(void)
     tcase_add_test(tests, a_tube_unloads_as_an_elastic_one);
     tcase_add_test(tests, elements_and_steps_of_a_tube_are_enough);
     tcase_add_test(tests, a_tube_has_no_equilibrium_beyond_its_limit);
+    tcase_add_loop_test(tests, fronts_of_a_plastic_wave_balance_mass_and_momentum, 0, 2);
     suite_add_tcase(suite, tests);
     return suite;
 }
