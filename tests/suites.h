@@ -76,6 +76,7 @@
     SUITE(fracture)                                                                                \
     SUITE(interface)                                                                               \
     SUITE(contact_states)                                                                          \
+    SUITE(plastic_states)                                                                          \
     SUITE(static_states)                                                                           \
     SUITE(jets)                                                                                    \
     SUITE(manufactured)                                                                            \

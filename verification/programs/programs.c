@@ -20,6 +20,9 @@
     PROGRAM(thermodynamics)                                                                        \
     PROGRAM(shock)                                                                                 \
     PROGRAM(plastic_path)                                                                          \
+    PROGRAM(pressed_shell)                                                                         \
+    PROGRAM(plastic_wave)                                                                          \
+    PROGRAM(taylor_bar)                                                                            \
     PROGRAM(damped_flight)                                                                         \
     PROGRAM(damped_bar)                                                                            \
     PROGRAM(step_wave)                                                                             \

@@ -8,6 +8,7 @@
 #include "verification/exact/contact/laminate.h"
 #include "verification/exact/contact/struck_bars.h"
 #include "verification/exact/heat.h"
+#include "verification/exact/hill_sphere.h"
 #include "verification/exact/homogeneous_load.h"
 #include "verification/exact/lame_cylinder.h"
 #include "verification/exact/radial_mode.h"
@@ -80,6 +81,24 @@ static void self_weight(const struct reference_problem *problem, const double pl
     const struct self_weight column = {.height = n[0], .weight = n[1], .modulus = n[2]};
     values[SCORE_DISPLACEMENT_Y] = self_weight_displacement(&column, place[1]);
     values[SCORE_STRESS_YY] = self_weight_stress(&column, place[1]);
+}
+
+/* A hollow sphere on r and z, at rest at the end of each stage: loaded twice, then unloaded. */
+static void hill_sphere(const struct reference_problem *problem, const double place[2], double time,
+                        double values[SCORE_COLUMNS])
+{
+    const double *n = problem->number;
+    const struct hill_sphere sphere = {n[0], n[1], n[2], n[3], n[4]};
+    const double first = n[5], second = n[6], stage = time / n[7];
+    const double peak = stage < 0.5 ? 0.0 : stage < 1.5 ? first : second;
+    const double pressure = stage < 2.5 ? peak : 0.0;
+    const double r = hypot(place[0], place[1]), c = place[0] / r, d = place[1] / r;
+    const struct hill_sphere_state state = hill_sphere_state(&sphere, peak, pressure, r);
+    values[SCORE_DISPLACEMENT_X] = state.u * c;
+    values[SCORE_DISPLACEMENT_Y] = state.u * d;
+    set_stress(values, state.rr * c * c + state.tt * d * d, state.rr * d * d + state.tt * c * c,
+               state.tt);
+    values[SCORE_STRESS_XY] = (state.rr - state.tt) * c * d;
 }
 
 /* A body under a traction on its end, its foot held along the axis; at rest. */
@@ -200,6 +219,12 @@ static const struct reference references[] = {
      {SCORE_DISPLACEMENT_X, SCORE_STRESS_XX, SCORE_STRESS_YY, SCORE_STRESS_ZZ},
      NULL,
      lame},
+    {"hill_sphere",
+     {"inner", "outer", "young", "poisson", "yield", "first", "second", "stage"},
+     {SCORE_DISPLACEMENT_X, SCORE_DISPLACEMENT_Y, SCORE_STRESS_XX, SCORE_STRESS_YY, SCORE_STRESS_ZZ,
+      SCORE_STRESS_XY},
+     NULL,
+     hill_sphere},
     {"self_weight",
      {"height", "weight", "modulus"},
      {SCORE_DISPLACEMENT_Y, SCORE_STRESS_YY},
