@@ -20,6 +20,8 @@ enum mpm_scalar { MPM_TEMPERATURE, MPM_CONCENTRATION, MPM_SCALAR_COUNT };
 enum mpm_scalar_transfer {
     MPM_SCALAR_FLIP, /* by the nodes' rates: N&G (62), Notes (141) */
     MPM_SCALAR_PIC,  /* by the nodes' values, Notes (142): conducts of itself */
+    MPM_SCALAR_XPIC, /* by more of their values at the start, and rates: transport_smoothing.h */
+    MPM_SCALAR_FMPM, /* by more of their values at the end */
 };
 
 /* What flows in through edges of particles: content per area and time, inwards positive. */

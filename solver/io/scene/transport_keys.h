@@ -68,7 +68,9 @@
 
 #define KEYS_temperature(X, S)                                                                     \
     X(S, CHOICE, transfer, scalar_transfer, ANYWHERE, OPTIONAL, NONE, "flip", ANY,                   \
-      "how particles' temperatures follow the grid: by its rates, or by its values, which conducts of itself (pic)") \
+      "how particles' temperatures follow the grid: by its rates, by its values, which conducts of itself (pic), or by values to a higher order") \
+    X(S, ONE, order, INTEGER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(1, 100),                       \
+      "of transfer: xpic and fmpm, which must have it; 1 is pic, each more costs a pass over the particles") \
     X(S, ONE, start, EXPRESSION, ANYWHERE, OPTIONAL, TEMPERATURE, "0", ANY,                          \
       "initial temperature of bodies without their own, in the coordinates")                       \
     X(S, ONE, source, EXPRESSION, ANYWHERE, OPTIONAL, HEAT_SOURCE, NULL, ANY,                        \
@@ -104,6 +106,8 @@
 #define KEYS_concentration(X, S)                                                                   \
     X(S, CHOICE, transfer, scalar_transfer, ANYWHERE, OPTIONAL, NONE, "flip", ANY,                   \
       "how particles' concentrations follow the grid, as those of temperature")                    \
+    X(S, ONE, order, INTEGER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(1, 100),                       \
+      "of transfer: xpic and fmpm, which must have it; 1 is pic, each more costs a pass over the particles") \
     X(S, ONE, start, EXPRESSION, ANYWHERE, OPTIONAL, NONE, "0", ANY,                                 \
       "initial concentration of bodies without their own, in the coordinates")                     \
     X(S, ONE, source, EXPRESSION, ANYWHERE, OPTIONAL, MASS_SOURCE, NULL, ANY,                        \
