@@ -52,6 +52,7 @@
     SUITE(heat)                                                                                    \
     SUITE(heat_runs)                                                                               \
     SUITE(heat_tables)                                                                             \
+    SUITE(scalar_smoothing)                                                                        \
     SUITE(heat_contact)                                                                            \
     SUITE(scalar_exchange)                                                                         \
     SUITE(expansion)                                                                               \

@@ -33,15 +33,14 @@ static const char FLUXES[] =
 /* Of enthalpy; the held side jumps in the first step. */
 START_TEST(enthalpy_is_what_the_source_fluxes_and_held_nodes_have_given)
 {
-    static const char *const transfers[] = {"flip", "pic"};
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < HEAT_BLOCK_TRANSFERS; k++) {
         struct settings settings = test_combination_settings(_i);
         heat_block_add_wild_heat(&settings, is_axisymmetric(_i));
         test_add_wild_velocity(&settings, is_axisymmetric(_i));
         settings_add(&settings, TABLES);
         settings_add(&settings, HEAT_BLOCK_HOT_SIDE);
         settings_add(&settings, FLUXES);
-        settings_add_formatted(&settings, "transport.temperature.transfer=%s", transfers[k]);
+        heat_block_add_transfer(&settings, k);
         struct test_run run = heat_block_open(&settings, MPM_KERNELS_AUTO);
         const double start = heat_block_heat(&run);
         test_run_steps(&run, test_combination(_i).amplifies_round_off ? 3 : 40);
