@@ -140,7 +140,7 @@ def closed_box(case):
         scene.pop(name, None)
     scene["transport"] = {"temperature": {"start": LEVEL} | {
         name: value for name, value in case.scene["transport"]["temperature"].items()
-        if name in ("heating", "transfer")}}
+        if name in ("heating", "transfer", "order")}}
     for name in SCALARS["concentration"].of_material:
         gas.pop(name, None)
     return scene

@@ -75,7 +75,7 @@ COVERED = {
 }
 
 COVERED |= {f"transport.{scalar}{key}" for scalar in SCALARS for key in (
-    "", ".transfer", ".start", ".source", ".conditions", ".conditions[].region",
+    "", ".transfer", ".order", ".start", ".source", ".conditions", ".conditions[].region",
     ".conditions[].region.line", ".conditions[].region.line.from", ".conditions[].region.line.to",
     ".conditions[].region.rectangle", ".conditions[].region.rectangle.from",
     ".conditions[].region.rectangle.to", ".conditions[].region.all", ".conditions[].value",
