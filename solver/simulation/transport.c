@@ -178,7 +178,7 @@ static bool is_uniform(const struct mpm_scene *scene, const struct mpm_nodal_sca
     return !scalar->varies;
 }
 
-/* A temperature that a table of the body does not have. */
+/* A value that a table of the body does not have. */
 static enum mpm_status check_tables(const struct mpm_simulation *simulation,
                                     const struct mpm_nodal_scalar *scalar, uint32_t body,
                                     const double position[2], double value, struct mpm_error *error)
@@ -192,7 +192,7 @@ static enum mpm_status check_tables(const struct mpm_simulation *simulation,
                                    "the range of the %s of '%s'",
                                    scalar->row->name, spec->name, value, position[0], position[1],
                                    table->points[0][0], table->points[table->count - 1][0],
-                                   mpm_table_keys[k],
+                                   scalar->row->tables[k],
                                    simulation->scene->materials[spec->material].name);
     }
     return MPM_OK;
@@ -310,7 +310,7 @@ static enum mpm_status check_joins(const struct mpm_scene *scene,
     return mpm_scene_error(error, scene, scene->scalars[scalar->which].line, "contact",
                            "heat: perfect between bodies that may part, with a %s and transfer: "
                            "flip; allowed: law: bonded, heat: conductance, or another transfer",
-                           mpm_table_keys[MPM_TABLE_CAPACITY]);
+                           scalar->row->tables[MPM_TABLE_CAPACITY]);
 }
 
 enum mpm_status mpm_transport_fill(struct mpm_simulation *simulation, struct mpm_error *error)

@@ -25,7 +25,9 @@
     X(S, ONE, saturation, NUMBER, ANYWHERE, OPTIONAL, DENSITY, NULL, ABOVE(0),                       \
       "mass of solvent per undeformed volume at the concentration 1; with transport.concentration, and only there") \
     X(S, ONE, diffusivity, NUMBER, ANYWHERE, OPTIONAL, AREA_RATE, NULL, AT_LEAST(0),                 \
-      "of the solvent, the same in all directions; or principal_diffusivities")                    \
+      "of the solvent, the same in all directions; or principal_diffusivities, or diffusivity_table") \
+    X(S, POINTS, diffusivity_table, NUMBER, ANYWHERE, OPTIONAL, AREA_RATE, NULL, FROM_TO(2, MPM_POINTS_MAX), \
+      "points [concentration, diffusivity], linear between them; concentrations rise, diffusivities are above 0; instead of diffusivity") \
     X(S, PAIR, principal_diffusivities, NUMBER, ANYWHERE, OPTIONAL, AREA_RATE, NULL, AT_LEAST(0),    \
       "of the solvent along two axes of the material, which turn with it; instead of diffusivity") \
     X(S, ONE, diffusivity_angle, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(-360, 360),         \

@@ -187,7 +187,8 @@ MPM_INLINE void update(const struct mpm_state *state, int64_t index, bool spread
         const double result = gather(stencil, scalar->result + state->node_zero);
         if (tables) {
             held += update_by_tables(state, scalar, p, stencil, result, &values[p]);
-            mpm_strip_judge_tables(strip, scalar->bodies[state->particles.body[p]].tables,
+            mpm_strip_judge_tables(strip, scalar->which,
+                                   scalar->bodies[state->particles.body[p]].tables,
                                    state->particles.id[p], values[p]);
         } else {
             values[p] = takes ? result : values[p] + state->time_step * result;

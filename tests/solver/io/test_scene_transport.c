@@ -140,6 +140,8 @@ static const char *const refused[][2] = {
     {"materials.steel.saturation=1", "given in a scene without transport.concentration"},
     {"materials.steel.swelling=1", "given in a scene without transport.concentration"},
     {"bodies.left.concentration=1", "given in a scene without transport.concentration"},
+    {"materials.steel.diffusivity_table=[[0, 1], [1, 2]]",
+     "given in a scene without transport.concentration"},
     {"transport.concentration={}", "no saturation, in a scene with transport.concentration"},
 };
 
