@@ -26,6 +26,7 @@ LEFT_OUT = {
     "contact.normal=given": "refused: it is for pairs, each with its direction",
     "output.fringe": "a field for pictures; its values follow from the stress",
     "materials[].heat_capacity_table": TABLES, "materials[].conductivity_table": TABLES,
+    "materials[].diffusivity_table": TABLES,
 }
 
 # Refused where nothing moves, since materials have law: none.
