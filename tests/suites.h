@@ -54,6 +54,7 @@
     SUITE(heat)                                                                                    \
     SUITE(heat_runs)                                                                               \
     SUITE(heat_tables)                                                                             \
+    SUITE(scalar_smoothing)                                                                        \
     SUITE(heat_contact)                                                                            \
     SUITE(scalar_exchange)                                                                         \
     SUITE(expansion)                                                                               \

@@ -57,7 +57,7 @@ enum mpm_failure_kind {
     MPM_CAPACITY_NEGATIVE,       /* value: temperature at which c_v is not above 0 */
     MPM_TEMPERATURE_NEGATIVE,    /* value: temperature, which should be absolute */
     MPM_NO_TEMPERATURE,          /* value: temperature before heat of deformation without end */
-    MPM_OUTSIDE_TABLE,           /* value: temperature; axis: of which table, enum mpm_table */
+    MPM_OUTSIDE_TABLE,           /* axis: of which scalar and table, mpm_table_place; value: its */
     MPM_NO_RETURN,               /* value: equivalent trial stress without a way back to yield */
     MPM_NO_STATE,                /* value: J, at which an equation of state has no next state */
 };

@@ -357,7 +357,7 @@ static enum mpm_status advance_in_motion(struct mpm_state *state, double seconds
     /* Task 6: stress update of USL, MUSL, USAVG; Task 5: positions, last, since every
      * task uses the shape functions of the positions at the start */
     if (passes->with_scalar)
-        MPM_TRY(mpm_transport_conclude(state, error));
+        MPM_TRY(mpm_transport_conclude(state, workers, error));
     run_particles(state, workers, passes->finish);
     mpm_transport_finish(state);
     mpm_damping_finish(state);

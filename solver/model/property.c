@@ -3,11 +3,6 @@
 
 #include <math.h>
 
-const char *const mpm_table_keys[MPM_TABLE_COUNT] = {
-    [MPM_TABLE_CAPACITY] = "heat_capacity_table",
-    [MPM_TABLE_CONDUCTIVITY] = "conductivity_table",
-};
-
 /* The first point that is above T, 0 to count. */
 static size_t first_above(const struct mpm_property *property, double temperature)
 {

@@ -1,4 +1,5 @@
-/* A property of a material that depends on its temperature: a table of points (T_i, v_i), linear
+/* A property of a material that depends on its temperature or concentration: a table of points
+ * (T_i, v_i), linear
  * between them, with T_0 < T_1 < ... and all v_i > 0.
  *
  * The table knows nothing of temperatures outside of it: a body that has one there is refused at
@@ -15,7 +16,6 @@
 
 /* What has tables. */
 enum mpm_table { MPM_TABLE_CAPACITY, MPM_TABLE_CONDUCTIVITY, MPM_TABLE_COUNT };
-extern const char *const mpm_table_keys[MPM_TABLE_COUNT]; /* "heat_capacity_table" */
 
 struct mpm_property {
     size_t count;        /* of points; 0: none, the property is a constant */

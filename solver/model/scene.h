@@ -211,6 +211,7 @@ struct mpm_scalar_condition_spec {
 struct mpm_scalar_spec {
     bool asked;
     enum mpm_scalar_transfer transfer;
+    int order;    /* of XPIC and FMPM, 2 or more: with order 1 they are PIC; else 1 */
     char *start;  /* in the coordinates */
     char *source; /* content per volume and time, in coordinates and t; NULL: none */
     bool heats;   /* of the temperature: deformation changes it */

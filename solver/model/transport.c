@@ -11,13 +11,15 @@ const struct mpm_scalar_row mpm_scalar_rows[MPM_SCALAR_COUNT] = {
                          .field = MPM_PARTICLE_TEMPERATURE,
                          .content = MPM_DIMENSION_ENERGY,
                          .content_name = "thermal_energy",
-                         .flow_name = "heat"},
+                         .flow_name = "heat",
+                         .tables = {"heat_capacity_table", "conductivity_table"}},
     [MPM_CONCENTRATION] = {.name = "concentration",
                            .use = MPM_USE_CONCENTRATION,
                            .field = MPM_PARTICLE_CONCENTRATION,
                            .content = MPM_DIMENSION_MASS,
                            .content_name = "solvent_mass",
-                           .flow_name = "solvent"},
+                           .flow_name = "solvent",
+                           .tables = {[MPM_TABLE_CONDUCTIVITY] = "diffusivity_table"}},
 };
 
 bool mpm_scene_expands(const struct mpm_scene *scene)
@@ -40,11 +42,10 @@ bool mpm_scene_reads_temperature(const struct mpm_scene *scene)
 bool mpm_scene_has_tables(const struct mpm_scene *scene)
 {
     bool any = false;
-    for (size_t k = 0; k < scene->material_count; k++) {
-        const struct mpm_conduction *const heat = &scene->materials[k].conduction[MPM_TEMPERATURE];
-        for (int table = 0; table < MPM_TABLE_COUNT; table++)
-            any = any || heat->tables[table].count > 0;
-    }
+    for (size_t k = 0; k < scene->material_count; k++)
+        for (int which = 0; which < MPM_SCALAR_COUNT; which++)
+            for (int table = 0; table < MPM_TABLE_COUNT; table++)
+                any = any || scene->materials[k].conduction[which].tables[table].count > 0;
     return any;
 }
 

@@ -20,6 +20,8 @@ enum mpm_scalar { MPM_TEMPERATURE, MPM_CONCENTRATION, MPM_SCALAR_COUNT };
 enum mpm_scalar_transfer {
     MPM_SCALAR_FLIP, /* by the nodes' rates: N&G (62), Notes (141) */
     MPM_SCALAR_PIC,  /* by the nodes' values, Notes (142): conducts of itself */
+    MPM_SCALAR_XPIC, /* by more of their values at the start, and rates: transport_smoothing.h */
+    MPM_SCALAR_FMPM, /* by more of their values at the end */
 };
 
 /* What flows in through edges of particles: content per area and time, inwards positive. */
@@ -45,13 +47,20 @@ struct mpm_surface_spec {
 
 /* What is the same for every scene, one row for each scalar. */
 struct mpm_scalar_row {
-    const char *name;             /* of its group of keys: transport.<name> */
-    unsigned use;                 /* enum mpm_particle_use: particles carry it */
-    size_t field;                 /* enum mpm_particle_field: where they do */
-    struct mpm_dimension content; /* of capacity times value: energy */
-    const char *content_name;     /* "thermal_energy": a column of the history */
-    const char *flow_name;        /* "heat": what flows, in names of columns */
+    const char *name;                    /* of its group of keys: transport.<name> */
+    unsigned use;                        /* enum mpm_particle_use: particles carry it */
+    size_t field;                        /* enum mpm_particle_field: where they do */
+    struct mpm_dimension content;        /* of capacity times value: energy */
+    const char *content_name;            /* "thermal_energy": a column of the history */
+    const char *flow_name;               /* "heat": what flows, in names of columns */
+    const char *tables[MPM_TABLE_COUNT]; /* keys: "heat_capacity_table"; NULL: has none */
 };
+/* A table of a scalar as one number. */
+static inline int mpm_table_place(enum mpm_scalar which, int table)
+{
+    return (int)which * MPM_TABLE_COUNT + table;
+}
+
 extern const struct mpm_scalar_row mpm_scalar_rows[MPM_SCALAR_COUNT];
 
 /* Of a material: free strain = coefficient (v - stress_free); the coefficient is 0 if it has none.
@@ -61,8 +70,8 @@ struct mpm_expansion {
 };
 
 /* Of a material: content = capacity per mass times mass times value; flux = - K grad value. With
- * tables, of temperature alone, both are those of the particle's own value; content is then the
- * enthalpy, mass times the integral of the capacity from 0. */
+ * tables they are those of the particle's own value; content is then, with one of the capacity,
+ * which temperature alone has, the enthalpy: mass times the integral of the capacity from 0. */
 struct mpm_conduction {
     bool given;       /* the material has them */
     double capacity;  /* per mass; of a table the smallest */

@@ -98,13 +98,14 @@ static const char *describe_outside(const struct mpm_simulation *simulation,
 {
     const struct mpm_body_spec *const body = body_of(simulation, failure->particle);
     if (body == NULL)
-        return print(text, "is at a temperature of %g, outside of a table", failure->value);
+        return print(text, "is at a value of %g, outside of a table", failure->value);
+    const int scalar = failure->axis / MPM_TABLE_COUNT, which = failure->axis % MPM_TABLE_COUNT;
     const struct mpm_material_spec *const material = &simulation->scene->materials[body->material];
-    const struct mpm_property *const table =
-        &material->conduction[MPM_TEMPERATURE].tables[failure->axis];
-    return print(text, "is at a temperature of %g; allowed: %g to %g, the range of the %s of '%s'",
-                 failure->value, table->points[0][0], table->points[table->count - 1][0],
-                 mpm_table_keys[failure->axis], material->name);
+    const struct mpm_property *const table = &material->conduction[scalar].tables[which];
+    return print(text, "is at a %s of %g; allowed: %g to %g, the range of the %s of '%s'",
+                 mpm_scalar_rows[scalar].name, failure->value, table->points[0][0],
+                 table->points[table->count - 1][0], mpm_scalar_rows[scalar].tables[which],
+                 material->name);
 }
 
 static const char *describe_no_state(const struct mpm_simulation *simulation,
@@ -131,10 +132,11 @@ static const char *describe_no_state(const struct mpm_simulation *simulation,
 static const char *describe(const struct mpm_simulation *simulation,
                             const struct mpm_failure *failure, char text[TEXT_SIZE])
 {
-    const char *const name = mpm_scene_coordinates(simulation->scene)[failure->axis];
+    const int axis = failure->kind == MPM_OUTSIDE_TABLE ? 0 : failure->axis;
+    const char *const name = mpm_scene_coordinates(simulation->scene)[axis];
     const struct mpm_grid *const grid = &simulation->state.grid;
-    const double low = grid->origin[failure->axis];
-    const double high = low + (double)grid->cells[failure->axis] * grid->cell[failure->axis];
+    const double low = grid->origin[axis];
+    const double high = low + (double)grid->cells[axis] * grid->cell[axis];
     switch (failure->kind) {
     case MPM_INVERTED:
         return print(text, "has det F = %g; allowed: above 0", failure->value);

@@ -6,6 +6,7 @@
 #include "method/contact/body_contact.h"
 #include "method/transport/scalar_nodes.h"
 #include "method/transport/transport_edges.h"
+#include "method/transport/transport_smoothing.h"
 
 #include "simulation/simulation.h"
 
@@ -37,7 +38,9 @@ static enum mpm_status create_scalar(const struct mpm_simulation *simulation, en
     *scalar = (struct mpm_nodal_scalar){
         .which = which,
         .row = &mpm_scalar_rows[which],
-        .transfer = spec->transfer,
+        .transfer =
+            spec->order > 1 || spec->transfer == MPM_SCALAR_FLIP ? spec->transfer : MPM_SCALAR_PIC,
+        .order = spec->order,
     };
     const size_t each = sizeof(struct mpm_expression *);
     scalar->conditions = calloc(spec->condition_count + 1, each);
@@ -175,7 +178,7 @@ static bool is_uniform(const struct mpm_scene *scene, const struct mpm_nodal_sca
     return !scalar->varies;
 }
 
-/* A temperature that a table of the body does not have. */
+/* A value that a table of the body does not have. */
 static enum mpm_status check_tables(const struct mpm_simulation *simulation,
                                     const struct mpm_nodal_scalar *scalar, uint32_t body,
                                     const double position[2], double value, struct mpm_error *error)
@@ -189,7 +192,7 @@ static enum mpm_status check_tables(const struct mpm_simulation *simulation,
                                    "the range of the %s of '%s'",
                                    scalar->row->name, spec->name, value, position[0], position[1],
                                    table->points[0][0], table->points[table->count - 1][0],
-                                   mpm_table_keys[k],
+                                   scalar->row->tables[k],
                                    simulation->scene->materials[spec->material].name);
     }
     return MPM_OK;
@@ -306,8 +309,8 @@ static enum mpm_status check_joins(const struct mpm_scene *scene,
         return MPM_OK;
     return mpm_scene_error(error, scene, scene->scalars[scalar->which].line, "contact",
                            "heat: perfect between bodies that may part, with a %s and transfer: "
-                           "flip; allowed: law: bonded, heat: conductance, or transfer: pic",
-                           mpm_table_keys[MPM_TABLE_CAPACITY]);
+                           "flip; allowed: law: bonded, heat: conductance, or another transfer",
+                           scalar->row->tables[MPM_TABLE_CAPACITY]);
 }
 
 enum mpm_status mpm_transport_fill(struct mpm_simulation *simulation, struct mpm_error *error)
@@ -321,10 +324,12 @@ enum mpm_status mpm_transport_fill(struct mpm_simulation *simulation, struct mpm
         MPM_TRY(set_starts(simulation, scalar, error));
         MPM_TRY(check_conditions(simulation, scalar, error));
         MPM_TRY(check_source(simulation, scalar, error));
-        simulation->film = fmax(simulation->film, first_film(simulation, scalar));
+        simulation->film =
+            fmax(simulation->film, mpm_scalar_stiffness(scalar) * first_film(simulation, scalar));
         for (size_t body = 0; body < simulation->scene->body_count; body++)
             simulation->diffusivity =
-                fmax(simulation->diffusivity, scalar->bodies[body].diffusivity);
+                fmax(simulation->diffusivity,
+                     mpm_scalar_stiffness(scalar) * scalar->bodies[body].diffusivity);
     }
     state->transport.diffusivity = simulation->diffusivity;
     state->transport.film = simulation->film;

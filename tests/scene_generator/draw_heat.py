@@ -204,6 +204,8 @@ def draw_scalar(canvas, key):
     fluxes = [draw_flux(canvas, key.child("fluxes")) for _ in range(canvas.pick([0, 0, 1, 1, 2]))]
     if canvas.chance(50):
         scalar["transfer"] = draw_value(canvas, key.child("transfer"), ())
+        if scalar["transfer"] in ("xpic", "fmpm"):
+            scalar["order"] = canvas.integer(1, 4)
     if canvas.notes["levels"][key.name] or canvas.chance(60):
         scalar["start"] = draw_field(canvas, key.child("start"), time=False)
     if canvas.chance(30):

@@ -30,6 +30,7 @@ LEFT_OUT = {
     "materials[].pressure_cutoff": CUT, "materials[].specific_heat": PASSIVE,
     "materials[].start_temperature": PASSIVE,
     "materials[].heat_capacity_table": TABLES, "materials[].conductivity_table": TABLES,
+    "materials[].diffusivity_table": TABLES,
 }
 
 # Refused where nothing moves, since materials have law: none.
@@ -80,7 +81,7 @@ COVERED = {
 }
 
 COVERED |= {f"transport.{scalar}{key}" for scalar in SCALARS for key in (
-    "", ".transfer", ".start", ".source", ".conditions", ".conditions[].region",
+    "", ".transfer", ".order", ".start", ".source", ".conditions", ".conditions[].region",
     ".conditions[].region.line", ".conditions[].region.line.from", ".conditions[].region.line.to",
     ".conditions[].region.rectangle", ".conditions[].region.rectangle.from",
     ".conditions[].region.rectangle.to", ".conditions[].region.all", ".conditions[].value",

@@ -171,7 +171,7 @@ def smooth(scene):
     for name in ("substeps", "every"):
         new.get("transport", {}).pop(name, None)
     for given in scalars_of(new).values():
-        given.pop("transfer", None)
+        given.pop("transfer", None), given.pop("order", None)
     return new
 
 

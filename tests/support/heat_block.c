@@ -19,6 +19,19 @@ const char HEAT_BLOCK_HOT_SIDE[] =
 const char HEAT_BLOCK_AT_REST[] =
     "materials=[{name: soft, law: none, density: 2, heat_capacity: 0.5, conductivity: 0.25}]";
 
+void heat_block_add_transfer(struct settings *settings, int transfer)
+{
+    static const char *const transfers[HEAT_BLOCK_TRANSFERS][2] = {
+        {"flip", NULL},
+        {"pic", NULL},
+        {"xpic", "transport.temperature.order=3"},
+        {"fmpm", "transport.temperature.order=2"},
+    };
+    settings_add_formatted(settings, "transport.temperature.transfer=%s", transfers[transfer][0]);
+    if (transfers[transfer][1] != NULL)
+        settings_add(settings, transfers[transfer][1]);
+}
+
 void heat_block_add_wild_heat(struct settings *settings, bool axisymmetric)
 {
     settings_add(settings, axisymmetric ? "transport.temperature.start='sin(3*r)*cos(2*z)'"

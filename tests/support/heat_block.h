@@ -20,6 +20,10 @@ extern const char HEAT_BLOCK_AT_REST[];
 /* Of about a hundred products and steps, over the numbers' own size. */
 static const double HEAT_BLOCK_ROUND_OFF = 1e-13;
 
+/* A setting: how temperatures follow the grid, each way once. */
+enum { HEAT_BLOCK_TRANSFERS = 4 };
+void heat_block_add_transfer(struct settings *settings, int transfer);
+
 /* Temperatures and a source that vary within a cell. */
 void heat_block_add_wild_heat(struct settings *settings, bool axisymmetric);
 

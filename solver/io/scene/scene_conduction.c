@@ -18,7 +18,7 @@ static const struct names {
                          "conductivity, principal_conductivities and conductivity_table"},
     [MPM_CONCENTRATION] = {"saturation", "diffusivity", "principal_diffusivities",
                            "diffusivity_angle", "swelling", "stress_free_concentration",
-                           "diffusivity and principal_diffusivities"},
+                           "diffusivity, principal_diffusivities and diffusivity_table"},
 };
 
 /* Points of a table; NULL: missing. */
@@ -47,12 +47,15 @@ static struct given given_by(const struct mpm_raw_material *raw, enum mpm_scalar
                               {{raw->heat_capacity_table, raw->heat_capacity_table_count},
                                {raw->conductivity_table, raw->conductivity_table_count}}};
     case MPM_CONCENTRATION:
-        return (struct given){.capacity = raw->saturation,
-                              .one = raw->diffusivity,
-                              .two = (const char *const *)raw->principal_diffusivities,
-                              .angle = raw->diffusivity_angle,
-                              .expansion = raw->swelling,
-                              .stress_free = raw->stress_free_concentration};
+        return (struct given){
+            .capacity = raw->saturation,
+            .one = raw->diffusivity,
+            .two = (const char *const *)raw->principal_diffusivities,
+            .angle = raw->diffusivity_angle,
+            .expansion = raw->swelling,
+            .stress_free = raw->stress_free_concentration,
+            .tables = {
+                [MPM_TABLE_CONDUCTIVITY] = {raw->diffusivity_table, raw->diffusivity_table_count}}};
     case MPM_SCALAR_COUNT:
         break;
     }
@@ -62,35 +65,39 @@ static struct given given_by(const struct mpm_raw_material *raw, enum mpm_scalar
 /* ------------------------------------------------------------------------ tables */
 
 static enum mpm_status build_point(const struct mpm_reading *reading, const char *path,
-                                   char *const given[2], const double *before, double point[2])
+                                   const char *scalar, char *const given[2], const double *before,
+                                   double point[2])
 {
     for (int i = 0; i < 2; i++)
         point[i] = mpm_raw_double(given[i]);
     if (before != NULL && !(point[0] > before[0]))
-        return mpm_reading_fault(reading, path, "got temperature %g after %g; allowed: above it",
+        return mpm_reading_fault(reading, path, "got %s %g after %g; allowed: above it", scalar,
                                  point[0], before[0]);
     if (!(point[1] > 0.0))
-        return mpm_reading_fault(reading, path, "got %g at temperature %g; allowed: above 0",
-                                 point[1], point[0]);
+        return mpm_reading_fault(reading, path, "got %g at %s %g; allowed: above 0", point[1],
+                                 scalar, point[0]);
     return MPM_OK;
 }
 
+/* `scale`: what the numbers of the scene are multiplied with. */
 static enum mpm_status build_table(const struct mpm_reading *reading, const char *path,
-                                   const struct given *all, enum mpm_table which,
-                                   struct mpm_property *table)
+                                   const struct mpm_scalar_row *row, const struct given *all,
+                                   enum mpm_table which, double scale, struct mpm_property *table)
 {
     const struct given_table *const given = &all->tables[which];
-    const struct mpm_path key = mpm_path_join(path, mpm_table_keys[which]);
     if (given->points == NULL)
         return MPM_OK;
+    const struct mpm_path key = mpm_path_join(path, row->tables[which]);
     MPM_TRY(mpm_reading_allocate(reading, given->count, sizeof *table->points, "a table",
                                  &table->points));
     MPM_TRY(mpm_reading_allocate(reading, given->count, sizeof *table->integral, "a table",
                                  &table->integral));
     table->count = given->count;
     for (size_t k = 0; k < given->count; k++)
-        MPM_TRY(build_point(reading, mpm_path_entry(key.text, k).text, given->points[k],
+        MPM_TRY(build_point(reading, mpm_path_entry(key.text, k).text, row->name, given->points[k],
                             k == 0 ? NULL : table->points[k - 1], table->points[k]));
+    for (size_t k = 0; k < given->count; k++)
+        table->points[k][1] *= scale;
     mpm_property_prepare(table);
     return MPM_OK;
 }
@@ -122,7 +129,7 @@ static enum mpm_status build_capacity(const struct mpm_reading *reading, const c
     const bool table = given->tables[MPM_TABLE_CAPACITY].points != NULL;
     if (one && table)
         return mpm_reading_fault(reading, path, "both of %s and %s given; allowed: exactly one",
-                                 name->capacity, mpm_table_keys[MPM_TABLE_CAPACITY]);
+                                 name->capacity, mpm_scalar_rows[which].tables[MPM_TABLE_CAPACITY]);
     if (!one && !table)
         return mpm_reading_fault(reading, path,
                                  "no %s, in a scene with transport.%s; allowed: a number above 0",
@@ -135,9 +142,9 @@ static enum mpm_status build_capacity(const struct mpm_reading *reading, const c
     }
     if (reading->raw->transport->temperature->heating)
         return mpm_reading_fault(
-            reading, mpm_path_join(path, mpm_table_keys[MPM_TABLE_CAPACITY]).text,
+            reading, mpm_path_join(path, mpm_scalar_rows[which].tables[MPM_TABLE_CAPACITY]).text,
             "given with transport.temperature.heating; allowed: %s", name->capacity);
-    MPM_TRY(build_table(reading, path, given, MPM_TABLE_CAPACITY,
+    MPM_TRY(build_table(reading, path, &mpm_scalar_rows[which], given, MPM_TABLE_CAPACITY, 1.0,
                         &conduction->tables[MPM_TABLE_CAPACITY]));
     conduction->capacity = mpm_property_least(&conduction->tables[MPM_TABLE_CAPACITY]);
     return MPM_OK;
@@ -160,9 +167,10 @@ static void set_principal(struct mpm_conduction *conduction, double first, doubl
 
 /* `scale`: what the numbers of the scene are multiplied with. */
 static enum mpm_status build_conductivity(const struct mpm_reading *reading, const char *path,
-                                          const struct names *name, const struct given *given,
+                                          enum mpm_scalar which, const struct given *given,
                                           double scale, struct mpm_conduction *conduction)
 {
+    const struct names *const name = &names[which];
     const bool one = given->one != NULL, two = given->two[0] != NULL;
     const bool table = given->tables[MPM_TABLE_CONDUCTIVITY].points != NULL;
     if (one + two + table != 1)
@@ -180,8 +188,8 @@ static enum mpm_status build_conductivity(const struct mpm_reading *reading, con
     else
         set_principal(conduction, scale * mpm_raw_double(given->two[0]),
                       scale * mpm_raw_double(given->two[1]), mpm_raw_double(given->angle));
-    MPM_TRY(build_table(reading, path, given, MPM_TABLE_CONDUCTIVITY,
-                        &conduction->tables[MPM_TABLE_CONDUCTIVITY]));
+    MPM_TRY(build_table(reading, path, &mpm_scalar_rows[which], given, MPM_TABLE_CONDUCTIVITY,
+                        scale, &conduction->tables[MPM_TABLE_CONDUCTIVITY]));
     return check_common(reading, path, conduction);
 }
 
@@ -220,7 +228,7 @@ enum mpm_status mpm_build_conduction(const struct mpm_reading *reading, enum mpm
     MPM_TRY(build_capacity(reading, path.text, which, &given, material));
     MPM_TRY(build_expansion(reading, path.text, &names[which], &given, material->law,
                             &material->expansion[which]));
-    return build_conductivity(reading, path.text, &names[which], &given,
+    return build_conductivity(reading, path.text, which, &given,
                               which == MPM_TEMPERATURE ? 1.0 : mpm_raw_double(given.capacity),
                               conduction);
 }
@@ -234,9 +242,9 @@ enum mpm_status mpm_refuse_conduction(const struct mpm_reading *reading, enum mp
                                 name->angle,
                                 name->expansion,
                                 name->stress_free,
-                                mpm_table_keys[MPM_TABLE_CAPACITY],
-                                mpm_table_keys[MPM_TABLE_CONDUCTIVITY]};
-    const size_t own = sizeof keys / sizeof keys[0] - (which == MPM_TEMPERATURE ? 0 : 2);
+                                mpm_scalar_rows[which].tables[MPM_TABLE_CONDUCTIVITY],
+                                mpm_scalar_rows[which].tables[MPM_TABLE_CAPACITY]};
+    const size_t own = sizeof keys / sizeof keys[0] - (which == MPM_TEMPERATURE ? 0 : 1);
     for (size_t m = 0; m < reading->scene->material_count; m++)
         for (size_t k = 0; k < own; k++) {
             const struct mpm_path path = mpm_path_entry("materials", m);

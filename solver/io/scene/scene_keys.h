@@ -137,7 +137,9 @@
 
 #define CHOICES_scalar_transfer(C)                                                                 \
     C("flip", MPM_SCALAR_FLIP)                                                                     \
-    C("pic", MPM_SCALAR_PIC)
+    C("pic", MPM_SCALAR_PIC)                                                                       \
+    C("xpic", MPM_SCALAR_XPIC)                                                                     \
+    C("fmpm", MPM_SCALAR_FMPM)
 
 #define CHOICES_surface_law(C)                                                                     \
     C("insulated", MPM_SURFACE_INSULATES)                                                          \

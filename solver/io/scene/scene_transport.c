@@ -28,6 +28,7 @@ struct given {
     bool asked;
     const char *start, *source;
     int transfer;
+    int order; /* of xpic and fmpm */
     size_t condition_count, flux_count;
 };
 
@@ -42,6 +43,7 @@ struct given {
         given.start = raw->start;                                                                  \
         given.source = raw->source;                                                                \
         given.transfer = raw->transfer;                                                            \
+        given.order = (int)raw->order;                                                             \
         given.condition_count = raw->conditions_count;                                             \
         given.flux_count = raw->fluxes_count;                                                      \
         return given;                                                                              \
@@ -242,6 +244,29 @@ static enum mpm_status build_source(const struct mpm_reading *reading, enum mpm_
     return MPM_OK;
 }
 
+static enum mpm_status build_transfer(const struct mpm_reading *reading, enum mpm_scalar which,
+                                      const struct given *given)
+{
+    static const char *const with_order[] = {
+        [MPM_SCALAR_XPIC] = "xpic", [MPM_SCALAR_FMPM] = "fmpm"};
+    struct mpm_scalar_spec *const scalar = &reading->scene->scalars[which];
+    const struct mpm_path key = path_under(which, "order");
+    const bool has = given->transfer == MPM_SCALAR_XPIC || given->transfer == MPM_SCALAR_FMPM;
+    const bool order = mpm_reading_given(reading, key.text);
+    scalar->transfer = (enum mpm_scalar_transfer)given->transfer;
+    scalar->order = has ? given->order : 1;
+    if (order && !has)
+        return mpm_reading_fault(reading, key.text,
+                                 "given with a transfer that has no order; allowed: with xpic and "
+                                 "fmpm");
+    if (has && !order)
+        return mpm_reading_fault(reading, path_under(which, "transfer").text,
+                                 "%s without an order; allowed: with order: 2, or another order "
+                                 "from 1",
+                                 with_order[given->transfer]);
+    return MPM_OK;
+}
+
 static enum mpm_status build_scalar(const struct mpm_reading *reading, enum mpm_scalar which,
                                     const struct given *given)
 {
@@ -249,7 +274,7 @@ static enum mpm_status build_scalar(const struct mpm_reading *reading, enum mpm_
     struct mpm_scalar_spec *const scalar = &scene->scalars[which];
     scalar->asked = true;
     scalar->line = mpm_reading_line(reading, scalar_path(which).text);
-    scalar->transfer = (enum mpm_scalar_transfer)given->transfer;
+    MPM_TRY(build_transfer(reading, which, given));
     for (size_t k = 0; k < scene->material_count; k++)
         MPM_TRY(mpm_build_conduction(reading, which, k));
     for (size_t k = 0; k < scene->body_count; k++)

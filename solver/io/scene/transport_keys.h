@@ -25,7 +25,9 @@
     X(S, ONE, saturation, NUMBER, ANYWHERE, OPTIONAL, DENSITY, NULL, ABOVE(0),                       \
       "mass of solvent per undeformed volume at the concentration 1; with transport.concentration, and only there") \
     X(S, ONE, diffusivity, NUMBER, ANYWHERE, OPTIONAL, AREA_RATE, NULL, AT_LEAST(0),                 \
-      "of the solvent, the same in all directions; or principal_diffusivities")                    \
+      "of the solvent, the same in all directions; or principal_diffusivities, or diffusivity_table") \
+    X(S, POINTS, diffusivity_table, NUMBER, ANYWHERE, OPTIONAL, AREA_RATE, NULL, FROM_TO(2, MPM_POINTS_MAX), \
+      "points [concentration, diffusivity], linear between them; concentrations rise, diffusivities are above 0; instead of diffusivity") \
     X(S, PAIR, principal_diffusivities, NUMBER, ANYWHERE, OPTIONAL, AREA_RATE, NULL, AT_LEAST(0),    \
       "of the solvent along two axes of the material, which turn with it; instead of diffusivity") \
     X(S, ONE, diffusivity_angle, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(-360, 360),         \
@@ -68,7 +70,9 @@
 
 #define KEYS_temperature(X, S)                                                                     \
     X(S, CHOICE, transfer, scalar_transfer, ANYWHERE, OPTIONAL, NONE, "flip", ANY,                   \
-      "how particles' temperatures follow the grid: by its rates, or by its values, which conducts of itself (pic)") \
+      "how particles' temperatures follow the grid: by its rates, by its values, which conducts of itself (pic), or by values to a higher order") \
+    X(S, ONE, order, INTEGER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(1, 100),                       \
+      "of transfer: xpic and fmpm, which must have it; 1 is pic, each more costs a pass over the particles") \
     X(S, ONE, start, EXPRESSION, ANYWHERE, OPTIONAL, TEMPERATURE, "0", ANY,                          \
       "initial temperature of bodies without their own, in the coordinates")                       \
     X(S, ONE, source, EXPRESSION, ANYWHERE, OPTIONAL, HEAT_SOURCE, NULL, ANY,                        \
@@ -104,6 +108,8 @@
 #define KEYS_concentration(X, S)                                                                   \
     X(S, CHOICE, transfer, scalar_transfer, ANYWHERE, OPTIONAL, NONE, "flip", ANY,                   \
       "how particles' concentrations follow the grid, as those of temperature")                    \
+    X(S, ONE, order, INTEGER, ANYWHERE, OPTIONAL, NONE, NULL, FROM_TO(1, 100),                       \
+      "of transfer: xpic and fmpm, which must have it; 1 is pic, each more costs a pass over the particles") \
     X(S, ONE, start, EXPRESSION, ANYWHERE, OPTIONAL, NONE, "0", ANY,                                 \
       "initial concentration of bodies without their own, in the coordinates")                     \
     X(S, ONE, source, EXPRESSION, ANYWHERE, OPTIONAL, MASS_SOURCE, NULL, ANY,                        \

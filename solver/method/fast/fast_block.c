@@ -22,7 +22,8 @@ static struct fast_scalar scalar_of(const struct mpm_state *state,
         .weight = scalar->weight[body],
         .inverse_density =
             scalar->source == NULL ? 0.0 : 1.0 / state->bodies[body].material.density,
-        .pic = scalar->transfer == MPM_SCALAR_PIC,
+        .kept = mpm_scalar_takes_values(scalar) ? 0.0 : 1.0,
+        .part = mpm_scalar_takes_values(scalar) ? 1.0 : state->time_step,
         .follows_mass = state->kernels.passes->with_scalar && scalar->uniform,
         .conduction = scalar->bodies[body],
     };

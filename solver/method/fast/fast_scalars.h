@@ -471,7 +471,7 @@ MPM_INLINE void update_scalar(const struct fast_spec *spec, const struct fast_bl
                               const union fast_stencil stencil[MPM_BLOCK_VECTORS])
 {
     const struct fast_constants *const k = block->k;
-    const double kept = k->scalar.pic ? 0.0 : 1.0, part = k->scalar.pic ? 1.0 : k->time_step;
+    const double kept = k->scalar.kept, part = k->scalar.part;
     double *const numbers = numbers_of(block);
     FOR_VECTORS(block, p, v)
     {

@@ -249,12 +249,12 @@ static enum mpm_failure_kind judge_temperature(const struct mpm_state *state, si
     return MPM_NO_FAILURE;
 }
 
-void mpm_strip_judge_tables(struct mpm_strip *strip, const struct mpm_property *tables, uint32_t id,
-                            double temperature)
+void mpm_strip_judge_tables(struct mpm_strip *strip, enum mpm_scalar which,
+                            const struct mpm_property *tables, uint32_t id, double value)
 {
     for (int k = 0; k < MPM_TABLE_COUNT; k++)
-        if (!mpm_property_covers(&tables[k], temperature))
-            mpm_strip_record(strip, MPM_OUTSIDE_TABLE, id, k, temperature);
+        if (!mpm_property_covers(&tables[k], value))
+            mpm_strip_record(strip, MPM_OUTSIDE_TABLE, id, mpm_table_place(which, k), value);
 }
 
 static bool add_heat(const struct mpm_state *state, size_t p, struct evaluation *at,
@@ -271,8 +271,8 @@ static bool add_heat(const struct mpm_state *state, size_t p, struct evaluation 
     }
     const double change = at->now.temperature - start;
     particles->temperature[p] += change;
-    mpm_strip_judge_tables(strip, given->conduction[MPM_TEMPERATURE].tables, particles->id[p],
-                           particles->temperature[p]);
+    mpm_strip_judge_tables(strip, MPM_TEMPERATURE, given->conduction[MPM_TEMPERATURE].tables,
+                           particles->id[p], particles->temperature[p]);
     strip->deformation_heat += particles->mass[p] * at->heat_capacity * change;
     return true;
 }

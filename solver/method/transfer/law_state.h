@@ -54,8 +54,8 @@ void mpm_particle_find_stress(const struct mpm_state *state, size_t p,
                               double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
 
 /* Notes a failure if a table, by enum mpm_table, does not have the particle's temperature. */
-void mpm_strip_judge_tables(struct mpm_strip *strip, const struct mpm_property *tables, uint32_t id,
-                            double temperature);
+void mpm_strip_judge_tables(struct mpm_strip *strip, enum mpm_scalar which,
+                            const struct mpm_property *tables, uint32_t id, double temperature);
 
 /* F_zz of particle p in plane stress, for the plane part of `f`. */
 double mpm_particle_thickness(const struct mpm_state *state, size_t p,

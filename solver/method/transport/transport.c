@@ -10,6 +10,7 @@
 #include "method/transport/transport_exchange.h"
 #include "method/transport/transport_passes.h"
 #include "method/transport/transport_rest.h"
+#include "method/transport/transport_smoothing.h"
 
 #include <float.h>
 #include <string.h>
@@ -24,6 +25,10 @@ void mpm_nodal_scalar_layout(const struct mpm_state *state, struct mpm_nodal_sca
         *arrays[k] = MPM_TAKE(arena, double, nodes);
     if (scalar->varies && scalar->transfer == MPM_SCALAR_FLIP)
         scalar->held = MPM_TAKE(arena, double, nodes);
+    if (scalar->order > 1) {
+        scalar->smoothed = MPM_TAKE(arena, double, nodes);
+        scalar->filtered = MPM_TAKE(arena, double, nodes);
+    }
     scalar->row_inflow =
         MPM_TAKE(arena, double, (size_t)(state->grid.rows + state->grid.field_rows));
 }
@@ -43,9 +48,10 @@ void mpm_transport_forget(struct mpm_state *state)
     state->transport.undeformed = state->scene->at_rest && is_undeformed(&state->particles);
     state->transport.fields_known = false;
     for (size_t k = 0; k < state->transport.count; k++) {
-        state->transport.list[k].at_hand = false;
-        state->transport.list[k].settles =
-            state->transport.list[k].hold_count > 0 || state->transport.list[k].joins;
+        struct mpm_nodal_scalar *const scalar = &state->transport.list[k];
+        scalar->at_hand = false;
+        scalar->settles =
+            !mpm_scalar_takes_values(scalar) && (scalar->hold_count > 0 || scalar->joins);
     }
 }
 
@@ -55,13 +61,6 @@ void mpm_transport_forget(struct mpm_state *state)
 static const struct mpm_nodal_scalar *at_work(const struct mpm_state *state)
 {
     return state->transport.conducted;
-}
-
-static void run_rows(struct mpm_state *state, const struct mpm_nodal_scalar *scalar, mpm_pass *pass)
-{
-    state->transport.conducted = scalar;
-    mpm_grid_rows_run(state, pass);
-    state->transport.conducted = NULL;
 }
 
 /* Zeros to add to: a row of one of the arrays. */
@@ -113,8 +112,10 @@ static void row_values(void *context, int64_t row, int worker)
     clear(state, scalar->inflow, row);
 }
 
-/* What particles will read: dv_i/dt, or with PIC v_i + dt dv_i/dt of the v_i without conditions. */
-static inline void find_result(const struct mpm_state *state, int64_t row, bool pic)
+/* What particles will read: dv_i/dt, or with others than FLIP v_i + dt dv_i/dt, of the v_i without
+ * conditions, with XPIC of w_m. */
+static inline void find_result(const struct mpm_state *state, int64_t row,
+                               enum mpm_scalar_transfer transfer)
 {
     const struct mpm_row_span span = mpm_row_span(state, row);
     const struct mpm_nodal_scalar *const scalar = at_work(state);
@@ -122,24 +123,26 @@ static inline void find_result(const struct mpm_state *state, int64_t row, bool 
     for (int64_t node = span.first; node < span.end; node++) {
         const double inverse = mpm_inverse_mass(scalar->capacity[node]);
         const double rate = scalar->inflow[node] * inverse;
-        scalar->result[node] =
-            pic ? scalar->content[node] * inverse + state->time_step * rate : rate;
+        const double value =
+            transfer == MPM_SCALAR_XPIC ? scalar->smoothed[node] : scalar->content[node] * inverse;
+        scalar->result[node] = transfer == MPM_SCALAR_FLIP ? rate : value + state->time_step * rate;
         sum += scalar->inflow[node];
     }
     scalar->row_inflow[row] = sum;
 }
 
-static void row_rates(void *state, int64_t row, int worker)
-{
-    (void)worker;
-    find_result(state, row, false);
-}
+/* clang-format off */
+static MPM_PASS(row_rates, find_result, MPM_SCALAR_FLIP)
+static MPM_PASS(row_pic, find_result, MPM_SCALAR_PIC)
+static MPM_PASS(row_xpic, find_result, MPM_SCALAR_XPIC)
+    /* clang-format on */
 
-static void row_pic(void *state, int64_t row, int worker)
-{
-    (void)worker;
-    find_result(state, row, true);
-}
+    static mpm_pass *const result_rows[] = {
+        [MPM_SCALAR_FLIP] = row_rates,
+        [MPM_SCALAR_PIC] = row_pic,
+        [MPM_SCALAR_XPIC] = row_xpic,
+        [MPM_SCALAR_FMPM] = row_pic, /* and then the orders beyond the first */
+};
 
 /* -------------------------------------------------------------- prescribed values */
 
@@ -179,7 +182,7 @@ static enum mpm_status hold_values(const struct mpm_state *state,
 /* result_i = sum_p c m S_ip sum_j S_jp value_j */
 static void filter(struct mpm_state *state, int workers, const struct mpm_nodal_scalar *scalar)
 {
-    run_rows(state, scalar, row_clear_result);
+    mpm_scalar_rows_run(state, scalar, row_clear_result);
     mpm_scalar_pass_run(state, workers, scalar, state->kernels.scalar->filter);
     mpm_symmetries_reflect_scalar(state, scalar->result);
 }
@@ -214,7 +217,7 @@ static void settle(struct mpm_state *state, int workers, struct mpm_nodal_scalar
     if (!scalar->settles)
         return;
     filter(state, workers, scalar);
-    run_rows(state, scalar, row_less_content);
+    mpm_scalar_rows_run(state, scalar, row_less_content);
     mpm_scalar_exchange_lags(state, scalar);
     for (size_t k = 0; k < places; k++) {
         const int64_t field = held_field(state, scalar, k);
@@ -231,26 +234,26 @@ static void settle(struct mpm_state *state, int workers, struct mpm_nodal_scalar
         if (field >= 0)
             scalar->settling[k] /= scalar->result[field];
     }
-    run_rows(state, scalar, row_clear_inflow);
+    mpm_scalar_rows_run(state, scalar, row_clear_inflow);
     scalar->settles = false;
 }
 
 /* The nodes reach the value at the end of the step; what that takes beside the inflow is counted,
- * or will be when particles have followed (count_held). With PIC they come from the value that
+ * or will be when particles have followed (count_held). But with FLIP they come from the value that
  * particles gave them. */
 static enum mpm_status hold_result(const struct mpm_state *state, struct mpm_nodal_scalar *scalar,
                                    const struct mpm_scalar_hold *hold, int64_t field,
                                    double settling, struct mpm_error *error)
 {
     const double dt = state->time_step, capacity = scalar->capacity[field];
-    const bool pic = scalar->transfer == MPM_SCALAR_PIC;
+    const bool values = mpm_scalar_takes_values(scalar);
     double end;
     MPM_TRY(prescribed(state, scalar, hold, state->time + dt, &end, error));
     const double change =
-        pic ? end - scalar->content[field] / capacity : end - scalar->value[field] + settling;
+        values ? end - scalar->content[field] / capacity : end - scalar->value[field] + settling;
     scalar->totals.held +=
         (scalar->held == NULL ? capacity * change : 0.0) - dt * scalar->inflow[field];
-    mpm_scalar_set(state, scalar->result, field, pic ? end : change / dt);
+    mpm_scalar_set(state, scalar->result, field, values ? end : change / dt);
     if (scalar->held != NULL)
         mpm_scalar_set(state, scalar->held, field, change / dt);
     return MPM_OK;
@@ -261,7 +264,7 @@ static enum mpm_status hold_results(struct mpm_state *state, struct mpm_nodal_sc
 {
     const size_t fields = (size_t)scalar->hold_fields;
     if (scalar->held != NULL)
-        run_rows(state, scalar, row_clear_held);
+        mpm_scalar_rows_run(state, scalar, row_clear_held);
     for (size_t k = 0; k < scalar->hold_count * fields; k++) {
         const int64_t field = held_field(state, scalar, k);
         if (field >= 0)
@@ -309,8 +312,8 @@ static void find_sources(struct mpm_state *state, int workers, struct mpm_nodal_
 
 static void spread(struct mpm_state *state, int workers, const struct mpm_nodal_scalar *scalar)
 {
-    run_rows(state, scalar, row_clear_content);
-    run_rows(state, scalar, row_clear_capacity);
+    mpm_scalar_rows_run(state, scalar, row_clear_content);
+    mpm_scalar_rows_run(state, scalar, row_clear_capacity);
     mpm_scalar_pass_run(state, workers, scalar, state->kernels.scalar->spread);
     mpm_symmetries_reflect_scalar(state, scalar->capacity);
 }
@@ -329,7 +332,7 @@ static void update_particles(struct mpm_state *state, int workers, struct mpm_no
     const struct mpm_scalar_passes *const passes = state->kernels.scalar;
     const bool again = state->scene->at_rest && !scalar->varies;
     if (again)
-        run_rows(state, scalar, row_clear_content);
+        mpm_scalar_rows_run(state, scalar, row_clear_content);
     mpm_scalar_pass_run(state, workers, scalar, again ? passes->update_and_spread : passes->update);
     count_held(state, scalar);
     scalar->at_hand = again;
@@ -357,7 +360,7 @@ static enum mpm_status prepare(struct mpm_state *state, int workers,
                                struct mpm_nodal_scalar *scalar, struct mpm_error *error)
 {
     mpm_symmetries_reflect_scalar(state, scalar->content);
-    run_rows(state, scalar, row_values);
+    mpm_scalar_rows_run(state, scalar, row_values);
     mpm_scalar_exchange_values(state, scalar);
     MPM_TRY(hold_values(state, scalar, error));
     settle(state, workers, scalar);
@@ -367,18 +370,21 @@ static enum mpm_status prepare(struct mpm_state *state, int workers,
 }
 
 /* From inflow to what particles read. */
-static enum mpm_status conclude(struct mpm_state *state, struct mpm_nodal_scalar *scalar,
-                                struct mpm_error *error)
+static enum mpm_status conclude(struct mpm_state *state, int workers,
+                                struct mpm_nodal_scalar *scalar, struct mpm_error *error)
 {
+    const double stiffness = mpm_scalar_stiffness(scalar);
     mpm_symmetries_reflect_scalar(state, scalar->inflow);
-    run_rows(state, scalar, scalar->transfer == MPM_SCALAR_PIC ? row_pic : row_rates);
+    mpm_scalar_smooth_start(state, workers, scalar);
+    mpm_scalar_rows_run(state, scalar, result_rows[scalar->transfer]);
     MPM_TRY(check_finite(state, scalar, error));
     mpm_scalar_exchange_results(state, scalar);
     MPM_TRY(hold_results(state, scalar, error));
+    mpm_scalar_smooth_end(state, workers, scalar);
     for (int64_t s = 0; s < state->strip_count; s++) {
         state->transport.diffusivity =
-            fmax(state->transport.diffusivity, state->strips[s].diffusivity);
-        state->transport.film = fmax(state->transport.film, state->strips[s].film);
+            fmax(state->transport.diffusivity, stiffness * state->strips[s].diffusivity);
+        state->transport.film = fmax(state->transport.film, stiffness * state->strips[s].film);
     }
     return MPM_OK;
 }
@@ -390,7 +396,7 @@ static enum mpm_status advance(struct mpm_state *state, int workers,
         spread(state, workers, scalar);
     MPM_TRY(prepare(state, workers, scalar, error));
     mpm_scalar_pass_run(state, workers, scalar, conduction(state));
-    MPM_TRY(conclude(state, scalar, error));
+    MPM_TRY(conclude(state, workers, scalar, error));
     update_particles(state, workers, scalar);
     return MPM_OK;
 }
@@ -405,9 +411,9 @@ enum mpm_status mpm_transport_advance(struct mpm_state *state, int workers, stru
 
 void mpm_transport_begin(struct mpm_state *state)
 {
-    run_rows(state, state->transport.list, row_clear_content);
+    mpm_scalar_rows_run(state, state->transport.list, row_clear_content);
     if (!state->transport.list->uniform)
-        run_rows(state, state->transport.list, row_clear_capacity);
+        mpm_scalar_rows_run(state, state->transport.list, row_clear_capacity);
 }
 
 /* M_i = c m_i; masses may still be beside the momenta, see struct mpm_node_sum. */
@@ -428,7 +434,7 @@ static void row_capacity_of_mass(void *context, int64_t row, int worker)
 static void find_capacity(struct mpm_state *state, const struct mpm_nodal_scalar *scalar)
 {
     if (scalar->uniform)
-        run_rows(state, scalar, row_capacity_of_mass);
+        mpm_scalar_rows_run(state, scalar, row_capacity_of_mass);
     else
         mpm_symmetries_reflect_scalar(state, scalar->capacity);
 }
@@ -445,9 +451,10 @@ enum mpm_status mpm_transport_prepare(struct mpm_state *state, int workers, stru
     return MPM_OK;
 }
 
-enum mpm_status mpm_transport_conclude(struct mpm_state *state, struct mpm_error *error)
+enum mpm_status mpm_transport_conclude(struct mpm_state *state, int workers,
+                                       struct mpm_error *error)
 {
-    MPM_TRY(conclude(state, state->transport.list, error));
+    MPM_TRY(conclude(state, workers, state->transport.list, error));
     mpm_transport_measure_rest(state);
     return MPM_OK;
 }

@@ -32,6 +32,7 @@
  * amplitude instead of 0.46 %).
  *
  * With PIC, v_p = sum S_ip (v_i + dt dv_i/dt), Notes (142): conserves too, and conducts of itself.
+ * XPIC and FMPM are between both: transport_smoothing.h.
  *
  * Stable steps: on nodes, v' = v - dt (M^-1 C) M^-1 K v with K_ij = sum V k G_ip . G_jp and C_ij =
  * sum c m S_ip S_jp. The eigenvalues of M^-1 C are 1 at most, those of M^-1 K are 4 kappa / h^2 in
@@ -66,12 +67,14 @@ enum mpm_status mpm_transport_advance(struct mpm_state *state, int workers,
 void mpm_transport_begin(struct mpm_state *state);
 enum mpm_status mpm_transport_prepare(struct mpm_state *state, int workers,
                                       struct mpm_error *error);
-enum mpm_status mpm_transport_conclude(struct mpm_state *state, struct mpm_error *error);
+enum mpm_status mpm_transport_conclude(struct mpm_state *state, int workers,
+                                       struct mpm_error *error);
 
 /* Particles are in another order, or have other values: contents at hand are not theirs. */
 void mpm_transport_forget(struct mpm_state *state);
 
-/* 1 / (2 kappa (1/h_x^2 + 1/h_y^2) + film (1/h_x + 1/h_y)); HUGE_VAL where nothing flows. */
+/* FMPM counts with more than its diffusivity and film, see transport_smoothing.h:
+ * 1 / (2 kappa (1/h_x^2 + 1/h_y^2) + film (1/h_x + 1/h_y)); HUGE_VAL where nothing flows. */
 double mpm_transport_stable_step(const struct mpm_grid *grid, double diffusivity, double film);
 
 /* Content of a scalar: sum c_p m_p v_p; extremes of v_p, where not NULL. */

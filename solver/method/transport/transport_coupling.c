@@ -10,8 +10,8 @@
 static double value_at_end(const struct mpm_state *state, const struct mpm_nodal_scalar *scalar,
                            const struct mpm_stencil *stencil)
 {
-    const double factor = scalar->transfer == MPM_SCALAR_PIC ? 1.0 : state->time_step;
-    const double kept = scalar->transfer == MPM_SCALAR_PIC ? 0.0 : 1.0;
+    const double factor = mpm_scalar_takes_values(scalar) ? 1.0 : state->time_step;
+    const double kept = mpm_scalar_takes_values(scalar) ? 0.0 : 1.0;
     double sum = 0.0;
     for (int k = 0; k < stencil->count; k++) {
         const int64_t node = state->node_zero + stencil->node[k].node;

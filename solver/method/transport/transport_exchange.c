@@ -165,25 +165,70 @@ static bool is_held(const struct mpm_nodal_scalar *scalar, int64_t node)
     return low < scalar->hold_count && scalar->holds[low].node == node;
 }
 
+/* What particles read; with XPIC `smoothed` has what takes the place of the values. */
+static double result_of(const struct mpm_nodal_scalar *scalar, const struct node *node, int side,
+                        double time_step)
+{
+    const struct mpm_scalar_side *const of = &node->meeting.sides[side];
+    if (!mpm_scalar_takes_values(scalar))
+        return of->rate;
+    const double value =
+        scalar->transfer == MPM_SCALAR_XPIC ? scalar->smoothed[node->fields[side]] : of->value;
+    return value + time_step * of->rate;
+}
+
 void mpm_scalar_exchange_results(const struct mpm_state *state,
                                  const struct mpm_nodal_scalar *scalar)
 {
-    const bool pic = scalar->transfer == MPM_SCALAR_PIC;
+    const bool values = mpm_scalar_takes_values(scalar);
     struct node node;
     for (size_t k = 0; k < scalar->passage_count;) {
         k = collect(scalar, k, &node);
         const struct mpm_scalar_meeting *const meeting = &node.meeting;
         if (meeting->side_count == 0 || is_held(scalar, node.passages->node))
             continue;
-        mpm_scalar_meeting_exchange(&node.meeting, state->time_step, pic);
+        mpm_scalar_meeting_exchange(&node.meeting, state->time_step, values);
         for (int i = 0; i < meeting->side_count; i++)
             mpm_scalar_set(state, scalar->result, node.fields[i],
-                           pic ? meeting->sides[i].value + state->time_step * meeting->sides[i].rate
-                               : meeting->sides[i].rate);
+                           result_of(scalar, &node, i, state->time_step));
         for (int i = 0; i < meeting->link_count; i++) {
             if (node.passages[i].total != NULL)
                 *node.passages[i].total += meeting->links[i].passed;
             node.passages[i].settling[0] = node.passages[i].settling[1] = 0.0;
         }
+    }
+}
+
+/* `smoothed` in the place of values, of which nothing flows but between fields that are one. */
+static void take_smoothed(const struct mpm_nodal_scalar *scalar, struct node *node)
+{
+    struct mpm_scalar_meeting *const meeting = &node->meeting;
+    for (int i = 0; i < meeting->side_count; i++) {
+        struct mpm_scalar_side *const side = &meeting->sides[i];
+        side->content = side->capacity * scalar->smoothed[node->fields[i]];
+        side->inflow = side->settling = 0.0;
+    }
+    for (int i = 0; i < meeting->link_count; i++)
+        meeting->links[i].conductance = 0.0;
+    mpm_scalar_meeting_join(meeting);
+}
+
+void mpm_scalar_exchange_smoothed(const struct mpm_state *state,
+                                  const struct mpm_nodal_scalar *scalar, bool counts)
+{
+    struct node node;
+    for (size_t k = 0; k < scalar->passage_count;) {
+        k = collect(scalar, k, &node);
+        struct mpm_scalar_meeting *const meeting = &node.meeting;
+        if (meeting->side_count == 0 || is_held(scalar, node.passages->node))
+            continue;
+        take_smoothed(scalar, &node);
+        mpm_scalar_meeting_exchange(meeting, state->time_step, true);
+        for (int i = 0; i < meeting->side_count; i++)
+            if (is_one_of_several(meeting, i))
+                mpm_scalar_set(state, scalar->smoothed, node.fields[i], meeting->sides[i].value);
+        for (int i = 0; i < meeting->link_count && counts; i++)
+            if (node.passages[i].total != NULL)
+                *node.passages[i].total += meeting->links[i].passed;
     }
 }

@@ -37,5 +37,8 @@ void mpm_scalar_exchange_settle(const struct mpm_state *state, struct mpm_nodal_
 /* Results, from contents and inflow. */
 void mpm_scalar_exchange_results(const struct mpm_state *state,
                                  const struct mpm_nodal_scalar *scalar);
+/* `smoothed` of fields that are one; what they take of each other passes where it `counts`. */
+void mpm_scalar_exchange_smoothed(const struct mpm_state *state,
+                                  const struct mpm_nodal_scalar *scalar, bool counts);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "base/simd.h"
 #include "base/strips.h"
+#include "method/grid/grid_update.h"
 #include "method/transfer/law_state.h"
 #include "method/transfer/transfer.h"
 
@@ -13,6 +14,14 @@ void mpm_scalar_pass_run(struct mpm_state *state, int workers,
 {
     state->transport.conducted = scalar;
     mpm_strips_run(state->strip_count, workers, pass, state);
+    state->transport.conducted = NULL;
+}
+
+void mpm_scalar_rows_run(struct mpm_state *state, const struct mpm_nodal_scalar *scalar,
+                         mpm_pass *pass)
+{
+    state->transport.conducted = scalar;
+    mpm_grid_rows_run(state, pass);
     state->transport.conducted = NULL;
 }
 
@@ -158,7 +167,7 @@ MPM_INLINE double update_by_tables(const struct mpm_state *state,
     const double dt = state->time_step, mass = state->particles.mass[p];
     const double held =
         scalar->held == NULL ? 0.0 : dt * gather(stencil, scalar->held + state->node_zero);
-    const double change = scalar->transfer == MPM_SCALAR_PIC ? result - *value : dt * result;
+    const double change = mpm_scalar_takes_values(scalar) ? result - *value : dt * result;
     if (table->count > 0)
         return mass * follow(scalar, table, change - held, held, value);
     *value += change;
@@ -169,7 +178,7 @@ MPM_INLINE void update(const struct mpm_state *state, int64_t index, bool spread
 {
     struct mpm_strip *const strip = &state->strips[index];
     const struct mpm_nodal_scalar *const scalar = state->transport.conducted;
-    const bool pic = scalar->transfer == MPM_SCALAR_PIC;
+    const bool takes = mpm_scalar_takes_values(scalar);
     double *const values = mpm_scalar_values(scalar, &state->particles);
     double held = 0.0;
     for (size_t p = strip->begin; p < strip->end; p++) {
@@ -178,10 +187,11 @@ MPM_INLINE void update(const struct mpm_state *state, int64_t index, bool spread
         const double result = gather(stencil, scalar->result + state->node_zero);
         if (tables) {
             held += update_by_tables(state, scalar, p, stencil, result, &values[p]);
-            mpm_strip_judge_tables(strip, scalar->bodies[state->particles.body[p]].tables,
+            mpm_strip_judge_tables(strip, scalar->which,
+                                   scalar->bodies[state->particles.body[p]].tables,
                                    state->particles.id[p], values[p]);
         } else {
-            values[p] = pic ? result : values[p] + state->time_step * result;
+            values[p] = takes ? result : values[p] + state->time_step * result;
         }
         if (spreads)
             add(stencil, capacity_of(state, scalar, p, values[p], tables) * values[p],

@@ -35,8 +35,10 @@ static inline double *mpm_scalar_values(const struct mpm_nodal_scalar *scalar,
     return mpm_particle_array(particles, scalar->row->field, 0);
 }
 
-/* Runs one for a scalar. */
+/* Runs one for a scalar, and one of the rows of its nodes. */
 void mpm_scalar_pass_run(struct mpm_state *state, int workers,
                          const struct mpm_nodal_scalar *scalar, mpm_pass *pass);
+void mpm_scalar_rows_run(struct mpm_state *state, const struct mpm_nodal_scalar *scalar,
+                         mpm_pass *pass);
 
 #endif

@@ -48,6 +48,7 @@ struct mpm_nodal_scalar {
     const struct mpm_scalar_row *row;
     enum mpm_scalar which;
     enum mpm_scalar_transfer transfer;
+    int order;      /* of XPIC and FMPM; else 1 */
     double *weight; /* per body: c, capacity per mass; with a table its smallest */
     struct mpm_scalar_body *bodies;
     struct mpm_expression *source;      /* NULL: none */
@@ -69,7 +70,9 @@ struct mpm_nodal_scalar {
     double *value;    /* v_i at the start of the step, conditions included */
     double *inflow;   /* content per time */
     double *result;   /* what particles read: dv_i/dt, or with PIC v_i^{n+1} */
-    double *held;     /* the part of it that is of held nodes, with FLIP where c varies; or NULL */
+    double *smoothed; /* of XPIC and FMPM: w_r, and the sums that it is made of; or NULL */
+    double *filtered;
+    double *held; /* the part of it that is of held nodes, with FLIP where c varies; or NULL */
     double *row_inflow; /* per node row: its sum; finite if all are */
     /* Of the step: those of a node follow each other. */
     struct mpm_scalar_passage *passages;
@@ -92,6 +95,12 @@ struct mpm_transport {
     double diffusivity; /* largest J k / (c rho_0) of all particles and scalars in the step */
     double film;        /* largest derivative of a flux on edges by its scalar, over c rho_0 */
 };
+
+/* Do particles take values of the nodes, and not their rates? */
+static inline bool mpm_scalar_takes_values(const struct mpm_nodal_scalar *scalar)
+{
+    return scalar->transfer != MPM_SCALAR_FLIP;
+}
 
 /* Adds a passage of the step: those of a node one after the other. */
 static inline void mpm_scalar_passage_add(struct mpm_nodal_scalar *scalar,

@@ -118,14 +118,12 @@ END_TEST
 
 START_TEST(heat_is_what_source_and_conditions_have_given)
 {
-    static const char *const transfers[] = {"flip", "pic"};
-    for (int k = 0; k < HEAT_BLOCK_SETS * 2; k++) {
+    for (int k = 0; k < HEAT_BLOCK_SETS * HEAT_BLOCK_TRANSFERS; k++) {
         struct settings settings = test_combination_settings(_i);
         heat_block_add_wild_heat(&settings, is_axisymmetric(_i));
         test_add_wild_velocity(&settings, is_axisymmetric(_i));
         settings_add(&settings, HEAT_BLOCK_HOT_SIDE);
-        settings_add_formatted(&settings, "transport.temperature.transfer=%s",
-                               transfers[k / HEAT_BLOCK_SETS]);
+        heat_block_add_transfer(&settings, k / HEAT_BLOCK_SETS);
         struct test_run run = heat_block_open(&settings, heat_block_kernels(k % HEAT_BLOCK_SETS));
         const double start = heat_block_heat(&run);
         test_run_steps(&run, test_combination(_i).amplifies_round_off ? 3 : 40);

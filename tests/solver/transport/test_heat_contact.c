@@ -82,15 +82,15 @@ static void compare_scenes(const struct settings *one, const struct settings *ot
 /* In all families, geometries and orders, bodies that move or do not. */
 START_TEST(bonded_bodies_in_perfect_contact_are_one_body)
 {
-    const int kind = _i % 2, transfer = _i / 2 % 2, index = _i / 4;
+    const int kind = _i % 2, transfer = _i / 2 % HEAT_BLOCK_TRANSFERS;
+    const int index = _i / 2 / HEAT_BLOCK_TRANSFERS;
     struct settings one = heat_block_rest_settings(index);
     struct settings other = heat_block_rest_settings(index);
     for (int k = 0; k < 2; k++) {
         struct settings *const settings = k == 0 ? &one : &other;
         if (kind == 1)
             settings_add(settings, ELASTIC);
-        if (transfer == 1)
-            settings_add(settings, "transport.temperature.transfer=pic");
+        heat_block_add_transfer(settings, transfer);
         if (k == 0)
             settings_add(settings, PAIR("bonded", ", heat: perfect"));
     }
@@ -209,13 +209,12 @@ START_TEST(the_history_has_the_heat_that_has_passed)
 {
     static const char *const laws[] = {"perfect", "conductance, conductance: 3"};
     for (size_t law = 0; law < G_N_ELEMENTS(laws); law++)
-        for (int transfer = 0; transfer < 2; transfer++) {
+        for (int transfer = 0; transfer < HEAT_BLOCK_TRANSFERS; transfer++) {
             struct settings settings = {.count = 0};
             double passed;
             settings_add_formatted(&settings, "method.shape=%s", test_shapes[_i]);
             settings_add_formatted(&settings, "contact={law: stick, heat: %s}", laws[law]);
-            settings_add(&settings, transfer == 0 ? "transport.temperature.transfer=flip"
-                                                  : "transport.temperature.transfer=pic");
+            heat_block_add_transfer(&settings, transfer);
             struct test_run run = test_run_open(TWO_BLOCKS, settings.texts, 1);
             const struct mpm_state *const state = &run.simulation->state;
             double content[2] = {0.0, 0.0};
@@ -355,7 +354,8 @@ Suite *suite_heat_contact(void)
 {
     Suite *const suite = suite_create("heat_contact");
     TCase *const tests = tcase_create("heat_contact");
-    tcase_add_loop_test(tests, bonded_bodies_in_perfect_contact_are_one_body, 0, 4 * REST);
+    tcase_add_loop_test(tests, bonded_bodies_in_perfect_contact_are_one_body, 0,
+                        2 * HEAT_BLOCK_TRANSFERS * REST);
     tcase_add_loop_test(tests, a_crack_that_conducts_is_none, 0, REST);
     tcase_add_loop_test(tests, a_body_with_a_crack_is_two_bodies, 0, REST);
     tcase_add_loop_test(tests, the_order_of_bodies_does_not_matter, 0, REST);

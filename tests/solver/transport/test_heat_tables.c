@@ -33,15 +33,14 @@ static const char FLUXES[] =
 /* Of enthalpy; the held side jumps in the first step. */
 START_TEST(enthalpy_is_what_the_source_fluxes_and_held_nodes_have_given)
 {
-    static const char *const transfers[] = {"flip", "pic"};
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < HEAT_BLOCK_TRANSFERS; k++) {
         struct settings settings = test_combination_settings(_i);
         heat_block_add_wild_heat(&settings, is_axisymmetric(_i));
         test_add_wild_velocity(&settings, is_axisymmetric(_i));
         settings_add(&settings, TABLES);
         settings_add(&settings, HEAT_BLOCK_HOT_SIDE);
         settings_add(&settings, FLUXES);
-        settings_add_formatted(&settings, "transport.temperature.transfer=%s", transfers[k]);
+        heat_block_add_transfer(&settings, k);
         struct test_run run = heat_block_open(&settings, MPM_KERNELS_AUTO);
         const double start = heat_block_heat(&run);
         test_run_steps(&run, test_combination(_i).amplifies_round_off ? 3 : 40);
@@ -214,6 +213,13 @@ static const char *const refused[][2] = {
      "initial temperature of body 'block' is 6.5 at ("},
     {REFUSED("transport: {temperature: {start: -3.5}}\n"),
      "allowed: -3 to 6, the range of the heat_capacity_table of 'soft'"},
+    {TEST_BLOCK_SCENE("{end: 1000, courant: 0.3}",
+                      "{name: soft, law: " SOFT ", density: 2, saturation: 3, diffusivity_table: "
+                      "[[0, 1], [0.5, 2]]}",
+                      "  - {name: block, material: soft, region: {rectangle: {from: [3, 3.2],\n"
+                      "     to: [9, 8]}}}\n"
+                      "transport: {concentration: {start: 0.6}}\n"),
+     "allowed: 0 to 0.5, the range of the diffusivity_table of 'soft'"},
     {REFUSED("transport: {temperature: {}}\n"
              "contact: {fields: bodies, law: stick, heat: perfect}\n"),
      "heat: perfect between bodies that may part, with a heat_capacity_table"},
@@ -231,6 +237,27 @@ START_TEST(what_tables_do_not_have_is_refused_at_the_start)
 }
 END_TEST
 
+/* c_s D over c_s: saturation 3, D up to 2. A source of 3 takes 1 of concentration in its time. */
+START_TEST(a_solvent_has_the_step_and_the_range_of_its_table)
+{
+    struct settings settings = {.count = 0};
+    struct mpm_error error = {.message = ""};
+    settings_add(&settings, "materials=[{name: soft, law: none, density: 2, saturation: 3, "
+                            "diffusivity_table: [[0, 1], [0.5, 2], [1, 1.5]]}]");
+    settings_add(&settings, "transport={concentration: {start: 0.5, source: 3}}");
+    struct test_run run = heat_block_open(&settings, MPM_KERNELS_AUTO);
+    ck_assert_near(run.simulation->diffusivity, 2.0, 1e-15);
+    enum mpm_status status = MPM_OK;
+    while (status == MPM_OK && mpm_simulation_time(run.simulation) < 1.0)
+        status = mpm_simulation_advance(run.simulation, 1.0, &error);
+    ck_assert_int_eq(status, MPM_RUN_FAILED);
+    test_contains(error.message, "is at a concentration of 1.0");
+    test_contains(error.message, "allowed: 0 to 1, the range of the diffusivity_table of 'soft'");
+    test_run_close(&run);
+    settings_clear(&settings);
+}
+END_TEST
+
 Suite *suite_heat_tables(void)
 {
     Suite *suite = suite_create("heat_tables");
@@ -244,7 +271,9 @@ Suite *suite_heat_tables(void)
     tcase_add_loop_test(all, the_step_is_that_of_the_largest_diffusivity_of_the_tables, 0, 3);
     tcase_add_loop_test(all, a_temperature_outside_of_a_table_ends_the_run_with_its_last_good_state,
                         0, 2);
-    tcase_add_loop_test(all, what_tables_do_not_have_is_refused_at_the_start, 0, 3);
+    tcase_add_loop_test(all, what_tables_do_not_have_is_refused_at_the_start, 0,
+                        (int)(sizeof refused / sizeof refused[0]));
+    tcase_add_test(all, a_solvent_has_the_step_and_the_range_of_its_table);
     suite_add_tcase(suite, all);
     return suite;
 }
