@@ -6,9 +6,13 @@
 
 /* A direction along which less than this part of the mobility is left counts as held. */
 static const double HELD_ALONG = 1e-12;
-/* Changes below this part of the largest impulse are round-off. */
+/* Changes below this part of the largest impulse, or of the largest velocity, are round-off. */
 static const double SETTLED = 1e-15;
-enum { SWEEPS = 2000 };
+/* Sweeps can go round in circles where a small pressure holds a large drag. After LIMIT_AFTER they
+ * begin again, with a drag of stick of at most STEEPEST times the pressure; after PART_AFTER a pair
+ * whose pressure has ended has no drag any more. */
+enum { SWEEPS = 2000, LIMIT_AFTER = 200, PART_AFTER = 600 };
+static const double STEEPEST = 10.0;
 /* Stick: a pressure below this part of the drag is the round-off of none. */
 static const double FAINT = 1e-9;
 
@@ -128,34 +132,77 @@ static void apply(const struct mpm_solve_pair *pair, const struct parts *change,
 
 enum { PAIRS = MPM_CONTACT_SIDES * (MPM_CONTACT_SIDES - 1) / 2 };
 
+/* Several pairs of a node as they are solved. */
+struct solution {
+    struct mpm_contact_side *sides;
+    const struct mpm_solve_pair *pairs;
+    int count;
+    double shares[PAIRS];
+    double fastest;     /* of all velocities before */
+    bool parted[PAIRS]; /* pairs whose drag does not come again */
+};
+
+/* By how much a change of a pair's parts moves its fields, at most. */
+static double moved_by(const struct solution *of, int k, const struct parts *change)
+{
+    double most = 0.0;
+    for (int i = 0; i < 2; i++)
+        for (int axis = 0; axis < 2; axis++)
+            most = fmax(most, of->sides[of->pairs[k].of[i]].mobility[axis]);
+    return most * hypot(change->pressed, change->dragged);
+}
+
+static bool needs_pressure(const struct mpm_solve_pair *pair)
+{
+    return pair->law == MPM_PAIR_STICK || pair->law == MPM_PAIR_FRICTION;
+}
+
+static void limit_stick(const struct parts *parts, double share, struct parts *change)
+{
+    const double most = STEEPEST * fabs(parts->pressed + change->pressed);
+    const double dragged = parts->dragged + change->dragged / share;
+    if (fabs(dragged) > most)
+        change->dragged = share * (copysign(most, dragged) - parts->dragged);
+}
+
 /* All pairs at once. Returns whether anything has changed. */
-static bool sweep(struct mpm_contact_side *sides, const struct mpm_solve_pair *pairs, int count,
-                  const double shares[PAIRS], struct parts parts[PAIRS])
+static bool sweep(struct solution *of, int number, struct parts parts[PAIRS])
 {
     struct parts changes[PAIRS];
-    double largest = 0.0, changed = 0.0;
-    for (int k = 0; k < count; k++)
-        changes[k] = change_of(&pairs[k], sides, &parts[k], shares[k]);
-    for (int k = 0; k < count; k++) {
-        apply(&pairs[k], &changes[k], sides);
+    double largest = 0.0, changed = 0.0, moved = 0.0;
+    for (int k = 0; k < of->count; k++) {
+        changes[k] = change_of(&of->pairs[k], of->sides, &parts[k], of->shares[k]);
+        if (number >= LIMIT_AFTER && of->pairs[k].law == MPM_PAIR_STICK)
+            limit_stick(&parts[k], of->shares[k], &changes[k]);
+        const double left = parts[k].pressed + changes[k].pressed / of->shares[k];
+        if (number >= PART_AFTER && needs_pressure(&of->pairs[k]) &&
+            left >= -FAINT * fabs(parts[k].pressed))
+            of->parted[k] = true;
+        if (of->parted[k])
+            changes[k].dragged = -of->shares[k] * parts[k].dragged;
+    }
+    for (int k = 0; k < of->count; k++) {
+        apply(&of->pairs[k], &changes[k], of->sides);
         parts[k].pressed += changes[k].pressed;
         parts[k].dragged += changes[k].dragged;
+        moved = fmax(moved, moved_by(of, k, &changes[k]));
         largest = fmax(largest, fmax(fabs(parts[k].pressed), fabs(parts[k].dragged)));
         changed = fmax(changed, fmax(fabs(changes[k].pressed), fabs(changes[k].dragged)));
     }
-    return changed > SETTLED * largest;
+    return changed > SETTLED * largest && moved > SETTLED * of->fastest;
 }
 
 /* How much of its own need each pair may take at once: with the pairs of both its fields the need
  * of a pair is up to 1/share of what its own parts do, so that sweeps converge. */
-static void find_shares(const struct mpm_contact_side *sides, const struct mpm_solve_pair *pairs,
-                        int count, double shares[PAIRS])
+static void find_shares(struct solution *solution)
 {
+    const struct mpm_contact_side *const sides = solution->sides;
+    const struct mpm_solve_pair *const pairs = solution->pairs;
     int of[MPM_CONTACT_SIDES] = {0};
-    for (int k = 0; k < count; k++)
+    for (int k = 0; k < solution->count; k++)
         for (int i = 0; i < 2; i++)
             of[pairs[k].of[i]]++;
-    for (int k = 0; k < count; k++) {
+    for (int k = 0; k < solution->count; k++) {
         const int *const on = pairs[k].of;
         double need = 1.0;
         for (int axis = 0; axis < 2; axis++) {
@@ -163,7 +210,7 @@ static void find_shares(const struct mpm_contact_side *sides, const struct mpm_s
             if (one + other > 0.0)
                 need = fmax(need, (of[on[0]] * one + of[on[1]] * other) / (one + other));
         }
-        shares[k] = 1.0 / need;
+        solution->shares[k] = 1.0 / need;
     }
 }
 
@@ -176,14 +223,43 @@ static void solve_one(struct mpm_contact_side *sides, const struct mpm_solve_pai
     apply(pair, parts, sides);
 }
 
+static void begin_again(const struct solution *of, struct parts parts[PAIRS])
+{
+    for (int k = 0; k < of->count; k++) {
+        const struct parts back = {-parts[k].pressed, -parts[k].dragged};
+        apply(&of->pairs[k], &back, of->sides);
+        parts[k] = (struct parts){0.0, 0.0};
+    }
+}
+
+static double fastest_of(const struct mpm_contact_side *sides, const struct mpm_solve_pair *pairs,
+                         int count)
+{
+    double fastest = 0.0;
+    for (int k = 0; k < count; k++)
+        for (int i = 0; i < 2; i++)
+            for (int axis = 0; axis < 2; axis++)
+                fastest = fmax(fastest, fabs(sides[pairs[k].of[i]].velocity[axis]));
+    return fastest;
+}
+
 static void solve_several(struct mpm_contact_side *sides, const struct mpm_solve_pair *pairs,
                           int count, struct parts parts[PAIRS])
 {
-    double shares[PAIRS];
-    find_shares(sides, pairs, count, shares);
+    struct solution solution; /* not cleared as a whole: it is large */
+    bool sticks = false;
+    solution.sides = sides;
+    solution.pairs = pairs;
+    solution.count = count;
+    solution.fastest = fastest_of(sides, pairs, count);
+    memset(solution.parted, 0, sizeof solution.parted);
+    find_shares(&solution);
+    for (int k = 0; k < count; k++)
+        sticks = sticks || pairs[k].law == MPM_PAIR_STICK;
     memset(parts, 0, (size_t)count * sizeof *parts);
-    for (int k = 0; k < SWEEPS && sweep(sides, pairs, count, shares, parts); k++)
-        continue;
+    for (int k = 0; k < SWEEPS && sweep(&solution, k, parts); k++)
+        if (k + 1 == LIMIT_AFTER && sticks)
+            begin_again(&solution, parts);
 }
 
 void mpm_contact_solve(struct mpm_contact_side *sides, struct mpm_solve_pair *pairs, int count)
