@@ -9,10 +9,12 @@ static const double HELD_ALONG = 1e-12;
 /* Changes below this part of the largest impulse, or of the largest velocity, are round-off. */
 static const double SETTLED = 1e-15;
 /* Sweeps can go round in circles where a small pressure holds a large drag. After LIMIT_AFTER they
- * begin again, with a drag of stick of at most STEEPEST times the pressure; after PART_AFTER a pair
- * whose pressure has ended has no drag any more. */
-enum { SWEEPS = 2000, LIMIT_AFTER = 200, PART_AFTER = 600 };
-static const double STEEPEST = 10.0;
+ * begin again, with a drag of stick of at most STEEP times the pressure; after LEAVE_AFTER once
+ * more with at most the pressure, of friction too, and from PART_AFTER on a pair whose pressure has
+ * ended has no drag any more. Each begins from nothing: what a circle has come to depends on
+ * round-off. */
+enum { SWEEPS = 2000, LIMIT_AFTER = 200, LEAVE_AFTER = 400, PART_AFTER = 440 };
+static const double STEEP = 10.0;
 /* Stick: a pressure below this part of the drag is the round-off of none. */
 static const double FAINT = 1e-9;
 
@@ -72,9 +74,7 @@ static double limited_drag(const struct mpm_solve_pair *pair, double pressed, do
     case MPM_PAIR_STICK:
         return fabs(pressed) > FAINT * fabs(dragged) ? dragged : 0.0;
     case MPM_PAIR_FRICTION:
-        if (fabs(dragged) <= pair->static_friction * pressure)
-            return dragged;
-        return copysign(pair->friction * pressure, dragged);
+        return mpm_contact_drag(dragged, pressure, pair->static_friction, pair->friction);
     case MPM_PAIR_FRICTIONLESS:
     case MPM_PAIR_NONE:
         break;
@@ -157,12 +157,12 @@ static bool needs_pressure(const struct mpm_solve_pair *pair)
     return pair->law == MPM_PAIR_STICK || pair->law == MPM_PAIR_FRICTION;
 }
 
-static void limit_stick(const struct parts *parts, double share, struct parts *change)
+static void limit_drag(double slope, const struct parts *parts, double share, struct parts *change)
 {
-    const double most = STEEPEST * fabs(parts->pressed + change->pressed);
-    const double dragged = parts->dragged + change->dragged / share;
-    if (fabs(dragged) > most)
-        change->dragged = share * (copysign(most, dragged) - parts->dragged);
+    const double pressure = fabs(parts->pressed + change->pressed);
+    const double dragged =
+        mpm_contact_drag(parts->dragged + change->dragged / share, pressure, slope, slope);
+    change->dragged = share * (dragged - parts->dragged);
 }
 
 /* All pairs at once. Returns whether anything has changed. */
@@ -172,8 +172,10 @@ static bool sweep(struct solution *of, int number, struct parts parts[PAIRS])
     double largest = 0.0, changed = 0.0, moved = 0.0;
     for (int k = 0; k < of->count; k++) {
         changes[k] = change_of(&of->pairs[k], of->sides, &parts[k], of->shares[k]);
-        if (number >= LIMIT_AFTER && of->pairs[k].law == MPM_PAIR_STICK)
-            limit_stick(&parts[k], of->shares[k], &changes[k]);
+        if (number >= LEAVE_AFTER && needs_pressure(&of->pairs[k]))
+            limit_drag(1.0, &parts[k], of->shares[k], &changes[k]);
+        else if (number >= LIMIT_AFTER && of->pairs[k].law == MPM_PAIR_STICK)
+            limit_drag(STEEP, &parts[k], of->shares[k], &changes[k]);
         const double left = parts[k].pressed + changes[k].pressed / of->shares[k];
         if (number >= PART_AFTER && needs_pressure(&of->pairs[k]) &&
             left >= -FAINT * fabs(parts[k].pressed))
@@ -247,18 +249,20 @@ static void solve_several(struct mpm_contact_side *sides, const struct mpm_solve
                           int count, struct parts parts[PAIRS])
 {
     struct solution solution; /* not cleared as a whole: it is large */
-    bool sticks = false;
+    bool sticks = false, rubs = false;
     solution.sides = sides;
     solution.pairs = pairs;
     solution.count = count;
     solution.fastest = fastest_of(sides, pairs, count);
     memset(solution.parted, 0, sizeof solution.parted);
     find_shares(&solution);
-    for (int k = 0; k < count; k++)
+    for (int k = 0; k < count; k++) {
         sticks = sticks || pairs[k].law == MPM_PAIR_STICK;
+        rubs = rubs || needs_pressure(&pairs[k]);
+    }
     memset(parts, 0, (size_t)count * sizeof *parts);
     for (int k = 0; k < SWEEPS && sweep(&solution, k, parts); k++)
-        if (k + 1 == LIMIT_AFTER && sticks)
+        if ((k + 1 == LIMIT_AFTER && sticks) || (k + 1 == LEAVE_AFTER && rubs))
             begin_again(&solution, parts);
 }
 
