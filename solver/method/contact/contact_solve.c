@@ -6,7 +6,7 @@
 
 /* A direction along which less than this part of the mobility is left counts as held. */
 static const double HELD_ALONG = 1e-12;
-/* Changes below this part of the largest impulse, or of the largest velocity, are round-off. */
+/* Changes below this part of the largest impulse are round-off. */
 static const double SETTLED = 1e-15;
 /* Sweeps can go round in circles where a small pressure holds a large drag. After LIMIT_AFTER they
  * begin again, with a drag of stick of at most STEEP times the pressure; after LEAVE_AFTER once
@@ -138,19 +138,8 @@ struct solution {
     const struct mpm_solve_pair *pairs;
     int count;
     double shares[PAIRS];
-    double fastest;     /* of all velocities before */
     bool parted[PAIRS]; /* pairs whose drag does not come again */
 };
-
-/* By how much a change of a pair's parts moves its fields, at most. */
-static double moved_by(const struct solution *of, int k, const struct parts *change)
-{
-    double most = 0.0;
-    for (int i = 0; i < 2; i++)
-        for (int axis = 0; axis < 2; axis++)
-            most = fmax(most, of->sides[of->pairs[k].of[i]].mobility[axis]);
-    return most * hypot(change->pressed, change->dragged);
-}
 
 static bool needs_pressure(const struct mpm_solve_pair *pair)
 {
@@ -169,7 +158,7 @@ static void limit_drag(double slope, const struct parts *parts, double share, st
 static bool sweep(struct solution *of, int number, struct parts parts[PAIRS])
 {
     struct parts changes[PAIRS];
-    double largest = 0.0, changed = 0.0, moved = 0.0;
+    double largest = 0.0, changed = 0.0;
     for (int k = 0; k < of->count; k++) {
         changes[k] = change_of(&of->pairs[k], of->sides, &parts[k], of->shares[k]);
         if (number >= LEAVE_AFTER && needs_pressure(&of->pairs[k]))
@@ -187,11 +176,10 @@ static bool sweep(struct solution *of, int number, struct parts parts[PAIRS])
         apply(&of->pairs[k], &changes[k], of->sides);
         parts[k].pressed += changes[k].pressed;
         parts[k].dragged += changes[k].dragged;
-        moved = fmax(moved, moved_by(of, k, &changes[k]));
         largest = fmax(largest, fmax(fabs(parts[k].pressed), fabs(parts[k].dragged)));
         changed = fmax(changed, fmax(fabs(changes[k].pressed), fabs(changes[k].dragged)));
     }
-    return changed > SETTLED * largest && moved > SETTLED * of->fastest;
+    return changed > SETTLED * largest;
 }
 
 /* How much of its own need each pair may take at once: with the pairs of both its fields the need
@@ -234,17 +222,6 @@ static void begin_again(const struct solution *of, struct parts parts[PAIRS])
     }
 }
 
-static double fastest_of(const struct mpm_contact_side *sides, const struct mpm_solve_pair *pairs,
-                         int count)
-{
-    double fastest = 0.0;
-    for (int k = 0; k < count; k++)
-        for (int i = 0; i < 2; i++)
-            for (int axis = 0; axis < 2; axis++)
-                fastest = fmax(fastest, fabs(sides[pairs[k].of[i]].velocity[axis]));
-    return fastest;
-}
-
 static void solve_several(struct mpm_contact_side *sides, const struct mpm_solve_pair *pairs,
                           int count, struct parts parts[PAIRS])
 {
@@ -253,7 +230,6 @@ static void solve_several(struct mpm_contact_side *sides, const struct mpm_solve
     solution.sides = sides;
     solution.pairs = pairs;
     solution.count = count;
-    solution.fastest = fastest_of(sides, pairs, count);
     memset(solution.parted, 0, sizeof solution.parted);
     find_shares(&solution);
     for (int k = 0; k < count; k++) {
