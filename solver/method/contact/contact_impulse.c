@@ -40,6 +40,11 @@ double mpm_contact_approach(const struct mpm_contact_side sides[2], const double
     return between.velocity[0] * normal[0] + between.velocity[1] * normal[1];
 }
 
+double mpm_contact_drag(double stopping, double pressure, double at_rest, double sliding)
+{
+    return fabs(stopping) <= at_rest * pressure ? stopping : copysign(sliding * pressure, stopping);
+}
+
 void mpm_contact_impulse(const struct mpm_contact_law *law, const struct mpm_contact_side sides[2],
                          const double normal[2], double impulse[2])
 {
@@ -51,8 +56,8 @@ void mpm_contact_impulse(const struct mpm_contact_law *law, const struct mpm_con
         left.velocity[axis] += left.mobility[axis] * pressed * normal[axis];
     if (law->kind != MPM_CONTACT_FRICTIONLESS)
         dragged = stopping(&left, along);
-    if (law->kind == MPM_CONTACT_FRICTION && fabs(dragged) > law->friction * fabs(pressed))
-        dragged = copysign(law->friction * fabs(pressed), dragged);
+    if (law->kind == MPM_CONTACT_FRICTION)
+        dragged = mpm_contact_drag(dragged, fabs(pressed), law->friction, law->friction);
     for (int axis = 0; axis < 2; axis++)
         impulse[axis] = pressed * normal[axis] + dragged * along[axis];
 }

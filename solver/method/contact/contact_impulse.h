@@ -38,6 +38,11 @@ struct mpm_contact_side {
  * components that can change. */
 double mpm_contact_approach(const struct mpm_contact_side sides[2], const double normal[2]);
 
+/* Coulomb's law: the impulse along the surface that `pressure` (0 or more) allows where `stopping`
+ * would end all sliding. That, up to `at_rest` times the pressure; beyond it, `sliding` times it.
+ */
+double mpm_contact_drag(double stopping, double pressure, double at_rest, double sliding);
+
 /* The impulse on the field above, for fields that are in contact. */
 void mpm_contact_impulse(const struct mpm_contact_law *law, const struct mpm_contact_side sides[2],
                          const double normal[2], double impulse[2]);

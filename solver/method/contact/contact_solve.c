@@ -8,7 +8,13 @@
 static const double HELD_ALONG = 1e-12;
 /* Changes below this part of the largest impulse are round-off. */
 static const double SETTLED = 1e-15;
-enum { SWEEPS = 2000 };
+/* Sweeps can go round in circles where a small pressure holds a large drag. After LIMIT_AFTER they
+ * begin again, with a drag of stick of at most STEEP times the pressure; after LEAVE_AFTER once
+ * more with at most the pressure, of friction too, and from PART_AFTER on a pair whose pressure has
+ * ended has no drag any more. Each begins from nothing: what a circle has come to depends on
+ * round-off. */
+enum { SWEEPS = 2000, LIMIT_AFTER = 200, LEAVE_AFTER = 400, PART_AFTER = 440 };
+static const double STEEP = 10.0;
 /* Stick: a pressure below this part of the drag is the round-off of none. */
 static const double FAINT = 1e-9;
 
@@ -68,9 +74,7 @@ static double limited_drag(const struct mpm_solve_pair *pair, double pressed, do
     case MPM_PAIR_STICK:
         return fabs(pressed) > FAINT * fabs(dragged) ? dragged : 0.0;
     case MPM_PAIR_FRICTION:
-        if (fabs(dragged) <= pair->static_friction * pressure)
-            return dragged;
-        return copysign(pair->friction * pressure, dragged);
+        return mpm_contact_drag(dragged, pressure, pair->static_friction, pair->friction);
     case MPM_PAIR_FRICTIONLESS:
     case MPM_PAIR_NONE:
         break;
@@ -128,16 +132,48 @@ static void apply(const struct mpm_solve_pair *pair, const struct parts *change,
 
 enum { PAIRS = MPM_CONTACT_SIDES * (MPM_CONTACT_SIDES - 1) / 2 };
 
+/* Several pairs of a node as they are solved. */
+struct solution {
+    struct mpm_contact_side *sides;
+    const struct mpm_solve_pair *pairs;
+    int count;
+    double shares[PAIRS];
+    bool parted[PAIRS]; /* pairs whose drag does not come again */
+};
+
+static bool needs_pressure(const struct mpm_solve_pair *pair)
+{
+    return pair->law == MPM_PAIR_STICK || pair->law == MPM_PAIR_FRICTION;
+}
+
+static void limit_drag(double slope, const struct parts *parts, double share, struct parts *change)
+{
+    const double pressure = fabs(parts->pressed + change->pressed);
+    const double dragged =
+        mpm_contact_drag(parts->dragged + change->dragged / share, pressure, slope, slope);
+    change->dragged = share * (dragged - parts->dragged);
+}
+
 /* All pairs at once. Returns whether anything has changed. */
-static bool sweep(struct mpm_contact_side *sides, const struct mpm_solve_pair *pairs, int count,
-                  const double shares[PAIRS], struct parts parts[PAIRS])
+static bool sweep(struct solution *of, int number, struct parts parts[PAIRS])
 {
     struct parts changes[PAIRS];
     double largest = 0.0, changed = 0.0;
-    for (int k = 0; k < count; k++)
-        changes[k] = change_of(&pairs[k], sides, &parts[k], shares[k]);
-    for (int k = 0; k < count; k++) {
-        apply(&pairs[k], &changes[k], sides);
+    for (int k = 0; k < of->count; k++) {
+        changes[k] = change_of(&of->pairs[k], of->sides, &parts[k], of->shares[k]);
+        if (number >= LEAVE_AFTER && needs_pressure(&of->pairs[k]))
+            limit_drag(1.0, &parts[k], of->shares[k], &changes[k]);
+        else if (number >= LIMIT_AFTER && of->pairs[k].law == MPM_PAIR_STICK)
+            limit_drag(STEEP, &parts[k], of->shares[k], &changes[k]);
+        const double left = parts[k].pressed + changes[k].pressed / of->shares[k];
+        if (number >= PART_AFTER && needs_pressure(&of->pairs[k]) &&
+            left >= -FAINT * fabs(parts[k].pressed))
+            of->parted[k] = true;
+        if (of->parted[k])
+            changes[k].dragged = -of->shares[k] * parts[k].dragged;
+    }
+    for (int k = 0; k < of->count; k++) {
+        apply(&of->pairs[k], &changes[k], of->sides);
         parts[k].pressed += changes[k].pressed;
         parts[k].dragged += changes[k].dragged;
         largest = fmax(largest, fmax(fabs(parts[k].pressed), fabs(parts[k].dragged)));
@@ -148,14 +184,15 @@ static bool sweep(struct mpm_contact_side *sides, const struct mpm_solve_pair *p
 
 /* How much of its own need each pair may take at once: with the pairs of both its fields the need
  * of a pair is up to 1/share of what its own parts do, so that sweeps converge. */
-static void find_shares(const struct mpm_contact_side *sides, const struct mpm_solve_pair *pairs,
-                        int count, double shares[PAIRS])
+static void find_shares(struct solution *solution)
 {
+    const struct mpm_contact_side *const sides = solution->sides;
+    const struct mpm_solve_pair *const pairs = solution->pairs;
     int of[MPM_CONTACT_SIDES] = {0};
-    for (int k = 0; k < count; k++)
+    for (int k = 0; k < solution->count; k++)
         for (int i = 0; i < 2; i++)
             of[pairs[k].of[i]]++;
-    for (int k = 0; k < count; k++) {
+    for (int k = 0; k < solution->count; k++) {
         const int *const on = pairs[k].of;
         double need = 1.0;
         for (int axis = 0; axis < 2; axis++) {
@@ -163,7 +200,7 @@ static void find_shares(const struct mpm_contact_side *sides, const struct mpm_s
             if (one + other > 0.0)
                 need = fmax(need, (of[on[0]] * one + of[on[1]] * other) / (one + other));
         }
-        shares[k] = 1.0 / need;
+        solution->shares[k] = 1.0 / need;
     }
 }
 
@@ -176,14 +213,33 @@ static void solve_one(struct mpm_contact_side *sides, const struct mpm_solve_pai
     apply(pair, parts, sides);
 }
 
+static void begin_again(const struct solution *of, struct parts parts[PAIRS])
+{
+    for (int k = 0; k < of->count; k++) {
+        const struct parts back = {-parts[k].pressed, -parts[k].dragged};
+        apply(&of->pairs[k], &back, of->sides);
+        parts[k] = (struct parts){0.0, 0.0};
+    }
+}
+
 static void solve_several(struct mpm_contact_side *sides, const struct mpm_solve_pair *pairs,
                           int count, struct parts parts[PAIRS])
 {
-    double shares[PAIRS];
-    find_shares(sides, pairs, count, shares);
+    struct solution solution; /* not cleared as a whole: it is large */
+    bool sticks = false, rubs = false;
+    solution.sides = sides;
+    solution.pairs = pairs;
+    solution.count = count;
+    memset(solution.parted, 0, sizeof solution.parted);
+    find_shares(&solution);
+    for (int k = 0; k < count; k++) {
+        sticks = sticks || pairs[k].law == MPM_PAIR_STICK;
+        rubs = rubs || needs_pressure(&pairs[k]);
+    }
     memset(parts, 0, (size_t)count * sizeof *parts);
-    for (int k = 0; k < SWEEPS && sweep(sides, pairs, count, shares, parts); k++)
-        continue;
+    for (int k = 0; k < SWEEPS && sweep(&solution, k, parts); k++)
+        if ((k + 1 == LIMIT_AFTER && sticks) || (k + 1 == LEAVE_AFTER && rubs))
+            begin_again(&solution, parts);
 }
 
 void mpm_contact_solve(struct mpm_contact_side *sides, struct mpm_solve_pair *pairs, int count)

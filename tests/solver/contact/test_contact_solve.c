@@ -257,6 +257,77 @@ START_TEST(contact_of_several_fields_does_not_depend_on_their_order)
 }
 END_TEST
 
+/* Four blocks around a point (case C9): sweeps of stick alone go round in circles here. */
+enum { FOUR = 4, SIX = 6 };
+
+static void around_a_point(struct mpm_contact_side sides[FOUR], struct mpm_solve_pair pairs[SIX],
+                           enum mpm_pair_law law)
+{
+    static const struct {
+        int of[2];
+        double angle, approach;
+    } rows[SIX] = {
+        {{0, 1}, 0.27937614225915652, 0.0010689854333093742},
+        {{0, 2}, 0.27937614225915652, 0.0},
+        {{0, 3}, 0.27937614225915652, 13.960233837424404},
+        {{1, 2}, 2.8635796405789833, 13.901165915543515},
+        {{1, 3}, 2.8635796405789833, 0.0},
+        {{2, 3}, -1.1124469242114432, 0.0},
+    };
+    sides[0] = side(0.0056741227103868719, 0.0052395420480553234, 440.73334626076451);
+    sides[1] = side(-0.0053281037773667758, -0.00016348836683164348, 0.43863655468398283);
+    sides[2] = side(0.0051231608409257464, -0.0099219714893043764, 0.62355476274313282);
+    sides[3] = side(-0.034873950040852197, -0.028114143243122138, 0.062452656823458623);
+    for (int k = 0; k < SIX; k++) {
+        pairs[k] = pair(rows[k].of[0], rows[k].of[1], rows[k].angle, law);
+        pairs[k].approach = rows[k].approach;
+        pairs[k].friction = pairs[k].static_friction = 10.0;
+    }
+}
+
+/* What is left of pair k: approach beyond what is allowed, sliding, and both parts of its impulse.
+ */
+struct left {
+    double approach, sliding, pressed, dragged;
+};
+
+static struct left left_of(const struct mpm_contact_side *sides,
+                           const struct mpm_solve_pair *solved)
+{
+    const double *const n = solved->normal, *const impulse = solved->impulse;
+    const double *const one = sides[solved->of[0]].velocity, *const other =
+                                                                 sides[solved->of[1]].velocity;
+    const double v[2] = {one[0] - other[0], one[1] - other[1]};
+    return (struct left){
+        .approach = n[0] * v[0] + n[1] * v[1] - solved->approach,
+        .sliding = n[0] * v[1] - n[1] * v[0],
+        .pressed = -n[0] * impulse[0] - n[1] * impulse[1],
+        .dragged = n[0] * impulse[1] - n[1] * impulse[0],
+    };
+}
+
+START_TEST(laws_hold_where_sweeps_of_stick_alone_go_round_in_circles)
+{
+    static const enum mpm_pair_law laws[] = {MPM_PAIR_STICK, MPM_PAIR_FRICTION,
+                                             MPM_PAIR_FRICTIONLESS};
+    struct mpm_contact_side sides[FOUR];
+    struct mpm_solve_pair pairs[SIX];
+    around_a_point(sides, pairs, laws[_i]);
+    mpm_contact_solve(sides, pairs, SIX);
+    for (int k = 0; k < SIX; k++) {
+        const struct left left = left_of(sides, &pairs[k]);
+        const bool slides = laws[_i] == MPM_PAIR_FRICTIONLESS || left.pressed < SETTLED;
+        ck_assert_double_le(left.approach, SETTLED);
+        ck_assert_double_ge(left.pressed, -SETTLED);
+        ck_assert_double_le(fabs(left.approach * left.pressed), SETTLED);
+        if (slides)
+            ck_assert_near(left.dragged, 0.0, SETTLED);
+        else
+            ck_assert_near(left.sliding, 0.0, SETTLED);
+    }
+}
+END_TEST
+
 Suite *suite_contact_solve(void)
 {
     Suite *suite = suite_create("contact_solve");
@@ -276,6 +347,7 @@ Suite *suite_contact_solve(void)
     tcase_add_loop_test(several, bonded_fields_all_get_the_velocity_of_their_centre_of_mass, 0, 3);
     tcase_add_test(several, a_field_that_touches_none_changes_nothing);
     tcase_add_loop_test(several, contact_of_several_fields_does_not_depend_on_their_order, 0, 3);
+    tcase_add_loop_test(several, laws_hold_where_sweeps_of_stick_alone_go_round_in_circles, 0, 3);
     suite_add_tcase(suite, several);
     return suite;
 }

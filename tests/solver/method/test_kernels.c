@@ -143,24 +143,12 @@ static double times_noise(uint64_t steps)
     return fmax(10.0, sqrt((double)steps) / 20.0);
 }
 
-/* With classic functions a node just beyond a row of particles has a part of 1e-13 of their mass:
- * its velocity after contact has no digits, and they take as much of it. */
-static double bound_of(char **settings)
-{
-    bool classic = false, touches = false;
-    for (size_t k = 0; settings[k] != NULL; k++) {
-        classic = classic || strcmp(settings[k], "method.shape=classic") == 0;
-        touches = touches || g_str_has_prefix(settings[k], "contact");
-    }
-    return classic && touches ? 10.0 * KERNEL_PAIR_BOUND : KERNEL_PAIR_BOUND;
-}
-
 /* A whole run may differ by more than the bound only if a rounding error at its start grows past
  * it, too; and by no more than a few times as much. */
 static bool holds(const struct comparison *comparison, const char *path, char **settings,
                   const char *name)
 {
-    bool good = comparison->compared && comparison->early <= bound_of(settings);
+    bool good = comparison->compared && comparison->early <= KERNEL_PAIR_BOUND;
     if (kernel_pair_is_long() && comparison->compared) {
         struct comparison noise = compare_with_noise(path, settings);
         good = good && comparison->all <=

@@ -9,7 +9,7 @@ set yrange [-130:300]
 set key top left
 file(v) = data.'/data-'.v.'-displacement.dat'
 names = 'ugimp_usavg ugimp_usavg_pic ugimp_usavg_stiff ugimp_compression'
-titles = '"D = 0.25 MPa/mm, tension" "the same, PIC" "D = 10^6 MPa/mm" "D = 0.5 MPa/mm, compression"'
+titles = '"D = 0.25 kPa/mm, tension" "the same, PIC" "D = 10^6 kPa/mm" "D = 0.5 kPa/mm, compression"'
 plot file('ugimp_usavg') using 1:($3*1e6) smooth unique with lines ls 1 title 'exact', \
      for [v in 'ugimp_usavg_stiff ugimp_compression'] file(v) using 1:($3*1e6) smooth unique with lines ls 1 notitle, \
      for [i=1:words(names)] file(word(names, i)) using 1:($2*1e6) with points ls 1+i title word(titles, i)
