@@ -219,7 +219,7 @@ def scenes(draw, schema, tables, situation):
     return draw_scene(lambda low, high: draw(st.integers(low, high)), schema, tables, situation)
 
 
-TRIES = 4000  # scenes; a thousand or two have all there is
+TRIES = 6000  # scenes; one to three thousand have all there is
 
 
 def never_drawn(schema, keys, tables):
