@@ -83,6 +83,7 @@
     SUITE(manufactured)                                                                            \
     SUITE(activity)                                                                                \
     SUITE(results)                                                                                 \
+    SUITE(history)                                                                                 \
     SUITE(cli_check)                                                                               \
     SUITE(catalogue)                                                                               \
     SUITE(methods)                                                                                 \

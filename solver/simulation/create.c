@@ -112,10 +112,9 @@ static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulatio
         uses |= MPM_USE_ORIGINS;
     uses |= simulation->state.damping.particles ? MPM_USE_DRAG : 0;
     uses |= mpm_transport_uses(scene);
-    uses |= mpm_scene_is_viscous(scene) ? MPM_USE_VISCOSITY : 0;
-    const size_t law_states = mpm_law_states_of(scene);
-    uses |= law_states > 0 ? MPM_USE_LAW_STATE : 0;
-    return (struct mpm_particle_needs){.uses = uses, .law_states = (uint8_t)law_states};
+    uses |= mpm_law_uses(scene);
+    return (struct mpm_particle_needs){.uses = uses,
+                                       .law_states = (uint8_t)mpm_law_states_of(scene)};
 }
 
 /* Has the balance of forces those of contact? */
@@ -338,8 +337,7 @@ static void describe_method(struct mpm_simulation *simulation, int threads)
     state->shape_grid = mpm_shape_grid_describe(state->grid.origin, state->grid.cell,
                                                 state->grid.cells, scene->geometry, scene->axis);
     state->shape_grid.columns = state->grid.columns;
-    state->law_states =
-        mpm_law_states_of(scene) > 0 || mpm_scene_couples(scene) || mpm_scene_is_viscous(scene);
+    state->law_states = mpm_law_uses(scene) != 0 || mpm_scene_couples(scene);
     const int64_t axis_column = MPM_GHOST_ROWS - llround(scene->origin[0] / scene->cell[0]);
     if (scene->axis_nodes == MPM_AXIS_NODES_MIRRORED && axis_column > 0)
         state->conditions.mirror_column = axis_column;

@@ -10,6 +10,7 @@ import numpy
 
 import compare
 from case import require
+from draw_heat import FLUIDS
 from heat import (LEVEL, capacity_of, close_to, ended, in_fixed_steps, with_short_steps,
                   with_slow_waves)
 from images import agrees, same_bits
@@ -58,8 +59,10 @@ def without_heat(scene):
 
 def solvent_is_heat_by_another_name(case):
     """The diffusion of a solvent is the conduction of heat with the same numbers, to the last bit; and so
-    is what it moves."""
-    if SCALARS["concentration"] not in case.scalars or case.gas or case.plain.status != 0:
+    is what it moves. Not judged: laws that keep heat of their own, which a scene with solvent may have and
+    one with heat may not."""
+    if SCALARS["concentration"] not in case.scalars or case.gas or case.plain.status != 0 or \
+            any(material["law"] in FLUIDS for material in case.scene["materials"]):
         return False
     scene = without_heat(case.brief)
     one = case.runner.run(scene)

@@ -179,6 +179,11 @@ def draw_integral_count(canvas):
     return 1 if canvas.notes["fracture"] and canvas.path[-1] == 0 else 0
 
 
+def draw_form(canvas, key):
+    """More often than other choices: integrals are in few scenes."""
+    return canvas.pick(key.choices) if canvas.chance(70) else ABSENT
+
+
 def draw_contour(_canvas, key):
     """The smallest that there is: bodies are small."""
     return int(key.low)

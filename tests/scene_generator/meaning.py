@@ -101,8 +101,7 @@ FIRST = {
     "method": ("shape", "axis", "stress_update", "form", "transfer"),
     "loads": ("tractions", "particle_forces"),
 }
-# Groups that are left out only where empty, and a key of a group that is rare.
-ALWAYS = {"method", "output", "loads", "damping", "cracks[].j_integral[].form"}
+ALWAYS = {"method", "output", "loads", "damping"}  # groups that are left out only where empty
 
 GENERAL = ("any", "touching", "heated", "coupled", "exchanging")  # the situations that together have all keys
 
@@ -208,6 +207,7 @@ MEANING = {
     "cracks[].conductance": passages.draw_crack_conductance,
     "cracks[].j_integral[].tip": cracks.draw_tip,
     "cracks[].j_integral[].contour": cracks.draw_contour,
+    "cracks[].j_integral[].form": cracks.draw_form,
     "cracks[].j_integral[].propagation": cracks.draw_propagation,
     "contact": contact.draw_contact,
     "damping.grid": method.draw_grid_damping,

@@ -111,6 +111,7 @@ class Scales:
     def conduction_rate(self):
         """The inverse of the longest stable step of conduction in undeformed bodies; 0 without."""
         diffusivity = film = 0.0
+        shorter = 1.0  # of FMPM, by its order
         for scalar in SCALARS.values():
             bodies = self.scene.get("bodies", [])
             used = [body.get("material") for body in bodies]
@@ -123,7 +124,10 @@ class Scales:
                           for material in materials}
             of = {body["name"]: capacities[body["material"]] for body in bodies
                   if "material" in body}
-            fluxes = self.scene.get("transport", {}).get(scalar.name, {}).get("fluxes", [])
+            given = self.scene.get("transport", {}).get(scalar.name, {})
+            if given.get("transfer") == "fmpm":
+                shorter = max(shorter, (given.get("order", 2) + 2) / 4)
+            fluxes = given.get("fluxes", [])
             film = max([film, *(film_of(flux) / of[flux["body"]] for flux in fluxes)])
         x, y = (1 / side for side in self.cell)
-        return 2 * diffusivity * (x * x + y * y) + film * (x + y)
+        return shorter * (2 * diffusivity * (x * x + y * y) + film * (x + y))

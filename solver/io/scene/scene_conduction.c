@@ -256,3 +256,22 @@ enum mpm_status mpm_refuse_conduction(const struct mpm_reading *reading, enum mp
         }
     return MPM_OK;
 }
+
+enum mpm_status mpm_check_own_heat(const struct mpm_reading *reading)
+{
+    const struct mpm_scene *const scene = reading->scene;
+    for (size_t m = 0; m < scene->material_count; m++) {
+        if (scene->scalars[MPM_TEMPERATURE].heats && scene->materials[m].viscosity.given)
+            return mpm_reading_fault(
+                reading, mpm_path_join(mpm_path_entry("materials", m).text, "viscosity").text,
+                "given in a scene with transport.temperature.heating, which does not have its "
+                "heat; allowed: without heating");
+        if (scene->materials[m].law->keeps_heat)
+            return mpm_reading_fault(
+                reading, mpm_path_join(mpm_path_entry("materials", m).text, "law").text,
+                "got %s, whose equation of state keeps its own heat, in a scene with "
+                "transport.temperature; allowed: without it",
+                scene->materials[m].law->name);
+    }
+    return MPM_OK;
+}

@@ -13,4 +13,8 @@ enum mpm_status mpm_build_conduction(const struct mpm_reading *reading, enum mpm
 /* No material has keys of a scalar that is not conducted. */
 enum mpm_status mpm_refuse_conduction(const struct mpm_reading *reading, enum mpm_scalar which);
 
+/* No material has heat that a scene with temperatures would not know: an equation of state has a
+ * temperature of its own, and work of viscosity would be heat that heating does not have. */
+enum mpm_status mpm_check_own_heat(const struct mpm_reading *reading);
+
 #endif

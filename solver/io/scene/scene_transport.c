@@ -316,27 +316,6 @@ static enum mpm_status check_without(const struct mpm_reading *reading, enum mpm
     return MPM_OK;
 }
 
-/* An equation of state has a temperature of its own, which conduction would not know; work of
- * viscosity would be heat that heating does not have. */
-static enum mpm_status check_states(const struct mpm_reading *reading)
-{
-    const struct mpm_scene *const scene = reading->scene;
-    for (size_t m = 0; m < scene->material_count; m++) {
-        if (scene->scalars[MPM_TEMPERATURE].heats && scene->materials[m].viscosity.given)
-            return mpm_reading_fault(
-                reading, mpm_path_join(mpm_path_entry("materials", m).text, "viscosity").text,
-                "given in a scene with transport.temperature.heating, which does not have its "
-                "heat; allowed: without heating");
-        if (scene->materials[m].law->keeps_heat)
-            return mpm_reading_fault(
-                reading, mpm_path_join(mpm_path_entry("materials", m).text, "law").text,
-                "got %s, whose equation of state keeps its own heat, in a scene with "
-                "transport.temperature; allowed: without it",
-                scene->materials[m].law->name);
-    }
-    return MPM_OK;
-}
-
 /* What has no meaning where nothing moves. */
 static enum mpm_status check_at_rest(const struct mpm_reading *reading)
 {
@@ -496,7 +475,7 @@ enum mpm_status mpm_build_transport(const struct mpm_reading *reading)
         if (which == MPM_TEMPERATURE) /* which swelling does not count for */
             MPM_TRY(build_heating(reading));
         if (which == MPM_TEMPERATURE && given[k].asked)
-            MPM_TRY(check_states(reading));
+            MPM_TRY(mpm_check_own_heat(reading));
     }
     return MPM_OK;
 }

@@ -19,6 +19,12 @@ size_t mpm_law_states_of(const struct mpm_scene *scene)
     return most;
 }
 
+unsigned mpm_law_uses(const struct mpm_scene *scene)
+{
+    return (mpm_law_states_of(scene) > 0 ? MPM_USE_LAW_STATE : 0U) |
+           (mpm_scene_is_viscous(scene) ? MPM_USE_VISCOSITY : 0U);
+}
+
 void mpm_law_states_begin(struct mpm_state *state)
 {
     const struct mpm_particles *const particles = &state->particles;

@@ -28,6 +28,8 @@
 
 /* State variables that a particle of the scene carries: those of the law that has most. */
 size_t mpm_law_states_of(const struct mpm_scene *scene);
+/* Fields of particles, MPM_USE_..., that laws with state variables and viscosity need. */
+unsigned mpm_law_uses(const struct mpm_scene *scene);
 
 /* Sets the state variables of all particles to their values at t = 0. */
 void mpm_law_states_begin(struct mpm_state *state);
