@@ -1,0 +1,244 @@
+/* Flow of metals at finite strain; see plastic_flow.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "model/plastic_flow.h"
+
+#include "base/exponential.h"
+#include "base/spectral.h"
+
+#include <math.h>
+
+enum { INVERSE = MPM_PLASTIC_INVERSE, PLASTIC = MPM_PLASTIC_STRAIN };
+
+static const double ROOT_TWO_THIRDS = 0.81649658092772603273;
+
+/* ------------------------------------------------------------------- kinematics */
+
+/* F X F^T of a symmetric X */
+static void push(const double f[MPM_GRADIENT_SIZE], const double x[MPM_SYMMETRIC_SIZE],
+                 double out[MPM_SYMMETRIC_SIZE])
+{
+    const double xx = f[MPM_XX] * x[MPM_SYM_XX] + f[MPM_XY] * x[MPM_SYM_XY];
+    const double xy = f[MPM_XX] * x[MPM_SYM_XY] + f[MPM_XY] * x[MPM_SYM_YY];
+    const double yx = f[MPM_YX] * x[MPM_SYM_XX] + f[MPM_YY] * x[MPM_SYM_XY];
+    const double yy = f[MPM_YX] * x[MPM_SYM_XY] + f[MPM_YY] * x[MPM_SYM_YY];
+    out[MPM_SYM_XX] = xx * f[MPM_XX] + xy * f[MPM_XY];
+    out[MPM_SYM_XY] = xx * f[MPM_YX] + xy * f[MPM_YY];
+    out[MPM_SYM_YY] = yx * f[MPM_YX] + yy * f[MPM_YY];
+    out[MPM_SYM_ZZ] = f[MPM_ZZ] * x[MPM_SYM_ZZ] * f[MPM_ZZ];
+}
+
+/* F^-1 X F^-T */
+static void pull(const double f[MPM_GRADIENT_SIZE], const double x[MPM_SYMMETRIC_SIZE],
+                 double out[MPM_SYMMETRIC_SIZE])
+{
+    const double area = f[MPM_XX] * f[MPM_YY] - f[MPM_XY] * f[MPM_YX];
+    const double inverse[MPM_GRADIENT_SIZE] = {
+        f[MPM_YY] / area, -f[MPM_XY] / area, -f[MPM_YX] / area, f[MPM_XX] / area, 1.0 / f[MPM_ZZ]};
+    push(inverse, x, out);
+}
+
+/* dev ln A */
+static void deviatoric_logarithm(const double a[MPM_SYMMETRIC_SIZE], double out[MPM_SYMMETRIC_SIZE])
+{
+    mpm_symmetric_logarithm(a, out);
+    mpm_symmetric_deviate(out);
+}
+
+/* 2 ln of the plastic stretch, turned into the deformed body. */
+static void plastic_logarithm(const double f[MPM_GRADIENT_SIZE],
+                              const double b_elastic[MPM_SYMMETRIC_SIZE],
+                              double out[MPM_SYMMETRIC_SIZE])
+{
+    double b[MPM_SYMMETRIC_SIZE], root[MPM_SYMMETRIC_SIZE], plastic[MPM_SYMMETRIC_SIZE];
+    mpm_left_cauchy_green(f, b);
+    mpm_symmetric_root(b_elastic, root);
+    mpm_symmetric_inverse(root, root);
+    mpm_symmetric_sandwich(root, b, plastic);
+    deviatoric_logarithm(plastic, out);
+}
+
+/* dev tau - beta of b_e */
+static void driving_stress(const struct mpm_material *m, double kinematic,
+                           const double f[MPM_GRADIENT_SIZE],
+                           const double b_elastic[MPM_SYMMETRIC_SIZE],
+                           double out[MPM_SYMMETRIC_SIZE])
+{
+    double strain[MPM_SYMMETRIC_SIZE];
+    deviatoric_logarithm(b_elastic, strain);
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        out[k] = m->shear * strain[k];
+    if (kinematic == 0.0)
+        return;
+    plastic_logarithm(f, b_elastic, strain);
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        out[k] -= kinematic / 3.0 * strain[k];
+}
+
+/* ----------------------------------------------------------------------- return */
+
+/* A step from the trial state along N. */
+struct flow {
+    const struct mpm_material *m;
+    const struct mpm_plastic_model *model;
+    const double *f;
+    double plastic;                    /* p at the start of the step */
+    double duration, temperature;      /* of the step */
+    double root[MPM_SYMMETRIC_SIZE];   /* V_e of the trial state */
+    double normal[MPM_SYMMETRIC_SIZE]; /* N */
+    double norm;                       /* |dev tau - beta| of the trial state */
+    double stiffness;                  /* what it falls by, per slip */
+};
+
+/* b_e after the slip dg: V_e exp(-2 dg N) V_e */
+static void slipped(const struct flow *flow, double slip, double b_elastic[MPM_SYMMETRIC_SIZE])
+{
+    double flown[MPM_SYMMETRIC_SIZE];
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        flown[k] = -2.0 * slip * flow->normal[k];
+    mpm_symmetric_exponential(flown, flown);
+    mpm_symmetric_sandwich(flow->root, flown, b_elastic);
+}
+
+/* s after the slip, and ds/dp */
+static double strength(const struct flow *flow, double slip, double *slope)
+{
+    const double change = ROOT_TWO_THIRDS * slip;
+    const struct mpm_plastic_point point = {flow->plastic + change, change, flow->duration,
+                                            flow->temperature};
+    return flow->model->yield(flow->m, &point, slope);
+}
+
+/* |dev tau - beta| - sqrt(2/3) s after the slip. Without back stress the former is linear in it. */
+static double overstress(const struct flow *flow, double slip, double *slope)
+{
+    double norm = flow->norm - flow->stiffness * slip, hardening;
+    if (flow->model->kinematic > 0.0) {
+        double b_elastic[MPM_SYMMETRIC_SIZE], driving[MPM_SYMMETRIC_SIZE];
+        slipped(flow, slip, b_elastic);
+        driving_stress(flow->m, flow->model->kinematic, flow->f, b_elastic, driving);
+        norm = mpm_symmetric_norm(driving);
+    }
+    const double yield = strength(flow, slip, &hardening);
+    *slope = -(flow->stiffness + 2.0 / 3.0 * hardening);
+    return norm - ROOT_TWO_THIRDS * yield;
+}
+
+enum { ITERATIONS = 200 };
+static const double ROUND_OFF = 1e-15;
+
+/* The slip at which the overstress is 0: Newton's steps in a bracket, halved where they leave it,
+ * do not come closer by half, or where the slope is infinite. A model without strength slips until
+ * no stress is left. */
+static bool find_slip(const struct flow *flow, double *slip)
+{
+    double low = 0.0, high = flow->norm / flow->stiffness, slope, last = HUGE_VAL;
+    *slip = high;
+    if (strength(flow, high, &slope) == 0.0)
+        return flow->model->kinematic == 0.0;
+    if (!(overstress(flow, high, &slope) < 0.0))
+        return false;
+    *slip = 0.0;
+    for (int k = 0; k < ITERATIONS; k++) {
+        const double over = overstress(flow, *slip, &slope);
+        const double change = -over / slope;
+        const bool slow = fabs(over) > 0.5 * last, finite = isfinite(slope);
+        if (!isfinite(change))
+            return false;
+        if ((finite && fabs(change) <= ROUND_OFF * high) || high - low <= ROUND_OFF * high)
+            return true;
+        *(over > 0.0 ? &low : &high) = *slip;
+        *slip += change;
+        if (slow || !(*slip > low && *slip < high))
+            *slip = 0.5 * (low + high);
+        last = fabs(over);
+    }
+    return false;
+}
+
+/* Changes the state; `driving` is that of the trial state. */
+static bool flow_back(struct flow *flow, const double b_elastic[MPM_SYMMETRIC_SIZE],
+                      const double driving[MPM_SYMMETRIC_SIZE], double *state)
+{
+    double slip, after[MPM_SYMMETRIC_SIZE];
+    flow->norm = mpm_symmetric_norm(driving);
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        flow->normal[k] = driving[k] / flow->norm;
+    mpm_symmetric_root(b_elastic, flow->root);
+    if (!find_slip(flow, &slip))
+        return false;
+    slipped(flow, slip, after);
+    pull(flow->f, after, state + INVERSE);
+    state[PLASTIC] += ROOT_TWO_THIRDS * slip;
+    return true;
+}
+
+/* -------------------------------------------------------------------- for laws */
+
+bool mpm_plastic_return(const struct mpm_material *m, const struct mpm_plastic_model *model,
+                        const struct mpm_law_step *step, double temperature, double *state,
+                        double b_elastic[MPM_SYMMETRIC_SIZE], double tau[MPM_SYMMETRIC_SIZE])
+{
+    double driving[MPM_SYMMETRIC_SIZE], slope;
+    push(step->f, state + INVERSE, b_elastic);
+    if (step->duration > 0.0) {
+        struct flow flow = {.m = m,
+                            .model = model,
+                            .f = step->f,
+                            .plastic = state[PLASTIC],
+                            .duration = step->duration,
+                            .temperature = temperature,
+                            .stiffness = 2.0 * m->shear + 2.0 / 3.0 * model->kinematic};
+        driving_stress(m, model->kinematic, step->f, b_elastic, driving);
+        const double radius = ROOT_TWO_THIRDS * strength(&flow, 0.0, &slope);
+        if (!(mpm_symmetric_norm(driving) <= radius) &&
+            !flow_back(&flow, b_elastic, driving, state)) {
+            for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+                tau[k] = driving[k];
+            return false;
+        }
+        push(step->f, state + INVERSE, b_elastic);
+    }
+    deviatoric_logarithm(b_elastic, tau);
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        tau[k] *= m->shear;
+    return true;
+}
+
+void mpm_plastic_add_volumetric(double mean, double tau[MPM_SYMMETRIC_SIZE])
+{
+    tau[MPM_SYM_XX] += mean;
+    tau[MPM_SYM_YY] += mean;
+    tau[MPM_SYM_ZZ] += mean;
+}
+
+double mpm_plastic_wave_squared(const struct mpm_material *m,
+                                const double b_elastic[MPM_SYMMETRIC_SIZE],
+                                const double tau[MPM_SYMMETRIC_SIZE])
+{
+    double elastic[2], stress[2];
+    mpm_plane_eigenvalues(b_elastic, elastic);
+    mpm_plane_eigenvalues(tau, stress);
+    const double longitudinal = m->bulk + 4.0 / 3.0 * m->shear - stress[0];
+    const double part = (elastic[1] - elastic[0]) / elastic[1];
+    const double transverse =
+        m->shear * (part > 1e-8 ? mpm_logarithm(elastic[1] / elastic[0]) / part : 1.0);
+    return longitudinal > transverse ? longitudinal : transverse;
+}
+
+double mpm_plastic_energy(const struct mpm_material *m, double kinematic,
+                          const double f[MPM_GRADIENT_SIZE], const double *state)
+{
+    const double volumetric = mpm_logarithm(mpm_determinant(f));
+    double b_elastic[MPM_SYMMETRIC_SIZE], strain[MPM_SYMMETRIC_SIZE];
+    push(f, state + INVERSE, b_elastic);
+    deviatoric_logarithm(b_elastic, strain);
+    const double elastic = mpm_symmetric_norm(strain);
+    double sum = 0.5 * m->bulk * volumetric * volumetric + 0.25 * m->shear * elastic * elastic;
+    if (kinematic > 0.0) {
+        plastic_logarithm(f, b_elastic, strain);
+        const double plastic = mpm_symmetric_norm(strain);
+        sum += kinematic / 12.0 * plastic * plastic;
+    }
+    return sum;
+}
