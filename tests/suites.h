@@ -43,6 +43,7 @@
     SUITE(expression)                                                                              \
     SUITE(material)                                                                                \
     SUITE(von_mises)                                                                               \
+    SUITE(johnson_cook)                                                                            \
     SUITE(equation_of_state)                                                                       \
     SUITE(viscosity)                                                                               \
     SUITE(particles)                                                                               \

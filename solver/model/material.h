@@ -31,7 +31,21 @@
     ROW(A, B, HARDENING_STRAIN, hardening_strain, NONE, ABOVE(0),                                  \
         "p_0 of isotropic hardening by a power, yield_stress (1 + p/p_0)^n")                       \
     ROW(A, B, HARDENING_EXPONENT, hardening_exponent, NONE, ABOVE_TO(0, 1),                        \
-        "n of isotropic hardening by a power, together with hardening_strain")                     \
+        "n of isotropic hardening by a power of plastic strain")                                   \
+    ROW(A, B, HARDENING_COEFFICIENT, hardening_coefficient, STRESS, AT_LEAST(0),                   \
+        "B of isotropic hardening by B p^n, together with hardening_exponent")                     \
+    ROW(A, B, RATE_COEFFICIENT, rate_coefficient, NONE, AT_LEAST(0),                               \
+        "C of the strength of rates, 1 + C ln(plastic rate/reference_rate)")                       \
+    ROW(A, B, REFERENCE_RATE, reference_rate, RATE, ABOVE(0),                                      \
+        "plastic rate up to which there is no strength of rates")                                  \
+    ROW(A, B, SOFTENING_EXPONENT, softening_exponent, NONE, ABOVE(0),                              \
+        "m of the softening by heat, 1 - T*^m")                                                    \
+    ROW(A, B, REFERENCE_TEMPERATURE, reference_temperature, TEMPERATURE, ABOVE(0),                 \
+        "absolute temperature up to which there is no softening")                                  \
+    ROW(A, B, MELTING_TEMPERATURE, melting_temperature, TEMPERATURE, ABOVE(0),                     \
+        "absolute temperature from which there is no strength")                                    \
+    ROW(A, B, TAYLOR_QUINNEY, taylor_quinney, NONE, ABOVE_TO(0, 1),                                \
+        "part of plastic work that becomes heat")                                                  \
     ROW(A, B, KINEMATIC_MODULUS, kinematic_modulus, STRESS, AT_LEAST(0),                           \
         "linear kinematic hardening: stress per plastic strain in tension")                        \
     ROW(A, B, GAS_CONSTANT, gas_constant, HEAT_CAPACITY, ABOVE(0),                                 \
@@ -48,8 +62,7 @@
     ROW(A, B, STIFFENING_PRESSURE, stiffening_pressure, STRESS, AT_LEAST(0),                       \
         "p_inf of a stiffened gas: the tension at which sound has no speed; 0: an ideal gas")      \
     ROW(A, B, SPECIFIC_HEAT, specific_heat, HEAT_CAPACITY, ABOVE(0),                               \
-        "at constant volume, for the temperature of an equation of state, which it does not act "  \
-        "on")                                                                                      \
+        "at constant volume, for the temperature of an equation of state or of plastic work")      \
     ROW(A, B, START_TEMPERATURE, start_temperature, TEMPERATURE, ABOVE(0),                         \
         "absolute temperature of the undeformed body, together with specific_heat")
 
@@ -172,6 +185,7 @@ struct mpm_material_law {
     LAW(neo_hookean)                                                                               \
     LAW(linear_elastic)                                                                            \
     LAW(von_mises)                                                                                 \
+    LAW(johnson_cook)                                                                              \
     LAW(ideal_gas)                                                                                 \
     LAW(mie_gruneisen)                                                                             \
     LAW(stiffened_gas)                                                                             \

@@ -273,5 +273,12 @@ enum mpm_status mpm_check_own_heat(const struct mpm_reading *reading)
                 "transport.temperature; allowed: without it",
                 scene->materials[m].law->name);
     }
+    for (size_t m = 0; m < scene->material_count; m++)
+        if (mpm_material_has_temperature(scene->materials[m].law, scene->materials[m].parameter))
+            return mpm_reading_fault(
+                reading, mpm_path_join(mpm_path_entry("materials", m).text, "law").text,
+                "got %s with start_temperature, a temperature of its own, in a scene with "
+                "transport.temperature; allowed: without it",
+                scene->materials[m].law->name);
     return MPM_OK;
 }

@@ -1,0 +1,221 @@
+/* Johnson and Cook's strength of metals at high rates: the flow of plastic_flow.h with the yield
+ * stress
+ *
+ *   s = (A + B p^n) (1 + C ln max(r/r_0, 1)) (1 - T*^m),   T* = (T - T_r)/(T_m - T_r)
+ *
+ * (Proc. 7th Int. Symp. Ballistics, 1983, 541-547). Conventions, in which codes differ:
+ *
+ * - r is the PLASTIC rate, dp/dt of the step, so that an elastic step has no strength of rates; it
+ *   is found with p at the end of the step.
+ * - below the reference rate r_0 the logarithm is cut off: a slow test has the strength A + B p^n,
+ *   as the constants are fitted to it, and the strength never falls to zero at small rates.
+ * - T* = 0 below T_r; from T_m on there is no strength, and the metal flows as a fluid.
+ * - without the rate's or the temperature's parameters, these factors are 1.
+ *
+ * The temperature is adiabatic and the law's own: T = T_0 + chi w/c with the plastic work w per
+ * mass, the Taylor-Quinney factor chi and the specific heat c. Its value in a step is that of the
+ * start of the step: softening within a step would make s fall in p, for which the return has no
+ * bracket. The error is of first order in the step.
+ *
+ * In a step r and T are constants of s, so that the plastic work of the step is the integral of
+ * s in p, exactly.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/exponential.h"
+#include "model/plastic_flow.h"
+
+#include <math.h>
+
+enum { WORK = MPM_PLASTIC_VARIABLES, VARIABLES };
+
+/* -------------------------------------------------------------------- strength */
+
+/* p^exponent for p >= 0, exponent > 0 */
+static double power(double plastic, double exponent)
+{
+    return plastic > 0.0 ? mpm_exponential(exponent * mpm_logarithm(plastic)) : 0.0;
+}
+
+/* A + B p^n over rho_0, and its slope */
+static double hardened(const struct mpm_material *m, double plastic, double *slope)
+{
+    const double b = m->parameter[MPM_PARAMETER_HARDENING_COEFFICIENT] / m->density;
+    const double n = m->parameter[MPM_PARAMETER_HARDENING_EXPONENT];
+    const double yield = m->parameter[MPM_PARAMETER_YIELD_STRESS] / m->density;
+    *slope = 0.0;
+    if (b == 0.0)
+        return yield;
+    const double hardening = b * power(plastic, n);
+    if (plastic > 0.0)
+        *slope = n * hardening / plastic;
+    else
+        *slope = n < 1.0 ? HUGE_VAL : b;
+    return yield + hardening;
+}
+
+/* 1 + C ln max(r/r_0, 1), and its slope in p */
+static double of_rate(const struct mpm_material *m, double change, double duration, double *slope)
+{
+    const double c = m->parameter[MPM_PARAMETER_RATE_COEFFICIENT];
+    *slope = 0.0;
+    if (c == 0.0)
+        return 1.0;
+    const double ratio = change / (duration * m->parameter[MPM_PARAMETER_REFERENCE_RATE]);
+    if (!(ratio > 1.0))
+        return 1.0;
+    *slope = c / change;
+    return 1.0 + c * mpm_logarithm(ratio);
+}
+
+static bool is_thermal(const double *parameter)
+{
+    return parameter[MPM_PARAMETER_MELTING_TEMPERATURE] > 0.0;
+}
+
+/* 1 - T*^m */
+static double of_temperature(const struct mpm_material *m, double temperature)
+{
+    const double *const given = m->parameter;
+    if (!is_thermal(given))
+        return 1.0;
+    const double reference = given[MPM_PARAMETER_REFERENCE_TEMPERATURE];
+    const double melting = given[MPM_PARAMETER_MELTING_TEMPERATURE];
+    if (temperature >= melting)
+        return 0.0;
+    const double homologous = (temperature - reference) / (melting - reference);
+    return 1.0 - power(homologous, given[MPM_PARAMETER_SOFTENING_EXPONENT]);
+}
+
+static double yield_stress(const struct mpm_material *m, const struct mpm_plastic_point *point,
+                           double *slope)
+{
+    double hardening, rate;
+    const double statics = hardened(m, point->plastic, &hardening);
+    const double dynamics = of_rate(m, point->change, point->duration, &rate);
+    const double softened = of_temperature(m, point->temperature);
+    *slope = softened > 0.0 ? softened * (hardening * dynamics + statics * rate) : 0.0;
+    return softened * statics * dynamics;
+}
+
+/* ------------------------------------------------------------------------- work */
+
+/* The integral of A + B p^n over rho_0 from 0 to p */
+static double static_work(const struct mpm_material *m, double plastic)
+{
+    const double n = m->parameter[MPM_PARAMETER_HARDENING_EXPONENT] + 1.0;
+    const double b = m->parameter[MPM_PARAMETER_HARDENING_COEFFICIENT];
+    const double hardening = b > 0.0 ? b * power(plastic, n) / n : 0.0;
+    return (m->parameter[MPM_PARAMETER_YIELD_STRESS] * plastic + hardening) / m->density;
+}
+
+static double temperature_of(const struct mpm_material *m, const double *state)
+{
+    const double *const given = m->parameter;
+    if (!is_thermal(given))
+        return (double)NAN;
+    return given[MPM_PARAMETER_START_TEMPERATURE] +
+           given[MPM_PARAMETER_TAYLOR_QUINNEY] * state[WORK] / given[MPM_PARAMETER_SPECIFIC_HEAT];
+}
+
+static double dissipation(const struct mpm_material *m, const double *state)
+{
+    (void)m;
+    return state[WORK];
+}
+
+/* ---------------------------------------------------------------------- the law */
+
+static bool update(const struct mpm_material *m, const struct mpm_law_step *step, double *state,
+                   double tau[MPM_SYMMETRIC_SIZE], double *wave)
+{
+    static const struct mpm_plastic_model model = {0.0, yield_stress};
+    const double before = state[MPM_PLASTIC_STRAIN], start = temperature_of(m, state);
+    double b_elastic[MPM_SYMMETRIC_SIZE], unused;
+    if (!mpm_plastic_return(m, &model, step, start, state, b_elastic, tau))
+        return false;
+    const double after = state[MPM_PLASTIC_STRAIN];
+    if (after > before)
+        state[WORK] += of_temperature(m, start) *
+                       of_rate(m, after - before, step->duration, &unused) *
+                       (static_work(m, after) - static_work(m, before));
+    mpm_plastic_add_volumetric(m->bulk * mpm_logarithm(mpm_determinant(step->f)), tau);
+    *wave = mpm_plastic_wave_squared(m, b_elastic, tau);
+    return true;
+}
+
+static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZE],
+                     const double *state)
+{
+    return mpm_plastic_energy(m, 0.0, f, state);
+}
+
+static double temperature(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZE],
+                          const double *state)
+{
+    (void)f;
+    return temperature_of(m, state);
+}
+
+static const char *fault(const double *parameter)
+{
+    static const enum mpm_parameter thermal[] = {
+        MPM_PARAMETER_SOFTENING_EXPONENT,  MPM_PARAMETER_REFERENCE_TEMPERATURE,
+        MPM_PARAMETER_MELTING_TEMPERATURE, MPM_PARAMETER_START_TEMPERATURE,
+        MPM_PARAMETER_SPECIFIC_HEAT,       MPM_PARAMETER_TAYLOR_QUINNEY};
+    enum { THERMAL = sizeof thermal / sizeof thermal[0] };
+    int given = 0;
+    for (int k = 0; k < THERMAL; k++)
+        given += parameter[thermal[k]] > 0.0;
+    if (given != 0 && given != THERMAL)
+        return "softening requires softening_exponent, reference_temperature, melting_temperature, "
+               "start_temperature, specific_heat and taylor_quinney; allowed: all or none";
+    if (given != 0 && !(parameter[MPM_PARAMETER_REFERENCE_TEMPERATURE] <
+                        parameter[MPM_PARAMETER_MELTING_TEMPERATURE]))
+        return "melting_temperature is not above reference_temperature; allowed: above";
+    if ((parameter[MPM_PARAMETER_HARDENING_COEFFICIENT] > 0.0) !=
+        (parameter[MPM_PARAMETER_HARDENING_EXPONENT] > 0.0))
+        return "hardening by a power requires hardening_coefficient and hardening_exponent; "
+               "allowed: both or none";
+    if ((parameter[MPM_PARAMETER_RATE_COEFFICIENT] > 0.0) !=
+        (parameter[MPM_PARAMETER_REFERENCE_RATE] > 0.0))
+        return "strength of rates requires rate_coefficient and reference_rate; allowed: both or "
+               "none";
+    return NULL;
+}
+
+#define WITHOUT .optional = true
+static const struct mpm_law_parameter parameters[] = {
+    {.which = MPM_PARAMETER_BULK},
+    {.which = MPM_PARAMETER_SHEAR},
+    {.which = MPM_PARAMETER_YIELD_STRESS},
+    {.which = MPM_PARAMETER_HARDENING_COEFFICIENT, .optional = true},
+    {.which = MPM_PARAMETER_HARDENING_EXPONENT, .optional = true},
+    {.which = MPM_PARAMETER_RATE_COEFFICIENT, .optional = true},
+    {.which = MPM_PARAMETER_REFERENCE_RATE, .optional = true},
+    {.which = MPM_PARAMETER_SOFTENING_EXPONENT, WITHOUT},
+    {.which = MPM_PARAMETER_REFERENCE_TEMPERATURE, WITHOUT},
+    {.which = MPM_PARAMETER_MELTING_TEMPERATURE, WITHOUT},
+    {.which = MPM_PARAMETER_START_TEMPERATURE, WITHOUT},
+    {.which = MPM_PARAMETER_SPECIFIC_HEAT, WITHOUT},
+    {.which = MPM_PARAMETER_TAYLOR_QUINNEY, WITHOUT},
+};
+static const struct mpm_law_variable variables[VARIABLES] = {
+    MPM_PLASTIC_VARIABLE_ROWS,
+    {"plastic_work", MPM_DIMENSION_SPECIFIC_ENERGY, 0.0, "per mass"},
+};
+
+const struct mpm_material_law mpm_johnson_cook = {
+    .name = "johnson_cook",
+    .description = "tau = K ln J I + 2 G dev ln V_e, F = F_e F_p; yields at |dev tau| = sqrt(2/3) "
+                   "s, s = (A + B p^n) (1 + C ln max(r/r_0, 1)) (1 - T*^m), adiabatic",
+    .parameters = parameters,
+    .parameter_count = sizeof parameters / sizeof *parameters,
+    .fault = fault,
+    .variables = variables,
+    .variable_count = VARIABLES,
+    .update = update,
+    .energy = energy,
+    .dissipation = dissipation,
+    .plastic_strain = MPM_PLASTIC_STRAIN,
+    .temperature = temperature,
+};
