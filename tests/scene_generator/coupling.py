@@ -126,7 +126,8 @@ def closed_box(case):
     high = first + numpy.ceil((high - first) / cell) * cell
     corners = [[float(part) for part in corner] for corner in (low, high)]
     ends = [[float(part) for part in corner] for corner in (first, first + cell * grid["cells"])]
-    gas = next(material for material in case.scene["materials"] if material["law"] == "ideal_gas")
+    gas = next(dict(material) for material in case.scene["materials"]
+               if material["law"] == "ideal_gas")
     lattice = next((body["particles_per_cell"] for body in case.scene["bodies"]
                     if "particles_per_cell" in body), [2, 2])
     scene = case.brief

@@ -107,7 +107,7 @@ static enum mpm_status read_profile(const struct mpm_simulation *simulation,
 /* Where the pressure last falls below `level`, by a straight line between particles. */
 static double place_of(const struct profile *profile, double level)
 {
-    for (size_t k = profile->count - 1; k > 0; k--)
+    for (size_t k = profile->count; k-- > 1;)
         if (profile->pressure[k - 1] >= level) {
             const double part = (profile->pressure[k - 1] - level) /
                                 (profile->pressure[k - 1] - profile->pressure[k]);

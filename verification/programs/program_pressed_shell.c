@@ -31,7 +31,7 @@
 
 enum { AXES = 2, STRESS = 4, COLUMNS = 6, STAGES_MAX = 4 };
 enum { ELEMENTS = 500, STEPS = 400 }; /* of the tube's reference, which the tests refine */
-static const double FACES = 0.15;      /* of the wall: beside them, see away_l2 */
+static const double FACES = 0.15;     /* of the wall: beside them, see away_l2 */
 
 enum shell { SPHERE, TUBE, PLANE_TUBE, SHELLS };
 static const char *const shell_names[SHELLS] = {"sphere", "tube", "plane_tube"};
@@ -65,10 +65,9 @@ struct stage {
 
 struct study {
     const struct problem *problem;
-    bool last;
     struct stage stage[STAGES_MAX];
     double balance;
-    bool finished;
+    bool last, finished;
 };
 
 /* ------------------------------------------------------------------ references */
@@ -168,7 +167,7 @@ static enum mpm_status open_view(const struct problem *p, const struct mpm_simul
     view->exact_stress = g_new(double, STRESS *n);
     mpm_simulation_field(simulation, MPM_FIELD_MASS, view->set.all);
     for (size_t k = 0; k < n; k++) {
-        const double r = radius_of(p, &view->set.start[AXES * k]);
+        const double r = radius_of(p, view->set.start + AXES * k);
         view->mass[k] = view->set.all[view->set.index[k]];
         if (r > p->inner + margin && r < p->outer - margin)
             view->inside[k] = view->mass[k];
@@ -241,8 +240,8 @@ static enum mpm_status write_state(struct measurement *m, const struct reference
     const struct problem *const p = reference->problem;
     struct follow_rows rows = {.columns = COLUMNS};
     for (size_t k = 0; k < view->set.count; k++) {
-        const double *const place = &view->set.start[AXES * k];
-        const double *const s = &view->set.stress[STRESS * k];
+        const double *const place = view->set.start + AXES * k;
+        const double *const s = view->set.stress + STRESS * k;
         const double r = radius_of(p, place), c = p->shell == TUBE ? 1.0 : place[0] / r;
         const double d = p->shell == TUBE ? 0.0 : place[1] / r;
         const struct polar exact = polar_at(reference, r);
@@ -275,6 +274,7 @@ static enum mpm_status run_stages(struct study *study, struct measurement *m,
     struct mpm_ledger start, now;
     double work = (double)NAN;
     mpm_simulation_ledger(simulation, &start);
+    now = start;
     study->finished = true;
     for (size_t k = 0; k < p->stages && study->finished; k++) {
         TRY(follow_to(m, simulation, p->times[k], &study->finished, error));

@@ -54,7 +54,7 @@ static void look_at(void *context, const struct mpm_simulation *simulation,
     study->size = (struct size){0.0, 0.0};
     for (size_t k = 0; k < study->set.count; k++) {
         const double *const f = &study->f[GRADIENT * study->set.index[k]];
-        const double *const x = &study->set.position[AXES * k];
+        const double *const x = study->set.position + AXES * k;
         study->size.radius = fmax(study->size.radius, x[0] + half * (fabs(f[0]) + fabs(f[1])));
         study->size.length = fmax(study->size.length, x[1] + half * (fabs(f[2]) + fabs(f[3])));
     }

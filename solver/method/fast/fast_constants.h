@@ -38,8 +38,8 @@ struct fast_scalar {
     size_t field;           /* of the particles */
     double weight;          /* c */
     double inverse_density; /* of sources; 0: there are none */
-    double kept, part; /* v_p = kept v_p + part sum S result */
-    bool follows_mass; /* capacities are c times the nodes' masses, which others spread */
+    double kept, part;      /* v_p = kept v_p + part sum S result */
+    bool follows_mass;      /* capacities are c times the nodes' masses, which others spread */
     struct mpm_scalar_body conduction;
 };
 

@@ -4,7 +4,7 @@ load style
 set output output
 set xlabel 'x'
 set ylabel 'density, velocity, pressure'
-set yrange [-0.05:1.15]
+set yrange [-0.05:1.5]
 set key top right
 file = data.'/data-sod-profile.dat'
 plot file using 1:7 with lines ls 1 title 'exact', \
