@@ -22,6 +22,11 @@ SAME = {"position": 1, "velocity": 1, "deformation_gradient": 1, "stress": 1, "t
         "concentration": 1}
 
 
+def has_fluid(case):
+    """Whether a material follows an equation of state."""
+    return any(material["law"] in FLUIDS for material in case.scene["materials"])
+
+
 # ------------------------------------------------------------------------- solvent
 def as_heat(scene):
     """The scene without heat, its solvent called heat: c_s of a volume is the capacity c_s/rho of a mass,
@@ -62,7 +67,7 @@ def solvent_is_heat_by_another_name(case):
     is what it moves. Not judged: laws that keep heat of their own, which a scene with solvent may have and
     one with heat may not."""
     if SCALARS["concentration"] not in case.scalars or case.gas or case.plain.status != 0 or \
-            any(material["law"] in FLUIDS for material in case.scene["materials"]):
+            has_fluid(case):
         return False
     scene = without_heat(case.brief)
     one = case.runner.run(scene)
@@ -81,8 +86,8 @@ def solvent_is_heat_by_another_name(case):
 # ----------------------------------------------------------------------- expansion
 def no_expansion_changes_no_digit(case):
     """Materials that expand by nothing, with transport: the answer is that of those that do not expand,
-    to the last bit, with the same kernels."""
-    if not case.conducts or case.at_rest or case.gas or case.plain.status != 0:
+    to the last bit, with the same kernels. Not judged: fluids, whose laws have no expansion."""
+    if not case.conducts or case.at_rest or case.gas or case.plain.status != 0 or has_fluid(case):
         return False
     one, other = with_short_steps(case, case.brief), with_short_steps(case, case.brief)
     for scene in (one, other):

@@ -139,7 +139,8 @@ static enum mpm_status read_pair(struct parsing *parsing, const yaml_event_t *ke
     struct mpm_tree_node *value = NULL;
     const enum mpm_status status = read_node(parsing, &event, depth + 1, &value);
     yaml_event_delete(&event);
-    MPM_TRY(status);
+    if (status != MPM_OK || value == NULL)
+        return status;
     value->origin = origin_at(parsing, key->start_mark.line);
     if (!mpm_tree_append(mapping, (const char *)key->data.scalar.value, value))
         return no_memory(parsing);
