@@ -44,6 +44,7 @@
     SUITE(material)                                                                                \
     SUITE(von_mises)                                                                               \
     SUITE(johnson_cook)                                                                            \
+    SUITE(gruneisen_solid)                                                                         \
     SUITE(equation_of_state)                                                                       \
     SUITE(viscosity)                                                                               \
     SUITE(particles)                                                                               \

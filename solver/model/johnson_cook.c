@@ -21,8 +21,9 @@
  * s in p, exactly.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "model/johnson_cook.h"
+
 #include "base/exponential.h"
-#include "model/plastic_flow.h"
 
 #include <math.h>
 
@@ -108,6 +109,23 @@ static double static_work(const struct mpm_material *m, double plastic)
     return (m->parameter[MPM_PARAMETER_YIELD_STRESS] * plastic + hardening) / m->density;
 }
 
+static double work(const struct mpm_material *m, const struct mpm_plastic_point *point)
+{
+    double unused;
+    return of_temperature(m, point->temperature) *
+           of_rate(m, point->change, point->duration, &unused) *
+           (static_work(m, point->plastic) - static_work(m, point->plastic - point->change));
+}
+
+const struct mpm_plastic_model mpm_johnson_cook_model = {0.0, yield_stress, work};
+
+bool mpm_johnson_cook_softens(const struct mpm_material *m)
+{
+    return is_thermal(m->parameter);
+}
+
+/* ---------------------------------------------------------------------- the law */
+
 static double temperature_of(const struct mpm_material *m, const double *state)
 {
     const double *const given = m->parameter;
@@ -123,23 +141,17 @@ static double dissipation(const struct mpm_material *m, const double *state)
     return state[WORK];
 }
 
-/* ---------------------------------------------------------------------- the law */
-
 static bool update(const struct mpm_material *m, const struct mpm_law_step *step, double *state,
                    double tau[MPM_SYMMETRIC_SIZE], double *wave)
 {
-    static const struct mpm_plastic_model model = {0.0, yield_stress};
+    const struct mpm_plastic_model *const model = &mpm_johnson_cook_model;
     const double before = state[MPM_PLASTIC_STRAIN], start = temperature_of(m, state);
-    double b_elastic[MPM_SYMMETRIC_SIZE], unused;
-    if (!mpm_plastic_return(m, &model, step, start, state, b_elastic, tau))
+    double b_elastic[MPM_SYMMETRIC_SIZE];
+    if (!mpm_plastic_return(m, model, step, start, state, b_elastic, tau))
         return false;
-    const double after = state[MPM_PLASTIC_STRAIN];
-    if (after > before)
-        state[WORK] += of_temperature(m, start) *
-                       of_rate(m, after - before, step->duration, &unused) *
-                       (static_work(m, after) - static_work(m, before));
+    state[WORK] += mpm_plastic_work(m, model, step, start, before, state[MPM_PLASTIC_STRAIN]);
     mpm_plastic_add_volumetric(m->bulk * mpm_logarithm(mpm_determinant(step->f)), tau);
-    *wave = mpm_plastic_wave_squared(m, b_elastic, tau);
+    *wave = mpm_plastic_wave_squared(m, m->bulk, b_elastic, tau);
     return true;
 }
 
@@ -156,7 +168,7 @@ static double temperature(const struct mpm_material *m, const double f[MPM_GRADI
     return temperature_of(m, state);
 }
 
-static const char *fault(const double *parameter)
+const char *mpm_johnson_cook_fault(const double *parameter)
 {
     static const enum mpm_parameter thermal[] = {
         MPM_PARAMETER_SOFTENING_EXPONENT,  MPM_PARAMETER_REFERENCE_TEMPERATURE,
@@ -183,21 +195,10 @@ static const char *fault(const double *parameter)
     return NULL;
 }
 
-#define WITHOUT .optional = true
 static const struct mpm_law_parameter parameters[] = {
     {.which = MPM_PARAMETER_BULK},
     {.which = MPM_PARAMETER_SHEAR},
-    {.which = MPM_PARAMETER_YIELD_STRESS},
-    {.which = MPM_PARAMETER_HARDENING_COEFFICIENT, .optional = true},
-    {.which = MPM_PARAMETER_HARDENING_EXPONENT, .optional = true},
-    {.which = MPM_PARAMETER_RATE_COEFFICIENT, .optional = true},
-    {.which = MPM_PARAMETER_REFERENCE_RATE, .optional = true},
-    {.which = MPM_PARAMETER_SOFTENING_EXPONENT, WITHOUT},
-    {.which = MPM_PARAMETER_REFERENCE_TEMPERATURE, WITHOUT},
-    {.which = MPM_PARAMETER_MELTING_TEMPERATURE, WITHOUT},
-    {.which = MPM_PARAMETER_START_TEMPERATURE, WITHOUT},
-    {.which = MPM_PARAMETER_SPECIFIC_HEAT, WITHOUT},
-    {.which = MPM_PARAMETER_TAYLOR_QUINNEY, WITHOUT},
+    MPM_JOHNSON_COOK_PARAMETERS,
 };
 static const struct mpm_law_variable variables[VARIABLES] = {
     MPM_PLASTIC_VARIABLE_ROWS,
@@ -210,7 +211,7 @@ const struct mpm_material_law mpm_johnson_cook = {
                    "s, s = (A + B p^n) (1 + C ln max(r/r_0, 1)) (1 - T*^m), adiabatic",
     .parameters = parameters,
     .parameter_count = sizeof parameters / sizeof *parameters,
-    .fault = fault,
+    .fault = mpm_johnson_cook_fault,
     .variables = variables,
     .variable_count = VARIABLES,
     .update = update,

@@ -20,10 +20,12 @@
 /* The parameters of all laws, beside the density: name, key of a material in a scene, dimension
  * (MPM_DIMENSION_... without the prefix), range as in io/scene/scene_keys.h, help. The reader of
  * scenes, `mpm schema` and the struct of a material follow from it. A and B are passed on. A law
- * lists those that it has; it has both moduli or none, and these are not optional. */
+ * lists those that it has; it has both moduli, the shear modulus or none, and these are not
+ * optional. */
 #define MPM_LAW_PARAMETERS(ROW, A, B)                                                              \
     ROW(A, B, BULK, bulk, STRESS, ABOVE(0), "bulk modulus, together with shear")                   \
-    ROW(A, B, SHEAR, shear, STRESS, ABOVE(0), "shear modulus, together with bulk")                 \
+    ROW(A, B, SHEAR, shear, STRESS, ABOVE(0),                                                      \
+        "shear modulus, together with bulk if the law has it")                                     \
     ROW(A, B, YIELD_STRESS, yield_stress, STRESS, ABOVE(0),                                        \
         "in tension, in the Kirchhoff stress, before any plastic strain")                          \
     ROW(A, B, HARDENING_MODULUS, hardening_modulus, STRESS, AT_LEAST(0),                           \
@@ -96,9 +98,9 @@ struct mpm_material_law;
 struct mpm_material {
     const struct mpm_material_law *law;
     double density;          /* rho_0 */
-    double bulk;             /* K over rho_0; this one and the next two: NaN without both moduli */
-    double shear;            /* G over rho_0 */
-    double lame;             /* lambda = K - 2 G / 3 over rho_0 */
+    double bulk;             /* K over rho_0; NaN without */
+    double shear;            /* G over rho_0; NaN without */
+    double lame;             /* lambda = K - 2 G / 3 over rho_0; NaN without both */
     const double *parameter; /* by enum mpm_parameter, in the scene's units; NaN where the law has
                                 none */
 };
@@ -127,18 +129,18 @@ struct mpm_material_law {
                    double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
     /* A law of the path: changes `state`, its state variables, from the start of the step to its
      * end. Without a step (duration 0) it leaves `state` as it is, and finds the stress of the
-     * state at hand. False if there is no such end: `stress` is then that of the trial state. */
+     * state at hand. False if there is no such end: `stress` is then that of the trial state, or,
+     * of a solid whose equation of state has none, NaN. */
     bool (*update)(const struct mpm_material *material, const struct mpm_law_step *step,
                    double *state, double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
 
     /* State variables at t = 0; NULL: their `start`. */
     void (*start)(const struct mpm_material *material, double *state);
 
-    /* An equation of state: state variable `internal_energy` is all energy per unit mass, heat
-     * included, and stays with the particle. Not for scenes with transport.temperature.
+    /* An equation of state: `energy` is all energy per unit mass, heat included, and stays with
+     * the particle. Not for scenes with transport.temperature.
      * `least_volume`: J has to be above it, beside other reasons for `update` to fail. */
     bool keeps_heat;
-    size_t internal_energy;
     double (*least_volume)(const struct mpm_material *material);
 
     /* The stress depends on the temperature: only for scenes that have one. */
@@ -186,6 +188,8 @@ struct mpm_material_law {
     LAW(linear_elastic)                                                                            \
     LAW(von_mises)                                                                                 \
     LAW(johnson_cook)                                                                              \
+    LAW(von_mises_gruneisen)                                                                       \
+    LAW(johnson_cook_gruneisen)                                                                    \
     LAW(ideal_gas)                                                                                 \
     LAW(mie_gruneisen)                                                                             \
     LAW(stiffened_gas)                                                                             \

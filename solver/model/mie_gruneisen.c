@@ -144,12 +144,8 @@ static double temperature(const struct mpm_material *m, const double f[MPM_GRADI
 }
 
 static const struct mpm_law_parameter parameters[] = {
-    {.which = MPM_PARAMETER_SOUND_SPEED},
-    {.which = MPM_PARAMETER_HUGONIOT_SLOPE},
-    {.which = MPM_PARAMETER_GRUNEISEN},
-    {.which = MPM_PARAMETER_PRESSURE_CUTOFF, .optional = true, .fallback = HUGE_VAL},
-    {.which = MPM_PARAMETER_SPECIFIC_HEAT, .optional = true},
-    {.which = MPM_PARAMETER_START_TEMPERATURE, .optional = true},
+    MPM_GRUNEISEN_PARAMETERS,
+    MPM_GRUNEISEN_TEMPERATURE_PARAMETERS,
 };
 static const struct mpm_law_variable variables[VARIABLES] = {
     {"internal_energy", MPM_DIMENSION_SPECIFIC_ENERGY, 0.0, "per mass, 0 at the start"},
@@ -167,7 +163,6 @@ const struct mpm_material_law mpm_mie_gruneisen = {
     .update = update,
     .energy = energy,
     .keeps_heat = true,
-    .internal_energy = ENERGY,
     .least_volume = mpm_gruneisen_least_volume,
     .temperature = temperature,
 };

@@ -53,6 +53,19 @@ double mpm_gruneisen_least_volume(const struct mpm_material *material);
 /* T at J and e; by quadrature, to 1e-12. It has no meaning where the cut-off acts. */
 double mpm_gruneisen_temperature(const struct mpm_material *material, double j, double energy);
 
+/* Rows of struct mpm_law_parameter: of the equation, of the temperature. */
+#define MPM_GRUNEISEN_PARAMETERS                                                                   \
+    {.which = MPM_PARAMETER_SOUND_SPEED}, {.which = MPM_PARAMETER_HUGONIOT_SLOPE},                 \
+        {.which = MPM_PARAMETER_GRUNEISEN},                                                        \
+    {                                                                                              \
+        .which = MPM_PARAMETER_PRESSURE_CUTOFF, .optional = true, .fallback = HUGE_VAL             \
+    }
+#define MPM_GRUNEISEN_TEMPERATURE_PARAMETERS                                                       \
+    {.which = MPM_PARAMETER_SPECIFIC_HEAT, .optional = true},                                      \
+    {                                                                                              \
+        .which = MPM_PARAMETER_START_TEMPERATURE, .optional = true                                 \
+    }
+
 /* What is wrong with the parameters of temperature, or NULL. */
 const char *mpm_gruneisen_fault(const double *parameter);
 

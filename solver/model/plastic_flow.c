@@ -205,6 +205,14 @@ bool mpm_plastic_return(const struct mpm_material *m, const struct mpm_plastic_m
     return true;
 }
 
+double mpm_plastic_work(const struct mpm_material *m, const struct mpm_plastic_model *model,
+                        const struct mpm_law_step *step, double temperature, double before,
+                        double after)
+{
+    const struct mpm_plastic_point end = {after, after - before, step->duration, temperature};
+    return after > before ? model->work(m, &end) : 0.0;
+}
+
 void mpm_plastic_add_volumetric(double mean, double tau[MPM_SYMMETRIC_SIZE])
 {
     tau[MPM_SYM_XX] += mean;
@@ -212,33 +220,40 @@ void mpm_plastic_add_volumetric(double mean, double tau[MPM_SYMMETRIC_SIZE])
     tau[MPM_SYM_ZZ] += mean;
 }
 
-double mpm_plastic_wave_squared(const struct mpm_material *m,
+double mpm_plastic_wave_squared(const struct mpm_material *m, double bulk,
                                 const double b_elastic[MPM_SYMMETRIC_SIZE],
                                 const double tau[MPM_SYMMETRIC_SIZE])
 {
     double elastic[2], stress[2];
     mpm_plane_eigenvalues(b_elastic, elastic);
     mpm_plane_eigenvalues(tau, stress);
-    const double longitudinal = m->bulk + 4.0 / 3.0 * m->shear - stress[0];
+    const double longitudinal = bulk + 4.0 / 3.0 * m->shear - stress[0];
     const double part = (elastic[1] - elastic[0]) / elastic[1];
     const double transverse =
         m->shear * (part > 1e-8 ? mpm_logarithm(elastic[1] / elastic[0]) / part : 1.0);
     return longitudinal > transverse ? longitudinal : transverse;
 }
 
-double mpm_plastic_energy(const struct mpm_material *m, double kinematic,
-                          const double f[MPM_GRADIENT_SIZE], const double *state)
+double mpm_plastic_shear_energy(const struct mpm_material *m, double kinematic,
+                                const double f[MPM_GRADIENT_SIZE], const double *state)
 {
-    const double volumetric = mpm_logarithm(mpm_determinant(f));
     double b_elastic[MPM_SYMMETRIC_SIZE], strain[MPM_SYMMETRIC_SIZE];
     push(f, state + INVERSE, b_elastic);
     deviatoric_logarithm(b_elastic, strain);
     const double elastic = mpm_symmetric_norm(strain);
-    double sum = 0.5 * m->bulk * volumetric * volumetric + 0.25 * m->shear * elastic * elastic;
+    double sum = 0.25 * m->shear * elastic * elastic;
     if (kinematic > 0.0) {
         plastic_logarithm(f, b_elastic, strain);
         const double plastic = mpm_symmetric_norm(strain);
         sum += kinematic / 12.0 * plastic * plastic;
     }
     return sum;
+}
+
+double mpm_plastic_energy(const struct mpm_material *m, double kinematic,
+                          const double f[MPM_GRADIENT_SIZE], const double *state)
+{
+    const double volumetric = mpm_logarithm(mpm_determinant(f));
+    return 0.5 * m->bulk * volumetric * volumetric +
+           mpm_plastic_shear_energy(m, kinematic, f, state);
 }

@@ -56,6 +56,8 @@ struct mpm_plastic_model {
      * falling in p. 0: no strength, for models without back stress. */
     double (*yield)(const struct mpm_material *material, const struct mpm_plastic_point *point,
                     double *slope);
+    /* Plastic work per mass of the step that ends at `point`: the integral of s over rho_0 in p. */
+    double (*work)(const struct mpm_material *material, const struct mpm_plastic_point *point);
 };
 
 /* Takes C_p^-1 and p of `state` to the end of the step (leaves them with a duration of 0); b_e and
@@ -65,17 +67,26 @@ bool mpm_plastic_return(const struct mpm_material *material, const struct mpm_pl
                         const struct mpm_law_step *step, double temperature, double *state,
                         double b_elastic[MPM_SYMMETRIC_SIZE], double tau[MPM_SYMMETRIC_SIZE]);
 
+/* The model's `work` of a step from the plastic strain `before` to `after`. */
+double mpm_plastic_work(const struct mpm_material *material, const struct mpm_plastic_model *model,
+                        const struct mpm_law_step *step, double temperature, double before,
+                        double after);
+
 /* tau + mean I */
 void mpm_plastic_add_volumetric(double mean, double tau[MPM_SYMMETRIC_SIZE]);
 
 /* Elastic waves. Along a principal direction with Kirchhoff stress t: rho_0 c^2 = K + 4/3 G - t of
- * the longitudinal one; with b and a the eigenvalues of b_e along and across, G ln(b/a) b/(b - a)
- * of the shear wave. */
-double mpm_plastic_wave_squared(const struct mpm_material *material,
+ * the longitudinal one, K the slope of mean tau in ln J, here over rho_0; with b and a the
+ * eigenvalues of b_e along and across, G ln(b/a) b/(b - a) of the shear wave. */
+double mpm_plastic_wave_squared(const struct mpm_material *material, double bulk,
                                 const double b_elastic[MPM_SYMMETRIC_SIZE],
                                 const double tau[MPM_SYMMETRIC_SIZE]);
 
-/* K/2 ln^2 J + G |dev e|^2 + H_k/3 |ln U_p|^2 over rho_0 */
+/* G |dev e|^2 + H_k/3 |ln U_p|^2 over rho_0 */
+double mpm_plastic_shear_energy(const struct mpm_material *material, double kinematic,
+                                const double f[MPM_GRADIENT_SIZE], const double *state);
+
+/* K/2 ln^2 J and the energy of shear, over rho_0 */
 double mpm_plastic_energy(const struct mpm_material *material, double kinematic,
                           const double f[MPM_GRADIENT_SIZE], const double *state);
 

@@ -125,7 +125,6 @@ const struct mpm_material_law mpm_stiffened_gas = {
     .update = update,
     .energy = energy,
     .keeps_heat = true,
-    .internal_energy = ENERGY,
     .least_volume = least_volume,
     .temperature = temperature,
 };

@@ -5,8 +5,9 @@
  * and linear kinematic hardening.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "model/von_mises.h"
+
 #include "base/exponential.h"
-#include "model/plastic_flow.h"
 
 #include <math.h>
 
@@ -39,9 +40,8 @@ static double yield_stress(const struct mpm_material *m, const struct mpm_plasti
 }
 
 /* Integral of s from 0 to p, over rho_0. */
-static double dissipation(const struct mpm_material *m, const double *state)
+static double whole_work(const struct mpm_material *m, double plastic)
 {
-    const double plastic = state[MPM_PLASTIC_STRAIN];
     const double yield = over_density(m, MPM_PARAMETER_YIELD_STRESS);
     const double modulus = over_density(m, MPM_PARAMETER_HARDENING_MODULUS);
     const double scale = m->parameter[MPM_PARAMETER_HARDENING_STRAIN];
@@ -51,33 +51,25 @@ static double dissipation(const struct mpm_material *m, const double *state)
     return yield * powers + 0.5 * modulus * plastic * plastic;
 }
 
-/* ---------------------------------------------------------------------- the law */
+static double work(const struct mpm_material *m, const struct mpm_plastic_point *point)
+{
+    return whole_work(m, point->plastic) - whole_work(m, point->plastic - point->change);
+}
 
-static struct mpm_plastic_model model_of(const struct mpm_material *m)
+/* -------------------------------------------------------------- of laws that have it */
+
+struct mpm_plastic_model mpm_von_mises_model(const struct mpm_material *m)
 {
     return (struct mpm_plastic_model){over_density(m, MPM_PARAMETER_KINEMATIC_MODULUS),
-                                      yield_stress};
+                                      yield_stress, work};
 }
 
-static bool update(const struct mpm_material *m, const struct mpm_law_step *step, double *state,
-                   double tau[MPM_SYMMETRIC_SIZE], double *wave)
+double mpm_von_mises_dissipation(const struct mpm_material *m, const double *state)
 {
-    const struct mpm_plastic_model model = model_of(m);
-    double b_elastic[MPM_SYMMETRIC_SIZE];
-    if (!mpm_plastic_return(m, &model, step, (double)NAN, state, b_elastic, tau))
-        return false;
-    mpm_plastic_add_volumetric(m->bulk * mpm_logarithm(mpm_determinant(step->f)), tau);
-    *wave = mpm_plastic_wave_squared(m, b_elastic, tau);
-    return true;
+    return whole_work(m, state[MPM_PLASTIC_STRAIN]);
 }
 
-static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZE],
-                     const double *state)
-{
-    return mpm_plastic_energy(m, model_of(m).kinematic, f, state);
-}
-
-static const char *fault(const double *parameter)
+const char *mpm_von_mises_fault(const double *parameter)
 {
     return (parameter[MPM_PARAMETER_HARDENING_STRAIN] > 0.0) ==
                    (parameter[MPM_PARAMETER_HARDENING_EXPONENT] > 0.0)
@@ -86,14 +78,30 @@ static const char *fault(const double *parameter)
                  "both or none";
 }
 
+/* ---------------------------------------------------------------------- the law */
+
+static bool update(const struct mpm_material *m, const struct mpm_law_step *step, double *state,
+                   double tau[MPM_SYMMETRIC_SIZE], double *wave)
+{
+    const struct mpm_plastic_model model = mpm_von_mises_model(m);
+    double b_elastic[MPM_SYMMETRIC_SIZE];
+    if (!mpm_plastic_return(m, &model, step, (double)NAN, state, b_elastic, tau))
+        return false;
+    mpm_plastic_add_volumetric(m->bulk * mpm_logarithm(mpm_determinant(step->f)), tau);
+    *wave = mpm_plastic_wave_squared(m, m->bulk, b_elastic, tau);
+    return true;
+}
+
+static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZE],
+                     const double *state)
+{
+    return mpm_plastic_energy(m, mpm_von_mises_model(m).kinematic, f, state);
+}
+
 static const struct mpm_law_parameter parameters[] = {
     {.which = MPM_PARAMETER_BULK},
     {.which = MPM_PARAMETER_SHEAR},
-    {.which = MPM_PARAMETER_YIELD_STRESS},
-    {.which = MPM_PARAMETER_HARDENING_MODULUS, .optional = true},
-    {.which = MPM_PARAMETER_HARDENING_STRAIN, .optional = true},
-    {.which = MPM_PARAMETER_HARDENING_EXPONENT, .optional = true},
-    {.which = MPM_PARAMETER_KINEMATIC_MODULUS, .optional = true},
+    MPM_VON_MISES_PARAMETERS,
 };
 static const struct mpm_law_variable variables[] = {MPM_PLASTIC_VARIABLE_ROWS};
 
@@ -103,11 +111,11 @@ const struct mpm_material_law mpm_von_mises = {
                    "sqrt(2/3) s(p), s = Y (1 + p/p_0)^n + H p",
     .parameters = parameters,
     .parameter_count = sizeof parameters / sizeof *parameters,
-    .fault = fault,
+    .fault = mpm_von_mises_fault,
     .variables = variables,
     .variable_count = MPM_PLASTIC_VARIABLES,
     .update = update,
     .energy = energy,
-    .dissipation = dissipation,
+    .dissipation = mpm_von_mises_dissipation,
     .plastic_strain = MPM_PLASTIC_STRAIN,
 };

@@ -54,15 +54,21 @@ double mpm_particle_strain_energy(const struct mpm_state *state, size_t p)
         return *mpm_particle_law_state(particles, p, law->variable_count);
     elastic_part(particles, p, f);
     load_variables(particles, p, law, variables);
-    return law->energy(material, f, variables) -
-           (law->keeps_heat ? mpm_particle_viscous_work(state, p) : 0.0);
+    const double energy = law->energy(material, f, variables);
+    if (!law->keeps_heat)
+        return energy;
+    return energy - mpm_particle_viscous_work(state, p) - mpm_particle_dissipation(state, p);
 }
 
 double mpm_particle_internal_energy(const struct mpm_state *state, size_t p)
 {
-    const struct mpm_material_law *const law = material_of(state, p)->law;
-    return law->keeps_heat ? *mpm_particle_law_state(&state->particles, p, law->internal_energy)
-                           : 0.0;
+    const struct mpm_material *const material = material_of(state, p);
+    double f[MPM_GRADIENT_SIZE], variables[MPM_LAW_STATES];
+    if (!material->law->keeps_heat)
+        return 0.0;
+    elastic_part(&state->particles, p, f);
+    load_variables(&state->particles, p, material->law, variables);
+    return material->law->energy(material, f, variables);
 }
 
 double mpm_particle_state_temperature(const struct mpm_state *state, size_t p)

@@ -357,7 +357,8 @@ static void keep_variables(const struct mpm_particles *particles, size_t p,
 /* The law has no end of the step. */
 static void record_no_end(const struct evaluation *at, uint32_t id, struct mpm_strip *strip)
 {
-    if (at->material->law->keeps_heat)
+    const struct mpm_material_law *const law = at->material->law;
+    if (law->keeps_heat && (law->dissipation == NULL || isnan(at->stress[MPM_SYM_XX])))
         mpm_strip_record(strip, MPM_NO_STATE, id, 0, mpm_determinant(at->now.f));
     else
         mpm_strip_record(strip, MPM_NO_RETURN, id, 0,

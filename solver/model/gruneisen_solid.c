@@ -1,0 +1,63 @@
+/* Solids with Mie and Grueneisen's pressure; see gruneisen_solid.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "model/gruneisen_solid.h"
+
+#include <math.h>
+
+enum { ENERGY = MPM_SOLID_ENERGY, WORK = MPM_SOLID_WORK };
+
+/* p/rho_0 and c^2 at the end of the step. */
+static bool find_pressure(const struct mpm_material *m, const struct mpm_law_step *step,
+                          double heat, double *energy, double *pressure, double *sound_squared)
+{
+    const double j = mpm_determinant(step->f);
+    if (step->duration > 0.0)
+        return mpm_gruneisen_advance(m, mpm_determinant(step->old_f), j, heat, energy, pressure,
+                                     sound_squared);
+    *pressure = mpm_gruneisen_pressure(m, j, *energy, sound_squared);
+    return true;
+}
+
+bool mpm_gruneisen_solid_update(const struct mpm_material *m, const struct mpm_plastic_model *model,
+                                const struct mpm_law_step *step, double temperature, double heating,
+                                double *state, double tau[MPM_SYMMETRIC_SIZE], double *wave)
+{
+    const double before = state[MPM_PLASTIC_STRAIN];
+    double b_elastic[MPM_SYMMETRIC_SIZE], pressure, sound_squared;
+    if (!mpm_plastic_return(m, model, step, temperature, state, b_elastic, tau))
+        return false;
+    const double work =
+        mpm_plastic_work(m, model, step, temperature, before, state[MPM_PLASTIC_STRAIN]);
+    state[WORK] += work;
+    if (!find_pressure(m, step, step->heat + heating * work, &state[ENERGY], &pressure,
+                       &sound_squared)) {
+        for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+            tau[k] = (double)NAN;
+        return false;
+    }
+    const double mean = -mpm_determinant(step->f) * pressure;
+    mpm_plastic_add_volumetric(mean, tau);
+    /* mean = -J p/rho_0 has the slope J^2 (-dp/dJ)/rho_0 + mean in ln J */
+    *wave = mpm_plastic_wave_squared(m, sound_squared + mean, b_elastic, tau);
+    return true;
+}
+
+double mpm_gruneisen_solid_energy(const struct mpm_material *m, double kinematic, double heating,
+                                  const double f[MPM_GRADIENT_SIZE], const double *state)
+{
+    return state[ENERGY] + mpm_plastic_shear_energy(m, kinematic, f, state) +
+           (1.0 - heating) * state[WORK];
+}
+
+double mpm_gruneisen_solid_dissipation(const struct mpm_material *m, const double *state)
+{
+    (void)m;
+    return state[WORK];
+}
+
+double mpm_gruneisen_solid_temperature(const struct mpm_material *m,
+                                       const double f[MPM_GRADIENT_SIZE], const double *state)
+{
+    return mpm_gruneisen_temperature(m, mpm_determinant(f), state[ENERGY]);
+}
