@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model/mie_gruneisen.h"
 
+#include "base/exponential.h"
+
 #include <math.h>
 
 /* -------------------------------------------------------------------- the equation */
@@ -63,41 +65,48 @@ bool mpm_gruneisen_advance(const struct mpm_material *m, double old_j, double j,
 /* --------------------------------------------------------------------- temperature */
 
 /* Gauss and Legendre's points and weights on (-1, 1), those above 0. */
-enum { HALF = 4, PANELS = 8 };
+enum { HALF = 4 };
 static const double gauss[HALF][2] = {{0.18343464249564980494, 0.36268378337836198297},
                                       {0.52553240991632898582, 0.31370664587788728734},
                                       {0.79666647741362673959, 0.22238103445337447054},
                                       {0.96028985649753623168, 0.10122853629037625915}};
 
-/* exp(-gamma x) A(x) dx/dy, with y = -ln(1 - s x)/s in compression, which keeps it smooth towards
- * the pole. */
-static double integrand(const struct mpm_material *m, double y)
+/* exp(-gamma x) A(x) dx/dy, with y = -ln(1 - s x)/s in compression, where it is an entire function
+ * of y, without the pole of x. */
+static double integrand(const struct mpm_material *m, double slope, double y)
 {
-    const double s = y > 0.0 ? m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE] : 0.0;
-    const double x = s > 0.0 ? -expm1(-s * y) / s : y;
-    double slope;
-    return exp(-m->parameter[MPM_PARAMETER_GRUNEISEN] * x - s * y) * cold_pressure(m, x, &slope);
+    const double way = slope > 0.0 ? mpm_exponential(-slope * y) : 1.0;
+    const double x = slope > 0.0 ? (1.0 - way) / slope : y;
+    double unused;
+    return mpm_exponential(-m->parameter[MPM_PARAMETER_GRUNEISEN] * x) * way *
+           cold_pressure(m, x, &unused);
 }
+
+/* Up to this, in y times the largest of 1, s and gamma_0, eight points are exact to round-off. */
+static const double PANEL = 1.0;
 
 static double isentropic_energy(const struct mpm_material *m, double eta)
 {
-    const double s = eta > 0.0 ? m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE] : 0.0;
-    const double end = s > 0.0 ? -log1p(-s * eta) / s : eta;
-    const double half = 0.5 * end / PANELS;
+    const double gamma = m->parameter[MPM_PARAMETER_GRUNEISEN];
+    const double slope = eta > 0.0 ? m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE] : 0.0;
+    const double end = slope > 0.0 ? -mpm_logarithm(1.0 - slope * eta) / slope : eta;
+    const int panels = 1 + (int)(fabs(end) * fmax(1.0, fmax(slope, gamma)) / PANEL);
+    const double half = 0.5 * end / panels;
     double sum = 0.0;
-    for (int panel = 0; panel < PANELS; panel++)
+    for (int panel = 0; panel < panels; panel++)
         for (int k = 0; k < HALF; k++) {
             const double middle = (2 * panel + 1) * half, off = gauss[k][0] * half;
-            sum += gauss[k][1] * (integrand(m, middle - off) + integrand(m, middle + off));
+            sum += gauss[k][1] *
+                   (integrand(m, slope, middle - off) + integrand(m, slope, middle + off));
         }
-    return exp(m->parameter[MPM_PARAMETER_GRUNEISEN] * eta) * half * sum;
+    return mpm_exponential(gamma * eta) * half * sum;
 }
 
 double mpm_gruneisen_temperature(const struct mpm_material *m, double j, double energy)
 {
     const double eta = 1.0 - j;
     const double isentropic = m->parameter[MPM_PARAMETER_START_TEMPERATURE] *
-                              exp(m->parameter[MPM_PARAMETER_GRUNEISEN] * eta);
+                              mpm_exponential(m->parameter[MPM_PARAMETER_GRUNEISEN] * eta);
     return isentropic +
            (energy - isentropic_energy(m, eta)) / m->parameter[MPM_PARAMETER_SPECIFIC_HEAT];
 }
