@@ -19,19 +19,13 @@ static bool find_pressure(const struct mpm_material *m, const struct mpm_law_ste
     return true;
 }
 
-bool mpm_gruneisen_solid_update(const struct mpm_material *m, const struct mpm_plastic_model *model,
-                                const struct mpm_law_step *step, double temperature, double heating,
-                                double *state, double tau[MPM_SYMMETRIC_SIZE], double *wave)
+/* Adds the pressure of the step with this heat to the deviator `tau`; `state` has the energy of its
+ * start. */
+static bool add_pressure(const struct mpm_material *m, const struct mpm_law_step *step, double heat,
+                         double *state, double tau[MPM_SYMMETRIC_SIZE], double *wave)
 {
-    const double before = state[MPM_PLASTIC_STRAIN];
-    double b_elastic[MPM_SYMMETRIC_SIZE], pressure, sound_squared;
-    if (!mpm_plastic_return(m, model, step, temperature, state, b_elastic, tau))
-        return false;
-    const double work =
-        mpm_plastic_work(m, model, step, temperature, before, state[MPM_PLASTIC_STRAIN]);
-    state[WORK] += work;
-    if (!find_pressure(m, step, step->heat + heating * work, &state[ENERGY], &pressure,
-                       &sound_squared)) {
+    double pressure, sound_squared;
+    if (!find_pressure(m, step, heat, &state[ENERGY], &pressure, &sound_squared)) {
         for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
             tau[k] = (double)NAN;
         return false;
@@ -39,8 +33,32 @@ bool mpm_gruneisen_solid_update(const struct mpm_material *m, const struct mpm_p
     const double mean = -mpm_determinant(step->f) * pressure;
     mpm_plastic_add_volumetric(mean, tau);
     /* mean = -J p/rho_0 has the slope J^2 (-dp/dJ)/rho_0 + mean in ln J */
-    *wave = mpm_plastic_wave_squared(m, sound_squared + mean, b_elastic, tau);
+    *wave = mpm_plastic_wave_squared(m, sound_squared + mean, step->f, state, tau);
     return true;
+}
+
+bool mpm_gruneisen_solid_update(const struct mpm_material *m, const struct mpm_plastic_model *model,
+                                const struct mpm_law_step *step, double temperature, double heating,
+                                double *state, double tau[MPM_SYMMETRIC_SIZE], double *wave)
+{
+    const double before = state[MPM_PLASTIC_STRAIN];
+    if (!mpm_plastic_return(m, model, step, temperature, state, tau))
+        return false;
+    const double work =
+        mpm_plastic_work(m, model, step, temperature, before, state[MPM_PLASTIC_STRAIN]);
+    state[WORK] += work;
+    return add_pressure(m, step, step->heat + heating * work, state, tau, wave);
+}
+
+bool mpm_gruneisen_solid_reheat(const struct mpm_material *m, const struct mpm_law_step *step,
+                                double heating, const double *old_state, double *state,
+                                double tau[MPM_SYMMETRIC_SIZE], double *wave)
+{
+    const double work = state[WORK] - old_state[WORK];
+    const double mean = (tau[MPM_SYM_XX] + tau[MPM_SYM_YY] + tau[MPM_SYM_ZZ]) / 3.0;
+    mpm_plastic_add_volumetric(-mean, tau);
+    state[ENERGY] = old_state[ENERGY];
+    return add_pressure(m, step, step->heat + heating * work, state, tau, wave);
 }
 
 double mpm_gruneisen_solid_energy(const struct mpm_material *m, double kinematic, double heating,

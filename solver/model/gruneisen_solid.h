@@ -40,6 +40,12 @@ bool mpm_gruneisen_solid_update(const struct mpm_material *material,
                                 double *state, double tau[MPM_SYMMETRIC_SIZE],
                                 double *wave_speed_squared);
 
+/* The law's `reheat` (material.h). */
+bool mpm_gruneisen_solid_reheat(const struct mpm_material *material,
+                                const struct mpm_law_step *step, double heating,
+                                const double *old_state, double *state,
+                                double tau[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
+
 /* All three parts of the energy. */
 double mpm_gruneisen_solid_energy(const struct mpm_material *material, double kinematic,
                                   double heating, const double f[MPM_GRADIENT_SIZE],

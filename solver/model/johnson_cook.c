@@ -146,12 +146,11 @@ static bool update(const struct mpm_material *m, const struct mpm_law_step *step
 {
     const struct mpm_plastic_model *const model = &mpm_johnson_cook_model;
     const double before = state[MPM_PLASTIC_STRAIN], start = temperature_of(m, state);
-    double b_elastic[MPM_SYMMETRIC_SIZE];
-    if (!mpm_plastic_return(m, model, step, start, state, b_elastic, tau))
+    if (!mpm_plastic_return(m, model, step, start, state, tau))
         return false;
     state[WORK] += mpm_plastic_work(m, model, step, start, before, state[MPM_PLASTIC_STRAIN]);
     mpm_plastic_add_volumetric(m->bulk * mpm_logarithm(mpm_determinant(step->f)), tau);
-    *wave = mpm_plastic_wave_squared(m, m->bulk, b_elastic, tau);
+    *wave = mpm_plastic_wave_squared(m, m->bulk, step->f, state, tau);
     return true;
 }
 

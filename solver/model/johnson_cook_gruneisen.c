@@ -23,6 +23,13 @@ static bool update(const struct mpm_material *m, const struct mpm_law_step *step
                                       state, tau, wave);
 }
 
+static bool reheat(const struct mpm_material *m, const struct mpm_law_step *step,
+                   const double *old_state, double *state, double tau[MPM_SYMMETRIC_SIZE],
+                   double *wave)
+{
+    return mpm_gruneisen_solid_reheat(m, step, heating_of(m), old_state, state, tau, wave);
+}
+
 static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZE],
                      const double *state)
 {
@@ -46,6 +53,7 @@ const struct mpm_material_law mpm_johnson_cook_gruneisen = {
     .variables = variables,
     .variable_count = MPM_SOLID_VARIABLES,
     .update = update,
+    .reheat = reheat,
     .energy = energy,
     .keeps_heat = true,
     .least_volume = mpm_gruneisen_least_volume,

@@ -142,6 +142,11 @@ struct mpm_material_law {
      * `least_volume`: J has to be above it, beside other reasons for `update` to fail. */
     bool keeps_heat;
     double (*least_volume)(const struct mpm_material *material);
+    /* `update` once more with the heat of `step`, given `old_state` of the step's start and what
+     * `update` without that heat has left, where this takes less than `update`; may be NULL. */
+    bool (*reheat)(const struct mpm_material *material, const struct mpm_law_step *step,
+                   const double *old_state, double *state, double stress[MPM_SYMMETRIC_SIZE],
+                   double *wave_speed_squared);
 
     /* The stress depends on the temperature: only for scenes that have one. */
     bool reads_temperature;

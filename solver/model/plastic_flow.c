@@ -177,9 +177,9 @@ static bool flow_back(struct flow *flow, const double b_elastic[MPM_SYMMETRIC_SI
 
 bool mpm_plastic_return(const struct mpm_material *m, const struct mpm_plastic_model *model,
                         const struct mpm_law_step *step, double temperature, double *state,
-                        double b_elastic[MPM_SYMMETRIC_SIZE], double tau[MPM_SYMMETRIC_SIZE])
+                        double tau[MPM_SYMMETRIC_SIZE])
 {
-    double driving[MPM_SYMMETRIC_SIZE], slope;
+    double b_elastic[MPM_SYMMETRIC_SIZE], driving[MPM_SYMMETRIC_SIZE], slope;
     push(step->f, state + INVERSE, b_elastic);
     if (step->duration > 0.0) {
         struct flow flow = {.m = m,
@@ -221,10 +221,11 @@ void mpm_plastic_add_volumetric(double mean, double tau[MPM_SYMMETRIC_SIZE])
 }
 
 double mpm_plastic_wave_squared(const struct mpm_material *m, double bulk,
-                                const double b_elastic[MPM_SYMMETRIC_SIZE],
+                                const double f[MPM_GRADIENT_SIZE], const double *state,
                                 const double tau[MPM_SYMMETRIC_SIZE])
 {
-    double elastic[2], stress[2];
+    double b_elastic[MPM_SYMMETRIC_SIZE], elastic[2], stress[2];
+    push(f, state + INVERSE, b_elastic);
     mpm_plane_eigenvalues(b_elastic, elastic);
     mpm_plane_eigenvalues(tau, stress);
     const double longitudinal = bulk + 4.0 / 3.0 * m->shear - stress[0];

@@ -60,12 +60,12 @@ struct mpm_plastic_model {
     double (*work)(const struct mpm_material *material, const struct mpm_plastic_point *point);
 };
 
-/* Takes C_p^-1 and p of `state` to the end of the step (leaves them with a duration of 0); b_e and
- * dev tau / rho_0 there. False: there is no way back to yield; `tau` is then dev tau - beta of the
+/* Takes C_p^-1 and p of `state` to the end of the step (leaves them with a duration of 0); dev tau
+ * over rho_0 there. False: there is no way back to yield; `tau` is then dev tau - beta of the
  * trial state. */
 bool mpm_plastic_return(const struct mpm_material *material, const struct mpm_plastic_model *model,
                         const struct mpm_law_step *step, double temperature, double *state,
-                        double b_elastic[MPM_SYMMETRIC_SIZE], double tau[MPM_SYMMETRIC_SIZE]);
+                        double tau[MPM_SYMMETRIC_SIZE]);
 
 /* The model's `work` of a step from the plastic strain `before` to `after`. */
 double mpm_plastic_work(const struct mpm_material *material, const struct mpm_plastic_model *model,
@@ -79,7 +79,7 @@ void mpm_plastic_add_volumetric(double mean, double tau[MPM_SYMMETRIC_SIZE]);
  * the longitudinal one, K the slope of mean tau in ln J, here over rho_0; with b and a the
  * eigenvalues of b_e along and across, G ln(b/a) b/(b - a) of the shear wave. */
 double mpm_plastic_wave_squared(const struct mpm_material *material, double bulk,
-                                const double b_elastic[MPM_SYMMETRIC_SIZE],
+                                const double f[MPM_GRADIENT_SIZE], const double *state,
                                 const double tau[MPM_SYMMETRIC_SIZE]);
 
 /* G |dev e|^2 + H_k/3 |ln U_p|^2 over rho_0 */

@@ -84,11 +84,10 @@ static bool update(const struct mpm_material *m, const struct mpm_law_step *step
                    double tau[MPM_SYMMETRIC_SIZE], double *wave)
 {
     const struct mpm_plastic_model model = mpm_von_mises_model(m);
-    double b_elastic[MPM_SYMMETRIC_SIZE];
-    if (!mpm_plastic_return(m, &model, step, (double)NAN, state, b_elastic, tau))
+    if (!mpm_plastic_return(m, &model, step, (double)NAN, state, tau))
         return false;
     mpm_plastic_add_volumetric(m->bulk * mpm_logarithm(mpm_determinant(step->f)), tau);
-    *wave = mpm_plastic_wave_squared(m, m->bulk, b_elastic, tau);
+    *wave = mpm_plastic_wave_squared(m, m->bulk, step->f, state, tau);
     return true;
 }
 

@@ -16,6 +16,13 @@ static bool update(const struct mpm_material *m, const struct mpm_law_step *step
     return mpm_gruneisen_solid_update(m, &model, step, (double)NAN, HEATING, state, tau, wave);
 }
 
+static bool reheat(const struct mpm_material *m, const struct mpm_law_step *step,
+                   const double *old_state, double *state, double tau[MPM_SYMMETRIC_SIZE],
+                   double *wave)
+{
+    return mpm_gruneisen_solid_reheat(m, step, HEATING, old_state, state, tau, wave);
+}
+
 static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZE],
                      const double *state)
 {
@@ -46,6 +53,7 @@ const struct mpm_material_law mpm_von_mises_gruneisen = {
     .variables = variables,
     .variable_count = MPM_SOLID_VARIABLES,
     .update = update,
+    .reheat = reheat,
     .energy = energy,
     .keeps_heat = true,
     .least_volume = mpm_gruneisen_least_volume,

@@ -138,6 +138,20 @@ static bool evaluate(const struct mpm_particles *particles, size_t p, struct eva
     return true;
 }
 
+/* The same evaluation with the work of viscosity as heat. */
+static bool evaluate_heated(const struct mpm_particles *particles, size_t p, struct evaluation *at)
+{
+    const struct mpm_material_law *const law = at->material->law;
+    if (law->reheat == NULL)
+        return evaluate(particles, p, at);
+    double old[MPM_LAW_STATES];
+    const struct mpm_law_step step = {at->old.f,           at->now.f,         at->duration,
+                                      at->now.temperature, at->heat_capacity, at->viscous_work};
+    load_variables(particles, p, law, old);
+    return law->reheat(at->material, &step, old, at->variables, at->stress,
+                       &at->wave_speed_squared);
+}
+
 static void add_pressure(double pressure, double stress[MPM_SYMMETRIC_SIZE])
 {
     stress[MPM_SYM_XX] -= pressure;
@@ -306,7 +320,8 @@ static bool add_viscosity(const struct mpm_state *state, size_t p, struct evalua
     at->viscous_pressure =
         mpm_viscous_pressure(viscosity, cell_size(state), at->wave_speed_squared, rate);
     at->viscous_work = -at->viscous_pressure * strain;
-    if (at->viscous_work > 0.0 && at->material->law->keeps_heat && !evaluate(particles, p, at))
+    if (at->viscous_work > 0.0 && at->material->law->keeps_heat &&
+        !evaluate_heated(particles, p, at))
         return false;
     at->wave_speed_squared =
         mpm_viscous_wave_squared(viscosity, cell_size(state), at->wave_speed_squared, rate);

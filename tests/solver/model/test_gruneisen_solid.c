@@ -270,6 +270,36 @@ START_TEST(heat_of_viscosity_enters_energy_and_pressure)
 }
 END_TEST
 
+/* update with the heat = update without it, then reheat */
+START_TEST(heat_after_a_step_is_heat_in_it)
+{
+    static const double HEAT = 3e4;
+    const struct mpm_material_law *const law = solids[_i].law;
+    for (int path = 0; path < PATHS; path++) {
+        struct point one, other;
+        double f[MPM_GRADIENT_SIZE], old_f[MPM_GRADIENT_SIZE], old_state[MPM_LAW_STATES];
+        begin(&one, &solids[_i], law);
+        place((enum path)path, 0.1, f);
+        ck_assert(move(&one, f, 1e-3));
+        other = one;
+        other.material.parameter = other.parameter;
+        memcpy(old_f, one.f, sizeof old_f);
+        memcpy(old_state, one.state, sizeof old_state);
+        place((enum path)path, 0.2, f);
+        struct mpm_law_step step = {old_f, f, 1e-3, (double)NAN, (double)NAN, 0.0};
+        ck_assert(law->update(&one.material, &step, one.state, one.tau, &one.wave));
+        step.heat = HEAT;
+        ck_assert(law->reheat(&one.material, &step, old_state, one.state, one.tau, &one.wave));
+        ck_assert(law->update(&other.material, &step, other.state, other.tau, &other.wave));
+        for (int c = 0; c < MPM_SYMMETRIC_SIZE; c++)
+            ck_assert_near(one.tau[c], other.tau[c], ROUND_OFF * SPEED * SPEED);
+        for (size_t k = 0; k < law->variable_count; k++)
+            ck_assert_near(one.state[k], other.state[k], ROUND_OFF * fmax(1.0, other.state[k]));
+        ck_assert_near(one.wave / other.wave, 1.0, ROUND_OFF);
+    }
+}
+END_TEST
+
 /* ----------------------------------------------------------------------- softening */
 
 /* To a side by an isentrope, then sheared: the yield stress is that of the heat of compression. */
@@ -349,6 +379,7 @@ Suite *suite_gruneisen_solid(void)
     tcase_add_loop_test(energy, energy_is_the_work_of_the_stress, 0, SOLIDS);
     tcase_add_loop_test(energy, temperature_is_that_of_compression_and_plastic_work, 0, SOLIDS);
     tcase_add_loop_test(energy, heat_of_viscosity_enters_energy_and_pressure, 0, SOLIDS);
+    tcase_add_loop_test(energy, heat_after_a_step_is_heat_in_it, 0, SOLIDS);
     suite_add_tcase(suite, energy);
     TCase *softening = tcase_create("softening");
     tcase_add_test(softening, heat_of_compression_softens);
