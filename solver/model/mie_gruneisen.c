@@ -71,14 +71,14 @@ static const double gauss[HALF][2] = {{0.18343464249564980494, 0.362683783378361
                                       {0.79666647741362673959, 0.22238103445337447054},
                                       {0.96028985649753623168, 0.10122853629037625915}};
 
-/* exp(-gamma x) A(x) dx/dy, with y = -ln(1 - s x)/s in compression, where it is an entire function
- * of y, without the pole of x. */
-static double integrand(const struct mpm_material *m, double slope, double y)
+/* exp(gamma (eta - x)) A(x) dx/dy, with y = -ln(1 - s x)/s in compression, where it is an entire
+ * function of y, without the pole of x. */
+static double integrand(const struct mpm_material *m, double eta, double slope, double y)
 {
     const double way = slope > 0.0 ? mpm_exponential(-slope * y) : 1.0;
     const double x = slope > 0.0 ? (1.0 - way) / slope : y;
     double unused;
-    return mpm_exponential(-m->parameter[MPM_PARAMETER_GRUNEISEN] * x) * way *
+    return mpm_exponential(m->parameter[MPM_PARAMETER_GRUNEISEN] * (eta - x)) * way *
            cold_pressure(m, x, &unused);
 }
 
@@ -96,10 +96,10 @@ static double isentropic_energy(const struct mpm_material *m, double eta)
     for (int panel = 0; panel < panels; panel++)
         for (int k = 0; k < HALF; k++) {
             const double middle = (2 * panel + 1) * half, off = gauss[k][0] * half;
-            sum += gauss[k][1] *
-                   (integrand(m, slope, middle - off) + integrand(m, slope, middle + off));
+            sum += gauss[k][1] * (integrand(m, eta, slope, middle - off) +
+                                  integrand(m, eta, slope, middle + off));
         }
-    return mpm_exponential(gamma * eta) * half * sum;
+    return half * sum;
 }
 
 double mpm_gruneisen_temperature(const struct mpm_material *m, double j, double energy)
