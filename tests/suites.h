@@ -80,6 +80,7 @@
     SUITE(interface)                                                                               \
     SUITE(contact_states)                                                                          \
     SUITE(plastic_states)                                                                          \
+    SUITE(impact_states)                                                                           \
     SUITE(static_states)                                                                           \
     SUITE(jets)                                                                                    \
     SUITE(manufactured)                                                                            \

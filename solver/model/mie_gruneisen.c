@@ -71,12 +71,12 @@ static const double gauss[HALF][2] = {{0.18343464249564980494, 0.362683783378361
                                       {0.79666647741362673959, 0.22238103445337447054},
                                       {0.96028985649753623168, 0.10122853629037625915}};
 
-/* exp(gamma (eta - x)) A(x) dx/dy, with y = -ln(1 - s x)/s in compression, where it is an entire
- * function of y, without the pole of x. */
-static double integrand(const struct mpm_material *m, double eta, double slope, double y)
+/* exp(gamma (eta - x)) A(x) dx/dy for y = -ln(1 - s x)/s: an entire function of y, without the pole
+ * of x. */
+static double integrand(const struct mpm_material *m, double eta, double y)
 {
-    const double way = slope > 0.0 ? mpm_exponential(-slope * y) : 1.0;
-    const double x = slope > 0.0 ? (1.0 - way) / slope : y;
+    const double s = m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE];
+    const double way = mpm_exponential(-s * y), x = (1.0 - way) / s;
     double unused;
     return mpm_exponential(m->parameter[MPM_PARAMETER_GRUNEISEN] * (eta - x)) * way *
            cold_pressure(m, x, &unused);
@@ -85,21 +85,41 @@ static double integrand(const struct mpm_material *m, double eta, double slope, 
 /* Up to this, in y times the largest of 1, s and gamma_0, eight points are exact to round-off. */
 static const double PANEL = 1.0;
 
-static double isentropic_energy(const struct mpm_material *m, double eta)
+static double energy_compressed(const struct mpm_material *m, double eta)
 {
     const double gamma = m->parameter[MPM_PARAMETER_GRUNEISEN];
-    const double slope = eta > 0.0 ? m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE] : 0.0;
-    const double end = slope > 0.0 ? -mpm_logarithm(1.0 - slope * eta) / slope : eta;
-    const int panels = 1 + (int)(fabs(end) * fmax(1.0, fmax(slope, gamma)) / PANEL);
+    const double s = m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE];
+    const double end = -mpm_logarithm(1.0 - s * eta) / s;
+    const int panels = 1 + (int)(end * fmax(1.0, fmax(s, gamma)) / PANEL);
     const double half = 0.5 * end / panels;
     double sum = 0.0;
     for (int panel = 0; panel < panels; panel++)
         for (int k = 0; k < HALF; k++) {
             const double middle = (2 * panel + 1) * half, off = gauss[k][0] * half;
-            sum += gauss[k][1] * (integrand(m, eta, slope, middle - off) +
-                                  integrand(m, eta, slope, middle + off));
+            sum +=
+                gauss[k][1] * (integrand(m, eta, middle - off) + integrand(m, eta, middle + off));
         }
     return half * sum;
+}
+
+/* A = c_0^2 eta: c_0^2 (exp(z) - 1 - z)/gamma_0^2 with z = gamma_0 eta, by its series where z is
+ * small. */
+static double energy_stretched(const struct mpm_material *m, double eta)
+{
+    enum { TERMS = 16 };
+    const double speed = m->parameter[MPM_PARAMETER_SOUND_SPEED];
+    const double z = m->parameter[MPM_PARAMETER_GRUNEISEN] * eta;
+    double part = 1.0; /* of eta^2/2 */
+    for (int k = TERMS; k > 0; k--)
+        part = 1.0 + z / (k + 2) * part;
+    if (z < -1.0)
+        part = 2.0 * (mpm_exponential(z) - 1.0 - z) / (z * z);
+    return 0.5 * speed * speed * eta * eta * part;
+}
+
+static double isentropic_energy(const struct mpm_material *m, double eta)
+{
+    return eta > 0.0 ? energy_compressed(m, eta) : energy_stretched(m, eta);
 }
 
 double mpm_gruneisen_temperature(const struct mpm_material *m, double j, double energy)

@@ -65,7 +65,8 @@ def draw_law(canvas, key):
     if fluid:
         return canvas.pick(FLUIDS)
     return canvas.pick([law for law in key.choices
-                        if law not in ("none", "ideal_gas", "von_mises", "johnson_cook", *FLUIDS)])
+                        if law not in ("none", "ideal_gas", "von_mises", "johnson_cook",
+                                       "von_mises_gruneisen", "johnson_cook_gruneisen", *FLUIDS)])
 
 
 def draw_of_fluid(sizes):

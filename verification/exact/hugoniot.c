@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/exact/hugoniot.h"
 
+#include "verification/exact/root.h"
+
 #include <math.h>
 
 static double strain_of(const struct hugoniot *h, double u)
@@ -35,4 +37,26 @@ struct hugoniot_state hugoniot_behind(const struct hugoniot *h, double velocity)
         .temperature =
             exp(h->gruneisen * strain) * (h->start_temperature + heat / h->specific_heat),
     };
+}
+
+struct meeting {
+    const struct hugoniot *first, *second;
+    double speed;
+};
+
+static double pressure_of(const struct hugoniot *h, double velocity)
+{
+    return h->density * (h->sound_speed + h->slope * velocity) * velocity;
+}
+
+static double excess(double velocity, void *context)
+{
+    const struct meeting *const m = context;
+    return pressure_of(m->first, m->speed - velocity) - pressure_of(m->second, velocity);
+}
+
+double hugoniot_contact(const struct hugoniot *first, const struct hugoniot *second, double speed)
+{
+    struct meeting meeting = {first, second, speed};
+    return root_between(excess, &meeting, 0.0, speed, 1e-14);
 }

@@ -29,4 +29,9 @@ struct hugoniot_state {
 /* Behind a shock that moves the body by `velocity` >= 0. */
 struct hugoniot_state hugoniot_behind(const struct hugoniot *hugoniot, double velocity);
 
+/* Two bodies meet, evenly, at the speed `speed`: the velocity of their contact as the second one,
+ * at rest before, sees it. Both have there the pressure of their Hugoniots. NaN if there is none.
+ */
+double hugoniot_contact(const struct hugoniot *first, const struct hugoniot *second, double speed);
+
 #endif

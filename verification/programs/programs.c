@@ -23,6 +23,8 @@
     PROGRAM(pressed_shell)                                                                         \
     PROGRAM(plastic_wave)                                                                          \
     PROGRAM(taylor_bar)                                                                            \
+    PROGRAM(first_contact)                                                                         \
+    PROGRAM(penetration)                                                                           \
     PROGRAM(damped_flight)                                                                         \
     PROGRAM(damped_bar)                                                                            \
     PROGRAM(step_wave)                                                                             \
