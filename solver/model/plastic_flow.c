@@ -126,10 +126,18 @@ static double overstress(const struct flow *flow, double slip, double *slope)
 
 enum { ITERATIONS = 200 };
 static const double ROUND_OFF = 1e-15;
+static const double LEAST = 1e-300; /* slip: a power of a smaller one would be the same */
+
+/* Of a bracket, by ratio where its ends are far apart. */
+static double middle_of(double low, double high)
+{
+    return low < 1e-3 * high ? sqrt(fmax(low, LEAST)) * sqrt(high) : 0.5 * (low + high);
+}
 
 /* The slip at which the overstress is 0: Newton's steps in a bracket, halved where they leave it,
- * do not come closer by half, or where the slope is infinite. A model without strength slips until
- * no stress is left. */
+ * do not come closer by half, or where the slope is infinite. It is found where the overstress is
+ * round-off or the bracket is closed: a small step of Newton's is no sign of it, since powers of a
+ * small plastic strain are steep. A model without strength slips until no stress is left. */
 static bool find_slip(const struct flow *flow, double *slip)
 {
     double low = 0.0, high = flow->norm / flow->stiffness, slope, last = HUGE_VAL;
@@ -142,15 +150,16 @@ static bool find_slip(const struct flow *flow, double *slip)
     for (int k = 0; k < ITERATIONS; k++) {
         const double over = overstress(flow, *slip, &slope);
         const double change = -over / slope;
-        const bool slow = fabs(over) > 0.5 * last, finite = isfinite(slope);
+        const bool slow = fabs(over) > 0.5 * last;
         if (!isfinite(change))
             return false;
-        if ((finite && fabs(change) <= ROUND_OFF * high) || high - low <= ROUND_OFF * high)
+        if (fabs(over) <= ROUND_OFF * flow->norm || high - low <= ROUND_OFF * high ||
+            high <= 2.0 * LEAST)
             return true;
         *(over > 0.0 ? &low : &high) = *slip;
         *slip += change;
         if (slow || !(*slip > low && *slip < high))
-            *slip = 0.5 * (low + high);
+            *slip = middle_of(low, high);
         last = fabs(over);
     }
     return false;

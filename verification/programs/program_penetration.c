@@ -18,6 +18,8 @@
  *   lost                        loss of total_energy at the end, % of that at the start
  *   plastic, viscous            parts of the ledger, % of the kinetic energy at the start
  *   nose_step                   change of the nose at `late` from the last but one of the levels, %
+ *   peak                        largest equivalent stress at early, late and the end, in the
+ *                               scene's unit
  *   reached                     time at which the run ended, % of the scene's end
  * and finished. Series: course (time nose tail, of the run, then of each pair), and particles_1 to
  * _3 (r z stress body) at early, late and the end, the stress von Mises'.
@@ -43,7 +45,7 @@ struct study {
     size_t tail_count;
     double height; /* of a row on this level */
     double nose_early, nose_late, nose_before, depth, tail_off, nose, tail_place;
-    double lost, plastic, viscous, reached;
+    double lost, plastic, viscous, peak, reached;
     bool finished;
     struct follow_rows course, picture[PICTURES];
 };
@@ -107,8 +109,10 @@ static double equivalent(const double s[STRESS])
 static void take_picture(struct study *study, int which)
 {
     for (size_t k = 0; k < study->count; k++) {
-        const double dot[DOTS] = {study->x[AXES * k], study->x[AXES * k + 1],
-                                  equivalent(&study->stress[STRESS * k]), study->body[k]};
+        const double stress = equivalent(&study->stress[STRESS * k]);
+        const double dot[DOTS] = {study->x[AXES * k], study->x[AXES * k + 1], stress,
+                                  study->body[k]};
+        study->peak = fmax(study->peak, stress);
         follow_rows_add(&study->picture[which], dot);
     }
 }
@@ -253,6 +257,7 @@ static void report(struct measurement *m, const struct study *study, size_t runs
         {"lost", study->lost},
         {"plastic", study->plastic},
         {"viscous", study->viscous},
+        {"peak", study->peak},
         {"nose_step", 100.0 * fabs(study->nose_late / study->nose_before - 1.0)},
     };
     for (size_t k = 0; k < G_N_ELEMENTS(table) - (runs > 1 ? 0 : 1); k++)
@@ -316,7 +321,7 @@ static enum mpm_status run(struct measurement *m, struct mpm_error *error)
     for (size_t k = 0; k < runs && status == MPM_OK; k++) {
         study.nose_before = study.nose_late;
         study.nose_early = study.nose_late = (double)NAN;
-        study.depth = study.tail_off = 0.0;
+        study.depth = study.tail_off = study.peak = 0.0;
         study.height = study.row / (double)(1 << k);
         close_study(&study);
         status =

@@ -126,6 +126,29 @@ START_TEST(strength_is_the_formula_at_the_plastic_rate_and_the_start_s_temperatu
 }
 END_TEST
 
+/* A step beyond yield by one part in so many leaves a plastic strain so small that its power is
+ * steep; the next one must find yield all the same. */
+START_TEST(yield_is_found_after_a_step_that_hardly_flows)
+{
+    static const double excess[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9, 1e-12};
+    const struct strength *const s = &strengths[_i % STRENGTHS];
+    const double duration = durations[_i / STRENGTHS];
+    for (size_t k = 0; k < sizeof excess / sizeof excess[0]; k++) {
+        struct point point;
+        begin(&point, s);
+        (void)pull(&point, YIELD / (3.0 * SHEAR) * (1.0 + excess[k]), duration);
+        for (int step = 1; step <= 5; step++) {
+            const double p = point.state[PLASTIC],
+                         temperature = temperature_of(s, point.state[WORK]);
+            const double q = pull(&point, 0.01 * step, duration);
+            const double rate = (point.state[PLASTIC] - p) / duration;
+            ck_assert_near(q, formula(s, point.state[PLASTIC], rate, temperature),
+                           1e3 * ROUND_OFF * SHEAR);
+        }
+    }
+}
+END_TEST
+
 START_TEST(an_elastic_step_has_no_strength_of_rates)
 {
     struct point point;
@@ -233,6 +256,8 @@ Suite *suite_johnson_cook(void)
     TCase *strength = tcase_create("strength");
     tcase_add_loop_test(strength,
                         strength_is_the_formula_at_the_plastic_rate_and_the_start_s_temperature, 0,
+                        STRENGTHS * DURATIONS);
+    tcase_add_loop_test(strength, yield_is_found_after_a_step_that_hardly_flows, 0,
                         STRENGTHS * DURATIONS);
     tcase_add_test(strength, an_elastic_step_has_no_strength_of_rates);
     tcase_add_test(strength, molten_metal_has_a_pressure_alone);
