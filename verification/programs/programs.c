@@ -24,6 +24,7 @@
     PROGRAM(plastic_wave)                                                                          \
     PROGRAM(taylor_bar)                                                                            \
     PROGRAM(first_contact)                                                                         \
+    PROGRAM(adiabat)                                                                               \
     PROGRAM(penetration)                                                                           \
     PROGRAM(damped_flight)                                                                         \
     PROGRAM(damped_bar)                                                                            \

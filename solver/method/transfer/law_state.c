@@ -25,18 +25,6 @@ unsigned mpm_law_uses(const struct mpm_scene *scene)
            (mpm_scene_is_viscous(scene) ? MPM_USE_VISCOSITY : 0U);
 }
 
-void mpm_law_states_begin(struct mpm_state *state)
-{
-    const struct mpm_particles *const particles = &state->particles;
-    const size_t carried = particles->components[MPM_PARTICLE_LAW_STATE];
-    for (size_t p = 0; carried > 0 && p < particles->count; p++) {
-        double start[MPM_LAW_STATES] = {0.0};
-        mpm_material_start(&state->bodies[particles->body[p]].material, start);
-        for (size_t k = 0; k < carried; k++)
-            *mpm_particle_law_state(particles, p, k) = start[k];
-    }
-}
-
 double mpm_free_strain(const struct mpm_material_spec *material,
                        const double value[MPM_SCALAR_COUNT])
 {
@@ -463,6 +451,21 @@ static void begin_stress(const struct mpm_state *state, size_t p)
     mpm_particle_find_stress(state, p, stress, &square);
     for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
         particles->stress[k][p] = stress[k];
+}
+
+void mpm_law_states_begin(struct mpm_state *state)
+{
+    const struct mpm_particles *const particles = &state->particles;
+    const size_t carried = particles->components[MPM_PARTICLE_LAW_STATE];
+    for (size_t p = 0; carried > 0 && p < particles->count; p++) {
+        const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
+        double start[MPM_LAW_STATES] = {0.0};
+        mpm_material_start(material, start);
+        for (size_t k = 0; k < carried; k++)
+            *mpm_particle_law_state(particles, p, k) = start[k];
+        if (material->law->start != NULL)
+            begin_stress(state, p);
+    }
 }
 
 static void begin_scalars(const struct mpm_state *state, size_t p)

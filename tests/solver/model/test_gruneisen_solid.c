@@ -54,11 +54,8 @@ static void set_strength(const struct solid *solid, double *p)
     p[MPM_PARAMETER_TAYLOR_QUINNEY] = thermal ? solid->quinney : 0.0;
 }
 
-static void begin(struct point *point, const struct solid *solid,
-                  const struct mpm_material_law *law)
+static void set_parameters(const struct solid *solid, double *p)
 {
-    const double unit[MPM_GRADIENT_SIZE] = {1, 0, 0, 1, 1};
-    double *const p = point->parameter;
     for (int k = 0; k < MPM_PARAMETER_COUNT; k++)
         p[k] = (double)NAN;
     set_strength(solid, p);
@@ -69,7 +66,14 @@ static void begin(struct point *point, const struct solid *solid,
     p[MPM_PARAMETER_PRESSURE_CUTOFF] = HUGE_VAL;
     p[MPM_PARAMETER_SPECIFIC_HEAT] = CAPACITY;
     p[MPM_PARAMETER_START_TEMPERATURE] = START;
-    point->material = mpm_material_make(law, DENSITY, p);
+}
+
+static void begin(struct point *point, const struct solid *solid,
+                  const struct mpm_material_law *law)
+{
+    const double unit[MPM_GRADIENT_SIZE] = {1, 0, 0, 1, 1};
+    set_parameters(solid, point->parameter);
+    point->material = mpm_material_make(law, DENSITY, point->parameter);
     mpm_material_start(&point->material, point->state);
     point->wave = mpm_material_start_wave(&point->material);
     memcpy(point->f, unit, sizeof unit);
