@@ -59,6 +59,7 @@ enum mpm_failure_kind {
     MPM_NO_TEMPERATURE,          /* value: temperature before heat of deformation without end */
     MPM_OUTSIDE_TABLE,           /* axis: of which scalar and table, mpm_table_place; value: its */
     MPM_NO_RETURN,               /* value: equivalent trial stress without a way back to yield */
+    MPM_NO_THICKNESS,            /* value: tau_zz that no F_zz makes vanish, in plane stress */
     MPM_NO_STATE,                /* value: J, at which an equation of state has no next state */
 };
 

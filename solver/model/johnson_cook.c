@@ -217,5 +217,6 @@ const struct mpm_material_law mpm_johnson_cook = {
     .energy = energy,
     .dissipation = dissipation,
     .plastic_strain = MPM_PLASTIC_STRAIN,
+    .plane_stress = true,
     .temperature = temperature,
 };

@@ -17,6 +17,11 @@ const struct mpm_material_law *mpm_material_law_find(const char *name)
     return NULL;
 }
 
+bool mpm_material_law_has_plane_stress(const struct mpm_material_law *law)
+{
+    return law->thickness_stretch != NULL || law->plane_stress;
+}
+
 const char *mpm_material_law_names(void)
 {
 #define LAW_NAME(name) ", " #name
@@ -51,7 +56,7 @@ size_t mpm_law_state_count(const struct mpm_material_law *law)
 }
 
 struct mpm_material mpm_material_make(const struct mpm_material_law *law, double density,
-                                      const double *parameter)
+                                      const double *parameter, const struct mpm_property *hardening)
 {
     const double bulk = parameter[MPM_PARAMETER_BULK], shear = parameter[MPM_PARAMETER_SHEAR];
     return (struct mpm_material){
@@ -61,6 +66,7 @@ struct mpm_material mpm_material_make(const struct mpm_material_law *law, double
         .shear = shear / density,
         .lame = (bulk - 2.0 / 3.0 * shear) / density,
         .parameter = parameter,
+        .hardening = hardening != NULL && hardening->count > 0 ? hardening : NULL,
     };
 }
 

@@ -11,6 +11,7 @@
 
 #include "base/status.h"
 #include "base/tensor.h"
+#include "model/property.h"
 #include "mpm_dimension.h"
 
 #include <stddef.h>
@@ -103,6 +104,8 @@ struct mpm_material {
     double lame;             /* lambda = K - 2 G / 3 over rho_0; NaN without both */
     const double *parameter; /* by enum mpm_parameter, in the scene's units; NaN where the law has
                                 none */
+    const struct mpm_property
+        *hardening; /* s over p, in the scene's units; NULL: without a table */
 };
 
 /* From one F to the next. */
@@ -181,10 +184,15 @@ struct mpm_material_law {
      * of F alone; without it, the guard sums the energy. */
     double (*energy_bound)(const struct mpm_material *material, double *const f[MPM_GRADIENT_SIZE],
                            const double *mass, size_t begin, size_t end);
-    /* The F_zz that makes tau_zz vanish for the plane part of F. Without it the law has no plane
-     * stress. For laws of F alone. */
+    /* The F_zz that makes tau_zz vanish for the plane part of F. For laws of F alone: without it
+     * they have no plane stress. */
     double (*thickness_stretch)(const struct mpm_material *material,
                                 const double f[MPM_GRADIENT_SIZE]);
+    /* Of a law of the path: does model/plane_stress.h find F_zz? */
+    bool plane_stress;
+
+    /* Its yield stress may be a table over the equivalent plastic strain instead of parameters. */
+    bool hardening_table;
 };
 
 /* One line a law: `const struct mpm_material_law mpm_<name>` in <name>.c. */
@@ -208,6 +216,7 @@ MPM_MATERIAL_LAWS(MPM_DECLARE_LAW)
 const struct mpm_material_law *mpm_material_law_at(size_t index);
 /* The law of that name, or NULL. */
 const struct mpm_material_law *mpm_material_law_find(const char *name);
+bool mpm_material_law_has_plane_stress(const struct mpm_material_law *law);
 /* "neo_hookean, linear_elastic" */
 const char *mpm_material_law_names(void);
 
@@ -219,10 +228,11 @@ const struct mpm_law_parameter *mpm_law_parameter(const struct mpm_material_law 
  * no energy. Up to MPM_LAW_STATES (particles.h). */
 size_t mpm_law_state_count(const struct mpm_material_law *law);
 
-/* `parameter`: by enum mpm_parameter, in the scene's units; it must outlive the material.
- * density > 0. */
+/* `parameter`: by enum mpm_parameter, in the scene's units; `hardening`: of the yield stress, NULL
+ * or no points without a table. Both must outlive the material. density > 0. */
 struct mpm_material mpm_material_make(const struct mpm_material_law *law, double density,
-                                      const double *parameter);
+                                      const double *parameter,
+                                      const struct mpm_property *hardening);
 
 /* The state variables of a particle at t = 0, those of its law alone. */
 void mpm_material_start(const struct mpm_material *material, double *state);

@@ -43,6 +43,11 @@ double mpm_property_value(const struct mpm_property *property, double temperatur
     return value_in(property, first_above(property, temperature), temperature);
 }
 
+double mpm_property_slope(const struct mpm_property *property, double temperature)
+{
+    return slope(property, first_above(property, temperature));
+}
+
 /* From the anchor of that part. */
 static double integral_in(const struct mpm_property *property, size_t k, double temperature)
 {

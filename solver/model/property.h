@@ -1,8 +1,8 @@
-/* A property of a material that depends on its temperature or concentration: a table of points
- * (T_i, v_i), linear
- * between them, with T_0 < T_1 < ... and all v_i > 0.
+/* A property of a material that depends on its temperature, its concentration or, a yield stress,
+ * on plastic strain: a table of points (T_i, v_i), linear between them, with T_0 < T_1 < ... and
+ * all v_i > 0.
  *
- * The table knows nothing of temperatures outside of it: a body that has one there is refused at
+ * Of temperatures: the table knows nothing of temperatures outside of it: a body that has one there is refused at
  * the start, and ends a run. The functions below continue the property there with the value of the
  * nearest point, so that the step that fails ends with finite numbers, and so that the integral has
  * a reference that all materials share: T = 0.
@@ -34,6 +34,9 @@ bool mpm_property_covers(const struct mpm_property *property, double temperature
 
 /* v(T). Cost: a search by halves. */
 double mpm_property_value(const struct mpm_property *property, double temperature);
+
+/* dv/dT; at a point that of what is above it. */
+double mpm_property_slope(const struct mpm_property *property, double temperature);
 
 /* Integral of v from 0 to T: of a capacity the enthalpy per mass. */
 double mpm_property_integral(const struct mpm_property *property, double temperature);

@@ -79,6 +79,7 @@ struct mpm_material_spec {
                                               gives; NaN where the law has no such parameter */
     struct mpm_conduction conduction[MPM_SCALAR_COUNT];
     struct mpm_expansion expansion[MPM_SCALAR_COUNT];
+    struct mpm_property hardening; /* s over p; count 0: by parameters */
     struct mpm_viscosity viscosity;
     int line; /* in the scene file, for messages */
 };

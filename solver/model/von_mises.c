@@ -2,7 +2,8 @@
  *
  *   s(p) = Y (1 + p/p_0)^n + H p,
  *
- * and linear kinematic hardening.
+ * or a table of s over p, linear between its points and constant beyond the last one; and linear
+ * kinematic hardening.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model/von_mises.h"
@@ -25,11 +26,20 @@ static double power_of(const struct mpm_material *m, double plastic, double expo
     return scale > 0.0 ? mpm_exponential(exponent * mpm_logarithm(1.0 + plastic / scale)) : 1.0;
 }
 
+/* s(p) and ds/dp over rho_0 of a table; at a point the slope is that beyond it. */
+static double tabulated(const struct mpm_material *m, double plastic, double *slope)
+{
+    *slope = mpm_property_slope(m->hardening, plastic) / m->density;
+    return mpm_property_value(m->hardening, plastic) / m->density;
+}
+
 /* s(p) and ds/dp over rho_0 */
 static double yield_stress(const struct mpm_material *m, const struct mpm_plastic_point *point,
                            double *slope)
 {
     const double plastic = point->plastic;
+    if (m->hardening != NULL)
+        return tabulated(m, plastic, slope);
     const double yield = over_density(m, MPM_PARAMETER_YIELD_STRESS);
     const double modulus = over_density(m, MPM_PARAMETER_HARDENING_MODULUS);
     const double scale = m->parameter[MPM_PARAMETER_HARDENING_STRAIN];
@@ -42,6 +52,8 @@ static double yield_stress(const struct mpm_material *m, const struct mpm_plasti
 /* Integral of s from 0 to p, over rho_0. */
 static double whole_work(const struct mpm_material *m, double plastic)
 {
+    if (m->hardening != NULL)
+        return mpm_property_integral(m->hardening, plastic) / m->density;
     const double yield = over_density(m, MPM_PARAMETER_YIELD_STRESS);
     const double modulus = over_density(m, MPM_PARAMETER_HARDENING_MODULUS);
     const double scale = m->parameter[MPM_PARAMETER_HARDENING_STRAIN];
@@ -117,4 +129,6 @@ const struct mpm_material_law mpm_von_mises = {
     .energy = energy,
     .dissipation = mpm_von_mises_dissipation,
     .plastic_strain = MPM_PLASTIC_STRAIN,
+    .hardening_table = true,
+    .plane_stress = true,
 };

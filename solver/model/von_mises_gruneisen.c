@@ -59,5 +59,6 @@ const struct mpm_material_law mpm_von_mises_gruneisen = {
     .least_volume = mpm_gruneisen_least_volume,
     .dissipation = mpm_gruneisen_solid_dissipation,
     .plastic_strain = MPM_PLASTIC_STRAIN,
+    .hardening_table = true,
     .temperature = mpm_gruneisen_solid_temperature,
 };

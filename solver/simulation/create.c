@@ -194,7 +194,8 @@ static void describe_bodies(struct mpm_simulation *simulation)
             continue;
         const struct mpm_material_spec *const spec = &scene->materials[scene->bodies[k].material];
         state->bodies[k].given = spec;
-        state->bodies[k].material = mpm_material_make(spec->law, spec->density, spec->parameter);
+        state->bodies[k].material =
+            mpm_material_make(spec->law, spec->density, spec->parameter, &spec->hardening);
     }
 }
 

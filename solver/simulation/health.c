@@ -47,6 +47,7 @@ static enum mpm_cause cause_of(enum mpm_failure_kind kind)
         [MPM_NO_TEMPERATURE] = MPM_CAUSE_TEMPERATURE,
         [MPM_OUTSIDE_TABLE] = MPM_CAUSE_TEMPERATURE,
         [MPM_NO_RETURN] = MPM_CAUSE_PLASTIC,
+        [MPM_NO_THICKNESS] = MPM_CAUSE_PLASTIC,
         [MPM_NO_STATE] = MPM_CAUSE_STATE,
     };
     return causes[kind];
@@ -88,6 +89,11 @@ static const char *describe_update(const struct mpm_failure *failure, char text[
                      "has an equivalent trial stress of %g, from which no plastic strain "
                      "leads back to yield; allowed: finite, of a body that is not stretched beyond "
                      "what numbers hold",
+                     failure->value);
+    if (failure->kind == MPM_NO_THICKNESS)
+        return print(text,
+                     "has a stress of %g across the plane, which no thickness takes away; allowed "
+                     "in plane stress: 0",
                      failure->value);
     return print(text, "has no temperature that fits its stress after the step, from %g before",
                  failure->value);
@@ -173,6 +179,7 @@ static const char *describe(const struct mpm_simulation *simulation,
     case MPM_TEMPERATURE_NEGATIVE:
     case MPM_NO_TEMPERATURE:
     case MPM_NO_RETURN:
+    case MPM_NO_THICKNESS:
         return describe_update(failure, text);
     case MPM_NO_STATE:
         return describe_no_state(simulation, failure, text);

@@ -36,7 +36,7 @@ LEFT_OUT = {
     "materials[].pressure_cutoff": CUT, "materials[].specific_heat": PASSIVE,
     "materials[].start_temperature": PASSIVE,
     "materials[].heat_capacity_table": TABLES, "materials[].conductivity_table": TABLES,
-    "materials[].diffusivity_table": TABLES,
+    "materials[].diffusivity_table": TABLES, "materials[].hardening_table": TABLES,
 }
 
 # Refused where nothing moves, since materials have law: none.

@@ -11,13 +11,14 @@
  *   cyclic   strain along one direction of the deviators, back and forth. With the equivalent
  *            strain e, its plastic part e_p, and p, the sum of |de_p|:
  *            q = 3 G (e - e_p),  |q - H_k e_p| = s(p) where it yields; dissipated: integral of s
- * dp.
+ *            dp. Strain and stress are those of the axes that turn with F.
  *
+ * The optional parameter `table` has the points "p s p s ..." of s instead of its other parameters.
  * Stresses are Kirchhoff's. Reports: turning: step_error (rad; against the steps, largest over
  * all), angle_error (rad; against the exact angle, at the end) and its orders over levels of the
  * time step; cyclic: stress_error (of q, % of Y), strain_error (of p), dissipation_error (% of it,
- * largest), plastic_strain (p at the end); both: balance (% of the dissipation: total_energy less
- * external work), finished. Series: path.
+ * largest), plastic_strain (p at the end), across (largest |tau_zz|, % of Y), turns (of F); both:
+ * balance (% of the dissipation: total_energy less external work), finished. Series: path.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/programs/follow.h"
@@ -26,7 +27,7 @@
 #include <glib.h>
 #include <math.h>
 
-enum { GRADIENT = 5, STRESS = 4, COLUMNS = 4 };
+enum { GRADIENT = 5, STRESS = 4, COLUMNS = 4, TABLE = 32 };
 static const double SAMPLE = 1e-6; /* of the run: less than any step */
 
 enum process { TURNING, CYCLIC, PROCESSES };
@@ -37,6 +38,8 @@ struct problem {
     double shear, yield, modulus, strain, exponent, kinematic; /* of the scene's material */
     double angle, way;                                         /* psi_0; 2 G |e'| t/R of the run */
     double updates;                                            /* of the stress, a step */
+    double table[TABLE];                                       /* p, s, p, s, ... */
+    size_t points;                                             /* of it */
 };
 
 struct study {
@@ -46,6 +49,7 @@ struct study {
     double first[2][3]; /* unit deviators: that of the motion, and one at right angles to it */
     double psi, e_plastic, p; /* the reference's */
     double step_error, angle_error, stress_error, strain_error, dissipation_error, balance, end_p;
+    double across, turned; /* |tau_zz|, % of Y; angle, rad */
     double volume, energy_start, step_way;
     bool finished;
     struct follow_rows rows;
@@ -53,8 +57,29 @@ struct study {
 
 /* -------------------------------------------------------------------- references */
 
+/* s of the table, and its integral from 0. */
+static double read_table(const struct problem *problem, double p, double *integral)
+{
+    const double *const t = problem->table;
+    double s = t[1];
+    *integral = 0.0;
+    for (size_t k = 0; k < problem->points; k++) {
+        const bool last = k + 1 == problem->points;
+        const double from = t[2 * k], way = last ? p - from : fmin(p, t[2 * k + 2]) - from;
+        const double slope = last ? 0.0 : (t[2 * k + 3] - t[2 * k + 1]) / (t[2 * k + 2] - t[2 * k]);
+        if (way < 0.0)
+            break;
+        s = t[2 * k + 1] + slope * way;
+        *integral += 0.5 * (t[2 * k + 1] + s) * way;
+    }
+    return s;
+}
+
 static double hardened(const struct problem *problem, double p)
 {
+    double unused;
+    if (problem->points > 0)
+        return read_table(problem, p, &unused);
     const double power =
         problem->strain > 0.0 ? pow(1.0 + p / problem->strain, problem->exponent) : 1.0;
     return problem->yield * power + problem->modulus * p;
@@ -62,6 +87,11 @@ static double hardened(const struct problem *problem, double p)
 
 static double dissipated(const struct problem *problem, double p)
 {
+    double integral;
+    if (problem->points > 0) {
+        (void)read_table(problem, p, &integral);
+        return integral;
+    }
     const double n = problem->exponent + 1.0, scale = problem->strain;
     const double power = scale > 0.0 ? scale / n * (pow(1.0 + p / scale, n) - 1.0) : p;
     return problem->yield * power + 0.5 * problem->modulus * p * p;
@@ -106,15 +136,17 @@ static void look_turning(struct study *study, const double s[3], double time)
     follow_rows_add(&study->rows, row);
 }
 
-static void look_cyclic(struct study *study, const double s[3], const double strain[3],
-                        double dissipation, double time)
+/* `shear`: of the stress, in the axes of F; 0 if they are those of the stress. */
+static void look_cyclic(struct study *study, const double s[3], double shear,
+                        const double strain[3], double dissipation, double time)
 {
     const struct problem *const problem = study->problem;
     const double e = sqrt(2.0 / 3.0) * product(strain, study->first[0]);
     const double q = sqrt(1.5) * product(s, study->first[0]);
     const double wanted = follow_curve(study, e);
     const double exact = dissipated(problem, study->p) * study->volume;
-    study->stress_error = fmax(study->stress_error, 100.0 * fabs(q - wanted) / problem->yield);
+    const double wrong = hypot(q - wanted, sqrt(3.0) * shear);
+    study->stress_error = fmax(study->stress_error, 100.0 * wrong / problem->yield);
     study->strain_error = fmax(study->strain_error, fabs(study->plastic[0] - study->p));
     if (exact > 0.0)
         study->dissipation_error =
@@ -122,6 +154,26 @@ static void look_cyclic(struct study *study, const double s[3], const double str
     study->end_p = study->plastic[0];
     const double row[COLUMNS] = {time, e, q, wanted};
     follow_rows_add(&study->rows, row);
+}
+
+/* Turns x and the symmetric t of the plane, xx yy xy, back by the rotation of F; its angle. */
+static double turn_back(const double f[GRADIENT], double stretch[2], double t[3])
+{
+    const double angle = atan2(f[2] - f[1], f[0] + f[3]), c = cos(angle), s = sin(angle);
+    const double xx = t[0], yy = t[1], xy = t[2];
+    stretch[0] = c * f[0] + s * f[2];
+    stretch[1] = c * f[3] - s * f[1];
+    t[0] = c * c * xx + 2.0 * c * s * xy + s * s * yy;
+    t[1] = s * s * xx - 2.0 * c * s * xy + c * c * yy;
+    t[2] = c * s * (yy - xx) + (c * c - s * s) * xy;
+    return angle;
+}
+
+/* The angle goes on from where it was, by less than half a turn a step. */
+static void follow_angle(struct study *study, double angle)
+{
+    const double turn = 2.0 * G_PI;
+    study->turned += remainder(angle - study->turned, turn);
 }
 
 /* All particles are the same: of the first one. Axes: x or r, y or z, out of the plane. */
@@ -132,13 +184,15 @@ static void look_at(void *context, const struct mpm_simulation *simulation,
     mpm_simulation_field(simulation, MPM_FIELD_DEFORMATION_GRADIENT, study->f);
     mpm_simulation_field(simulation, MPM_FIELD_STRESS, study->stress);
     mpm_simulation_field(simulation, MPM_FIELD_PLASTIC_STRAIN, study->plastic);
-    const double *const f = study->f;
-    const double j = f[0] * f[3] * f[4];
-    const double strain[3] = {log(f[0]), log(f[3]), log(f[4])};
-    const double mean = (study->stress[0] + study->stress[1] + study->stress[2]) / 3.0;
-    const double s[3] = {j * (study->stress[0] - mean), j * (study->stress[1] - mean),
-                         j * (study->stress[2] - mean)};
+    const double *const f = study->f, *const sigma = study->stress;
+    const double j = (f[0] * f[3] - f[1] * f[2]) * f[4];
+    double stretch[2], plane[3] = {j * sigma[0], j * sigma[1], j * sigma[3]};
+    follow_angle(study, turn_back(f, stretch, plane));
+    const double strain[3] = {log(stretch[0]), log(stretch[1]), log(f[4])};
+    const double mean = (plane[0] + plane[1] + j * sigma[2]) / 3.0;
+    const double s[3] = {plane[0] - mean, plane[1] - mean, j * sigma[2] - mean};
     const double energy = ledger->total_energy - ledger->external_work;
+    study->across = fmax(study->across, 100.0 * fabs(j * study->stress[2]) / study->problem->yield);
     if (ledger->step == 0)
         study->energy_start = energy;
     if (ledger->plastic_dissipation > 0.0)
@@ -146,7 +200,7 @@ static void look_at(void *context, const struct mpm_simulation *simulation,
     if (study->problem->process == TURNING)
         look_turning(study, s, ledger->time);
     else
-        look_cyclic(study, s, strain, ledger->plastic_dissipation, ledger->time);
+        look_cyclic(study, s, plane[2], strain, ledger->plastic_dissipation, ledger->time);
 }
 
 /* ------------------------------------------------------------------------- runs */
@@ -200,6 +254,19 @@ static enum mpm_status measure(void *context, struct measurement *m, const struc
     return status;
 }
 
+static enum mpm_status read_points(const struct measurement *m, struct problem *problem,
+                                   struct mpm_error *error)
+{
+    size_t count;
+    if (!measurement_has(m, "table"))
+        return MPM_OK;
+    TRY(measurement_list(m, "table", TABLE, problem->table, &count, error));
+    if (count % 2 != 0)
+        return failure_set(error, MPM_BAD_INPUT, "table: got %zu numbers; allowed: pairs", count);
+    problem->points = count / 2;
+    return MPM_OK;
+}
+
 static enum mpm_status read_problem(const struct measurement *m, struct problem *problem,
                                     double direction[3], struct mpm_error *error)
 {
@@ -214,7 +281,8 @@ static enum mpm_status read_problem(const struct measurement *m, struct problem 
     };
     TRY(measurement_choice(m, "process", process_names, PROCESSES, &place, error));
     problem->process = (enum process)place;
-    return measurement_numbers(m, list, G_N_ELEMENTS(list), error);
+    TRY(measurement_numbers(m, list, G_N_ELEMENTS(list), error));
+    return read_points(m, problem, error);
 }
 
 /* The unit deviator along the rates and one at right angles, and 2 G |e'|/R. */
@@ -245,6 +313,8 @@ static void report(struct measurement *m, const struct study *study)
     levels_report_value(m, "strain_error", "", missing + study->strain_error);
     levels_report_value(m, "dissipation_error", "", missing + study->dissipation_error);
     levels_report_value(m, "plastic_strain", "", missing + study->end_p);
+    levels_report_value(m, "across", "", missing + study->across);
+    levels_report_value(m, "turns", "", missing + study->turned / (2.0 * G_PI));
 }
 
 static enum mpm_status run(struct measurement *m, struct mpm_error *error)

@@ -255,6 +255,8 @@
       "Young's modulus, together with poisson; instead of bulk and shear")                         \
     X(S, ONE, poisson, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, BETWEEN(-1, 0.5),                     \
       "Poisson's ratio, together with young; instead of bulk and shear")                           \
+    X(S, POINTS, hardening_table, NUMBER, ANYWHERE, OPTIONAL, STRESS, NULL, FROM_TO(1, MPM_POINTS_MAX), \
+      "points [equivalent plastic strain, yield stress], linear between them, constant beyond the last; the first strain is 0, stresses are above 0 and do not fall; instead of yield_stress and isotropic hardening") \
     X(S, GROUP, viscosity, viscosity, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                           \
       "artificial viscosity, which spreads shocks over some cells; none if missing")               \
     KEYS_conduction(X, S)

@@ -12,6 +12,8 @@ struct given {
     enum mpm_parameter of;
 };
 
+/* ---------------------------------------------------------------------- parameters */
+
 /* The law has all of them to which a key belongs that is given. */
 static enum mpm_status check_keys(const struct mpm_reading *reading, const char *path,
                                   const struct mpm_material_law *law, const struct given *list,
@@ -90,6 +92,73 @@ enum mpm_status mpm_build_parameters(const struct mpm_reading *reading, const ch
     return fault == NULL ? MPM_OK : mpm_reading_fault(reading, path, "%s", fault);
 }
 
+/* ---------------------------------------------------------------------- hardening */
+
+static enum mpm_status build_point(const struct mpm_reading *reading, const char *path,
+                                   char *const given[2], const double *before, double point[2])
+{
+    for (int i = 0; i < 2; i++)
+        point[i] = mpm_raw_double(given[i]);
+    if (before == NULL && point[0] != 0.0)
+        return mpm_reading_fault(reading, path, "got plastic strain %g; allowed for the first: 0",
+                                 point[0]);
+    if (before != NULL && !(point[0] > before[0]))
+        return mpm_reading_fault(reading, path, "got plastic strain %g after %g; allowed: above it",
+                                 point[0], before[0]);
+    if (!(point[1] > 0.0))
+        return mpm_reading_fault(reading, path, "got yield stress %g; allowed: above 0", point[1]);
+    if (before != NULL && !(point[1] >= before[1]))
+        return mpm_reading_fault(reading, path,
+                                 "got yield stress %g after %g; allowed: not below it", point[1],
+                                 before[1]);
+    return MPM_OK;
+}
+
+/* The keys that a table takes the place of. */
+static enum mpm_status check_instead(const struct mpm_reading *reading, const char *path,
+                                     const struct mpm_material_law *law,
+                                     const struct mpm_raw_material *raw)
+{
+    const struct given list[] = {
+        {"yield_stress", raw->yield_stress, MPM_PARAMETER_YIELD_STRESS},
+        {"hardening_modulus", raw->hardening_modulus, MPM_PARAMETER_HARDENING_MODULUS},
+        {"hardening_strain", raw->hardening_strain, MPM_PARAMETER_HARDENING_STRAIN},
+        {"hardening_exponent", raw->hardening_exponent, MPM_PARAMETER_HARDENING_EXPONENT}};
+    if (!law->hardening_table)
+        return mpm_reading_fault(reading, path,
+                                 "given for the law %s; allowed: von_mises, von_mises_gruneisen",
+                                 law->name);
+    for (size_t k = 0; k < sizeof list / sizeof list[0]; k++)
+        if (list[k].text != NULL)
+            return mpm_reading_fault(reading, path, "given with %s; allowed: instead of it",
+                                     list[k].key);
+    return MPM_OK;
+}
+
+/* The table, if there is one. Its first stress is also the parameter yield_stress, `raw` without
+ * it is changed. */
+static enum mpm_status build_hardening(const struct mpm_reading *reading, const char *path,
+                                       struct mpm_raw_material *raw,
+                                       struct mpm_material_spec *material)
+{
+    struct mpm_property *const table = &material->hardening;
+    const size_t count = raw->hardening_table_count;
+    if (raw->hardening_table == NULL)
+        return MPM_OK;
+    const struct mpm_path key = mpm_path_join(path, "hardening_table");
+    MPM_TRY(check_instead(reading, key.text, material->law, raw));
+    MPM_TRY(mpm_reading_allocate(reading, count, sizeof *table->points, "a table", &table->points));
+    MPM_TRY(
+        mpm_reading_allocate(reading, count, sizeof *table->integral, "a table", &table->integral));
+    table->count = count;
+    for (size_t k = 0; k < count; k++)
+        MPM_TRY(build_point(reading, mpm_path_entry(key.text, k).text, raw->hardening_table[k],
+                            k == 0 ? NULL : table->points[k - 1], table->points[k]));
+    mpm_property_prepare(table);
+    raw->yield_stress = raw->hardening_table[0][1];
+    return MPM_OK;
+}
+
 static enum mpm_status build_viscosity(const struct mpm_reading *reading, const char *path,
                                        const struct mpm_raw_viscosity *raw,
                                        struct mpm_material_spec *material)
@@ -113,7 +182,7 @@ static enum mpm_status build_viscosity(const struct mpm_reading *reading, const 
 static enum mpm_status build_material(const struct mpm_reading *reading, size_t index)
 {
     const struct mpm_path key = mpm_path_entry("materials", index);
-    const struct mpm_raw_material *const raw = &reading->raw->materials[index];
+    struct mpm_raw_material raw_one = reading->raw->materials[index], *const raw = &raw_one;
     const struct mpm_material_law *const law = mpm_material_law_find(raw->law);
     struct mpm_material_spec *const material = &reading->scene->materials[index];
     const char *const path = key.text;
@@ -121,12 +190,13 @@ static enum mpm_status build_material(const struct mpm_reading *reading, size_t 
     material->law = law;
     material->density = mpm_raw_double(raw->density);
     material->line = mpm_reading_line(reading, path);
-    if (law->thickness_stretch == NULL && reading->scene->geometry == MPM_PLANE_STRESS)
+    if (!mpm_material_law_has_plane_stress(law) && reading->scene->geometry == MPM_PLANE_STRESS)
         return mpm_reading_fault(reading, path,
                                  "the law %s has no plane stress; allowed geometry: plane_strain, "
                                  "axisymmetric",
                                  law->name);
     MPM_TRY(build_viscosity(reading, path, raw->viscosity, material));
+    MPM_TRY(build_hardening(reading, path, raw, material));
     return mpm_build_parameters(reading, path, law, raw, material->parameter);
 }
 

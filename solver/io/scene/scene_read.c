@@ -127,14 +127,18 @@ static void free_scalar(struct mpm_scalar_spec *scalar)
     free(scalar->source);
 }
 
+static void free_table(const struct mpm_property *table)
+{
+    free(table->points);
+    free(table->integral);
+}
+
 static void free_properties(const struct mpm_material_spec *material)
 {
+    free_table(&material->hardening);
     for (int which = 0; which < MPM_SCALAR_COUNT; which++) {
-        const struct mpm_property *const tables = material->conduction[which].tables;
-        for (int k = 0; k < MPM_TABLE_COUNT; k++) {
-            free(tables[k].points);
-            free(tables[k].integral);
-        }
+        for (int k = 0; k < MPM_TABLE_COUNT; k++)
+            free_table(&material->conduction[which].tables[k]);
     }
 }
 

@@ -191,7 +191,7 @@ static json_t *describe_laws(void)
             list, json_pack("{ss ss so so sb sb}", "law", law->name, "help", law->description,
                             "parameters", parameters_of(law), "variables", variables_of(law),
                             "energy", (int)(law->energy != NULL), "plane_stress",
-                            (int)(law->thickness_stretch != NULL)));
+                            (int)mpm_material_law_has_plane_stress(law)));
     return list;
 }
 

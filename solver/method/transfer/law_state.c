@@ -2,6 +2,7 @@
 #include "method/transfer/law_state.h"
 
 #include "method/transfer/extent.h"
+#include "model/plane_stress.h"
 #include "mpm_transport.h"
 
 #include <math.h>
@@ -96,12 +97,36 @@ static void elastic_part(const struct point *point, double f[MPM_GRADIENT_SIZE])
         f[k] = scale * point->f[k];
 }
 
-static double thickness(const struct mpm_material *material, struct point *point)
+/* F_zz of a point in plane stress, from that of its F_e */
+static double whole_thickness(const struct point *point, double elastic)
 {
-    double f[MPM_GRADIENT_SIZE];
-    elastic_part(point, f);
-    const double stretch = material->law->thickness_stretch(material, f);
-    return point->free_strain == 0.0 ? stretch : stretch * exp(point->free_strain);
+    return point->free_strain == 0.0 ? elastic : elastic * exp(point->free_strain);
+}
+
+/* False: the law of the path has no end of the step; without an F_zz, that of now.f is NaN. */
+static bool update_path(const struct mpm_particles *particles, size_t p, struct evaluation *at,
+                        const struct mpm_law_step *step, double f[MPM_GRADIENT_SIZE])
+{
+    const struct mpm_material_law *const law = at->material->law;
+    load_variables(particles, p, law, at->variables);
+    if (!at->plane_stress)
+        return law->update(at->material, step, at->variables, at->stress, &at->wave_speed_squared);
+    double old[MPM_LAW_STATES];
+    memcpy(old, at->variables, sizeof old);
+    const bool found = mpm_plane_stress_update(at->material, step, f, old, at->variables,
+                                               at->stress, &at->wave_speed_squared);
+    at->now.f[MPM_ZZ] = whole_thickness(&at->now, f[MPM_ZZ]);
+    return found;
+}
+
+static void update_elastic(struct evaluation *at, double f[MPM_GRADIENT_SIZE])
+{
+    const struct mpm_material_law *const law = at->material->law;
+    if (at->plane_stress) {
+        f[MPM_ZZ] = law->thickness_stretch(at->material, f);
+        at->now.f[MPM_ZZ] = whole_thickness(&at->now, f[MPM_ZZ]);
+    }
+    law->stress(at->material, f, at->stress, &at->wave_speed_squared);
 }
 
 /* False: the law has no end of the step; `at->stress` is then that of its trial state. */
@@ -109,16 +134,13 @@ static bool evaluate(const struct mpm_particles *particles, size_t p, struct eva
 {
     const struct mpm_material_law *const law = at->material->law;
     double old_f[MPM_GRADIENT_SIZE], f[MPM_GRADIENT_SIZE];
-    if (at->plane_stress)
-        at->now.f[MPM_ZZ] = thickness(at->material, &at->now);
     elastic_part(&at->old, old_f);
     elastic_part(&at->now, f);
     const struct mpm_law_step step = {
         old_f, f, at->duration, at->now.temperature, at->heat_capacity, at->viscous_work};
-    load_variables(particles, p, law, at->variables);
     if (law->update == NULL)
-        law->stress(at->material, f, at->stress, &at->wave_speed_squared);
-    else if (!law->update(at->material, &step, at->variables, at->stress, &at->wave_speed_squared))
+        update_elastic(at, f);
+    else if (!update_path(particles, p, at, &step, f))
         return false;
     at->work = law->energy == NULL || law->reads_temperature
                    ? stress_work(at->old_stress, at->stress, &step)
@@ -361,7 +383,10 @@ static void keep_variables(const struct mpm_particles *particles, size_t p,
 static void record_no_end(const struct evaluation *at, uint32_t id, struct mpm_strip *strip)
 {
     const struct mpm_material_law *const law = at->material->law;
-    if (law->keeps_heat && (law->dissipation == NULL || isnan(at->stress[MPM_SYM_XX])))
+    if (isnan(at->now.f[MPM_ZZ]))
+        mpm_strip_record(strip, MPM_NO_THICKNESS, id, 0,
+                         at->material->density * at->stress[MPM_SYM_ZZ]);
+    else if (law->keeps_heat && (law->dissipation == NULL || isnan(at->stress[MPM_SYM_XX])))
         mpm_strip_record(strip, MPM_NO_STATE, id, 0, mpm_determinant(at->now.f));
     else
         mpm_strip_record(strip, MPM_NO_RETURN, id, 0,
@@ -435,64 +460,15 @@ double mpm_particle_thickness(const struct mpm_state *state, size_t p,
 {
     struct evaluation at = at_hand(state, p);
     memcpy(at.now.f, f, sizeof at.now.f);
-    return thickness(at.material, &at.now);
+    at.plane_stress = true;
+    (void)evaluate(&state->particles, p, &at); /* without a step tau_zz is linear in ln F_zz */
+    return at.now.f[MPM_ZZ];
 }
 
-/* ------------------------------------------------------------------------ start */
-
-/* Of F at hand, which gets its F_zz. */
-static void begin_stress(const struct mpm_state *state, size_t p)
+enum mpm_failure_kind mpm_particle_judge_temperature(const struct mpm_state *state, size_t p,
+                                                     double *temperature)
 {
-    const struct mpm_particles *const particles = &state->particles;
-    double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], square;
-    mpm_particle_deformation(particles, p, f);
-    if (state->scene->geometry == MPM_PLANE_STRESS)
-        particles->deformation[MPM_ZZ][p] = mpm_particle_thickness(state, p, f);
-    mpm_particle_find_stress(state, p, stress, &square);
-    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
-        particles->stress[k][p] = stress[k];
-}
-
-void mpm_law_states_begin(struct mpm_state *state)
-{
-    const struct mpm_particles *const particles = &state->particles;
-    const size_t carried = particles->components[MPM_PARTICLE_LAW_STATE];
-    for (size_t p = 0; carried > 0 && p < particles->count; p++) {
-        const struct mpm_material *const material = &state->bodies[particles->body[p]].material;
-        double start[MPM_LAW_STATES] = {0.0};
-        mpm_material_start(material, start);
-        for (size_t k = 0; k < carried; k++)
-            *mpm_particle_law_state(particles, p, k) = start[k];
-        if (material->law->start != NULL)
-            begin_stress(state, p);
-    }
-}
-
-static void begin_scalars(const struct mpm_state *state, size_t p)
-{
-    const struct mpm_particles *const particles = &state->particles;
-    double value[MPM_SCALAR_COUNT] = {0.0};
-    for (size_t k = 0; k < state->transport.count; k++)
-        value[state->transport.list[k].which] = ((const double *)mpm_particle_array(
-            particles, state->transport.list[k].row->field, 0))[p];
-    if (particles->free_strain != NULL)
-        particles->free_strain[p] = mpm_free_strain(state->bodies[particles->body[p]].given, value);
-    if (particles->law_temperature != NULL)
-        particles->law_temperature[p] = value[MPM_TEMPERATURE];
-}
-
-enum mpm_status mpm_law_scalars_begin(struct mpm_state *state)
-{
-    for (size_t p = 0; mpm_scene_couples(state->scene) && p < state->particles.count; p++) {
-        begin_scalars(state, p);
-        const struct evaluation at = at_hand(state, p);
-        const enum mpm_failure_kind fault = judge_temperature(state, p, &at);
-        if (fault != MPM_NO_FAILURE) {
-            state->failure = (struct mpm_failure){fault, .particle = state->particles.id[p],
-                                                  .value = at.now.temperature};
-            return MPM_RUN_FAILED;
-        }
-        begin_stress(state, p);
-    }
-    return MPM_OK;
+    const struct evaluation at = at_hand(state, p);
+    *temperature = at.now.temperature;
+    return judge_temperature(state, p, &at);
 }

@@ -55,6 +55,10 @@ bool mpm_particle_update_law(const struct mpm_state *state, size_t p, double par
 void mpm_particle_find_stress(const struct mpm_state *state, size_t p,
                               double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
 
+/* What is wrong with the temperature that the law reads now, which goes to `temperature`. */
+enum mpm_failure_kind mpm_particle_judge_temperature(const struct mpm_state *state, size_t p,
+                                                     double *temperature);
+
 /* Notes a failure if a table, by enum mpm_table, does not have the particle's temperature. */
 void mpm_strip_judge_tables(struct mpm_strip *strip, enum mpm_scalar which,
                             const struct mpm_property *tables, uint32_t id, double temperature);

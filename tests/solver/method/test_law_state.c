@@ -120,7 +120,7 @@ static struct test_run open_two(const char *text, const struct mpm_material_law 
     return run;
 }
 
-/* Of plane strain and axisymmetry, as laws of the path have no plane stress here. */
+/* Of plane strain and axisymmetry, as the law of the path here has no plane stress. */
 static bool combination_settings(int index, struct settings *settings)
 {
     *settings = test_combination_settings(index);

@@ -333,7 +333,7 @@ START_TEST(the_bound_is_not_below_the_energy_and_near_it_at_small_strains)
     static const double moduli[] = {[MPM_PARAMETER_BULK] = 2.0, [MPM_PARAMETER_SHEAR] = 1.0};
     static const double sizes[] = {1e-3, 0.1, 0.5, 0.9};
     enum { TRIES = 2000 };
-    const struct mpm_material material = mpm_material_make(laws[_i % 2], 1.0, moduli);
+    const struct mpm_material material = mpm_material_make(laws[_i % 2], 1.0, moduli, NULL);
     const double size = sizes[_i / 2];
     unsigned seed = 1;
     for (int k = 0; k < TRIES; k++) {

@@ -69,13 +69,13 @@ static void begin(struct point *point, int law)
         p[MPM_PARAMETER_GRUNEISEN] = metals[law].gamma;
         p[MPM_PARAMETER_PRESSURE_CUTOFF] = HUGE_VAL;
         p[MPM_PARAMETER_START_TEMPERATURE] = START;
-        point->material = mpm_material_make(&mpm_mie_gruneisen, metals[law].density, p);
+        point->material = mpm_material_make(&mpm_mie_gruneisen, metals[law].density, p, NULL);
     } else {
         const struct gas *const gas = &gases[law - METALS];
         p[MPM_PARAMETER_ADIABATIC_INDEX] = gas->index;
         p[MPM_PARAMETER_START_PRESSURE] = gas->pressure;
         p[MPM_PARAMETER_STIFFENING_PRESSURE] = gas->stiffening;
-        point->material = mpm_material_make(&mpm_stiffened_gas, gas->density, p);
+        point->material = mpm_material_make(&mpm_stiffened_gas, gas->density, p, NULL);
     }
     point->j = 1.0;
     mpm_material_start(&point->material, &point->energy);

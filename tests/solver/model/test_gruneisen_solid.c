@@ -73,7 +73,7 @@ static void begin(struct point *point, const struct solid *solid,
 {
     const double unit[MPM_GRADIENT_SIZE] = {1, 0, 0, 1, 1};
     set_parameters(solid, point->parameter);
-    point->material = mpm_material_make(law, DENSITY, point->parameter);
+    point->material = mpm_material_make(law, DENSITY, point->parameter, NULL);
     mpm_material_start(&point->material, point->state);
     point->wave = mpm_material_start_wave(&point->material);
     memcpy(point->f, unit, sizeof unit);

@@ -61,7 +61,7 @@ static void begin(struct point *point, const struct strength *s)
 {
     const double unit[MPM_GRADIENT_SIZE] = {1, 0, 0, 1, 1};
     set_parameters(s, point->parameter);
-    point->material = mpm_material_make(&mpm_johnson_cook, DENSITY, point->parameter);
+    point->material = mpm_material_make(&mpm_johnson_cook, DENSITY, point->parameter, NULL);
     for (size_t k = 0; k < mpm_johnson_cook.variable_count; k++)
         point->state[k] = mpm_johnson_cook.variables[k].start;
     memcpy(point->f, unit, sizeof unit);

@@ -26,7 +26,7 @@ enum { STATES = sizeof states / sizeof states[0] };
 
 static struct mpm_material material_of(const struct mpm_material_law *law)
 {
-    return mpm_material_make(law, DENSITY, constants);
+    return mpm_material_make(law, DENSITY, constants, NULL);
 }
 
 START_TEST(a_law_is_found_by_its_name_and_no_other_is)

@@ -32,6 +32,10 @@ START_TEST(values_are_linear_between_points_and_those_of_the_points)
                        0.75 * points[k - 1][1] + 0.25 * points[k][1], TOLERANCE);
     ck_assert_double_eq(mpm_property_value(&table, -50.0), 2.0);
     ck_assert_double_eq(mpm_property_value(&table, 1000.0), 3.0);
+    ck_assert_near(mpm_property_slope(&table, 55.0), -0.4, TOLERANCE);
+    ck_assert_near(mpm_property_slope(&table, 50.0), -0.4, TOLERANCE); /* that above it */
+    ck_assert_double_eq(mpm_property_slope(&table, 100.0), 0.0);
+    ck_assert_double_eq(mpm_property_slope(&table, -11.0), 0.0);
     ck_assert_double_eq(mpm_property_least(&table), 1.0);
     ck_assert_double_eq(mpm_property_largest(&table), 5.0);
 }

@@ -13,13 +13,20 @@
 static const double DENSITY = 1.7, BULK = 150.0, SHEAR = 60.0, YIELD = 0.9;
 enum { PLASTIC = 4 }; /* the equivalent plastic strain among the state variables */
 
+/* Steep, flat, rising, and constant beyond 1.2; it begins at YIELD. */
+static double points[][2] = {{0.0, 0.9}, {0.01, 1.3}, {0.2, 1.3}, {0.5, 2.1}, {1.2, 2.2}};
+static double integrals[sizeof points / sizeof points[0]];
+static const struct mpm_property table = {sizeof points / sizeof points[0], points, integrals};
+
 static const struct hardening {
     const char *name;
     double modulus, strain, exponent, kinematic;
+    const struct mpm_property *table;
 } hardenings[] = {
-    {"perfect", 0.0, 0.0, 0.0, 0.0}, {"linear", 7.0, 0.0, 0.0, 0.0},
-    {"power", 0.0, 0.002, 0.3, 0.0}, {"kinematic", 0.0, 0.0, 0.0, 5.0},
-    {"mixed", 3.0, 0.01, 0.5, 4.0},
+    {"perfect", 0.0, 0.0, 0.0, 0.0, NULL},       {"linear", 7.0, 0.0, 0.0, 0.0, NULL},
+    {"power", 0.0, 0.002, 0.3, 0.0, NULL},       {"kinematic", 0.0, 0.0, 0.0, 5.0, NULL},
+    {"mixed", 3.0, 0.01, 0.5, 4.0, NULL},        {"tabulated", 0.0, 0.0, 0.0, 0.0, &table},
+    {"table and kinematic", 0, 0, 0, 5, &table},
 };
 enum { HARDENINGS = sizeof hardenings / sizeof hardenings[0] };
 
@@ -40,7 +47,9 @@ static void begin(struct point *point, const struct hardening *hardening)
     point->parameter[MPM_PARAMETER_HARDENING_STRAIN] = hardening->strain;
     point->parameter[MPM_PARAMETER_HARDENING_EXPONENT] = hardening->exponent;
     point->parameter[MPM_PARAMETER_KINEMATIC_MODULUS] = hardening->kinematic;
-    point->material = mpm_material_make(&mpm_von_mises, DENSITY, point->parameter);
+    point->material =
+        mpm_material_make(&mpm_von_mises, DENSITY, point->parameter, hardening->table);
+    mpm_property_prepare(&table);
     for (size_t k = 0; k < mpm_von_mises.variable_count; k++)
         point->state[k] = mpm_von_mises.variables[k].start;
     const double unit[MPM_GRADIENT_SIZE] = {1, 0, 0, 1, 1};
@@ -64,8 +73,22 @@ static void stretch(struct point *point, double xx, double yy, double zz)
     ck_assert(move(point, f));
 }
 
+/* By a walk along the points. */
+static double read_off(double plastic)
+{
+    size_t k = 0;
+    while (k < table.count && points[k][0] < plastic)
+        k++;
+    if (k == 0 || k == table.count)
+        return points[k == 0 ? 0 : k - 1][1];
+    const double part = (plastic - points[k - 1][0]) / (points[k][0] - points[k - 1][0]);
+    return (1.0 - part) * points[k - 1][1] + part * points[k][1];
+}
+
 static double hardened(const struct hardening *h, double plastic)
 {
+    if (h->table != NULL)
+        return read_off(plastic);
     return YIELD * (h->strain > 0.0 ? pow(1.0 + plastic / h->strain, h->exponent) : 1.0) +
            h->modulus * plastic;
 }
