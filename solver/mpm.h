@@ -302,6 +302,9 @@ struct mpm_ledger {
      * is external_work, to round-off; either may be negative. */
     double transfer_loss, contact_loss;
     double j_min, j_max; /* extremes of det F */
+    /* With plastic strain and without cracks, else 0: pairs of particles that were neighbours in
+     * the undeformed body and that have no node in common: numerical fracture. */
+    uint64_t parted_pairs;
 };
 
 /* Cost: one pass over the particles; strain energy needs a logarithm each. */
@@ -312,6 +315,9 @@ bool mpm_scene_is_damped(const struct mpm_scene *scene);
 
 /* Has one of its materials plastic strain: has its history the column plastic_dissipation? */
 bool mpm_scene_is_plastic(const struct mpm_scene *scene);
+
+/* Has it plastic strain and no crack: has its history the column parted_pairs? */
+bool mpm_scene_counts_parted(const struct mpm_scene *scene);
 
 /* Has one of its materials artificial viscosity: has its history the column viscous_dissipation? */
 bool mpm_scene_is_viscous(const struct mpm_scene *scene);

@@ -48,6 +48,7 @@
     SUITE(gruneisen_solid)                                                                         \
     SUITE(equation_of_state)                                                                       \
     SUITE(viscosity)                                                                               \
+    SUITE(parting)                                                                                 \
     SUITE(particles)                                                                               \
     SUITE(property)                                                                                \
     SUITE(scene)                                                                                   \

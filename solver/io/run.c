@@ -23,6 +23,7 @@ struct run {
     double history_instant, snapshot_instant; /* number of the last one passed */
     struct mpm_run_record record;
     char *growth_warning; /* NULL until it was given */
+    char *parted_warning; /* the same */
     bool *tip_told;       /* per J integral of the scene: has the end of its tip been reported? */
 };
 
@@ -91,6 +92,18 @@ static void warn_of_growth(struct run *run)
     warn(run, run->growth_warning);
 }
 
+/* Once, at the first row of the history that has parted pairs. */
+static void warn_of_parting(struct run *run, const struct mpm_ledger *ledger)
+{
+    if (ledger->parted_pairs == 0 || run->parted_warning != NULL)
+        return;
+    run->parted_warning = g_strdup_printf(
+        "numerical fracture, first seen at step %" PRIu64 ", time %g: %" PRIu64
+        " pairs of neighbouring particles have no node in common; see parted_pairs of history.csv",
+        ledger->step, ledger->time, ledger->parted_pairs);
+    warn(run, run->parted_warning);
+}
+
 /* Each once. */
 static void warn_of_tips(struct run *run)
 {
@@ -109,6 +122,7 @@ static enum mpm_status write_history(struct run *run, struct mpm_error *error)
 {
     struct mpm_ledger ledger;
     mpm_simulation_ledger(run->simulation, &ledger);
+    warn_of_parting(run, &ledger);
     const enum mpm_status status = mpm_history_write(run->history, &ledger, run->simulation, error);
     if (status == MPM_RUN_FAILED)
         mpm_error_locate(error, ledger.step, ledger.time);
@@ -295,6 +309,7 @@ static enum mpm_status write_record(struct run *run, enum mpm_status status,
     record->cause = status == MPM_OK ? MPM_CAUSE_NONE : error->cause;
     record->reason = status != MPM_OK ? error->message : end_reason(run);
     record->growth_warning = run->growth_warning;
+    record->parted_warning = run->parted_warning;
     record->scene_path = run->options->scene_path;
     record->output_bytes = mpm_series_bytes(run->series);
     struct mpm_error second = {.status = MPM_OK};
@@ -319,6 +334,7 @@ enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_ru
     if (status == MPM_OK)
         status = write_record(&run, march(&run, &failure), &failure);
     g_free(run.growth_warning);
+    g_free(run.parted_warning);
     g_free(run.tip_told);
     mpm_history_free(run.history);
     mpm_series_free(run.series);

@@ -165,6 +165,7 @@ static void layout(struct mpm_simulation *simulation, const struct mpm_fill_coun
         state->conditions.rigid_owner = MPM_TAKE(arena, uint32_t, nodes);
         state->conditions.fixed = MPM_TAKE(arena, uint8_t, nodes);
     }
+    mpm_parting_layout(simulation, counts->deformable, arena);
     mpm_backup_layout(simulation, arena);
 }
 
@@ -317,14 +318,6 @@ static double initial_wave_speed(const struct mpm_simulation *simulation)
     return sqrt(fastest);
 }
 
-double mpm_lightest_particle(const struct mpm_particles *particles)
-{
-    double mass = particles->mass[0];
-    for (size_t p = 1; p < particles->count; p++)
-        mass = fmin(mass, particles->mass[p]);
-    return mass;
-}
-
 static void describe_method(struct mpm_simulation *simulation, int threads)
 {
     const struct mpm_scene *const scene = simulation->scene;
@@ -441,6 +434,7 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     mpm_bands_clear(state, &state->fields.reached);
     describe_bodies(simulation);
     MPM_TRY(mpm_bodies_fill(scene, &state->grid, &state->particles, &state->rigid, error));
+    MPM_TRY(mpm_parting_fill(simulation, error));
     mpm_law_states_begin(state);
     MPM_TRY(mpm_edge_loads_fill(simulation, error));
     mpm_cracks_fill(state);

@@ -58,6 +58,7 @@ void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_l
     };
     for (size_t p = 0; p < simulation->state.particles.count; p++)
         add_particle(simulation, p, ledger);
+    ledger->parted_pairs = mpm_parting_count(simulation);
     mpm_cohesive_energies(&simulation->state, &ledger->cohesive_stored,
                           &ledger->cohesive_dissipated);
     mpm_contact_energies(&simulation->state, &ledger->contact_stored, &ledger->contact_dissipated);

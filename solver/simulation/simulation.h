@@ -48,6 +48,13 @@ struct mpm_backup {
     double times[MPM_STEPS_BETWEEN_SORTS];      /* and where they ended */
 };
 
+/* See parting.c. */
+struct mpm_parting {
+    size_t count;         /* of pairs */
+    uint32_t (*pairs)[2]; /* ids of neighbours in the undeformed body */
+    int32_t (*box)[4];    /* by id, when they are counted: columns and rows of nodes reached */
+};
+
 /* The progress of a simulation to rest; all zero if its scene has no time.rest. */
 struct mpm_rest_watch {
     int64_t steps_at_rest; /* in a row */
@@ -78,6 +85,7 @@ struct mpm_simulation {
     struct mpm_energy_growth growth;
     uint64_t judged_step; /* the last one whose energy has been judged */
     struct mpm_rest_watch rest;
+    struct mpm_parting parting;
     double seconds[MPM_PHASE_COUNT];
     char advice[MPM_MESSAGE_SIZE];
     struct mpm_error failure; /* status MPM_OK while the run is sound */
@@ -219,7 +227,7 @@ enum mpm_status mpm_vector_field_check(const struct mpm_simulation *simulation,
                                        const double position[2], int line, const char *key,
                                        struct mpm_error *error);
 
-/* create.c: the mass of the lightest one. */
+/* time_step.c: the mass of the lightest one. */
 double mpm_lightest_particle(const struct mpm_particles *particles);
 
 /* create.c: what follows from the particles' start, whose fastest wave the caller knows: speeds and
@@ -231,6 +239,12 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
 /* threads.c: how many of the threads that are allowed have work, by the particles and the strips
  * that hold them; why, if `reason` is not NULL. For particles that are sorted. */
 int mpm_threads_choose(const struct mpm_state *state, int allowed, char reason[MPM_REASON_SIZE]);
+
+/* parting.c: memory for the pairs of so many particles; the pairs, of particles in the undeformed
+ * body; how many of them share no node now. Cost: a stencil for each particle. */
+void mpm_parting_layout(struct mpm_simulation *simulation, size_t count, struct mpm_arena *arena);
+enum mpm_status mpm_parting_fill(struct mpm_simulation *simulation, struct mpm_error *error);
+uint64_t mpm_parting_count(const struct mpm_simulation *simulation);
 
 /* rest.c: judges the step just taken. */
 void mpm_rest_judge(struct mpm_simulation *simulation);

@@ -14,6 +14,14 @@ static const double LANDING_SLACK = 1e-9;
  * two checks, the run fails as soon as it outruns a cell. */
 enum { STEPS_BETWEEN_LOOKS = 32 };
 
+double mpm_lightest_particle(const struct mpm_particles *particles)
+{
+    double mass = particles->mass[0];
+    for (size_t p = 1; p < particles->count; p++)
+        mass = fmin(mass, particles->mass[p]);
+    return mass;
+}
+
 double mpm_particle_speed(const struct mpm_particles *particles, size_t first, size_t end)
 {
     double square = 0.0;

@@ -17,6 +17,7 @@
  *   depth                       largest nose, in the scene's unit
  *   lost                        loss of total_energy at the end, % of that at the start
  *   plastic, viscous            parts of the ledger, % of the kinetic energy at the start
+ *   parted                      pairs of neighbours without a common node at the end
  *   nose_step                   change of the nose at `late` from the last but one of the levels, %
  *   peak                        largest equivalent stress at early, late and the end, in the
  *                               scene's unit
@@ -45,7 +46,7 @@ struct study {
     size_t tail_count;
     double height; /* of a row on this level */
     double nose_early, nose_late, nose_before, depth, tail_off, nose, tail_place;
-    double lost, plastic, viscous, peak, reached;
+    double lost, plastic, viscous, peak, reached, parted;
     bool finished;
     struct follow_rows course, picture[PICTURES];
 };
@@ -188,6 +189,7 @@ static void read_ledger(struct study *study, const struct mpm_simulation *simula
     study->lost = 100.0 * (start->total_energy - now.total_energy) / energy;
     study->plastic = 100.0 * now.plastic_dissipation / energy;
     study->viscous = 100.0 * now.viscous_dissipation / energy;
+    study->parted = (double)now.parted_pairs;
 }
 
 static enum mpm_status measure(void *context, struct measurement *m, const struct mpm_scene *scene,
@@ -257,6 +259,7 @@ static void report(struct measurement *m, const struct study *study, size_t runs
         {"lost", study->lost},
         {"plastic", study->plastic},
         {"viscous", study->viscous},
+        {"parted", study->parted},
         {"peak", study->peak},
         {"nose_step", 100.0 * fabs(study->nose_late / study->nose_before - 1.0)},
     };

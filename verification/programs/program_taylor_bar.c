@@ -10,12 +10,24 @@
  *   volume             of the deformed bar, % of the undeformed one
  *   separation         largest distance of two particles that were neighbours, in cells
  *   plastic            largest equivalent plastic strain
+ *   parted             pairs of neighbours without a common node at the end
  *   dissipated         plastic_dissipation, % of the kinetic energy at the start
  *   balance            change of total_energy, % of it
  *   reached            the time at which the run ended, % of the scene's end
  * and finished. Series: shape (r z plastic of particles), course (time radius length).
  *
+ * With measured_length and measured_diameter, final over initial ones of an experiment, and
+ * data_uncertainty, of each, %: a comparison after ASME V&V 20 on the levels, as notes and as the
+ * series validation. Its rows are length and diameter, its columns
+ *   simulated, measured   final over initial
+ *   error        E = S - D, % of the measured one
+ *   numerical    of the grids, % of the same (grid_uncertainty)
+ *   data         data_uncertainty
+ *   validation   root of the sum of their squares
+ * It is no quantity, as no band rests on an experiment. A run that broke has none.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/measures/grid_convergence.h"
 #include "verification/measures/particle_set.h"
 #include "verification/programs/follow.h"
 #include "verification/programs/levels.h"
@@ -23,21 +35,31 @@
 #include <glib.h>
 #include <math.h>
 
-enum { AXES = 2, GRADIENT = 5, COURSE = 3, SHAPE = 3, SAMPLES = 40 };
+enum { AXES = 2, GRADIENT = 5, COURSE = 3, SHAPE = 3, SAMPLES = 40, VALIDATION = 6 };
+
+/* Each level halves the cells; smooth solutions converge with their square. */
+static const double HALVED = 2.0, FORMAL_ORDER = 2.0;
 
 struct size {
     double radius, length;
 };
 
+/* What an experiment found, final over initial. */
+struct experiment {
+    double length, diameter;
+    double uncertainty; /* of each, % */
+};
+
 struct study {
     struct size undeformed;
-    double spacing;  /* of particles, in cells */
-    double distance; /* of neighbours at t = 0 */
-    size_t row;      /* particles along r */
+    struct experiment experiment; /* length NaN: none */
+    double spacing;               /* of particles, in cells */
+    double distance;              /* of neighbours at t = 0 */
+    size_t row;                   /* particles along r */
     struct particle_set set;
     double *f, *plastic;
     struct size size;
-    double separation, volume, strain, dissipated, balance, reached;
+    double separation, volume, strain, dissipated, balance, reached, parted;
     bool finished;
     struct follow_rows course;
 };
@@ -99,6 +121,7 @@ static void read_end(struct study *study, const struct mpm_simulation *simulatio
     const double energy = start->kinetic_energy;
     study->volume = 100.0 * volume / (0.5 * size->radius * size->radius * size->length);
     study->separation = separation_of(study);
+    study->parted = (double)now.parted_pairs;
     study->dissipated = 100.0 * now.plastic_dissipation / energy;
     study->balance =
         100.0 * fabs(now.total_energy - start->total_energy - now.external_work) / energy;
@@ -180,6 +203,7 @@ static void report(struct measurement *m, const struct study *study, const struc
         {"volume", study->volume},
         {"separation", study->separation},
         {"plastic", study->strain},
+        {"parted", study->parted},
         {"dissipated", study->dissipated},
         {"balance", study->balance},
         {"radius_step", step_of(study->size.radius, before->radius)},
@@ -191,32 +215,79 @@ static void report(struct measurement *m, const struct study *study, const struc
     measurement_report(m, "finished", study->finished ? 1.0 : 0.0);
 }
 
+/* One row of the comparison; S of the levels. */
+static void compare(struct measurement *m, const char *name, size_t count, const double *simulated,
+                    double measured, double uncertainty, double row[VALIDATION])
+{
+    const double last = simulated[count - 1], error = 100.0 * (last / measured - 1.0);
+    const double numerical =
+        100.0 * grid_uncertainty(count, simulated, HALVED, FORMAL_ORDER) * last / measured;
+    const double validation = hypot(numerical, uncertainty);
+    const double values[VALIDATION] = {last, measured, error, numerical, uncertainty, validation};
+    for (size_t k = 0; k < VALIDATION; k++)
+        row[k] = values[k];
+    measurement_note(m,
+                     "%s over initial: simulated %.4g, measured %.4g, error %.2f %%, numerical "
+                     "uncertainty %.2f %%, of data %.2f %%, of validation %.2f %%: %s",
+                     name, last, measured, error, numerical, uncertainty, validation,
+                     fabs(error) <= validation ? "within" : "beyond");
+}
+
+static enum mpm_status validate(struct measurement *m, const struct study *study, size_t count,
+                                const struct size *sizes, struct mpm_error *error)
+{
+    double lengths[LEVELS_MAX], diameters[LEVELS_MAX], rows[2 * VALIDATION];
+    const struct experiment *const found = &study->experiment;
+    for (size_t k = 0; k < count; k++) {
+        lengths[k] = sizes[k].length / study->undeformed.length;
+        diameters[k] = sizes[k].radius / study->undeformed.radius;
+    }
+    compare(m, "length", count, lengths, found->length, found->uncertainty, rows);
+    compare(m, "diameter", count, diameters, found->diameter, found->uncertainty,
+            rows + VALIDATION);
+    return measurement_series(m, "validation", "simulated measured error numerical data validation",
+                              VALIDATION, 2, rows, error);
+}
+
+static enum mpm_status read_parameters(struct measurement *m, struct study *study,
+                                       struct mpm_error *error)
+{
+    struct experiment *const found = &study->experiment;
+    const struct measurement_parameter list[] = {{"radius", &study->undeformed.radius},
+                                                 {"length", &study->undeformed.length},
+                                                 {"spacing", &study->spacing},
+                                                 {"measured_length", &found->length},
+                                                 {"measured_diameter", &found->diameter},
+                                                 {"data_uncertainty", &found->uncertainty}};
+    const bool measured = measurement_has(m, "measured_length");
+    found->length = (double)NAN;
+    return measurement_numbers(m, list, G_N_ELEMENTS(list) - (measured ? 0 : 3), error);
+}
+
 static enum mpm_status run(struct measurement *m, struct mpm_error *error)
 {
     struct levels levels;
     struct study study = {.course = {.columns = COURSE}};
-    struct size before = {(double)NAN, (double)NAN};
-    const struct measurement_parameter list[] = {{"radius", &study.undeformed.radius},
-                                                 {"length", &study.undeformed.length},
-                                                 {"spacing", &study.spacing}};
-    TRY(measurement_numbers(m, list, G_N_ELEMENTS(list), error));
+    struct size sizes[LEVELS_MAX + 1] = {{(double)NAN, (double)NAN}};
+    TRY(read_parameters(m, &study, error));
     TRY(levels_read(m, &levels, error));
     const size_t runs = levels_runs(&levels);
     enum mpm_status status = MPM_OK;
     for (size_t k = 0; k < runs && status == MPM_OK; k++) {
-        if (k > 0)
-            before = study.finished ? study.size : (struct size){(double)NAN, (double)NAN};
         close_study(&study);
         status =
             follow_scene(m, &levels.setting[k], levels.count > 0 ? 1 : 0, measure, &study, error);
         if (status == MPM_OK)
             measurement_note(m, "grid %zu: radius %.6g, length %.6g%s", k + 1, study.size.radius,
                              study.size.length, study.finished ? "" : ", when it broke");
+        sizes[k + 1] = study.finished ? study.size : sizes[0];
     }
     if (status == MPM_OK) {
-        report(m, &study, &before, runs);
+        report(m, &study, &sizes[runs - 1], runs);
         status = write_shape(m, &study, error);
     }
+    if (status == MPM_OK && study.finished && !isnan(study.experiment.length))
+        status = validate(m, &study, runs, sizes + 1, error);
     close_study(&study);
     return status;
 }

@@ -36,6 +36,8 @@ static const struct column {
     COLUMN(j_max, NONE, NULL),
     COLUMN(damping_dissipation, ENERGY, mpm_scene_is_damped),
     COLUMN(plastic_dissipation, ENERGY, mpm_scene_is_plastic),
+    {"parted_pairs", offsetof(struct mpm_ledger, parted_pairs), true, MPM_DIMENSION_NONE,
+     mpm_scene_counts_parted},
     COLUMN(viscous_dissipation, ENERGY, mpm_scene_is_viscous),
     COLUMN(cohesive_stored, ENERGY, mpm_scene_is_cohesive),
     COLUMN(cohesive_dissipated, ENERGY, mpm_scene_is_cohesive),

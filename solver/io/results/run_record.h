@@ -14,6 +14,7 @@ struct mpm_run_record {
     enum mpm_cause cause;       /* of a failed run */
     const char *reason;         /* why the run ended */
     const char *growth_warning; /* of a run that went on; NULL where there is none */
+    const char *parted_warning; /* the same */
     const char *scene_path;     /* NULL: as the scene names itself */
     size_t output_bytes;        /* working space of the output */
     double seconds_setup, seconds_step, seconds_output;

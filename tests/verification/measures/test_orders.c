@@ -7,6 +7,7 @@
 #include "verification/measures/orders.h"
 
 #include "tests/suites.h"
+#include "tests/support/near.h"
 
 #include <math.h>
 
@@ -201,6 +202,36 @@ START_TEST(a_series_that_turns_or_does_not_settle_has_no_index)
 }
 END_TEST
 
+/* Values 5 + e h^q on grids with h = 4, 2, 1, of which the rule sees three; the formal order is 2.
+ */
+START_TEST(the_uncertainty_of_grids_is_larger_where_the_order_is_not_the_formal_one)
+{
+    static const struct {
+        double order, used, safety;
+    } list[] = {
+        {2.0, 2.0, 1.25}, {1.9, 2.0, 1.25}, {1.0, 1.0, 3.0}, {3.0, 2.0, 3.0}, {0.2, 0.5, 3.0}};
+    for (size_t k = 0; k < sizeof list / sizeof list[0]; k++) {
+        double values[4];
+        for (int i = 0; i < 4; i++)
+            values[i] = 5.0 - 0.1 * pow(2.0, -list[k].order * i);
+        const double wanted = list[k].safety * fabs(values[3] - values[2]) / values[3] /
+                              (pow(2.0, list[k].used) - 1.0);
+        ck_assert_near(grid_uncertainty(4, values, 2.0, 2.0), wanted, 1e-13);
+    }
+}
+END_TEST
+
+START_TEST(two_grids_and_grids_that_do_not_converge_have_the_largest_uncertainty)
+{
+    static const double back[] = {1.0, 2.0, 1.5}, away[] = {1.0, 2.0, 4.0};
+    const double least = pow(2.0, 0.5) - 1.0;
+    ck_assert_near(grid_uncertainty(2, back, 2.0, 2.0), 3.0 * 0.5, 1e-15);
+    ck_assert_near(grid_uncertainty(3, back, 2.0, 2.0), 3.0 * 0.5 / 1.5 / least, 1e-14);
+    ck_assert_near(grid_uncertainty(3, away, 2.0, 2.0), 3.0 * 0.5 / least, 1e-14);
+    ck_assert_double_nan(grid_uncertainty(1, back, 2.0, 2.0));
+}
+END_TEST
+
 Suite *suite_orders(void)
 {
     Suite *suite = suite_create("orders");
@@ -217,6 +248,9 @@ Suite *suite_orders(void)
                         SERIES_COUNT);
     tcase_add_test(orders, the_index_is_the_safety_factor_times_the_error_of_a_power_law);
     tcase_add_test(orders, a_series_that_turns_or_does_not_settle_has_no_index);
+    tcase_add_test(orders,
+                   the_uncertainty_of_grids_is_larger_where_the_order_is_not_the_formal_one);
+    tcase_add_test(orders, two_grids_and_grids_that_do_not_converge_have_the_largest_uncertainty);
     suite_add_tcase(suite, norms);
     suite_add_tcase(suite, orders);
     return suite;
