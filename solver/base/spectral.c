@@ -85,6 +85,18 @@ void mpm_symmetric_sandwich(const double a[MPM_SYMMETRIC_SIZE], const double x[M
     out[MPM_SYM_ZZ] = zz;
 }
 
+void mpm_symmetric_product(const double a[MPM_SYMMETRIC_SIZE], const double x[MPM_SYMMETRIC_SIZE],
+                           double out[MPM_SYMMETRIC_SIZE])
+{
+    const double xx = a[MPM_SYM_XX] * x[MPM_SYM_XX] + a[MPM_SYM_XY] * x[MPM_SYM_XY];
+    const double yy = a[MPM_SYM_XY] * x[MPM_SYM_XY] + a[MPM_SYM_YY] * x[MPM_SYM_YY];
+    const double xy = a[MPM_SYM_XX] * x[MPM_SYM_XY] + a[MPM_SYM_XY] * x[MPM_SYM_YY];
+    out[MPM_SYM_XX] = xx;
+    out[MPM_SYM_YY] = yy;
+    out[MPM_SYM_XY] = xy;
+    out[MPM_SYM_ZZ] = a[MPM_SYM_ZZ] * x[MPM_SYM_ZZ];
+}
+
 void mpm_symmetric_inverse(const double a[MPM_SYMMETRIC_SIZE], double out[MPM_SYMMETRIC_SIZE])
 {
     const double determinant = a[MPM_SYM_XX] * a[MPM_SYM_YY] - a[MPM_SYM_XY] * a[MPM_SYM_XY];

@@ -23,6 +23,10 @@ void mpm_symmetric_root(const double a[MPM_SYMMETRIC_SIZE], double out[MPM_SYMME
 void mpm_symmetric_sandwich(const double a[MPM_SYMMETRIC_SIZE], const double x[MPM_SYMMETRIC_SIZE],
                             double out[MPM_SYMMETRIC_SIZE]);
 
+/* A X of A and X with the same eigenvectors, which is symmetric. */
+void mpm_symmetric_product(const double a[MPM_SYMMETRIC_SIZE], const double x[MPM_SYMMETRIC_SIZE],
+                           double out[MPM_SYMMETRIC_SIZE]);
+
 /* A^-1 of a regular A. */
 void mpm_symmetric_inverse(const double a[MPM_SYMMETRIC_SIZE], double out[MPM_SYMMETRIC_SIZE]);
 

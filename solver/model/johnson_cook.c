@@ -93,7 +93,7 @@ static double yield_stress(const struct mpm_material *m, const struct mpm_plasti
     double hardening, rate;
     const double statics = hardened(m, point->plastic, &hardening);
     const double dynamics = of_rate(m, point->change, point->duration, &rate);
-    const double softened = of_temperature(m, point->temperature);
+    const double softened = point->softening;
     *slope = softened > 0.0 ? softened * (hardening * dynamics + statics * rate) : 0.0;
     return softened * statics * dynamics;
 }
@@ -112,12 +112,11 @@ static double static_work(const struct mpm_material *m, double plastic)
 static double work(const struct mpm_material *m, const struct mpm_plastic_point *point)
 {
     double unused;
-    return of_temperature(m, point->temperature) *
-           of_rate(m, point->change, point->duration, &unused) *
+    return point->softening * of_rate(m, point->change, point->duration, &unused) *
            (static_work(m, point->plastic) - static_work(m, point->plastic - point->change));
 }
 
-const struct mpm_plastic_model mpm_johnson_cook_model = {0.0, yield_stress, work};
+const struct mpm_plastic_model mpm_johnson_cook_model = {0.0, of_temperature, yield_stress, work};
 
 bool mpm_johnson_cook_softens(const struct mpm_material *m)
 {

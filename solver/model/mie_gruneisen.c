@@ -85,6 +85,29 @@ static double integrand(const struct mpm_material *m, double eta, double y)
 /* Up to this, in y times the largest of 1, s and gamma_0, eight points are exact to round-off. */
 static const double PANEL = 1.0;
 
+/* The series of E in eta, of E' = gamma_0 E + A with A = c_0^2 sum_k (k s^(k-1) - gamma_0/2 (k-1)
+ * s^(k-2)) eta^k: terms by a recursion. For u = s eta up to SERIES the last one is round-off. */
+enum { SERIES_TERMS = 36 };
+static const double SERIES = 0.3, LEAST = 1e-17;
+
+static double energy_by_series(const struct mpm_material *m, double eta)
+{
+    const double s = m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE];
+    const double speed = m->parameter[MPM_PARAMETER_SOUND_SPEED];
+    const double u = s * eta, gamma = m->parameter[MPM_PARAMETER_GRUNEISEN] * eta;
+    double part = 0.0, sum = 0.0, power = 1.0, before = 0.0; /* u^(k-1), (k-1) u^(k-2) */
+    for (int k = 1; k < SERIES_TERMS; k++) {
+        const double now = k * power, inverse = 1.0 / (k + 1);
+        part = (gamma * part + (now - 0.5 * gamma * before)) * inverse;
+        sum += part;
+        if (now + fabs(gamma * part) <= LEAST * sum)
+            break;
+        before = now;
+        power *= u;
+    }
+    return speed * speed * eta * eta * sum;
+}
+
 static double energy_compressed(const struct mpm_material *m, double eta)
 {
     const double gamma = m->parameter[MPM_PARAMETER_GRUNEISEN];
@@ -119,7 +142,10 @@ static double energy_stretched(const struct mpm_material *m, double eta)
 
 static double isentropic_energy(const struct mpm_material *m, double eta)
 {
-    return eta > 0.0 ? energy_compressed(m, eta) : energy_stretched(m, eta);
+    const double s = m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE];
+    if (!(eta > 0.0))
+        return energy_stretched(m, eta);
+    return s * eta <= SERIES ? energy_by_series(m, eta) : energy_compressed(m, eta);
 }
 
 double mpm_gruneisen_temperature(const struct mpm_material *m, double j, double energy)

@@ -83,7 +83,7 @@ struct flow {
     const struct mpm_plastic_model *model;
     const double *f;
     double plastic;                    /* p at the start of the step */
-    double duration, temperature;      /* of the step */
+    double duration, softening;        /* of the step */
     double root[MPM_SYMMETRIC_SIZE];   /* V_e of the trial state */
     double normal[MPM_SYMMETRIC_SIZE]; /* N */
     double norm;                       /* |dev tau - beta| of the trial state */
@@ -100,12 +100,18 @@ static void slipped(const struct flow *flow, double slip, double b_elastic[MPM_S
     mpm_symmetric_sandwich(flow->root, flown, b_elastic);
 }
 
+static double softening_of(const struct mpm_material *m, const struct mpm_plastic_model *model,
+                           double temperature)
+{
+    return model->softening == NULL ? 1.0 : model->softening(m, temperature);
+}
+
 /* s after the slip, and ds/dp */
 static double strength(const struct flow *flow, double slip, double *slope)
 {
     const double change = ROOT_TWO_THIRDS * slip;
     const struct mpm_plastic_point point = {flow->plastic + change, change, flow->duration,
-                                            flow->temperature};
+                                            flow->softening};
     return flow->model->yield(flow->m, &point, slope);
 }
 
@@ -165,18 +171,37 @@ static bool find_slip(const struct flow *flow, double *slip)
     return false;
 }
 
-/* Changes the state; `driving` is that of the trial state. */
+/* Without back stress the flow has the axes of the trial state: b_e' = exp(ln b_e - 2 dg N). */
+static void slip_along_axes(const double b_elastic[MPM_SYMMETRIC_SIZE],
+                            const double normal[MPM_SYMMETRIC_SIZE], double slip,
+                            double after[MPM_SYMMETRIC_SIZE])
+{
+    double flown[MPM_SYMMETRIC_SIZE];
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        flown[k] = -2.0 * slip * normal[k];
+    mpm_symmetric_exponential(flown, flown);
+    mpm_symmetric_product(b_elastic, flown, after);
+}
+
+/* Changes the state; `driving` is that of the trial state, and that of the end on output. */
 static bool flow_back(struct flow *flow, const double b_elastic[MPM_SYMMETRIC_SIZE],
-                      const double driving[MPM_SYMMETRIC_SIZE], double *state)
+                      double driving[MPM_SYMMETRIC_SIZE], double *state)
 {
     double slip, after[MPM_SYMMETRIC_SIZE];
+    const bool coaxial = flow->model->kinematic == 0.0;
     flow->norm = mpm_symmetric_norm(driving);
     for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
         flow->normal[k] = driving[k] / flow->norm;
-    mpm_symmetric_root(b_elastic, flow->root);
+    if (!coaxial)
+        mpm_symmetric_root(b_elastic, flow->root);
     if (!find_slip(flow, &slip))
         return false;
-    slipped(flow, slip, after);
+    if (coaxial)
+        slip_along_axes(b_elastic, flow->normal, slip, after);
+    else
+        slipped(flow, slip, after);
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        driving[k] -= flow->stiffness * slip * flow->normal[k];
     pull(flow->f, after, state + INVERSE);
     state[PLASTIC] += ROOT_TWO_THIRDS * slip;
     return true;
@@ -196,7 +221,7 @@ bool mpm_plastic_return(const struct mpm_material *m, const struct mpm_plastic_m
                             .f = step->f,
                             .plastic = state[PLASTIC],
                             .duration = step->duration,
-                            .temperature = temperature,
+                            .softening = softening_of(m, model, temperature),
                             .stiffness = 2.0 * m->shear + 2.0 / 3.0 * model->kinematic};
         driving_stress(m, model->kinematic, step->f, b_elastic, driving);
         const double radius = ROOT_TWO_THIRDS * strength(&flow, 0.0, &slope);
@@ -205,6 +230,11 @@ bool mpm_plastic_return(const struct mpm_material *m, const struct mpm_plastic_m
             for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
                 tau[k] = driving[k];
             return false;
+        }
+        if (model->kinematic == 0.0) {
+            for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+                tau[k] = driving[k];
+            return true;
         }
         push(step->f, state + INVERSE, b_elastic);
     }
@@ -218,8 +248,11 @@ double mpm_plastic_work(const struct mpm_material *m, const struct mpm_plastic_m
                         const struct mpm_law_step *step, double temperature, double before,
                         double after)
 {
-    const struct mpm_plastic_point end = {after, after - before, step->duration, temperature};
-    return after > before ? model->work(m, &end) : 0.0;
+    if (!(after > before))
+        return 0.0;
+    const struct mpm_plastic_point end = {after, after - before, step->duration,
+                                          softening_of(m, model, temperature)};
+    return model->work(m, &end);
 }
 
 void mpm_plastic_add_volumetric(double mean, double tau[MPM_SYMMETRIC_SIZE])

@@ -45,13 +45,15 @@ enum { MPM_PLASTIC_INVERSE = 0, MPM_PLASTIC_STRAIN = MPM_SYMMETRIC_SIZE, MPM_PLA
     }
 
 /* Where the yield stress is asked for: p, its change since the start of the step (p is after it),
- * the duration of the step, and the temperature, NaN if there is none. */
+ * the duration of the step, and the model's factor of the step's temperature. */
 struct mpm_plastic_point {
-    double plastic, change, duration, temperature;
+    double plastic, change, duration, softening;
 };
 
 struct mpm_plastic_model {
     double kinematic; /* H_k over rho_0; 0: no back stress */
+    /* A factor of s, of the temperature alone, which is found once a step; NULL: 1. */
+    double (*softening)(const struct mpm_material *material, double temperature);
     /* s over rho_0, and its slope in p at a fixed start of the step; this may be infinite. Not
      * falling in p. 0: no strength, for models without back stress. */
     double (*yield)(const struct mpm_material *material, const struct mpm_plastic_point *point,

@@ -2,10 +2,10 @@
  * on plastic strain: a table of points (T_i, v_i), linear between them, with T_0 < T_1 < ... and
  * all v_i > 0.
  *
- * Of temperatures: the table knows nothing of temperatures outside of it: a body that has one there is refused at
- * the start, and ends a run. The functions below continue the property there with the value of the
- * nearest point, so that the step that fails ends with finite numbers, and so that the integral has
- * a reference that all materials share: T = 0.
+ * Of temperatures: the table knows nothing of temperatures outside of it: a body that has one there
+ * is refused at the start, and ends a run. The functions below continue the property there with the
+ * value of the nearest point, so that the step that fails ends with finite numbers, and so that the
+ * integral has a reference that all materials share: T = 0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_MODEL_PROPERTY_H

@@ -72,7 +72,7 @@ static double work(const struct mpm_material *m, const struct mpm_plastic_point 
 
 struct mpm_plastic_model mpm_von_mises_model(const struct mpm_material *m)
 {
-    return (struct mpm_plastic_model){over_density(m, MPM_PARAMETER_KINEMATIC_MODULUS),
+    return (struct mpm_plastic_model){over_density(m, MPM_PARAMETER_KINEMATIC_MODULUS), NULL,
                                       yield_stress, work};
 }
 

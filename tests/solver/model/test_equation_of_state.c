@@ -211,7 +211,7 @@ END_TEST
 START_TEST(temperature_follows_the_isentrope_and_heat_raises_it)
 {
     static const double TOLERANCE = 1e-9;
-    static const double ENDS[] = {0.5, 0.8, 1.2};
+    static const double ENDS[] = {0.5, 0.75, 0.8, 0.9, 0.97, 1.2};
     for (int law = 0; law < LAWS; law++)
         for (size_t k = 0; k < sizeof ENDS / sizeof ENDS[0]; k++) {
             struct point point;
@@ -229,6 +229,28 @@ START_TEST(temperature_follows_the_isentrope_and_heat_raises_it)
             ck_assert(move(&point, point.j, heat));
             ck_assert_near(temperature(&point) - before, heat / HEAT_CAPACITY, TOLERANCE * scale);
         }
+}
+END_TEST
+
+/* The energy of the isentrope is a series below s eta = 0.3 and a quadrature above: the same where
+ * they meet, as differences there are of the second order of the distance. */
+START_TEST(the_temperature_has_no_jump_where_its_series_ends)
+{
+    static const double END = 0.3, STEP = 1e-7, ROUND_OFF = 1e-11;
+    for (int law = 0; law < METALS; law++) {
+        struct point point;
+        double t[5];
+        begin(&point, law);
+        point.energy = 0.0;
+        for (int k = 0; k < 5; k++) {
+            const double eta = (END + (k - 2.5) * STEP) / metals[law].slope;
+            point.j = 1.0 - eta;
+            t[k] = temperature(&point);
+        }
+        const double change = t[4] - t[0];
+        for (int k = 1; k < 4; k++)
+            ck_assert_near(t[k] - t[0], 0.25 * k * change, ROUND_OFF * fabs(t[0]));
+    }
 }
 END_TEST
 
@@ -286,6 +308,7 @@ Suite *suite_equation_of_state(void)
     tcase_add_test(tests, slow_steps_follow_the_isentrope_with_second_order);
     tcase_add_test(tests, sound_has_the_speed_of_the_isentropes_slope);
     tcase_add_test(tests, temperature_follows_the_isentrope_and_heat_raises_it);
+    tcase_add_test(tests, the_temperature_has_no_jump_where_its_series_ends);
     tcase_add_test(tests, tension_ends_at_the_cut_off_and_its_energy_is_its_work);
     tcase_add_test(tests, beyond_the_pole_there_is_no_state);
     suite_add_tcase(suite, tests);
