@@ -62,9 +62,12 @@ def draw_poisson(canvas, _):
     return ABSENT if canvas.notes["by_bulk"] else canvas.pick([0.3, 0, 0.45, -0.2])
 
 
-def draw_modulus(canvas, _):
-    """Bulk and shear modulus replace the other pair."""
-    return canvas.pick([1, 2, 5]) if canvas.notes["by_bulk"] else ABSENT
+def draw_modulus(canvas, key):
+    """Bulk and shear modulus replace the other pair, which laws without a bulk modulus do not have."""
+    law = canvas.laws[canvas.notes["group"]["law"]]
+    if key.name not in law:
+        return ABSENT
+    return canvas.pick([1, 2, 5]) if canvas.notes["by_bulk"] or "bulk" not in law else ABSENT
 
 
 # ------------------------------------------------------------------------- bodies

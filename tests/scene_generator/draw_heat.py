@@ -11,6 +11,7 @@ import re
 
 from draw import ABSENT, draw_value, short
 from draw_bodies import SIDES, is_rigid
+import draw_plastic as plastic
 from draw_loads import line, nodes_across, place
 from scales import bulk_modulus
 
@@ -58,6 +59,8 @@ def draw_law(canvas, key):
     """None where nothing moves, and no other law is."""
     if canvas.notes["still"]:
         return "none"
+    if canvas.notes["plastic"]:
+        return plastic.draw_law(canvas)
     if canvas.notes["gas"] and canvas.scene["geometry"] != "plane_stress" and canvas.chance(75):
         return "ideal_gas"
     fluid = canvas.situation == "any" and canvas.scene["geometry"] != "plane_stress" and \
@@ -65,8 +68,7 @@ def draw_law(canvas, key):
     if fluid:
         return canvas.pick(FLUIDS)
     return canvas.pick([law for law in key.choices
-                        if law not in ("none", "ideal_gas", "von_mises", "johnson_cook",
-                                       "von_mises_gruneisen", "johnson_cook_gruneisen", *FLUIDS)])
+                        if law not in ("none", "ideal_gas", *plastic.PLASTIC, *FLUIDS)])
 
 
 def draw_of_fluid(sizes):

@@ -27,11 +27,12 @@ from images import (bodies_in_another_order, cracks_in_another_order,
                     threads_and_instructions_change_no_bit, turned_by_a_right_angle)
 from motion import (an_unloaded_body_stays_at_rest, conditions_hold_at_every_node,
                     half_the_step_halves_the_error)
+from plastic import elastic_until_yield, perfect_metals_are_one, plastic_work_never_falls
 
 # Cheapest first. What a run must fulfil before others are evaluated comes first of all.
 ALWAYS = [runs_end_as_promised, no_blow_up_passes_for_a_result, the_ledger_closes_in_every_step,
           momentum_changes_by_external_forces, work_needs_motion, heat_stored_is_heat_taken_in,
-          temperatures_stay_between]
+          temperatures_stay_between, plastic_work_never_falls]
 SOMETIMES = [moved_by_whole_cells, mirrored_along_x, mirrored_along_y, turned_by_a_right_angle,
              bodies_in_another_order, cracks_in_another_order, fields_in_another_order,
              fast_kernels_are_the_reference, other_units_change_no_digit,
@@ -47,5 +48,6 @@ SOMETIMES = [moved_by_whole_cells, mirrored_along_x, mirrored_along_y, turned_by
              solvent_is_heat_by_another_name, no_expansion_changes_no_digit,
              bodies_free_of_stress_stay, gas_in_a_closed_box_stays,
              substeps_that_nothing_needs_change_nothing, substeps_are_steps,
-             heat_between_bodies_is_counted, perfect_bonds_make_one_body, perfect_cracks_are_none]
+             heat_between_bodies_is_counted, perfect_bonds_make_one_body, perfect_cracks_are_none,
+             elastic_until_yield, perfect_metals_are_one]
 ALL = {function.__name__: function for function in ALWAYS + SOMETIMES}

@@ -11,30 +11,19 @@ import draw_heat as heat
 import draw_loads as loads
 import draw_method as method
 import draw_passages as passages
+import draw_plastic as plastic
 from scales import SCALARS
 
 # ------------------------------------------------------------------- left out
-TABLES = "points are temperatures, not places; invariants of heat assume constants (case H14)"
-PLASTIC = "plastic strain: tests of these laws, cases P1 to P4 and P6 to P9 have it"
+TABLES = "points are temperatures or strains, not places; invariants assume constants (H14, P2)"
 CUT = "bodies that rip have no scale invariants; tests of equations of state have it"
-PASSIVE = "nothing depends on the temperature of an equation of state; case P5 has it"
 LEFT_OUT = {
-    "materials[].law=von_mises": PLASTIC, "materials[].yield_stress": PLASTIC,
-    "materials[].hardening_modulus": PLASTIC, "materials[].hardening_strain": PLASTIC,
-    "materials[].hardening_exponent": PLASTIC, "materials[].kinematic_modulus": PLASTIC,
-    "materials[].law=von_mises_gruneisen": PLASTIC,
-    "materials[].law=johnson_cook_gruneisen": PLASTIC,
-    "materials[].law=johnson_cook": PLASTIC, "materials[].hardening_coefficient": PLASTIC,
-    "materials[].rate_coefficient": PLASTIC, "materials[].reference_rate": PLASTIC,
-    "materials[].softening_exponent": PLASTIC, "materials[].reference_temperature": PLASTIC,
-    "materials[].melting_temperature": PLASTIC, "materials[].taylor_quinney": PLASTIC,
     "time.allow_unstable": "beyond the stability limit nothing is promised",
     "output.checkpoint": "reserved: this version writes none",
     "output.snapshots": "the first state and the last are compared; more would land steps on them",
     "contact.normal=given": "refused: it is for pairs, each with its direction",
     "output.fringe": "a field for pictures; its values follow from the stress",
-    "materials[].pressure_cutoff": CUT, "materials[].specific_heat": PASSIVE,
-    "materials[].start_temperature": PASSIVE,
+    "materials[].pressure_cutoff": CUT,
     "materials[].heat_capacity_table": TABLES, "materials[].conductivity_table": TABLES,
     "materials[].diffusivity_table": TABLES, "materials[].hardening_table": TABLES,
 }
@@ -109,24 +98,25 @@ FIRST = {
 }
 ALWAYS = {"method", "output", "loads", "damping"}  # groups that are left out only where empty
 
-GENERAL = ("any", "touching", "heated", "coupled", "exchanging")  # the situations that together have all keys
+GENERAL = ("any", "touching", "heated", "coupled", "exchanging", "plastic")  # the situations that together have all keys
 
 
 def prepare(canvas):
     """Settles what several sections must agree on. The situation `touching` is `any` with contact between
     bodies; `heated`, `coupled` and `exchanging` are `any` with transport (draw_heat.py), the last one
-    with contact or cracks and the others without."""
+    with contact or cracks and the others without. `plastic` is `any` with laws of plastic strain."""
     notes = canvas.notes
-    notes["contact"] = canvas.situation == "touching"
+    notes["plastic"] = canvas.situation == "plastic"
+    notes["contact"] = canvas.situation == "touching" or notes["plastic"] and canvas.chance(30)
     heat.settle(canvas)
     conducts = notes["heat"] or notes["solvent"]
     if notes["exchanging"]:
         notes["contact"] = canvas.chance(65)
     cracked = notes["exchanging"] and not notes["contact"]
-    if notes["contact"] or conducts:
+    if notes["contact"] or conducts or notes["plastic"]:
         canvas.situation = "any"
     notes["cracked"] = cracked or canvas.situation == "pressed" or canvas.situation == "any" and \
-        not conducts and canvas.chance(25 if notes["contact"] else 40)
+        not conducts and canvas.chance(25 if notes["contact"] or notes["plastic"] else 40)
     free = notes["cracked"] and canvas.situation == "any" and not notes["contact"]
     notes["fracture"] = free and canvas.chance(15)
     notes["past"] = free and not notes["fracture"] and \
@@ -183,6 +173,20 @@ MEANING = {
     "materials[].diffusivity_angle": heat.draw_angle,
     "materials[].swelling": heat.draw_expansion,
     "materials[].stress_free_concentration": heat.draw_stress_free,
+    "materials[].specific_heat": plastic.draw_specific_heat,
+    "materials[].start_temperature": plastic.draw_temperature,
+    "materials[].yield_stress": plastic.draw_yield_stress,
+    "materials[].hardening_modulus": plastic.draw_part,
+    "materials[].hardening_strain": plastic.draw_hardening_strain,
+    "materials[].hardening_exponent": plastic.draw_exponent,
+    "materials[].hardening_coefficient": plastic.draw_coefficient,
+    "materials[].kinematic_modulus": plastic.draw_part,
+    "materials[].rate_coefficient": plastic.draw_rate_coefficient,
+    "materials[].reference_rate": plastic.draw_reference_rate,
+    "materials[].softening_exponent": plastic.draw_of_softening([1, 0.7, 1.5]),
+    "materials[].reference_temperature": plastic.draw_of_softening([10]),
+    "materials[].melting_temperature": plastic.draw_of_softening([12, 11]),
+    "materials[].taylor_quinney": plastic.draw_of_softening([1, 0.9]),
     "materials[].density": bodies.draw_density,
     "materials[].young": bodies.draw_young,
     "materials[].poisson": bodies.draw_poisson,

@@ -59,7 +59,8 @@ def wave_speed(material):
     viscous = material.get("viscosity", {"linear": 0})["linear"]
     slower = viscous + math.sqrt(1 + viscous ** 2)
     if "sound_speed" in material:
-        return slower * material["sound_speed"]
+        return slower * math.sqrt(material["sound_speed"] ** 2 +
+                                  4 / 3 * material.get("shear", 0) / material["density"])
     if "adiabatic_index" in material:
         return slower * math.sqrt(material["adiabatic_index"] *
                                   (material["start_pressure"] + material["stiffening_pressure"]) /

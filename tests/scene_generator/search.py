@@ -37,11 +37,12 @@ from case import Case, Discarded, Violation
 from schema import read_schema
 
 HERE = pathlib.Path(__file__).resolve().parent
-TURNS = ["any", "touching", "coupled", "exchanging", "any", "heated", "pressed", "coupled", "touching",
-         "exchanging", "any", "loaded", "heated", "coupled", "any", "touching"]  # situations
+TURNS = ["any", "plastic", "touching", "coupled", "exchanging", "any", "heated", "pressed", "plastic", "coupled",
+         "touching", "exchanging", "any", "loaded", "heated", "plastic", "coupled", "any", "touching"]  # situations
 BATCH = 20  # scenes drawn from one seed
 AT_ONCE = 3  # of the invariants that cost runs of their own, judged on one scene
 DISCARDED_MOST = 0.3  # part of the scenes drawn
+YIELDS_LEAST = 0.4  # part of the scenes with plastic laws
 DRAWN_LEAST = 25  # times after which a key of which no scene has been valid is a fault
 
 
@@ -67,6 +68,7 @@ class Search:
         self.of_batch = collections.Counter()  # invariants judged on the scenes of this batch
         self.number = 0  # the seed of this batch
         self.drawn, self.valid = collections.Counter(), collections.Counter()
+        self.yielding = collections.Counter()  # valid scenes with a plastic law, and those that yield
         self.scenes = self.discarded = 0
         self.focus = None  # the invariant that a scene of this batch has broken
         self.found = None  # (length, text, message) of the smallest such scene
@@ -103,7 +105,7 @@ class Search:
             self.messages.put(("fault", traceback.format_exc()))
         finally:
             self.runner.close()
-            self.messages.put(("end", self.judged, self.drawn, self.valid, self.scenes,
+            self.messages.put(("end", self.judged, self.drawn, self.valid, self.yielding, self.scenes,
                                self.discarded, self.runner.runs))
 
     def effort(self):
@@ -175,6 +177,9 @@ class Search:
             self.of_batch[name] += 1
             asked += name in others
         self.valid.update(keys)
+        work = case.base.history.get("plastic_dissipation")
+        if work is not None:
+            self.yielding.update(plastic=1, yields=int(work[-1] > 0))
 
     def again(self, scene):
         """Does a smaller scene break the invariant as well?"""
@@ -282,7 +287,7 @@ def search(arguments):
 
 def summarize(arguments, keys, outcome):
     """Prints what was judged; passed, failed and skipped invariants."""
-    (judged, drawn, valid, scenes, discarded, runs), finds, faults, seconds = outcome
+    (judged, drawn, valid, yielding, scenes, discarded, runs), finds, faults, seconds = outcome
     names = [name for name in invariants.ALL
              if not arguments.invariant or name in arguments.invariant]
     passed = failed = skipped = 0
@@ -296,6 +301,10 @@ def summarize(arguments, keys, outcome):
           f"({100 * rate:.1f} %), {runs} runs")
     if scenes >= 100 and rate > DISCARDED_MOST:
         print(f"FAIL search: more than {100 * DISCARDED_MOST:.0f} % of the scenes are refused")
+        failed += 1
+    print(f"{yielding['yields']} of {yielding['plastic']} scenes with plastic laws yield")
+    if yielding["plastic"] >= 25 and yielding["yields"] < YIELDS_LEAST * yielding["plastic"]:
+        print(f"FAIL search: fewer than {100 * YIELDS_LEAST:.0f} % of these yield")
         failed += 1
     wanted = draw.wanted_of(keys, meaning)
     never = [path for path in wanted if not valid[path]]

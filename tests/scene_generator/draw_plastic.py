@@ -1,0 +1,101 @@
+"""Draws materials with plastic strain: functions (canvas, key) of the tables in meaning.py.
+
+Bodies move at parts of the speed of waves, so that stresses are such parts of the modulus: yield stresses are
+between a thousandth and a tenth of it, and most scenes yield. Temperatures are from 10 on, 1 or 2 below
+melting, which a strain of one softens.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+
+from draw import ABSENT, short
+
+PLASTIC = ["von_mises", "johnson_cook", "von_mises_gruneisen", "johnson_cook_gruneisen"]
+WITH_TEMPERATURE = ("mie_gruneisen", "von_mises_gruneisen")  # of which it changes nothing
+
+
+def draw_law(canvas):
+    """One with plastic strain, or a solid beside it."""
+    if canvas.chance(15):
+        return canvas.pick(["neo_hookean", "linear_elastic"])
+    return canvas.pick(PLASTIC[:2] if canvas.scene["geometry"] == "plane_stress" else PLASTIC)
+
+
+def shear_modulus(material):
+    """Of a material whose moduli are drawn."""
+    if "shear" in material:
+        return material["shear"]
+    return material["young"] / (2 * (1 + material["poisson"]))
+
+
+def draw_yield_stress(canvas, _):
+    """A part of the shear modulus; settles what else the material has."""
+    notes = canvas.notes
+    if notes["group"]["law"] not in PLASTIC:
+        return ABSENT
+    notes["hardens"], notes["rates"] = canvas.chance(60), canvas.chance(50)
+    notes["softens"] = notes["group"]["law"].startswith("johnson_cook") and canvas.chance(60)
+    return short(shear_modulus(notes["group"]) * canvas.pick([0.01, 0.002, 0.1, 0.03]))
+
+
+def has(canvas, key):
+    """Has the material's law the parameter?"""
+    return canvas.law_requires(key) is not None
+
+
+def draw_part(canvas, key):
+    """A modulus of hardening."""
+    if not has(canvas, key) or canvas.chance(50):
+        return ABSENT
+    return short(shear_modulus(canvas.notes["group"]) * canvas.pick([0.1, 0, 0.5]))
+
+
+def draw_hardening_strain(canvas, key):
+    """Of a power, with its exponent."""
+    return canvas.pick([0.01, 0.1, 0.001]) if has(canvas, key) and canvas.notes["hardens"] else ABSENT
+
+
+def draw_exponent(canvas, key):
+    """Of a power."""
+    return canvas.pick([0.5, 0.3, 1]) if has(canvas, key) and canvas.notes["hardens"] else ABSENT
+
+
+def draw_coefficient(canvas, key):
+    """Of Johnson and Cook's power."""
+    if not has(canvas, key) or not canvas.notes["hardens"]:
+        return ABSENT
+    return short(canvas.notes["group"]["yield_stress"] * canvas.pick([1, 0.3, 4]))
+
+
+def draw_rate_coefficient(canvas, key):
+    """With the reference rate."""
+    return canvas.pick([0.02, 0.2]) if has(canvas, key) and canvas.notes["rates"] else ABSENT
+
+
+def draw_reference_rate(canvas, key):
+    """Below the rates of the scene and within them."""
+    if not has(canvas, key) or not canvas.notes["rates"]:
+        return ABSENT
+    return short(canvas.pick([0.001, 0.05]) * canvas.scale(key.unit))
+
+
+def draw_of_softening(sizes):
+    """A parameter of softening: one of these."""
+    def draw(canvas, key):
+        return canvas.pick(sizes) if has(canvas, key) and canvas.notes["softens"] else ABSENT
+    return draw
+
+
+def draw_specific_heat(canvas, key):
+    """Of softening: plastic work warms by some tenths. Of an equation of state alone, which has a
+    temperature then; and of a gas, which has one without a start."""
+    material = canvas.notes["group"]
+    canvas.notes["warm"] = material["law"] in WITH_TEMPERATURE and canvas.chance(40)
+    softens = has(canvas, key) and material["law"] in PLASTIC and canvas.notes["softens"]
+    gas = material["law"] == "stiffened_gas" and canvas.chance(30)
+    return canvas.pick([0.01, 0.1]) if softens or gas or canvas.notes["warm"] else ABSENT
+
+
+def draw_temperature(canvas, key):
+    """At the start: the reference temperature, or beside it."""
+    softens = has(canvas, key) and canvas.notes["group"]["law"] in PLASTIC and canvas.notes["softens"]
+    return canvas.pick([10, 10.5, 9]) if softens or canvas.notes["warm"] else ABSENT
