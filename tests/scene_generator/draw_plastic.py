@@ -1,8 +1,10 @@
 """Draws materials with plastic strain: functions (canvas, key) of the tables in meaning.py.
 
 Bodies move at parts of the speed of waves, so that stresses are such parts of the modulus: yield stresses are
-between a thousandth and a tenth of it, and most scenes yield. Temperatures are from 10 on, 1 or 2 below
-melting, which a strain of one softens.
+between a thousandth and a tenth of it, and half of the scenes yield. Temperatures are from 10 on, 1 or 2
+below melting, with a heat capacity at which softening is less steep than elastic unloading: s^2/(rho c
+(T_m - T_r)) is far below 3 G. Beyond, the stress falls in a few steps of any size, and with it elastic
+energy that nothing counts: a law without a solution.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -86,13 +88,16 @@ def draw_of_softening(sizes):
 
 
 def draw_specific_heat(canvas, key):
-    """Of softening: plastic work warms by some tenths. Of an equation of state alone, which has a
+    """Of softening: strains of percents warm by some tenths. Of an equation of state alone, which has a
     temperature then; and of a gas, which has one without a start."""
     material = canvas.notes["group"]
     canvas.notes["warm"] = material["law"] in WITH_TEMPERATURE and canvas.chance(40)
     softens = has(canvas, key) and material["law"] in PLASTIC and canvas.notes["softens"]
     gas = material["law"] == "stiffened_gas" and canvas.chance(30)
-    return canvas.pick([0.01, 0.1]) if softens or gas or canvas.notes["warm"] else ABSENT
+    if softens:
+        least = material["yield_stress"] ** 2 / (3 * shear_modulus(material) * material["density"])
+        return short(least * canvas.pick([30, 300]))
+    return canvas.pick([0.01, 0.1]) if gas or canvas.notes["warm"] else ABSENT
 
 
 def draw_temperature(canvas, key):
