@@ -235,6 +235,19 @@ void mpm_rigid_particle_stencil(const struct mpm_state *state, size_t p,
     state->family->evaluate(&state->shape_grid, &domain, stencil);
 }
 
+/* A node of which all fields have contact with the body, or no mass, is on no list: its owner would
+ * stay, and the body would never drive the node again. */
+static void forget_owners(struct mpm_state *state)
+{
+    for (size_t p = 0; p < state->rigid.count; p++) {
+        struct mpm_stencil stencil;
+        mpm_rigid_particle_stencil(state, p, &stencil);
+        for (int k = 0; k < stencil.count; k++)
+            if (stencil.node[k].s != 0.0)
+                state->conditions.rigid_owner[state->node_zero + stencil.node[k].node] = 0;
+    }
+}
+
 static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *error)
 {
     const size_t first_rigid = state->conditions.active_count;
@@ -252,9 +265,7 @@ static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *e
             MPM_TRY(drive_node(state, first_rigid, body, node, error));
         }
     }
-    for (size_t k = first_rigid; k < state->conditions.active_count; k++)
-        state->conditions.rigid_owner[mpm_field_parent(state, state->conditions.active[k].node)] =
-            0;
+    forget_owners(state);
     return MPM_OK;
 }
 

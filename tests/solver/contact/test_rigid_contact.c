@@ -1,6 +1,7 @@
 /* Rigid bodies in contact: what does not depend on how a scene is written.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "simulation/simulation.h"
 #include "suites.h"
 #include "support/near.h"
 #include "support/scenes.h"
@@ -103,12 +104,50 @@ START_TEST(a_rigid_body_drives_the_same_bodies_whichever_a_crack_cuts)
 }
 END_TEST
 
+/* A tool that has contact with one body and drives the other: nodes that the first one alone has
+ * reached are driven once the second one reaches them. Steps that are taken again from the start
+ * see whether a step leaves anything behind. */
+#define DRIVEN_BESIDE_CONTACT                                                                      \
+    "format: 1\ngeometry: plane_strain\ngrid: {cell: [1, 1], cells: [13, 12]}\n"                   \
+    "time: {end: 100, step: 0.1}\nmethod: {shape: ugimp}\n"                                        \
+    "materials:\n"                                                                                 \
+    "  - {name: free, law: neo_hookean, density: 0.5, bulk: 1, shear: 1}\n"                        \
+    "  - {name: driven, law: neo_hookean, density: 0.5, bulk: 1, shear: 1}\n"                      \
+    "bodies:\n"                                                                                    \
+    "  - {name: a, material: driven, region: {rectangle: {from: [8, 3], to: [9.5, 9.5]}},\n"       \
+    "     velocity: [-0.4, 0]}\n"                                                                  \
+    "  - {name: b, material: free, region: {rectangle: {from: [5, 3], to: [8, 6]}},\n"             \
+    "     velocity: [-0.4, -0.4]}\n"                                                               \
+    "  - {name: tool, rigid: {velocity: [0.2, -0.2]},\n"                                           \
+    "     region: {rectangle: {from: [2, 2], to: [10, 3]}}}\n"                                     \
+    "contact: {fields: materials, law: stick,\n"                                                   \
+    "  pairs: [{of: [free, tool], law: frictionless}, {of: [driven, tool], law: none}]}\n"
+
+START_TEST(a_step_leaves_nothing_of_what_a_tool_drives)
+{
+    enum { STEPS = 16, ROOM = 1000 };
+    static double before[ROOM], after[ROOM];
+    struct test_run run = test_run_open(DRIVEN_BESIDE_CONTACT, NULL, 1);
+    const size_t count = 2 * mpm_simulation_particle_count(run.simulation);
+    ck_assert_uint_le(count, ROOM);
+    for (int k = 0; k < STEPS; k++)
+        ck_assert_int_eq(mpm_simulation_advance(run.simulation, 100.0, NULL), MPM_OK);
+    mpm_simulation_field(run.simulation, MPM_FIELD_VELOCITY, before);
+    mpm_backup_restore(run.simulation, STEPS);
+    mpm_simulation_field(run.simulation, MPM_FIELD_VELOCITY, after);
+    for (size_t k = 0; k < count; k++)
+        ck_assert_double_eq(after[k], before[k]);
+    test_run_close(&run);
+}
+END_TEST
+
 Suite *suite_rigid_contact(void)
 {
     Suite *suite = suite_create("rigid_contact");
     TCase *same = tcase_create("same");
     tcase_add_loop_test(same, a_rigid_body_across_a_plane_of_symmetry_has_a_mirror_image, 0, 12);
     tcase_add_test(same, a_rigid_body_drives_the_same_bodies_whichever_a_crack_cuts);
+    tcase_add_test(same, a_step_leaves_nothing_of_what_a_tool_drives);
     suite_add_tcase(suite, same);
     return suite;
 }
