@@ -43,7 +43,7 @@
     SUITE(expression)                                                                              \
     SUITE(material)                                                                                \
     SUITE(von_mises)                                                                               \
-    SUITE(plane_stress)                                                                               \
+    SUITE(plane_stress)                                                                            \
     SUITE(johnson_cook)                                                                            \
     SUITE(gruneisen_solid)                                                                         \
     SUITE(equation_of_state)                                                                       \

@@ -50,8 +50,8 @@ bool mpm_gruneisen_advance(const struct mpm_material *material, double old_j, do
 /* 1 - 1/s: J at the pole; 0 for s <= 1. */
 double mpm_gruneisen_least_volume(const struct mpm_material *material);
 
-/* T at J and e; by a series or quadrature, to 1e-11 of e and that of the isentrope. It has no meaning
- * where the cut-off acts. */
+/* T at J and e; by a series or quadrature, to 1e-11 of e and that of the isentrope. It has no
+ * meaning where the cut-off acts. */
 double mpm_gruneisen_temperature(const struct mpm_material *material, double j, double energy);
 
 /* Rows of struct mpm_law_parameter: of the equation, of the temperature. */

@@ -236,7 +236,7 @@ static void compare(struct measurement *m, const char *name, size_t count, const
 static enum mpm_status validate(struct measurement *m, const struct study *study, size_t count,
                                 const struct size *sizes, struct mpm_error *error)
 {
-    double lengths[LEVELS_MAX], diameters[LEVELS_MAX], rows[2 * VALIDATION];
+    double lengths[LEVELS_MAX] = {0.0}, diameters[LEVELS_MAX] = {0.0}, rows[2 * VALIDATION];
     const struct experiment *const found = &study->experiment;
     for (size_t k = 0; k < count; k++) {
         lengths[k] = sizes[k].length / study->undeformed.length;

@@ -235,9 +235,8 @@ void mpm_rigid_particle_stencil(const struct mpm_state *state, size_t p,
     state->family->evaluate(&state->shape_grid, &domain, stencil);
 }
 
-/* A node of which all fields have contact with the body, or no mass, is on no list: its owner would
- * stay, and the body would never drive the node again. */
-static void forget_owners(struct mpm_state *state)
+/* A node of which all fields have contact with its owner is on no list. */
+static void forget_all_owners(struct mpm_state *state)
 {
     for (size_t p = 0; p < state->rigid.count; p++) {
         struct mpm_stencil stencil;
@@ -246,6 +245,18 @@ static void forget_owners(struct mpm_state *state)
             if (stencil.node[k].s != 0.0)
                 state->conditions.rigid_owner[state->node_zero + stencil.node[k].node] = 0;
     }
+}
+
+/* A body does not drive a node that it owns already: none may be left for the next step. */
+static void forget_owners(struct mpm_state *state, size_t first_rigid)
+{
+    if (state->contact.touched != NULL) {
+        forget_all_owners(state);
+        return;
+    }
+    for (size_t k = first_rigid; k < state->conditions.active_count; k++)
+        state->conditions.rigid_owner[mpm_field_parent(state, state->conditions.active[k].node)] =
+            0;
 }
 
 static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *error)
@@ -265,7 +276,7 @@ static enum mpm_status gather_rigid(struct mpm_state *state, struct mpm_error *e
             MPM_TRY(drive_node(state, first_rigid, body, node, error));
         }
     }
-    forget_owners(state);
+    forget_owners(state, first_rigid);
     return MPM_OK;
 }
 
