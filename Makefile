@@ -249,6 +249,13 @@ test-scenes: $(BUILD)/bin/mpm $(PROBE) ## random scenes against invariants, for 
 	  $(if $(SCENES),--scenes $(SCENES),--seconds $(SECONDS_OF_SCENES)) --jobs $(JOBS) \
 	  $(if $(SEED),--seed $(SEED)) --output $(BUILD)/scenes
 
+.PHONY: test-kill
+KILLS ?= 60
+RACES ?= 12
+test-kill: $(BUILD)/bin/mpm ## runs that are killed at KILLS (60) random moments go on to the same bytes; RACES (12) of two runs into one folder
+	@/usr/bin/python3 -B tests/interruption/kill.py --mpm $(BUILD)/bin/mpm --kills $(KILLS) \
+	  --races $(RACES) $(if $(SEED),--seed $(SEED)) $(wildcard tests/interruption/*.yaml)
+
 .PHONY: coverage
 coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gcovr
 	@find build/cov -name '*.gcda' -delete 2>/dev/null || true

@@ -31,6 +31,7 @@ enum mpm_status {
     MPM_BAD_INPUT = 2,          /* the scene or an argument is wrong: nothing was written */
     MPM_RUN_FAILED = 3,         /* enum mpm_cause has the causes */
     MPM_ENVIRONMENT_FAILED = 4, /* memory, disk, a file that cannot be written */
+    MPM_INTERRUPTED = 128,      /* the caller has ended the run: plus the number of its signal */
 };
 
 /* Why a run failed (MPM_RUN_FAILED). The message starts with words of its own for each. */
@@ -97,9 +98,6 @@ struct mpm_lags {
     double position, velocity, deformation;
 };
 struct mpm_lags mpm_scene_lags(const struct mpm_scene *scene);
-/* Does the scene require checkpoints? This version writes none. */
-bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene);
-
 /* Two sets of kernels take a step. The reference kernels go particle by particle, to be read beside
  * the papers; the fast ones take several at once. Both agree to round-off. */
 enum mpm_kernels {
@@ -149,6 +147,7 @@ struct mpm_plan {
     char stability_advice[MPM_MESSAGE_SIZE]; /* see mpm_simulation_advice */
     int threads;                             /* that a run uses, of those that the options allow */
     char threads_reason[MPM_REASON_SIZE];
+    size_t checkpoint_bytes; /* of one; a run keeps two */
 };
 
 /* Largest Courant numbers at which motions of a scene's method stayed bounded in case G1 of the
@@ -403,6 +402,7 @@ struct mpm_run_options {
     const char *output; /* folder for the results; NULL writes nothing */
     struct mpm_simulation_options simulation;
     bool overwrite;         /* allow a folder that holds results */
+    bool resume;            /* go on from the checkpoint in the folder */
     const char *scene_path; /* for provenance; may be NULL */
     /* Called after each step, if not NULL; `fraction` of the run done, 0..1. */
     void (*progress)(void *context, double fraction, const struct mpm_simulation *simulation);
@@ -411,6 +411,9 @@ struct mpm_run_options {
      * ended. run.json lists them. */
     void (*warn)(void *context, const char *warning);
     void *progress_context;
+    /* Called before each step, if not NULL: other than 0, the number of a signal, the run is to end
+     * now. */
+    int (*interrupted)(void);
 };
 
 /* Runs a scene to its end and writes run.json, history.csv and snapshots. A scene that requires
@@ -418,7 +421,15 @@ struct mpm_run_options {
  * (MPM_RUN_FAILED: an answer that has not converged must not pass for one). The energy is judged
  * before each row, each snapshot and the end. Refuses (MPM_BAD_INPUT) an output that is a file or
  * holds results. On MPM_RUN_FAILED the last good state has been written and run.json has the
- * reason. */
+ * reason.
+ *
+ * With output.checkpoint or output.checkpoint_seconds the run leaves checkpoints, from which a run
+ * with `resume` goes on: its files have the same bytes as those of a run without interruption, but
+ * for run.json. MPM_INTERRUPTED: `interrupted` has ended the run; a checkpoint, a row of the
+ * history and run.json are written. MPM_BAD_INPUT: another run writes to the folder; with `resume`
+ * there is no sound checkpoint of the scene, its settings and its kernels (MPM_KERNELS_AUTO takes
+ * those of the checkpoint). Cost of a checkpoint: a copy of the particles' kept fields to the disk.
+ */
 enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_run_options *options,
                               struct mpm_error *error);
 

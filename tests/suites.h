@@ -15,6 +15,9 @@
     SUITE(kernel_table)                                                                            \
     SUITE(cli)                                                                                     \
     SUITE(properties)                                                                              \
+    SUITE(checkpoint)                                                                              \
+    SUITE(checkpoint_file)                                                                         \
+    SUITE(interruption)                                                                            \
     SUITE(kernel_bits)                                                                             \
     SUITE(energy_balance)                                                                          \
     SUITE(j_integral)                                                                              \

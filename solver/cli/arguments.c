@@ -27,18 +27,29 @@ static int bad_usage(const struct cli_command *command, const char *problem, con
 
 enum { THREADS_MAX = 1024 };
 
-/* OMP_NUM_THREADS may be a list: the first number of it. All processors if that is no whole number
- * from 1 on. */
-static int default_threads(void)
+static int bad_threads(const struct cli_command *command, const char *where, const char *text)
+{
+    return cli_fail(MPM_BAD_INPUT,
+                    "%s: %s: '%s' is not a whole number from 1 to %d; see 'mpm %s --help'",
+                    command->name, where, text, THREADS_MAX, command->name);
+}
+
+static bool read_threads(const char *text, guint64 *threads)
+{
+    return g_ascii_string_to_unsigned(text, 10, 1, THREADS_MAX, threads, NULL);
+}
+
+/* OMP_NUM_THREADS may be a list: the first number of it. Without it all processors. */
+static int default_threads(const struct cli_command *command, guint64 *threads)
 {
     const char *text = g_getenv("OMP_NUM_THREADS");
-    char **list = g_strsplit(text != NULL ? text : "", ",", 2);
-    guint64 number = 0;
-    if (list[0] == NULL ||
-        !g_ascii_string_to_unsigned(g_strstrip(list[0]), 10, 1, G_MAXUINT64, &number, NULL))
-        number = g_get_num_processors();
+    *threads = MIN((guint64)g_get_num_processors(), (guint64)THREADS_MAX);
+    if (text == NULL)
+        return MPM_OK;
+    char **list = g_strsplit(text, ",", 2);
+    const bool read = list[0] != NULL && read_threads(g_strstrip(list[0]), threads);
     g_strfreev(list);
-    return (int)MIN(number, (guint64)THREADS_MAX);
+    return read ? MPM_OK : bad_threads(command, "OMP_NUM_THREADS", text);
 }
 
 /* What is a text on the command line and has to be looked at; NULL where not given. */
@@ -50,20 +61,19 @@ static int take_simulation(const struct cli_command *command, const struct texts
                            struct mpm_simulation_options *simulation)
 {
     struct mpm_error error = {.status = MPM_OK};
-    guint64 threads = (guint64)default_threads();
+    guint64 threads = 1;
+    int status = MPM_OK;
     if (given->kernels != NULL &&
         mpm_kernels_find(given->kernels, &simulation->kernels, &error) != MPM_OK)
         return bad_usage(command, "--kernels: ", error.message);
     if (given->simd != NULL && mpm_simd_find(given->simd, &simulation->simd, &error) != MPM_OK)
         return bad_usage(command, "--simd: ", error.message);
-    if (given->threads != NULL &&
-        !g_ascii_string_to_unsigned(given->threads, 10, 1, THREADS_MAX, &threads, NULL))
-        return cli_fail(
-            MPM_BAD_INPUT,
-            "%s: --threads: '%s' is not a whole number from 1 to %d; see 'mpm %s --help'",
-            command->name, given->threads, THREADS_MAX, command->name);
+    if (given->threads != NULL && !read_threads(given->threads, &threads))
+        return bad_threads(command, "--threads", given->threads);
+    if (given->threads == NULL && g_strv_contains(command->options, "threads"))
+        status = default_threads(command, &threads);
     simulation->threads = (int)threads;
-    return MPM_OK;
+    return status;
 }
 
 /* Takes exactly the operands that the command has. */

@@ -47,6 +47,8 @@ static void print_plan(const struct mpm_scene *scene, const struct mpm_plan *pla
     (void)printf("kernels    %s (%s)\n", plan->kernels, plan->kernels_reason);
     (void)printf("simd       %s\n", plan->simd);
     (void)printf("threads    %d (%s)\n", plan->threads, plan->threads_reason);
+    (void)printf("checkpoint %.4g MB each; a run that leaves some keeps two\n",
+                 1e-6 * (double)plan->checkpoint_bytes);
 }
 
 int cli_check(struct cli_arguments *arguments)

@@ -3,10 +3,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"
 #include "cli/progress.h"
+#include "cli/signals.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 /* "disk-results" for the scene "scenes/disk.yaml". */
 static char *default_output(const char *scene)
@@ -20,13 +22,16 @@ static char *default_output(const char *scene)
     return output;
 }
 
+/* The results are in files: where standard output is closed or full, they are none the worse. */
 static void print_summary(const struct cli_progress *progress, const char *output)
 {
     const double particle_steps = (double)progress->step * (double)progress->particles;
-    (void)printf("done: %" PRIu64 " steps, %zu particles", progress->step, progress->particles);
+    char speed[64] = "";
     if (progress->seconds > 0.0)
-        (void)printf(", %.3g particle-steps/s", particle_steps / progress->seconds);
-    (void)printf(", results in %s\n", output);
+        g_snprintf(speed, sizeof speed, ", %.3g particle-steps/s",
+                   particle_steps / progress->seconds);
+    (void)dprintf(STDOUT_FILENO, "done: %" PRIu64 " steps, %zu particles%s, results in %s\n",
+                  progress->step, progress->particles, speed, output);
 }
 
 int cli_run(struct cli_arguments *arguments)
@@ -34,31 +39,32 @@ int cli_run(struct cli_arguments *arguments)
     struct mpm_scene *scene = NULL;
     if (arguments->output == NULL)
         arguments->output = default_output(arguments->scene);
-    if (arguments->resume)
-        return cli_fail(MPM_BAD_INPUT,
-                        "--resume: there is no checkpoint in '%s'; this version writes none, run "
-                        "the scene from its start",
-                        arguments->output);
+    if (arguments->resume && arguments->overwrite)
+        return cli_fail(MPM_BAD_INPUT, "run: --resume and --overwrite: allowed: one of them; see "
+                                       "'mpm run --help'");
     const int status = cli_scene_read(arguments, &scene);
     if (status != MPM_OK)
         return status;
-    if (mpm_scene_wants_checkpoints(scene) && !arguments->quiet)
-        (void)fprintf(stderr, "mpm: output.checkpoint: this version writes no checkpoints\n");
+    cli_signals_await();
     struct cli_progress progress;
     cli_progress_start(&progress, arguments->quiet);
     const struct mpm_run_options options = {
         .output = arguments->output,
         .simulation = arguments->simulation,
         .overwrite = arguments->overwrite,
+        .resume = arguments->resume,
         .scene_path = arguments->scene,
         .progress = cli_progress_step,
         .warn = cli_progress_warn,
         .progress_context = &progress,
+        .interrupted = cli_signals_received,
     };
     struct mpm_error error = {.status = MPM_OK};
     const enum mpm_status ran = mpm_scene_run(scene, &options, &error);
     cli_progress_end(&progress);
     mpm_scene_free(scene);
+    if (ran == MPM_INTERRUPTED)
+        return cli_fail(ran, "%s", error.message) + cli_signals_received();
     if (ran != MPM_OK)
         return cli_fail(ran, "%s", error.message);
     if (!arguments->quiet)

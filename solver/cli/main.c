@@ -4,9 +4,11 @@
 #include "cli/cli.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 static const struct cli_command commands[] = {
     {.name = "run",
@@ -22,7 +24,14 @@ static const struct cli_command commands[] = {
          "Results are the same for any number of threads, and for any LEVEL of SIMD. 'mpm\n"
          "check' states which kernels and how many threads a scene gets, and why. PATH is a\n"
          "place in the scene, such as grid.refine, materials.polymer.bulk or\n"
-         "bodies.0.velocity.1; VALUE is YAML.",
+         "bodies.0.velocity.1; VALUE is YAML.\n\n"
+         "With output.checkpoint (an interval of the scene's time) or\n"
+         "output.checkpoint_seconds (of the clock) a run leaves checkpoint.h5 and the one\n"
+         "before it, checkpoint-previous.h5. SIGINT, SIGTERM and SIGXCPU end a run after the\n"
+         "step at hand, with a checkpoint and exit status 128 plus the signal's number; a\n"
+         "second SIGINT or SIGTERM ends it at once. --resume goes on from the last sound\n"
+         "checkpoint, to the same bytes as a run without interruption; the scene, its\n"
+         "settings and the kernels must be the same, threads and LEVEL need not.",
      .run = cli_run},
     {.name = "check",
      .operands = "SCENE",
@@ -52,7 +61,7 @@ static int print_help(void)
     (void)puts("\n'mpm COMMAND --help' lists the options of a command, 'mpm --version' the "
                "version.\n\n"
                "Exit status: 0 done; 2 bad usage or bad input; 3 the run failed; 4 the\n"
-               "environment failed (disk, memory, file).");
+               "environment failed (disk, memory, file); 128 + n ended by signal n.");
     return MPM_OK;
 }
 
@@ -90,8 +99,18 @@ static void ignore_write_signals(void)
     (void)sigaction(SIGXFSZ, &ignore, NULL);
 }
 
+/* A result file must not get the number of a standard stream that the caller has closed: what is
+ * printed there would go into it. Opened the wrong way round, such a stream still fails. */
+static void fill_closed_streams(void)
+{
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)
+        if (fcntl(stream, F_GETFD) == -1 && errno == EBADF)
+            (void)open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 int main(int argc, char **argv)
 {
+    fill_closed_streams();
     static char everything[1 << 18]; /* printed at the end: one call reports why it failed */
     (void)setvbuf(stdout, everything, _IOFBF, sizeof everything);
     ignore_write_signals();

@@ -27,7 +27,8 @@ static const char *time_to_go(const struct cli_progress *progress, double fracti
                               char text[CLOCK_TEXT_SIZE])
 {
     const double elapsed = 1e-6 * (double)(now - progress->start);
-    const double left = fraction > 0.0 ? elapsed * (1.0 - fraction) / fraction : 0.0;
+    const double done = fraction - progress->first; /* since the start, or since it was resumed */
+    const double left = done > 0.0 ? elapsed * (1.0 - fraction) / done : 0.0;
     const long seconds = left < 1e8 ? (long)(left + 0.5) : 100000000L;
     if (seconds >= 3600)
         g_snprintf(text, CLOCK_TEXT_SIZE, "%ld:%02ld:%02ld", seconds / 3600, seconds / 60 % 60,
@@ -97,6 +98,8 @@ void cli_progress_step(void *context, double fraction, const struct mpm_simulati
     struct cli_progress *progress = context;
     if (progress->quiet)
         return;
+    if (progress->step == 0)
+        progress->first = mpm_simulation_step(simulation) > 1 ? fraction : 0.0;
     progress->step = mpm_simulation_step(simulation);
     progress->particles = mpm_simulation_particle_count(simulation);
     progress->seconds = seconds_stepping(simulation);

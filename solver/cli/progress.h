@@ -13,6 +13,7 @@ struct cli_progress {
     bool line_open;          /* a bar is on the terminal's line */
     gint64 start, next_draw; /* microseconds */
     int tenths;              /* reported so far */
+    double first;            /* what was done of the run before: above 0 if it was resumed */
     /* as of the last step */
     uint64_t step;
     size_t particles;

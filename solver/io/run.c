@@ -1,10 +1,8 @@
 /* A scene run to its end, with its result files: mpm_scene_run.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/results/history.h"
-#include "io/results/results_folder.h"
-#include "io/results/run_record.h"
-#include "io/results/series.h"
+#include "io/results/file_write.h"
+#include "io/run_state.h"
 
 #include <glib.h>
 #include <inttypes.h>
@@ -14,55 +12,41 @@
  * the interval carry round-off, and a last sliver of a step would serve nobody. */
 static const double instant_tolerance = 1e-9;
 
-struct run {
-    const struct mpm_scene *scene;
-    const struct mpm_run_options *options;
-    struct mpm_simulation *simulation;
-    struct mpm_history *history; /* NULL, as the series, when nothing is written */
-    struct mpm_series *series;
-    double history_instant, snapshot_instant; /* number of the last one passed */
-    struct mpm_run_record record;
-    char *growth_warning; /* NULL until it was given */
-    char *parted_warning; /* the same */
-    bool *tip_told;       /* per J integral of the scene: has the end of its tip been reported? */
-};
-
-static double seconds_now(void)
+double mpm_run_seconds(void)
 {
     return 1e-6 * (double)g_get_monotonic_time();
 }
 
 /* ---------------------------------------------------------------- instants */
 
-/* Which instant of 0, interval, 2 interval, … has been reached; 0 without an interval. */
-static double instant_reached(double time, double interval)
+double mpm_run_instant(double time, double interval)
 {
     return interval > 0.0 ? floor(time / interval + instant_tolerance) : 0.0;
 }
 
 /* Time that the next step must not pass: the next snapshot, or the end. Counted from
  * t = 0, so that no error adds up. */
-static double time_limit(const struct run *run)
+static double time_limit(const struct mpm_run *run)
 {
     const double interval = run->scene->snapshot_interval, end = run->scene->end;
     const double next = (run->snapshot_instant + 1.0) * interval;
     return interval > 0.0 && next < end - instant_tolerance * interval ? next : end;
 }
 
-static bool has_taken_all_steps(const struct run *run)
+static bool has_taken_all_steps(const struct mpm_run *run)
 {
     return run->scene->steps > 0 &&
            mpm_simulation_step(run->simulation) >= (uint64_t)run->scene->steps;
 }
 
-static bool is_finished(const struct run *run)
+static bool is_finished(const struct mpm_run *run)
 {
     return mpm_simulation_time(run->simulation) >= run->scene->end || has_taken_all_steps(run) ||
            mpm_simulation_at_rest(run->simulation, NULL) ||
            mpm_simulation_stagnates(run->simulation);
 }
 
-static const char *end_reason(const struct run *run)
+static const char *end_reason(const struct mpm_run *run)
 {
     if (mpm_simulation_at_rest(run->simulation, NULL))
         return "at rest";
@@ -73,39 +57,41 @@ static const char *end_reason(const struct run *run)
 
 /* ------------------------------------------------------------------ output */
 
-static void warn(const struct run *run, const char *warning)
+void mpm_run_warn(const struct mpm_run *run, const char *warning)
 {
     if (run->options->warn != NULL)
         run->options->warn(run->options->progress_context, warning);
 }
 
 /* Once, when it is first seen. */
-static void warn_of_growth(struct run *run)
+static void warn_of_growth(struct mpm_run *run)
 {
     struct mpm_energy_growth growth;
-    if (run->growth_warning != NULL || !mpm_simulation_energy_growth(run->simulation, &growth))
+    if (run->growth_warning[0] != '\0' || !mpm_simulation_energy_growth(run->simulation, &growth))
         return;
-    run->growth_warning = g_strdup_printf(
-        "growing energy, first seen at step %" PRIu64 ", time %g: %.3g times what the start and "
-        "the work since have put in; the run goes on up to 10 times",
-        growth.step, growth.time, growth.factor);
-    warn(run, run->growth_warning);
+    (void)g_snprintf(run->growth_warning, sizeof run->growth_warning,
+                     "growing energy, first seen at step %" PRIu64
+                     ", time %g: %.3g times what the start and "
+                     "the work since have put in; the run goes on up to 10 times",
+                     growth.step, growth.time, growth.factor);
+    mpm_run_warn(run, run->growth_warning);
 }
 
 /* Once, at the first row of the history that has parted pairs. */
-static void warn_of_parting(struct run *run, const struct mpm_ledger *ledger)
+static void warn_of_parting(struct mpm_run *run, const struct mpm_ledger *ledger)
 {
-    if (ledger->parted_pairs == 0 || run->parted_warning != NULL)
+    if (ledger->parted_pairs == 0 || run->parted_warning[0] != '\0')
         return;
-    run->parted_warning = g_strdup_printf(
+    (void)g_snprintf(
+        run->parted_warning, sizeof run->parted_warning,
         "numerical fracture, first seen at step %" PRIu64 ", time %g: %" PRIu64
         " pairs of neighbouring particles have no node in common; see parted_pairs of history.csv",
         ledger->step, ledger->time, ledger->parted_pairs);
-    warn(run, run->parted_warning);
+    mpm_run_warn(run, run->parted_warning);
 }
 
 /* Each once. */
-static void warn_of_tips(struct run *run)
+static void warn_of_tips(struct mpm_run *run)
 {
     const size_t count = mpm_scene_j_integral_count(run->scene);
     for (size_t k = 0; k < count; k++) {
@@ -114,11 +100,11 @@ static void warn_of_tips(struct run *run)
         if (run->tip_told[k] || !mpm_simulation_tip_end(run->simulation, k, &end, message))
             continue;
         run->tip_told[k] = true;
-        warn(run, message);
+        mpm_run_warn(run, message);
     }
 }
 
-static enum mpm_status write_history(struct run *run, struct mpm_error *error)
+static enum mpm_status write_history(struct mpm_run *run, struct mpm_error *error)
 {
     struct mpm_ledger ledger;
     mpm_simulation_ledger(run->simulation, &ledger);
@@ -130,7 +116,7 @@ static enum mpm_status write_history(struct run *run, struct mpm_error *error)
 }
 
 /* A failure to write says at which state of the run that was and what there is. */
-static enum mpm_status add_state(const struct run *run, enum mpm_status status,
+static enum mpm_status add_state(const struct mpm_run *run, enum mpm_status status,
                                  struct mpm_error *error)
 {
     double time = 0.0;
@@ -149,25 +135,25 @@ static enum mpm_status add_state(const struct run *run, enum mpm_status status,
 
 /* Writes what is due; what is there already for this step is not written twice.
  * MPM_RUN_FAILED: all is written, but a row of the history has a quantity without a value. */
-static enum mpm_status write_results(struct run *run, bool history, bool snapshot,
+static enum mpm_status write_results(struct mpm_run *run, bool history, bool snapshot,
                                      struct mpm_error *error)
 {
     if (run->series == NULL || !(history || snapshot))
         return MPM_OK;
-    const double start = seconds_now();
+    const double start = mpm_run_seconds();
     const enum mpm_status row = history ? write_history(run, error) : MPM_OK;
     enum mpm_status status = row == MPM_RUN_FAILED ? MPM_OK : row;
     if (status == MPM_OK && snapshot)
         status = mpm_series_write(run->series, run->simulation, error);
-    run->record.seconds_output += seconds_now() - start;
+    run->record.seconds_output += mpm_run_seconds() - start;
     return status == MPM_OK ? row : add_state(run, status, error);
 }
 
-static enum mpm_status write_due_results(struct run *run, struct mpm_error *error)
+static enum mpm_status write_due_results(struct mpm_run *run, struct mpm_error *error)
 {
     const double time = mpm_simulation_time(run->simulation);
-    const double history = instant_reached(time, run->scene->history_interval);
-    const double snapshot = instant_reached(time, run->scene->snapshot_interval);
+    const double history = mpm_run_instant(time, run->scene->history_interval);
+    const double snapshot = mpm_run_instant(time, run->scene->snapshot_interval);
     const bool history_due = history > run->history_instant;
     const bool snapshot_due = snapshot > run->snapshot_instant;
     const bool finished = is_finished(run);
@@ -180,7 +166,7 @@ static enum mpm_status write_due_results(struct run *run, struct mpm_error *erro
 }
 
 /* The simulation still shows the last good step; the first failure stays the reason. */
-static enum mpm_status keep_last_good_state(struct run *run, enum mpm_status failed,
+static enum mpm_status keep_last_good_state(struct mpm_run *run, enum mpm_status failed,
                                             struct mpm_error *error)
 {
     const struct mpm_error first = *error;
@@ -196,7 +182,7 @@ static enum mpm_status keep_last_good_state(struct run *run, enum mpm_status fai
 
 /* --------------------------------------------------------------------- run */
 
-static void report_progress(const struct run *run)
+static void report_progress(const struct mpm_run *run)
 {
     if (run->options->progress == NULL)
         return;
@@ -208,7 +194,7 @@ static void report_progress(const struct run *run)
 }
 
 /* What may bring a scene to rest that has not come there, by what keeps it from it. */
-static const char *rest_advice(const struct run *run, const struct mpm_rest *rest)
+static const char *rest_advice(const struct mpm_run *run, const struct mpm_rest *rest)
 {
     const struct mpm_rest_spec *const asked = &run->scene->rest;
     const enum mpm_stress_update order = run->scene->stress_update;
@@ -237,7 +223,7 @@ static const char *rest_advice(const struct run *run, const struct mpm_rest *res
 }
 
 /* A scene with `time.rest` that ends without rest has failed; its last state is written. */
-static enum mpm_status check_rest(const struct run *run, struct mpm_error *error)
+static enum mpm_status check_rest(const struct mpm_run *run, struct mpm_error *error)
 {
     const struct mpm_rest_spec *const asked = &run->scene->rest;
     struct mpm_rest rest;
@@ -253,17 +239,43 @@ static enum mpm_status check_rest(const struct run *run, struct mpm_error *error
                           rest.lowest_residual, rest_advice(run, &rest));
 }
 
-static enum mpm_status march(struct run *run, struct mpm_error *error)
+/* The checkpoint is of the state as the run would go on from it; the row of the history after it
+ * belongs to the interruption alone. */
+static enum mpm_status interrupt(struct mpm_run *run, int signal, struct mpm_error *error)
+{
+    run->record.signal = signal;
+    if (run->series != NULL) {
+        const enum mpm_status written = mpm_run_checkpoint(run, error);
+        if (written != MPM_OK)
+            return add_state(run, written, error);
+        const enum mpm_status judged = mpm_simulation_judge(run->simulation, error);
+        if (judged != MPM_OK)
+            return keep_last_good_state(run, judged, error);
+        MPM_TRY(write_results(run, true, false, error));
+        MPM_TRY(mpm_history_sync(run->history, error));
+    }
+    return mpm_error_set(error, MPM_INTERRUPTED,
+                         "interrupted by signal %d (%s) at step %" PRIu64 ", time %.9g%s", signal,
+                         g_strsignal(signal), mpm_simulation_step(run->simulation),
+                         mpm_simulation_time(run->simulation),
+                         run->series != NULL ? "; --resume goes on from there" : "");
+}
+
+static enum mpm_status march(struct mpm_run *run, struct mpm_error *error)
 {
     const char *const advice = mpm_simulation_advice(run->simulation);
     if (advice[0] != '\0')
-        warn(run, advice);
-    MPM_TRY(write_results(run, true, true, error));
+        mpm_run_warn(run, advice);
+    if (!run->options->resume)
+        MPM_TRY(write_results(run, true, true, error));
     while (!is_finished(run)) {
-        const double start = seconds_now();
+        const int signal = run->options->interrupted != NULL ? run->options->interrupted() : 0;
+        if (signal != 0)
+            return interrupt(run, signal, error);
+        const double start = mpm_run_seconds();
         const enum mpm_status status =
             mpm_simulation_advance(run->simulation, time_limit(run), error);
-        run->record.seconds_step += seconds_now() - start;
+        run->record.seconds_step += mpm_run_seconds() - start;
         if (status != MPM_OK)
             return keep_last_good_state(run, status, error);
         const enum mpm_status written = write_due_results(run, error);
@@ -273,32 +285,56 @@ static enum mpm_status march(struct run *run, struct mpm_error *error)
         warn_of_growth(run);
         warn_of_tips(run);
         report_progress(run);
+        const enum mpm_status kept = is_finished(run) ? MPM_OK : mpm_run_checkpoint_due(run, error);
+        if (kept != MPM_OK)
+            return add_state(run, kept, error);
     }
     return check_rest(run, error);
 }
 
-static enum mpm_status open_results(struct run *run, struct mpm_error *error)
+static enum mpm_status open_results(struct mpm_run *run, struct mpm_error *error)
 {
     const char *folder = run->options->output;
     if (folder == NULL)
         return MPM_OK;
-    MPM_TRY(mpm_results_folder_prepare(folder, error));
+    MPM_TRY(mpm_results_folder_prepare(folder, run->options->overwrite, &run->lock, error));
     MPM_TRY(mpm_series_create(folder, run->scene, mpm_simulation_particle_count(run->simulation),
                               &run->series, error));
     return mpm_history_create(folder, run->scene, &run->history, error);
 }
 
-static enum mpm_status set_up(struct run *run, struct mpm_error *error)
+static enum mpm_status start(struct mpm_run *run, struct mpm_error *error)
 {
-    const double start = seconds_now();
     MPM_TRY(mpm_simulation_create(run->scene, &run->options->simulation, &run->simulation, error));
-    MPM_TRY(open_results(run, error));
-    run->record.seconds_setup = seconds_now() - start;
+    return open_results(run, error);
+}
+
+/* The folder of a run to go on with: there is no other writer while its checkpoint is read. */
+static enum mpm_status go_on(struct mpm_run *run, struct mpm_error *error)
+{
+    const char *const folder = run->options->output;
+    if (!g_file_test(folder, G_FILE_TEST_IS_DIR))
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "--resume: there is no checkpoint in '%s': there is no such folder",
+                             folder);
+    MPM_TRY(mpm_results_folder_lock(folder, &run->lock, error));
+    return mpm_run_resume(run, error);
+}
+
+static enum mpm_status set_up(struct mpm_run *run, struct mpm_error *error)
+{
+    const double begin = mpm_run_seconds();
+    const bool resume = run->options->resume;
+    if (!resume && run->options->output != NULL)
+        MPM_TRY(mpm_results_folder_check(run->options->output, run->options->overwrite, error));
+    MPM_TRY(resume ? go_on(run, error) : start(run, error));
+    run->checkpoint_time = mpm_run_seconds();
+    run->record.seconds_setup += run->checkpoint_time - begin;
     return MPM_OK;
 }
 
 /* Written however the run ended; a failure to do so counts only if all else went well. */
-static enum mpm_status write_record(struct run *run, enum mpm_status status,
+static enum mpm_status write_record(struct mpm_run *run, enum mpm_status status,
                                     struct mpm_error *error)
 {
     if (run->series == NULL)
@@ -307,9 +343,11 @@ static enum mpm_status write_record(struct run *run, enum mpm_status status,
     record->simulation = run->simulation;
     record->status = status;
     record->cause = status == MPM_OK ? MPM_CAUSE_NONE : error->cause;
+    record->signal = status == MPM_INTERRUPTED ? record->signal : 0;
     record->reason = status != MPM_OK ? error->message : end_reason(run);
     record->growth_warning = run->growth_warning;
     record->parted_warning = run->parted_warning;
+    record->resume_warning = run->resume_warning;
     record->scene_path = run->options->scene_path;
     record->output_bytes = mpm_series_bytes(run->series);
     struct mpm_error second = {.status = MPM_OK};
@@ -324,21 +362,16 @@ enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_ru
                               struct mpm_error *error)
 {
     struct mpm_error failure = {.status = MPM_OK};
-    struct run run = {.scene = scene, .options = options};
+    struct mpm_run run = {.scene = scene, .options = options, .lock = {.file = -1}};
     run.tip_told = g_new0(bool, mpm_scene_j_integral_count(scene) + 1);
-    enum mpm_status status = MPM_OK;
-    if (options->output != NULL)
-        status = mpm_results_folder_check(options->output, options->overwrite, &failure);
-    if (status == MPM_OK)
-        status = set_up(&run, &failure);
+    enum mpm_status status = set_up(&run, &failure);
     if (status == MPM_OK)
         status = write_record(&run, march(&run, &failure), &failure);
-    g_free(run.growth_warning);
-    g_free(run.parted_warning);
     g_free(run.tip_told);
     mpm_history_free(run.history);
     mpm_series_free(run.series);
     mpm_simulation_free(run.simulation);
+    mpm_results_folder_unlock(&run.lock);
     if (error != NULL && status != MPM_OK)
         *error = failure;
     return status;

@@ -86,15 +86,13 @@ struct mpm_particles mpm_rigid_particles_set(const struct mpm_rigid_particles *r
 
 /* ---------------------------------------------------------- the last good state */
 
-/* How many components of a field have copies. */
-static size_t kept_components(const struct mpm_particles *particles, size_t field)
+size_t mpm_particles_kept_components(const struct mpm_particles *particles, size_t field)
 {
     const bool kept = (mpm_particle_rows[field].kept & particles->needs.uses) != 0;
     return kept ? particles->components[field] : 0;
 }
 
-/* Bytes from one copy to the next. */
-static size_t kept_distance(const struct mpm_particles *particles, size_t field)
+size_t mpm_particles_kept_distance(const struct mpm_particles *particles, size_t field)
 {
     const size_t bytes = particles->count * mpm_particle_rows[field].size;
     return (bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
@@ -104,18 +102,19 @@ size_t mpm_particles_kept_bytes(const struct mpm_particles *particles)
 {
     size_t bytes = 0;
     for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++)
-        bytes += kept_components(particles, field) * kept_distance(particles, field);
+        bytes += mpm_particles_kept_components(particles, field) *
+                 mpm_particles_kept_distance(particles, field);
     return bytes;
 }
 
 static void copy_kept(const struct mpm_particles *particles, unsigned char *kept, bool back)
 {
     for (size_t field = 0; field < MPM_PARTICLE_FIELD_COUNT; field++)
-        for (size_t k = 0; k < kept_components(particles, field); k++) {
+        for (size_t k = 0; k < mpm_particles_kept_components(particles, field); k++) {
             void *const array = mpm_particle_array(particles, field, k);
             memcpy(back ? array : kept, back ? kept : array,
                    particles->count * mpm_particle_rows[field].size);
-            kept += kept_distance(particles, field);
+            kept += mpm_particles_kept_distance(particles, field);
         }
 }
 
@@ -165,7 +164,7 @@ static bool in_order(const uint32_t *order, size_t count)
     return true;
 }
 
-/* Brings every lasting field into the order, by way of its copy if it has one. */
+/* Brings every lasting field into the order, by way of its copy if there are copies. */
 static void apply_order(const struct mpm_particles *particles, const uint32_t *order,
                         unsigned char *kept)
 {
@@ -173,12 +172,13 @@ static void apply_order(const struct mpm_particles *particles, const uint32_t *o
     for (size_t field = 0; field < MPM_PARTICLE_LASTING_COUNT; field++)
         for (size_t k = 0; k < particles->components[field]; k++) {
             const size_t size = mpm_particle_rows[field].size;
-            const bool is_kept = k < kept_components(particles, field);
+            const bool is_kept =
+                kept != NULL && k < mpm_particles_kept_components(particles, field);
             void *const array = mpm_particle_array(particles, field, k);
             void *const copy = is_kept ? kept : (void *)particles->carried[0];
             gather(array, size, order, count, copy);
             memcpy(array, copy, count * size);
-            kept += is_kept ? kept_distance(particles, field) : 0;
+            kept += is_kept ? mpm_particles_kept_distance(particles, field) : 0;
         }
 }
 
@@ -196,4 +196,9 @@ void mpm_particles_sort(struct mpm_particles *particles, const struct mpm_grid *
         mpm_particles_keep(particles, kept);
     else
         apply_order(particles, order, kept);
+}
+
+void mpm_particles_arrange(struct mpm_particles *particles, const uint32_t *order)
+{
+    apply_order(particles, order, NULL);
 }

@@ -68,7 +68,7 @@ enum { MPM_LAW_STATES = 10 };
         "concentration of solvent that the particle carries, 1 where it is saturated")
 #define MPM_INNER_PARTICLE_FIELDS(ROW)                                                             \
     ROW(STRESS, double, stress, [MPM_SYMMETRIC_SIZE], SPECIFIC_ENERGY, MPM_USE_DEFORMABLE,         \
-        MPM_USE_LAW_STATE | MPM_USE_VISCOSITY, 0, "kirchhoff_stress",                              \
+        MPM_USE_LAW_STATE | MPM_USE_VISCOSITY | MPM_USE_FREE_STRAIN, 0, "kirchhoff_stress",        \
         "Kirchhoff stress over initial density")                                                   \
     ROW(AFFINE, double, affine, [4], AREA_RATE, MPM_USE_APIC, MPM_USE_APIC, 0, "affine",           \
         "xx xy yx yy; see method/transfer/affine.h")                                               \
@@ -207,8 +207,10 @@ void mpm_rigid_particles_layout(struct mpm_rigid_particles *rigid, size_t count,
 /* The arrays of rigid particles, for what works on any set. */
 struct mpm_particles mpm_rigid_particles_set(const struct mpm_rigid_particles *rigid);
 
-/* The last good state of particles: bytes that their copies take, in one block; copies them there,
- * and back. */
+/* The last good state of particles: how many components of a field have copies, and bytes from one
+ * copy to the next, field by field in one block; bytes of all; copies them there, and back. */
+size_t mpm_particles_kept_components(const struct mpm_particles *particles, size_t field);
+size_t mpm_particles_kept_distance(const struct mpm_particles *particles, size_t field);
 size_t mpm_particles_kept_bytes(const struct mpm_particles *particles);
 void mpm_particles_keep(const struct mpm_particles *particles, unsigned char *kept);
 void mpm_particles_put_back(const struct mpm_particles *particles, unsigned char *kept);
@@ -219,6 +221,10 @@ static inline uint32_t *mpm_particles_order(const struct mpm_particles *particle
 {
     return (void *)particles->carried[1];
 }
+
+/* Brings deformable particles into an order: their places until now. It may be in
+ * mpm_particles_order. */
+void mpm_particles_arrange(struct mpm_particles *particles, const uint32_t *order);
 
 /* The cell that a particle is sorted into along one axis: that of the lower end of its
  * domain, whose nodes begin there, so that neighbours in the order have the same nodes. One

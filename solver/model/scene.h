@@ -308,7 +308,8 @@ struct mpm_scene {
     size_t j_integral_count;
 
     double history_interval, snapshot_interval; /* 0: only first and last */
-    double checkpoint_interval;                 /* 0: none asked for */
+    double checkpoint_interval;                 /* 0: none */
+    double checkpoint_seconds;                  /* of the run's own time; 0: none */
     bool energy_balance;                        /* transfer_loss in the history */
     double fringe; /* k_f of CRAMP (23), 1/stress; 0: no fringes asked for */
     int line_grid, line_time, line_body_force, line_damping; /* in the file, for messages */

@@ -32,6 +32,15 @@ static void copy_contact(struct mpm_simulation *simulation, bool back)
            back ? backup->contact_samples : contact->samples, pairs * sizeof *contact->samples);
 }
 
+size_t mpm_backup_crack_points(const struct mpm_simulation *simulation, int array)
+{
+    const size_t followed = mpm_openings_points(&simulation->state);
+    const size_t cohesive = mpm_scene_is_cohesive(simulation->scene) ? followed : 0;
+    const size_t all = simulation->state.cracks.point_count;
+    const size_t counts[MPM_CRACK_ARRAYS] = {all, all, followed, followed, cohesive};
+    return counts[array];
+}
+
 void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena)
 {
     struct mpm_backup *const backup = &simulation->backup;
@@ -43,12 +52,8 @@ void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *aren
     const size_t pairs = simulation->scene->contact.pair_count;
     backup->contact_totals = MPM_TAKE(arena, struct mpm_contact_totals, pairs);
     backup->contact_samples = MPM_TAKE(arena, struct mpm_contact_sample, pairs);
-    const size_t all = simulation->state.cracks.point_count;
-    const size_t followed = mpm_openings_points(&simulation->state);
-    const size_t cohesive = mpm_scene_is_cohesive(simulation->scene) ? followed : 0;
-    const size_t counts[MPM_CRACK_ARRAYS] = {all, all, followed, followed, cohesive};
     for (int k = 0; k < MPM_CRACK_ARRAYS; k++)
-        backup->crack_points[k] = MPM_TAKE(arena, double, counts[k]);
+        backup->crack_points[k] = MPM_TAKE(arena, double, mpm_backup_crack_points(simulation, k));
 }
 
 void mpm_backup_save(struct mpm_simulation *simulation)
@@ -97,8 +102,8 @@ static void copy_back(struct mpm_simulation *simulation)
     state->transport.steps_waited = backup->transport_steps_waited;
     state->energy = backup->energy;
     simulation->wave_speed = backup->wave_speed;
-    simulation->diffusivity = backup->diffusivity;
-    simulation->film = backup->film;
+    simulation->diffusivity = state->transport.diffusivity = backup->diffusivity;
+    simulation->film = state->transport.film = backup->film;
     for (size_t k = 0; k < state->transport.count; k++)
         state->transport.list[k].totals = backup->scalars[k];
     simulation->step = backup->step;
@@ -130,4 +135,16 @@ void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step)
     mpm_particles_put_back(&state->particles, backup->particles);
     while (simulation->step < step)
         mpm_backup_repeat(simulation);
+}
+
+enum mpm_status mpm_backup_resume(struct mpm_simulation *simulation, uint64_t step)
+{
+    struct mpm_state *const state = &simulation->state;
+    double unused[MPM_PHASE_COUNT] = {0.0};
+    copy_back(simulation);
+    mpm_step_recompute(state); /* domains, by which the sort finds what strips reach */
+    mpm_particles_put_back(&state->particles, simulation->backup.particles);
+    mpm_step_sort(state, simulation->backup.particles, unused);
+    mpm_backup_restore(simulation, step);
+    return mpm_step_collect(state);
 }

@@ -124,6 +124,14 @@ void mpm_cracks_create(struct mpm_state *state)
     }
 }
 
+size_t mpm_cracks_undeformed_points(const struct mpm_scene *scene)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < scene->crack_count; k++)
+        count += undeformed_count(scene, k);
+    return count;
+}
+
 void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
 {
     struct mpm_cracks *const cracks = &state->cracks;
@@ -133,9 +141,7 @@ void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena)
     for (int axis = 0; axis < 2; axis++)
         cracks->position[axis] = MPM_TAKE(arena, double, cracks->point_count);
     if (mpm_crack_detection_needs_surfaces(state->scene)) {
-        size_t count = 0;
-        for (size_t k = 0; k < state->scene->crack_count; k++)
-            count += undeformed_count(state->scene, k);
+        const size_t count = mpm_cracks_undeformed_points(state->scene);
         cracks->undeformed = MPM_TAKE(arena, struct mpm_crack_chain, state->scene->crack_count);
         for (int axis = 0; axis < 2; axis++)
             cracks->origin[axis] = MPM_TAKE(arena, double, count);

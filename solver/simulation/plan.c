@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "simulation/simulation.h"
+#include "simulation/checkpoint.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -22,6 +22,7 @@ enum mpm_status mpm_scene_plan(const struct mpm_scene *scene,
         .kernels_reason = simulation->state.kernels.reason,
         .simd = mpm_simulation_simd(simulation),
         .courant = mpm_time_step_courant(simulation),
+        .checkpoint_bytes = mpm_checkpoint_bytes(simulation),
     };
     (void)snprintf(plan->stability_advice, sizeof plan->stability_advice, "%s",
                    mpm_simulation_advice(simulation));

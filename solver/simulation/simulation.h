@@ -158,10 +158,12 @@ void mpm_transport_layout(struct mpm_state *state, struct mpm_arena *arena);
 enum mpm_status mpm_transport_fill(struct mpm_simulation *simulation, struct mpm_error *error);
 void mpm_transport_free(struct mpm_simulation *simulation);
 
-/* cracks.c: how many points cracks get; their memory; where they are. */
+/* cracks.c: how many points cracks get; their memory; where they are; how many the undeformed ones
+ * get. */
 void mpm_cracks_create(struct mpm_state *state);
 void mpm_cracks_layout(struct mpm_state *state, struct mpm_arena *arena);
 void mpm_cracks_fill(struct mpm_state *state);
+size_t mpm_cracks_undeformed_points(const struct mpm_scene *scene);
 
 /* symmetries.c: planes of symmetry, MPM_BAD_INPUT where a body force acts across one; their inner
  * sides and the cracks on them, once particles and cracks are placed: MPM_BAD_INPUT where bodies
@@ -257,5 +259,10 @@ void mpm_backup_save(struct mpm_simulation *simulation);
 void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step);
 /* Takes the step after that again. */
 void mpm_backup_repeat(struct mpm_simulation *simulation);
+/* For particles and a backup that come from a checkpoint: sorts, and takes the steps up to `step`.
+ * MPM_RUN_FAILED: one of them fails. */
+enum mpm_status mpm_backup_resume(struct mpm_simulation *simulation, uint64_t step);
+/* Length of crack_points[array]. */
+size_t mpm_backup_crack_points(const struct mpm_simulation *simulation, int array);
 
 #endif

@@ -34,12 +34,14 @@ def say(text):
 
 
 def check(_):
-    mutants = all_curated()
+    mutants, stale = all_curated(), []
     for mutant in mutants:
         done = subprocess.run(["git", "apply", "--check", "-"], cwd=ROOT, input=mutant.patch,
                               text=True, stderr=subprocess.PIPE, check=False)
         if done.returncode != 0:
-            raise Fault(f"{mutant.name}: does not apply: {done.stderr.strip()}")
+            stale.append(f"{mutant.name}: does not apply: {done.stderr.strip()}")
+    if stale:
+        raise Fault("\n".join(stale))
     missing = [room for room in ROOMS if room not in {m.room for m in mutants}]
     if missing or len(mutants) < FEWEST:
         raise Fault(f"{len(mutants)} mutants, none in {missing or 'no room'}; allowed: "

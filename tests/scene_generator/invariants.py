@@ -28,6 +28,7 @@ from images import (bodies_in_another_order, cracks_in_another_order,
 from motion import (an_unloaded_body_stays_at_rest, conditions_hold_at_every_node,
                     half_the_step_halves_the_error)
 from plastic import elastic_until_yield, perfect_metals_are_one, plastic_work_never_falls
+from resume import a_resumed_run_changes_no_bit
 
 # Cheapest first. What a run must fulfil before others are evaluated comes first of all.
 ALWAYS = [runs_end_as_promised, no_blow_up_passes_for_a_result, the_ledger_closes_in_every_step,
@@ -37,7 +38,7 @@ SOMETIMES = [moved_by_whole_cells, mirrored_along_x, mirrored_along_y, turned_by
              bodies_in_another_order, cracks_in_another_order, fields_in_another_order,
              fast_kernels_are_the_reference, other_units_change_no_digit,
              thickness_scales_sums_alone, refinement_is_a_finer_grid,
-             threads_and_instructions_change_no_bit, conditions_hold_at_every_node,
+             a_resumed_run_changes_no_bit, threads_and_instructions_change_no_bit, conditions_hold_at_every_node,
              half_is_the_whole, a_failed_run_leaves_the_step_before, an_unloaded_body_stays_at_rest,
              half_the_step_halves_the_error,
              energies_are_the_work_of_tractions, surfaces_do_not_pass_through,

@@ -19,7 +19,8 @@ TABLES = "points are temperatures or strains, not places; invariants assume cons
 CUT = "bodies that rip have no scale invariants; tests of equations of state have it"
 LEFT_OUT = {
     "time.allow_unstable": "beyond the stability limit nothing is promised",
-    "output.checkpoint": "reserved: this version writes none",
+    "output.checkpoint": "the invariant of runs that go on from one has its own",
+    "output.checkpoint_seconds": "by the clock; checkpoints are the same",
     "output.snapshots": "the first state and the last are compared; more would land steps on them",
     "contact.normal=given": "refused: it is for pairs, each with its direction",
     "output.fringe": "a field for pictures; its values follow from the stress",

@@ -133,7 +133,7 @@ class Runner:
         except subprocess.TimeoutExpired as late:
             raise Late(f"no answer after {TIME_LIMIT} s, of which less than {PROCESSOR_LIMIT} s on a "
                        f"processor: {' '.join(command)}") from late
-        if done.returncode == -signal.SIGXCPU:
+        if done.returncode in (-signal.SIGXCPU, 128 + signal.SIGXCPU):  # a run ends in good order
             raise Late(f"no answer after {PROCESSOR_LIMIT} s of processor time: {' '.join(command)}")
         return done.returncode, done.stdout, done.stderr.strip()
 
@@ -144,12 +144,29 @@ class Runner:
 
     def run(self, scene, *options, keep_bytes=False):
         """The result of `mpm run`, with one thread unless the options state otherwise."""
-        folder = self.folder / "results"
-        shutil.rmtree(folder, ignore_errors=True)
-        self.runs += 1
+        shutil.rmtree(self.folder / "results", ignore_errors=True)
         threads = () if "--threads" in options else ("--threads", "1")
-        status, _, message = self.call(self.mpm, "run", str(self.write(scene)), "--quiet",
-                                       "--output", str(folder), *threads, *options)
+        return self.run_into(self.write(scene), threads + options, keep_bytes)
+
+    def resume(self, *options):
+        """The result of the last run, once it has gone on from its checkpoint."""
+        return self.run_into(self.folder / "scene.yaml", ("--resume", *options), True)
+
+    def has(self, name):
+        """Has the last run left a file of that name?"""
+        return (self.folder / "results" / name).exists()
+
+    def keep_checkpoint(self, name):
+        """Removes what is newer than that checkpoint of the last run."""
+        if name != "checkpoint.h5":
+            (self.folder / "results" / "checkpoint.h5").unlink()
+
+    def run_into(self, path, options, keep_bytes):
+        """The result of `mpm run` with a scene's file, into the folder as it is."""
+        folder = self.folder / "results"
+        self.runs += 1
+        status, _, message = self.call(self.mpm, "run", str(path), "--quiet",
+                                       "--output", str(folder), *options)
         result = Result(status, message)
         if status in (0, 3) and (folder / "history.csv").exists():
             result.read(folder, keep_bytes)

@@ -5,9 +5,11 @@
 
 #include <H5FDpublic.h>
 #include <errno.h>
+#include <glib.h>
 #include <hdf5.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #if H5_VERSION_GE(1, 13, 0)
@@ -46,7 +48,10 @@ static H5FD_t *sink_open(const char *name, unsigned flags, hid_t access, haddr_t
         free(file);
         return NULL;
     }
+    struct stat facts;
     file->sink = *sink;
+    if (fstat(file->sink->file, &facts) == 0)
+        file->size = (haddr_t)facts.st_size;
     return &file->base;
 }
 
@@ -165,4 +170,32 @@ int64_t mpm_hdf5_sink_access(struct mpm_hdf5_sink *sink)
     }
     (void)H5FDunregister(driver); /* the list holds a reference of its own */
     return access;
+}
+
+struct mpm_hdf5_messages mpm_hdf5_silence(void)
+{
+    struct mpm_hdf5_messages messages;
+    (void)H5Eget_auto2(H5E_DEFAULT, &messages.print, &messages.context);
+    (void)H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+    return messages;
+}
+
+void mpm_hdf5_restore(const struct mpm_hdf5_messages *messages)
+{
+    (void)H5Eset_auto2(H5E_DEFAULT, messages->print, messages->context);
+}
+
+static herr_t keep_innermost(unsigned depth, const H5E_error2_t *entry, void *failure)
+{
+    char **text = failure;
+    if (depth == 0)
+        *text = g_strdup_printf("%s: %s", entry->func_name, entry->desc);
+    return 0;
+}
+
+char *mpm_hdf5_reason(void)
+{
+    char *reason = NULL;
+    (void)H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &reason);
+    return reason != NULL ? reason : g_strdup("HDF5 failed without a reason");
 }

@@ -9,6 +9,7 @@
 #include <glib.h>
 #include <math.h>
 #include <stddef.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static const struct column {
@@ -66,7 +67,7 @@ struct mpm_history {
     const struct mpm_scene *scene;
     char *path;
     int file;
-    off_t size;                                          /* of the complete rows */
+    int64_t size;                                        /* of the complete rows, in bytes */
     const struct column *columns[G_N_ELEMENTS(columns)]; /* of this scene */
     size_t column_count;                                 /* of these */
     bool has_row;
@@ -93,7 +94,7 @@ static enum mpm_status append_line(struct mpm_history *history, const GString *l
 {
     const int failure = mpm_file_write_at(history->file, line->str, line->len, history->size);
     if (failure == 0) {
-        history->size += (off_t)line->len;
+        history->size += (int64_t)line->len;
         return MPM_OK;
     }
     const int kept = ftruncate(history->file, history->size);
@@ -175,25 +176,70 @@ static void choose_columns(struct mpm_history *history, const struct mpm_scene *
             history->columns[history->column_count++] = &columns[i];
 }
 
+/* Its file is open, or `file` is below 0 and errno has the reason. */
+static struct mpm_history *history_open(const char *folder, const struct mpm_scene *scene,
+                                        int flags)
+{
+    struct mpm_history *const opened = g_new0(struct mpm_history, 1);
+    opened->scene = scene;
+    opened->path = g_build_filename(folder, MPM_HISTORY_NAME, NULL);
+    choose_columns(opened, scene);
+    opened->file = open(opened->path, flags | O_WRONLY | O_CLOEXEC, 0666);
+    return opened;
+}
+
 enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *scene,
                                    struct mpm_history **history, struct mpm_error *error)
 {
-    struct mpm_history *created = g_new0(struct mpm_history, 1);
+    *history = history_open(folder, scene, O_CREAT | O_TRUNC);
+    const enum mpm_status status = (*history)->file < 0
+                                       ? mpm_file_failed((*history)->path, errno, error)
+                                       : write_head(*history, scene, error);
+    if (status == MPM_OK)
+        return MPM_OK;
+    mpm_history_free(*history);
     *history = NULL;
-    created->scene = scene;
-    created->path = g_build_filename(folder, MPM_HISTORY_NAME, NULL);
-    choose_columns(created, scene);
-    created->file = open(created->path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    const enum mpm_status status =
-        created->file < 0
-            ? mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be written: %s",
-                            created->path, g_strerror(errno))
-            : write_head(created, scene, error);
-    if (status != MPM_OK)
-        mpm_history_free(created);
-    else
-        *history = created;
     return status;
+}
+
+enum mpm_status mpm_history_reopen(const char *folder, const struct mpm_scene *scene,
+                                   struct mpm_history **history, struct mpm_error *error)
+{
+    *history = history_open(folder, scene, 0);
+    if ((*history)->file >= 0)
+        return MPM_OK;
+    (void)mpm_error_set(error, MPM_BAD_INPUT, "--resume: %s: %s", (*history)->path,
+                        g_strerror(errno));
+    mpm_history_free(*history);
+    *history = NULL;
+    return MPM_BAD_INPUT;
+}
+
+void mpm_history_visit(struct mpm_history *history, struct mpm_piece_visitor *visitor)
+{
+    mpm_piece_visit(visitor, MPM_PIECE_INT64, &history->size, 1, "history.size", -1);
+    mpm_piece_visit(visitor, MPM_PIECE_BOOL, &history->has_row, 1, "history.has_row", -1);
+    mpm_piece_visit(visitor, MPM_PIECE_UINT64, &history->last_step, 1, "history.last_step", -1);
+}
+
+enum mpm_status mpm_history_cut(struct mpm_history *history, struct mpm_error *error)
+{
+    struct stat facts;
+    if (fstat(history->file, &facts) != 0)
+        return mpm_file_failed(history->path, errno, error);
+    if (history->size < 0 || history->size > facts.st_size)
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "--resume: %s has %lld bytes, fewer than when the checkpoint was "
+                             "written; allowed: from %lld on",
+                             history->path, (long long)facts.st_size, (long long)history->size);
+    return ftruncate(history->file, history->size) == 0
+               ? MPM_OK
+               : mpm_file_failed(history->path, errno, error);
+}
+
+enum mpm_status mpm_history_sync(const struct mpm_history *history, struct mpm_error *error)
+{
+    return fsync(history->file) == 0 ? MPM_OK : mpm_file_failed(history->path, errno, error);
 }
 
 void mpm_history_free(struct mpm_history *history)

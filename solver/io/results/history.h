@@ -7,6 +7,7 @@
 #ifndef MPM_IO_HISTORY_H
 #define MPM_IO_HISTORY_H
 
+#include "base/piece.h"
 #include "model/scene.h"
 
 #define MPM_HISTORY_NAME "history.csv"
@@ -18,6 +19,17 @@ struct mpm_history;
  */
 enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *scene,
                                    struct mpm_history **history, struct mpm_error *error);
+/* Opens that of a run that was interrupted. What mpm_history_visit reads is then put into force by
+ * mpm_history_cut, which takes away the rows after it. MPM_BAD_INPUT: there is no such file, or it
+ * is shorter. */
+enum mpm_status mpm_history_reopen(const char *folder, const struct mpm_scene *scene,
+                                   struct mpm_history **history, struct mpm_error *error);
+void mpm_history_visit(struct mpm_history *history, struct mpm_piece_visitor *visitor);
+enum mpm_status mpm_history_cut(struct mpm_history *history, struct mpm_error *error);
+
+/* Brings its rows to the disk. */
+enum mpm_status mpm_history_sync(const struct mpm_history *history, struct mpm_error *error);
+
 void mpm_history_free(struct mpm_history *history);
 
 /* Appends a row: the ledger, and the simulation's values of cracks, which may be NULL where the

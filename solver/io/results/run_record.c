@@ -62,8 +62,9 @@ static json_t *seconds_object(const struct mpm_run_record *record)
 {
     struct mpm_phases phases;
     mpm_simulation_phases(record->simulation, &phases);
-    json_t *object = json_pack("{s:f, s:f, s:f}", "setup", record->seconds_setup, "step",
-                               record->seconds_step, "output", record->seconds_output);
+    json_t *object = json_pack("{s:f, s:f, s:f, s:f}", "setup", record->seconds_setup, "step",
+                               record->seconds_step, "output", record->seconds_output, "checkpoint",
+                               record->seconds_checkpoint);
     for (size_t i = 0; i < phases.count; i++)
         json_object_set_new(object, phases.name[i], json_real(phases.seconds[i]));
     return object;
@@ -75,9 +76,11 @@ static json_t *counters_object(const struct mpm_run_record *record)
     const json_int_t particles = (json_int_t)mpm_simulation_particle_count(record->simulation);
     const size_t bytes = mpm_simulation_bytes(record->simulation) + record->output_bytes;
     const double per_particle = particles > 0 ? (double)bytes / (double)particles : 0.0;
-    return json_pack("{s:I, s:I, s:I, s:o, s:{s:I, s:f}}", "steps", steps, "particles", particles,
-                     "particle_steps", steps * particles, "seconds", seconds_object(record),
-                     "bytes", "total", (json_int_t)bytes, "per_particle", per_particle);
+    return json_pack("{s:I, s:I, s:I, s:o, s:{s:I, s:f}, s:{s:I, s:I}}", "steps", steps,
+                     "particles", particles, "particle_steps", steps * particles, "seconds",
+                     seconds_object(record), "bytes", "total", (json_int_t)bytes, "per_particle",
+                     per_particle, "checkpoints", "written", (json_int_t)record->checkpoints,
+                     "bytes", (json_int_t)record->checkpoint_bytes);
 }
 
 static json_t *cause_text(enum mpm_cause cause)
@@ -91,9 +94,11 @@ static json_t *warnings_array(const struct mpm_scene *scene, const struct mpm_ru
     json_t *array = json_array();
     if (advice[0] != '\0')
         json_array_append_new(array, text(advice));
-    if (record->growth_warning != NULL)
+    if (record->resume_warning[0] != '\0')
+        json_array_append_new(array, text(record->resume_warning));
+    if (record->growth_warning[0] != '\0')
         json_array_append_new(array, text(record->growth_warning));
-    if (record->parted_warning != NULL)
+    if (record->parted_warning[0] != '\0')
         json_array_append_new(array, text(record->parted_warning));
     for (size_t k = 0; k < mpm_scene_j_integral_count(scene); k++) {
         struct mpm_tip_end end;
@@ -134,18 +139,32 @@ static json_t *growth_object(const struct mpm_run_record *record)
                      "largest_factor", growth.largest, "last_factor", growth.factor);
 }
 
+/* Null in a run that was never interrupted. */
+static json_t *resumed_object(const struct mpm_run_record *record)
+{
+    if (record->resumes == 0)
+        return json_null();
+    return json_pack("{s:I, s:I}", "times", (json_int_t)record->resumes, "last_step",
+                     (json_int_t)record->resumed_step);
+}
+
+static const char *outcome(enum mpm_status status)
+{
+    return status == MPM_OK ? "done" : status == MPM_INTERRUPTED ? "interrupted" : "failed";
+}
+
 enum mpm_status mpm_run_record_write(const char *folder, const struct mpm_scene *scene,
                                      const struct mpm_run_record *record, struct mpm_error *error)
 {
-    json_t *root =
-        json_pack("{s:s, s:o, s:o, s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "outcome",
-                  record->status == MPM_OK ? "done" : "failed", "cause", cause_text(record->cause),
-                  "reason", text(record->reason), "exit_status", (int)record->status, "warnings",
-                  warnings_array(scene, record), "energy_growth", growth_object(record),
-                  "ended_tips", tips_array(scene, record), "counters", counters_object(record),
-                  "kernels", text(mpm_simulation_kernels(record->simulation)), "simd",
-                  text(mpm_simulation_simd(record->simulation)), "provenance",
-                  provenance_object(scene, record));
+    json_t *root = json_pack(
+        "{s:s, s:o, s:o, s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "outcome",
+        outcome(record->status), "cause", cause_text(record->cause), "reason", text(record->reason),
+        "exit_status", (int)record->status + record->signal, "resumed", resumed_object(record),
+        "warnings", warnings_array(scene, record), "energy_growth", growth_object(record),
+        "ended_tips", tips_array(scene, record), "counters", counters_object(record), "kernels",
+        text(mpm_simulation_kernels(record->simulation)), "simd",
+        text(mpm_simulation_simd(record->simulation)), "provenance",
+        provenance_object(scene, record));
     const enum mpm_status status = mpm_file_write_json(folder, MPM_RUN_RECORD_NAME, root, 2, error);
     json_decref(root);
     return status;

@@ -73,6 +73,50 @@ static enum mpm_status snapshot_write(const struct mpm_series *series, const cha
     return status;
 }
 
+/* Adds a snapshot, of which the name is g_free'd. */
+static void append(struct mpm_series *series, char *name, double time)
+{
+    g_free(series->last_name);
+    series->last_name = name;
+    series->last_time = time;
+    (void)json_array_append_new(series->files, json_pack("{s:s, s:f}", "name", name, "time", time));
+}
+
+static char *name_of(size_t number)
+{
+    return g_strdup_printf(MPM_SERIES_PREFIX "%0*zu" MPM_SERIES_SUFFIX, MPM_SERIES_DIGITS, number);
+}
+
+void mpm_series_visit(struct mpm_series *series, struct mpm_piece_visitor *visitor)
+{
+    static const uint64_t most = 100000000;
+    const size_t known = json_array_size(series->files);
+    uint64_t count = known;
+    mpm_piece_visit(visitor, MPM_PIECE_UINT64, &count, 1, "snapshots.count", -1);
+    mpm_piece_visit(visitor, MPM_PIECE_UINT64, &series->last_step, 1, "snapshots.last_step", -1);
+    double *const times = count <= most ? calloc(count + 1, sizeof *times) : NULL;
+    if (times == NULL) {
+        mpm_piece_refuse(visitor, "snapshots.count");
+        return;
+    }
+    for (size_t k = 0; k < known; k++)
+        times[k] = json_real_value(json_object_get(json_array_get(series->files, k), "time"));
+    mpm_piece_visit(visitor, MPM_PIECE_DOUBLE, times, count, "snapshots.time", -1);
+    for (size_t k = known; k < count && visitor->status == MPM_OK; k++)
+        append(series, name_of(k), times[k]);
+    free(times);
+}
+
+size_t mpm_series_count(const struct mpm_series *series)
+{
+    return json_array_size(series->files);
+}
+
+enum mpm_status mpm_series_write_list(const struct mpm_series *series, struct mpm_error *error)
+{
+    return mpm_file_write_json(series->folder, MPM_SERIES_LIST, series->list, 1, error);
+}
+
 enum mpm_status mpm_series_write(struct mpm_series *series, const struct mpm_simulation *simulation,
                                  struct mpm_error *error)
 {
@@ -80,17 +124,13 @@ enum mpm_status mpm_series_write(struct mpm_series *series, const struct mpm_sim
     const uint64_t step = mpm_simulation_step(simulation);
     if (series->last_name != NULL && series->last_step == step)
         return MPM_OK;
-    char *name = g_strdup_printf(MPM_SERIES_PREFIX "%0*zu" MPM_SERIES_SUFFIX, MPM_SERIES_DIGITS,
-                                 json_array_size(series->files));
+    char *name = name_of(json_array_size(series->files));
     const enum mpm_status status = snapshot_write(series, name, simulation, error);
     if (status != MPM_OK) {
         g_free(name);
         return status;
     }
-    g_free(series->last_name);
-    series->last_name = name;
-    series->last_time = time;
+    append(series, name, time);
     series->last_step = step;
-    (void)json_array_append_new(series->files, json_pack("{s:s, s:f}", "name", name, "time", time));
-    return mpm_file_write_json(series->folder, MPM_SERIES_LIST, series->list, 1, error);
+    return mpm_series_write_list(series, error);
 }

@@ -6,6 +6,7 @@
 #ifndef MPM_IO_SERIES_H
 #define MPM_IO_SERIES_H
 
+#include "base/piece.h"
 #include "model/scene.h"
 
 enum { MPM_SERIES_DIGITS = 6 }; /* more if there are more than a million */
@@ -27,6 +28,16 @@ void mpm_series_free(struct mpm_series *series);
  * step. After a failure the files of before are as they were. */
 enum mpm_status mpm_series_write(struct mpm_series *series, const struct mpm_simulation *simulation,
                                  struct mpm_error *error);
+
+/* What a checkpoint has of it: the times of the snapshots, which follow each other in their names.
+ * One that is read into has written nothing yet. */
+void mpm_series_visit(struct mpm_series *series, struct mpm_piece_visitor *visitor);
+
+/* How many snapshots it has. */
+size_t mpm_series_count(const struct mpm_series *series);
+
+/* Writes the list as it is, after it was read. */
+enum mpm_status mpm_series_write_list(const struct mpm_series *series, struct mpm_error *error);
 
 /* Bytes of working space held. */
 size_t mpm_series_bytes(const struct mpm_series *series);

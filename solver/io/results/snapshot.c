@@ -316,12 +316,9 @@ static void write_hdf5(struct mpm_snapshot *snapshot, struct mpm_hdf5_sink *sink
 /* The caller's way of reporting HDF5's errors is put aside for the while. */
 static char *write_hdf5_silently(struct mpm_snapshot *snapshot, struct mpm_hdf5_sink *sink)
 {
-    H5E_auto2_t report = NULL;
-    void *report_context = NULL;
-    (void)H5Eget_auto2(H5E_DEFAULT, &report, &report_context);
-    (void)H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+    const struct mpm_hdf5_messages messages = mpm_hdf5_silence();
     write_hdf5(snapshot, sink);
-    (void)H5Eset_auto2(H5E_DEFAULT, report, report_context);
+    mpm_hdf5_restore(&messages);
     return snapshot->failure;
 }
 

@@ -1,24 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/snapshot_data.h"
 
+#include "io/results/hdf5_sink.h"
+
 #include <glib.h>
 #include <hdf5.h>
 
-static herr_t keep_innermost(unsigned depth, const H5E_error2_t *entry, void *failure)
-{
-    char **text = failure;
-    if (depth == 0)
-        *text = g_strdup_printf("%s: %s", entry->func_name, entry->desc);
-    return 0;
-}
-
 hid_t mpm_snapshot_checked(struct mpm_snapshot *snapshot, hid_t result)
 {
-    if (result < 0 && snapshot->failure == NULL) {
-        (void)H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &snapshot->failure);
-        if (snapshot->failure == NULL)
-            snapshot->failure = g_strdup("HDF5 failed without a reason");
-    }
+    if (result < 0 && snapshot->failure == NULL)
+        snapshot->failure = mpm_hdf5_reason();
     return result;
 }
 

@@ -162,6 +162,7 @@ static enum mpm_status build_output(const struct mpm_reading *reading)
     scene->history_interval = mpm_raw_double(raw->history);
     scene->snapshot_interval = mpm_raw_double(raw->snapshots);
     scene->checkpoint_interval = mpm_raw_double(raw->checkpoint);
+    scene->checkpoint_seconds = mpm_raw_double(raw->checkpoint_seconds);
     scene->fringe = mpm_raw_double(raw->fringe);
     scene->energy_balance = raw->energy_balance;
     if (raw->snapshots != NULL && scene->end / scene->snapshot_interval >= snapshots_max)

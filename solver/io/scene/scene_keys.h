@@ -432,7 +432,9 @@
     X(S, ONE, snapshots, NUMBER, ANYWHERE, OPTIONAL, TIME, NULL, ABOVE(0),                       \
       "interval of snapshots; without it only t = 0 and end")                                      \
     X(S, ONE, checkpoint, NUMBER, ANYWHERE, OPTIONAL, TIME, NULL, ABOVE(0),                      \
-      "reserved: this version writes no checkpoints, and mpm run says so")                         \
+      "interval of checkpoints, at the first step at or after each; mpm run --resume goes on from the last")                         \
+    X(S, ONE, checkpoint_seconds, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, ABOVE(0),                       \
+      "checkpoints by the clock: when a run has taken so many seconds since the last one")                         \
     X(S, ONE, energy_balance, BOOLEAN, ANYWHERE, OPTIONAL, NONE, "false", ANY,                       \
       "history.csv has transfer_loss, what is lost between particles and nodes, measured in each step, and with it closes to round-off") \
     X(S, ONE, fringe, NUMBER, PLANAR, OPTIONAL, COMPLIANCE, NULL, ABOVE(0),              \

@@ -243,8 +243,3 @@ bool mpm_scene_has_contact_loss(const struct mpm_scene *scene)
             return scene->energy_balance;
     return false;
 }
-
-bool mpm_scene_wants_checkpoints(const struct mpm_scene *scene)
-{
-    return scene->checkpoint_interval > 0.0;
-}

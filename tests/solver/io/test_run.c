@@ -118,10 +118,10 @@ START_TEST(the_run_record_tells_outcome_cost_and_origin)
 {
     static const char *const top[] = {"outcome",  "cause",         "reason",     "exit_status",
                                       "warnings", "energy_growth", "ended_tips", "counters",
-                                      "kernels",  "simd",          "provenance"};
-    static const char *const counted[] = {"steps", "particles", "particle_steps", "seconds",
-                                          "bytes"};
-    static const char *const timed[] = {"setup", "step", "output"};
+                                      "kernels",  "simd",          "provenance", "resumed"};
+    static const char *const counted[] = {"steps",   "particles", "particle_steps",
+                                          "seconds", "bytes",     "checkpoints"};
+    static const char *const timed[] = {"setup", "step", "output", "checkpoint"};
     static const char *const sized[] = {"total", "per_particle"};
     static const char *const origin[] = {"scene",     "scene_sha256", "settings", "revision",
                                          "version",   "compiler",     "flags",    "libraries",
@@ -251,6 +251,9 @@ START_TEST(a_folder_with_results_is_refused_unless_it_may_be_overwritten)
                                           "particles-1234567.hdf",
                                           "particles.hdf.series",
                                           "checkpoint.h5",
+                                          "checkpoint-previous.h5",
+                                          "run.json.partial",
+                                          "checkpoint.h5.partial",
                                           "particles-000007.hdf.partial"};
     static const char stale[] = "stale\n";
     for (size_t i = 0; i < G_N_ELEMENTS(results); i++) {
