@@ -44,8 +44,10 @@ FLAGS_ubsan   := -O1 -g -fsanitize=undefined -fno-sanitize-recover=all
 FLAGS_san     := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 FLAGS_tsan    := -O1 -g -fsanitize=thread
 FLAGS_cov     := -O0 -g --coverage
+FLAGS_fuzz    := -O1 -g1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all \
+                 -fno-omit-frame-pointer
 ifeq ($(origin FLAGS_$(VARIANT)),undefined)
-$(error VARIANT=$(VARIANT): allowed are release debug asan ubsan san tsan cov)
+$(error VARIANT=$(VARIANT): allowed are release debug asan ubsan san tsan cov fuzz)
 endif
 
 # Contraction is off so that every compiler and SIMD level gives the same bits.
@@ -94,8 +96,9 @@ BENCH_SOURCES  := $(filter-out $(BENCH_MAIN),$(sort $(wildcard benchmarks/*/*.c)
 TEST_SOURCES   := $(sort $(wildcard tests/*.c $(foreach room,support benchmarks solver/* \
                     verification/*,tests/$(room)/*.c)))
 PROBE_MAIN     := tests/scene_generator/nodes.c
+FUZZ_SOURCES   := $(sort $(wildcard tests/fuzz/*.c))
 SOURCES := $(SOLVER_SOURCES) $(FAST_SOURCE) $(FAST_LAWS) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) \
-           $(BENCH_SOURCES) $(BENCH_MAIN) $(TEST_SOURCES) $(PROBE_MAIN)
+           $(BENCH_SOURCES) $(BENCH_MAIN) $(TEST_SOURCES) $(PROBE_MAIN) $(FUZZ_SOURCES)
 HEADERS := $(sort $(wildcard $(foreach depth,* */* */*/*,$(patsubst %,%/$(depth).h,\
              solver verification benchmarks tests))))
 objects  = $(patsubst %.c,$(BUILD)/objects/%.o,$(1))
@@ -123,7 +126,9 @@ LAW_OBJECTS  := $(foreach level,$(FAST_LEVELS),$(BUILD)/objects/fast/laws.$(leve
 FAST_FLAGS    = -fno-math-errno -Wno-psabi \
                 $(if $(findstring clang,$(CC)),,-fno-predictive-commoning -fno-var-tracking \
                   $(if $(filter release,$(VARIANT)),,-fira-region=one)) \
-                $(FAST_FLAGS_$(1)) -DFAST_LEVEL=$(1)
+                $(FAST_FLAGS_$(1)) $(FAST_PLAIN_$(VARIANT)) -DFAST_LEVEL=$(1)
+# Instrumented by clang, they take more than five minutes each; harnesses run the reference kernels.
+FAST_PLAIN_fuzz := -fno-sanitize=all -O0
 FAST_NAMES    = -DFAST_FAMILY=$(1) \
                 -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z)
 # Where there is another level, the baseline is for old machines: a third less to compile counts
@@ -255,6 +260,28 @@ RACES ?= 12
 test-kill: $(BUILD)/bin/mpm ## runs that are killed at KILLS (60) random moments go on to the same bytes; RACES (12) of two runs into one folder
 	@/usr/bin/python3 -B tests/interruption/kill.py --mpm $(BUILD)/bin/mpm --kills $(KILLS) \
 	  --races $(RACES) $(if $(SEED),--seed $(SEED)) $(wildcard tests/interruption/*.yaml)
+
+# Harnesses of libFuzzer, which is clang's. Each is linked with what its readers need of the suite.
+FUZZ_SECONDS ?= 60
+FUZZ_CC      ?= clang
+FUZZ_TARGETS := $(patsubst tests/fuzz/fuzz_%.c,%,$(filter-out %_runs.c,\
+                  $(filter tests/fuzz/fuzz_%,$(FUZZ_SOURCES))))
+FUZZ_SUITE   := $(filter-out verification/programs/% verification/cli/% verification/suite/%,\
+                  $(VERIFY_SOURCES)) verification/programs/table_file.c \
+                $(filter benchmarks/common/% benchmarks/measuring/% benchmarks/budget/%,$(BENCH_SOURCES))
+.PHONY: fuzz fuzz-programs test-fuzz
+fuzz: ## harnesses of libFuzzer, with clang: build/fuzz/bin/fuzz-<target>
+	+@$(MAKE) VARIANT=fuzz CC='$(FUZZ_CC)' BUILD=build/fuzz fuzz-programs
+fuzz-programs: $(BUILD)/bin/mpm $(addprefix $(BUILD)/bin/fuzz-,$(FUZZ_TARGETS))
+$(BUILD)/libsuite.a: $(call objects,$(FUZZ_SUITE))
+	@rm -f $@
+	$(call short,AR,$@)ar rcs $@ $^
+$(BUILD)/bin/fuzz-%: $(BUILD)/objects/tests/fuzz/fuzz_%.o \
+  $(call objects,tests/fuzz/fuzz.c tests/fuzz/fuzz_runs.c) $(BUILD)/libsuite.a $(LIBRARY)
+	$(link) -fsanitize=fuzzer $(LIBS_SUITE) $(LIBS_SOLVER)
+test-fuzz: ## readers of files: each harness for FUZZ_SECONDS (60) over its corpus; also FUZZ_ONLY=<target>
+	+@tests/fuzz/fuzz.py check '$(FUZZ_CC)' || exit 0; $(MAKE) fuzz && \
+	  tests/fuzz/fuzz.py run --seconds $(FUZZ_SECONDS) --jobs $(JOBS) $(addprefix --only ,$(FUZZ_ONLY))
 
 .PHONY: coverage
 coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gcovr

@@ -14,6 +14,10 @@
 
 enum { EXPRESSION_LENGTH_MAX = 4096, CACHE_LINE = 64 };
 
+/* muParser copies what it says of a mistake, a part of the text in it, to a buffer of 2048 bytes
+ * whatever its length: of texts longer than this it is not asked for it. */
+enum { QUOTED_LENGTH_MAX = 1024 };
+
 /* One a worker, a cache line each: workers write their variables all the time. */
 struct worker {
     _Alignas(CACHE_LINE) muParserHandle_t parser;
@@ -124,6 +128,8 @@ static size_t mistake_position(muParserHandle_t parser, const char *text)
     if (said < 0 || (size_t)said > length)
         return length;
     const size_t position = (size_t)said;
+    if (length > QUOTED_LENGTH_MAX)
+        return position;
     const char *token = mupGetErrorToken(parser);
     const size_t token_length = strlen(token);
     if (token_length == 0 || token_length > position ||
@@ -143,8 +149,11 @@ static enum mpm_status report(muParserHandle_t parser, const char *text, struct 
                                        "meaning, pi, e, operators and functions";
     const bool unknown = mupGetErrorCode(parser) == UNKNOWN_TOKEN;
     const int column = column_of(text, mistake_position(parser, text));
+    const char *const said = strlen(text) > QUOTED_LENGTH_MAX
+                                 ? "a mistake in a long expression"
+                                 : mupGetErrorMsg(parser);
     char what[160];
-    strncpy(what, mupGetErrorMsg(parser), sizeof what - 1);
+    strncpy(what, said, sizeof what - 1);
     what[sizeof what - 1] = '\0';
     for (size_t i = 0; i < sizeof tails / sizeof tails[0]; i++) {
         char *tail = strstr(what, tails[i]);

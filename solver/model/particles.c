@@ -178,7 +178,8 @@ static void apply_order(const struct mpm_particles *particles, const uint32_t *o
             void *const copy = is_kept ? kept : (void *)particles->carried[0];
             gather(array, size, order, count, copy);
             memcpy(array, copy, count * size);
-            kept += is_kept ? mpm_particles_kept_distance(particles, field) : 0;
+            if (is_kept)
+                kept += mpm_particles_kept_distance(particles, field);
         }
 }
 

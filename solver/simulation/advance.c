@@ -29,7 +29,7 @@ static enum mpm_status fail(struct mpm_simulation *simulation, uint64_t step,
     simulation->failure = *error;
     mpm_backup_restore(simulation, judged > saved ? judged : saved);
     while (simulation->step < step) {
-        mpm_backup_repeat(simulation);
+        (void)mpm_backup_repeat(simulation); /* it has succeeded before */
         if (mpm_energy_judge(simulation, &simulation->failure) == MPM_OK)
             continue;
         *error = simulation->failure;
@@ -39,7 +39,7 @@ static enum mpm_status fail(struct mpm_simulation *simulation, uint64_t step,
     return MPM_RUN_FAILED;
 }
 
-static enum mpm_status take_step(struct mpm_simulation *simulation, struct mpm_error *error)
+enum mpm_status mpm_simulation_take_step(struct mpm_simulation *simulation, struct mpm_error *error)
 {
     struct mpm_state *const state = &simulation->state;
     enum mpm_status status = mpm_step_advance(state, simulation->seconds, error);
@@ -80,7 +80,7 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
     bool lands;
     state->time_step = mpm_time_step_next(simulation, time_limit, &lands);
     state->transport.flush = ends_at_results(simulation, lands);
-    if (take_step(simulation, error) != MPM_OK)
+    if (mpm_simulation_take_step(simulation, error) != MPM_OK)
         return fail(simulation, simulation->step, error);
     const uint64_t since = simulation->step - simulation->backup.step;
     state->time = lands ? time_limit : state->time + state->time_step;

@@ -109,16 +109,16 @@ static void copy_back(struct mpm_simulation *simulation)
     simulation->step = backup->step;
 }
 
-void mpm_backup_repeat(struct mpm_simulation *simulation)
+enum mpm_status mpm_backup_repeat(struct mpm_simulation *simulation)
 {
     struct mpm_state *const state = &simulation->state;
     const uint64_t k = simulation->step - simulation->backup.step;
     state->time_step = simulation->backup.time_steps[k];
     state->transport.flush = simulation->backup.flushed[k];
-    (void)mpm_step_advance(state, simulation->seconds, NULL); /* it has succeeded before, */
-    (void)mpm_cracks_grow(simulation, NULL);                  /* and so has this */
+    MPM_TRY(mpm_simulation_take_step(simulation, NULL));
     state->time = simulation->backup.times[k];
     mpm_simulation_count_step(simulation);
+    return MPM_OK;
 }
 
 void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step)
@@ -133,8 +133,8 @@ void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step)
     mpm_step_recompute(state);
     /* stress, where it is saved: not from F by the one kernel */
     mpm_particles_put_back(&state->particles, backup->particles);
-    while (simulation->step < step)
-        mpm_backup_repeat(simulation);
+    while (simulation->step < step && mpm_backup_repeat(simulation) == MPM_OK)
+        continue;
 }
 
 enum mpm_status mpm_backup_resume(struct mpm_simulation *simulation, uint64_t step)
@@ -144,7 +144,9 @@ enum mpm_status mpm_backup_resume(struct mpm_simulation *simulation, uint64_t st
     copy_back(simulation);
     mpm_step_recompute(state); /* domains, by which the sort finds what strips reach */
     mpm_particles_put_back(&state->particles, simulation->backup.particles);
+    MPM_TRY(mpm_step_collect(state));
     mpm_step_sort(state, simulation->backup.particles, unused);
+    MPM_TRY(mpm_step_collect(state));
     mpm_backup_restore(simulation, step);
-    return mpm_step_collect(state);
+    return simulation->step == step ? mpm_step_collect(state) : MPM_RUN_FAILED;
 }

@@ -279,11 +279,26 @@ static enum mpm_status find_order(const struct mpm_simulation *simulation, uint3
     return status;
 }
 
+static enum mpm_status check_places(const struct mpm_simulation *simulation,
+                                    double *const position[2], size_t count, const char *what,
+                                    struct mpm_error *error)
+{
+    const struct mpm_grid *const grid = &simulation->state.grid;
+    for (size_t p = 0; p < count; p++)
+        for (int axis = 0; axis < 2; axis++) {
+            const double cells =
+                (position[axis][p] - grid->origin[axis]) * grid->inverse_cell[axis];
+            if (!(cells >= 0.0) || !(cells <= (double)grid->cells[axis]))
+                return mpm_error_set(error, MPM_BAD_INPUT,
+                                     "'%s' has a place outside of the grid", what);
+        }
+    return MPM_OK;
+}
+
 /* Every particle in the grid, and steps that go on from the sort. */
 static enum mpm_status check(const struct mpm_simulation *simulation, struct mpm_error *error)
 {
     const struct mpm_backup *const backup = &simulation->backup;
-    const struct mpm_grid *const grid = &simulation->state.grid;
     const struct mpm_particles *const particles = &simulation->state.particles;
     const uint64_t since = simulation->step - backup->step;
     if (simulation->step < backup->step || since > MPM_STEPS_BETWEEN_SORTS ||
@@ -293,15 +308,9 @@ static enum mpm_status check(const struct mpm_simulation *simulation, struct mpm
         if (!(backup->time_steps[k] > 0.0) ||
             !(backup->times[k] > (k > 0 ? backup->times[k - 1] : backup->time)))
             return mpm_error_set(error, MPM_BAD_INPUT, "'steps.length': time does not go on");
-    for (size_t p = 0; p < particles->count; p++)
-        for (int axis = 0; axis < 2; axis++) {
-            const double cells =
-                (particles->position[axis][p] - grid->origin[axis]) * grid->inverse_cell[axis];
-            if (!(cells >= 0.0) || !(cells <= (double)grid->cells[axis]))
-                return mpm_error_set(error, MPM_BAD_INPUT,
-                                     "'particles.position' has a place outside of the grid");
-        }
-    return MPM_OK;
+    const struct mpm_rigid_particles *const rigid = &simulation->state.rigid;
+    MPM_TRY(check_places(simulation, particles->position, particles->count, "particles", error));
+    return check_places(simulation, rigid->position, rigid->count, "rigid", error);
 }
 
 enum mpm_status mpm_checkpoint_load(struct mpm_simulation *simulation,

@@ -105,7 +105,11 @@ void mpm_speeds_update(struct mpm_simulation *simulation);
 enum mpm_status mpm_time_step_check(const struct mpm_simulation *simulation,
                                     struct mpm_error *error);
 
-/* advance.c: the step just taken, or repeated, is over. */
+/* advance.c: takes or repeats a step of state.time_step, and judges it. MPM_RUN_FAILED, or the
+ * step is over but for its time. */
+enum mpm_status mpm_simulation_take_step(struct mpm_simulation *simulation,
+                                         struct mpm_error *error);
+/* The step just taken, or repeated, is over. */
 void mpm_simulation_count_step(struct mpm_simulation *simulation);
 
 /* Courant number of the first step; of a scene at rest its part of the conduction's bound. */
@@ -255,10 +259,11 @@ void mpm_rest_judge(struct mpm_simulation *simulation);
 void mpm_backup_layout(struct mpm_simulation *simulation, struct mpm_arena *arena);
 /* After the sort, which has copied the particles. */
 void mpm_backup_save(struct mpm_simulation *simulation);
-/* Goes back to the state after step `step`, which the backup must cover. */
+/* Goes back to the state after step `step`, which the backup must cover, or to that before the
+ * first step that fails: only steps of a checkpoint do, since all others have succeeded before. */
 void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step);
-/* Takes the step after that again. */
-void mpm_backup_repeat(struct mpm_simulation *simulation);
+/* Takes the step after that again. MPM_RUN_FAILED as with mpm_simulation_take_step. */
+enum mpm_status mpm_backup_repeat(struct mpm_simulation *simulation);
 /* For particles and a backup that come from a checkpoint: sorts, and takes the steps up to `step`.
  * MPM_RUN_FAILED: one of them fails. */
 enum mpm_status mpm_backup_resume(struct mpm_simulation *simulation, uint64_t step);

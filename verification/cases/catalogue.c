@@ -12,23 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const basis_names[] = {"theory", "round-off", "literature", "measured"};
-
-const char *basis_name(enum case_basis basis)
-{
-    return basis_names[basis];
-}
-
-bool basis_find(const char *name, enum case_basis *basis)
-{
-    for (size_t i = 0; i < G_N_ELEMENTS(basis_names); i++)
-        if (strcmp(basis_names[i], name) == 0) {
-            *basis = (enum case_basis)i;
-            return true;
-        }
-    return false;
-}
-
 enum case_evidence check_evidence(const struct case_file *file, const struct case_check *check)
 {
     return check->evidence != EVIDENCE_NOT_STATED ? check->evidence : file->evidence;

@@ -11,7 +11,8 @@
 const json_t *comparison_declared(const json_t *entry)
 {
     const json_t *declared = json_object_get(entry, "comparison");
-    return json_is_object(declared) ? declared : NULL;
+    const bool any = json_array_size(json_object_get(declared, "columns")) > 0;
+    return any ? declared : NULL; /* without a column there is nothing to compare */
 }
 
 /* ------------------------------------------------------------------- rows, columns */
