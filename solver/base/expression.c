@@ -149,9 +149,8 @@ static enum mpm_status report(muParserHandle_t parser, const char *text, struct 
                                        "meaning, pi, e, operators and functions";
     const bool unknown = mupGetErrorCode(parser) == UNKNOWN_TOKEN;
     const int column = column_of(text, mistake_position(parser, text));
-    const char *const said = strlen(text) > QUOTED_LENGTH_MAX
-                                 ? "a mistake in a long expression"
-                                 : mupGetErrorMsg(parser);
+    const char *const said = strlen(text) > QUOTED_LENGTH_MAX ? "a mistake in a long expression"
+                                                              : mupGetErrorMsg(parser);
     char what[160];
     strncpy(what, said, sizeof what - 1);
     what[sizeof what - 1] = '\0';

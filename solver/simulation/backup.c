@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/cracks/crack_contact.h"
+#include "method/cracks/crack_opening.h"
 #include "simulation/simulation.h"
 
 #include <assert.h>
@@ -137,11 +139,14 @@ void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step)
         continue;
 }
 
-enum mpm_status mpm_backup_resume(struct mpm_simulation *simulation, uint64_t step)
+enum mpm_status mpm_backup_resume(struct mpm_simulation *simulation, uint64_t step,
+                                  struct mpm_error *error)
 {
     struct mpm_state *const state = &simulation->state;
     double unused[MPM_PHASE_COUNT] = {0.0};
     copy_back(simulation);
+    MPM_TRY(mpm_cracks_check(state, error));
+    MPM_TRY(mpm_crack_openings_check(state, error));
     mpm_step_recompute(state); /* domains, by which the sort finds what strips reach */
     mpm_particles_put_back(&state->particles, simulation->backup.particles);
     MPM_TRY(mpm_step_collect(state));

@@ -289,8 +289,8 @@ static enum mpm_status check_places(const struct mpm_simulation *simulation,
             const double cells =
                 (position[axis][p] - grid->origin[axis]) * grid->inverse_cell[axis];
             if (!(cells >= 0.0) || !(cells <= (double)grid->cells[axis]))
-                return mpm_error_set(error, MPM_BAD_INPUT,
-                                     "'%s' has a place outside of the grid", what);
+                return mpm_error_set(error, MPM_BAD_INPUT, "'%s' has a place outside of the grid",
+                                     what);
         }
     return MPM_OK;
 }
@@ -333,8 +333,9 @@ enum mpm_status mpm_checkpoint_load(struct mpm_simulation *simulation,
         return MPM_OK;
     const double speeds[] = {simulation->wave_speed, simulation->particle_speed,
                              simulation->diffusivity, simulation->film};
-    if (mpm_backup_resume(simulation, simulation->step) != MPM_OK)
-        return mpm_error_set(error, MPM_BAD_INPUT, "a step since 'sorted.step' fails");
+    struct mpm_error why = {.message = "a step since 'sorted.step' fails"};
+    if (mpm_backup_resume(simulation, simulation->step, &why) != MPM_OK)
+        return mpm_error_set(error, MPM_BAD_INPUT, "%s", why.message);
     simulation->wave_speed = speeds[0];
     simulation->particle_speed = speeds[1];
     simulation->diffusivity = speeds[2];

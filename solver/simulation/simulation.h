@@ -265,8 +265,9 @@ void mpm_backup_restore(struct mpm_simulation *simulation, uint64_t step);
 /* Takes the step after that again. MPM_RUN_FAILED as with mpm_simulation_take_step. */
 enum mpm_status mpm_backup_repeat(struct mpm_simulation *simulation);
 /* For particles and a backup that come from a checkpoint: sorts, and takes the steps up to `step`.
- * MPM_RUN_FAILED: one of them fails. */
-enum mpm_status mpm_backup_resume(struct mpm_simulation *simulation, uint64_t step);
+ * MPM_RUN_FAILED: cracks are where they cannot be, with a message, or one of the steps fails. */
+enum mpm_status mpm_backup_resume(struct mpm_simulation *simulation, uint64_t step,
+                                  struct mpm_error *error);
 /* Length of crack_points[array]. */
 size_t mpm_backup_crack_points(const struct mpm_simulation *simulation, int array);
 

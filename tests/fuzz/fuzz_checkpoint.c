@@ -1,5 +1,6 @@
 /* The file of a checkpoint, as `mpm run --resume` reads it: bytes of one that a run has left are
- * changed, and the length and the sum in its head made right, so that what is behind them is reached.
+ * changed, and the length and the sum in its head made right, so that what is behind them is
+ * reached.
  *
  * An input is a byte for the run, one that says what is right about the head, then edits of SIZE
  * bytes, as `enum part` has them.
@@ -47,8 +48,7 @@ static enum mpm_status run_scene(size_t run, const char *folder, bool resume, in
 static void remember(const char *folder, struct left *files)
 {
     GDir *const entries = g_dir_open(folder, 0, NULL);
-    for (const char *name;
-         (name = g_dir_read_name(entries)) != NULL && files->count < FILES_MAX;) {
+    for (const char *name; (name = g_dir_read_name(entries)) != NULL && files->count < FILES_MAX;) {
         char *const path = g_build_filename(folder, name, NULL);
         if (!g_file_get_contents(path, &files->texts[files->count], &files->sizes[files->count],
                                  NULL))
@@ -72,8 +72,8 @@ static void forget(void)
 
 static void make_head_right(char *file, gsize size)
 {
-    char *const sum = g_compute_checksum_for_data(
-        G_CHECKSUM_MD5, (const guchar *)file + HEAD_SIZE, size - HEAD_SIZE);
+    char *const sum = g_compute_checksum_for_data(G_CHECKSUM_MD5, (const guchar *)file + HEAD_SIZE,
+                                                  size - HEAD_SIZE);
     memset(file, 0, HEAD_SIZE);
     (void)g_snprintf(file, HEAD_SIZE, "touchstone checkpoint\nformat %d\nbytes %lld\nmd5 %s\n",
                      MPM_CHECKPOINT_FORMAT, (long long)size, sum);
@@ -83,8 +83,8 @@ static void make_head_right(char *file, gsize size)
 /* One byte, in the whole of the file or near its beginning; or all that follows goes. */
 static gsize edit(char *file, gsize size, const uint8_t *part)
 {
-    const gsize place = (part[PLACE] + ((gsize)part[PLACE_MIDDLE] << 8) +
-                         ((gsize)part[PLACE_HIGH] << 16));
+    const gsize place =
+        (part[PLACE] + ((gsize)part[PLACE_MIDDLE] << 8) + ((gsize)part[PLACE_HIGH] << 16));
     const gsize body = size - HEAD_SIZE;
     char *const at =
         file + HEAD_SIZE + place % (part[ACTION] & 1 && body > NEAR ? (gsize)NEAR : body);

@@ -18,10 +18,9 @@
 enum part { NAME, TYPE, RANK, ROWS, COLUMNS, STORAGE, UNIT, VALUES, SIZE };
 enum { TYPES = 12, UNITS = 6, BYTES = 1 << 16 };
 
-static const char *const names[] = {
-    "position", "initial_position",     "displacement", "velocity",
-    "stress",   "deformation_gradient", "temperature",  "id",
-    "body"};
+static const char *const names[] = {"position", "initial_position",     "displacement", "velocity",
+                                    "stress",   "deformation_gradient", "temperature",  "id",
+                                    "body"};
 
 /* A type of numbers, or of what no reader takes for numbers; H5Tclose. */
 static hid_t make_type(unsigned kind)
@@ -61,8 +60,7 @@ static hid_t make_space(const uint8_t *part)
     const unsigned rank = part[RANK] % 6;
     if (rank == 4)
         return H5Screate(H5S_NULL);
-    return rank == 0 || rank == 5 ? H5Screate(H5S_SCALAR)
-                                  : H5Screate_simple((int)rank, size, NULL);
+    return rank == 0 || rank == 5 ? H5Screate(H5S_SCALAR) : H5Screate_simple((int)rank, size, NULL);
 }
 
 /* The attribute `unit` or `time`, of a text, of several, or of numbers. */

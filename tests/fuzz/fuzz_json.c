@@ -104,11 +104,19 @@ static void read_bundle(void)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static const char *const names[] = {
-        "checks.jsonl", "measurements.jsonl", "changes.json",  "headroom.json",
-        "mutants.json", "bench.jsonl",        "budget.json",   "rows.jsonl",
-        "problem.json", "problem.md",         "reference.csv", "results.csv",
-        NULL};
+    static const char *const names[] = {"checks.jsonl",
+                                        "measurements.jsonl",
+                                        "changes.json",
+                                        "headroom.json",
+                                        "mutants.json",
+                                        "bench.jsonl",
+                                        "budget.json",
+                                        "rows.jsonl",
+                                        "problem.json",
+                                        "problem.md",
+                                        "reference.csv",
+                                        "results.csv",
+                                        NULL};
     fuzz_write_all(data, size, names);
     if (has("checks.jsonl"))
         read_records();

@@ -17,9 +17,9 @@ static void free_scenes(void)
 
 const struct mpm_scene *fuzz_run_scene(size_t run)
 {
-    static const char *const paths[FUZZ_RUNS] = {
-        "tests/fuzz/scenes/crack.yaml", "tests/fuzz/scenes/disk.yaml",
-        "tests/fuzz/scenes/impact.yaml"};
+    static const char *const paths[FUZZ_RUNS] = {"tests/fuzz/scenes/crack.yaml",
+                                                 "tests/fuzz/scenes/disk.yaml",
+                                                 "tests/fuzz/scenes/impact.yaml"};
     struct mpm_error error = {.status = MPM_OK};
     if (scenes[0] == NULL)
         (void)atexit(free_scenes);

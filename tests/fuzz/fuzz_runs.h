@@ -1,4 +1,5 @@
-/* Runs that the harnesses of checkpoints go on from: small scenes, 36 steps of each taken, four of them since a sort.
+/* Runs that the harnesses of checkpoints go on from: small scenes, 36 steps of each taken, four of
+ * them since a sort.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TESTS_FUZZ_FUZZ_RUNS_H

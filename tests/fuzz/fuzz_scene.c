@@ -1,5 +1,5 @@
-/* Scenes: YAML, expressions and settings, as `mpm check` and the first steps of `mpm run` have them.
- * Lines "#set PATH=VALUE" at the beginning are given as --set.
+/* Scenes: YAML, expressions and settings, as `mpm check` and the first steps of `mpm run` have
+ * them. Lines "#set PATH=VALUE" at the beginning are given as --set.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fuzz/fuzz.h"
@@ -21,8 +21,7 @@ static size_t find_settings(const uint8_t *data, size_t size, char *settings[SET
         const uint8_t *const end = memchr(data, '\n', size);
         if (end == NULL)
             break;
-        settings[count++] =
-            g_strndup((const char *)data + length, (gsize)(end - data) - length);
+        settings[count++] = g_strndup((const char *)data + length, (gsize)(end - data) - length);
         size -= (size_t)(end + 1 - data);
         data = end + 1;
     }
@@ -53,9 +52,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct mpm_plan plan;
     char *settings[SETTINGS_MAX];
     const size_t count = find_settings(data, size, settings);
-    const enum mpm_status read = mpm_scene_read(fuzz_write("scene.yaml", data, size),
-                                                (const char *const *)settings, count, &scene,
-                                                &error);
+    const enum mpm_status read = mpm_scene_read(
+        fuzz_write("scene.yaml", data, size), (const char *const *)settings, count, &scene, &error);
     if (fuzz_judge(read, &error) &&
         fuzz_judge(mpm_scene_plan(scene, &options, &plan, &error), &error) &&
         plan.particles <= PARTICLES_MAX && plan.nodes <= NODES_MAX)

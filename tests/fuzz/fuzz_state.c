@@ -67,8 +67,8 @@ struct edits {
 /* A number at that place: one that is odd, or any bytes. */
 static void edit(const struct mpm_piece *piece, const uint8_t *part)
 {
-    static const double odd[] = {0.0,    -1.0,   1e300,      -1e300, 1e-300, (double)NAN,
-                                 HUGE_VAL, 0.5, 4294967295.0, 33.0,   1e6,    -0.0};
+    static const double odd[] = {0.0,      -1.0, 1e300,        -1e300, 1e-300, (double)NAN,
+                                 HUGE_VAL, 0.5,  4294967295.0, 33.0,   1e6,    -0.0};
     const size_t width = mpm_piece_bytes(piece) / piece->count;
     const size_t place = (part[PLACE] + ((size_t)part[PLACE_HIGH] << 8)) % piece->count;
     unsigned char *const at = (unsigned char *)piece->data + place * width;

@@ -300,6 +300,18 @@ static enum mpm_status check_lengths(const struct mpm_state *state, size_t crack
     return MPM_OK;
 }
 
+enum mpm_status mpm_cracks_check(const struct mpm_state *state, struct mpm_error *error)
+{
+    static const double still[2] = {0.0, 0.0};
+    for (size_t crack = 0; crack < state->scene->crack_count; crack++) {
+        const size_t first = mpm_crack_first_point(state, crack);
+        for (size_t k = 0; k < state->cracks.chains[crack].count; k++)
+            MPM_TRY(advance_point(state, crack, first + k, still, error));
+        MPM_TRY(check_lengths(state, crack, error));
+    }
+    return MPM_OK;
+}
+
 void mpm_cracks_reflect(struct mpm_state *state)
 {
     double *const *const position = state->cracks.position;

@@ -54,6 +54,8 @@ size_t mpm_crack_contact_crowded(const struct mpm_state *state, size_t crack);
  * a point leaves the grid, or a segment has grown longer than MPM_CRACK_LONGEST shorter cell sides:
  * it would no longer follow the material between. */
 enum { MPM_CRACK_LONGEST = 4 };
+/* The same of points that a checkpoint has, where they are. */
+enum mpm_status mpm_cracks_check(const struct mpm_state *state, struct mpm_error *error);
 /* Points beyond planes of symmetry go where the images of those inside are. */
 void mpm_cracks_reflect(struct mpm_state *state);
 enum mpm_status mpm_cracks_advance(struct mpm_state *state, struct mpm_error *error);

@@ -238,6 +238,19 @@ static enum mpm_status advance(struct mpm_state *state, double part, struct mpm_
     return MPM_OK;
 }
 
+enum mpm_status mpm_crack_openings_check(const struct mpm_state *state, struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = state->scene;
+    for (size_t crack = 0; crack < scene->crack_count; crack++) {
+        const size_t first = mpm_crack_first_point(state, crack);
+        if (!mpm_crack_is_followed(&scene->cracks[crack]))
+            continue;
+        for (size_t k = 0; k < state->cracks.chains[crack].count; k++)
+            MPM_TRY(check_place(state, crack, first + k, error));
+    }
+    return MPM_OK;
+}
+
 enum mpm_status mpm_crack_openings_begin(struct mpm_state *state, struct mpm_error *error)
 {
     if (state->cracks.openings.surfaces == NULL)

@@ -43,6 +43,9 @@ enum mpm_status mpm_crack_openings_begin(struct mpm_state *state, struct mpm_err
 /* Their way with the second part, with the velocities that update the stress then. */
 enum mpm_status mpm_crack_openings_finish(struct mpm_state *state, struct mpm_error *error);
 
+/* MPM_RUN_FAILED: a surface is outside of the grid; of openings that a checkpoint has. */
+enum mpm_status mpm_crack_openings_check(const struct mpm_state *state, struct mpm_error *error);
+
 /* Unit normal of a chain at its point `k`, from below to above; along is on its right: from the
  * first point to the last. */
 void mpm_crack_point_normal(const struct mpm_crack_chain *chain, size_t k, double normal[2]);

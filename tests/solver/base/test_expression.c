@@ -249,6 +249,25 @@ START_TEST(an_expression_of_4096_characters_is_the_longest)
 }
 END_TEST
 
+/* muParser copies the mistaken part of a text to a buffer of 2048 bytes, whatever its length. */
+START_TEST(a_mistake_in_a_long_expression_has_its_column)
+{
+    enum { LENGTH = 4001, AT = 20 };
+    char text[LENGTH + 1];
+    for (size_t k = 0; k < LENGTH; k++)
+        text[k] = k % 2 == 0 ? '1' : '+';
+    text[AT] = '#';
+    text[LENGTH] = '\0';
+    struct mpm_expression *expression = NULL;
+    struct mpm_error error = {.message = ""};
+    ck_assert_int_eq(mpm_expression_create(text, PLANAR, true, 1, &expression, &error),
+                     MPM_BAD_INPUT);
+    ck_assert_msg(strstr(error.message, "column 21: a mistake in a long expression; allowed: ") !=
+                      NULL,
+                  "%s", error.message);
+}
+END_TEST
+
 /* Nothing in it recurses or explodes: 2000 parentheses are an expression like others. */
 START_TEST(a_deeply_nested_expression_has_its_value)
 {
@@ -312,6 +331,7 @@ Suite *suite_expression(void)
     tcase_add_loop_test(error, a_mistake_is_reported_with_its_column, 0, COUNT(mistakes));
     tcase_add_test(error, time_is_unknown_where_it_has_no_meaning);
     tcase_add_test(error, an_expression_of_4096_characters_is_the_longest);
+    tcase_add_test(error, a_mistake_in_a_long_expression_has_its_column);
     tcase_add_test(error, a_deeply_nested_expression_has_its_value);
     tcase_add_test(error, freeing_no_expression_is_fine);
     suite_add_tcase(suite, error);

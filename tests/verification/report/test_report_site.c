@@ -412,6 +412,21 @@ START_TEST(headroom_without_a_reason_and_values_missing_elsewhere_are_told)
 }
 END_TEST
 
+/* As a file from elsewhere may have it. */
+START_TEST(a_comparison_without_columns_is_none)
+{
+    run_into(folders.second);
+    edit("checks.jsonl",
+         "\"figures\":", "\"comparison\":{\"title\":\"Nothing\",\"columns\":[]},\"figures\":");
+    struct test_said said = test_verify_with("mpm-verify report @", folders.second, NULL);
+    ck_assert_msg(said.exit_status == 0, "%s", said.err);
+    test_said_free(&said);
+    char *front = test_folder_read(folders.second, "index.html");
+    ck_assert_ptr_null(strstr(front, "Nothing"));
+    g_free(front);
+}
+END_TEST
+
 START_TEST(additions_that_cannot_be_are_refused)
 {
     const struct {
@@ -448,6 +463,7 @@ Suite *suite_report_site(void)
     tcase_add_test(site, every_page_is_well_formed_and_limits_hold_the_weaknesses);
     tcase_add_test(site, what_is_stored_is_shown_again_from_the_folder_alone);
     tcase_add_test(site, headroom_without_a_reason_and_values_missing_elsewhere_are_told);
+    tcase_add_test(site, a_comparison_without_columns_is_none);
     tcase_add_test(site, additions_that_cannot_be_are_refused);
     suite_add_tcase(suite, site);
     return suite;
