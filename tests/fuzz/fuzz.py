@@ -25,7 +25,7 @@ BUILD = ROOT / "build" / "fuzz"
 
 # An input that takes longer or more memory is a finding. Inputs of a corpus are shorter.
 LIMITS = ["-timeout=20", "-rss_limit_mb=1024", "-max_len=16384"]
-CORPUS_LENGTH = 6000
+CORPUS_LENGTH = 5000
 
 
 def targets():
@@ -135,19 +135,52 @@ def run(arguments):
     return 1 if failed else 0
 
 
+def chosen(control):
+    """Of the control file of a merge: inputs that reach all edges, few and small."""
+    lines = control.read_text().split("\n")
+    count = int(lines[0])
+    files = [pathlib.Path(line) for line in lines[2:2 + count]]
+    edges = {}
+    for line in lines[2 + count:]:
+        if line.startswith("COV "):
+            number, *reached = map(int, line.split()[1:])
+            # An input has the edges that none before it had: they add up to all.
+            edges[files[number]] = set(reached)
+    missing = set().union(*edges.values())
+    kept = []
+    while missing:
+        best = max(edges, key=lambda f: (len(edges[f] & missing) / (200 + f.stat().st_size), f.name))
+        missing -= edges[best]
+        kept.append(best)
+    return kept
+
+
 def merge(arguments):
     for target in arguments.only or targets():
         corpus, new = HERE / "corpus" / target, BUILD / "new" / target
+        corpus.mkdir(parents=True, exist_ok=True)
+        new.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix="touchstone-fuzz-") as folder:
-            small = pathlib.Path(folder) / "corpus"
-            small.mkdir()
-            status, log = start(target, [*LIMITS, f"-max_len={CORPUS_LENGTH}", "-merge=1", small,
-                                         corpus, *([new] if new.exists() else [])], folder)
+            here = pathlib.Path(folder)
+            small = [path for path in [*corpus.iterdir(), *new.iterdir()]
+                     if path.stat().st_size <= CORPUS_LENGTH]
+            for name in ("all", "merged", "kept"):
+                (here / name).mkdir()
+            for path in small:
+                shutil.copy(path, here / "all" / path.name)
+            status, log = start(target, [*LIMITS, "-merge=1",
+                                         f"-merge_control_file={here}/control",
+                                         here / "merged", here / "all"], folder)
             if status != 0:
                 print(log[-2000:], file=sys.stderr)
                 return 1
-            shutil.rmtree(corpus)
-            shutil.copytree(small, corpus)
+            for path in chosen(here / "control"):
+                shutil.copy(path, here / "kept" / path.name)
+            for path in corpus.iterdir():
+                if re.fullmatch(r"[0-9a-f]{40}", path.name): # others were named by hand: they stay
+                    path.unlink()
+            for path in (here / "kept").iterdir():
+                shutil.move(path, corpus / path.name)
         files = list(corpus.glob("*"))
         print(f"{target}: {len(files)} inputs, {sum(f.stat().st_size for f in files)} bytes")
     return 0
