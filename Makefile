@@ -44,8 +44,9 @@ FLAGS_ubsan   := -O1 -g -fsanitize=undefined -fno-sanitize-recover=all
 FLAGS_san     := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 FLAGS_tsan    := -O1 -g -fsanitize=thread
 FLAGS_cov     := -O0 -g --coverage
+FLAGS_faults  := -O1 -g -DMPM_FAULTS
 ifeq ($(origin FLAGS_$(VARIANT)),undefined)
-$(error VARIANT=$(VARIANT): allowed are release debug asan ubsan san tsan cov)
+$(error VARIANT=$(VARIANT): allowed are release debug asan ubsan san tsan cov faults)
 endif
 
 # Contraction is off so that every compiler and SIMD level gives the same bits.
@@ -82,7 +83,9 @@ includes = $(INCLUDES_$(call room,$(1))) -I$(BUILD)/generated $(PACKAGE_FLAGS)
 # Fast kernels are compiled for each shape family and level of SIMD, their laws for each level.
 FAST_SOURCE    := solver/method/fast/fast_kernels.c
 FAST_LAWS      := solver/method/fast/fast_laws.c
-SOLVER_SOURCES := $(filter-out $(FAST_SOURCE) $(FAST_LAWS),\
+# File calls that fail on purpose.
+FAULTS_SOURCE  := solver/io/files/faults.c
+SOLVER_SOURCES := $(filter-out $(FAST_SOURCE) $(FAST_LAWS) $(if $(filter faults,$(VARIANT)),,$(FAULTS_SOURCE)),\
                     $(sort $(wildcard $(foreach room,base model method simulation io,\
                       solver/$(room)/*.c solver/$(room)/*/*.c))))
 CLI_SOURCES    := $(sort $(wildcard solver/cli/*.c))
@@ -94,7 +97,7 @@ BENCH_SOURCES  := $(filter-out $(BENCH_MAIN),$(sort $(wildcard benchmarks/*/*.c)
 TEST_SOURCES   := $(sort $(wildcard tests/*.c $(foreach room,support benchmarks solver/* \
                     verification/*,tests/$(room)/*.c)))
 PROBE_MAIN     := tests/scene_generator/nodes.c
-SOURCES := $(SOLVER_SOURCES) $(FAST_SOURCE) $(FAST_LAWS) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) \
+SOURCES := $(sort $(SOLVER_SOURCES) $(FAULTS_SOURCE)) $(FAST_SOURCE) $(FAST_LAWS) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) \
            $(BENCH_SOURCES) $(BENCH_MAIN) $(TEST_SOURCES) $(PROBE_MAIN)
 HEADERS := $(sort $(wildcard $(foreach depth,* */* */*/*,$(patsubst %,%/$(depth).h,\
              solver verification benchmarks tests))))

@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/common/resources.h"
 
+#include "mpm_file.h"
+
 #include <glib.h>
 #include <stdbool.h>
 
@@ -27,7 +29,7 @@ static char *find(const char *executable, const char *in_repository, const char 
                       g_build_filename(home, "..", "share", "touchstone", installed, NULL)};
     for (size_t i = 0; i < G_N_ELEMENTS(places); i++) {
         char *wanted = g_build_filename(places[i], probe, NULL);
-        if (found == NULL && g_file_test(wanted, G_FILE_TEST_EXISTS))
+        if (found == NULL && mpm_path_exists(wanted))
             found = g_canonicalize_filename(places[i], NULL);
         g_free(wanted);
         g_free(places[i]);
@@ -67,8 +69,7 @@ char *resources_program(const char *executable, const char *name)
 
 static bool in_repository(void)
 {
-    return g_file_test("Makefile", G_FILE_TEST_IS_REGULAR) &&
-           g_file_test("verification/catalogue", G_FILE_TEST_IS_DIR);
+    return mpm_path_is_file("Makefile") && mpm_path_is_folder("verification/catalogue");
 }
 
 char *resources_output(void)
