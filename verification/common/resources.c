@@ -29,7 +29,8 @@ static char *find(const char *executable, const char *in_repository, const char 
                       g_build_filename(home, "..", "share", "touchstone", installed, NULL)};
     for (size_t i = 0; i < G_N_ELEMENTS(places); i++) {
         char *wanted = g_build_filename(places[i], probe, NULL);
-        if (found == NULL && mpm_path_exists(wanted))
+        if (found == NULL &&
+            mpm_path_kind(wanted) != MPM_PATH_NONE) /* or using it gives a reason */
             found = g_canonicalize_filename(places[i], NULL);
         g_free(wanted);
         g_free(places[i]);

@@ -121,7 +121,9 @@ static enum mpm_status check_home(const char *home, const char *name, struct mpm
     char **const names = mpm_folder_list(home);
     if (names == NULL && errno != ENOTDIR)
         return errno == ENOENT ? MPM_OK : mpm_file_unread(home, errno, NULL, error);
-    const bool empty = names != NULL && names[0] == NULL;
+    bool empty = names != NULL;
+    for (char **one = names; one != NULL && *one != NULL; one++)
+        empty = empty && g_str_has_suffix(*one, MPM_PARTIAL_SUFFIX);
     mpm_folder_list_free(names);
     if (empty)
         return MPM_OK;
@@ -143,6 +145,19 @@ static enum mpm_status check_home(const char *home, const char *name, struct mpm
                                 home, name);
 }
 
+/* What an export that fails leaves is a bundle that is refused until it is exported again. */
+static enum mpm_status mark_unfinished(const char *home, const struct catalogue_case *entry,
+                                       struct mpm_error *error)
+{
+    json_t *json = json_pack("{s:i, s:s, s:s}", "format", 1, "family", entry->file->family, "case",
+                             entry->file->name);
+    char *text = json_dumps(json, JSON_PRESERVE_ORDER);
+    const enum mpm_status status = output_write(home, "problem.json", text, error);
+    free(text);
+    json_decref(json);
+    return status;
+}
+
 enum mpm_status bundle_home(const struct catalogue_case *entry, const char *folder, char **home,
                             struct mpm_error *error)
 {
@@ -151,6 +166,8 @@ enum mpm_status bundle_home(const struct catalogue_case *entry, const char *fold
     if (status == MPM_OK && mpm_folder_make(*home) != 0)
         status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be made: %s", *home,
                              g_strerror(errno));
+    if (status == MPM_OK)
+        status = mark_unfinished(*home, entry, error);
     if (status != MPM_OK) {
         g_free(*home);
         *home = NULL;

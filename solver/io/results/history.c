@@ -204,11 +204,11 @@ enum mpm_status mpm_history_reopen(const char *folder, const struct mpm_scene *s
     *history = history_open(folder, scene, 0);
     if ((*history)->file >= 0)
         return MPM_OK;
-    (void)mpm_error_set(error, MPM_BAD_INPUT, "--resume: %s: %s", (*history)->path,
-                        g_strerror(errno));
+    struct mpm_error own = {.status = MPM_OK};
+    const enum mpm_status status = mpm_file_unread((*history)->path, errno, NULL, &own);
     mpm_history_free(*history);
     *history = NULL;
-    return MPM_BAD_INPUT;
+    return mpm_error_set(error, status, "--resume: %s", own.message);
 }
 
 void mpm_history_visit(struct mpm_history *history, struct mpm_piece_visitor *visitor)
