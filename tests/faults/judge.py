@@ -27,8 +27,7 @@ IGNORED = (
     ("mkdir", "", "the folder is there"),
     ("stat", "", "a file is taken to be there: opening it gives the reason"),
     ("", "/checkpoint.h5", "the run goes on from the older one"),
-    ("", "/proc/cpuinfo", "the name of the processor is then that of its kind"),
-    ("", "/proc/loadavg", "the load is then not known"),
+    ("", ".txt", "a page has the end of a log where it can be read"),
     ("ftruncate", "history.csv", "the file is cut after a failure, which is reported"),
 )
 
@@ -41,10 +40,16 @@ def may_ignore(call):
     return None
 
 
+def without_place(content, folder):
+    """Content without its folder and dates."""
+    return re.sub(rb"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d)?", b"NOW",
+                  content.replace(str(folder).encode(), b"HERE"))
+
+
 def files(folder):
     """Contents by name, of all files in the folder `out` and those in it, but for locks."""
     out = folder / "out"
-    return {str(path.relative_to(out)): path.read_bytes().replace(str(folder).encode(), b"HERE")
+    return {str(path.relative_to(out)): without_place(path.read_bytes(), folder)
             for path in out.rglob("*") if path.is_file() and path.name not in LOCKS}
 
 
@@ -197,6 +202,8 @@ class Judge:
         if outcome.status == 1 and (names_the_fault(checks, call, kind) or
                                     lasting and REASONS[kind] in checks):
             return None  # a program of the suite failed, and its checks state why
+        if outcome.status == self.status and call.paths[0].startswith("/proc/"):
+            return None  # what a page says of the machine is then another word
         if outcome.status == self.status and (may_ignore(call) or lasting):
             return self.unlike(outcome, {name: content for name, content in found.items()
                                          if not name.endswith(SUFFIX)})

@@ -55,7 +55,10 @@ static enum mpm_status each_file(const char *folder, const char *const *globs, s
         return mpm_file_unread(folder, errno, NULL, error);
     for (char **name = names; name != NULL && *name != NULL; name++) {
         char *path = g_build_filename(folder, *name, NULL);
-        if (any_matches(globs, count, *name) && mpm_path_is_file(path) &&
+        const enum mpm_path kind =
+            any_matches(globs, count, *name) ? mpm_path_kind(path) : MPM_PATH_NONE;
+        /* where the system does not say, using it gives the reason */
+        if ((kind == MPM_PATH_FILE || kind == MPM_PATH_UNKNOWN) &&
             use(path, context, error) != MPM_OK)
             status = MPM_ENVIRONMENT_FAILED;
         g_free(path);
