@@ -259,6 +259,14 @@ test-kill: $(BUILD)/bin/mpm ## runs that are killed at KILLS (60) random moments
 	@/usr/bin/python3 -B tests/interruption/kill.py --mpm $(BUILD)/bin/mpm --kills $(KILLS) \
 	  --races $(RACES) $(if $(SEED),--seed $(SEED)) $(wildcard tests/interruption/*.yaml)
 
+# Programs whose calls on files fail as they are told to.
+.PHONY: test-faults
+FAULTS_STRIDE ?= 1
+test-faults: ## every FAULTS_STRIDE-th (1) call on a file fails, one after the other, in a build for it
+	+@$(MAKE) VARIANT=faults all
+	@/usr/bin/python3 -B tests/faults/faults.py --programs build/faults/bin \
+	  --stride $(FAULTS_STRIDE) --jobs $(JOBS) $(addprefix --only ,$(SCENARIOS))
+
 .PHONY: coverage
 coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gcovr
 	@find build/cov -name '*.gcda' -delete 2>/dev/null || true

@@ -86,17 +86,12 @@ def run(command, folder, fault=None):
 
 
 def choose(calls, kind, stride):
-    """Numbers of the calls to fail: the first and the last of each site, and each stride-th."""
+    """Numbers of the calls to fail: each stride-th, and the first of its name."""
     able = [call for call in calls if kind in call.possible]
-    first, last = {}, {}
+    first = {}
     for call in able:
-        site = call.site()
-        first.setdefault(site, call.number)
-        last[site] = call.number
-    chosen = set(able[k].number for k in range(0, len(able), stride))
-    if stride > 1:
-        return sorted(chosen | set(first.values()))
-    return sorted(chosen | set(first.values()) | set(last.values()))
+        first.setdefault(call.name, call.number)
+    return sorted({*first.values(), *(call.number for call in able[stride // 2::stride])})
 
 
 # ------------------------------------------------------------------------------ order
