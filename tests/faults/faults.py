@@ -47,7 +47,7 @@ class Trial:
         self.plain = calls.run(scenario.command, self.fresh("plain"))
         again = calls.run(scenario.command, self.fresh("again"))
         self.judge = judge.Judge(self.plain, judge.files(self.scratch / "plain"),
-                                 judge.files(self.scratch / "again"))
+                                 judge.files(self.scratch / "again"), scenario.timed)
         same = self.sites(again) == self.sites(self.plain)
         self.wrong = None if same else "two runs make different calls"
         if self.plain.status not in (0, 1):

@@ -18,10 +18,10 @@ SHORT = ("--set", "time.steps=1")
 
 class Scenario:
     """A command that writes to `out` in a folder of its own. `weight`: how many times fewer faults
-    it gets than others, for what it costs."""
+    it gets than others, for what it costs. `timed`: its results have times."""
 
-    def __init__(self, name, command, prepare=None, mend=None, weight=1):
-        self.name, self.command, self.weight = name, command, weight
+    def __init__(self, name, command, prepare=None, mend=None, weight=1, timed=False):
+        self.name, self.command, self.weight, self.timed = name, command, weight, timed
         self.prepare = prepare or (lambda folder: None)
         self.mend = mend or (lambda folder: command)  # the command that has to end well afterwards
 
@@ -98,8 +98,9 @@ def of_suite(verify, mpm):
             shutil.copy(snapshot, folder / "results")
 
     return [
-        Scenario("verify", suite, prepare=lambda folder: catalogue(folder, CASE)),
-        Scenario("verify-over", suite, prepare=reported, weight=8),
+        Scenario("verify", suite, prepare=lambda folder: catalogue(folder, CASE),
+                 weight=4, timed=True),
+        Scenario("verify-over", suite, prepare=reported, weight=8, timed=True),
         Scenario("report", [verify, "report", "out"], prepare=reported, weight=2),
         Scenario("export", [*export, "out"], prepare=lambda folder: catalogue(folder, SCORED)),
         Scenario("score", score, prepare=with_table),
@@ -111,7 +112,7 @@ def of_benchmarks(bench):
     """mpm-bench: the quickest group, and the report of it."""
     measure = [bench, "run", "--group", "limit", "--tier", "quick", "--output", "out"]
     return [
-        Scenario("bench", measure, weight=40),
+        Scenario("bench", measure, weight=40, timed=True),
         Scenario("bench-report", [bench, "report", "out"], weight=2,
                  prepare=lambda folder: run(measure, folder)),
     ]

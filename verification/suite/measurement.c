@@ -323,7 +323,8 @@ enum mpm_status measurement_run(const struct measurement_setup *setup, struct mp
     g_free(seconds);
     send_line(&measurement, row_line(ROW_END, "", ""));
     if (status == MPM_OK && measurement.write_error != 0)
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "results cannot be written: %s",
-                             g_strerror(measurement.write_error));
+        status = failure_set(error, MPM_ENVIRONMENT_FAILED,
+                             "%s/rows-%s.jsonl: cannot be written: %s", setup->data_folder,
+                             setup->variant->name, g_strerror(measurement.write_error));
     return status;
 }

@@ -148,8 +148,8 @@ void mpm_results_folder_unlock(struct mpm_folder_lock *lock)
 {
     if (lock->path == NULL)
         return;
-    (void)mpm_file_remove(
-        lock->path); /* while it is locked: nobody else has this file and the lock */
+    /* while it is locked: nobody else has this file and the lock */
+    (void)mpm_file_remove(lock->path);
     (void)mpm_file_close(lock->file);
     g_free(lock->path);
     *lock = (struct mpm_folder_lock){.file = -1};

@@ -6,6 +6,7 @@
 #include "support/call_order.h"
 #include "support/folder.h"
 #include "support/results.h"
+#include "support/skip.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -237,11 +238,13 @@ static int stop_at_once(void)
 START_TEST(a_checkpoint_is_synced_before_it_has_its_name_and_the_folder_after_it)
 {
     const struct mpm_run_options options = {.output = test_results.output,
+                                            .simulation = {.threads = 1},
                                             .interrupted = stop_at_once};
     struct mpm_error error = {.status = MPM_OK};
     if (!test_call_order_start())
         TEST_SKIP("calls are recorded on Linux alone");
-    ck_assert_int_eq(mpm_scene_run(test_results.scene, &options, &error), MPM_INTERRUPTED);
+    ck_assert_msg(mpm_scene_run(test_results.scene, &options, &error) == MPM_INTERRUPTED, "%s",
+                  error.message);
     char *const order = test_call_order_end(), *const name =
                                                    g_path_get_basename(test_results.output);
     char *const wanted = g_strdup_printf("fsync history.csv\nfsync checkpoint.h5.partial\n"
