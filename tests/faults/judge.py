@@ -151,7 +151,7 @@ class Judge:
     """Compares outcomes with those of a command without faults."""
 
     def __init__(self, outcome, found, again, timed):
-        self.status, self.files = outcome.status, found
+        self.status, self.files, self.again = outcome.status, found, again
         # `timed`: the command measures time, and all that it writes may have it
         # files whose bytes are the same in two runs without faults: in all others a clock speaks
         self.steady = {name for name in found if again.get(name) == found[name] and
@@ -164,7 +164,8 @@ class Judge:
         if missing_files(found, self.files):
             return f"other files: {missing_files(found, self.files)}"
         for name, content in found.items():
-            if not same(name, content, self.files[name], self.steady):
+            if not any(same(name, content, other.get(name, b""), self.steady)
+                       for other in (self.files, self.again)):
                 return f"{name} has other bytes"
         return None
 

@@ -16,6 +16,7 @@
 
 #ifndef MPM_FAULTS
 
+/* NOLINTBEGIN(readability-identifier-naming) */
 #define system_open                   open
 #define system_close                  close
 #define system_fstat                  fstat

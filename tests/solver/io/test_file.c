@@ -237,9 +237,8 @@ static int stop_at_once(void)
  * names of the folder. Otherwise a crash of the system could leave a name without its bytes. */
 START_TEST(a_checkpoint_is_synced_before_it_has_its_name_and_the_folder_after_it)
 {
-    const struct mpm_run_options options = {.output = test_results.output,
-                                            .simulation = {.threads = 1},
-                                            .interrupted = stop_at_once};
+    const struct mpm_run_options options = {
+        .output = test_results.output, .simulation = {.threads = 1}, .interrupted = stop_at_once};
     struct mpm_error error = {.status = MPM_OK};
     if (!test_call_order_start())
         TEST_SKIP("calls are recorded on Linux alone");
