@@ -39,6 +39,7 @@
 #define system_rmdir                  rmdir
 #define system_opendir                opendir
 #define system_readdir                readdir
+/* NOLINTEND(readability-identifier-naming) */
 
 #else
 
