@@ -90,8 +90,7 @@ static enum mpm_status read_files(const struct catalogue_case *entry, GPtrArray 
         char *path =
             g_build_filename(folder == NULL ? "reference_data" : folder, numbers->files[i], NULL);
         char *text = NULL;
-        status =
-            input_text(path, "for bundle_of_numbers a file of reference_data", &text, NULL, error);
+        status = input_text(path, "a file of reference_data", &text, NULL, error);
         if (text != NULL)
             g_ptr_array_add(texts, text);
         g_free(path);

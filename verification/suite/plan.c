@@ -16,7 +16,9 @@ enum mpm_status plan_read_only(const char *path, GHashTable **only, struct mpm_e
 {
     char *text = NULL;
     *only = NULL;
-    TRY(input_text(path, "for --only a file of lines CASE/VARIANT", &text, NULL, error));
+    struct mpm_error own = {.status = MPM_OK};
+    if (input_text(path, "a file of lines CASE/VARIANT", &text, NULL, &own) != MPM_OK)
+        return failure_set(error, own.status, "--only: %s", own.message);
     char **lines = g_strsplit(text, "\n", -1);
     GHashTable *const pairs = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
     for (char **line = lines; *line != NULL; line++)
