@@ -46,8 +46,9 @@ FLAGS_tsan    := -O1 -g -fsanitize=thread
 FLAGS_cov     := -O0 -g --coverage
 FLAGS_fuzz    := -O1 -g1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all \
                  -fno-omit-frame-pointer
+FLAGS_faults  := -O1 -g -DMPM_FAULTS
 ifeq ($(origin FLAGS_$(VARIANT)),undefined)
-$(error VARIANT=$(VARIANT): allowed are release debug asan ubsan san tsan cov fuzz)
+$(error VARIANT=$(VARIANT): allowed are release debug asan ubsan san tsan cov fuzz faults)
 endif
 
 # Contraction is off so that every compiler and SIMD level gives the same bits.
@@ -84,7 +85,9 @@ includes = $(INCLUDES_$(call room,$(1))) -I$(BUILD)/generated $(PACKAGE_FLAGS)
 # Fast kernels are compiled for each shape family and level of SIMD, their laws for each level.
 FAST_SOURCE    := solver/method/fast/fast_kernels.c
 FAST_LAWS      := solver/method/fast/fast_laws.c
-SOLVER_SOURCES := $(filter-out $(FAST_SOURCE) $(FAST_LAWS),\
+# File calls that fail on purpose.
+FAULTS_SOURCE  := solver/io/files/faults.c
+SOLVER_SOURCES := $(filter-out $(FAST_SOURCE) $(FAST_LAWS) $(if $(filter faults,$(VARIANT)),,$(FAULTS_SOURCE)),\
                     $(sort $(wildcard $(foreach room,base model method simulation io,\
                       solver/$(room)/*.c solver/$(room)/*/*.c))))
 CLI_SOURCES    := $(sort $(wildcard solver/cli/*.c))
@@ -97,7 +100,7 @@ TEST_SOURCES   := $(sort $(wildcard tests/*.c $(foreach room,support benchmarks 
                     verification/*,tests/$(room)/*.c)))
 PROBE_MAIN     := tests/scene_generator/nodes.c
 FUZZ_SOURCES   := $(sort $(wildcard tests/fuzz/*.c))
-SOURCES := $(SOLVER_SOURCES) $(FAST_SOURCE) $(FAST_LAWS) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) \
+SOURCES := $(sort $(SOLVER_SOURCES) $(FAULTS_SOURCE)) $(FAST_SOURCE) $(FAST_LAWS) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) \
            $(BENCH_SOURCES) $(BENCH_MAIN) $(TEST_SOURCES) $(PROBE_MAIN) $(FUZZ_SOURCES)
 HEADERS := $(sort $(wildcard $(foreach depth,* */* */*/*,$(patsubst %,%/$(depth).h,\
              solver verification benchmarks tests))))
@@ -282,6 +285,14 @@ $(BUILD)/bin/fuzz-%: $(BUILD)/objects/tests/fuzz/fuzz_%.o \
 test-fuzz: ## readers of files: each harness for FUZZ_SECONDS (60) over its corpus; also FUZZ_ONLY=<target>
 	+@tests/fuzz/fuzz.py check '$(FUZZ_CC)' || exit 0; $(MAKE) fuzz && \
 	  tests/fuzz/fuzz.py run --seconds $(FUZZ_SECONDS) --jobs $(JOBS) $(addprefix --only ,$(FUZZ_ONLY))
+
+# Programs whose calls on files fail as they are told to.
+.PHONY: test-faults
+FAULTS_STRIDE ?= 1
+test-faults: ## every FAULTS_STRIDE-th (1) call on a file fails, one after the other, in a build for it
+	+@$(MAKE) VARIANT=faults all
+	@/usr/bin/python3 -B tests/faults/faults.py --programs build/faults/bin \
+	  --stride $(FAULTS_STRIDE) --jobs $(JOBS) $(addprefix --only ,$(SCENARIOS))
 
 .PHONY: coverage
 coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gcovr

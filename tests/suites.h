@@ -18,6 +18,7 @@
     SUITE(checkpoint)                                                                              \
     SUITE(checkpoint_file)                                                                         \
     SUITE(interruption)                                                                            \
+    SUITE(file)                                                                                    \
     SUITE(kernel_bits)                                                                             \
     SUITE(energy_balance)                                                                          \
     SUITE(j_integral)                                                                              \

@@ -4,7 +4,9 @@
 #include "benchmarks/budget/budget.h"
 
 #include "verification/common/failure.h"
+#include "verification/common/input.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/utsname.h>
@@ -111,13 +113,9 @@ static enum mpm_status unpack(const char *path, json_t *root, struct budget *bud
 
 enum mpm_status budget_read(const char *path, struct budget *budget, struct mpm_error *error)
 {
-    json_error_t failure;
+    json_t *root;
     *budget = (struct budget){.runs = NULL};
-    json_t *root = json_load_file(path, JSON_REJECT_DUPLICATES, &failure);
-    if (root == NULL && failure.line < 1)
-        return failure_set(error, MPM_BAD_INPUT, "%s", failure.text);
-    if (root == NULL)
-        return failure_set(error, MPM_BAD_INPUT, "%s:%d: %s", path, failure.line, failure.text);
+    TRY(input_json(path, JSON_REJECT_DUPLICATES, &root, error));
     const enum mpm_status status = unpack(path, root, budget, error);
     json_decref(root);
     return status;
@@ -130,11 +128,8 @@ enum mpm_status budget_write(const char *path, const struct budget *budget, stru
                   budget->build.architecture, "flags", budget->build.flags, "runs", budget->runs);
     char *dumped = json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
     char *text = g_strconcat(dumped, "\n", NULL);
-    GError *failure = NULL;
-    enum mpm_status status = MPM_OK;
-    if (!g_file_set_contents(path, text, -1, &failure))
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s", failure->message);
-    g_clear_error(&failure);
+    const enum mpm_status status =
+        mpm_file_save(path, text, strlen(text)) == 0 ? MPM_OK : mpm_file_failed(path, errno, error);
     g_free(text);
     free(dumped);
     json_decref(root);

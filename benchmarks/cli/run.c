@@ -6,6 +6,7 @@
 #include "benchmarks/measuring/timing.h"
 #include "benchmarks/report/report.h"
 #include "verification/common/failure.h"
+#include "verification/common/input.h"
 #include "verification/common/machine.h"
 #include "verification/common/resources.h"
 
@@ -57,22 +58,26 @@ static enum mpm_status run_groups(const struct bench_run *run, struct bench_cont
 static enum mpm_status prepare(const char *folder, struct mpm_error *error)
 {
     char *records = g_build_filename(folder, BENCH_RECORDS_FILE, NULL);
-    const bool ours = g_file_test(records, G_FILE_TEST_IS_REGULAR);
-    const bool exists = g_file_test(folder, G_FILE_TEST_EXISTS);
+    enum mpm_path kind, kind_of_records = MPM_PATH_NONE;
+    enum mpm_status status = input_kind(folder, &kind, error);
+    if (status == MPM_OK)
+        status = input_kind(records, &kind_of_records, error);
     g_free(records);
-    if (exists && !g_file_test(folder, G_FILE_TEST_IS_DIR))
+    TRY(status);
+    if (kind != MPM_PATH_NONE && kind != MPM_PATH_FOLDER)
         return failure_set(error, MPM_BAD_INPUT, "--output %s: is a file; allowed: a folder",
                            folder);
-    GDir *entries = g_dir_open(folder, 0, NULL);
-    const bool empty = entries == NULL || g_dir_read_name(entries) == NULL;
-    if (entries != NULL)
-        g_dir_close(entries);
-    if (!empty && !ours)
+    char **const names = mpm_folder_list(folder);
+    if (names == NULL && errno != ENOENT)
+        return mpm_file_unread(folder, errno, NULL, error);
+    const bool empty = names == NULL || names[0] == NULL;
+    mpm_folder_list_free(names);
+    if (!empty && kind_of_records != MPM_PATH_FILE)
         return failure_set(error, MPM_BAD_INPUT,
                            "--output %s: holds something else; allowed: a new or empty folder, "
                            "or results of mpm-bench",
                            folder);
-    if (g_mkdir_with_parents(folder, 0777) != 0)
+    if (mpm_folder_make(folder) != 0)
         return failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be made: %s", folder,
                            g_strerror(errno));
     return MPM_OK;
@@ -80,8 +85,7 @@ static enum mpm_status prepare(const char *folder, struct mpm_error *error)
 
 static char *usual_output(void)
 {
-    const bool repository = g_file_test("Makefile", G_FILE_TEST_IS_REGULAR) &&
-                            g_file_test("benchmarks/scenes", G_FILE_TEST_IS_DIR);
+    const bool repository = mpm_path_is_file("Makefile") && mpm_path_is_folder("benchmarks/scenes");
     return g_strdup(repository ? "build/reports/bench" : "bench-report");
 }
 

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/common/records.h"
 
+#include "mpm_file.h"
 #include "verification/common/failure.h"
 #include "verification/common/machine.h"
 #include "verification/common/output.h"
@@ -31,9 +32,9 @@ static double memory_bytes(void)
 /* Processes that ran or waited over the last minute; NaN where the system does not report it. */
 static double load(void)
 {
-    char *text = NULL;
+    char *text = mpm_file_load("/proc/loadavg", NULL);
     double processes = (double)NAN;
-    if (g_file_get_contents("/proc/loadavg", &text, NULL, NULL))
+    if (text != NULL)
         processes = g_ascii_strtod(text, NULL);
     g_free(text);
     return processes;

@@ -5,6 +5,7 @@
 
 #include "benchmarks/common/scratch.h"
 #include "verification/common/failure.h"
+#include "verification/common/input.h"
 
 #include <errno.h>
 #include <glib.h>
@@ -54,10 +55,11 @@ static enum mpm_status read_record(const char *folder, struct instructions *coun
                                    struct mpm_error *error)
 {
     char *path = g_build_filename(folder, RESULTS, "run.json", NULL);
-    json_error_t failure;
+    json_error_t failure = {.text = ""};
     json_int_t steps = 0, particles = 0, particle_steps = 0, bytes = 0;
     const char *kernels = "", *simd = "";
-    json_t *root = json_load_file(path, 0, &failure);
+    json_t *root;
+    const enum mpm_status loaded = input_json(path, 0, &root, error);
     const bool read =
         root != NULL &&
         json_unpack_ex(root, &failure, 0, "{s:{s:I, s:I, s:I, s:{s:I, s:F}}, s:s, s:s}", "counters",
@@ -72,6 +74,8 @@ static enum mpm_status read_record(const char *folder, struct instructions *coun
     g_strlcpy(counted->simd, simd, sizeof counted->simd);
     json_decref(root);
     g_free(path);
+    if (loaded != MPM_OK)
+        return MPM_ENVIRONMENT_FAILED;
     if (!read)
         return failure_set(error, MPM_ENVIRONMENT_FAILED, "run.json of the counted run: %s",
                            failure.text);
@@ -84,13 +88,11 @@ static enum mpm_status read_counts(const char *folder, struct instructions *coun
                                    struct mpm_error *error)
 {
     char *path = g_build_filename(folder, COUNTS, NULL), *text = NULL;
-    GError *failure = NULL;
-    enum mpm_status status = MPM_OK;
-    if (g_file_get_contents(path, &text, NULL, &failure))
+    enum mpm_status status = input_text(path, NULL, &text, NULL, error);
+    if (status == MPM_OK)
         status = callgrind_file_parse(text, &counted->counts, error);
     else
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s", failure->message);
-    g_clear_error(&failure);
+        status = MPM_ENVIRONMENT_FAILED; /* this program's own file */
     g_free(text);
     g_free(path);
     return status == MPM_OK ? read_record(folder, counted, error) : status;
@@ -104,9 +106,9 @@ static enum mpm_status link_into(const char *folder, const char *name, const cha
     char *target = g_canonicalize_filename(file, NULL);
     char *link = g_build_filename(folder, name, NULL);
     enum mpm_status status = MPM_OK;
-    if (access(target, R_OK) != 0)
+    if (mpm_path_access(target, R_OK) != 0)
         status = failure_set(error, MPM_BAD_INPUT, "%s: %s", file, g_strerror(errno));
-    else if (symlink(target, link) != 0)
+    else if (mpm_path_link(target, link) != 0)
         status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: %s", link, g_strerror(errno));
     g_free(link);
     g_free(target);

@@ -4,6 +4,7 @@
 #include "benchmarks/report/report.h"
 
 #include "benchmarks/report/report_sections.h"
+#include "mpm_file.h"
 #include "verification/common/failure.h"
 #include "verification/common/output.h"
 #include "verification/common/record.h"
@@ -142,7 +143,7 @@ static enum mpm_status write_summary(const char *folder, const struct report *re
 static enum mpm_status write_all(const char *folder, struct report *report, struct mpm_error *error)
 {
     struct report_style style;
-    if (g_mkdir_with_parents(report->figures, 0777) != 0)
+    if (mpm_folder_make(report->figures) != 0)
         return failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be made: %s", report->figures,
                            g_strerror(errno));
     TRY(report_style_read(folder, report->scripts, &style, error));

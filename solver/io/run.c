@@ -1,9 +1,10 @@
 /* A scene run to its end, with its result files: mpm_scene_run.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/results/file_write.h"
 #include "io/run_state.h"
+#include "mpm_file.h"
 
+#include <errno.h>
 #include <glib.h>
 #include <inttypes.h>
 #include <math.h>
@@ -313,7 +314,10 @@ static enum mpm_status start(struct mpm_run *run, struct mpm_error *error)
 static enum mpm_status go_on(struct mpm_run *run, struct mpm_error *error)
 {
     const char *const folder = run->options->output;
-    if (!g_file_test(folder, G_FILE_TEST_IS_DIR))
+    const enum mpm_path kind = mpm_path_kind(folder);
+    if (kind == MPM_PATH_UNKNOWN)
+        return mpm_file_unread(folder, errno, NULL, error);
+    if (kind != MPM_PATH_FOLDER)
         return mpm_error_set(error, MPM_BAD_INPUT,
                              "--resume: there is no checkpoint in '%s': there is no such folder",
                              folder);

@@ -2,7 +2,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/checkpoint/checkpoint.h"
-#include "io/results/file_write.h"
 #include "io/run_state.h"
 #include "simulation/checkpoint.h"
 

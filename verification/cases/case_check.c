@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/cases/case_file.h"
 #include "verification/cases/yaml_place.h"
+#include "verification/common/input.h"
 #include "verification/common/names.h"
 
 #include <glib.h>
@@ -123,10 +124,12 @@ static enum mpm_status check_figure(const char *path, const struct case_file *fi
                            figure->script);
     char *folder = g_path_get_dirname(path);
     char *script = g_build_filename(folder, figure->script, NULL);
-    const bool there = g_file_test(script, G_FILE_TEST_IS_REGULAR);
+    enum mpm_path kind;
+    const enum mpm_status found = input_kind(script, &kind, error);
     g_free(folder);
     g_free(script);
-    if (!there)
+    TRY(found);
+    if (kind != MPM_PATH_FILE)
         return yaml_refuse(path, error, place, "script \"%s\": no such file", figure->script);
     return check_globs(path, file, place, figure->needs, figure->needs_count, error);
 }

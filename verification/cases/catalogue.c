@@ -6,6 +6,7 @@
 #include "verification/cases/case_file.h"
 #include "verification/cases/methods.h"
 #include "verification/cases/yaml_place.h"
+#include "verification/common/input.h"
 #include "verification/common/names.h"
 
 #include <glib.h>
@@ -53,7 +54,10 @@ static enum mpm_status check_home(const char *path, const struct catalogue_case 
         return failure_set(error, MPM_BAD_INPUT,
                            "%s: family %s, case %s must be the folder's: %s/%s", path, file->family,
                            file->name, family, name);
-    if (entry->scene_path != NULL && !g_file_test(entry->scene_path, G_FILE_TEST_IS_REGULAR))
+    enum mpm_path kind = MPM_PATH_FILE;
+    if (entry->scene_path != NULL)
+        TRY(input_kind(entry->scene_path, &kind, error));
+    if (kind != MPM_PATH_FILE)
         return failure_set(error, MPM_BAD_INPUT, "%s:%u: scene: \"%s\": no such file", path,
                            yaml_place_line(path, "scene"), file->scene);
     return MPM_OK;
@@ -75,9 +79,9 @@ static enum mpm_status read_readme(struct catalogue_case *entry, struct mpm_erro
 {
     char *path = g_build_filename(entry->folder, "README.md", NULL);
     size_t length = 0;
-    const bool read = g_file_get_contents(path, &entry->readme, &length, NULL);
-    enum mpm_status status = MPM_OK;
-    if (!read || length == 0 || !g_utf8_validate(entry->readme, -1, NULL))
+    enum mpm_status status =
+        input_text(path, "a text on the case, in UTF-8", &entry->readme, &length, error);
+    if (status == MPM_OK && (length == 0 || !g_utf8_validate(entry->readme, -1, NULL)))
         status = failure_set(error, MPM_BAD_INPUT,
                              "%s: a case needs a README.md in UTF-8: problem, source equation, "
                              "reference, criterion and why",
@@ -111,25 +115,25 @@ char *catalogue_scene_path(const struct catalogue_case *entry, const struct case
     return g_strdup(entry->scene_path);
 }
 
-static int compare_texts(const void *a, const void *b)
+/* Those that a catalogue may hold: not hidden. */
+static enum mpm_status folders_in(const char *folder, GPtrArray **folders, struct mpm_error *error)
 {
-    return strcmp(*(char *const *)a, *(char *const *)b);
-}
-
-static GPtrArray *folders_in(const char *folder)
-{
-    GPtrArray *names = g_ptr_array_new_with_free_func(g_free);
-    GDir *directory = g_dir_open(folder, 0, NULL);
-    for (const char *name; directory != NULL && (name = g_dir_read_name(directory)) != NULL;) {
+    GPtrArray *names;
+    enum mpm_status status = input_names(folder, &names, error);
+    *folders = g_ptr_array_new_with_free_func(g_free);
+    for (guint i = 0; status == MPM_OK && i < names->len; i++) {
+        const char *name = names->pdata[i];
         char *path = g_build_filename(folder, name, NULL);
-        if (*name != '.' && g_file_test(path, G_FILE_TEST_IS_DIR))
-            g_ptr_array_add(names, g_strdup(name));
+        enum mpm_path kind = MPM_PATH_NONE;
+        if (*name != '.')
+            status = input_kind(path, &kind, error);
+        if (kind == MPM_PATH_FOLDER)
+            g_ptr_array_add(*folders, g_strdup(name));
         g_free(path);
     }
-    if (directory != NULL)
-        g_dir_close(directory);
-    g_ptr_array_sort(names, compare_texts);
-    return names;
+    if (names != NULL)
+        g_ptr_array_unref(names);
+    return status;
 }
 
 static enum mpm_status add_case(const char *folder, const char *family, const char *name,
@@ -182,12 +186,13 @@ static enum mpm_status check_columns(const GArray *cases, const struct catalogue
 static enum mpm_status add_families(const char *folder, const struct sources *sources,
                                     GArray *cases, struct mpm_error *error)
 {
-    enum mpm_status status = MPM_OK;
-    GPtrArray *families = folders_in(folder);
+    GPtrArray *families;
+    enum mpm_status status = folders_in(folder, &families, error);
     for (unsigned f = 0; status == MPM_OK && f < families->len; f++) {
         const char *family = families->pdata[f];
         char *family_folder = g_build_filename(folder, family, NULL);
-        GPtrArray *names = folders_in(family_folder);
+        GPtrArray *names;
+        status = folders_in(family_folder, &names, error);
         for (unsigned c = 0; status == MPM_OK && c < names->len; c++)
             status = add_case(folder, family, names->pdata[c], sources, cases, error);
         g_ptr_array_unref(names);
@@ -201,7 +206,9 @@ enum mpm_status catalogue_read(const char *folder, struct program_table programs
                                struct catalogue **catalogue, struct mpm_error *error)
 {
     *catalogue = NULL;
-    if (!g_file_test(folder, G_FILE_TEST_IS_DIR))
+    enum mpm_path kind;
+    TRY(input_kind(folder, &kind, error));
+    if (kind != MPM_PATH_FOLDER)
         return failure_set(error, MPM_BAD_INPUT, "%s: no such folder of a catalogue", folder);
     struct method_table *methods;
     TRY(methods_load(folder, &methods, error));

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/cases/methods.h"
 
+#include "mpm_file.h"
 #include "verification/cases/yaml_place.h"
 #include "verification/cases/yaml_read.h"
 #include "verification/common/names.h"
@@ -93,7 +94,7 @@ enum mpm_status methods_load(const char *folder, struct method_table **table,
     enum mpm_status status = MPM_OK;
     void *data = NULL;
     *table = NULL;
-    if (g_file_test(path, G_FILE_TEST_EXISTS))
+    if (mpm_path_kind(path) != MPM_PATH_NONE) /* or reading it gives the reason */
         status = mpm_keys_read(path, &table_file, &data, error);
     if (status == MPM_OK && data != NULL)
         status = check_table(path, data, error);

@@ -4,6 +4,7 @@
 #include "verification/common/machine.h"
 
 #include "mpm.h"
+#include "mpm_file.h"
 
 #include <cmark-gfm.h>
 #include <glib.h>
@@ -23,8 +24,8 @@ static char *value_after(const char *text, const char *key)
 
 char *machine_processor(void)
 {
-    char *text = NULL, *name = NULL;
-    if (g_file_get_contents("/proc/cpuinfo", &text, NULL, NULL))
+    char *text = mpm_file_load("/proc/cpuinfo", NULL), *name = NULL;
+    if (text != NULL)
         name = value_after(text, "model name");
     g_free(text);
     struct utsname system;

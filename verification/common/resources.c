@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/common/resources.h"
 
+#include "mpm_file.h"
+
 #include <glib.h>
 #include <stdbool.h>
 
@@ -17,22 +19,28 @@ static char *home_of(const char *executable)
     return home;
 }
 
-/* The first place that holds `probe`. */
+/* The first place that holds `probe`, or else the first of which the system does not say: using it
+ * gives the reason. */
 static char *find(const char *executable, const char *in_repository, const char *installed,
                   const char *probe)
 {
-    char *home = home_of(executable), *found = NULL;
+    char *home = home_of(executable), *found = NULL, *unknown = NULL;
     char *places[] = {g_strdup(in_repository),
                       g_build_filename(home, "..", "..", "..", in_repository, NULL),
                       g_build_filename(home, "..", "share", "touchstone", installed, NULL)};
     for (size_t i = 0; i < G_N_ELEMENTS(places); i++) {
         char *wanted = g_build_filename(places[i], probe, NULL);
-        if (found == NULL && g_file_test(wanted, G_FILE_TEST_EXISTS))
-            found = g_canonicalize_filename(places[i], NULL);
+        const enum mpm_path kind = found == NULL ? mpm_path_kind(wanted) : MPM_PATH_NONE;
+        char **const place = kind == MPM_PATH_UNKNOWN ? &unknown : &found;
+        if (kind != MPM_PATH_NONE && *place == NULL)
+            *place = g_canonicalize_filename(places[i], NULL);
         g_free(wanted);
         g_free(places[i]);
     }
     g_free(home);
+    if (found == NULL)
+        return unknown;
+    g_free(unknown);
     return found;
 }
 
@@ -67,8 +75,7 @@ char *resources_program(const char *executable, const char *name)
 
 static bool in_repository(void)
 {
-    return g_file_test("Makefile", G_FILE_TEST_IS_REGULAR) &&
-           g_file_test("verification/catalogue", G_FILE_TEST_IS_DIR);
+    return mpm_path_is_file("Makefile") && mpm_path_is_folder("verification/catalogue");
 }
 
 char *resources_output(void)

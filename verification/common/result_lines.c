@@ -2,6 +2,7 @@
 #include "verification/common/result_lines.h"
 
 #include "verification/common/failure.h"
+#include "verification/common/input.h"
 
 #include <glib.h>
 
@@ -25,13 +26,11 @@ enum mpm_status result_lines_read(const char *folder, const struct result_format
                                   json_t **run, json_t **lines, struct mpm_error *error)
 {
     char *path = g_build_filename(folder, format->file, NULL), *text = NULL;
-    enum mpm_status status = MPM_OK;
+    char *const allowed = g_strdup_printf("the output folder of %s", format->command);
+    enum mpm_status status = input_text(path, allowed, &text, NULL, error);
     *run = NULL;
     *lines = json_array();
-    if (!g_file_get_contents(path, &text, NULL, NULL))
-        status = failure_set(error, MPM_BAD_INPUT,
-                             "%s: cannot be read: allowed is the output folder of %s", path,
-                             format->command);
+    g_free(allowed);
     char **texts = g_strsplit(text == NULL ? "" : text, "\n", -1);
     for (unsigned i = 0; status == MPM_OK && texts[i] != NULL; i++)
         if (*texts[i] != '\0' && !add_line(format, texts[i], run, *lines))

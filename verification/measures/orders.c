@@ -19,7 +19,7 @@ static bool levels_are_positive(size_t count, const double *h, const double *err
 struct order_fit order_fit(size_t count, const double *h, const double *error)
 {
     static const double BELOW = 0.975; /* both ends of 95 % */
-    double x[ORDER_LEVELS_MAX], y[ORDER_LEVELS_MAX], constant, variance[3], left;
+    double x[ORDER_LEVELS_MAX] = {0}, y[ORDER_LEVELS_MAX] = {0}, constant, variance[3], left;
     struct order_fit fit = {(double)NAN, (double)NAN};
     if (count > ORDER_LEVELS_MAX || !levels_are_positive(count, h, error))
         return fit;

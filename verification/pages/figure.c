@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/pages/figure.h"
 
+#include "mpm_file.h"
+
 #include <glib.h>
 #include <glib/gstdio.h>
 #include <string.h>
@@ -86,12 +88,12 @@ char *figure_dress(const char *svg, const char *title, const char *description)
 /* The file that the script was to write, dressed. */
 static bool dress_file(const char *path, const char *title, const char *description)
 {
-    char *svg = NULL;
-    bool good = g_file_get_contents(path, &svg, NULL, NULL) && strstr(svg, "</svg>") != NULL &&
+    char *svg = mpm_file_load(path, NULL);
+    bool good = svg != NULL && strstr(svg, "</svg>") != NULL &&
                 g_utf8_validate(svg, -1, NULL); /* no text else */
     if (good) {
         char *dressed = figure_dress(svg, title, description);
-        good = g_file_set_contents(path, dressed, -1, NULL);
+        good = mpm_file_save(path, dressed, strlen(dressed)) == 0;
         g_free(dressed);
     }
     g_free(svg);
@@ -103,7 +105,7 @@ struct figure_result figure_plot(const struct figure_plot *plot)
     struct figure_result result = {.state = FIGURE_FAILED};
     char *path = g_build_filename(plot->home, plot->output, NULL), *said = NULL;
     GError *failure = NULL;
-    g_remove(path); /* or an old picture could stand for a new one */
+    (void)mpm_file_remove(path); /* or an old picture could stand for a new one */
     const bool ran = run_gnuplot(plot->home, plot->settings, plot->script, &said, &failure);
     if (said == NULL)
         g_snprintf(result.reason, sizeof result.reason, "gnuplot cannot be run: %s",

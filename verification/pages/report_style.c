@@ -3,6 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/pages/report_style.h"
 
+#include "mpm_file.h"
+
+#include <errno.h>
 #include <glib.h>
 
 /* From the folder itself, or else from `reports`. */
@@ -11,12 +14,18 @@ static enum mpm_status read_style_file(const char *folder, const char *reports, 
 {
     char *own = g_build_filename(folder, "style", name, NULL);
     char *shared = g_build_filename(reports == NULL ? "" : reports, name, NULL);
-    const bool read =
-        g_file_get_contents(own, text, NULL, NULL) || g_file_get_contents(shared, text, NULL, NULL);
-    const enum mpm_status status =
-        read ? MPM_OK
-             : failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: neither this nor %s can be read",
-                           own, shared);
+    *text = mpm_file_load(own, NULL);
+    const int reason = *text != NULL ? 0 : errno;
+    if (reason == ENOENT)
+        *text = mpm_file_load(shared, NULL);
+    enum mpm_status status = MPM_OK;
+    if (*text == NULL && reason == ENOENT)
+        status =
+            failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: neither this nor %s can be read: %s",
+                        own, shared, g_strerror(errno));
+    else if (*text == NULL)
+        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be read: %s", own,
+                             g_strerror(reason));
     g_free(own);
     g_free(shared);
     return status;

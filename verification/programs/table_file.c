@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/programs/table_file.h"
 
+#include "verification/common/input.h"
 #include "verification/common/resources.h"
 #include "verification/common/rows.h"
 
@@ -46,9 +47,7 @@ enum mpm_status table_file_read(const char *file, struct table_file *table, stru
     *table = (struct table_file){
         .path = g_build_filename(folder == NULL ? "reference_data" : folder, file, NULL)};
     g_free(folder);
-    if (!g_file_get_contents(table->path, &text, NULL, NULL))
-        return failure_set(error, MPM_BAD_INPUT, "%s: no such file, or it cannot be read",
-                           table->path);
+    TRY(input_text(table->path, NULL, &text, NULL, error));
     char **const lines = g_strsplit(text, "\n", -1);
     const enum mpm_status status = read_lines(lines, table, error);
     g_strfreev(lines);

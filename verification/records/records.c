@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/records/records.h"
 
+#include "mpm_file.h"
 #include "verification/common/names.h"
 #include "verification/common/output.h"
 #include "verification/common/result_lines.h"
@@ -111,7 +112,7 @@ static enum mpm_status read_measurements(const char *folder, struct records *rec
                                                 "record of a measurement", is_measured_run,
                                                 is_measurement};
     char *path = g_build_filename(folder, measurements_name, NULL);
-    const bool there = g_file_test(path, G_FILE_TEST_EXISTS);
+    const bool there = mpm_path_kind(path) != MPM_PATH_NONE; /* or reading it gives the reason */
     json_t *run = NULL;
     g_free(path);
     const enum mpm_status status =

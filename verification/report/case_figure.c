@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/report/case_figure.h"
 
+#include "mpm_file.h"
 #include "verification/common/names.h"
 
 #include <glib.h>
@@ -84,7 +85,7 @@ struct figure_result figure_draw(const char *folder, const json_t *run, const js
     char *variants = variants_needed(entry, json_object_get(figure, "needs"), result.reason,
                                      sizeof result.reason);
     char *source = g_build_filename(home, "source", NULL);
-    if (result.reason[0] == '\0' && !g_file_test(source, G_FILE_TEST_IS_DIR))
+    if (result.reason[0] == '\0' && mpm_path_kind(source) == MPM_PATH_NONE)
         g_strlcpy(result.reason, "this folder holds the result lines alone, not the figure's data",
                   sizeof result.reason);
     g_free(source);

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/report/comparison_plot.h"
 
+#include "mpm_file.h"
 #include "verification/common/output.h"
 #include "verification/measures/axis_tics.h"
 #include "verification/measures/label_places.h"
@@ -257,11 +258,11 @@ static char *style_path(const char *folder, const char *reports, const char *nam
 {
     char *own = g_build_filename(folder, "style", name, NULL);
     char *path = NULL;
-    if (g_file_test(own, G_FILE_TEST_IS_REGULAR))
+    if (mpm_path_is_file(own))
         path = g_build_filename("..", "..", "style", name, NULL);
     else if (reports != NULL)
         path = g_canonicalize_filename(reports, NULL);
-    if (path != NULL && !g_file_test(own, G_FILE_TEST_IS_REGULAR)) {
+    if (path != NULL && !mpm_path_is_file(own)) {
         char *file = g_build_filename(path, name, NULL);
         g_free(path);
         path = file;

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/report/report.h"
 
+#include "verification/common/input.h"
 #include "verification/common/output.h"
 #include "verification/common/record.h"
 #include "verification/pages/report_style.h"
@@ -14,7 +15,6 @@
 
 #include <glib.h>
 #include <glib/gstdio.h>
-#include <string.h>
 
 static enum mpm_status write_owned(const char *folder, const char *name, char *text,
                                    struct mpm_error *error)
@@ -24,26 +24,23 @@ static enum mpm_status write_owned(const char *folder, const char *name, char *t
     return status;
 }
 
-static int compare_texts(const void *a, const void *b)
-{
-    return strcmp(*(const char *const *)a, *(const char *const *)b);
-}
-
 /* What the runs of a case left in its folder for others to use, in order; those that a report
  * writes are not among them. */
-static GPtrArray *data_files(const char *home)
+static enum mpm_status data_files(const char *home, GPtrArray **files, struct mpm_error *error)
 {
-    GPtrArray *names = g_ptr_array_new_with_free_func(g_free);
-    GDir *directory = g_dir_open(home, 0, NULL);
-    for (const char *name; directory != NULL && (name = g_dir_read_name(directory)) != NULL;)
+    GPtrArray *names;
+    const enum mpm_status status = input_names(home, &names, error);
+    *files = g_ptr_array_new_with_free_func(g_free);
+    for (guint i = 0; status == MPM_OK && i < names->len; i++) {
+        const char *const name = names->pdata[i];
         if ((g_pattern_match_simple("data-*.dat", name) &&
              !g_pattern_match_simple("data-comparison*", name)) ||
             g_pattern_match_simple("rows-*.jsonl", name))
-            g_ptr_array_add(names, g_strdup(name));
-    if (directory != NULL)
-        g_dir_close(directory);
-    g_ptr_array_sort(names, compare_texts);
-    return names;
+            g_ptr_array_add(*files, g_strdup(name));
+    }
+    if (names != NULL)
+        g_ptr_array_unref(names);
+    return status;
 }
 
 /* Draws the figures of a case, then writes its page; a figure that failed is reported after
@@ -64,10 +61,11 @@ static enum mpm_status write_case(const char *folder, struct report_site *site, 
         }
     }
     char *home = g_build_filename(folder, "cases", record_text(entry, "case"), NULL);
-    g_mkdir_with_parents(home, 0777); /* a failure is reported by the writing */
-    GPtrArray *files = data_files(home);
-    enum mpm_status status =
-        write_owned(home, "index.html", report_case(site, entry, results, files), error);
+    (void)mpm_folder_make(home); /* a failure is reported by the reading */
+    GPtrArray *files;
+    enum mpm_status status = data_files(home, &files, error);
+    if (status == MPM_OK)
+        status = write_owned(home, "index.html", report_case(site, entry, results, files), error);
     if (status == MPM_OK && failed != NULL)
         status = failure_set(error, MPM_ENVIRONMENT_FAILED, "figure %s of case %s: %s",
                              record_text(json_array_get(figures, failed_index), "figure"),
@@ -149,7 +147,7 @@ static enum mpm_status write_files(const char *folder, const struct report_site 
 static bool has_benchmarks(const char *folder)
 {
     char *path = g_build_filename(folder, "..", "bench", "index.html", NULL);
-    const bool there = g_file_test(path, G_FILE_TEST_EXISTS);
+    const bool there = mpm_path_exists(path);
     g_free(path);
     return there;
 }

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/report/report_stored.h"
 
+#include "verification/common/input.h"
 #include "verification/common/output.h"
 #include "verification/common/record.h"
 #include "verification/records/changes.h"
@@ -97,10 +98,7 @@ static enum mpm_status keep_headroom(const char *folder, const char *const *entr
 
 static enum mpm_status read_object(const char *path, json_t **object, struct mpm_error *error)
 {
-    json_error_t cause;
-    *object = json_load_file(path, JSON_REJECT_DUPLICATES, &cause);
-    if (*object == NULL)
-        return failure_set(error, MPM_BAD_INPUT, "%s:%d: %s", path, cause.line, cause.text);
+    TRY(input_json(path, JSON_REJECT_DUPLICATES, object, error));
     if (json_integer_value(json_object_get(*object, "format")) == 1)
         return MPM_OK;
     json_decref(*object);
@@ -137,7 +135,7 @@ static enum mpm_status read_stored(const char *folder, const char *name, json_t 
     char *path = g_build_filename(folder, name, NULL);
     enum mpm_status status = MPM_OK;
     *object = NULL;
-    if (g_file_test(path, G_FILE_TEST_EXISTS))
+    if (mpm_path_kind(path) != MPM_PATH_NONE) /* or reading it gives the reason */
         status = read_object(path, object, error);
     if (status == MPM_OK && *object != NULL && name == mutants_name)
         status = mutants_check(*object, path, error);

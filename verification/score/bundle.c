@@ -4,6 +4,7 @@
 #include "verification/score/bundle.h"
 
 #include "verification/common/failure.h"
+#include "verification/common/input.h"
 #include "verification/common/names.h"
 #include "verification/common/record.h"
 #include "verification/score/readers.h"
@@ -218,19 +219,14 @@ static enum mpm_status read_files(struct bundle *bundle, struct mpm_error *error
 {
     char *path = g_build_filename(bundle->folder, "problem.json", NULL);
     char *words = g_build_filename(bundle->folder, "problem.md", NULL);
-    json_error_t fault;
-    enum mpm_status status = MPM_OK;
-    bundle->json = json_load_file(path, 0, &fault);
-    if (bundle->json == NULL)
-        status =
-            failure_set(error, MPM_BAD_INPUT, "%s:%d: %s", path, MAX(fault.line, 0), fault.text);
-    else if (json_integer_value(json_object_get(bundle->json, "format")) != 1)
+    enum mpm_status status = input_json(path, 0, &bundle->json, error);
+    if (status == MPM_OK && json_integer_value(json_object_get(bundle->json, "format")) != 1)
         status = refuse(bundle, error, "format", "1");
-    else if (!name_is_sound(record_text(bundle->json, "family")) ||
-             !name_is_sound(record_text(bundle->json, "case")))
+    if (status == MPM_OK && !(name_is_sound(record_text(bundle->json, "family")) &&
+                              name_is_sound(record_text(bundle->json, "case"))))
         status = refuse(bundle, error, "family, case", name_rule);
-    else if (!g_file_get_contents(words, &bundle->words, NULL, NULL))
-        status = failure_set(error, MPM_BAD_INPUT, "%s: cannot be read", words);
+    if (status == MPM_OK)
+        status = input_text(words, NULL, &bundle->words, NULL, error);
     g_free(words);
     g_free(path);
     return status;

@@ -4,9 +4,11 @@
 #include "verification/score/bundle_folder.h"
 
 #include "verification/common/failure.h"
+#include "verification/common/input.h"
 #include "verification/common/output.h"
 #include "verification/common/record.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -116,15 +118,22 @@ char *bundle_words_end(const struct catalogue_case *entry, GString *text)
 /* Only a new or empty folder, or a bundle of the same case, is written to. */
 static enum mpm_status check_home(const char *home, const char *name, struct mpm_error *error)
 {
-    GDir *directory = g_dir_open(home, 0, NULL);
-    const bool empty = directory == NULL ? !g_file_test(home, G_FILE_TEST_EXISTS)
-                                         : g_dir_read_name(directory) == NULL;
-    if (directory != NULL)
-        g_dir_close(directory);
+    char **const names = mpm_folder_list(home);
+    if (names == NULL && errno != ENOTDIR)
+        return errno == ENOENT ? MPM_OK : mpm_file_unread(home, errno, NULL, error);
+    bool empty = names != NULL;
+    for (char **one = names; one != NULL && *one != NULL; one++)
+        empty = empty && g_str_has_suffix(*one, MPM_PARTIAL_SUFFIX);
+    mpm_folder_list_free(names);
     if (empty)
         return MPM_OK;
     char *path = g_build_filename(home, "problem.json", NULL);
-    json_t *json = json_load_file(path, 0, NULL);
+    json_t *json;
+    struct mpm_error own = {.status = MPM_OK};
+    if (input_json(path, 0, &json, &own) == MPM_ENVIRONMENT_FAILED) {
+        g_free(path);
+        return failure_set(error, own.status, "%s", own.message);
+    }
     const bool bundle = json_integer_value(json_object_get(json, "format")) == 1 &&
                         strcmp(record_text(json, "case"), name) == 0;
     json_decref(json);
@@ -136,13 +145,29 @@ static enum mpm_status check_home(const char *home, const char *name, struct mpm
                                 home, name);
 }
 
+/* What an export that fails leaves is a bundle that is refused until it is exported again. */
+static enum mpm_status mark_unfinished(const char *home, const struct catalogue_case *entry,
+                                       struct mpm_error *error)
+{
+    json_t *json = json_pack("{s:i, s:s, s:s}", "format", 1, "family", entry->file->family, "case",
+                             entry->file->name);
+    char *text = json_dumps(json, JSON_PRESERVE_ORDER);
+    const enum mpm_status status = output_write(home, "problem.json", text, error);
+    free(text);
+    json_decref(json);
+    return status;
+}
+
 enum mpm_status bundle_home(const struct catalogue_case *entry, const char *folder, char **home,
                             struct mpm_error *error)
 {
     *home = g_build_filename(folder, entry->file->name, NULL);
     enum mpm_status status = check_home(*home, entry->file->name, error);
-    if (status == MPM_OK && g_mkdir_with_parents(*home, 0777) != 0)
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be made", *home);
+    if (status == MPM_OK && mpm_folder_make(*home) != 0)
+        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be made: %s", *home,
+                             g_strerror(errno));
+    if (status == MPM_OK)
+        status = mark_unfinished(*home, entry, error);
     if (status != MPM_OK) {
         g_free(*home);
         *home = NULL;

@@ -4,6 +4,7 @@
 #include "verification/score/csv.h"
 
 #include "verification/common/failure.h"
+#include "verification/common/input.h"
 
 #include <string.h>
 
@@ -72,8 +73,7 @@ enum mpm_status csv_read(const char *path, csv_use *names, csv_use *row, void *c
     struct reading reading = {.names = names, .row = row, .context = context, .path = path};
     char *text;
     size_t length;
-    if (!g_file_get_contents(path, &text, &length, NULL))
-        return failure_set(error, MPM_BAD_INPUT, "%s: cannot be read: allowed is a CSV file", path);
+    TRY(input_text(path, "a CSV file", &text, &length, error));
     enum mpm_status status = use_text(&reading, text, length, error);
     if (status == MPM_OK && reading.columns == 0)
         status = failure_set(error, MPM_BAD_INPUT, "%s: holds no line of names", path);

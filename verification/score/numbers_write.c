@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/common/failure.h"
+#include "verification/common/input.h"
 #include "verification/common/output.h"
 #include "verification/common/record.h"
 #include "verification/common/resources.h"
@@ -89,13 +90,9 @@ static enum mpm_status read_files(const struct catalogue_case *entry, GPtrArray 
         char *path =
             g_build_filename(folder == NULL ? "reference_data" : folder, numbers->files[i], NULL);
         char *text = NULL;
-        if (g_file_get_contents(path, &text, NULL, NULL))
+        status = input_text(path, "a file of reference_data", &text, NULL, error);
+        if (text != NULL)
             g_ptr_array_add(texts, text);
-        else
-            status = failure_set(error, MPM_BAD_INPUT,
-                                 "%s: cannot be read: case %s, bundle_of_numbers, files: allowed "
-                                 "are files of reference_data",
-                                 path, entry->file->name);
         g_free(path);
     }
     g_free(folder);

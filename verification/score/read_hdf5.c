@@ -1,11 +1,14 @@
 /* Results as HDF5 snapshots in the layout of `mpm run`.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mpm_file.h"
+#include "mpm_hdf5.h"
 #include "verification/common/failure.h"
 #include "verification/score/readers.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <hdf5.h>
-
 #include <math.h>
 
 /* Datasets of /mpm/particles and a column of the unit that they must be in. */
@@ -184,11 +187,12 @@ static enum mpm_status read_groups(const char *path, const struct score_format *
 enum mpm_status score_read_hdf5(const char *path, const struct score_format *format,
                                 struct score_table *table, struct mpm_error *error)
 {
-    H5E_auto2_t report = NULL;
-    void *context = NULL;
-    (void)H5Eget_auto2(H5E_DEFAULT, &report, &context);
-    (void)H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
-    const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    struct mpm_hdf5_sink sink = {.file = mpm_file_open(path, O_RDONLY)};
+    if (sink.file < 0)
+        return mpm_file_unread(path, errno, NULL, error);
+    const struct mpm_hdf5_messages messages = mpm_hdf5_silence();
+    const hid_t access = mpm_hdf5_sink_access(&sink);
+    const hid_t file = H5Fopen("results", H5F_ACC_RDONLY, access);
     const hid_t mpm = file < 0 ? file : H5Gopen2(file, "/mpm", H5P_DEFAULT);
     const hid_t particles = mpm < 0 ? mpm : H5Gopen2(mpm, "particles", H5P_DEFAULT);
     enum mpm_status status;
@@ -200,6 +204,8 @@ enum mpm_status score_read_hdf5(const char *path, const struct score_format *for
     (void)H5Gclose(particles);
     (void)H5Gclose(mpm);
     (void)H5Fclose(file);
-    (void)H5Eset_auto2(H5E_DEFAULT, report, context);
-    return status;
+    (void)H5Pclose(access);
+    mpm_hdf5_restore(&messages);
+    (void)mpm_file_close(sink.file);
+    return sink.error_number == 0 ? status : mpm_file_unread(path, sink.error_number, NULL, error);
 }

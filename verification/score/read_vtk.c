@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/common/failure.h"
+#include "verification/common/input.h"
 #include "verification/common/rows.h"
 #include "verification/score/readers.h"
 
@@ -321,8 +322,7 @@ enum mpm_status score_read_vtk(const char *path, const struct score_format *form
                                struct score_table *table, struct mpm_error *error)
 {
     char *text;
-    if (!g_file_get_contents(path, &text, NULL, NULL))
-        return failure_set(error, MPM_BAD_INPUT, "%s: cannot be read", path);
+    TRY(input_text(path, NULL, &text, NULL, error));
     struct words words = {
         .path = path, .at = text, .format = format, .line = 1, .time = (double)NAN};
     enum mpm_status status = read_head(&words, error);

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/common/failure.h"
+#include "verification/common/input.h"
 #include "verification/common/rows.h"
 #include "verification/score/readers.h"
 
@@ -283,8 +284,7 @@ enum mpm_status score_read_vtk_xml(const char *path, const struct score_format *
     static const GMarkupParser parser = {start_element, end_element, add_text, NULL, NULL};
     char *text;
     size_t length;
-    if (!g_file_get_contents(path, &text, &length, NULL))
-        return failure_set(error, MPM_BAD_INPUT, "%s: cannot be read", path);
+    TRY(input_text(path, NULL, &text, &length, error));
     struct mpm_error own = {.status = MPM_OK};
     struct parsing parsing = {.path = path,
                               .format = format,

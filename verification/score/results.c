@@ -4,6 +4,7 @@
 #include "verification/score/results.h"
 
 #include "verification/common/failure.h"
+#include "verification/common/input.h"
 #include "verification/common/rows.h"
 #include "verification/score/readers.h"
 
@@ -103,10 +104,10 @@ static enum mpm_status read_pvd(const char *path, const struct score_format *for
     char *text, *folder = g_path_get_dirname(path);
     size_t length;
     struct collection collection = {path, folder, format, table, error, MPM_OK};
-    enum mpm_status status = MPM_OK;
-    if (!g_file_get_contents(path, &text, &length, NULL)) {
+    enum mpm_status status = input_text(path, NULL, &text, &length, error);
+    if (status != MPM_OK) {
         g_free(folder);
-        return failure_set(error, MPM_BAD_INPUT, "%s: cannot be read", path);
+        return status;
     }
     GError *failure = NULL;
     GMarkupParseContext *context = g_markup_parse_context_new(&parser, 0, &collection, NULL);
@@ -127,18 +128,15 @@ static enum mpm_status read_pvd(const char *path, const struct score_format *for
 
 /* -------------------------------------------------------------------- a folder */
 
-static int compare_texts(const void *a, const void *b)
-{
-    return strcmp(*(char *const *)a, *(char *const *)b);
-}
-
 /* The files of the first kind that the folder has, by name. */
-static GPtrArray *files_of(const char *folder)
+static enum mpm_status files_of(const char *folder, GPtrArray **files, struct mpm_error *error)
 {
-    GPtrArray *paths = g_ptr_array_new_with_free_func(g_free);
+    GPtrArray *paths = g_ptr_array_new_with_free_func(g_free), *names;
     unsigned rank = (unsigned)G_N_ELEMENTS(kinds);
-    GDir *directory = g_dir_open(folder, 0, NULL);
-    for (const char *name; directory != NULL && (name = g_dir_read_name(directory)) != NULL;) {
+    const enum mpm_status status = input_names(folder, &names, error);
+    *files = paths;
+    for (guint i = 0; status == MPM_OK && i < names->len; i++) {
+        const char *const name = names->pdata[i];
         const struct kind *kind = kind_of(name);
         if (kind == NULL || *name == '.' || kind->rank > rank)
             continue;
@@ -147,24 +145,25 @@ static GPtrArray *files_of(const char *folder)
         rank = kind->rank;
         g_ptr_array_add(paths, g_build_filename(folder, name, NULL));
     }
-    if (directory != NULL)
-        g_dir_close(directory);
-    g_ptr_array_sort(paths, compare_texts);
-    return paths;
+    if (names != NULL)
+        g_ptr_array_unref(names);
+    return status;
 }
 
 static enum mpm_status add_files(const char *path, const struct score_format *format,
                                  struct score_table *table, struct mpm_error *error)
 {
-    if (!g_file_test(path, G_FILE_TEST_EXISTS))
+    enum mpm_path kind;
+    TRY(input_kind(path, &kind, error));
+    if (kind == MPM_PATH_NONE)
         return failure_set(error, MPM_BAD_INPUT, "%s: no such file or folder", path);
-    if (!g_file_test(path, G_FILE_TEST_IS_DIR))
+    if (kind != MPM_PATH_FOLDER)
         return add_file(path, (double)NAN, format, table, error);
-    enum mpm_status status = MPM_OK;
-    GPtrArray *paths = files_of(path);
+    GPtrArray *paths;
+    enum mpm_status status = files_of(path, &paths, error);
     for (guint i = 0; status == MPM_OK && i < paths->len; i++)
         status = add_file(paths->pdata[i], (double)NAN, format, table, error);
-    if (paths->len == 0)
+    if (status == MPM_OK && paths->len == 0)
         status =
             failure_set(error, MPM_BAD_INPUT,
                         "%s: holds no file .csv, .hdf, .h5, .hdf5, .vtk, .vtu, .vtp or .pvd", path);

@@ -3,7 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/measurement.h"
 
+#include "mpm_file.h"
 #include "verification/common/names.h"
+#include "verification/common/output.h"
 #include "verification/common/rows.h"
 
 #include <errno.h>
@@ -13,7 +15,6 @@
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
 struct measurement {
     struct measurement_setup setup;
@@ -215,13 +216,8 @@ enum mpm_status measurement_scene_file(const struct measurement *measurement, co
 static void send_line(struct measurement *measurement, char *line)
 {
     const size_t length = strlen(line);
-    for (size_t sent = 0; sent < length && measurement->write_error == 0;) {
-        const ssize_t written = write(measurement->setup.rows, line + sent, length - sent);
-        if (written >= 0)
-            sent += (size_t)written;
-        else if (errno != EINTR)
-            measurement->write_error = errno;
-    }
+    if (measurement->write_error == 0 && mpm_file_write(measurement->setup.rows, line, length) != 0)
+        measurement->write_error = errno;
     g_free(line);
 }
 
@@ -279,16 +275,16 @@ double measurement_processor_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static bool write_table(FILE *file, const char *columns, size_t column_count, size_t rows,
-                        const double *values)
+static char *table_text(const char *columns, size_t column_count, size_t rows, const double *values)
 {
-    fprintf(file, "# %s\n", columns);
+    GString *text = g_string_new(NULL);
+    g_string_append_printf(text, "# %s\n", columns);
     for (size_t i = 0; i < rows * column_count; i++) {
         char number[G_ASCII_DTOSTR_BUF_SIZE];
-        g_ascii_formatd(number, sizeof number, "%.17g", values[i]);
-        fprintf(file, "%s%c", number, (i + 1) % column_count == 0 ? '\n' : ' ');
+        g_string_append(text, g_ascii_formatd(number, sizeof number, "%.17g", values[i]));
+        g_string_append_c(text, (i + 1) % column_count == 0 ? '\n' : ' ');
     }
-    return !ferror(file);
+    return g_string_free(text, FALSE);
 }
 
 enum mpm_status measurement_series(struct measurement *measurement, const char *name,
@@ -301,19 +297,14 @@ enum mpm_status measurement_series(struct measurement *measurement, const char *
                            "one column",
                            name);
     char *file_name = g_strdup_printf("data-%s-%s.dat", measurement_variant(measurement), name);
-    char *path = g_build_filename(measurement->setup.data_folder, file_name, NULL);
-    FILE *file = fopen(path, "wb");
-    bool good = file != NULL && write_table(file, columns, column_count, rows, values);
-    if (file != NULL)
-        good = fclose(file) == 0 && good;
-    if (good)
+    char *text = table_text(columns, column_count, rows, values);
+    const enum mpm_status status =
+        output_write(measurement->setup.data_folder, file_name, text, error);
+    if (status == MPM_OK)
         send_line(measurement, row_line(ROW_SERIES, file_name, ""));
-    else
-        failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be written: %s", path,
-                    g_strerror(errno));
+    g_free(text);
     g_free(file_name);
-    g_free(path);
-    return good ? MPM_OK : MPM_ENVIRONMENT_FAILED;
+    return status;
 }
 
 /* ----------------------------------------------------------------- running */
@@ -332,7 +323,8 @@ enum mpm_status measurement_run(const struct measurement_setup *setup, struct mp
     g_free(seconds);
     send_line(&measurement, row_line(ROW_END, "", ""));
     if (status == MPM_OK && measurement.write_error != 0)
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "results cannot be written: %s",
-                             g_strerror(measurement.write_error));
+        status = failure_set(error, MPM_ENVIRONMENT_FAILED,
+                             "%s/rows-%s.jsonl: cannot be written: %s", setup->data_folder,
+                             setup->variant->name, g_strerror(measurement.write_error));
     return status;
 }

@@ -3,12 +3,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/output_folder.h"
 
+#include "mpm_file.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <glib.h>
-#include <glib/gstdio.h>
 #include <string.h>
-#include <unistd.h>
 
 static const char marker[] = ".mpm-verify";
 static const char *const top_names[] = {
@@ -32,7 +32,7 @@ static enum mpm_status cannot_write(const char *path, struct mpm_error *error)
 
 static enum mpm_status make_folder(const char *path, struct mpm_error *error)
 {
-    return g_mkdir_with_parents(path, 0777) == 0 ? MPM_OK : cannot_write(path, error);
+    return mpm_folder_make(path) == 0 ? MPM_OK : cannot_write(path, error);
 }
 
 static bool any_matches(const char *const *globs, size_t count, const char *name)
@@ -50,23 +50,27 @@ static enum mpm_status each_file(const char *folder, const char *const *globs, s
                                  const char *context, struct mpm_error *error)
 {
     enum mpm_status status = MPM_OK;
-    GDir *directory = g_dir_open(folder, 0, NULL);
-    for (const char *name; directory != NULL && (name = g_dir_read_name(directory)) != NULL;) {
-        char *path = g_build_filename(folder, name, NULL);
-        if (any_matches(globs, count, name) && g_file_test(path, G_FILE_TEST_IS_REGULAR) &&
+    char **const names = mpm_folder_list(folder);
+    if (names == NULL && errno != ENOENT)
+        return mpm_file_unread(folder, errno, NULL, error);
+    for (char **name = names; name != NULL && *name != NULL; name++) {
+        char *path = g_build_filename(folder, *name, NULL);
+        const enum mpm_path kind =
+            any_matches(globs, count, *name) ? mpm_path_kind(path) : MPM_PATH_NONE;
+        /* where the system does not say, using it gives the reason */
+        if ((kind == MPM_PATH_FILE || kind == MPM_PATH_UNKNOWN) &&
             use(path, context, error) != MPM_OK)
             status = MPM_ENVIRONMENT_FAILED;
         g_free(path);
     }
-    if (directory != NULL)
-        g_dir_close(directory);
+    mpm_folder_list_free(names);
     return status;
 }
 
 static enum mpm_status remove_file(const char *path, const char *context, struct mpm_error *error)
 {
     (void)context;
-    return g_remove(path) == 0 || errno == ENOENT ? MPM_OK : cannot_write(path, error);
+    return mpm_file_remove(path) == 0 || errno == ENOENT ? MPM_OK : cannot_write(path, error);
 }
 
 static enum mpm_status copy_file(const char *path, const char *folder, struct mpm_error *error)
@@ -75,9 +79,10 @@ static enum mpm_status copy_file(const char *path, const char *folder, struct mp
     size_t length = 0;
     enum mpm_status status = MPM_OK;
     char *copy = g_build_filename(folder, name, NULL);
-    if (!g_file_get_contents(path, &text, &length, NULL))
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be read", path);
-    else if (!g_file_set_contents(copy, text, (gssize)length, NULL))
+    if ((text = mpm_file_load(path, &length)) == NULL)
+        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be read: %s", path,
+                             g_strerror(errno));
+    else if (mpm_file_save(copy, text, length) != 0)
         status = cannot_write(copy, error);
     g_free(copy);
     g_free(text);
@@ -89,13 +94,13 @@ static enum mpm_status copy_file(const char *path, const char *folder, struct mp
 
 static enum mpm_status refuse_foreign(const char *folder, struct mpm_error *error)
 {
-    if (g_file_test(folder, G_FILE_TEST_EXISTS) && !g_file_test(folder, G_FILE_TEST_IS_DIR))
+    if (mpm_path_exists(folder) && !mpm_path_is_folder(folder))
         return failure_set(error, MPM_BAD_INPUT, "%s: is a file; --output names a folder", folder);
     enum mpm_status status = MPM_OK;
     char *own = g_build_filename(folder, marker, NULL);
-    for (size_t i = 0; i < G_N_ELEMENTS(top_names) && !g_file_test(own, G_FILE_TEST_EXISTS); i++) {
+    for (size_t i = 0; i < G_N_ELEMENTS(top_names) && !mpm_path_exists(own); i++) {
         char *path = g_build_filename(folder, top_names[i], NULL);
-        if (g_file_test(path, G_FILE_TEST_EXISTS))
+        if (mpm_path_exists(path))
             status = failure_set(error, MPM_BAD_INPUT,
                                  "%s: was not written by mpm-verify and would be replaced; choose "
                                  "another --output",
@@ -112,14 +117,14 @@ static enum mpm_status take(const char *folder, int *lock, struct mpm_error *err
 {
     static const char text[] = "Output of mpm-verify: the next run replaces its files.\n";
     char *path = g_build_filename(folder, marker, NULL);
-    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
     enum mpm_status status = MPM_OK;
-    *lock = open(path, O_CREAT | O_RDWR | O_CLOEXEC, 0666);
-    const bool locked = *lock >= 0 && fcntl(*lock, F_SETLK, &whole) == 0;
+    *lock = mpm_file_open(path, O_CREAT | O_RDWR);
+    const bool locked = *lock >= 0 && mpm_file_lock(*lock) == 0;
     if (!locked && *lock >= 0 && (errno == EAGAIN || errno == EACCES))
         status =
             failure_set(error, MPM_BAD_INPUT, "%s: another run is writing to this folder", folder);
-    else if (!locked || ftruncate(*lock, 0) != 0 || write(*lock, text, strlen(text)) < 0)
+    else if (!locked || mpm_file_cut(*lock, 0) != 0 ||
+             mpm_file_write(*lock, text, strlen(text)) != 0)
         status = cannot_write(path, error);
     g_free(path);
     return status;
@@ -128,7 +133,7 @@ static enum mpm_status take(const char *folder, int *lock, struct mpm_error *err
 void output_release(int lock)
 {
     if (lock >= 0)
-        close(lock);
+        (void)mpm_file_close(lock);
 }
 
 static enum mpm_status clean_case(const char *path, struct mpm_error *error)
@@ -140,8 +145,8 @@ static enum mpm_status clean_case(const char *path, struct mpm_error *error)
         status =
             each_file(source, source_globs, G_N_ELEMENTS(source_globs), remove_file, NULL, error);
     /* only if nothing else is in them */
-    g_rmdir(source);
-    g_rmdir(path);
+    (void)mpm_folder_remove(source);
+    (void)mpm_folder_remove(path);
     g_free(source);
     return status;
 }
@@ -151,11 +156,12 @@ static enum mpm_status clean_cases(const char *folder, struct mpm_error *error)
     enum mpm_status status = MPM_OK;
     char *cases = g_build_filename(folder, "cases", NULL);
     GPtrArray *paths = g_ptr_array_new_with_free_func(g_free);
-    GDir *directory = g_dir_open(cases, 0, NULL);
-    for (const char *name; directory != NULL && (name = g_dir_read_name(directory)) != NULL;)
-        g_ptr_array_add(paths, g_build_filename(cases, name, NULL));
-    if (directory != NULL)
-        g_dir_close(directory);
+    char **const names = mpm_folder_list(cases);
+    if (names == NULL && errno != ENOENT)
+        status = mpm_file_unread(cases, errno, NULL, error);
+    for (char **name = names; name != NULL && *name != NULL; name++)
+        g_ptr_array_add(paths, g_build_filename(cases, *name, NULL));
+    mpm_folder_list_free(names);
     for (unsigned i = 0; status == MPM_OK && i < paths->len; i++)
         status = clean_case(paths->pdata[i], error);
     g_ptr_array_unref(paths);

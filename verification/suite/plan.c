@@ -4,6 +4,7 @@
 #include "verification/suite/plan.h"
 
 #include "verification/common/failure.h"
+#include "verification/common/input.h"
 #include "verification/common/names.h"
 
 static bool matches(const char *glob, const char *name)
@@ -14,14 +15,10 @@ static bool matches(const char *glob, const char *name)
 enum mpm_status plan_read_only(const char *path, GHashTable **only, struct mpm_error *error)
 {
     char *text = NULL;
-    GError *failure = NULL;
     *only = NULL;
-    if (!g_file_get_contents(path, &text, NULL, &failure)) {
-        const enum mpm_status status =
-            failure_set(error, MPM_BAD_INPUT, "--only: %s", failure->message);
-        g_error_free(failure);
-        return status;
-    }
+    struct mpm_error own = {.status = MPM_OK};
+    if (input_text(path, "a file of lines CASE/VARIANT", &text, NULL, &own) != MPM_OK)
+        return failure_set(error, own.status, "--only: %s", own.message);
     char **lines = g_strsplit(text, "\n", -1);
     GHashTable *const pairs = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
     for (char **line = lines; *line != NULL; line++)

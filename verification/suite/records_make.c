@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/records_make.h"
 
+#include "mpm_file.h"
 #include "verification/cases/methods.h"
 #include "verification/common/machine.h"
 #include "verification/common/record.h"
@@ -90,7 +91,7 @@ static char *log_tail(const char *output, const struct planned_job *job)
 {
     char *path = schedule_path(output, job, "log", ".txt"), *text = NULL;
     size_t length = 0;
-    if (!g_file_get_contents(path, &text, &length, NULL))
+    if ((text = mpm_file_load(path, &length)) == NULL)
         text = g_strdup("");
     g_free(path);
     const char *tail = text + (length > LOG_TAIL_BYTES ? length - LOG_TAIL_BYTES : 0);

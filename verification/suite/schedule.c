@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/schedule.h"
 
+#include "mpm_file.h"
 #include "verification/common/rows.h"
 #include "verification/suite/measurement.h"
 
@@ -62,7 +63,7 @@ static int create_file(const char *output, const struct planned_job *job, const 
                        const char *suffix)
 {
     char *path = schedule_path(output, job, prefix, suffix);
-    const int file = open(path, O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0666);
+    const int file = mpm_file_open(path, O_CREAT | O_TRUNC | O_WRONLY);
     g_free(path);
     return file;
 }
@@ -153,9 +154,9 @@ static void start(struct scheduler *scheduler, struct child *child)
             setpgid(process, process); /* also here: whoever comes first */
     }
     if (rows >= 0)
-        close(rows);
+        (void)mpm_file_close(rows);
     if (log >= 0)
-        close(log);
+        (void)mpm_file_close(log);
 }
 
 static double seconds_since(gint64 start_time)
@@ -168,7 +169,7 @@ static char *read_rows(const struct scheduler *scheduler, size_t job)
     char *path =
         schedule_path(scheduler->options->output, &scheduler->plan->jobs[job], "rows", ".jsonl");
     char *text = NULL;
-    if (!g_file_get_contents(path, &text, NULL, NULL))
+    if ((text = mpm_file_load(path, NULL)) == NULL)
         text = g_strdup("");
     g_free(path);
     return text;

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/checkpoint/checkpoint.h"
 
-#include "io/results/file_write.h"
+#include "mpm_file.h"
 
 #include <errno.h>
 #include <glib.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { SUM_SIZE = 32, KERNELS_SIZE = 32, BUILD_SIZE = 1024 };
 
@@ -64,7 +63,7 @@ static void visit_contents(void *context, struct mpm_piece_visitor *visitor)
 static enum mpm_status rename_file(const char *from, const char *to, bool may_be_absent,
                                    struct mpm_error *error)
 {
-    if (rename(from, to) == 0 || (may_be_absent && errno == ENOENT))
+    if (mpm_path_rename(from, to) == 0 || (may_be_absent && errno == ENOENT))
         return MPM_OK;
     return mpm_file_failed(to, errno, error);
 }
@@ -78,7 +77,7 @@ static enum mpm_status put_in_place(const char *folder, const char *partial, con
     g_free(previous);
     MPM_TRY(status);
     MPM_TRY(rename_file(partial, path, false, error));
-    return mpm_folder_sync(folder, error);
+    return mpm_folder_sync(folder) == 0 ? MPM_OK : mpm_file_failed(folder, errno, error);
 }
 
 enum mpm_status
@@ -93,6 +92,8 @@ mpm_checkpoint_write(const char *folder, const struct mpm_scene *scene, const ch
     enum mpm_status status = mpm_checkpoint_file_write(partial, visit_contents, &contents, error);
     if (status == MPM_OK)
         status = put_in_place(folder, partial, path, error);
+    if (status != MPM_OK)
+        (void)mpm_file_remove(partial);
     g_free(partial);
     g_free(path);
     return status;
@@ -142,10 +143,11 @@ static enum mpm_status open_one(const char *folder, const char *name,
     return status;
 }
 
+/* One of which the system does not say whether it is there, is: opening it gives the reason. */
 static bool has(const char *folder, const char *name)
 {
     char *const path = g_build_filename(folder, name, NULL);
-    const bool found = g_file_test(path, G_FILE_TEST_EXISTS);
+    const bool found = mpm_path_kind(path) != MPM_PATH_NONE;
     g_free(path);
     return found;
 }

@@ -1,16 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/checkpoint/checkpoint_file.h"
 
-#include "io/results/file_write.h"
-#include "io/results/hdf5_sink.h"
+#include "mpm_file.h"
+#include "mpm_hdf5.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <glib.h>
 #include <hdf5.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 enum { HEAD_SIZE = 512, BLOCK_SIZE = 1 << 20, SUM_SIZE = 33 };
 
@@ -73,9 +71,7 @@ static int sum_up(int file, off_t size, char sum[SUM_SIZE])
     int failure = 0;
     off_t at = HEAD_SIZE;
     while (at < size && failure == 0) {
-        const ssize_t got = pread(file, block, BLOCK_SIZE, at);
-        if (got < 0 && errno == EINTR)
-            continue;
+        const ssize_t got = mpm_file_read_at(file, block, BLOCK_SIZE, at);
         if (got <= 0)
             failure = got < 0 ? errno : EIO;
         g_checksum_update(checksum, block, MAX(got, 0));
@@ -147,12 +143,14 @@ static int write_head(int file)
 {
     struct stat facts;
     char head[HEAD_SIZE] = {0}, sum[SUM_SIZE];
-    if (fstat(file, &facts) != 0)
+    if (mpm_file_facts(file, &facts) != 0)
         return errno;
     const int failure = sum_up(file, facts.st_size, sum);
     (void)g_snprintf(head, sizeof head, head_format, MPM_CHECKPOINT_FORMAT,
                      (long long)facts.st_size, sum);
-    return failure != 0 ? failure : mpm_file_write_at(file, head, sizeof head, 0);
+    if (failure != 0)
+        return failure;
+    return mpm_file_write_at(file, head, sizeof head, 0) == 0 ? 0 : errno;
 }
 
 enum mpm_status mpm_checkpoint_file_write(const char *path,
@@ -160,7 +158,7 @@ enum mpm_status mpm_checkpoint_file_write(const char *path,
                                                         struct mpm_piece_visitor *visitor),
                                           void *context, struct mpm_error *error)
 {
-    struct mpm_hdf5_sink sink = {.file = open(path, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
+    struct mpm_hdf5_sink sink = {.file = mpm_file_open(path, O_RDWR | O_CREAT | O_TRUNC)};
     if (sink.file < 0)
         return mpm_file_failed(path, errno, error);
     const struct mpm_hdf5_messages messages = mpm_hdf5_silence();
@@ -169,9 +167,9 @@ enum mpm_status mpm_checkpoint_file_write(const char *path,
     int reason = sink.error_number;
     if (reason == 0 && failure == NULL)
         reason = write_head(sink.file);
-    if (reason == 0 && fsync(sink.file) != 0)
+    if (reason == 0 && mpm_file_sync(sink.file) != 0)
         reason = errno;
-    if (close(sink.file) != 0 && reason == 0)
+    if (mpm_file_close(sink.file) != 0 && reason == 0)
         reason = errno;
     enum mpm_status status = MPM_OK;
     if (reason != 0)
@@ -180,7 +178,7 @@ enum mpm_status mpm_checkpoint_file_write(const char *path,
         status = mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be written: %s", path,
                                failure);
     if (status != MPM_OK)
-        (void)unlink(path);
+        (void)mpm_file_remove(path);
     g_free(failure);
     return status;
 }
@@ -194,8 +192,12 @@ static enum mpm_status check_head(const char *path, int file, struct mpm_error *
     char head[HEAD_SIZE + 1] = {0}, wanted[HEAD_SIZE], sum[SUM_SIZE];
     int format = 0;
     static const char start[] = "touchstone checkpoint\nformat ";
-    if (fstat(file, &facts) != 0 || !S_ISREG(facts.st_mode) ||
-        pread(file, head, HEAD_SIZE, 0) != HEAD_SIZE || !g_str_has_prefix(head, start))
+    if (mpm_file_facts(file, &facts) != 0)
+        return mpm_file_unread(path, errno, NULL, error);
+    const ssize_t got = S_ISREG(facts.st_mode) ? mpm_file_read_at(file, head, HEAD_SIZE, 0) : 0;
+    if (got < 0)
+        return mpm_file_unread(path, errno, NULL, error);
+    if (got != HEAD_SIZE || !g_str_has_prefix(head, start))
         return mpm_error_set(error, MPM_BAD_INPUT, "%s: is no checkpoint", path);
     format = (int)g_ascii_strtoll(head + strlen(start), NULL, 10);
     if (format != MPM_CHECKPOINT_FORMAT)
@@ -204,8 +206,7 @@ static enum mpm_status check_head(const char *path, int file, struct mpm_error *
                              MPM_CHECKPOINT_FORMAT);
     const int failure = sum_up(file, facts.st_size, sum);
     if (failure != 0)
-        return mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be read: %s", path,
-                             g_strerror(failure));
+        return mpm_file_unread(path, failure, NULL, error);
     memset(wanted, 0, sizeof wanted);
     (void)g_snprintf(wanted, sizeof wanted, head_format, MPM_CHECKPOINT_FORMAT,
                      (long long)facts.st_size, sum);
@@ -220,13 +221,12 @@ enum mpm_status mpm_checkpoint_file_open(const char *path, struct mpm_checkpoint
                                          struct mpm_error *error)
 {
     *file = NULL;
-    const int descriptor = open(path, O_RDONLY | O_CLOEXEC);
+    const int descriptor = mpm_file_open(path, O_RDONLY);
     if (descriptor < 0)
-        return mpm_error_set(error, MPM_BAD_INPUT, "%s: cannot be read: %s", path,
-                             g_strerror(errno));
+        return mpm_file_unread(path, errno, NULL, error);
     const enum mpm_status status = check_head(path, descriptor, error);
     if (status != MPM_OK) {
-        (void)close(descriptor);
+        (void)mpm_file_close(descriptor);
         return status;
     }
     struct mpm_checkpoint_file *const opened = g_new0(struct mpm_checkpoint_file, 1);
@@ -235,8 +235,11 @@ enum mpm_status mpm_checkpoint_file_open(const char *path, struct mpm_checkpoint
     opened->access = mpm_hdf5_sink_access(&opened->sink);
     opened->file = H5Fopen("checkpoint", H5F_ACC_RDONLY, opened->access);
     mpm_hdf5_restore(&messages);
-    if (opened->file < 0) {
+    const int failure = opened->sink.error_number;
+    if (opened->file < 0 || failure != 0) {
         mpm_checkpoint_file_close(opened);
+        if (failure != 0)
+            return mpm_file_unread(path, failure, NULL, error);
         return mpm_error_set(error, MPM_BAD_INPUT, "%s: is no HDF5 file behind its head", path);
     }
     *file = opened;
@@ -253,7 +256,7 @@ void mpm_checkpoint_file_close(struct mpm_checkpoint_file *file)
     if (file->access >= 0)
         (void)H5Pclose(file->access);
     mpm_hdf5_restore(&messages);
-    (void)close(file->sink.file);
+    (void)mpm_file_close(file->sink.file);
     g_free(file->path);
     g_free(file);
 }
@@ -295,8 +298,7 @@ enum mpm_status mpm_checkpoint_file_read(void *context, const struct mpm_piece *
         (void)H5Dclose(dataset);
     mpm_hdf5_restore(&messages);
     if (file->sink.error_number != 0)
-        return mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be read: %s", file->path,
-                             g_strerror(file->sink.error_number));
+        return mpm_file_unread(file->path, file->sink.error_number, NULL, error);
     if (!read || has_other_than_bits(piece))
         return mpm_error_set(error, MPM_BAD_INPUT,
                              "%s: '%s' is missing or not %zu numbers of its "

@@ -1,16 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/history.h"
 
-#include "io/results/file_write.h"
 #include "io/units.h"
+#include "mpm_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <glib.h>
 #include <math.h>
 #include <stddef.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 static const struct column {
     const char *name;
@@ -92,15 +90,13 @@ static void append_value(GString *row, const struct column *column, const struct
 static enum mpm_status append_line(struct mpm_history *history, const GString *line,
                                    struct mpm_error *error)
 {
-    const int failure = mpm_file_write_at(history->file, line->str, line->len, history->size);
-    if (failure == 0) {
+    if (mpm_file_write_at(history->file, line->str, line->len, history->size) == 0) {
         history->size += (int64_t)line->len;
         return MPM_OK;
     }
-    const int kept = ftruncate(history->file, history->size);
-    (void)kept; /* the failure to report is the first one */
-    return mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be written: %s", history->path,
-                         g_strerror(failure));
+    const int failure = errno;
+    (void)mpm_file_cut(history->file, history->size); /* the first failure is the one to report */
+    return mpm_file_failed(history->path, failure, error);
 }
 
 static void append_head(GString *names, GString *units, const struct mpm_scene *scene,
@@ -184,7 +180,7 @@ static struct mpm_history *history_open(const char *folder, const struct mpm_sce
     opened->scene = scene;
     opened->path = g_build_filename(folder, MPM_HISTORY_NAME, NULL);
     choose_columns(opened, scene);
-    opened->file = open(opened->path, flags | O_WRONLY | O_CLOEXEC, 0666);
+    opened->file = mpm_file_open(opened->path, flags | O_WRONLY);
     return opened;
 }
 
@@ -208,11 +204,11 @@ enum mpm_status mpm_history_reopen(const char *folder, const struct mpm_scene *s
     *history = history_open(folder, scene, 0);
     if ((*history)->file >= 0)
         return MPM_OK;
-    (void)mpm_error_set(error, MPM_BAD_INPUT, "--resume: %s: %s", (*history)->path,
-                        g_strerror(errno));
+    struct mpm_error own = {.status = MPM_OK};
+    const enum mpm_status status = mpm_file_unread((*history)->path, errno, NULL, &own);
     mpm_history_free(*history);
     *history = NULL;
-    return MPM_BAD_INPUT;
+    return mpm_error_set(error, status, "--resume: %s", own.message);
 }
 
 void mpm_history_visit(struct mpm_history *history, struct mpm_piece_visitor *visitor)
@@ -225,21 +221,22 @@ void mpm_history_visit(struct mpm_history *history, struct mpm_piece_visitor *vi
 enum mpm_status mpm_history_cut(struct mpm_history *history, struct mpm_error *error)
 {
     struct stat facts;
-    if (fstat(history->file, &facts) != 0)
+    if (mpm_file_facts(history->file, &facts) != 0)
         return mpm_file_failed(history->path, errno, error);
     if (history->size < 0 || history->size > facts.st_size)
         return mpm_error_set(error, MPM_BAD_INPUT,
                              "--resume: %s has %lld bytes, fewer than when the checkpoint was "
                              "written; allowed: from %lld on",
                              history->path, (long long)facts.st_size, (long long)history->size);
-    return ftruncate(history->file, history->size) == 0
+    return mpm_file_cut(history->file, history->size) == 0
                ? MPM_OK
                : mpm_file_failed(history->path, errno, error);
 }
 
 enum mpm_status mpm_history_sync(const struct mpm_history *history, struct mpm_error *error)
 {
-    return fsync(history->file) == 0 ? MPM_OK : mpm_file_failed(history->path, errno, error);
+    return mpm_file_sync(history->file) == 0 ? MPM_OK
+                                             : mpm_file_failed(history->path, errno, error);
 }
 
 void mpm_history_free(struct mpm_history *history)
@@ -247,7 +244,7 @@ void mpm_history_free(struct mpm_history *history)
     if (history == NULL)
         return;
     if (history->file >= 0)
-        (void)close(history->file);
+        (void)mpm_file_close(history->file);
     g_free(history->path);
     g_free(history);
 }

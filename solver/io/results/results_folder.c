@@ -2,18 +2,14 @@
 #include "io/results/results_folder.h"
 
 #include "io/checkpoint/checkpoint.h"
-#include "io/results/file_write.h"
 #include "io/results/history.h"
 #include "io/results/run_record.h"
 #include "io/results/series.h"
+#include "mpm_file.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <glib.h>
-#include <glib/gstdio.h>
 #include <string.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 /* particles-123456.hdf, with as many digits as it likes. */
@@ -59,18 +55,20 @@ static bool is_left_over(const char *name, size_t snapshots)
 
 typedef bool (*name_test)(const char *name, size_t snapshots);
 
-/* The name of a file in the folder that is one of those (g_free), or NULL. */
-static char *find_result(const char *folder, name_test is_one, size_t snapshots, GError **failure)
+/* MPM_ENVIRONMENT_FAILED: the folder cannot be read. The first of its files that is one of those
+ * (g_free), or NULL. */
+static enum mpm_status find_result(const char *folder, char **name, struct mpm_error *error)
 {
-    GDir *directory = g_dir_open(folder, 0, failure);
-    if (directory == NULL)
-        return NULL;
-    const char *name = g_dir_read_name(directory);
-    while (name != NULL && !is_one(name, snapshots))
-        name = g_dir_read_name(directory);
-    char *found = g_strdup(name);
-    g_dir_close(directory);
-    return found;
+    char **const names = mpm_folder_list(folder);
+    *name = NULL;
+    if (names == NULL)
+        return mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "output: %s: cannot be read: %s",
+                             folder, g_strerror(errno));
+    for (char **one = names; *name == NULL && *one != NULL; one++)
+        if (is_any_result(*one, 0))
+            *name = g_strdup(*one);
+    mpm_folder_list_free(names);
+    return MPM_OK;
 }
 
 enum mpm_status mpm_results_folder_check(const char *folder, bool overwrite,
@@ -78,22 +76,23 @@ enum mpm_status mpm_results_folder_check(const char *folder, bool overwrite,
 {
     if (folder[0] == '\0')
         return mpm_error_set(error, MPM_BAD_INPUT, "output: the name of the folder is empty");
-    if (!g_file_test(folder, G_FILE_TEST_EXISTS))
+    const enum mpm_path kind = mpm_path_kind(folder);
+    if (kind == MPM_PATH_NONE)
         return MPM_OK;
-    if (!g_file_test(folder, G_FILE_TEST_IS_DIR))
+    if (kind == MPM_PATH_UNKNOWN)
+        return mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "output: %s: cannot be read: %s",
+                             folder, g_strerror(errno));
+    if (kind != MPM_PATH_FOLDER)
         return mpm_error_set(error, MPM_BAD_INPUT, "output: '%s' is a file; a folder is needed",
                              folder);
-    GError *failure = NULL;
-    char *name = find_result(folder, is_any_result, 0, &failure);
+    char *name = NULL;
+    MPM_TRY(find_result(folder, &name, error));
     enum mpm_status status = MPM_OK;
-    if (failure != NULL)
-        status = mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "output: %s", failure->message);
-    else if (name != NULL && !overwrite)
+    if (name != NULL && !overwrite)
         status = mpm_error_set(error, MPM_BAD_INPUT,
                                "output: '%s' holds results (%s); name another folder or allow "
                                "--overwrite",
                                folder, name);
-    g_clear_error(&failure);
     g_free(name);
     return status;
 }
@@ -101,16 +100,19 @@ enum mpm_status mpm_results_folder_check(const char *folder, bool overwrite,
 static enum mpm_status remove_results(const char *folder, name_test is_one, size_t snapshots,
                                       struct mpm_error *error)
 {
+    char **const names = mpm_folder_list(folder);
+    if (names == NULL)
+        return mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "output: %s: cannot be read: %s",
+                             folder, g_strerror(errno));
     enum mpm_status status = MPM_OK;
-    for (char *name;
-         status == MPM_OK && (name = find_result(folder, is_one, snapshots, NULL)) != NULL;
-         g_free(name)) {
-        char *path = g_build_filename(folder, name, NULL);
-        if (g_unlink(path) != 0)
+    for (char **name = names; status == MPM_OK && *name != NULL; name++) {
+        char *path = g_build_filename(folder, *name, NULL);
+        if (is_one(*name, snapshots) && mpm_file_remove(path) != 0)
             status = mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be removed: %s", path,
                                    g_strerror(errno));
         g_free(path);
     }
+    mpm_folder_list_free(names);
     return status;
 }
 
@@ -122,40 +124,12 @@ enum mpm_status mpm_results_folder_rewind(const char *folder, size_t snapshots,
 
 /* --------------------------------------------------------------------- lock */
 
-/* Is the open file still the one of that name? The run before may have removed it in between. */
-static bool has_name(int file, const char *path)
-{
-    struct stat opened, named;
-    return fstat(file, &opened) == 0 && stat(path, &named) == 0 && opened.st_ino == named.st_ino &&
-           opened.st_dev == named.st_dev;
-}
-
-/* A descriptor that has the lock, or below 0 with errno: EWOULDBLOCK where another has it. */
-static int take_lock(const char *path)
-{
-    for (;;) {
-        const int file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-        if (file < 0)
-            return file;
-        if (flock(file, LOCK_EX | LOCK_NB) == 0) {
-            if (has_name(file, path))
-                return file;
-        } else if (errno != EINTR) {
-            const int failure = errno;
-            (void)close(file);
-            errno = failure;
-            return -1;
-        }
-        (void)close(file);
-    }
-}
-
 enum mpm_status mpm_results_folder_lock(const char *folder, struct mpm_folder_lock *lock,
                                         struct mpm_error *error)
 {
     char *const path = g_build_filename(folder, MPM_FOLDER_LOCK_NAME, NULL);
     enum mpm_status status = MPM_OK;
-    lock->file = take_lock(path);
+    lock->file = mpm_file_open_locked(path, false);
     if (lock->file < 0 && errno == EWOULDBLOCK)
         status = mpm_error_set(error, MPM_BAD_INPUT,
                                "output: another run writes to '%s'; name another folder, or wait "
@@ -174,8 +148,9 @@ void mpm_results_folder_unlock(struct mpm_folder_lock *lock)
 {
     if (lock->path == NULL)
         return;
-    (void)g_unlink(lock->path); /* while it is locked: nobody else has this file and the lock */
-    (void)close(lock->file);
+    /* while it is locked: nobody else has this file and the lock */
+    (void)mpm_file_remove(lock->path);
+    (void)mpm_file_close(lock->file);
     g_free(lock->path);
     *lock = (struct mpm_folder_lock){.file = -1};
 }
@@ -185,10 +160,10 @@ void mpm_results_folder_unlock(struct mpm_folder_lock *lock)
 enum mpm_status mpm_results_folder_prepare(const char *folder, bool overwrite,
                                            struct mpm_folder_lock *lock, struct mpm_error *error)
 {
-    if (g_mkdir_with_parents(folder, 0777) != 0)
+    if (mpm_folder_make(folder) != 0)
         return mpm_error_set(error, MPM_ENVIRONMENT_FAILED,
                              "output: folder '%s' cannot be made: %s", folder, g_strerror(errno));
-    if (g_access(folder, W_OK | X_OK) != 0)
+    if (mpm_path_access(folder, W_OK | X_OK) != 0)
         return mpm_error_set(error, MPM_ENVIRONMENT_FAILED,
                              "output: folder '%s' cannot be written to: %s", folder,
                              g_strerror(errno));

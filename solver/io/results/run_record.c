@@ -3,6 +3,7 @@
 
 #include "io/results/file_write.h"
 #include "io/results/provenance.h"
+#include "mpm_file.h"
 
 #include <glib.h>
 #include <jansson.h>
@@ -23,8 +24,8 @@ static json_t *text(const char *bytes)
 static char *processor_name(void)
 {
     char *name = NULL;
-    char *cpus = NULL;
-    if (g_file_get_contents("/proc/cpuinfo", &cpus, NULL, NULL)) {
+    char *const cpus = mpm_file_load("/proc/cpuinfo", NULL);
+    if (cpus != NULL) {
         const char *line = strstr(cpus, "model name");
         const char *colon = line != NULL ? strchr(line, ':') : NULL;
         if (colon != NULL)

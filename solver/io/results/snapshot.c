@@ -1,19 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/snapshot.h"
 
-#include "io/results/file_write.h"
-#include "io/results/hdf5_sink.h"
 #include "io/results/provenance.h"
 #include "io/results/snapshot_data.h"
 #include "io/units.h"
+#include "mpm_file.h"
+#include "mpm_hdf5.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <glib.h>
 #include <hdf5.h>
-#include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { SNAPSHOT_FORMAT = 1, POINT_COMPONENTS = 3 };
 
@@ -325,13 +323,13 @@ static char *write_hdf5_silently(struct mpm_snapshot *snapshot, struct mpm_hdf5_
 /* Writes, syncs and closes `path`; returns NULL or why it failed (g_free). */
 static char *write_file(struct mpm_snapshot *snapshot, const char *path)
 {
-    struct mpm_hdf5_sink sink = {.file = open(path, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
+    struct mpm_hdf5_sink sink = {.file = mpm_file_open(path, O_RDWR | O_CREAT | O_TRUNC)};
     if (sink.file < 0)
         return g_strdup(g_strerror(errno));
     char *failure = write_hdf5_silently(snapshot, &sink);
-    if (sink.error_number == 0 && fsync(sink.file) != 0)
+    if (sink.error_number == 0 && mpm_file_sync(sink.file) != 0)
         sink.error_number = errno;
-    if (close(sink.file) != 0 && sink.error_number == 0)
+    if (mpm_file_close(sink.file) != 0 && sink.error_number == 0)
         sink.error_number = errno;
     if (sink.error_number != 0) { /* the cause of whatever HDF5 may say */
         g_free(failure);
@@ -352,11 +350,11 @@ enum mpm_status mpm_snapshot_write(const char *path, const struct mpm_scene *sce
     };
     char *partial = g_strconcat(path, MPM_PARTIAL_SUFFIX, NULL);
     char *failure = write_file(&snapshot, partial);
-    if (failure == NULL && rename(partial, path) != 0)
+    if (failure == NULL && mpm_path_rename(partial, path) != 0)
         failure = g_strdup(g_strerror(errno));
     enum mpm_status status = MPM_OK;
     if (failure != NULL) {
-        (void)unlink(partial);
+        (void)mpm_file_remove(partial);
         status = mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be written: %s", path,
                                failure);
     }

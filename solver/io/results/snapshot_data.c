@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/snapshot_data.h"
 
-#include "io/results/hdf5_sink.h"
+#include "mpm_hdf5.h"
 
 #include <glib.h>
 #include <hdf5.h>

@@ -3,13 +3,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/status.h"
 #include "io/yaml/keys.h"
+#include "mpm_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <glib.h>
 #include <stdlib.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 enum { FILE_SIZE_MAX = 16 * 1024 * 1024 };
 
@@ -20,12 +19,22 @@ static enum mpm_status refuse_file(const struct mpm_source *source, const char *
                           "%s; allowed: a readable %s of up to 16 MiB", fault, source->what);
 }
 
+/* A name without a file and a file that is not ours to read are bad input, a disk is not. */
+static enum mpm_status refuse_read(const struct mpm_source *source, struct mpm_error *error)
+{
+    const int reason = errno;
+    struct mpm_error own = {.status = MPM_OK};
+    if (mpm_file_unread(source->path, reason, NULL, &own) == MPM_ENVIRONMENT_FAILED)
+        return mpm_error_set(error, own.status, "%s", own.message);
+    return refuse_file(source, g_strerror(reason), error);
+}
+
 static enum mpm_status check_kind(const struct mpm_source *source, int file, size_t *size,
                                   struct mpm_error *error)
 {
     struct stat facts;
-    if (fstat(file, &facts) != 0)
-        return refuse_file(source, g_strerror(errno), error);
+    if (mpm_file_facts(file, &facts) != 0)
+        return refuse_read(source, error);
     if (S_ISDIR(facts.st_mode))
         return refuse_file(source, "is a folder", error);
     if (!S_ISREG(facts.st_mode))
@@ -46,18 +55,12 @@ static enum mpm_status read_bytes(const struct mpm_source *source, int file,
     bytes->data = malloc(capacity);
     if (bytes->data == NULL)
         return mpm_error_memory(error, capacity, "a file");
-    for (;;) {
-        const ssize_t got = read(file, bytes->data + bytes->length, capacity - bytes->length);
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got < 0)
-            return refuse_file(source, g_strerror(errno), error);
-        bytes->length += (size_t)got;
-        if (bytes->length > size)
-            return refuse_file(source, "the file grows while it is read", error);
-        if (got == 0)
-            return MPM_OK;
-    }
+    const ssize_t got = mpm_file_read(file, bytes->data, capacity);
+    if (got < 0)
+        return refuse_read(source, error);
+    bytes->length = (size_t)got;
+    return bytes->length <= size ? MPM_OK
+                                 : refuse_file(source, "the file grows while it is read", error);
 }
 
 enum mpm_status mpm_source_read(const struct mpm_source *source, struct mpm_bytes *bytes,
@@ -65,11 +68,11 @@ enum mpm_status mpm_source_read(const struct mpm_source *source, struct mpm_byte
 {
     *bytes = (struct mpm_bytes){.data = NULL};
     /* A named pipe must not make the program wait. */
-    const int file = open(source->path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    const int file = mpm_file_open(source->path, O_RDONLY | O_NONBLOCK);
     if (file < 0)
-        return refuse_file(source, g_strerror(errno), error);
+        return refuse_read(source, error);
     const enum mpm_status status = read_bytes(source, file, bytes, error);
-    (void)close(file);
+    (void)mpm_file_close(file);
     return status;
 }
 

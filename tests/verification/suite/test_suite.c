@@ -246,7 +246,7 @@ START_TEST(bad_usage_ends_with_2_and_says_why)
          "--kernels: 'quick' is no set of kernels; allowed: auto, reference, fast"},
         {"mpm-verify list --catalogue @ --kernels fast", "Unknown option --kernels"},
         {"mpm-verify run --catalogue @ --case X", "no check matches"},
-        {"mpm-verify run --catalogue @ --only @/none", "--only: Failed to open file"},
+        {"mpm-verify run --catalogue @ --only @/none", "none: cannot be read"},
         {"mpm-verify run --catalogue @ --only @/empty", "empty; allowed: lines CASE/VARIANT"},
         {"mpm-verify run --catalogue @ --only @/strangers", "and the list --only"},
         {"mpm-verify run --catalogue @ --speed", "Unknown option --speed"},

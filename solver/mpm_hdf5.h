@@ -1,13 +1,13 @@
-/* An HDF5 file driver for writing one new file to a disk that may be full, and for reading one; and
- * HDF5's messages.
+/* An HDF5 file driver for writing one new file to a disk that may be full, and for reading one, by
+ * the calls of mpm_file.h; and HDF5's messages.
  *
  * HDF5 1.10 cannot close a file whose blocks it could not write: it keeps the file
  * open and crashes when the program ends. This driver reports to HDF5 that every write
  * went well, keeps the first error of the system and lets the caller read it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef MPM_IO_HDF5_SINK_H
-#define MPM_IO_HDF5_SINK_H
+#ifndef MPM_HDF5_H
+#define MPM_HDF5_H
 
 #include <stdint.h>
 

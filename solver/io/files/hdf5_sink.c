@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/results/hdf5_sink.h"
-
-#include "io/results/file_write.h"
+#include "mpm_file.h"
+#include "mpm_hdf5.h"
 
 #include <H5FDpublic.h>
 #include <errno.h>
@@ -9,8 +8,6 @@
 #include <hdf5.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #if H5_VERSION_GE(1, 13, 0)
 #include <H5FDdevelop.h>
@@ -50,8 +47,10 @@ static H5FD_t *sink_open(const char *name, unsigned flags, hid_t access, haddr_t
     }
     struct stat facts;
     file->sink = *sink;
-    if (fstat(file->sink->file, &facts) == 0)
+    if (mpm_file_facts(file->sink->file, &facts) == 0)
         file->size = (haddr_t)facts.st_size;
+    else
+        keep_error(file->sink, errno);
     return &file->base;
 }
 
@@ -95,17 +94,10 @@ static herr_t sink_read(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t a
     (void)type, (void)transfer;
     struct mpm_hdf5_sink *sink = sink_of(file)->sink;
     char *bytes = buffer;
-    size_t done = 0;
-    while (done < size) {
-        const ssize_t got = pread(sink->file, bytes + done, size - done, (off_t)(address + done));
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got < 0)
-            keep_error(sink, errno);
-        if (got <= 0)
-            break;
-        done += (size_t)got;
-    }
+    const ssize_t got = mpm_file_read_at(sink->file, bytes, size, (off_t)address);
+    if (got < 0)
+        keep_error(sink, errno);
+    const size_t done = got < 0 ? 0 : (size_t)got;
     memset(bytes + done, 0, size - done);
     return 0;
 }
@@ -115,9 +107,9 @@ static herr_t sink_write(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t 
 {
     (void)type, (void)transfer;
     struct sink_file *written = sink_of(file);
-    if (written->sink->error_number == 0)
-        keep_error(written->sink,
-                   mpm_file_write_at(written->sink->file, buffer, size, (off_t)address));
+    if (written->sink->error_number == 0 &&
+        mpm_file_write_at(written->sink->file, buffer, size, (off_t)address) != 0)
+        keep_error(written->sink, errno);
     if (address + size > written->size)
         written->size = address + size;
     return 0;
@@ -129,7 +121,7 @@ static herr_t sink_truncate(H5FD_t *file, hid_t transfer, hbool_t closing)
     (void)transfer, (void)closing;
     struct sink_file *truncated = sink_of(file);
     if (truncated->sink->error_number == 0 &&
-        ftruncate(truncated->sink->file, (off_t)truncated->allocated) != 0)
+        mpm_file_cut(truncated->sink->file, (off_t)truncated->allocated) != 0)
         keep_error(truncated->sink, errno);
     truncated->size = truncated->allocated;
     return 0;

@@ -1,0 +1,162 @@
+/* Names of files, and folders.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/files/calls.h"
+#include "mpm_file.h"
+
+#include <errno.h>
+#include <glib.h>
+#include <string.h>
+
+/* -------------------------------------------------------------------- questions */
+
+enum mpm_path mpm_path_kind(const char *path)
+{
+    struct stat facts;
+    if (system_stat(path, &facts) != 0)
+        return errno == ENOENT || errno == ENOTDIR ? MPM_PATH_NONE : MPM_PATH_UNKNOWN;
+    if (S_ISREG(facts.st_mode))
+        return MPM_PATH_FILE;
+    return S_ISDIR(facts.st_mode) ? MPM_PATH_FOLDER : MPM_PATH_OTHER;
+}
+
+bool mpm_path_exists(const char *path)
+{
+    return mpm_path_kind(path) > MPM_PATH_NONE;
+}
+
+bool mpm_path_is_file(const char *path)
+{
+    return mpm_path_kind(path) == MPM_PATH_FILE;
+}
+
+bool mpm_path_is_folder(const char *path)
+{
+    return mpm_path_kind(path) == MPM_PATH_FOLDER;
+}
+
+int mpm_path_access(const char *path, int rights)
+{
+    return system_access(path, rights);
+}
+
+/* ------------------------------------------------------------------------- names */
+
+int mpm_path_rename(const char *from, const char *to)
+{
+    return system_rename(from, to);
+}
+
+int mpm_path_link(const char *target, const char *path)
+{
+    return system_symlink(target, path);
+}
+
+int mpm_file_remove(const char *path)
+{
+    return system_unlink(path);
+}
+
+/* ----------------------------------------------------------------------- folders */
+
+/* The folder is there afterwards. */
+static int make_one(const char *path)
+{
+    if (system_mkdir(path, 0777) == 0)
+        return 0;
+    const int reason = errno;
+    const bool there = mpm_path_is_folder(path);
+    errno = reason == EEXIST ? ENOTDIR : reason;
+    return there ? 0 : -1;
+}
+
+int mpm_folder_make(const char *path)
+{
+    int failed = make_one(path);
+    if (failed == 0 || errno != ENOENT)
+        return failed;
+    char *const parent = g_strdup(path);
+    failed = 0;
+    for (char *c = parent + 1; failed == 0 && parent[0] != '\0' && *c != '\0'; c++)
+        if (*c == '/' && c[-1] != '/') {
+            *c = '\0';
+            failed = make_one(parent);
+            *c = '/';
+        }
+    g_free(parent);
+    return failed == 0 ? make_one(path) : failed;
+}
+
+int mpm_folder_make_new(char *path)
+{
+    return system_mkdtemp(path) != NULL ? 0 : -1;
+}
+
+int mpm_folder_remove(const char *path)
+{
+    return system_rmdir(path);
+}
+
+int mpm_folder_sync(const char *path)
+{
+    const int folder = mpm_file_open(path, O_RDONLY | O_DIRECTORY);
+    if (folder < 0)
+        return -1;
+    /* EINVAL: a file system whose folders need no sync */
+    const int failed = mpm_file_sync(folder) == 0 || errno == EINVAL ? 0 : -1;
+    const int reason = errno;
+    (void)mpm_file_close(folder);
+    errno = reason;
+    return failed;
+}
+
+static gint compare_names(gconstpointer a, gconstpointer b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+char **mpm_folder_list(const char *path)
+{
+    DIR *const folder = system_opendir(path);
+    if (folder == NULL)
+        return NULL;
+    GPtrArray *const names = g_ptr_array_new();
+    errno = 0;
+    for (struct dirent *entry; (entry = system_readdir(folder)) != NULL; errno = 0)
+        if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0)
+            g_ptr_array_add(names, g_strdup(entry->d_name));
+    const int reason = errno;
+    (void)closedir(folder);
+    g_ptr_array_sort(names, compare_names);
+    g_ptr_array_add(names, NULL);
+    char **const list = (char **)g_ptr_array_free(names, FALSE);
+    if (reason == 0)
+        return list;
+    g_strfreev(list);
+    errno = reason;
+    return NULL;
+}
+
+void mpm_folder_list_free(char **names)
+{
+    g_strfreev(names);
+}
+
+/* Depth is that of what programs write: two or three. */
+int mpm_folder_remove_all(const char *path) /* NOLINT(misc-no-recursion) */
+{
+    struct stat facts;
+    if (system_lstat(path, &facts) != 0)
+        return -1;
+    if (!S_ISDIR(facts.st_mode))
+        return mpm_file_remove(path);
+    char **const names = mpm_folder_list(path);
+    int failed = names != NULL ? 0 : -1;
+    for (char **name = names; name != NULL && *name != NULL; name++) {
+        char *const entry = g_build_filename(path, *name, NULL);
+        failed = mpm_folder_remove_all(entry) == 0 ? failed : -1;
+        g_free(entry);
+    }
+    mpm_folder_list_free(names);
+    return mpm_folder_remove(path) == 0 ? failed : -1;
+}

@@ -1,0 +1,212 @@
+"""What has to hold after a command with a fault.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+
+import hashlib
+import json
+import re
+import xml.dom.minidom
+
+from calls import HARMLESS, REASONS, SUFFIX
+
+SHOWN = 300  # characters of a message
+
+CHECKPOINT = re.compile(r"(^|/)checkpoint[^/]*\.h5$")
+LOCKS = ("run.lock", ".mpm-verify")
+
+# Where these fail, the file may belong to another writer, or stays: the next one writes over it.
+LEAVES = ("unlink", "flock", "fstat", "stat")
+
+# Faults that a command may pass over, by call and the end of the path, and why its results are none
+# the worse.
+IGNORED = (
+    ("close", "", "what counts has been synced; what was read has been read"),
+    ("unlink", "run.lock", "one that is left locks nothing"),
+    ("unlink", SUFFIX, "the next writer of the name writes over it"),
+    ("mkdir", "", "the folder is there"),
+    ("stat", "", "a file is taken to be there: opening it gives the reason"),
+    ("", "/checkpoint.h5", "the run goes on from the older one"),
+    ("", ".txt", "a page has the end of a log where it can be read"),
+    ("ftruncate", "history.csv", "the file is cut after a failure, which is reported"),
+)
+
+
+def may_ignore(call):
+    """Why a fault of the call may be passed over, or None."""
+    for name, end, why in IGNORED:
+        if name in ("", call.name) and call.paths[0].endswith(end):
+            return why
+    return None
+
+
+def without_place(content, folder):
+    """Content without its folder and dates."""
+    return re.sub(rb"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d)?", b"NOW",
+                  content.replace(str(folder).encode(), b"HERE"))
+
+
+def files(folder):
+    """Contents by name, of all files in the folder `out` and those in it, but for locks."""
+    out = folder / "out"
+    return {str(path.relative_to(out)): without_place(path.read_bytes(), folder)
+            for path in out.rglob("*") if path.is_file() and path.name not in LOCKS}
+
+
+def without_times(name, content):
+    """Content in which what a clock says is hidden: seconds and dates. A checkpoint has its own sum,
+    and whoever goes on from it writes the bytes of the results."""
+    if CHECKPOINT.search(name):
+        return b"sound" if is_checkpoint(content) else content
+    if name.endswith("run.json"):
+        record = json.loads(content)
+        record["warnings"] = [warning for warning in record["warnings"]
+                              if "the run goes on from checkpoint-previous.h5" not in warning]
+        record["counters"]["seconds"] = None
+        record["provenance"]["processor"] = None  # "unknown" is as good
+        record.pop("resumed", None)
+        record["counters"].pop("checkpoints", None)
+        return json.dumps(record).encode()
+    return re.sub(rb"[-+]?[0-9][0-9.]*(e[-+]?[0-9]+)?( (ms|s|min)\b)?", b"#", content)
+
+
+def same(name, content, other, steady):
+    """Are two contents of a file the same, apart from times where it has any?"""
+    if content == other:
+        return True
+    return name not in steady and without_times(name, content) == without_times(name, other)
+
+
+# ---------------------------------------------------------------------------- whole files
+
+def is_checkpoint(content):
+    """Does its head state its length and its sum?"""
+    lines = content[:512].rstrip(b"\0").decode(errors="replace").split("\n")
+    return (len(content) > 512 and lines[0] == "touchstone checkpoint" and
+            lines[2] == f"bytes {len(content)}" and
+            lines[3] == "md5 " + hashlib.md5(content[512:]).hexdigest())
+
+
+def is_json_lines(content):
+    """Is each line an object, the last one included?"""
+    return content.endswith(b"\n") and all(json.loads(line) is not None
+                                           for line in content.splitlines())
+
+
+WHOLE = (
+    (CHECKPOINT, is_checkpoint),
+    (r"\.json$|\.series$", lambda content: json.loads(content) is not None),
+    (r"\.jsonl$", is_json_lines),
+    (r"\.html$", lambda content: content.rstrip().endswith(b"</html>")),
+    (r"\.svg$|\.xml$", lambda content: xml.dom.minidom.parseString(content) is not None),
+    (r"(^|/)(history|table-[a-z]*|checks|runs|reference)\.csv$|\.dat$|\.md$|\.tap$",
+     lambda content: content.endswith(b"\n")),
+)
+
+# These are appended to: a program that ends early leaves whole lines, or, of its log, any bytes.
+APPENDED = re.compile(r"(^|/)(rows-[^/]*\.jsonl|log-[^/]*\.txt)$")
+
+
+def is_whole(name, content):
+    """Does a file of this name look complete?"""
+    for pattern, test in WHOLE:
+        if re.search(pattern, name):
+            try:
+                return bool(test(content))
+            except (ValueError, IndexError, xml.parsers.expat.ExpatError):
+                return False
+    return True
+
+
+def half_written(found, before, reference, steady):
+    """The first name of a file that is neither old, nor as it should be, nor whole; or None."""
+    for name, content in sorted(found.items()):
+        if name.endswith(SUFFIX) or APPENDED.search(name):
+            continue
+        known = [files[name] for files in (before, reference) if name in files]
+        if any(same(name, content, other, steady) for other in known):
+            continue
+        if name == "history.csv" and any(other.startswith(content) for other in known) and \
+                (content == b"" or content.endswith(b"\n")):
+            continue
+        if name.endswith(".hdf") or not is_whole(name, content) or content == b"":
+            return name
+    return None
+
+
+# ------------------------------------------------------------------------------- verdicts
+
+def names_the_fault(text, call, kind):
+    """Does a message name the file of the call and the system's reason?"""
+    names = [path[:-len(SUFFIX)] if path.endswith(SUFFIX) else path for path in call.paths]
+    return REASONS[kind] in text and any(name.rsplit("/", 1)[-1] in text for name in names)
+
+
+def missing_files(found, reference):
+    """The files that only one of the two has."""
+    return sorted(found.keys() ^ reference.keys())
+
+
+class Judge:
+    """Compares outcomes with those of a command without faults."""
+
+    def __init__(self, outcome, found, again, timed):
+        self.status, self.files, self.again = outcome.status, found, again
+        # `timed`: the command measures time, and all that it writes may have it
+        # files whose bytes are the same in two runs without faults: in all others a clock speaks
+        self.steady = {name for name in found if again.get(name) == found[name] and
+                       not CHECKPOINT.search(name) and not timed}
+
+    def unlike(self, outcome, found):
+        """How an outcome differs from that without faults, or None."""
+        if outcome.status != self.status:
+            return f"exit {outcome.status}, not {self.status}: {outcome.errors.strip()[-SHOWN:]}"
+        if missing_files(found, self.files):
+            return f"other files: {missing_files(found, self.files)}"
+        for name, content in found.items():
+            if not any(same(name, content, other.get(name, b""), self.steady)
+                       for other in (self.files, self.again)):
+                return f"{name} has other bytes"
+        return None
+
+    def of_fault(self, outcome, kind, found, before, lasting):
+        """What is wrong with the outcome of a command that had a fault, or None."""
+        fired = outcome.fired()
+        if not fired:
+            return "the fault did not happen: the calls are not always the same"
+        if outcome.status is None:
+            return "hangs"
+        if outcome.status < 0:
+            return f"ended by signal {-outcome.status}: {outcome.errors.strip()[-SHOWN:]}"
+        if "HDF5-DIAG" in outcome.errors:
+            return "HDF5 prints messages of its own"
+        if kind in HARMLESS:
+            return self.unlike(outcome, found)
+        bad = half_written(found, before, self.files, self.steady)
+        if bad is not None:
+            return f"{bad} is not whole (exit {outcome.status}: {outcome.errors.strip()[-SHOWN:]})"
+        left = [name for name in found if name.endswith(SUFFIX)]
+        if left and not lasting and fired[0].name not in LEAVES:
+            return f"{left[0]} is left (exit {outcome.status})"
+        return self.of_status(outcome, kind, found, fired[0], lasting)
+
+    def of_status(self, outcome, kind, found, call, lasting):
+        """What is wrong with its exit status or message, or None."""
+        if outcome.status == 4:
+            record = json.loads(found["run.json"]) if "run.json" in found and call.name else {}
+            if record.get("outcome") == "failed" and record["exit_status"] not in (4, 2, 3):
+                return f"run.json has exit status {record['exit_status']}"
+            if names_the_fault(outcome.errors, call, kind) or lasting and \
+                    REASONS[kind] in outcome.errors:
+                return None
+            return f"does not name the file and the reason: {outcome.errors.strip()[-SHOWN:]}"
+        checks = found.get("checks.jsonl", b"").decode(errors="replace")
+        if outcome.status == 1 and (names_the_fault(checks, call, kind) or
+                                    lasting and REASONS[kind] in checks):
+            return None  # a program of the suite failed, and its checks state why
+        if outcome.status == self.status and call.paths[0].startswith("/proc/"):
+            return None  # what a page says of the machine is then another word
+        if outcome.status == self.status and (may_ignore(call) or lasting):
+            return self.unlike(outcome, {name: content for name, content in found.items()
+                                         if not name.endswith(SUFFIX)})
+        return f"exit {outcome.status}, not 4: {outcome.errors.strip()[-SHOWN:]}"
