@@ -41,7 +41,8 @@ FLAGS_release := -O3
 FLAGS_debug   := -O0 -g3
 FLAGS_asan    := -O1 -g -fsanitize=address -fno-omit-frame-pointer
 FLAGS_ubsan   := -O1 -g -fsanitize=undefined -fno-sanitize-recover=all
-FLAGS_san     := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+FLAGS_san     := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer \
+                 -DMPM_FAULTS
 FLAGS_tsan    := -O1 -g -fsanitize=thread
 FLAGS_cov     := -O0 -g --coverage
 FLAGS_fuzz    := -O1 -g1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all \
@@ -87,7 +88,7 @@ FAST_SOURCE    := solver/method/fast/fast_kernels.c
 FAST_LAWS      := solver/method/fast/fast_laws.c
 # File calls that fail on purpose.
 FAULTS_SOURCE  := solver/io/files/faults.c
-SOLVER_SOURCES := $(filter-out $(FAST_SOURCE) $(FAST_LAWS) $(if $(filter faults,$(VARIANT)),,$(FAULTS_SOURCE)),\
+SOLVER_SOURCES := $(filter-out $(FAST_SOURCE) $(FAST_LAWS) $(if $(filter faults san,$(VARIANT)),,$(FAULTS_SOURCE)),\
                     $(sort $(wildcard $(foreach room,base model method simulation io,\
                       solver/$(room)/*.c solver/$(room)/*/*.c))))
 CLI_SOURCES    := $(sort $(wildcard solver/cli/*.c))
@@ -286,12 +287,15 @@ test-fuzz: ## readers of files: each harness for FUZZ_SECONDS (60) over its corp
 	+@tests/fuzz/fuzz.py check '$(FUZZ_CC)' || exit 0; $(MAKE) fuzz && \
 	  tests/fuzz/fuzz.py run --seconds $(FUZZ_SECONDS) --jobs $(JOBS) $(addprefix --only ,$(FUZZ_ONLY))
 
-# Programs whose calls on files fail as they are told to.
+# Programs whose calls on files fail as they are told to: of the build with sanitizers, or of one
+# for it alone, which is quicker.
 .PHONY: test-faults
-FAULTS_STRIDE ?= 1
-test-faults: ## every FAULTS_STRIDE-th (1) call on a file fails, one after the other, in a build for it
-	+@$(MAKE) VARIANT=faults all
-	@/usr/bin/python3 -B tests/faults/faults.py --programs build/faults/bin \
+FAULTS_STRIDE  ?= 1
+FAULTS_VARIANT ?= faults
+test-faults: ## every FAULTS_STRIDE-th (1) call on a file fails, one after the other; also FAULTS_VARIANT=san
+	+@$(MAKE) VARIANT=$(FAULTS_VARIANT) BUILD=build/$(FAULTS_VARIANT) all
+	@$(TEST_ENVIRONMENT_$(FAULTS_VARIANT)) /usr/bin/python3 -B tests/faults/faults.py \
+	  --programs build/$(FAULTS_VARIANT)/bin \
 	  --stride $(FAULTS_STRIDE) --jobs $(JOBS) $(addprefix --only ,$(SCENARIOS))
 
 .PHONY: coverage

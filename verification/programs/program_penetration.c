@@ -14,6 +14,8 @@
  *   speed_envelope              as nose_envelope, of these means
  *   tail_off                    largest distance from the first pair's up to late_tail, % of the
  *                               tail's way there
+ *   tail_last                   distance from the first pair's at the end, % of the tail's way there
+ *   nose_last                   at late_tail, of the first pair's nose, %
  *   depth                       largest nose, in the scene's unit
  *   lost                        loss of total_energy at the end, % of that at the start
  *   plastic, viscous            parts of the ledger, % of the kinetic energy at the start
@@ -46,6 +48,7 @@ struct study {
     size_t tail_count;
     double height; /* of a row on this level */
     double nose_early, nose_late, nose_before, depth, tail_off, nose, tail_place;
+    double tail_last, nose_last;
     double lost, plastic, viscous, peak, reached, parted;
     bool finished;
     struct follow_rows course, picture[PICTURES];
@@ -132,9 +135,12 @@ static void look_at(void *context, const struct mpm_simulation *simulation,
         row[4 + 2 * k] = model.tail;
     }
     study->depth = fmax(study->depth, row[1]);
-    if (ledger->time > 0.0 && ledger->time <= study->late_tail)
-        study->tail_off =
-            fmax(study->tail_off, 100.0 * fabs(row[2] - row[4]) / (row[4] + study->pair[0].length));
+    if (ledger->time > 0.0)
+        study->tail_last = 100.0 * fabs(row[2] - row[4]) / (row[4] + study->pair[0].length);
+    if (ledger->time > 0.0 && ledger->time <= study->late_tail) {
+        study->tail_off = fmax(study->tail_off, study->tail_last);
+        study->nose_last = 100.0 * row[1] / row[3];
+    }
     follow_rows_add(&study->course, row);
 }
 
@@ -255,6 +261,8 @@ static void report(struct measurement *m, const struct study *study, size_t runs
         {"nose_speed", 100.0 * mean / speed[0]},
         {"speed_envelope", outside(mean, speed)},
         {"tail_off", study->tail_off},
+        {"tail_last", study->tail_last},
+        {"nose_last", study->nose_last},
         {"depth", study->depth},
         {"lost", study->lost},
         {"plastic", study->plastic},
