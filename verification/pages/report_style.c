@@ -3,27 +3,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/pages/report_style.h"
 
+#include "verification/common/resources.h"
+
 #include <glib.h>
 
-/* From the folder itself, or else from `reports`. */
-static enum mpm_status read_style_file(const char *folder, const char *reports, const char *name,
-                                       char **text, struct mpm_error *error)
-{
-    char *own = g_build_filename(folder, "style", name, NULL);
-    char *shared = g_build_filename(reports == NULL ? "" : reports, name, NULL);
-    const bool read =
-        g_file_get_contents(own, text, NULL, NULL) || g_file_get_contents(shared, text, NULL, NULL);
-    const enum mpm_status status =
-        read ? MPM_OK
-             : failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: neither this nor %s can be read",
-                           own, shared);
-    g_free(own);
-    g_free(shared);
-    return status;
-}
-
-enum mpm_status report_style_read(const char *folder, const char *reports,
-                                  struct report_style *style, struct mpm_error *error)
+enum mpm_status report_style_read(const char *reports, struct report_style *style,
+                                  struct mpm_error *error)
 {
     *style = (struct report_style){.page = NULL};
     const struct {
@@ -34,8 +19,14 @@ enum mpm_status report_style_read(const char *folder, const char *reports,
                  {"table.js", &style->script},
                  {"glossary.md", &style->glossary}};
     enum mpm_status status = MPM_OK;
-    for (size_t i = 0; status == MPM_OK && i < G_N_ELEMENTS(files); i++)
-        status = read_style_file(folder, reports, files[i].name, files[i].text, error);
+    if (reports == NULL)
+        return failure_set(error, MPM_ENVIRONMENT_FAILED, RESOURCES_NO_REPORTS);
+    for (size_t i = 0; status == MPM_OK && i < G_N_ELEMENTS(files); i++) {
+        char *path = g_build_filename(reports, files[i].name, NULL);
+        if (!g_file_get_contents(path, files[i].text, NULL, NULL))
+            status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be read", path);
+        g_free(path);
+    }
     if (status != MPM_OK)
         report_style_clear(style);
     return status;
