@@ -13,8 +13,13 @@
 
 char *figure_quoted(const char *text)
 {
-    GString *result = g_string_new("'");
-    for (const char *c = text; *c != '\0'; c++)
+    GString *result = g_string_new(NULL);
+    /* for gnuplot, two single quotes at the beginning are an empty text */
+    const size_t first = strspn(text, "'");
+    if (first > 0)
+        g_string_append_printf(result, "\"%.*s\".", (int)first, text);
+    g_string_append_c(result, '\'');
+    for (const char *c = text + first; *c != '\0'; c++)
         if (*c == '\'')
             g_string_append(result, "''");
         else if ((unsigned char)*c >= ' ')
@@ -30,6 +35,8 @@ static enum mpm_status complaint(const char *said, struct mpm_error *error)
     const char *shown = "no message";
     for (char **line = lines; *line != NULL; line++) {
         g_strstrip(*line);
+        if (**line != '\0')
+            shown = *line; /* if none has a place: the last, as gnuplot shows the command before */
         if (**line == '"' || strstr(*line, "warning:") != NULL) {
             shown = *line;
             break;

@@ -75,8 +75,8 @@ static enum mpm_status read_text(struct reader *reader)
     size_t length = 1;
     for (;; length++) {
         const char c = reader->at[length];
-        if (c == quote && (quote == '"' || reader->at[length + 1] != quote))
-            break;
+        if (c == quote && (quote == '"' || length == 1 || reader->at[length + 1] != quote))
+            break; /* of two at the beginning the second ends an empty text */
         if (c == quote)
             length++; /* two are one between single quotes */
         if (c == '\0' || c == '\n')

@@ -235,6 +235,7 @@ START_TEST(a_text_between_quotes_stays_one)
         {"", "''"},
         {"a'; system('x'); '", "'a''; system(''x''); '''"},
         {"`date` \"$x\" \\", "'`date` \"$x\" \\'"},
+        {"''; x", "\"''\".'; x'"},
         {"one\ntwo\rthree", "'onetwothree'"},
         {"µs, θ", "'µs, θ'"},
     };

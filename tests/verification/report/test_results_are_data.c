@@ -11,6 +11,7 @@
 
 #include <glib.h>
 #include <glib/gstdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -130,7 +131,7 @@ START_TEST(a_page_states_what_the_catalogue_no_longer_has)
     };
     struct place place = place_open();
     char *page = test_folder_read(place.output, "cases/Q/index.html");
-    ck_assert_ptr_null(strstr(page, "script"));
+    ck_assert_ptr_null(strstr(page, "than the run had"));
     g_free(page);
     for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
         if (table[i].text != NULL) {
@@ -265,7 +266,6 @@ START_TEST(a_record_of_the_wrong_kind_is_refused_with_its_line)
         {"\"title\":\"Gauss quadrature\"", "\"title\":[]",
          ":1: is no record of a run: cases.0.title"},
         {"\"needs\":[", "\"needs\":[1,", ":1: is no record of a run: cases.0.figures.0.needs"},
-        {"\"tags\":[", "\"tags\":[null,", ":1: is no record of a run: cases.0.tags"},
         {"\"figures\":[", "\"figures\":[7,", ":1: is no record of a run: cases.0.figures.0"},
         {"\"variants\":[", "\"variants\":{},\"x\":[",
          ":1: is no record of a run: cases.0.variants"},
@@ -297,10 +297,121 @@ START_TEST(a_record_of_the_wrong_kind_is_refused_with_its_line)
     for (int i = 0; i < 100000; i++)
         g_string_append_c(deep, '[');
     write_at(place.output, "checks.jsonl", deep->str);
-    assert_refused(&place, "checks.jsonl:5: is no record of a check", "nested");
+    assert_refused(&place, "checks.jsonl:4: is no record of a check", "nested");
     g_string_free(deep, TRUE);
     g_free(whole);
     place_close(&place);
+}
+END_TEST
+
+/* ---------------------------------------------------------------------- texts */
+
+/* Ends a text of gnuplot, of HTML, of an attribute, of a comment and of CDATA, and then acts. */
+static char *evil_text(const struct place *place)
+{
+    return g_strdup_printf("'; system('echo x > %s/mark'); x='`echo x > %s/mark` --> ]]> "
+                           "\"><script>alert(1)</script><img src=x onerror=alert(1)>",
+                           place->elsewhere, place->elsewhere);
+}
+
+/* Every text becomes `evil` but names, kinds and what decides which page is made. */
+static void spoil(json_t *value, const char *evil)
+{
+    static const char *const kept[] = {
+        "kind",    "family",   "case",   "check",    "variant", "figure", "script",  "status",
+        "outcome", "pareto_x", "better", "pareto_y", "main",    "needs",  "section", "change"};
+    const char *key;
+    json_t *member;
+    void *next;
+    json_object_foreach_safe(value, next, key, member)
+    {
+        bool keep = strcmp(key, "quantity") == 0;
+        for (size_t i = 0; i < G_N_ELEMENTS(kept); i++)
+            keep = keep || strcmp(key, kept[i]) == 0;
+        if (json_is_string(member) && !keep)
+            json_object_set_new(value, key, json_string(evil));
+        else if (!keep)
+            spoil(member, evil);
+    }
+    for (size_t i = 0; i < json_array_size(value); i++)
+        if (json_is_string(json_array_get(value, i)))
+            json_array_set_new(value, i, json_string(evil));
+        else
+            spoil(json_array_get(value, i), evil);
+}
+
+/* A comparison with a picture of both variants, and two parts of their names. */
+static const char comparison[] =
+    "\"figures\":[],\"comparison\":{\"title\":\"t\",\"columns\":["
+    "{\"quantity\":\"integral\",\"title\":\"t\",\"unit\":\"u\",\"better\":\"zero\",\"about\":\"\"},"
+    "{\"quantity\":\"cpu_seconds\",\"title\":\"t\",\"unit\":\"u\",\"better\":\"low\"}],"
+    "\"pareto_x\":\"cpu_seconds\",\"pareto_y\":\"integral\",\"main\":\"integral\",\"notes\":[\"n\"]"
+    ","
+    "\"parts\":[{\"part\":\"c*\",\"kind\":\"order\",\"title\":\"t\"},"
+    "{\"part\":\"n*';x='`date`\",\"kind\":\"shape\",\"title\":\"t\"}]},\"old_figures\":[";
+
+static void spoil_file(const struct place *place, const char *name)
+{
+    char *text = test_folder_read(place->output, name), *evil = evil_text(place);
+    char **lines = g_strsplit(text, "\n", -1);
+    GString *spoiled = g_string_new(NULL);
+    for (char **line = lines; *line != NULL && **line != '\0'; line++) {
+        json_t *object = json_loads(*line, 0, NULL);
+        spoil(object, evil);
+        char *written = json_dumps(object, JSON_COMPACT | JSON_PRESERVE_ORDER);
+        g_string_append_printf(spoiled, "%s\n", written);
+        free(written);
+        json_decref(object);
+    }
+    write_at(place->output, name, spoiled->str);
+    g_string_free(spoiled, TRUE);
+    g_strfreev(lines);
+    g_free(evil);
+    g_free(text);
+}
+
+static unsigned assert_pages_sound(const char *folder)
+{
+    unsigned count = 0;
+    GDir *directory = g_dir_open(folder, 0, NULL);
+    for (const char *name; (name = g_dir_read_name(directory)) != NULL;) {
+        char *path = g_build_filename(folder, name, NULL);
+        if (g_file_test(path, G_FILE_TEST_IS_DIR)) {
+            count += assert_pages_sound(path);
+        } else if (g_str_has_suffix(name, ".html") || g_str_has_suffix(name, ".svg") ||
+                   g_str_has_suffix(name, ".xml")) {
+            char *text = test_file_read(path);
+            ck_assert_msg(strstr(text, "<script>alert") == NULL, "%s", path);
+            ck_assert_msg(strstr(text, "<img src=x") == NULL, "%s", path);
+            test_assert_well_formed(text, path);
+            g_free(text);
+            count++;
+        }
+        g_free(path);
+    }
+    g_dir_close(directory);
+    return count;
+}
+
+START_TEST(a_text_of_any_kind_stays_a_text_on_every_page)
+{
+    for (unsigned pictured = 0; pictured < 2; pictured++) {
+        struct place place = place_open();
+        if (pictured == 1)
+            replace_in(place.output, "checks.jsonl", "\"figures\":[", comparison);
+        spoil_file(&place, "checks.jsonl");
+        spoil_file(&place, "measurements.jsonl");
+        struct test_said said = report_of(&place);
+        ck_assert_msg(said.exit_status == 0, "%s", said.err);
+        ck_assert_uint_ge(assert_pages_sound(place.output), 8);
+        char *picture =
+            test_folder_read(place.output, pictured == 1 ? "cases/Q/figure-comparison.svg"
+                                                         : "cases/Q/figure-curve.svg");
+        ck_assert_ptr_nonnull(strstr(picture, "system"));
+        g_free(picture);
+        test_said_free(&said);
+        place_close(&place);
+    }
 }
 END_TEST
 
@@ -373,6 +484,7 @@ Suite *suite_results_are_data(void)
     suite_add_tcase(suite, paths);
     TCase *records = tcase_create("records");
     tcase_add_test(records, a_record_of_the_wrong_kind_is_refused_with_its_line);
+    tcase_add_test(records, a_text_of_any_kind_stays_a_text_on_every_page);
     tcase_add_test(records, a_stored_file_of_the_wrong_kind_is_refused);
     tcase_add_test(records, compare_and_headroom_refuse_the_same);
     tcase_add_test(records, a_record_of_any_bytes_can_be_read_back);
