@@ -69,6 +69,8 @@ enum mpm_path {
     MPM_PATH_OTHER
 };
 enum mpm_path mpm_path_kind(const char *path);
+/* Of the name itself: a link is MPM_PATH_OTHER. */
+enum mpm_path mpm_path_own_kind(const char *path);
 bool mpm_path_exists(const char *path);  /* so far as the system says */
 bool mpm_path_is_file(const char *path); /* a regular one */
 bool mpm_path_is_folder(const char *path);

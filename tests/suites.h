@@ -101,6 +101,8 @@
     SUITE(comparison_page)                                                                         \
     SUITE(judge)                                                                                   \
     SUITE(report)                                                                                  \
+    SUITE(results_are_data)                                                                        \
+    SUITE(figure_script)                                                                           \
     SUITE(score_parts)                                                                             \
     SUITE(score_readers)                                                                           \
     SUITE(score_snapshots)                                                                         \

@@ -156,40 +156,80 @@ enum mpm_status bench_records_write(const char *folder, const struct bench_recor
     return status;
 }
 
+static const struct record_field run_fields[] = {
+    {"kind", RECORD_TEXT, true, NULL},       {"format", RECORD_COUNT, true, NULL},
+    {"tier", RECORD_TEXT, false, NULL},      {"command", RECORD_TEXT, false, NULL},
+    {"version", RECORD_TEXT, false, NULL},   {"revision", RECORD_TEXT, false, NULL},
+    {"compiler", RECORD_TEXT, false, NULL},  {"flags", RECORD_TEXT, false, NULL},
+    {"libraries", RECORD_TEXT, false, NULL}, {"processor", RECORD_TEXT, false, NULL},
+    {"cores", RECORD_COUNT, false, NULL},    {"memory_bytes", RECORD_NUMBER, false, NULL},
+    {"load", RECORD_NUMBER, false, NULL},    {"simd", RECORD_TEXT, false, NULL},
+    {"rounds", RECORD_COUNT, false, NULL},   {NULL, RECORD_TEXT, false, NULL},
+};
+
+/* Numbers may be null: what was not finite. */
+static const struct record_field line_fields[] = {
+    {"kind", RECORD_TEXT, true, NULL},       {"group", RECORD_TEXT, true, NULL},
+    {"point", RECORD_TEXT, true, NULL},      {"quantity", RECORD_TEXT, true, NULL},
+    {"unit", RECORD_TEXT, false, NULL},      {"against", RECORD_TEXT, false, NULL},
+    {"verdict", RECORD_TEXT, false, NULL},   {"settings", RECORD_OBJECT, false, NULL},
+    {"rounds", RECORD_NUMBERS, false, NULL}, {"median", RECORD_NUMBER, false, NULL},
+    {"low", RECORD_NUMBER, false, NULL},     {"high", RECORD_NUMBER, false, NULL},
+    {"value", RECORD_NUMBER, false, NULL},   {"ratio", RECORD_NUMBER, false, NULL},
+    {NULL, RECORD_TEXT, false, NULL},
+};
+
 static bool is_kind(const json_t *object, const char *kind)
 {
     return strcmp(record_text(object, "kind"), kind) == 0;
 }
 
-static bool is_run(const json_t *object)
+static bool is_run(const json_t *object, GString *fault)
 {
-    return is_kind(object, "run") &&
-           json_integer_value(json_object_get(object, "format")) == FORMAT;
+    if (!is_kind(object, "run"))
+        g_string_assign(fault, "kind: allowed is run");
+    else if (json_integer_value(json_object_get(object, "format")) != FORMAT)
+        g_string_printf(fault, "format: allowed is %d", FORMAT);
+    return fault->len == 0;
 }
 
-static bool has_texts(const json_t *object)
+static bool has_keys(const json_t *object, const char *const *keys, GString *fault)
 {
-    return *record_text(object, "group") != '\0' && *record_text(object, "point") != '\0' &&
-           *record_text(object, "quantity") != '\0';
+    for (; *keys != NULL; keys++)
+        if (json_object_get(object, *keys) == NULL || *record_text(object, *keys) == '\0') {
+            g_string_printf(fault, "%s: a text is missing", *keys);
+            return false;
+        }
+    return true;
 }
 
-/* Numbers may be null: what was not finite. */
-static bool is_line(const json_t *object)
+static bool is_line(const json_t *object, GString *fault)
 {
-    if (!has_texts(object))
+    static const char *const texts[] = {"group", "point", "quantity", NULL};
+    static const char *const of_comparison[] = {"against", "verdict", NULL};
+    if (!has_keys(object, texts, fault))
         return false;
     if (is_kind(object, "comparison"))
-        return *record_text(object, "against") != '\0' && *record_text(object, "verdict") != '\0';
-    return json_is_object(json_object_get(object, "settings")) &&
-           (is_kind(object, "value") ||
-            (is_kind(object, "result") && json_is_array(json_object_get(object, "rounds"))));
+        return has_keys(object, of_comparison, fault);
+    const bool settings = json_is_object(json_object_get(object, "settings"));
+    const bool result =
+        is_kind(object, "result") && json_is_array(json_object_get(object, "rounds"));
+    if (!settings || !(result || is_kind(object, "value")))
+        g_string_assign(fault, "allowed are a comparison, and a result with rounds or a value, "
+                               "both with settings");
+    return fault->len == 0;
 }
 
 enum mpm_status bench_records_read(const char *folder, struct bench_records *records,
                                    struct mpm_error *error)
 {
-    static const struct result_format format = {BENCH_RECORDS_FILE, "mpm-bench run",
-                                                "line of a benchmark", is_run, is_line};
+    static const struct result_format format = {BENCH_RECORDS_FILE,
+                                                "mpm-bench run",
+                                                "line of a benchmark",
+                                                run_fields,
+                                                line_fields,
+                                                is_run,
+                                                is_line};
     return result_lines_read(folder, &format, &records->run, &records->lines, error);
 }
 

@@ -9,6 +9,7 @@
 #include "verification/common/output.h"
 #include "verification/common/record.h"
 #include "verification/common/resources.h"
+#include "verification/common/result_path.h"
 #include "verification/pages/html.h"
 
 #include <errno.h>
@@ -143,10 +144,11 @@ static enum mpm_status write_summary(const char *folder, const struct report *re
 static enum mpm_status write_all(const char *folder, struct report *report, struct mpm_error *error)
 {
     struct report_style style;
+    TRY(result_folder_check(report->figures, error));
     if (mpm_folder_make(report->figures) != 0)
         return failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be made: %s", report->figures,
                            g_strerror(errno));
-    TRY(report_style_read(folder, report->scripts, &style, error));
+    TRY(report_style_read(report->scripts, &style, error));
     report_front(report);
     report_throughput(report);
     report_limit(report);

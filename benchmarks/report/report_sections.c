@@ -211,43 +211,56 @@ void report_cell_ratio(struct report *report, const json_t *comparison, bool inv
 
 /* ------------------------------------------------------------------ figures */
 
-static char *settings_of(const struct report *report, const struct report_figure *figure)
+static char *settings_of(const struct report *report, const struct report_figure *figure,
+                         const char *data)
 {
-    char *style = g_build_filename(report->scripts, "style.gp", NULL);
-    char *texts[] = {figure_quoted(style), figure_quoted(figure->name),
+    char *path = g_canonicalize_filename(data, NULL);
+    char *texts[] = {figure_quoted(figure->name), figure_quoted(path),
                      figure_quoted(report->stamp)};
-    char *settings = g_strdup_printf(
-        "style=%s; output='%s.svg'; name=%s; data='%s.dat'; variants=''; stamp=%s; %s", texts[0],
-        figure->name, texts[1], figure->name, texts[2], figure->settings);
+    char *settings = g_strdup_printf("name=%s; data=%s; variants=''; stamp=%s; %s", texts[0],
+                                     texts[1], texts[2], figure->settings);
     for (size_t i = 0; i < G_N_ELEMENTS(texts); i++)
         g_free(texts[i]);
-    g_free(style);
+    g_free(path);
     return settings;
+}
+
+static struct figure_result plot(const struct report *report, const struct report_figure *figure,
+                                 const char *data)
+{
+    char *settings = settings_of(report, figure, data);
+    char *file = g_strconcat(figure->name, ".svg", NULL);
+    char *name = g_strconcat("bench_", figure->script, ".gp", NULL);
+    char *script = g_build_filename(report->scripts, name, NULL);
+    char *style = g_build_filename(report->scripts, "style.gp", NULL);
+    const struct figure_result result =
+        figure_plot(&(struct figure_plot){.script = script,
+                                          .style = style,
+                                          .settings = settings,
+                                          .folder = report->figures,
+                                          .output = file,
+                                          .title = figure->title,
+                                          .description = figure->caption});
+    g_free(settings);
+    g_free(file);
+    g_free(name);
+    g_free(script);
+    g_free(style);
+    return result;
 }
 
 static struct figure_result draw(struct report *report, const struct report_figure *figure)
 {
     struct figure_result result = {.state = FIGURE_FAILED};
     struct mpm_error error = {.status = MPM_OK};
-    char *data = g_strconcat(figure->name, ".dat", NULL);
-    if (report->scripts == NULL) {
-        g_strlcpy(result.reason, "the folder reports/ of the scripts is not found",
-                  sizeof result.reason);
-    } else if (output_write(report->figures, data, figure->data, &error) != MPM_OK) {
+    char *name = g_strconcat(figure->name, ".dat", NULL);
+    char *path = g_build_filename(report->figures, name, NULL);
+    if (output_write(report->figures, name, figure->data, &error) == MPM_OK)
+        result = plot(report, figure, path);
+    else
         g_strlcpy(result.reason, error.message, sizeof result.reason);
-    } else {
-        char *settings = settings_of(report, figure);
-        char *file = g_strconcat(figure->name, ".svg", NULL);
-        char *name = g_strconcat("bench_", figure->script, ".gp", NULL);
-        char *script = g_build_filename(report->scripts, name, NULL);
-        result = figure_plot(&(struct figure_plot){report->figures, script, settings, file,
-                                                   figure->title, figure->caption});
-        g_free(settings);
-        g_free(file);
-        g_free(name);
-        g_free(script);
-    }
-    g_free(data);
+    g_free(path);
+    g_free(name);
     return result;
 }
 

@@ -62,7 +62,6 @@ function main(report, folder) {
   fs.rmSync(folder, { recursive: true, force: true });
   const own = path.join(folder, "report");
   const checks = runOf(report, own, (check) => check);
-  fs.cpSync(path.join(report, "style"), path.join(own, "style"), { recursive: true });
   runOf(report, path.join(folder, "before"), earlier);
   ["clang", "sanitized"].forEach((name, seed) => runOf(report, path.join(folder, name), otherBuild(seed)));
   fs.writeFileSync(path.join(folder, "mutants.json"), JSON.stringify({ format: 1, revision: "0123456789ab",

@@ -44,7 +44,6 @@ function main(report, folder) {
   Object.entries(KINDS).forEach(([name, numberOf], seed) => {
     const own = path.join(folder, name), random = randomOf(seed + 1);
     fs.mkdirSync(own, { recursive: true });
-    fs.cpSync(path.join(report, "style"), path.join(own, "style"), { recursive: true });
     const write = (file, records) =>
       fs.writeFileSync(path.join(own, file), records.map((record) => JSON.stringify(record)).join("\n") + "\n");
     write("checks.jsonl", checks);

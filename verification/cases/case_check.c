@@ -118,9 +118,10 @@ static enum mpm_status check_figure(const char *path, const struct case_file *fi
         if (strcmp(figure->name, file->figures[i].name) == 0)
             return yaml_refuse(path, error, place, "name \"%s\" is taken by another figure",
                                figure->name);
-    if (strchr(figure->script, '/') != NULL || !g_str_has_suffix(figure->script, ".gp"))
+    if (!name_is_script(figure->script))
         return yaml_refuse(path, error, place,
-                           "script \"%s\": allowed is a file *.gp beside case.yaml",
+                           "script \"%s\": allowed is a file *.gp beside case.yaml, its name of "
+                           "letters, digits, '_' and '-'",
                            figure->script);
     char *folder = g_path_get_dirname(path);
     char *script = g_build_filename(folder, figure->script, NULL);

@@ -67,9 +67,7 @@ enum mpm_status command_score(struct command *command, struct mpm_error *error)
                                           .command = typed};
     enum mpm_status status;
     if (reports == NULL)
-        status =
-            failure_set(error, MPM_ENVIRONMENT_FAILED,
-                        "the report's style is found neither in reports/ nor beside the program");
+        status = failure_set(error, MPM_ENVIRONMENT_FAILED, RESOURCES_NO_REPORTS);
     else
         status = score_run(&options, &console, &counts, error);
     command->checks_failed = status == MPM_OK && counts.failed > 0;

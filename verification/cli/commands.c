@@ -60,10 +60,8 @@ static const char usage[] =
     "                                         a bundle, and writes the same report\n"
     "  help, --help, --version\n"
     "\n"
-    "list, run, explain and export take --catalogue DIR. --tier is ci unless given; --kernels "
-    "auto, which "
-    "is\n"
-    "fast wherever a scene allows; --jobs the number of processors; --output\n"
+    "list, run, explain, report and export take --catalogue DIR. --tier is ci unless given;\n"
+    "--kernels is auto, fast wherever a scene allows; --jobs the number of processors; --output\n"
     "build/reports/verify in the repository and verify-report elsewhere (score: "
     "build/reports/score\n"
     "and score-report).\n"
@@ -160,9 +158,7 @@ static enum mpm_status run_with(struct run_options *run, struct command *command
     if (run->catalogue == NULL)
         return failure_set(error, MPM_BAD_INPUT, NO_CATALOGUE);
     if (run->reports == NULL)
-        return failure_set(
-            error, MPM_ENVIRONMENT_FAILED,
-            "the report's style is found neither in reports/ nor beside the program");
+        return failure_set(error, MPM_ENVIRONMENT_FAILED, RESOURCES_NO_REPORTS);
     const enum mpm_status status =
         suite_run(run, command->world->programs, &console, &counts, error);
     command->checks_failed = counts.failed > 0;
@@ -203,9 +199,14 @@ static enum mpm_status command_report(struct command *command, struct mpm_error 
         .mutants = command->options.mutants,
         .headroom = (const char *const *)command->options.headroom,
     };
+    TRY(report_check(folder, error)); /* before anything is written there */
     TRY(report_store(folder, &additions, error));
     char *reports = resources_reports(command->argv[0]);
-    const enum mpm_status status = report_render(folder, reports, error);
+    char *catalogue = command->options.catalogue != NULL ? g_strdup(command->options.catalogue)
+                                                         : resources_catalogue(command->argv[0]);
+    const struct report_sources sources = {.reports = reports, .catalogue = catalogue};
+    const enum mpm_status status = report_render(folder, &sources, error);
+    g_free(catalogue);
     g_free(reports);
     if (status == MPM_OK)
         fprintf(command->world->out, "report: %s/index.html\n", folder);
@@ -230,7 +231,8 @@ static const struct command_entry commands[] = {
     {"list", TAKES_TAG | TAKES_CATALOGUE, 0, "", command_list},
     {"run", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE, 0, "", command_run},
     {"explain", TAKES_OUTPUT | TAKES_CATALOGUE, 1, "explain: CHECK", command_explain},
-    {"report", TAKES_BASELINE | TAKES_ADDITIONS, 1, "report: the folder DIR", command_report},
+    {"report", TAKES_BASELINE | TAKES_ADDITIONS | TAKES_CATALOGUE, 1, "report: the folder DIR",
+     command_report},
     {"headroom", 0, 1, "headroom: the folder DIR", command_headroom},
     {"compare", TAKES_CHANGE, 2, "compare: a folder DIR", command_compare},
     {"export", TAKES_CASE | TAKES_OUTPUT | TAKES_CATALOGUE, 0, "", command_export},

@@ -37,3 +37,14 @@ bool name_is_plain(const char *text)
             return false;
     return *text != '\0';
 }
+
+bool name_is_script(const char *text)
+{
+    const size_t length = strlen(text), suffix = strlen(".gp");
+    if (!g_str_has_suffix(text, ".gp") || *text == '-')
+        return false;
+    char *name = g_strndup(text, length - suffix);
+    const bool plain = name_is_plain(name);
+    g_free(name);
+    return plain;
+}

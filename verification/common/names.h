@@ -18,4 +18,7 @@ extern const char name_rule[];
 /* Whether a text is of letters, digits, '_' and '-', of any length: part of a file's name. */
 bool name_is_plain(const char *text);
 
+/* Whether a text is the name of a figure's script: NAME.gp with a plain name that is no option. */
+bool name_is_script(const char *text);
+
 #endif

@@ -11,6 +11,8 @@ char *resources_catalogue(const char *executable);
 
 /* The folder of style.gp, page.html and report.css, searched in the same places. */
 char *resources_reports(const char *executable);
+#define RESOURCES_NO_REPORTS                                                                       \
+    "the report's style is found neither in reports/ nor beside the program"
 
 /* The folder of the benchmarks' scenes/, searched in the same places. */
 char *resources_benchmarks(const char *executable);

@@ -4,54 +4,48 @@
 #include "verification/pages/figure.h"
 
 #include "mpm_file.h"
+#include "verification/common/output.h"
+#include "verification/pages/figure_script.h"
+#include "verification/pages/gnuplot.h"
 
+#include <errno.h>
 #include <glib.h>
-#include <glib/gstdio.h>
 #include <string.h>
 
 char *figure_quoted(const char *text)
 {
-    GString *result = g_string_new("'");
-    for (const char *c = text; *c != '\0'; c++)
+    GString *result = g_string_new(NULL);
+    /* for gnuplot, two single quotes at the beginning are an empty text */
+    const size_t first = strspn(text, "'");
+    if (first > 0)
+        g_string_append_printf(result, "\"%.*s\".", (int)first, text);
+    g_string_append_c(result, '\'');
+    for (const char *c = text + first; *c != '\0'; c++)
         if (*c == '\'')
             g_string_append(result, "''");
-        else if (*c >= ' ')
+        else if ((unsigned char)*c >= ' ')
             g_string_append_c(result, *c);
     g_string_append_c(result, '\'');
     return g_string_free(result, FALSE);
 }
 
-/* Runs gnuplot in `home`; what it said is in *said. */
-static bool run_gnuplot(const char *home, const char *settings, const char *script, char **said,
-                        GError **failure)
-{
-    char *command[] = {"gnuplot", "-e", (char *)(uintptr_t)settings, (char *)(uintptr_t)script,
-                       NULL};
-    /* the scripts are UTF-8, and a picture must not depend on the caller's locale */
-    char **environment = g_environ_setenv(g_get_environ(), "LC_ALL", "C.UTF-8", TRUE);
-    int state = 0;
-    const bool ran =
-        g_spawn_sync(home, command, environment, G_SPAWN_SEARCH_PATH | G_SPAWN_STDOUT_TO_DEV_NULL,
-                     NULL, NULL, NULL, said, &state, failure) &&
-        g_spawn_check_wait_status(state, failure);
-    g_strfreev(environment);
-    return ran;
-}
-
-/* The first line of gnuplot's messages that has information. */
-static void take_complaint(const char *said, char *reason, size_t size)
+/* The first line of gnuplot's messages that has information, as an error. */
+static enum mpm_status complaint(const char *said, struct mpm_error *error)
 {
     char **lines = g_strsplit(said, "\n", -1);
-    const char *complaint = "no message";
+    const char *shown = "no message";
     for (char **line = lines; *line != NULL; line++) {
         g_strstrip(*line);
+        if (**line != '\0')
+            shown = *line; /* if none has a place: the last, as gnuplot shows the command before */
         if (**line == '"' || strstr(*line, "warning:") != NULL) {
-            complaint = *line;
+            shown = *line;
             break;
         }
     }
-    g_snprintf(reason, size, "gnuplot: %s", complaint);
+    const enum mpm_status status = failure_set(error, MPM_ENVIRONMENT_FAILED, "gnuplot: %s", shown);
     g_strfreev(lines);
+    return status;
 }
 
 static char *replace(char *text, const char *pattern, const char *replacement)
@@ -85,39 +79,104 @@ char *figure_dress(const char *svg, const char *title, const char *description)
     return dressed;
 }
 
-/* The file that the script was to write, dressed. */
-static bool dress_file(const char *path, const char *title, const char *description)
+/* -------------------------------------------------------------------- drawing */
+
+static const char picture[] = "figure.svg", style[] = ".style.gp", axes[] = ".axes.gp";
+
+/* What the script wrote, dressed, as the file that it is to be. */
+static enum mpm_status dress_file(const char *home, const struct figure_plot *plot,
+                                  struct mpm_error *error)
 {
-    char *svg = mpm_file_load(path, NULL);
-    bool good = svg != NULL && strstr(svg, "</svg>") != NULL &&
-                g_utf8_validate(svg, -1, NULL); /* no text else */
-    if (good) {
-        char *dressed = figure_dress(svg, title, description);
-        good = mpm_file_save(path, dressed, strlen(dressed)) == 0;
+    char *path = g_build_filename(home, picture, NULL), *svg;
+    enum mpm_status status = MPM_OK;
+    svg = mpm_file_load(path, NULL);
+    if (svg == NULL || strstr(svg, "</svg>") == NULL ||
+        !g_utf8_validate(svg, -1, NULL)) /* no text else */
+        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "the script wrote no SVG file");
+    if (status == MPM_OK) {
+        char *dressed = figure_dress(svg, plot->title, plot->description);
+        status = output_write(plot->folder, plot->output, dressed, error);
         g_free(dressed);
     }
     g_free(svg);
-    return good;
+    g_free(path);
+    return status;
+}
+
+/* The text is checked and then copied, so that nothing else runs than was read. */
+static enum mpm_status stage_text(const char *home, const char *name, const char *text,
+                                  bool generated, struct mpm_error *error)
+{
+    TRY(figure_script_check(name, text, generated, error));
+    return output_write(home, name, text, error);
+}
+
+static enum mpm_status stage_file(const char *home, const char *name, const char *path,
+                                  struct mpm_error *error)
+{
+    char *text = mpm_file_load(path, NULL);
+    if (text == NULL)
+        return failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be read: %s", path,
+                           g_strerror(errno));
+    const enum mpm_status status = stage_text(home, name, text, false, error);
+    g_free(text);
+    return status;
+}
+
+static enum mpm_status stage(const char *home, const char *script, const struct figure_plot *plot,
+                             struct mpm_error *error)
+{
+    TRY(figure_script_check("settings", plot->settings, true, error));
+    TRY(stage_file(home, style, plot->style, error));
+    if (plot->axes != NULL)
+        TRY(stage_text(home, axes, plot->axes, true, error));
+    return stage_file(home, script, plot->script, error);
+}
+
+/* Runs the staged script; its complaint is a failure. */
+static enum mpm_status draw(const char *home, const char *script, const struct figure_plot *plot,
+                            struct mpm_error *error)
+{
+    char *settings = g_strdup_printf("style='%s'; axes='%s'; output='%s'; %s", style, axes, picture,
+                                     plot->settings);
+    char *said = NULL;
+    GError *failure = NULL;
+    enum mpm_status status = MPM_OK;
+    const bool ran = gnuplot_run(home, settings, script, &said, &failure);
+    if (said == NULL)
+        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "gnuplot cannot be run: %s",
+                             failure->message);
+    else if (!ran || strstr(said, "warning:") != NULL)
+        status = complaint(said, error);
+    g_clear_error(&failure);
+    g_free(said);
+    g_free(settings);
+    return status == MPM_OK ? dress_file(home, plot, error) : status;
 }
 
 struct figure_result figure_plot(const struct figure_plot *plot)
 {
     struct figure_result result = {.state = FIGURE_FAILED};
-    char *path = g_build_filename(plot->home, plot->output, NULL), *said = NULL;
-    GError *failure = NULL;
-    (void)mpm_file_remove(path); /* or an old picture could stand for a new one */
-    const bool ran = run_gnuplot(plot->home, plot->settings, plot->script, &said, &failure);
-    if (said == NULL)
-        g_snprintf(result.reason, sizeof result.reason, "gnuplot cannot be run: %s",
-                   failure->message);
-    else if (!ran || strstr(said, "warning:") != NULL)
-        take_complaint(said, result.reason, sizeof result.reason);
-    else if (!dress_file(path, plot->title, plot->description))
-        g_strlcpy(result.reason, "the script wrote no SVG file", sizeof result.reason);
-    else
+    struct mpm_error error = {.status = MPM_OK};
+    char *old = g_build_filename(plot->folder, plot->output, NULL);
+    char *script = g_path_get_basename(plot->script);
+    char *home = g_build_filename(g_get_tmp_dir(), "touchstone-XXXXXX", NULL);
+    const bool made = mpm_folder_make_new(home) == 0;
+    enum mpm_status status =
+        made ? stage(home, script, plot, &error)
+             : failure_set(&error, MPM_ENVIRONMENT_FAILED, "%s: cannot be made: %s", home,
+                           g_strerror(errno));
+    (void)mpm_file_remove(old); /* or an old picture could stand for a new one */
+    if (status == MPM_OK)
+        status = draw(home, script, plot, &error);
+    if (status == MPM_OK)
         result.state = FIGURE_DRAWN;
-    g_clear_error(&failure);
-    g_free(said);
-    g_free(path);
+    else
+        g_strlcpy(result.reason, error.message, sizeof result.reason);
+    if (made)
+        (void)mpm_folder_remove_all(home);
+    g_free(home);
+    g_free(script);
+    g_free(old);
     return result;
 }

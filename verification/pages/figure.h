@@ -16,13 +16,18 @@ enum figure_state {
 struct figure_result {
     enum figure_state state;
     char reason[MPM_MESSAGE_SIZE]; /* of anything but DRAWN */
+    const char *note;              /* what a reader should know of the script; NULL: nothing */
 };
 
-/* Runs the gnuplot script at path `script` in the folder `home`, after `settings` (commands of
- * gnuplot: style, output and what else the script needs), and dresses the SVG file `output`
- * that it writes there. DRAWN or FAILED. */
+/* Draws the picture <folder>/<output>, an SVG file, dressed, by the gnuplot script at the path
+ * `script`; a whole run happens in a temporary folder, by copies of the scripts that
+ * figure_script_check() has read, without a shell (gnuplot_run()). DRAWN or FAILED. */
 struct figure_plot {
-    const char *home, *script, *settings, *output, *title, *description;
+    const char *script;   /* path */
+    const char *style;    /* path, for `load style` */
+    const char *axes;     /* commands, for `load axes`; NULL: none */
+    const char *settings; /* definitions that the script needs, beside style, axes and output */
+    const char *folder, *output, *title, *description;
 };
 struct figure_result figure_plot(const struct figure_plot *plot);
 

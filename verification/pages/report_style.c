@@ -4,35 +4,13 @@
 #include "verification/pages/report_style.h"
 
 #include "mpm_file.h"
+#include "verification/common/resources.h"
 
 #include <errno.h>
 #include <glib.h>
 
-/* From the folder itself, or else from `reports`. */
-static enum mpm_status read_style_file(const char *folder, const char *reports, const char *name,
-                                       char **text, struct mpm_error *error)
-{
-    char *own = g_build_filename(folder, "style", name, NULL);
-    char *shared = g_build_filename(reports == NULL ? "" : reports, name, NULL);
-    *text = mpm_file_load(own, NULL);
-    const int reason = *text != NULL ? 0 : errno;
-    if (reason == ENOENT)
-        *text = mpm_file_load(shared, NULL);
-    enum mpm_status status = MPM_OK;
-    if (*text == NULL && reason == ENOENT)
-        status =
-            failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: neither this nor %s can be read: %s",
-                        own, shared, g_strerror(errno));
-    else if (*text == NULL)
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be read: %s", own,
-                             g_strerror(reason));
-    g_free(own);
-    g_free(shared);
-    return status;
-}
-
-enum mpm_status report_style_read(const char *folder, const char *reports,
-                                  struct report_style *style, struct mpm_error *error)
+enum mpm_status report_style_read(const char *reports, struct report_style *style,
+                                  struct mpm_error *error)
 {
     *style = (struct report_style){.page = NULL};
     const struct {
@@ -43,8 +21,16 @@ enum mpm_status report_style_read(const char *folder, const char *reports,
                  {"table.js", &style->script},
                  {"glossary.md", &style->glossary}};
     enum mpm_status status = MPM_OK;
-    for (size_t i = 0; status == MPM_OK && i < G_N_ELEMENTS(files); i++)
-        status = read_style_file(folder, reports, files[i].name, files[i].text, error);
+    if (reports == NULL)
+        return failure_set(error, MPM_ENVIRONMENT_FAILED, RESOURCES_NO_REPORTS);
+    for (size_t i = 0; status == MPM_OK && i < G_N_ELEMENTS(files); i++) {
+        char *path = g_build_filename(reports, files[i].name, NULL);
+        *files[i].text = mpm_file_load(path, NULL);
+        if (*files[i].text == NULL)
+            status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be read: %s", path,
+                                 g_strerror(errno));
+        g_free(path);
+    }
     if (status != MPM_OK)
         report_style_clear(style);
     return status;

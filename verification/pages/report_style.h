@@ -13,10 +13,10 @@ struct report_style {
     char *glossary; /* Markdown */
 };
 
-/* Reads it from `style` in the folder of the results, or else from `reports` (may be NULL).
- * MPM_ENVIRONMENT_FAILED: in neither. */
-enum mpm_status report_style_read(const char *folder, const char *reports,
-                                  struct report_style *style, struct mpm_error *error);
+/* Reads it from `reports`, the folder that resources_reports() finds: a folder of results has no
+ * say in it, since a page holds a script. MPM_ENVIRONMENT_FAILED: NULL, or a file is not there. */
+enum mpm_status report_style_read(const char *reports, struct report_style *style,
+                                  struct mpm_error *error);
 void report_style_clear(struct report_style *style);
 
 #endif

@@ -14,11 +14,10 @@
  *   speed_envelope              as nose_envelope, of these means
  *   tail_off                    largest distance from the first pair's up to late_tail, % of the
  *                               tail's way there
- *   tail_last                   distance from the first pair's at the end, % of the tail's way there
- *   nose_last                   at late_tail, of the first pair's nose, %
- *   depth                       largest nose, in the scene's unit
- *   lost                        loss of total_energy at the end, % of that at the start
- *   plastic, viscous            parts of the ledger, % of the kinetic energy at the start
+ *   tail_last                   distance from the first pair's at the end, % of the tail's way
+ * there nose_last                   at late_tail, of the first pair's nose, % depth largest nose,
+ * in the scene's unit lost                        loss of total_energy at the end, % of that at the
+ * start plastic, viscous            parts of the ledger, % of the kinetic energy at the start
  *   parted                      pairs of neighbours without a common node at the end
  *   nose_step                   change of the nose at `late` from the last but one of the levels, %
  *   peak                        largest equivalent stress at early, late and the end, in the

@@ -50,67 +50,167 @@ enum mpm_status records_write(const char *folder, const struct records *records,
     return status;
 }
 
-static bool has_texts(const json_t *object, const char *const *keys, size_t count)
+/* ------------------------------------------------------------------- reading */
+
+static const struct record_field figure_fields[] = {
+    {"figure", RECORD_NAME, true, NULL},         {"script", RECORD_TEXT, true, NULL},
+    {"title", RECORD_TEXT, false, NULL},         {"caption", RECORD_TEXT, false, NULL},
+    {"reference", RECORD_TEXT, false, NULL},     {"needs", RECORD_TEXTS, false, NULL},
+    {"script_sha256", RECORD_TEXT, false, NULL}, {NULL, RECORD_TEXT, false, NULL},
+};
+static const struct record_field column_fields[] = {
+    {"quantity", RECORD_TEXT, true, NULL},     {"title", RECORD_TEXT, true, NULL},
+    {"unit", RECORD_TEXT, true, NULL},         {"better", RECORD_TEXT, true, NULL},
+    {"tolerance", RECORD_NUMBER, false, NULL}, {"floor", RECORD_NUMBER, false, NULL},
+    {"limit", RECORD_NUMBER, false, NULL},     {"beyond", RECORD_TEXT, false, NULL},
+    {"missing", RECORD_TEXT, false, NULL},     {"about", RECORD_TEXT, false, NULL},
+    {"where", RECORD_TEXT, false, NULL},       {"case", RECORD_NAME, false, NULL},
+    {NULL, RECORD_TEXT, false, NULL},
+};
+static const struct record_field part_fields[] = {
+    {"part", RECORD_TEXT, true, NULL},
+    {"kind", RECORD_TEXT, true, NULL},
+    {"title", RECORD_TEXT, false, NULL},
+    {NULL, RECORD_TEXT, false, NULL},
+};
+static const struct record_field comparison_fields[] = {
+    {"title", RECORD_TEXT, true, NULL},      {"summary", RECORD_TEXT, false, NULL},
+    {"variants", RECORD_TEXTS, false, NULL}, {"columns", RECORD_LIST, true, column_fields},
+    {"pareto_x", RECORD_TEXT, false, NULL},  {"pareto_y", RECORD_TEXT, false, NULL},
+    {"main", RECORD_TEXT, false, NULL},      {"cost", RECORD_TEXT, false, NULL},
+    {"setup", RECORD_TEXT, false, NULL},     {"figure", RECORD_NAME, false, NULL},
+    {"notes", RECORD_TEXTS, false, NULL},    {"parts", RECORD_LIST, false, part_fields},
+    {NULL, RECORD_TEXT, false, NULL},
+};
+static const struct record_field variant_fields[] = {
+    {"variant", RECORD_NAME, true, NULL},          {"tier", RECORD_TEXT, false, NULL},
+    {"group", RECORD_TEXT, false, NULL},           {"title", RECORD_TEXT, false, NULL},
+    {"settings", RECORD_TEXTS, false, NULL},       {"outcome", RECORD_TEXT, false, NULL},
+    {"seconds", RECORD_NUMBER, false, NULL},       {"log_tail", RECORD_TEXT, false, NULL},
+    {"notes", RECORD_TEXTS, false, NULL},          {"values", RECORD_OBJECT, false, NULL},
+    {"particle_steps", RECORD_COUNT, false, NULL}, {NULL, RECORD_TEXT, false, NULL},
+};
+static const struct record_field case_fields[] = {
+    {"family", RECORD_NAME, true, NULL},
+    {"case", RECORD_NAME, true, NULL},
+    {"title", RECORD_TEXT, false, NULL},
+    {"summary", RECORD_TEXT, false, NULL},
+    {"tags", RECORD_TEXTS, false, NULL},
+    {"program", RECORD_TEXT, false, NULL},
+    {"readme", RECORD_TEXT, false, NULL},
+    {"figures", RECORD_LIST, false, figure_fields},
+    {"comparison", RECORD_OBJECT, false, comparison_fields},
+    {"variants", RECORD_LIST, false, variant_fields},
+    {NULL, RECORD_TEXT, false, NULL},
+};
+static const struct record_field run_fields[] = {
+    {"kind", RECORD_TEXT, true, NULL},         {"version", RECORD_TEXT, true, NULL},
+    {"revision", RECORD_TEXT, true, NULL},     {"compiler", RECORD_TEXT, false, NULL},
+    {"flags", RECORD_TEXT, false, NULL},       {"libraries", RECORD_TEXT, false, NULL},
+    {"simd", RECORD_TEXT, false, NULL},        {"processor", RECORD_TEXT, false, NULL},
+    {"processors", RECORD_COUNT, false, NULL}, {"gnuplot", RECORD_TEXT, false, NULL},
+    {"tier", RECORD_TEXT, true, NULL},         {"only", RECORD_TEXT, false, NULL},
+    {"case_glob", RECORD_TEXT, false, NULL},   {"variant_glob", RECORD_TEXT, false, NULL},
+    {"kernels", RECORD_TEXT, false, NULL},     {"jobs", RECORD_COUNT, false, NULL},
+    {"command", RECORD_TEXT, false, NULL},     {"started", RECORD_TEXT, false, NULL},
+    {"seconds", RECORD_NUMBER, false, NULL},   {"cases", RECORD_LIST, true, case_fields},
+    {NULL, RECORD_TEXT, false, NULL},
+};
+static const struct record_field check_fields[] = {
+    {"family", RECORD_NAME, true, NULL},
+    {"case", RECORD_NAME, true, NULL},
+    {"check", RECORD_NAME, true, NULL},
+    {"variant", RECORD_NAME, true, NULL},
+    {"quantity", RECORD_TEXT, true, NULL},
+    {"status", RECORD_TEXT, true, NULL},
+    {"unit", RECORD_TEXT, false, NULL},
+    {"norm", RECORD_TEXT, false, NULL},
+    {"value", RECORD_NUMBER, false, NULL},
+    {"expected", RECORD_NUMBER, false, NULL},
+    {"low", RECORD_NUMBER, false, NULL},
+    {"high", RECORD_NUMBER, false, NULL},
+    {"fails_low", RECORD_NUMBER, false, NULL},
+    {"fails_high", RECORD_NUMBER, false, NULL},
+    {"margin", RECORD_NUMBER, false, NULL},
+    {"reason", RECORD_TEXT, false, NULL},
+    {"seconds", RECORD_NUMBER, false, NULL},
+    {"particle_steps", RECORD_COUNT, false, NULL},
+    {"title", RECORD_TEXT, false, NULL},
+    {"basis", RECORD_TEXT, false, NULL},
+    {"why", RECORD_TEXT, false, NULL},
+    {"evidence", RECORD_TEXT, false, NULL},
+    {"headroom", RECORD_TEXT, false, NULL},
+    {"mutations", RECORD_COUNT, false, NULL},
+    {"mutations_red", RECORD_COUNT, false, NULL},
+    {NULL, RECORD_TEXT, false, NULL},
+};
+static const struct record_field measured_run_fields[] = {
+    {"kind", RECORD_TEXT, true, NULL},
+    {NULL, RECORD_TEXT, false, NULL},
+};
+static const struct record_field measurement_fields[] = {
+    {"family", RECORD_NAME, true, NULL},   {"case", RECORD_NAME, true, NULL},
+    {"variant", RECORD_NAME, true, NULL},  {"quantity", RECORD_TEXT, true, NULL},
+    {"unit", RECORD_TEXT, true, NULL},     {"reason", RECORD_TEXT, true, NULL},
+    {"value", RECORD_NUMBER, false, NULL}, {NULL, RECORD_TEXT, false, NULL},
+};
+
+/* A script is looked up in the folder of its case. */
+static bool are_scripts(const json_t *figures)
 {
-    for (size_t i = 0; i < count; i++)
-        if (!json_is_string(json_object_get(object, keys[i])))
+    for (size_t i = 0; i < json_array_size(figures); i++)
+        if (!name_is_script(record_text(json_array_get(figures, i), "script")))
             return false;
     return true;
 }
 
-/* Names become paths: one that could lead out of the folder is refused. */
-static bool has_safe_names(const json_t *cases)
+/* Pages are written by the names of cases. */
+static bool is_run(const json_t *object, GString *fault)
 {
-    bool safe = true;
+    const json_t *cases = json_object_get(object, "cases");
+    GHashTable *names = g_hash_table_new(g_str_hash, g_str_equal);
+    if (strcmp(record_text(object, "kind"), "run") != 0)
+        g_string_assign(fault, "kind: allowed is run");
     for (size_t i = 0; i < json_array_size(cases); i++) {
         const json_t *entry = json_array_get(cases, i);
-        const json_t *figures = json_object_get(entry, "figures");
-        safe = safe && name_is_plain(record_text(entry, "case"));
-        for (size_t f = 0; f < json_array_size(figures); f++) {
-            const json_t *figure = json_array_get(figures, f);
-            safe = safe && name_is_plain(record_text(figure, "figure")) &&
-                   strchr(record_text(figure, "script"), '/') == NULL;
-        }
+        if (!g_hash_table_add(names, (char *)(uintptr_t)record_text(entry, "case")))
+            g_string_printf(fault, "cases.%zu.case: allowed is each name once", i);
+        if (!are_scripts(json_object_get(entry, "figures")))
+            g_string_printf(fault, "cases.%zu.figures: script: allowed is NAME.gp", i);
     }
-    return safe;
+    g_hash_table_unref(names);
+    return fault->len == 0;
 }
 
-static bool is_run(const json_t *object)
+static bool is_check(const json_t *object, GString *fault)
 {
-    static const char *const keys[] = {"kind", "version", "revision", "tier"};
-    return has_texts(object, keys, G_N_ELEMENTS(keys)) &&
-           strcmp(record_text(object, "kind"), "run") == 0 &&
-           json_is_array(json_object_get(object, "cases")) &&
-           has_safe_names(json_object_get(object, "cases"));
+    if (record_status(object) == VERDICT_STATUS_COUNT)
+        g_string_assign(fault, "status: allowed is one of a verdict");
+    return fault->len == 0;
 }
 
-static bool is_check(const json_t *object)
+static bool is_measured_run(const json_t *object, GString *fault)
 {
-    static const char *const keys[] = {"family", "case", "check", "variant", "quantity", "status"};
-    return has_texts(object, keys, G_N_ELEMENTS(keys)) &&
-           record_status(object) != VERDICT_STATUS_COUNT;
+    if (strcmp(record_text(object, "kind"), "run") != 0)
+        g_string_assign(fault, "kind: allowed is run");
+    return fault->len == 0;
 }
 
-static bool is_measured_run(const json_t *object)
+static bool is_measurement(const json_t *object, GString *fault)
 {
-    return strcmp(record_text(object, "kind"), "run") == 0;
-}
-
-static bool is_measurement(const json_t *object)
-{
-    static const char *const keys[] = {"family", "case", "variant", "quantity", "unit", "reason"};
-    const json_t *value = json_object_get(object, "value");
-    return has_texts(object, keys, G_N_ELEMENTS(keys)) &&
-           (json_is_number(value) || json_is_null(value));
+    if (json_object_get(object, "value") == NULL)
+        g_string_assign(fault, "value: allowed is a number or null");
+    return fault->len == 0;
 }
 
 /* A folder may hold the checks alone. */
 static enum mpm_status read_measurements(const char *folder, struct records *records,
                                          struct mpm_error *error)
 {
-    static const struct result_format format = {measurements_name, "mpm-verify run",
-                                                "record of a measurement", is_measured_run,
-                                                is_measurement};
+    static const struct result_format format = {
+        measurements_name,   "mpm-verify run",   "record of a measurement",
+        measured_run_fields, measurement_fields, is_measured_run,
+        is_measurement};
     char *path = g_build_filename(folder, measurements_name, NULL);
     const bool there = mpm_path_kind(path) != MPM_PATH_NONE; /* or reading it gives the reason */
     json_t *run = NULL;
@@ -124,7 +224,8 @@ static enum mpm_status read_measurements(const char *folder, struct records *rec
 enum mpm_status records_read(const char *folder, struct records *records, struct mpm_error *error)
 {
     static const struct result_format format = {checks_name, "mpm-verify run", "record of a check",
-                                                is_run, is_check};
+                                                run_fields,  check_fields,     is_run,
+                                                is_check};
     *records = (struct records){.run = NULL};
     TRY(result_lines_read(folder, &format, &records->run, &records->checks, error));
     const enum mpm_status status = read_measurements(folder, records, error);

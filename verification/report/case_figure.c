@@ -4,10 +4,79 @@
 #include "verification/report/case_figure.h"
 
 #include "mpm_file.h"
+#include "verification/common/input.h"
 #include "verification/common/names.h"
+#include "verification/common/result_path.h"
 
 #include <glib.h>
 #include <string.h>
+
+/* ------------------------------------------------------------------- the data */
+
+enum mpm_status case_data_files(const char *home, GPtrArray **files, struct mpm_error *error)
+{
+    GPtrArray *names;
+    const enum mpm_status status = input_names(home, &names, error);
+    *files = g_ptr_array_new_with_free_func(g_free);
+    for (guint i = 0; status == MPM_OK && i < names->len; i++) {
+        const char *const name = names->pdata[i];
+        if ((g_pattern_match_simple("data-*.dat", name) &&
+             !g_pattern_match_simple("data-comparison*", name)) ||
+            g_pattern_match_simple("rows-*.jsonl", name))
+            g_ptr_array_add(*files, g_strdup(name));
+    }
+    if (names != NULL)
+        g_ptr_array_unref(names);
+    return status;
+}
+
+/* Whether a program left anything in the folder of a case. */
+static bool has_data(const char *home)
+{
+    GPtrArray *files;
+    (void)case_data_files(home, &files, NULL); /* the page reports a failure */
+    const bool any = files->len > 0;
+    g_ptr_array_unref(files);
+    return any;
+}
+
+/* The names go into links and pictures, so they are such as a run writes. */
+static enum mpm_status check_data(const char *home, struct mpm_error *error)
+{
+    GPtrArray *files;
+    enum mpm_status status = case_data_files(home, &files, error);
+    for (unsigned i = 0; status == MPM_OK && i < files->len; i++) {
+        const char *name = files->pdata[i];
+        char *path = g_build_filename(home, name, NULL);
+        char *plain = g_strndup(name, (gsize)(strrchr(name, '.') - name));
+        status = name_is_plain(plain)
+                     ? result_file_check(path, error)
+                     : failure_set(error, MPM_BAD_INPUT,
+                                   "%s: is no name of a run's file: allowed are letters, digits, "
+                                   "'_' and '-' before the suffix",
+                                   path);
+        g_free(plain);
+        g_free(path);
+    }
+    g_ptr_array_unref(files);
+    return status;
+}
+
+enum mpm_status case_folders_check(const char *folder, const json_t *run, struct mpm_error *error)
+{
+    const json_t *cases = json_object_get(run, "cases");
+    char *home = g_build_filename(folder, "cases", NULL);
+    enum mpm_status status = result_folder_check(home, error);
+    for (size_t i = 0; status == MPM_OK && i < json_array_size(cases); i++) {
+        char *own = g_build_filename(home, record_text(json_array_get(cases, i), "case"), NULL);
+        status = result_folder_check(own, error);
+        if (status == MPM_OK)
+            status = check_data(own, error);
+        g_free(own);
+    }
+    g_free(home);
+    return status;
+}
 
 static bool finished(const json_t *variant)
 {
@@ -47,54 +116,114 @@ static char *variants_needed(const json_t *entry, const json_t *globs, char *rea
     return g_string_free(names, FALSE);
 }
 
-static char *settings_of(const json_t *run, const json_t *figure, const char *variants)
+/* ------------------------------------------------------------------ the script */
+
+/* The folder of the case in the catalogue, whose scripts alone are run. */
+static char *case_folder(const char *catalogue, const json_t *entry)
+{
+    return g_build_filename(catalogue, record_text(entry, "family"), record_text(entry, "case"),
+                            NULL);
+}
+
+/* The path of the script, and in the result's note whether it is the one that the run had; NULL
+ * with a reason if the catalogue does not have it. */
+static char *find_script(const char *home, const json_t *entry, const json_t *figure,
+                         struct figure_result *result)
+{
+    const char *recorded = record_text(figure, "script_sha256");
+    char *path = g_build_filename(home, record_text(figure, "script"), NULL), *text = NULL;
+    size_t length = 0;
+    if (!mpm_path_is_folder(home))
+        g_snprintf(result->reason, sizeof result->reason,
+                   "case %s is not in the catalogue, whose scripts draw figures",
+                   record_text(entry, "case"));
+    else if ((text = mpm_file_load(path, &length)) == NULL)
+        g_snprintf(result->reason, sizeof result->reason,
+                   "its script %s is not in the catalogue's folder of case %s",
+                   record_text(figure, "script"), record_text(entry, "case"));
+    if (text == NULL) {
+        g_free(path);
+        return NULL;
+    }
+    char *own = g_compute_checksum_for_data(G_CHECKSUM_SHA256, (const guchar *)text, length);
+    result->note = *recorded == '\0' ? "The run did not record which script it had; the "
+                                       "catalogue's has drawn this."
+                   : strcmp(own, recorded) != 0
+                       ? "The script in the catalogue is another one than the run had."
+                       : NULL;
+    g_free(own);
+    g_free(text);
+    return path;
+}
+
+/* -------------------------------------------------------------------- drawing */
+
+/* Absolute paths: the script runs elsewhere. */
+static char *settings_of(const char *home, const char *source, const json_t *run,
+                         const json_t *figure, const char *variants)
 {
     char *stamp = g_strdup_printf("Touchstone %s, %s", record_text(run, "version"),
                                   record_text(run, "revision"));
-    char *quoted_stamp = figure_quoted(stamp);
-    char *quoted_name = figure_quoted(record_text(figure, "figure"));
-    char *settings =
-        g_strdup_printf("style='../../style/style.gp'; output='figure-%s.svg'; name=%s; data='.'; "
-                        "source='source'; variants='%s'; stamp=%s",
-                        record_text(figure, "figure"), quoted_name, variants, quoted_stamp);
+    char *data_path = g_canonicalize_filename(home, NULL),
+         *source_path = g_canonicalize_filename(source, NULL);
+    char *texts[] = {figure_quoted(record_text(figure, "figure")), figure_quoted(data_path),
+                     figure_quoted(source_path), figure_quoted(variants), figure_quoted(stamp)};
+    char *settings = g_strdup_printf("name=%s; data=%s; source=%s; variants=%s; stamp=%s", texts[0],
+                                     texts[1], texts[2], texts[3], texts[4]);
+    for (size_t i = 0; i < G_N_ELEMENTS(texts); i++)
+        g_free(texts[i]);
+    g_free(source_path);
+    g_free(data_path);
     g_free(stamp);
-    g_free(quoted_stamp);
-    g_free(quoted_name);
     return settings;
 }
 
-static struct figure_result draw(const char *home, const char *settings, const json_t *figure)
+static void draw(const struct report_sources *sources, const char *home, const char *settings,
+                 const char *script, const json_t *figure, struct figure_result *result)
 {
+    char *style = g_build_filename(sources->reports, "style.gp", NULL);
     char *file = g_strdup_printf("figure-%s.svg", record_text(figure, "figure"));
-    char *script = g_build_filename("source", record_text(figure, "script"), NULL);
     char *description = g_strdup_printf("%s Reference: %s", record_text(figure, "caption"),
                                         record_text(figure, "reference"));
-    const struct figure_result result = figure_plot(&(struct figure_plot){
-        home, script, settings, file, record_text(figure, "title"), description});
+    const char *note = result->note;
+    *result = figure_plot(&(struct figure_plot){.script = script,
+                                                .style = style,
+                                                .settings = settings,
+                                                .folder = home,
+                                                .output = file,
+                                                .title = record_text(figure, "title"),
+                                                .description = description});
+    result->note = note;
     g_free(description);
-    g_free(script);
     g_free(file);
-    return result;
+    g_free(style);
 }
 
-struct figure_result figure_draw(const char *folder, const json_t *run, const json_t *entry,
-                                 const json_t *figure)
+struct figure_result figure_draw(const char *folder, const struct report_sources *sources,
+                                 const json_t *run, const json_t *entry, const json_t *figure)
 {
     struct figure_result result = {.state = FIGURE_WITHOUT_DATA};
     char *home = g_build_filename(folder, "cases", record_text(entry, "case"), NULL);
+    char *source = sources->catalogue == NULL ? NULL : case_folder(sources->catalogue, entry);
+    char *script = NULL;
     char *variants = variants_needed(entry, json_object_get(figure, "needs"), result.reason,
                                      sizeof result.reason);
-    char *source = g_build_filename(home, "source", NULL);
-    if (result.reason[0] == '\0' && mpm_path_kind(source) == MPM_PATH_NONE)
+    if (result.reason[0] == '\0' && !has_data(home))
         g_strlcpy(result.reason, "this folder holds the result lines alone, not the figure's data",
                   sizeof result.reason);
-    g_free(source);
-    if (result.reason[0] == '\0') {
-        char *settings = settings_of(run, figure, variants);
-        result = draw(home, settings, figure);
+    if (result.reason[0] == '\0' && source == NULL)
+        g_strlcpy(result.reason, "no catalogue is found, whose scripts draw figures",
+                  sizeof result.reason);
+    if (result.reason[0] == '\0')
+        script = find_script(source, entry, figure, &result);
+    if (script != NULL) {
+        char *settings = settings_of(home, source, run, figure, variants);
+        draw(sources, home, settings, script, figure, &result);
         g_free(settings);
     }
+    g_free(script);
     g_free(variants);
+    g_free(source);
     g_free(home);
     return result;
 }

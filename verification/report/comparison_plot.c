@@ -207,23 +207,32 @@ static bool is_drawn(const GArray *points, bool order, unsigned place)
     return false;
 }
 
+/* name='...', a line. */
+static void add_definition(GString *axes, const char *name, const char *value)
+{
+    char *quoted = figure_quoted(value);
+    g_string_append_printf(axes, "%s = %s\n", name, quoted);
+    g_free(quoted);
+}
+
 /* Names of the parts of a kind that are drawn, and their places, which have a colour or mark. */
 static void add_names(GString *axes, const struct comparison_view *view, const GArray *points,
-                      const char *kind)
+                      bool order)
 {
     const json_t *parts = json_object_get(view->declared, "parts");
-    const bool order = strcmp(kind, "order") == 0;
-    GString *places = g_string_new(NULL);
+    const char *kind = order ? "order" : "shape";
+    GString *places = g_string_new(NULL), *names = g_string_new(NULL);
     unsigned place = 0;
-    g_string_append_printf(axes, "%ss = '", kind);
     for (size_t i = 0; i < json_array_size(parts); i++) {
         const json_t *part = json_array_get(parts, i);
         if (strcmp(record_text(part, "kind"), kind) != 0 || !is_drawn(points, order, ++place))
             continue;
-        g_string_append_printf(axes, "%s ", record_text(part, "part"));
+        g_string_append_printf(names, "%s ", record_text(part, "part"));
         g_string_append_printf(places, "%u ", place);
     }
-    g_string_append_printf(axes, "'\n%s_places = '%s'\n", kind, places->str);
+    add_definition(axes, order ? "orders" : "shapes", names->str);
+    add_definition(axes, order ? "order_places" : "shape_places", places->str);
+    g_string_free(names, TRUE);
     g_string_free(places, TRUE);
 }
 
@@ -243,8 +252,8 @@ char *comparison_plot_data(const struct comparison_view *view, size_t x, size_t 
         }
         add_axis(axes, 'x', &across, &room_across);
         add_axis(axes, 'y', &up, &room_up);
-        add_names(axes, view, points, "order");
-        add_names(axes, view, points, "shape");
+        add_names(axes, view, points, true);
+        add_names(axes, view, points, false);
         add_labels(axes, view, points, &across, &up);
     }
     g_array_unref(points);
@@ -253,23 +262,7 @@ char *comparison_plot_data(const struct comparison_view *view, size_t x, size_t 
 
 /* ------------------------------------------------------------------- drawing */
 
-/* Path of a style file: in the run's folder, or else in `reports`; NULL if in neither. */
-static char *style_path(const char *folder, const char *reports, const char *name)
-{
-    char *own = g_build_filename(folder, "style", name, NULL);
-    char *path = NULL;
-    if (mpm_path_is_file(own))
-        path = g_build_filename("..", "..", "style", name, NULL);
-    else if (reports != NULL)
-        path = g_canonicalize_filename(reports, NULL);
-    if (path != NULL && !mpm_path_is_file(own)) {
-        char *file = g_build_filename(path, name, NULL);
-        g_free(path);
-        path = file;
-    }
-    g_free(own);
-    return path;
-}
+static const char data_name[] = "data-comparison.dat";
 
 static char *label_of(const struct comparison_column *column)
 {
@@ -284,30 +277,34 @@ static char *label_of(const struct comparison_column *column)
 }
 
 static struct figure_result draw(const struct comparison_view *view, const json_t *run,
-                                 const char *home, const char *style, const char *script, size_t x,
+                                 const char *home, const char *reports, const char *axes, size_t x,
                                  size_t y)
 {
-    char *quoted_style = figure_quoted(style);
+    char *style = g_build_filename(reports, "style.gp", NULL);
+    char *script = g_build_filename(reports, "comparison.gp", NULL);
+    char *path = g_build_filename(home, data_name, NULL);
+    char *data = g_canonicalize_filename(path, NULL), *quoted_data = figure_quoted(data);
     char *stamp = g_strdup_printf("Touchstone %s, %s", record_text(run, "version"),
                                   record_text(run, "revision"));
     char *quoted_stamp = figure_quoted(stamp);
     char *across = label_of(&view->columns[x]), *up = label_of(&view->columns[y]);
     char *settings =
-        g_strdup_printf("style=%s; output='figure-comparison.svg'; name='comparison'; "
-                        "data='data-comparison.dat'; axes='data-comparison-axes.dat'; variants=''; "
-                        "stamp=%s; across=%s; up=%s",
-                        quoted_style, quoted_stamp, across, up);
+        g_strdup_printf("name='comparison'; data=%s; variants=''; stamp=%s; across=%s; up=%s",
+                        quoted_data, quoted_stamp, across, up);
+    char *const owned[] = {style, script,       path,   data, quoted_data,
+                           stamp, quoted_stamp, across, up,   settings};
     const struct figure_result result = figure_plot(&(struct figure_plot){
-        home, script, settings, "figure-comparison.svg", record_text(view->declared, "title"),
-        "Every variant that counts as a point, numbered as in the table; those on the front are "
-        "filled "
-        "and named."});
-    g_free(settings);
-    g_free(up);
-    g_free(across);
-    g_free(quoted_stamp);
-    g_free(stamp);
-    g_free(quoted_style);
+        .script = script,
+        .style = style,
+        .axes = axes,
+        .settings = settings,
+        .folder = home,
+        .output = "figure-comparison.svg",
+        .title = record_text(view->declared, "title"),
+        .description = "Every variant that counts as a point, numbered as in the table; those on "
+                       "the front are filled and named."});
+    for (size_t i = 0; i < G_N_ELEMENTS(owned); i++)
+        g_free(owned[i]);
     return result;
 }
 
@@ -319,7 +316,7 @@ static struct figure_result without_data(const char *reason)
 }
 
 struct figure_result comparison_plot(const struct comparison_view *view, const json_t *run,
-                                     const char *folder, const char *home, const char *reports)
+                                     const char *home, const char *reports)
 {
     const size_t x = comparison_view_column(view, record_text(view->declared, "pareto_x"));
     const size_t y = comparison_view_column(view, record_text(view->declared, "pareto_y"));
@@ -327,23 +324,14 @@ struct figure_result comparison_plot(const struct comparison_view *view, const j
         return without_data("");
     GString *axes = g_string_new(NULL);
     char *data = comparison_plot_data(view, x, y, axes);
-    char *style = style_path(folder, reports, "style.gp");
-    char *script = style_path(folder, reports, "comparison.gp");
     struct figure_result result = without_data("fewer than two variants have both numbers");
     struct mpm_error error;
-    if (style == NULL || script == NULL) {
-        result = without_data("the pictures' style is not in this folder");
+    if (*data != '\0' && output_write(home, data_name, data, &error) == MPM_OK) {
+        result = draw(view, run, home, reports, axes->str, x, y);
     } else if (*data != '\0') {
-        if (output_write(home, "data-comparison.dat", data, &error) == MPM_OK &&
-            output_write(home, "data-comparison-axes.dat", axes->str, &error) == MPM_OK) {
-            result = draw(view, run, home, style, script, x, y);
-        } else {
-            result.state = FIGURE_FAILED;
-            g_strlcpy(result.reason, error.message, sizeof result.reason);
-        }
+        result.state = FIGURE_FAILED;
+        g_strlcpy(result.reason, error.message, sizeof result.reason);
     }
-    g_free(style);
-    g_free(script);
     g_free(data);
     g_string_free(axes, TRUE);
     return result;

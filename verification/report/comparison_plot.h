@@ -9,10 +9,10 @@
 
 /* Draws <home>/figure-comparison.svg: one quantity over the other, a point for each row that takes
  * part, those on the table's front filled and named, the others numbered. WITHOUT_DATA if the case
- * declares no such picture, fewer than two rows have both numbers, or the style is in neither
- * folder. `folder` is the run's, `home` the case's in it; `reports` may be NULL. */
+ * declares no such picture, or fewer than two rows have both numbers. `home` is the folder of the
+ * case in the run's. */
 struct figure_result comparison_plot(const struct comparison_view *view, const json_t *run,
-                                     const char *folder, const char *home, const char *reports);
+                                     const char *home, const char *reports);
 
 /* The data that is drawn, a line `x y order shape front` for each point, those on the front first;
  * "" if there are fewer than two. *axes takes gnuplot's commands for ranges, tics and labels.

@@ -14,7 +14,6 @@
 #include "verification/report/report_stored.h"
 
 #include <glib.h>
-#include <glib/gstdio.h>
 
 static enum mpm_status write_owned(const char *folder, const char *name, char *text,
                                    struct mpm_error *error)
@@ -24,28 +23,10 @@ static enum mpm_status write_owned(const char *folder, const char *name, char *t
     return status;
 }
 
-/* What the runs of a case left in its folder for others to use, in order; those that a report
- * writes are not among them. */
-static enum mpm_status data_files(const char *home, GPtrArray **files, struct mpm_error *error)
-{
-    GPtrArray *names;
-    const enum mpm_status status = input_names(home, &names, error);
-    *files = g_ptr_array_new_with_free_func(g_free);
-    for (guint i = 0; status == MPM_OK && i < names->len; i++) {
-        const char *const name = names->pdata[i];
-        if ((g_pattern_match_simple("data-*.dat", name) &&
-             !g_pattern_match_simple("data-comparison*", name)) ||
-            g_pattern_match_simple("rows-*.jsonl", name))
-            g_ptr_array_add(*files, g_strdup(name));
-    }
-    if (names != NULL)
-        g_ptr_array_unref(names);
-    return status;
-}
-
 /* Draws the figures of a case, then writes its page; a figure that failed is reported after
  * the page is written. */
-static enum mpm_status write_case(const char *folder, struct report_site *site, const json_t *entry,
+static enum mpm_status write_case(const char *folder, const struct report_sources *sources,
+                                  struct report_site *site, const json_t *entry,
                                   struct mpm_error *error)
 {
     const json_t *figures = json_object_get(entry, "figures");
@@ -54,7 +35,8 @@ static enum mpm_status write_case(const char *folder, struct report_site *site, 
     const struct figure_result *failed = NULL;
     size_t failed_index = 0;
     for (size_t i = 0; i < count; i++) {
-        results[i] = figure_draw(folder, site->records->run, entry, json_array_get(figures, i));
+        results[i] =
+            figure_draw(folder, sources, site->records->run, entry, json_array_get(figures, i));
         if (results[i].state == FIGURE_FAILED && failed == NULL) {
             failed = &results[i];
             failed_index = i;
@@ -63,7 +45,7 @@ static enum mpm_status write_case(const char *folder, struct report_site *site, 
     char *home = g_build_filename(folder, "cases", record_text(entry, "case"), NULL);
     (void)mpm_folder_make(home); /* a failure is reported by the reading */
     GPtrArray *files;
-    enum mpm_status status = data_files(home, &files, error);
+    enum mpm_status status = case_data_files(home, &files, error);
     if (status == MPM_OK)
         status = write_owned(home, "index.html", report_case(site, entry, results, files), error);
     if (status == MPM_OK && failed != NULL)
@@ -77,7 +59,7 @@ static enum mpm_status write_case(const char *folder, struct report_site *site, 
 }
 
 /* The comparison of a case, if it declares one: picture, page, and the table as CSV. */
-static enum mpm_status write_comparison(const char *folder, const char *reports,
+static enum mpm_status write_comparison(const char *folder, const struct report_sources *sources,
                                         const struct report_site *site, const json_t *entry,
                                         struct mpm_error *error)
 {
@@ -86,7 +68,7 @@ static enum mpm_status write_comparison(const char *folder, const char *reports,
     char *home = g_build_filename(folder, "cases", record_text(entry, "case"), NULL);
     struct comparison_view view = comparison_view_make(site->records, entry);
     const struct figure_result picture =
-        comparison_plot(&view, site->records->run, folder, home, reports);
+        comparison_plot(&view, site->records->run, home, sources->reports);
     enum mpm_status status =
         write_owned(home, "comparison.html", comparison_page(site, entry, &view, &picture), error);
     if (status == MPM_OK)
@@ -99,7 +81,7 @@ static enum mpm_status write_comparison(const char *folder, const char *reports,
     return status;
 }
 
-static enum mpm_status write_cases(const char *folder, const char *reports,
+static enum mpm_status write_cases(const char *folder, const struct report_sources *sources,
                                    struct report_site *site, struct mpm_error *error)
 {
     const json_t *cases = json_object_get(site->records->run, "cases");
@@ -107,9 +89,9 @@ static enum mpm_status write_cases(const char *folder, const char *reports,
     for (size_t i = 0; i < json_array_size(cases); i++) {
         const json_t *entry = json_array_get(cases, i);
         struct mpm_error own = {.status = MPM_OK};
-        enum mpm_status drawn = write_case(folder, site, entry, &own);
+        enum mpm_status drawn = write_case(folder, sources, site, entry, &own);
         if (drawn == MPM_OK)
-            drawn = write_comparison(folder, reports, site, entry, &own);
+            drawn = write_comparison(folder, sources, site, entry, &own);
         /* the first failure is the one to report */
         if (drawn != MPM_OK && status == MPM_OK)
             status = failure_set(error, drawn, "%s", own.message);
@@ -167,12 +149,12 @@ static void clear_file(void *element)
     g_free(file->text);
 }
 
-static enum mpm_status render(const char *folder, const char *reports,
+static enum mpm_status render(const char *folder, const struct report_sources *sources,
                               const struct records *records, const struct report_stored *stored,
                               struct mpm_error *error)
 {
     struct report_style style;
-    TRY(report_style_read(folder, reports, &style, error));
+    TRY(report_style_read(sources->reports, &style, error));
     struct report_site site = {
         .records = records,
         .style = &style,
@@ -187,7 +169,7 @@ static enum mpm_status render(const char *folder, const char *reports,
     g_array_set_clear_func(site.files, clear_file);
     enum mpm_status status = make_site(folder, &site, error);
     /* a figure that cannot be drawn keeps no page from being written */
-    const enum mpm_status drawn = write_cases(folder, reports, &site, &own);
+    const enum mpm_status drawn = write_cases(folder, sources, &site, &own);
     if (status == MPM_OK)
         status = write_files(folder, &site, error);
     if (status == MPM_OK && drawn != MPM_OK)
@@ -197,14 +179,26 @@ static enum mpm_status render(const char *folder, const char *reports,
     return status;
 }
 
-enum mpm_status report_render(const char *folder, const char *reports, struct mpm_error *error)
+enum mpm_status report_check(const char *folder, struct mpm_error *error)
+{
+    struct records records;
+    TRY(records_read(folder, &records, error));
+    const enum mpm_status status = case_folders_check(folder, records.run, error);
+    records_clear(&records);
+    return status;
+}
+
+enum mpm_status report_render(const char *folder, const struct report_sources *sources,
+                              struct mpm_error *error)
 {
     struct records records;
     struct report_stored stored;
     TRY(records_read(folder, &records, error));
-    enum mpm_status status = report_stored_read(folder, &stored, error);
+    enum mpm_status status = case_folders_check(folder, records.run, error);
+    if (status == MPM_OK)
+        status = report_stored_read(folder, &stored, error);
     if (status == MPM_OK) {
-        status = render(folder, reports, &records, &stored, error);
+        status = render(folder, sources, &records, &stored, error);
         report_stored_clear(&stored);
     }
     records_clear(&records);

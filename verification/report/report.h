@@ -9,14 +9,25 @@
 
 #include <glib.h>
 
+/* Where the report's own files are: a folder of results may come from anywhere, so that nothing in
+ * it is run and no page is filled into what lies there. */
+struct report_sources {
+    const char *reports;   /* style, templates, scripts of comparisons */
+    const char *catalogue; /* scripts of the cases' figures; NULL: none are drawn */
+};
+
 /* Renders index.html, the cases' pages, comparisons and figures, summary.md, junit.xml and
  * results.tap of `folder` from its checks.jsonl and
- * measurements.jsonl. The figures' scripts and data are those
- * in the folder, the style as well, or else that of `reports` (may be NULL). The same
- * folder gives the same bytes. MPM_BAD_INPUT: no such results. MPM_ENVIRONMENT_FAILED:
+ * measurements.jsonl. The figures' data are those in the folder, their scripts those of the
+ * sources. The same folder and sources give the same bytes. MPM_BAD_INPUT: no such results, or a
+ * link or anything else but files where they should be. MPM_ENVIRONMENT_FAILED:
  * gnuplot is missing, a script failed, or a file cannot be written; all that can be
  * rendered has been, and the place of a missing figure states why. */
-enum mpm_status report_render(const char *folder, const char *reports, struct mpm_error *error);
+enum mpm_status report_render(const char *folder, const struct report_sources *sources,
+                              struct mpm_error *error);
+
+/* Whether a folder has results that report_render() would take; MPM_BAD_INPUT else. */
+enum mpm_status report_check(const char *folder, struct mpm_error *error);
 
 /* The parts, each a whole file's text; g_free. */
 char *report_markdown(const struct records *records);

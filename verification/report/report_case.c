@@ -55,8 +55,9 @@ static void add_figure(GString *html, const json_t *figure, const struct figure_
                     result->reason);
     text_markup(html,
                 "<figcaption><strong>%s.</strong> %s<span class=\"about\">Reference: "
-                "%s</span></figcaption>\n</figure>\n",
-                title, record_text(figure, "caption"), record_text(figure, "reference"));
+                "%s%s%s</span></figcaption>\n</figure>\n",
+                title, record_text(figure, "caption"), record_text(figure, "reference"),
+                result->note == NULL ? "" : ". ", result->note == NULL ? "" : result->note);
 }
 
 static void add_figures(GString *html, const json_t *entry, const struct figure_result *results)

@@ -6,6 +6,8 @@
 #include "verification/common/input.h"
 #include "verification/common/output.h"
 #include "verification/common/record.h"
+#include "verification/common/record_shape.h"
+#include "verification/common/result_path.h"
 #include "verification/records/changes.h"
 
 #include <stdlib.h>
@@ -96,20 +98,62 @@ static enum mpm_status keep_headroom(const char *folder, const char *const *entr
 
 /* ----------------------------------------------------------------------- files */
 
-static enum mpm_status read_object(const char *path, json_t **object, struct mpm_error *error)
+/* mutants_check() knows the mutants. */
+static const struct record_field mutants_fields[] = {
+    {"format", RECORD_COUNT, true, NULL},
+    {"revision", RECORD_TEXT, false, NULL},
+    {NULL, RECORD_TEXT, false, NULL},
+};
+static const struct record_field facts_fields[] = {
+    {"version", RECORD_TEXT, false, NULL},  {"revision", RECORD_TEXT, false, NULL},
+    {"compiler", RECORD_TEXT, false, NULL}, {"simd", RECORD_TEXT, false, NULL},
+    {"kernels", RECORD_TEXT, false, NULL},  {"tier", RECORD_TEXT, false, NULL},
+    {"started", RECORD_TEXT, false, NULL},  {NULL, RECORD_TEXT, false, NULL},
+};
+static const struct record_field line_fields[] = {
+    {"section", RECORD_TEXT, true, NULL}, {"change", RECORD_TEXT, true, NULL},
+    {"case", RECORD_NAME, true, NULL},    {"name", RECORD_TEXT, true, NULL},
+    {"text", RECORD_TEXT, true, NULL},    {NULL, RECORD_TEXT, false, NULL},
+};
+static const struct record_field changes_fields[] = {
+    {"format", RECORD_COUNT, true, NULL},         {"before", RECORD_OBJECT, true, facts_fields},
+    {"after", RECORD_OBJECT, true, facts_fields}, {"change", RECORD_NUMBER, true, NULL},
+    {"worse", RECORD_COUNT, true, NULL},          {"better", RECORD_COUNT, true, NULL},
+    {"other", RECORD_COUNT, true, NULL},          {"unselected", RECORD_COUNT, true, NULL},
+    {"lines", RECORD_LIST, true, line_fields},    {NULL, RECORD_TEXT, false, NULL},
+};
+static const struct record_field build_fields[] = {
+    {"name", RECORD_TEXT, true, NULL},      {"revision", RECORD_TEXT, false, NULL},
+    {"compiler", RECORD_TEXT, false, NULL}, {"flags", RECORD_TEXT, false, NULL},
+    {"simd", RECORD_TEXT, false, NULL},     {"kernels", RECORD_TEXT, false, NULL},
+    {"values", RECORD_NUMBERS, true, NULL}, {NULL, RECORD_TEXT, false, NULL},
+};
+static const struct record_field headroom_fields[] = {
+    {"format", RECORD_COUNT, true, NULL},
+    {"builds", RECORD_LIST, true, build_fields},
+    {NULL, RECORD_TEXT, false, NULL},
+};
+
+static enum mpm_status read_object(const char *path, const struct record_field *fields,
+                                   json_t **object, struct mpm_error *error)
 {
     TRY(input_json(path, JSON_REJECT_DUPLICATES, object, error));
-    if (json_integer_value(json_object_get(*object, "format")) == 1)
-        return MPM_OK;
-    json_decref(*object);
-    *object = NULL;
-    return failure_set(error, MPM_BAD_INPUT, "%s: format: allowed is 1", path);
+    GString *fault = g_string_new(NULL);
+    if (!record_fits(*object, fields, fault) ||
+        json_integer_value(json_object_get(*object, "format")) != 1) {
+        failure_set(error, MPM_BAD_INPUT, "%s: %s", path,
+                    fault->len > 0 ? fault->str : "format: allowed is 1");
+        json_decref(*object);
+        *object = NULL;
+    }
+    g_string_free(fault, TRUE);
+    return *object == NULL ? MPM_BAD_INPUT : MPM_OK;
 }
 
 static enum mpm_status keep_mutants(const char *folder, const char *path, struct mpm_error *error)
 {
     json_t *object;
-    TRY(read_object(path, &object, error));
+    TRY(read_object(path, mutants_fields, &object, error));
     const enum mpm_status status = mutants_check(object, path, error);
     if (status == MPM_OK)
         return write_json(folder, mutants_name, object, error);
@@ -129,14 +173,16 @@ enum mpm_status report_store(const char *folder, const struct report_additions *
     return MPM_OK;
 }
 
-static enum mpm_status read_stored(const char *folder, const char *name, json_t **object,
+static enum mpm_status read_stored(const char *folder, const char *name,
+                                   const struct record_field *fields, json_t **object,
                                    struct mpm_error *error)
 {
     char *path = g_build_filename(folder, name, NULL);
-    enum mpm_status status = MPM_OK;
     *object = NULL;
-    if (mpm_path_kind(path) != MPM_PATH_NONE) /* or reading it gives the reason */
-        status = read_object(path, object, error);
+    enum mpm_status status = result_file_check(path, error);
+    if (status == MPM_OK &&
+        mpm_path_kind(path) != MPM_PATH_NONE) /* or reading it gives the reason */
+        status = read_object(path, fields, object, error);
     if (status == MPM_OK && *object != NULL && name == mutants_name)
         status = mutants_check(*object, path, error);
     g_free(path);
@@ -149,13 +195,14 @@ enum mpm_status report_stored_read(const char *folder, struct report_stored *sto
     *stored = (struct report_stored){.changes = NULL};
     const struct {
         const char *name;
+        const struct record_field *fields;
         json_t **object;
-    } files[] = {{changes_name, &stored->changes},
-                 {headroom_name, &stored->headroom},
-                 {mutants_name, &stored->mutants}};
+    } files[] = {{changes_name, changes_fields, &stored->changes},
+                 {headroom_name, headroom_fields, &stored->headroom},
+                 {mutants_name, mutants_fields, &stored->mutants}};
     enum mpm_status status = MPM_OK;
     for (size_t i = 0; status == MPM_OK && i < G_N_ELEMENTS(files); i++)
-        status = read_stored(folder, files[i].name, files[i].object, error);
+        status = read_stored(folder, files[i].name, files[i].fields, files[i].object, error);
     if (status != MPM_OK)
         report_stored_clear(stored);
     return status;

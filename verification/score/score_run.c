@@ -60,7 +60,8 @@ static enum mpm_status conclude(const struct score_options *options, const struc
     *counts = records_count(&records, NULL, NULL);
     enum mpm_status status = records_write(options->output, &records, error);
     if (status == MPM_OK)
-        status = report_render(options->output, options->reports, error);
+        status = report_render(options->output,
+                               &(struct report_sources){.reports = options->reports}, error);
     console_begin(console, &scored->plan);
     console_finished(console, 0, result);
     console_end(console, &records, status == MPM_OK ? options->output : NULL);
@@ -95,8 +96,7 @@ static enum mpm_status report(const struct score_options *options, const struct 
     int lock = -1;
     const struct job_result result = {JOB_RETURNED, 0, 0, 0, rows};
     scored_open(bundle, name, &scored);
-    enum mpm_status status =
-        output_prepare(options->output, options->reports, &scored.plan, &lock, error);
+    enum mpm_status status = output_prepare(options->output, &scored.plan, &lock, error);
     if (status == MPM_OK)
         status = conclude(options, &scored, &result, console, counts, error);
     output_release(lock);

@@ -22,6 +22,7 @@ static const char *const case_globs[] = {"rows-*.jsonl",   "log-*.txt",  "data-*
                                          "figure-*.svg",   "index.html", "comparison.html",
                                          "comparison.csv", "checks.csv", "runs.csv"};
 
+/* Earlier versions copied the scripts of figures and the style to `source` and `style`. */
 static const char *const source_globs[] = {"*.gp", "*.dat", "*.csv"};
 
 static enum mpm_status cannot_write(const char *path, struct mpm_error *error)
@@ -43,11 +44,9 @@ static bool any_matches(const char *const *globs, size_t count, const char *name
     return false;
 }
 
-/* Calls `use` with every file of `folder` that matches; goes on after failures. */
-static enum mpm_status each_file(const char *folder, const char *const *globs, size_t count,
-                                 enum mpm_status (*use)(const char *path, const char *context,
-                                                        struct mpm_error *error),
-                                 const char *context, struct mpm_error *error)
+/* Removes every file of `folder` that matches; goes on after failures. */
+static enum mpm_status remove_files(const char *folder, const char *const *globs, size_t count,
+                                    struct mpm_error *error)
 {
     enum mpm_status status = MPM_OK;
     char **const names = mpm_folder_list(folder);
@@ -57,36 +56,13 @@ static enum mpm_status each_file(const char *folder, const char *const *globs, s
         char *path = g_build_filename(folder, *name, NULL);
         const enum mpm_path kind =
             any_matches(globs, count, *name) ? mpm_path_kind(path) : MPM_PATH_NONE;
-        /* where the system does not say, using it gives the reason */
-        if ((kind == MPM_PATH_FILE || kind == MPM_PATH_UNKNOWN) &&
-            use(path, context, error) != MPM_OK)
-            status = MPM_ENVIRONMENT_FAILED;
+        /* where the system does not say, removing it gives the reason */
+        if ((kind == MPM_PATH_FILE || kind == MPM_PATH_UNKNOWN) && mpm_file_remove(path) != 0 &&
+            errno != ENOENT)
+            status = cannot_write(path, error);
         g_free(path);
     }
     mpm_folder_list_free(names);
-    return status;
-}
-
-static enum mpm_status remove_file(const char *path, const char *context, struct mpm_error *error)
-{
-    (void)context;
-    return mpm_file_remove(path) == 0 || errno == ENOENT ? MPM_OK : cannot_write(path, error);
-}
-
-static enum mpm_status copy_file(const char *path, const char *folder, struct mpm_error *error)
-{
-    char *text = NULL, *name = g_path_get_basename(path);
-    size_t length = 0;
-    enum mpm_status status = MPM_OK;
-    char *copy = g_build_filename(folder, name, NULL);
-    if ((text = mpm_file_load(path, &length)) == NULL)
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be read: %s", path,
-                             g_strerror(errno));
-    else if (mpm_file_save(copy, text, length) != 0)
-        status = cannot_write(copy, error);
-    g_free(copy);
-    g_free(text);
-    g_free(name);
     return status;
 }
 
@@ -139,15 +115,23 @@ void output_release(int lock)
 static enum mpm_status clean_case(const char *path, struct mpm_error *error)
 {
     char *source = g_build_filename(path, "source", NULL);
-    enum mpm_status status =
-        each_file(path, case_globs, G_N_ELEMENTS(case_globs), remove_file, NULL, error);
+    enum mpm_status status = remove_files(path, case_globs, G_N_ELEMENTS(case_globs), error);
     if (status == MPM_OK)
-        status =
-            each_file(source, source_globs, G_N_ELEMENTS(source_globs), remove_file, NULL, error);
+        status = remove_files(source, source_globs, G_N_ELEMENTS(source_globs), error);
     /* only if nothing else is in them */
     (void)mpm_folder_remove(source);
     (void)mpm_folder_remove(path);
     g_free(source);
+    return status;
+}
+
+static enum mpm_status clean_style(const char *folder, struct mpm_error *error)
+{
+    char *style = g_build_filename(folder, "style", NULL);
+    const enum mpm_status status =
+        remove_files(style, style_names, G_N_ELEMENTS(style_names), error);
+    (void)mpm_folder_remove(style);
+    g_free(style);
     return status;
 }
 
@@ -174,51 +158,33 @@ static enum mpm_status clean_cases(const char *folder, struct mpm_error *error)
 static enum mpm_status prepare_case(const char *folder, const struct catalogue_case *entry,
                                     struct mpm_error *error)
 {
-    char *source = g_build_filename(folder, "cases", entry->file->name, "source", NULL);
-    enum mpm_status status = make_folder(source, error);
-    if (status == MPM_OK)
-        status = each_file(entry->folder, source_globs, G_N_ELEMENTS(source_globs), copy_file,
-                           source, error);
-    g_free(source);
+    char *home = g_build_filename(folder, "cases", entry->file->name, NULL);
+    const enum mpm_status status = make_folder(home, error);
+    g_free(home);
     return status;
 }
 
-static enum mpm_status prepare_style(const char *folder, const char *reports,
-                                     struct mpm_error *error)
-{
-    char *style = g_build_filename(folder, "style", NULL);
-    enum mpm_status status = make_folder(style, error);
-    for (size_t i = 0; status == MPM_OK && i < G_N_ELEMENTS(style_names); i++) {
-        char *path = g_build_filename(reports, style_names[i], NULL);
-        status = copy_file(path, style, error);
-        g_free(path);
-    }
-    g_free(style);
-    return status;
-}
-
-static enum mpm_status fill(const char *folder, const char *reports, const struct plan *plan,
-                            struct mpm_error *error)
+static enum mpm_status fill(const char *folder, const struct plan *plan, struct mpm_error *error)
 {
     /* a report must not outlive its results, so the old ones go before anything runs */
-    TRY(each_file(folder, top_names, G_N_ELEMENTS(top_names), remove_file, NULL, error));
+    TRY(remove_files(folder, top_names, G_N_ELEMENTS(top_names), error));
     TRY(clean_cases(folder, error));
-    TRY(prepare_style(folder, reports, error));
+    TRY(clean_style(folder, error));
     for (size_t i = 0; i < plan->job_count; i++)
         if (i == 0 || plan->jobs[i - 1].entry != plan->jobs[i].entry)
             TRY(prepare_case(folder, plan->jobs[i].entry, error));
     return MPM_OK;
 }
 
-enum mpm_status output_prepare(const char *folder, const char *reports, const struct plan *plan,
-                               int *lock, struct mpm_error *error)
+enum mpm_status output_prepare(const char *folder, const struct plan *plan, int *lock,
+                               struct mpm_error *error)
 {
     *lock = -1;
     TRY(refuse_foreign(folder, error));
     TRY(make_folder(folder, error));
     enum mpm_status status = take(folder, lock, error);
     if (status == MPM_OK)
-        status = fill(folder, reports, plan, error);
+        status = fill(folder, plan, error);
     if (status != MPM_OK) {
         output_release(*lock);
         *lock = -1;

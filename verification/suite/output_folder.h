@@ -3,12 +3,10 @@
  *     checks.jsonl   measurements.jsonl   index.html   summary.md   junit.xml   results.tap
  *     limits.html    headroom.html   mutants.html   glossary.html   table-*.csv
  *     changes.json   headroom.json   mutants.json   (see reports/README.md)
- *     style/         style.gp, comparison.gp, report.css, page.html, table.js, glossary.md
  *     cases/<case>/  index.html, figure-<name>.svg, and per variant rows-*.jsonl,
  *                    log-*.txt, data-*-<name>.dat; checks.csv, runs.csv,
  *                    comparison.html, comparison.csv and
  *                    its data-*.dat where a comparison is declared
- *     cases/<case>/source/   the case's gnuplot scripts and reference data
  *
  * Files that are not of this list are never touched; a folder that holds one of these
  * names but no .mpm-verify is refused.
@@ -19,12 +17,11 @@
 
 #include "verification/suite/plan.h"
 
-/* Creates the folder, removes what an earlier run left, copies what the report needs
- * (`reports` is the folder of style.gp and its like), and keeps the folder for this
+/* Creates the folder, removes what an earlier run left, and keeps the folder for this
  * process until *lock is released. MPM_BAD_INPUT: a file, a folder with files that are
  * not ours or that another run writes to; MPM_ENVIRONMENT_FAILED: cannot be written. */
-enum mpm_status output_prepare(const char *folder, const char *reports, const struct plan *plan,
-                               int *lock, struct mpm_error *error);
+enum mpm_status output_prepare(const char *folder, const struct plan *plan, int *lock,
+                               struct mpm_error *error);
 void output_release(int lock);
 
 #endif

@@ -162,11 +162,28 @@ static json_t *variant_record(const struct planned_job *job, const struct job_re
 
 /* ---------------------------------------------------------------------- cases */
 
-static json_t *figure_record(const struct case_figure *figure)
+/* Of the script as it is now; "" if it cannot be read, which drawing the figure reports. */
+static json_t *script_hash(const char *folder, const char *script)
+{
+    char *path = g_build_filename(folder, script, NULL);
+    size_t length = 0;
+    char *text = mpm_file_load(path, &length);
+    char *hash = text == NULL
+                     ? g_strdup("")
+                     : g_compute_checksum_for_data(G_CHECKSUM_SHA256, (const guchar *)text, length);
+    json_t *record = json_string(hash);
+    g_free(hash);
+    g_free(text);
+    g_free(path);
+    return record;
+}
+
+static json_t *figure_record(const char *folder, const struct case_figure *figure)
 {
     json_t *object = json_object();
     json_object_set_new(object, "figure", record_text_of(figure->name));
     json_object_set_new(object, "script", record_text_of(figure->script));
+    json_object_set_new(object, "script_sha256", script_hash(folder, figure->script));
     json_object_set_new(object, "title", record_text_of(figure->title));
     json_object_set_new(object, "caption", record_text_of(figure->caption));
     json_object_set_new(object, "reference", record_text_of(figure->reference));
@@ -242,7 +259,7 @@ static json_t *case_record(const struct catalogue_case *entry)
     json_object_set_new(object, "program", record_text_of(file->program_name));
     json_object_set_new(object, "readme", record_text_of(entry->readme));
     for (unsigned i = 0; i < file->figures_count; i++)
-        json_array_append_new(figures, figure_record(&file->figures[i]));
+        json_array_append_new(figures, figure_record(entry->folder, &file->figures[i]));
     json_object_set_new(object, "figures", figures);
     if (file->comparison != NULL) {
         json_t *comparison = comparison_record(file->comparison);

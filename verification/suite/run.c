@@ -78,7 +78,10 @@ static enum mpm_status conclude(const struct run_options *options,
     if (status == MPM_OK)
         status = report_store(options->output, &additions, error);
     if (status == MPM_OK)
-        status = report_render(options->output, options->reports, error);
+        status = report_render(
+            options->output,
+            &(struct report_sources){.reports = options->reports, .catalogue = options->catalogue},
+            error);
     say_unchecked(console, catalogue, plan, &records);
     /* printed on any outcome: the counts are known even if they could not be written */
     console_end(console, &records, status == MPM_OK ? options->output : NULL);
@@ -133,7 +136,7 @@ enum mpm_status suite_run(const struct run_options *options, struct program_tabl
     if (status == MPM_OK) {
         status = plan_check_methods(&plan, error);
         if (status == MPM_OK)
-            status = output_prepare(options->output, options->reports, &plan, &lock, error);
+            status = output_prepare(options->output, &plan, &lock, error);
         if (status == MPM_OK)
             status = run_plan(options, catalogue, &plan, console, counts, error);
         output_release(lock);

@@ -10,14 +10,27 @@
 
 /* -------------------------------------------------------------------- questions */
 
+static enum mpm_path kind_of(int failed, const struct stat *facts)
+{
+    if (failed != 0)
+        return errno == ENOENT || errno == ENOTDIR ? MPM_PATH_NONE : MPM_PATH_UNKNOWN;
+    if (S_ISREG(facts->st_mode))
+        return MPM_PATH_FILE;
+    return S_ISDIR(facts->st_mode) ? MPM_PATH_FOLDER : MPM_PATH_OTHER;
+}
+
 enum mpm_path mpm_path_kind(const char *path)
 {
     struct stat facts;
-    if (system_stat(path, &facts) != 0)
-        return errno == ENOENT || errno == ENOTDIR ? MPM_PATH_NONE : MPM_PATH_UNKNOWN;
-    if (S_ISREG(facts.st_mode))
-        return MPM_PATH_FILE;
-    return S_ISDIR(facts.st_mode) ? MPM_PATH_FOLDER : MPM_PATH_OTHER;
+    const int failed = system_stat(path, &facts);
+    return kind_of(failed, &facts);
+}
+
+enum mpm_path mpm_path_own_kind(const char *path)
+{
+    struct stat facts;
+    const int failed = system_lstat(path, &facts);
+    return kind_of(failed, &facts);
 }
 
 bool mpm_path_exists(const char *path)

@@ -41,7 +41,7 @@ START_TEST(reports_are_well_formed_and_rendered_again_to_the_same_bytes)
         ck_assert_ptr_nonnull(strstr(before[i], "# SKIP no reference | data \\# here\n"));
         g_free(count);
     }
-    said = test_verify_with("mpm-verify report @", output, NULL);
+    said = test_verify_with("mpm-verify report @ --catalogue @", output, catalogue);
     ck_assert_msg(said.exit_status == 0, "%s", said.err);
     for (size_t i = 0; i < G_N_ELEMENTS(rendered); i++) {
         char *after = test_folder_read(output, rendered[i]);
@@ -90,7 +90,8 @@ START_TEST(a_figure_that_cannot_be_drawn_is_an_error_of_the_report)
     } table[] = {
         {"load style\nplot sin(\n", "gnuplot: "},
         {"load style\nplot 'missing.dat', x\n", "missing.dat"},
-        {"print 'nothing drawn'\n", "no SVG file"},
+        {"load style\nx = system('date')\nplot x\n", "curve.gp:2: system: a figure's script"},
+        {"x = 1\n", "no SVG file"},
     };
     char *path = g_strdup(g_getenv("PATH"));
     for (size_t i = 0; i <= G_N_ELEMENTS(table); i++) {
