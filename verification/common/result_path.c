@@ -11,9 +11,10 @@ static enum mpm_status check(const char *path, enum mpm_path allowed, struct mpm
     if (kind == allowed || kind <= MPM_PATH_NONE)
         return MPM_OK; /* a path that cannot be looked at cannot be read or written either */
     return failure_set(error, MPM_BAD_INPUT, "%s: is %s: allowed is a %s", path,
-                       kind == MPM_PATH_FILE     ? "a file"
-                       : kind == MPM_PATH_FOLDER ? "a folder"
-                                                 : "a link, or no ordinary file",
+                       kind == MPM_PATH_FILE                   ? "a file"
+                       : kind == MPM_PATH_FOLDER               ? "a folder"
+                       : mpm_path_kind(path) != MPM_PATH_OTHER ? "a link"
+                                                               : "no ordinary file",
                        allowed == MPM_PATH_FOLDER ? "folder" : "file");
 }
 

@@ -15,8 +15,10 @@
 
 enum mpm_status case_data_files(const char *home, GPtrArray **files, struct mpm_error *error)
 {
-    GPtrArray *names;
-    const enum mpm_status status = input_names(home, &names, error);
+    GPtrArray *names = NULL;
+    enum mpm_status status = MPM_OK;
+    if (mpm_path_kind(home) != MPM_PATH_NONE) /* a folder may have result lines alone */
+        status = input_names(home, &names, error);
     *files = g_ptr_array_new_with_free_func(g_free);
     for (guint i = 0; status == MPM_OK && i < names->len; i++) {
         const char *const name = names->pdata[i];
