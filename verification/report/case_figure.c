@@ -20,7 +20,7 @@ enum mpm_status case_data_files(const char *home, GPtrArray **files, struct mpm_
     if (mpm_path_kind(home) != MPM_PATH_NONE) /* a folder may have result lines alone */
         status = input_names(home, &names, error);
     *files = g_ptr_array_new_with_free_func(g_free);
-    for (guint i = 0; status == MPM_OK && i < names->len; i++) {
+    for (guint i = 0; names != NULL && i < names->len; i++) {
         const char *const name = names->pdata[i];
         if ((g_pattern_match_simple("data-*.dat", name) &&
              !g_pattern_match_simple("data-comparison*", name)) ||
