@@ -128,6 +128,7 @@
     SUITE(scene_settings)                                                                          \
     SUITE(schema)                                                                                  \
     SUITE(suite)                                                                                   \
+    SUITE(resume)                                                                                  \
     SUITE(bench)                                                                                   \
     SUITE(timing)                                                                                  \
     SUITE(pareto)                                                                                  \

@@ -3,37 +3,34 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/cli/commands.h"
 
+#include "verification/cases/catalogue.h"
 #include "verification/cli/compare.h"
 #include "verification/common/command_line.h"
 #include "verification/common/failure.h"
-#include "verification/common/machine.h"
 #include "verification/common/resources.h"
 #include "verification/common/rows.h"
 #include "verification/report/report.h"
 #include "verification/report/report_stored.h"
-#include "verification/suite/run.h"
 
 #include <glib.h>
-#include <limits.h>
 #include <math.h>
-#include <string.h>
 
-enum { CHECKS_FAILED = 1, JOBS_MAX = 1024, JOBS_DEFAULT = INT_MIN /* not given */ };
-
-#define NO_CATALOGUE "no verification/catalogue here: name one with --catalogue DIR"
-
-#define PROGRAM "mpm-verify"
+enum { CHECKS_FAILED = 1 };
 
 static const char usage[] =
     "usage: " PROGRAM " COMMAND\n"
     "\n"
     "  list [--tag T]                         the cases, their variants and checks\n"
     "  run [--tier ci|full] [--case GLOB] [--variant GLOB] [--only FILE] [--baseline DIR]\n"
-    "      [--kernels auto|reference|fast] [--jobs N] [--output DIR]\n"
+    "      [--kernels auto|reference|fast] [--jobs N] [--output DIR] [--resume]\n"
     "                                         run, judge, and write results and reports; --only: "
     "those\n"
     "                                         of the file's lines CASE/VARIANT; --baseline: what\n"
-    "                                         changed since that run, in the report\n"
+    "                                         changed since that run, in the report; --resume: "
+    "goes\n"
+    "                                         on with the run in DIR: runs only what is missing "
+    "or\n"
+    "                                         whose binary, case or scene has changed\n"
     "  explain CHECK [--output DIR]           what CASE[/CHECK[/VARIANT]] (globs) states, its "
     "band\n"
     "                                         and why, last values, the command to reproduce it\n"
@@ -68,7 +65,8 @@ static const char usage[] =
     "build/reports/score\n"
     "and score-report).\n"
     "Exit status: 0 every check holds (or shows its known weakness); 1 one does not; 2 bad usage\n"
-    "or a bad catalogue; 4 the environment failed. headroom: 1 a band or its reason is at fault, "
+    "or a bad catalogue; 4 the environment failed; 128 + n ended by signal n. headroom: 1 a band "
+    "or its reason is at fault, "
     "or\n"
     "a value is missing. compare: 0 nothing got worse; 1 a status did,\n"
     "a check failed that is new or vanished from the same selection, or a margin shrank by more\n"
@@ -104,7 +102,8 @@ enum {
     TAKES_CASE = 32,
     TAKES_NAME = 64,
     TAKES_BASELINE = 128,
-    TAKES_ADDITIONS = 256
+    TAKES_ADDITIONS = 256,
+    TAKES_RESUME = 512
 };
 
 enum mpm_status command_catalogue(const struct command *command, struct catalogue **catalogue,
@@ -119,81 +118,7 @@ enum mpm_status command_catalogue(const struct command *command, struct catalogu
     return status;
 }
 
-/* ----------------------------------------------------------------------- run */
-
-static enum mpm_status read_tier(const char *text, enum tier *tier, struct mpm_error *error)
-{
-    *tier = TIER_CI;
-    if (text == NULL || strcmp(text, tier_name(TIER_CI)) == 0)
-        return MPM_OK;
-    *tier = TIER_FULL;
-    if (strcmp(text, tier_name(TIER_FULL)) == 0)
-        return MPM_OK;
-    return failure_set(error, MPM_BAD_INPUT, "--tier \"%s\": allowed are ci and full", text);
-}
-
-static enum mpm_status read_kernels(const char *text, enum mpm_kernels *kernels,
-                                    struct mpm_error *error)
-{
-    struct mpm_error cause;
-    *kernels = MPM_KERNELS_AUTO;
-    if (text == NULL || mpm_kernels_find(text, kernels, &cause) == MPM_OK)
-        return MPM_OK;
-    return failure_set(error, MPM_BAD_INPUT, "--kernels: %s", cause.message);
-}
-
-static enum mpm_status run_with(struct run_options *run, struct command *command,
-                                struct mpm_error *error)
-{
-    const struct command_options *options = &command->options;
-    struct console console = {.out = command->world->out, .terminal = command->world->terminal};
-    struct record_counts counts;
-    TRY(read_tier(options->tier, &run->selection.tier, error));
-    TRY(read_kernels(options->kernels, &run->kernels, error));
-    run->selection.only_file = options->only;
-    if (options->only != NULL)
-        TRY(plan_read_only(options->only, &run->selection.only, error));
-    if (options->jobs != JOBS_DEFAULT && (options->jobs < 1 || options->jobs > JOBS_MAX))
-        return failure_set(error, MPM_BAD_INPUT, "--jobs %d: allowed are 1 to %d", options->jobs,
-                           JOBS_MAX);
-    run->jobs = options->jobs == JOBS_DEFAULT ? machine_processor_count() : (unsigned)options->jobs;
-    if (run->catalogue == NULL)
-        return failure_set(error, MPM_BAD_INPUT, NO_CATALOGUE);
-    if (run->reports == NULL)
-        return failure_set(
-            error, MPM_ENVIRONMENT_FAILED,
-            "the report's style is found neither in reports/ nor beside the program");
-    const enum mpm_status status =
-        suite_run(run, command->world->programs, &console, &counts, error);
-    command->checks_failed = counts.failed > 0;
-    return status;
-}
-
-static enum mpm_status command_run(struct command *command, struct mpm_error *error)
-{
-    const struct command_options *options = &command->options;
-    char *catalogue = options->catalogue != NULL ? g_strdup(options->catalogue)
-                                                 : resources_catalogue(command->argv[0]);
-    char *reports = resources_reports(command->argv[0]);
-    char *typed = command_line_typed(PROGRAM, command->argc, command->argv);
-    char *output = options->output != NULL ? g_strdup(options->output) : resources_output();
-    struct run_options run = {
-        .catalogue = catalogue,
-        .reports = reports,
-        .output = output,
-        .command = typed,
-        .baseline = options->baseline,
-        .selection = {.case_glob = options->case_glob, .variant_glob = options->variant_glob},
-    };
-    const enum mpm_status status = run_with(&run, command, error);
-    if (run.selection.only != NULL)
-        g_hash_table_unref(run.selection.only);
-    g_free(catalogue);
-    g_free(reports);
-    g_free(output);
-    g_free(typed);
-    return status;
-}
+/* ------------------------------------------------------------ report, compare */
 
 static enum mpm_status command_report(struct command *command, struct mpm_error *error)
 {
@@ -205,7 +130,7 @@ static enum mpm_status command_report(struct command *command, struct mpm_error 
     };
     TRY(report_store(folder, &additions, error));
     char *reports = resources_reports(command->argv[0]);
-    const enum mpm_status status = report_render(folder, reports, error);
+    const enum mpm_status status = report_status(report_render(folder, folder, reports, error));
     g_free(reports);
     if (status == MPM_OK)
         fprintf(command->world->out, "report: %s/index.html\n", folder);
@@ -228,7 +153,8 @@ static enum mpm_status command_compare(struct command *command, struct mpm_error
 
 static const struct command_entry commands[] = {
     {"list", TAKES_TAG | TAKES_CATALOGUE, 0, "", command_list},
-    {"run", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE, 0, "", command_run},
+    {"run", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME, 0, "",
+     command_run},
     {"explain", TAKES_OUTPUT | TAKES_CATALOGUE, 1, "explain: CHECK", command_explain},
     {"report", TAKES_BASELINE | TAKES_ADDITIONS, 1, "report: the folder DIR", command_report},
     {"headroom", 0, 1, "headroom: the folder DIR", command_headroom},
@@ -250,6 +176,7 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
         {TAKES_SELECTION, {"only", 0, 0, G_OPTION_ARG_FILENAME, &given->only, NULL, NULL}},
         {TAKES_SELECTION, {"kernels", 0, 0, G_OPTION_ARG_STRING, &given->kernels, NULL, NULL}},
         {TAKES_SELECTION, {"jobs", 0, 0, G_OPTION_ARG_INT, &given->jobs, NULL, NULL}},
+        {TAKES_RESUME, {"resume", 0, 0, G_OPTION_ARG_NONE, &given->resume, NULL, NULL}},
         {TAKES_OUTPUT, {"output", 0, 0, G_OPTION_ARG_FILENAME, &given->output, NULL, NULL}},
         {TAKES_CATALOGUE,
          {"catalogue", 0, 0, G_OPTION_ARG_FILENAME, &given->catalogue, NULL, NULL}},
@@ -274,6 +201,8 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
     };
     const enum mpm_status status = command_line_run(&line, argc, argv, &command);
     options_clear(given);
+    if (status == MPM_INTERRUPTED)
+        return (int)status + command.signal_number;
     /* results that could not be written or drawn come before their verdict */
     return status == MPM_OK && command.checks_failed ? CHECKS_FAILED : (int)status;
 }

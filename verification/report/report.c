@@ -69,7 +69,7 @@ static enum mpm_status write_case(const char *folder, struct report_site *site, 
     enum mpm_status status =
         write_owned(home, "index.html", report_case(site, entry, results, files), error);
     if (status == MPM_OK && failed != NULL)
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "figure %s of case %s: %s",
+        status = failure_set(error, MPM_RUN_FAILED, "figure %s of case %s: %s",
                              record_text(json_array_get(figures, failed_index), "figure"),
                              record_text(entry, "case"), failed->reason);
     g_ptr_array_unref(files);
@@ -94,7 +94,7 @@ static enum mpm_status write_comparison(const char *folder, const char *reports,
     if (status == MPM_OK)
         status = write_owned(home, "comparison.csv", comparison_csv(&view), error);
     if (status == MPM_OK && picture.state == FIGURE_FAILED)
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "picture of the comparison of %s: %s",
+        status = failure_set(error, MPM_RUN_FAILED, "picture of the comparison of %s: %s",
                              record_text(entry, "case"), picture.reason);
     comparison_view_clear(&view);
     g_free(home);
@@ -112,8 +112,8 @@ static enum mpm_status write_cases(const char *folder, const char *reports,
         enum mpm_status drawn = write_case(folder, site, entry, &own);
         if (drawn == MPM_OK)
             drawn = write_comparison(folder, reports, site, entry, &own);
-        /* the first failure is the one to report */
-        if (drawn != MPM_OK && status == MPM_OK)
+        /* the first failure is the one to report, but a missing file comes before a figure */
+        if (drawn > status)
             status = failure_set(error, drawn, "%s", own.message);
     }
     return status;
@@ -169,7 +169,7 @@ static void clear_file(void *element)
     g_free(file->text);
 }
 
-static enum mpm_status render(const char *folder, const char *reports,
+static enum mpm_status render(const char *folder, const char *place, const char *reports,
                               const struct records *records, const struct report_stored *stored,
                               struct mpm_error *error)
 {
@@ -181,7 +181,7 @@ static enum mpm_status render(const char *folder, const char *reports,
         .changes = stored->changes,
         .mutants = stored->mutants,
         .headroom = stored->headroom,
-        .benchmarks = has_benchmarks(folder),
+        .benchmarks = has_benchmarks(place),
         .compares = any_comparison(json_object_get(records->run, "cases")),
         .files = g_array_new(FALSE, TRUE, sizeof(struct report_file)),
     };
@@ -199,14 +199,20 @@ static enum mpm_status render(const char *folder, const char *reports,
     return status;
 }
 
-enum mpm_status report_render(const char *folder, const char *reports, struct mpm_error *error)
+enum mpm_status report_status(enum mpm_status rendered)
+{
+    return rendered == MPM_RUN_FAILED ? MPM_ENVIRONMENT_FAILED : rendered;
+}
+
+enum mpm_status report_render(const char *folder, const char *place, const char *reports,
+                              struct mpm_error *error)
 {
     struct records records;
     struct report_stored stored;
     TRY(records_read(folder, &records, error));
     enum mpm_status status = report_stored_read(folder, &stored, error);
     if (status == MPM_OK) {
-        status = render(folder, reports, &records, &stored, error);
+        status = render(folder, place, reports, &records, &stored, error);
         report_stored_clear(&stored);
     }
     records_clear(&records);

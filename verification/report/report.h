@@ -12,11 +12,17 @@
 /* Renders index.html, the cases' pages, comparisons and figures, summary.md, junit.xml and
  * results.tap of `folder` from its checks.jsonl and
  * measurements.jsonl. The figures' scripts and data are those
- * in the folder, the style as well, or else that of `reports` (may be NULL). The same
- * folder gives the same bytes. MPM_BAD_INPUT: no such results. MPM_ENVIRONMENT_FAILED:
- * gnuplot is missing, a script failed, or a file cannot be written; all that can be
- * rendered has been, and the place of a missing figure states why. */
-enum mpm_status report_render(const char *folder, const char *reports, struct mpm_error *error);
+ * in the folder, the style as well, or else that of `reports` (may be NULL). `place` is where the
+ * report is to lie: pages link to benchmarks beside it. The same folder gives the same bytes.
+ * MPM_BAD_INPUT: no such results. MPM_ENVIRONMENT_FAILED: a file cannot be written.
+ * MPM_RUN_FAILED: gnuplot is missing or a script failed; all else is there, and the place of a
+ * missing figure states why. */
+enum mpm_status report_render(const char *folder, const char *place, const char *reports,
+                              struct mpm_error *error);
+
+/* The exit status for that of report_render: a figure that cannot be drawn is the environment's
+ * fault. */
+enum mpm_status report_status(enum mpm_status rendered);
 
 /* The parts, each a whole file's text; g_free. */
 char *report_markdown(const struct records *records);

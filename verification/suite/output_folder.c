@@ -3,89 +3,45 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/output_folder.h"
 
+#include "verification/common/folders.h"
+#include "verification/report/report.h"
+#include "verification/suite/output_publish.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <glib.h>
-#include <glib/gstdio.h>
 #include <string.h>
 #include <unistd.h>
 
 static const char marker[] = ".mpm-verify";
-static const char *const top_names[] = {
-    "checks.jsonl", "measurements.jsonl", "index.html",   "summary.md",
-    "junit.xml",    "results.tap",        "cases",        "style",
-    "limits.html",  "headroom.html",      "mutants.html", "glossary.html",
-    "changes.json", "headroom.json",      "mutants.json", "table-*.csv"};
 static const char *const style_names[] = {"style.gp",  "comparison.gp", "report.css",
                                           "page.html", "table.js",      "glossary.md"};
-static const char *const case_globs[] = {"rows-*.jsonl",   "log-*.txt",  "data-*.dat",
-                                         "figure-*.svg",   "index.html", "comparison.html",
-                                         "comparison.csv", "checks.csv", "runs.csv"};
-
 static const char *const source_globs[] = {"*.gp", "*.dat", "*.csv"};
 
-static enum mpm_status cannot_write(const char *path, struct mpm_error *error)
+struct output_folder output_names(const char *folder)
 {
-    return failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be written: %s", path,
-                       g_strerror(errno));
+    char *state = g_build_filename(folder, ".run", NULL);
+    return (struct output_folder){
+        .folder = g_strdup(folder),
+        .state = state,
+        .results = g_build_filename(state, "results", NULL),
+        .stage = g_build_filename(state, "report", NULL),
+        .lock = -1,
+    };
 }
 
-static enum mpm_status make_folder(const char *path, struct mpm_error *error)
+void output_close(struct output_folder *output)
 {
-    return g_mkdir_with_parents(path, 0777) == 0 ? MPM_OK : cannot_write(path, error);
+    if (output->lock >= 0)
+        close(output->lock);
+    g_free(output->folder);
+    g_free(output->state);
+    g_free(output->results);
+    g_free(output->stage);
+    *output = (struct output_folder){.lock = -1};
 }
 
-static bool any_matches(const char *const *globs, size_t count, const char *name)
-{
-    for (size_t i = 0; i < count; i++)
-        if (g_pattern_match_simple(globs[i], name))
-            return true;
-    return false;
-}
-
-/* Calls `use` with every file of `folder` that matches; goes on after failures. */
-static enum mpm_status each_file(const char *folder, const char *const *globs, size_t count,
-                                 enum mpm_status (*use)(const char *path, const char *context,
-                                                        struct mpm_error *error),
-                                 const char *context, struct mpm_error *error)
-{
-    enum mpm_status status = MPM_OK;
-    GDir *directory = g_dir_open(folder, 0, NULL);
-    for (const char *name; directory != NULL && (name = g_dir_read_name(directory)) != NULL;) {
-        char *path = g_build_filename(folder, name, NULL);
-        if (any_matches(globs, count, name) && g_file_test(path, G_FILE_TEST_IS_REGULAR) &&
-            use(path, context, error) != MPM_OK)
-            status = MPM_ENVIRONMENT_FAILED;
-        g_free(path);
-    }
-    if (directory != NULL)
-        g_dir_close(directory);
-    return status;
-}
-
-static enum mpm_status remove_file(const char *path, const char *context, struct mpm_error *error)
-{
-    (void)context;
-    return g_remove(path) == 0 || errno == ENOENT ? MPM_OK : cannot_write(path, error);
-}
-
-static enum mpm_status copy_file(const char *path, const char *folder, struct mpm_error *error)
-{
-    char *text = NULL, *name = g_path_get_basename(path);
-    size_t length = 0;
-    enum mpm_status status = MPM_OK;
-    char *copy = g_build_filename(folder, name, NULL);
-    if (!g_file_get_contents(path, &text, &length, NULL))
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be read", path);
-    else if (!g_file_set_contents(copy, text, (gssize)length, NULL))
-        status = cannot_write(copy, error);
-    g_free(copy);
-    g_free(text);
-    g_free(name);
-    return status;
-}
-
-/* ------------------------------------------------------------------ old results */
+/* ------------------------------------------------------------------------ open */
 
 static enum mpm_status refuse_foreign(const char *folder, struct mpm_error *error)
 {
@@ -93,15 +49,13 @@ static enum mpm_status refuse_foreign(const char *folder, struct mpm_error *erro
         return failure_set(error, MPM_BAD_INPUT, "%s: is a file; --output names a folder", folder);
     enum mpm_status status = MPM_OK;
     char *own = g_build_filename(folder, marker, NULL);
-    for (size_t i = 0; i < G_N_ELEMENTS(top_names) && !g_file_test(own, G_FILE_TEST_EXISTS); i++) {
-        char *path = g_build_filename(folder, top_names[i], NULL);
-        if (g_file_test(path, G_FILE_TEST_EXISTS))
-            status = failure_set(error, MPM_BAD_INPUT,
-                                 "%s: was not written by mpm-verify and would be replaced; choose "
-                                 "another --output",
-                                 path);
-        g_free(path);
-    }
+    char *stranger = g_file_test(own, G_FILE_TEST_EXISTS) ? NULL : output_find_ours(folder);
+    if (stranger != NULL)
+        status = failure_set(error, MPM_BAD_INPUT,
+                             "%s: was not written by mpm-verify and would be replaced; choose "
+                             "another --output",
+                             stranger);
+    g_free(stranger);
     g_free(own);
     return status;
 }
@@ -120,68 +74,77 @@ static enum mpm_status take(const char *folder, int *lock, struct mpm_error *err
         status =
             failure_set(error, MPM_BAD_INPUT, "%s: another run is writing to this folder", folder);
     else if (!locked || ftruncate(*lock, 0) != 0 || write(*lock, text, strlen(text)) < 0)
-        status = cannot_write(path, error);
+        status = folder_failed(path, error);
     g_free(path);
     return status;
 }
 
-void output_release(int lock)
+enum mpm_status output_open(const char *folder, struct output_folder *output,
+                            struct mpm_error *error)
 {
-    if (lock >= 0)
-        close(lock);
-}
-
-static enum mpm_status clean_case(const char *path, struct mpm_error *error)
-{
-    char *source = g_build_filename(path, "source", NULL);
-    enum mpm_status status =
-        each_file(path, case_globs, G_N_ELEMENTS(case_globs), remove_file, NULL, error);
+    *output = output_names(folder);
+    enum mpm_status status = refuse_foreign(folder, error);
     if (status == MPM_OK)
-        status =
-            each_file(source, source_globs, G_N_ELEMENTS(source_globs), remove_file, NULL, error);
-    /* only if nothing else is in them */
-    g_rmdir(source);
-    g_rmdir(path);
-    g_free(source);
+        status = folder_make(folder, error);
+    if (status == MPM_OK)
+        status = take(folder, &output->lock, error);
+    if (status == MPM_OK)
+        status = output_recover(output, error);
+    if (status == MPM_OK)
+        status = folder_make(output->results, error);
+    if (status != MPM_OK)
+        output_close(output);
     return status;
 }
 
-static enum mpm_status clean_cases(const char *folder, struct mpm_error *error)
+/* ----------------------------------------------------------------------- stage */
+
+static enum mpm_status copy_file(const char *path, const char *folder, struct mpm_error *error)
 {
+    char *text = NULL, *name = g_path_get_basename(path);
+    size_t length = 0;
     enum mpm_status status = MPM_OK;
-    char *cases = g_build_filename(folder, "cases", NULL);
-    GPtrArray *paths = g_ptr_array_new_with_free_func(g_free);
-    GDir *directory = g_dir_open(cases, 0, NULL);
-    for (const char *name; directory != NULL && (name = g_dir_read_name(directory)) != NULL;)
-        g_ptr_array_add(paths, g_build_filename(cases, name, NULL));
-    if (directory != NULL)
-        g_dir_close(directory);
-    for (unsigned i = 0; status == MPM_OK && i < paths->len; i++)
-        status = clean_case(paths->pdata[i], error);
-    g_ptr_array_unref(paths);
-    g_free(cases);
+    char *copy = g_build_filename(folder, name, NULL);
+    if (!g_file_get_contents(path, &text, &length, NULL))
+        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be read", path);
+    else if (!g_file_set_contents(copy, text, (gssize)length, NULL))
+        status = folder_failed(copy, error);
+    g_free(copy);
+    g_free(text);
+    g_free(name);
     return status;
 }
 
-/* --------------------------------------------------------------------- new run */
+static bool is_source(const char *name)
+{
+    for (size_t i = 0; i < G_N_ELEMENTS(source_globs); i++)
+        if (g_pattern_match_simple(source_globs[i], name))
+            return true;
+    return false;
+}
 
-static enum mpm_status prepare_case(const char *folder, const struct catalogue_case *entry,
+static enum mpm_status prepare_case(const char *stage, const struct catalogue_case *entry,
                                     struct mpm_error *error)
 {
-    char *source = g_build_filename(folder, "cases", entry->file->name, "source", NULL);
-    enum mpm_status status = make_folder(source, error);
-    if (status == MPM_OK)
-        status = each_file(entry->folder, source_globs, G_N_ELEMENTS(source_globs), copy_file,
-                           source, error);
+    char *source = g_build_filename(stage, "cases", entry->file->name, "source", NULL);
+    enum mpm_status status = folder_make(source, error);
+    GPtrArray *names = folder_names(entry->folder);
+    for (unsigned i = 0; status == MPM_OK && i < names->len; i++) {
+        char *path = g_build_filename(entry->folder, names->pdata[i], NULL);
+        if (is_source(names->pdata[i]) && g_file_test(path, G_FILE_TEST_IS_REGULAR))
+            status = copy_file(path, source, error);
+        g_free(path);
+    }
+    g_ptr_array_unref(names);
     g_free(source);
     return status;
 }
 
-static enum mpm_status prepare_style(const char *folder, const char *reports,
+static enum mpm_status prepare_style(const char *stage, const char *reports,
                                      struct mpm_error *error)
 {
-    char *style = g_build_filename(folder, "style", NULL);
-    enum mpm_status status = make_folder(style, error);
+    char *style = g_build_filename(stage, "style", NULL);
+    enum mpm_status status = folder_make(style, error);
     for (size_t i = 0; status == MPM_OK && i < G_N_ELEMENTS(style_names); i++) {
         char *path = g_build_filename(reports, style_names[i], NULL);
         status = copy_file(path, style, error);
@@ -191,31 +154,22 @@ static enum mpm_status prepare_style(const char *folder, const char *reports,
     return status;
 }
 
-static enum mpm_status fill(const char *folder, const char *reports, const struct plan *plan,
-                            struct mpm_error *error)
+enum mpm_status output_stage(const struct output_folder *output, const char *reports,
+                             const struct plan *plan, struct mpm_error *error)
 {
-    /* a report must not outlive its results, so the old ones go before anything runs */
-    TRY(each_file(folder, top_names, G_N_ELEMENTS(top_names), remove_file, NULL, error));
-    TRY(clean_cases(folder, error));
-    TRY(prepare_style(folder, reports, error));
+    TRY(folder_remove(output->stage, error));
+    TRY(prepare_style(output->stage, reports, error));
     for (size_t i = 0; i < plan->job_count; i++)
         if (i == 0 || plan->jobs[i - 1].entry != plan->jobs[i].entry)
-            TRY(prepare_case(folder, plan->jobs[i].entry, error));
+            TRY(prepare_case(output->stage, plan->jobs[i].entry, error));
     return MPM_OK;
 }
 
-enum mpm_status output_prepare(const char *folder, const char *reports, const struct plan *plan,
-                               int *lock, struct mpm_error *error)
+enum mpm_status output_report(const struct output_folder *output, const char *reports,
+                              struct mpm_error *error)
 {
-    *lock = -1;
-    TRY(refuse_foreign(folder, error));
-    TRY(make_folder(folder, error));
-    enum mpm_status status = take(folder, lock, error);
-    if (status == MPM_OK)
-        status = fill(folder, reports, plan, error);
-    if (status != MPM_OK) {
-        output_release(*lock);
-        *lock = -1;
-    }
-    return status;
+    const enum mpm_status rendered = report_render(output->stage, output->folder, reports, error);
+    if (rendered == MPM_OK || rendered == MPM_RUN_FAILED)
+        TRY(output_publish(output, error));
+    return report_status(rendered);
 }

@@ -10,8 +10,16 @@
  *                    its data-*.dat where a comparison is declared
  *     cases/<case>/source/   the case's gnuplot scripts and reference data
  *
+ *     .mpm-verify    marks the folder; the process that writes to it holds a lock on this file
+ *     .run/          run.json: what was selected; results/: what programs have left
+ * (kept_result.h); report/: the report that is being made; publish: its files, while they are moved
+ * into their places
+ *
  * Files that are not of this list are never touched; a folder that holds one of these
- * names but no .mpm-verify is refused.
+ * names but no .mpm-verify is refused. A new report is made in .run/report, beside the old one,
+ * which stays until the new one is whole. Then each file is renamed into its place, and what the
+ * new report does not have is removed. If that is cut short, the next process that opens the folder
+ * ends it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef VERIFICATION_SUITE_OUTPUT_FOLDER_H
@@ -19,12 +27,33 @@
 
 #include "verification/suite/plan.h"
 
-/* Creates the folder, removes what an earlier run left, copies what the report needs
- * (`reports` is the folder of style.gp and its like), and keeps the folder for this
- * process until *lock is released. MPM_BAD_INPUT: a file, a folder with files that are
- * not ours or that another run writes to; MPM_ENVIRONMENT_FAILED: cannot be written. */
-enum mpm_status output_prepare(const char *folder, const char *reports, const struct plan *plan,
-                               int *lock, struct mpm_error *error);
-void output_release(int lock);
+struct output_folder {
+    char *folder;  /* as named */
+    char *state;   /* .run */
+    char *results; /* .run/results */
+    char *stage;   /* .run/report */
+    int lock;
+};
+
+/* The names alone: for those who read. Release with output_close. */
+struct output_folder output_names(const char *folder);
+
+/* Makes the folder, and keeps it for this process until output_close. MPM_BAD_INPUT: a file, a
+ * folder with files that are not ours or that another run writes to; MPM_ENVIRONMENT_FAILED: cannot
+ * be written. On failure nothing is to be closed. */
+enum mpm_status output_open(const char *folder, struct output_folder *output,
+                            struct mpm_error *error);
+void output_close(struct output_folder *output);
+
+/* An empty report/ with what the report of the plan needs; `reports` is the folder of style.gp and
+ * its like. */
+enum mpm_status output_stage(const struct output_folder *output, const char *reports,
+                             const struct plan *plan, struct mpm_error *error);
+
+/* Renders the report of the results in report/, and puts it in the place of the report before.
+ * MPM_ENVIRONMENT_FAILED: a file cannot be written, and the report before stays; or a figure cannot
+ * be drawn, and the new one is there without it. */
+enum mpm_status output_report(const struct output_folder *output, const char *reports,
+                              struct mpm_error *error);
 
 #endif
