@@ -23,6 +23,7 @@ static const char usage[] =
     "  list [--tag T]                         the cases, their variants and checks\n"
     "  run [--tier ci|full] [--case GLOB] [--variant GLOB] [--only FILE] [--baseline DIR]\n"
     "      [--kernels auto|reference|fast] [--jobs N] [--output DIR] [--resume]\n"
+    "      [--launcher local|slurm] [--costs DIR] [--status]\n"
     "                                         run, judge, and write results and reports; --only: "
     "those\n"
     "                                         of the file's lines CASE/VARIANT; --baseline: what\n"
@@ -30,7 +31,17 @@ static const char usage[] =
     "goes\n"
     "                                         on with the run in DIR: runs only what is missing "
     "or\n"
-    "                                         whose binary, case or scene has changed\n"
+    "                                         whose binary, case or scene has changed; "
+    "--launcher:\n"
+    "                                         on Slurm, with time and memory by the costs of the "
+    "run in\n"
+    "                                         --costs DIR; --status: how far the run in DIR is\n"
+    "  tasks [selection] [--output DIR] [--resume]\n"
+    "                                         begins a run for any other engine: prints a command "
+    "line\n"
+    "                                         for each program that has no result\n"
+    "  task DIR CASE/VARIANT                  such a line: runs it, and keeps its result in DIR\n"
+    "  collect DIR                            the report of the results in DIR; runs nothing\n"
     "  explain CHECK [--output DIR]           what CASE[/CHECK[/VARIANT]] (globs) states, its "
     "band\n"
     "                                         and why, last values, the command to reproduce it\n"
@@ -57,7 +68,8 @@ static const char usage[] =
     "                                         a bundle, and writes the same report\n"
     "  help, --help, --version\n"
     "\n"
-    "list, run, explain and export take --catalogue DIR. --tier is ci unless given; --kernels "
+    "list, run, tasks, explain and export take --catalogue DIR. --tier is ci unless given; "
+    "--kernels "
     "auto, which "
     "is\n"
     "fast wherever a scene allows; --jobs the number of processors; --output\n"
@@ -87,6 +99,8 @@ static void options_clear(struct command_options *options)
     g_free(options->change);
     g_free(options->name);
     g_free(options->baseline);
+    g_free(options->launcher);
+    g_free(options->costs);
     g_free(options->mutants);
     g_strfreev(options->headroom);
     g_strfreev(options->rest);
@@ -103,7 +117,8 @@ enum {
     TAKES_NAME = 64,
     TAKES_BASELINE = 128,
     TAKES_ADDITIONS = 256,
-    TAKES_RESUME = 512
+    TAKES_RESUME = 512,
+    TAKES_LAUNCHER = 1024
 };
 
 enum mpm_status command_catalogue(const struct command *command, struct catalogue **catalogue,
@@ -153,8 +168,14 @@ static enum mpm_status command_compare(struct command *command, struct mpm_error
 
 static const struct command_entry commands[] = {
     {"list", TAKES_TAG | TAKES_CATALOGUE, 0, "", command_list},
-    {"run", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME, 0, "",
-     command_run},
+    {"run",
+     TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME |
+         TAKES_LAUNCHER,
+     0, "", command_run},
+    {"tasks", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME, 0,
+     "", command_tasks},
+    {"task", 0, 2, "task: DIR or CASE/VARIANT", command_task},
+    {"collect", 0, 1, "collect: the folder DIR", command_collect},
     {"explain", TAKES_OUTPUT | TAKES_CATALOGUE, 1, "explain: CHECK", command_explain},
     {"report", TAKES_BASELINE | TAKES_ADDITIONS, 1, "report: the folder DIR", command_report},
     {"headroom", 0, 1, "headroom: the folder DIR", command_headroom},
@@ -176,6 +197,9 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
         {TAKES_SELECTION, {"only", 0, 0, G_OPTION_ARG_FILENAME, &given->only, NULL, NULL}},
         {TAKES_SELECTION, {"kernels", 0, 0, G_OPTION_ARG_STRING, &given->kernels, NULL, NULL}},
         {TAKES_SELECTION, {"jobs", 0, 0, G_OPTION_ARG_INT, &given->jobs, NULL, NULL}},
+        {TAKES_LAUNCHER, {"launcher", 0, 0, G_OPTION_ARG_STRING, &given->launcher, NULL, NULL}},
+        {TAKES_LAUNCHER, {"costs", 0, 0, G_OPTION_ARG_FILENAME, &given->costs, NULL, NULL}},
+        {TAKES_LAUNCHER, {"status", 0, 0, G_OPTION_ARG_NONE, &given->status, NULL, NULL}},
         {TAKES_RESUME, {"resume", 0, 0, G_OPTION_ARG_NONE, &given->resume, NULL, NULL}},
         {TAKES_OUTPUT, {"output", 0, 0, G_OPTION_ARG_FILENAME, &given->output, NULL, NULL}},
         {TAKES_CATALOGUE,

@@ -32,7 +32,8 @@ struct command_options {
     char *tier, *case_glob, *variant_glob, *only, *kernels, *output, *catalogue, *tag, *change;
     char *name; /* of a solver */
     char *baseline, *mutants, **headroom;
-    int jobs, resume;
+    char *launcher, *costs;
+    int jobs, resume, status;
     char **rest; /* the arguments beside the options */
 };
 
@@ -46,6 +47,9 @@ struct command {
 };
 
 enum mpm_status command_run(struct command *command, struct mpm_error *error);
+enum mpm_status command_tasks(struct command *command, struct mpm_error *error);
+enum mpm_status command_task(struct command *command, struct mpm_error *error);
+enum mpm_status command_collect(struct command *command, struct mpm_error *error);
 enum mpm_status command_list(struct command *command, struct mpm_error *error);
 enum mpm_status command_explain(struct command *command, struct mpm_error *error);
 enum mpm_status command_headroom(struct command *command, struct mpm_error *error);
