@@ -256,6 +256,10 @@ test-kill: $(BUILD)/bin/mpm ## runs that are killed at KILLS (60) random moments
 	@/usr/bin/python3 -B tests/interruption/kill.py --mpm $(BUILD)/bin/mpm --kills $(KILLS) \
 	  --races $(RACES) $(if $(SEED),--seed $(SEED)) $(wildcard tests/interruption/*.yaml)
 
+.PHONY: test-slurm
+test-slurm: $(BUILD)/bin/mpm-verify ## a part of the catalogue on a real Slurm on this machine, with kills; skipped without slurm-wlm
+	@/usr/bin/python3 -B tests/slurm/campaign.py --verify $(BUILD)/bin/mpm-verify --folder $(BUILD)/slurm
+
 .PHONY: coverage
 coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gcovr
 	@find build/cov -name '*.gcda' -delete 2>/dev/null || true

@@ -1,9 +1,11 @@
-/* Runs that go on: what is kept, what is run again, and what happens to the report before.
+/* Runs that go on, and programs as tasks: what is kept, what is run again, and what happens to the
+ * report before.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/catalogue.h"
 #include "support/folder.h"
+#include "support/same_report.h"
 #include "support/verify.h"
 
 #include "verification/records/records.h"
@@ -61,65 +63,6 @@ static void write_passing(const struct folders *folders)
     char *text = test_case_text("Z", "pass");
     test_case_write(folders->catalogue, "Z", text);
     g_free(text);
-}
-
-/* ------------------------------------------------------------------ comparison */
-
-static bool is_time(const char *key)
-{
-    static const char *const times[] = {"seconds", "started", "command"};
-    for (size_t i = 0; i < G_N_ELEMENTS(times); i++)
-        if (strcmp(times[i], key) == 0)
-            return true;
-    return false;
-}
-
-static bool is_measured_time(const json_t *line)
-{
-    static const char *const quantities[] = {"seconds", "cpu_seconds", "peak_bytes"};
-    for (size_t i = 0; i < G_N_ELEMENTS(quantities); i++)
-        if (strcmp(record_text(line, "quantity"), quantities[i]) == 0)
-            return true;
-    return false;
-}
-
-static void remove_times(json_t *json)
-{
-    const char *key;
-    json_t *value;
-    void *next;
-    size_t i;
-    json_object_foreach_safe(json, next, key, value)
-    {
-        if (is_time(key))
-            json_object_del(json, key);
-        else
-            remove_times(value);
-    }
-    json_array_foreach(json, i, value)
-    {
-        remove_times(value);
-        if (is_measured_time(value))
-            json_object_set_new(value, "value", json_null());
-    }
-}
-
-static void assert_same_report(const char *one, const char *other)
-{
-    const char *const folders[2] = {one, other};
-    struct records records[2];
-    struct mpm_error error;
-    for (int i = 0; i < 2; i++) {
-        ck_assert_int_eq(records_read(folders[i], &records[i], &error), MPM_OK);
-        remove_times(records[i].run);
-        remove_times(records[i].checks);
-        remove_times(records[i].measurements);
-    }
-    ck_assert(json_equal(records[0].run, records[1].run));
-    ck_assert(json_equal(records[0].checks, records[1].checks));
-    ck_assert(json_equal(records[0].measurements, records[1].measurements));
-    records_clear(&records[0]);
-    records_clear(&records[1]);
 }
 
 /* The kept results by name, with when they were written; g_hash_table_unref. */
@@ -209,7 +152,7 @@ START_TEST(an_interrupted_run_reports_what_there_is_and_goes_on)
     ck_assert_uint_eq(g_hash_table_size(after), 3);
     struct folders whole = {folders.catalogue, test_folder_create()};
     run(run_line, &whole, 0);
-    assert_same_report(folders.output, whole.output);
+    test_assert_same_report(folders.output, whole.output);
     test_folder_remove(whole.output);
     g_hash_table_unref(before);
     g_hash_table_unref(after);
@@ -234,7 +177,7 @@ START_TEST(a_run_that_was_killed_leaves_the_report_before_and_goes_on)
     resume(&folders, 0);
     struct folders whole = {folders.catalogue, test_folder_create()};
     run(run_line, &whole, 0);
-    assert_same_report(folders.output, whole.output);
+    test_assert_same_report(folders.output, whole.output);
     test_folder_remove(whole.output);
     g_free(before);
     g_free(after);
@@ -422,6 +365,94 @@ START_TEST(a_full_disk_ends_the_run_and_loses_nothing)
 }
 END_TEST
 
+/* ------------------------------------------------------------------------ tasks */
+
+static const char tasks_line[] = "mpm-verify tasks --catalogue @ --output @";
+
+START_TEST(tasks_that_run_one_by_one_give_the_report_of_a_local_run)
+{
+    static const char *const tasks[] = {"Q/ninth", "Z/only", "Q/cubic", "Q/cubic"};
+    const struct folders folders = folders_create();
+    struct folders local = {folders.catalogue, test_folder_create()};
+    test_case_write_quadrature(folders.catalogue);
+    write_passing(&folders);
+    struct test_said said = test_verify_with(tasks_line, folders.catalogue, folders.output);
+    ck_assert_msg(said.exit_status == 0, "%s", said.err);
+    char **lines = g_strsplit(g_strchomp(said.out), "\n", -1);
+    ck_assert_uint_eq(g_strv_length(lines), 3);
+    ck_assert(g_str_has_suffix(lines[0], "' Q/cubic"));
+    ck_assert(g_str_has_suffix(lines[2], "' Z/only"));
+    for (size_t i = 0; i < G_N_ELEMENTS(tasks); i++)
+        run("mpm-verify task @ @", &(struct folders){folders.output, (char *)(uintptr_t)tasks[i]},
+            0);
+    test_said_free(&said);
+    said = test_verify_with("mpm-verify run --status --output @", folders.output, NULL);
+    ck_assert_str_eq(test_last_line(said.out), "3 done, 0 failed, 0 running, 0 waiting, 0 missing");
+    test_said_free(&said);
+    said = test_verify_with("mpm-verify collect @", folders.output, NULL);
+    ck_assert_msg(said.exit_status == 0, "%s%s", said.out, said.err);
+    test_said_free(&said);
+    run(run_line, &local, 0);
+    test_assert_same_report(folders.output, local.output);
+    g_strfreev(lines);
+    test_folder_remove(local.output);
+    folders_remove(&folders);
+}
+END_TEST
+
+START_TEST(a_collection_without_all_results_is_incomplete)
+{
+    const struct folders folders = folders_create();
+    test_case_write_quadrature(folders.catalogue);
+    run(tasks_line, &folders, 0);
+    struct folders task = {folders.output, (char *)(uintptr_t) "Q/ninth"};
+    run("mpm-verify task @ @", &task, 0);
+    struct test_said said = test_verify_with("mpm-verify collect @", folders.output, NULL);
+    ck_assert_int_eq(said.exit_status, 1);
+    ck_assert_ptr_nonnull(strstr(said.out, "1 of 2 programs had left no result"));
+    ck_assert_str_eq(test_last_line(said.out), "1 passed, 1 failed, 0 skipped");
+    test_said_free(&said);
+    /* what is missing is printed again, and the run goes on with it */
+    said = test_verify_with("mpm-verify tasks --resume --output @", folders.output, NULL);
+    ck_assert(g_str_has_suffix(test_last_line(said.out), "' Q/cubic"));
+    ck_assert_ptr_null(strstr(said.out, "Q/ninth"));
+    test_said_free(&said);
+    resume(&folders, 0);
+    folders_remove(&folders);
+}
+END_TEST
+
+START_TEST(a_task_without_a_result_fails)
+{
+    static const struct {
+        const char *program, *task, *message;
+        int exit_status;
+    } table[] = {
+        {"crash", "Z/only", "ended by signal 9, which is not its own doing", 4},
+        {"pass", "Z/none", "has no such task", 2},
+        {"leave", "Z/only", "", 0}, /* its own doing: a result, and a failed one */
+    };
+    for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
+        const struct folders folders = folders_create();
+        char *text = test_case_text("Z", table[i].program);
+        test_case_write(folders.catalogue, "Z", text);
+        run(tasks_line, &folders, 0);
+        struct test_said said =
+            test_verify_with("mpm-verify task @ @", folders.output, table[i].task);
+        ck_assert_int_eq(said.exit_status, table[i].exit_status);
+        ck_assert_msg(strstr(said.err, table[i].message) != NULL, "%s", said.err);
+        test_said_free(&said);
+        said = test_verify_with("mpm-verify run --status --output @", folders.output, NULL);
+        ck_assert_str_eq(test_last_line(said.out),
+                         i == 2 ? "0 done, 1 failed, 0 running, 0 waiting, 0 missing"
+                                : "0 done, 0 failed, 0 running, 0 waiting, 1 missing");
+        test_said_free(&said);
+        g_free(text);
+        folders_remove(&folders);
+    }
+}
+END_TEST
+
 Suite *suite_resume(void)
 {
     Suite *suite = suite_create("resume");
@@ -435,5 +466,10 @@ Suite *suite_resume(void)
     tcase_add_test(runs, a_publication_that_was_cut_short_is_ended_by_the_next_run);
     tcase_add_test(runs, a_full_disk_ends_the_run_and_loses_nothing);
     suite_add_tcase(suite, runs);
+    TCase *tasks = tcase_create("tasks");
+    tcase_add_test(tasks, tasks_that_run_one_by_one_give_the_report_of_a_local_run);
+    tcase_add_test(tasks, a_collection_without_all_results_is_incomplete);
+    tcase_add_test(tasks, a_task_without_a_result_fails);
+    suite_add_tcase(suite, tasks);
     return suite;
 }
