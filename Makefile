@@ -256,6 +256,11 @@ test-kill: $(BUILD)/bin/mpm ## runs that are killed at KILLS (60) random moments
 	@/usr/bin/python3 -B tests/interruption/kill.py --mpm $(BUILD)/bin/mpm --kills $(KILLS) \
 	  --races $(RACES) $(if $(SEED),--seed $(SEED)) $(wildcard tests/interruption/*.yaml)
 
+.PHONY: test-kill-suite
+test-kill-suite: $(BUILD)/bin/mpm-verify ## runs of the suite that are killed at SUITE_KILLS (16) random moments go on to the same report; races
+	@/usr/bin/python3 -B tests/interruption/kill_suite.py --verify $(BUILD)/bin/mpm-verify \
+	  --kills $(or $(SUITE_KILLS),16) --races $(or $(SUITE_RACES),4) $(if $(SEED),--seed $(SEED))
+
 .PHONY: test-slurm
 test-slurm: $(BUILD)/bin/mpm-verify ## a part of the catalogue on a real Slurm on this machine, with kills; skipped without slurm-wlm
 	@/usr/bin/python3 -B tests/slurm/campaign.py --verify $(BUILD)/bin/mpm-verify --folder $(BUILD)/slurm
