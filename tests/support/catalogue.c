@@ -76,7 +76,8 @@ static enum mpm_status run_crash(struct measurement *measurement, struct mpm_err
 static enum mpm_status run_hang(struct measurement *measurement, struct mpm_error *error)
 {
     run_pass(measurement, error);
-    (void)fork();
+    if (fork() == 0)
+        (void)alarm(60); /* where the run itself is killed, nobody ends it */
     while (measurement_has(measurement, "speed"))
         pause();
     return MPM_OK;
