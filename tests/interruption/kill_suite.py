@@ -24,7 +24,7 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "slurm"))
 from campaign import normalize  # pylint: disable=wrong-import-position
 
-SELECTION = ("--case", "W1", "--variant", "ugimp_*")
+SELECTION = ("--case", "W1", "--variant", "*_five_grids")
 KILLS_IN_A_ROW = 8
 
 

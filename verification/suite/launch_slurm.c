@@ -126,11 +126,12 @@ static enum mpm_status wait_for_tasks(const struct session *session, struct mpm_
         pause_a_poll();
     }
     char *jobs = slurm_jobs(&session->output);
-    const enum mpm_status status = failure_set(
-        error, MPM_INTERRUPTED,
-        "interrupted by signal %d: the programs go on in Slurm (scancel %s ends them); mpm-verify run "
-        "--launcher slurm --resume waits for them and makes the report",
-        interruption_received(), jobs);
+    const enum mpm_status status =
+        failure_set(error, MPM_INTERRUPTED,
+                    "interrupted by signal %d: the programs go on in Slurm (scancel %s ends them); "
+                    "mpm-verify run "
+                    "--launcher slurm --resume waits for them and makes the report",
+                    interruption_received(), jobs);
     g_free(jobs);
     return status;
 }
