@@ -298,6 +298,15 @@ test-faults: ## every FAULTS_STRIDE-th (1) call on a file fails, one after the o
 	  --programs build/$(FAULTS_VARIANT)/bin \
 	  --stride $(FAULTS_STRIDE) --jobs $(JOBS) $(addprefix --only ,$(SCENARIOS))
 
+.PHONY: test-kill-suite
+test-kill-suite: $(BUILD)/bin/mpm-verify ## runs of the suite that are killed at SUITE_KILLS (16) random moments go on to the same report; races
+	@/usr/bin/python3 -B tests/interruption/kill_suite.py --verify $(BUILD)/bin/mpm-verify \
+	  --kills $(or $(SUITE_KILLS),16) --races $(or $(SUITE_RACES),4) $(if $(SEED),--seed $(SEED))
+
+.PHONY: test-slurm
+test-slurm: $(BUILD)/bin/mpm-verify ## a part of the catalogue on a real Slurm on this machine, with kills; skipped without slurm-wlm
+	@/usr/bin/python3 -B tests/slurm/campaign.py --verify $(BUILD)/bin/mpm-verify --folder $(BUILD)/slurm
+
 .PHONY: coverage
 coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gcovr
 	@find build/cov -name '*.gcda' -delete 2>/dev/null || true

@@ -131,6 +131,7 @@
     SUITE(scene_settings)                                                                          \
     SUITE(schema)                                                                                  \
     SUITE(suite)                                                                                   \
+    SUITE(resume)                                                                                  \
     SUITE(bench)                                                                                   \
     SUITE(timing)                                                                                  \
     SUITE(pareto)                                                                                  \

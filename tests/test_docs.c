@@ -103,6 +103,7 @@ END_TEST
 static const char *const documents[] = {
     "README.md",
     "CONTRIBUTING.md",
+    "docs/campaigns.md",
     "docs/heat.md",
     "docs/scenes.md",
     "docs/tutorial-case.md",

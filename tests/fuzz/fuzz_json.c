@@ -39,7 +39,9 @@ static void read_records(void)
     struct changes changes = changes_gather(&records, &records, 0.1);
     changes_clear(&changes);
     records_clear(&records);
-    (void)fuzz_judge(report_render(fuzz_folder(), "reports", &error), &error);
+    const struct report_sources sources = {.reports = "reports", .catalogue = NULL};
+    const enum mpm_status rendered = report_render(fuzz_folder(), fuzz_folder(), &sources, &error);
+    (void)fuzz_judge(report_status(rendered), &error);
 }
 
 static void read_benchmarks(void)

@@ -76,7 +76,8 @@ static enum mpm_status run_crash(struct measurement *measurement, struct mpm_err
 static enum mpm_status run_hang(struct measurement *measurement, struct mpm_error *error)
 {
     run_pass(measurement, error);
-    (void)fork();
+    if (fork() == 0)
+        (void)alarm(60); /* where the run itself is killed, nobody ends it */
     while (measurement_has(measurement, "speed"))
         pause();
     return MPM_OK;
@@ -122,6 +123,16 @@ static enum mpm_status run_undecided(struct measurement *measurement, struct mpm
     return MPM_OK;
 }
 
+/* Each of its files is smaller than all that it has said. */
+static enum mpm_status run_talk(struct measurement *measurement, struct mpm_error *error)
+{
+    char *words = g_strnfill(70000, 'x');
+    fprintf(stderr, "%s\n", words);
+    measurement_note(measurement, "%s", words);
+    g_free(words);
+    return run_pass(measurement, error);
+}
+
 #define TEST_PROGRAMS(PROGRAM)                                                                     \
     PROGRAM(quadrature)                                                                            \
     PROGRAM(pass)                                                                                  \
@@ -134,6 +145,7 @@ static enum mpm_status run_undecided(struct measurement *measurement, struct mpm
     PROGRAM(refuse)                                                                                \
     PROGRAM(spoil)                                                                                 \
     PROGRAM(skip)                                                                                  \
+    PROGRAM(talk)                                                                                  \
     PROGRAM(undecided)
 
 #define PROGRAM_DEFINE(name)                                                                       \

@@ -11,6 +11,8 @@
 
 #include <glib.h>
 #include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 static char *rest_of(FILE *file)
 {
@@ -44,6 +46,40 @@ struct test_said test_verify_with(const char *format, const char *one, const cha
     g_free(line);
     g_strfreev(parts);
     return said;
+}
+
+pid_t test_in_process(int (*act)(const char *one, const char *other), const char *one,
+                      const char *other)
+{
+    (void)fflush(NULL);
+    const pid_t process = fork();
+    ck_assert_int_ge(process, 0);
+    if (process == 0)
+        _exit(act(one, other));
+    return process;
+}
+
+int test_exit_status(pid_t process)
+{
+    int state = 0;
+    ck_assert_int_eq(waitpid(process, &state, 0), process);
+    return WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
+}
+
+int test_run_all(const char *catalogue, const char *output)
+{
+    const struct test_said said =
+        test_verify_with("mpm-verify run --catalogue @ --output @", catalogue, output);
+    return said.exit_status;
+}
+
+void test_wait_for(const char *folder, const char *name)
+{
+    char *path = test_folder_path(folder, name);
+    for (int i = 0; i < 2000 && !g_file_test(path, G_FILE_TEST_EXISTS); i++)
+        g_usleep(5000);
+    ck_assert_msg(g_file_test(path, G_FILE_TEST_EXISTS), "%s", path);
+    g_free(path);
 }
 
 void test_said_free(struct test_said *said)

@@ -7,6 +7,8 @@
 
 #include "verification/measures/verdict.h"
 
+#include <sys/types.h>
+
 struct test_said {
     int exit_status;
     char *out, *err;
@@ -19,6 +21,18 @@ struct test_said test_verify(const char *line);
 struct test_said test_verify_with(const char *format, const char *one, const char *other);
 
 void test_said_free(struct test_said *said);
+
+/* A process that runs `act` and exits with what it returns; that exit status, 128 + n after signal
+ * n. */
+pid_t test_in_process(int (*act)(const char *one, const char *other), const char *one,
+                      const char *other);
+int test_exit_status(pid_t process);
+
+/* mpm-verify run of a whole catalogue: the exit status. */
+int test_run_all(const char *catalogue, const char *output);
+
+/* Waits until a file is there; the test fails if none comes within ten seconds. */
+void test_wait_for(const char *folder, const char *name);
 
 /* The last line of a text; cuts blanks off its end. */
 const char *test_last_line(char *text);

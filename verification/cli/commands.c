@@ -3,37 +3,45 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/cli/commands.h"
 
+#include "verification/cases/catalogue.h"
 #include "verification/cli/compare.h"
 #include "verification/common/command_line.h"
 #include "verification/common/failure.h"
-#include "verification/common/machine.h"
 #include "verification/common/resources.h"
 #include "verification/common/rows.h"
 #include "verification/report/report.h"
 #include "verification/report/report_stored.h"
-#include "verification/suite/run.h"
 
 #include <glib.h>
-#include <limits.h>
 #include <math.h>
-#include <string.h>
 
-enum { CHECKS_FAILED = 1, JOBS_MAX = 1024, JOBS_DEFAULT = INT_MIN /* not given */ };
-
-#define NO_CATALOGUE "no verification/catalogue here: name one with --catalogue DIR"
-
-#define PROGRAM "mpm-verify"
+enum { CHECKS_FAILED = 1 };
 
 static const char usage[] =
     "usage: " PROGRAM " COMMAND\n"
     "\n"
     "  list [--tag T]                         the cases, their variants and checks\n"
     "  run [--tier ci|full] [--case GLOB] [--variant GLOB] [--only FILE] [--baseline DIR]\n"
-    "      [--kernels auto|reference|fast] [--jobs N] [--output DIR]\n"
+    "      [--kernels auto|reference|fast] [--jobs N] [--output DIR] [--resume]\n"
+    "      [--launcher local|slurm] [--costs DIR] [--status]\n"
     "                                         run, judge, and write results and reports; --only: "
     "those\n"
     "                                         of the file's lines CASE/VARIANT; --baseline: what\n"
-    "                                         changed since that run, in the report\n"
+    "                                         changed since that run, in the report; --resume: "
+    "goes\n"
+    "                                         on with the run in DIR: runs only what is missing "
+    "or\n"
+    "                                         whose binary, case or scene has changed; "
+    "--launcher:\n"
+    "                                         on Slurm, with time and memory by the costs of the "
+    "run in\n"
+    "                                         --costs DIR; --status: how far the run in DIR is\n"
+    "  tasks [selection] [--output DIR] [--resume]\n"
+    "                                         begins a run for any other engine: prints a command "
+    "line\n"
+    "                                         for each program that has no result\n"
+    "  task DIR CASE/VARIANT                  such a line: runs it, and keeps its result in DIR\n"
+    "  collect DIR                            the report of the results in DIR; runs nothing\n"
     "  explain CHECK [--output DIR]           what CASE[/CHECK[/VARIANT]] (globs) states, its "
     "band\n"
     "                                         and why, last values, the command to reproduce it\n"
@@ -60,13 +68,15 @@ static const char usage[] =
     "                                         a bundle, and writes the same report\n"
     "  help, --help, --version\n"
     "\n"
-    "list, run, explain, report and export take --catalogue DIR. --tier is ci unless given;\n"
+    "list, run, tasks, explain, report and export take --catalogue DIR. --tier is ci unless "
+    "given;\n"
     "--kernels is auto, fast wherever a scene allows; --jobs the number of processors; --output\n"
     "build/reports/verify in the repository and verify-report elsewhere (score: "
     "build/reports/score\n"
     "and score-report).\n"
     "Exit status: 0 every check holds (or shows its known weakness); 1 one does not; 2 bad usage\n"
-    "or a bad catalogue; 4 the environment failed. headroom: 1 a band or its reason is at fault, "
+    "or a bad catalogue; 4 the environment failed; 128 + n ended by signal n. headroom: 1 a band "
+    "or its reason is at fault, "
     "or\n"
     "a value is missing. compare: 0 nothing got worse; 1 a status did,\n"
     "a check failed that is new or vanished from the same selection, or a margin shrank by more\n"
@@ -87,6 +97,8 @@ static void options_clear(struct command_options *options)
     g_free(options->change);
     g_free(options->name);
     g_free(options->baseline);
+    g_free(options->launcher);
+    g_free(options->costs);
     g_free(options->mutants);
     g_strfreev(options->headroom);
     g_strfreev(options->rest);
@@ -102,7 +114,9 @@ enum {
     TAKES_CASE = 32,
     TAKES_NAME = 64,
     TAKES_BASELINE = 128,
-    TAKES_ADDITIONS = 256
+    TAKES_ADDITIONS = 256,
+    TAKES_RESUME = 512,
+    TAKES_LAUNCHER = 1024
 };
 
 enum mpm_status command_catalogue(const struct command *command, struct catalogue **catalogue,
@@ -117,79 +131,7 @@ enum mpm_status command_catalogue(const struct command *command, struct catalogu
     return status;
 }
 
-/* ----------------------------------------------------------------------- run */
-
-static enum mpm_status read_tier(const char *text, enum tier *tier, struct mpm_error *error)
-{
-    *tier = TIER_CI;
-    if (text == NULL || strcmp(text, tier_name(TIER_CI)) == 0)
-        return MPM_OK;
-    *tier = TIER_FULL;
-    if (strcmp(text, tier_name(TIER_FULL)) == 0)
-        return MPM_OK;
-    return failure_set(error, MPM_BAD_INPUT, "--tier \"%s\": allowed are ci and full", text);
-}
-
-static enum mpm_status read_kernels(const char *text, enum mpm_kernels *kernels,
-                                    struct mpm_error *error)
-{
-    struct mpm_error cause;
-    *kernels = MPM_KERNELS_AUTO;
-    if (text == NULL || mpm_kernels_find(text, kernels, &cause) == MPM_OK)
-        return MPM_OK;
-    return failure_set(error, MPM_BAD_INPUT, "--kernels: %s", cause.message);
-}
-
-static enum mpm_status run_with(struct run_options *run, struct command *command,
-                                struct mpm_error *error)
-{
-    const struct command_options *options = &command->options;
-    struct console console = {.out = command->world->out, .terminal = command->world->terminal};
-    struct record_counts counts;
-    TRY(read_tier(options->tier, &run->selection.tier, error));
-    TRY(read_kernels(options->kernels, &run->kernels, error));
-    run->selection.only_file = options->only;
-    if (options->only != NULL)
-        TRY(plan_read_only(options->only, &run->selection.only, error));
-    if (options->jobs != JOBS_DEFAULT && (options->jobs < 1 || options->jobs > JOBS_MAX))
-        return failure_set(error, MPM_BAD_INPUT, "--jobs %d: allowed are 1 to %d", options->jobs,
-                           JOBS_MAX);
-    run->jobs = options->jobs == JOBS_DEFAULT ? machine_processor_count() : (unsigned)options->jobs;
-    if (run->catalogue == NULL)
-        return failure_set(error, MPM_BAD_INPUT, NO_CATALOGUE);
-    if (run->reports == NULL)
-        return failure_set(error, MPM_ENVIRONMENT_FAILED, RESOURCES_NO_REPORTS);
-    const enum mpm_status status =
-        suite_run(run, command->world->programs, &console, &counts, error);
-    command->checks_failed = counts.failed > 0;
-    return status;
-}
-
-static enum mpm_status command_run(struct command *command, struct mpm_error *error)
-{
-    const struct command_options *options = &command->options;
-    char *catalogue = options->catalogue != NULL ? g_strdup(options->catalogue)
-                                                 : resources_catalogue(command->argv[0]);
-    char *reports = resources_reports(command->argv[0]);
-    char *typed = command_line_typed(PROGRAM, command->argc, command->argv);
-    char *output = options->output != NULL ? g_strdup(options->output) : resources_output();
-    struct run_options run = {
-        .catalogue = catalogue,
-        .reports = reports,
-        .output = output,
-        .command = typed,
-        .baseline = options->baseline,
-        .selection = {.case_glob = options->case_glob, .variant_glob = options->variant_glob},
-    };
-    const enum mpm_status status = run_with(&run, command, error);
-    if (run.selection.only != NULL)
-        g_hash_table_unref(run.selection.only);
-    g_free(catalogue);
-    g_free(reports);
-    g_free(output);
-    g_free(typed);
-    return status;
-}
+/* ------------------------------------------------------------ report, compare */
 
 static enum mpm_status command_report(struct command *command, struct mpm_error *error)
 {
@@ -205,7 +147,7 @@ static enum mpm_status command_report(struct command *command, struct mpm_error 
     char *catalogue = command->options.catalogue != NULL ? g_strdup(command->options.catalogue)
                                                          : resources_catalogue(command->argv[0]);
     const struct report_sources sources = {.reports = reports, .catalogue = catalogue};
-    const enum mpm_status status = report_render(folder, &sources, error);
+    const enum mpm_status status = report_status(report_render(folder, folder, &sources, error));
     g_free(catalogue);
     g_free(reports);
     if (status == MPM_OK)
@@ -229,7 +171,14 @@ static enum mpm_status command_compare(struct command *command, struct mpm_error
 
 static const struct command_entry commands[] = {
     {"list", TAKES_TAG | TAKES_CATALOGUE, 0, "", command_list},
-    {"run", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE, 0, "", command_run},
+    {"run",
+     TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME |
+         TAKES_LAUNCHER,
+     0, "", command_run},
+    {"tasks", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME, 0,
+     "", command_tasks},
+    {"task", 0, 2, "task: DIR or CASE/VARIANT", command_task},
+    {"collect", 0, 1, "collect: the folder DIR", command_collect},
     {"explain", TAKES_OUTPUT | TAKES_CATALOGUE, 1, "explain: CHECK", command_explain},
     {"report", TAKES_BASELINE | TAKES_ADDITIONS | TAKES_CATALOGUE, 1, "report: the folder DIR",
      command_report},
@@ -252,6 +201,10 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
         {TAKES_SELECTION, {"only", 0, 0, G_OPTION_ARG_FILENAME, &given->only, NULL, NULL}},
         {TAKES_SELECTION, {"kernels", 0, 0, G_OPTION_ARG_STRING, &given->kernels, NULL, NULL}},
         {TAKES_SELECTION, {"jobs", 0, 0, G_OPTION_ARG_INT, &given->jobs, NULL, NULL}},
+        {TAKES_LAUNCHER, {"launcher", 0, 0, G_OPTION_ARG_STRING, &given->launcher, NULL, NULL}},
+        {TAKES_LAUNCHER, {"costs", 0, 0, G_OPTION_ARG_FILENAME, &given->costs, NULL, NULL}},
+        {TAKES_LAUNCHER, {"status", 0, 0, G_OPTION_ARG_NONE, &given->status, NULL, NULL}},
+        {TAKES_RESUME, {"resume", 0, 0, G_OPTION_ARG_NONE, &given->resume, NULL, NULL}},
         {TAKES_OUTPUT, {"output", 0, 0, G_OPTION_ARG_FILENAME, &given->output, NULL, NULL}},
         {TAKES_CATALOGUE,
          {"catalogue", 0, 0, G_OPTION_ARG_FILENAME, &given->catalogue, NULL, NULL}},
@@ -276,6 +229,8 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
     };
     const enum mpm_status status = command_line_run(&line, argc, argv, &command);
     options_clear(given);
+    if (status == MPM_INTERRUPTED)
+        return (int)status + command.signal_number;
     /* results that could not be written or drawn come before their verdict */
     return status == MPM_OK && command.checks_failed ? CHECKS_FAILED : (int)status;
 }

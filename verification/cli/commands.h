@@ -6,7 +6,13 @@
 
 #include "verification/programs/programs.h"
 
+#include <limits.h>
 #include <stdio.h>
+
+#define PROGRAM      "mpm-verify"
+#define NO_CATALOGUE "no verification/catalogue here: name one with --catalogue DIR"
+
+enum { JOBS_DEFAULT = INT_MIN /* not given */ };
 
 /* What the commands see of the world; tests bring their own. */
 struct suite_world {
@@ -17,7 +23,7 @@ struct suite_world {
 
 /* Runs the command of the arguments. Returns the exit status: 0 done and every check
  * holds, 1 a check does not hold, 2 bad usage or a bad catalogue, 4 the environment
- * failed (a file that cannot be written, gnuplot missing, interrupted). */
+ * failed (a file that cannot be written, gnuplot missing), 128 + n interrupted by signal n. */
 int suite_command(int argc, char **argv, const struct suite_world *world);
 
 /* ------------------------------------------- shared by the files of commands */
@@ -26,7 +32,8 @@ struct command_options {
     char *tier, *case_glob, *variant_glob, *only, *kernels, *output, *catalogue, *tag, *change;
     char *name; /* of a solver */
     char *baseline, *mutants, **headroom;
-    int jobs;
+    char *launcher, *costs;
+    int jobs, resume, status;
     char **rest; /* the arguments beside the options */
 };
 
@@ -36,8 +43,13 @@ struct command {
     char **argv; /* as given to the program */
     const struct suite_world *world;
     bool checks_failed;
+    int signal_number; /* of MPM_INTERRUPTED */
 };
 
+enum mpm_status command_run(struct command *command, struct mpm_error *error);
+enum mpm_status command_tasks(struct command *command, struct mpm_error *error);
+enum mpm_status command_task(struct command *command, struct mpm_error *error);
+enum mpm_status command_collect(struct command *command, struct mpm_error *error);
 enum mpm_status command_list(struct command *command, struct mpm_error *error);
 enum mpm_status command_explain(struct command *command, struct mpm_error *error);
 enum mpm_status command_headroom(struct command *command, struct mpm_error *error);

@@ -8,11 +8,11 @@
 #include <string.h>
 
 static const char *const kind_names[ROW_KIND_COUNT] = {
-    [ROW_VALUE] = "value",   [ROW_INCONCLUSIVE] = "inconclusive",
-    [ROW_SKIP] = "skip",     [ROW_NOTE] = "note",
-    [ROW_WORK] = "work",     [ROW_PROCESSOR] = "processor",
-    [ROW_SERIES] = "series", [ROW_FAILURE] = "failure",
-    [ROW_END] = "end",
+    [ROW_VALUE] = "value",     [ROW_INCONCLUSIVE] = "inconclusive",
+    [ROW_SKIP] = "skip",       [ROW_NOTE] = "note",
+    [ROW_WORK] = "work",       [ROW_PROCESSOR] = "processor",
+    [ROW_MEMORY] = "memory",   [ROW_SERIES] = "series",
+    [ROW_FAILURE] = "failure", [ROW_END] = "end",
 };
 
 char *row_line(enum row_kind kind, const char *name, const char *text)

@@ -16,6 +16,7 @@ enum row_kind {
     ROW_NOTE,         /* text */
     ROW_WORK,         /* text: particle-steps */
     ROW_PROCESSOR,    /* text: seconds of processor time */
+    ROW_MEMORY,       /* text: the most memory that the process has had, bytes */
     ROW_SERIES,       /* name: the file's name */
     ROW_FAILURE,      /* text: the program's error message */
     ROW_END,          /* the program returned; without it the text is cut short */

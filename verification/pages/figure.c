@@ -162,10 +162,9 @@ struct figure_result figure_plot(const struct figure_plot *plot)
     char *script = g_path_get_basename(plot->script);
     char *home = g_build_filename(g_get_tmp_dir(), "touchstone-XXXXXX", NULL);
     const bool made = mpm_folder_make_new(home) == 0;
-    enum mpm_status status =
-        made ? stage(home, script, plot, &error)
-             : failure_set(&error, MPM_ENVIRONMENT_FAILED, "%s: cannot be made: %s", home,
-                           g_strerror(errno));
+    enum mpm_status status = made ? stage(home, script, plot, &error)
+                                  : failure_set(&error, MPM_ENVIRONMENT_FAILED,
+                                                "%s: cannot be made: %s", home, g_strerror(errno));
     (void)mpm_file_remove(old); /* or an old picture could stand for a new one */
     if (status == MPM_OK)
         status = draw(home, script, plot, &error);

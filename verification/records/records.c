@@ -291,6 +291,15 @@ bool record_has_tag(const json_t *entry, const char *tag)
     return false;
 }
 
+char *records_incomplete(const struct records *records)
+{
+    const json_t *incomplete = json_object_get(records->run, "incomplete");
+    if (!json_is_object(incomplete))
+        return NULL;
+    return g_strdup_printf("Incomplete: %s. Checks of the others are errors.",
+                           record_text(incomplete, "reason"));
+}
+
 bool record_same_declaration(const json_t *one, const json_t *other)
 {
     static const char *const keys[] = {"check", "title", "expected",  "low",       "high",

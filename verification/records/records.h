@@ -9,7 +9,10 @@
  * object of kind "run" (version, revision, tier, start), then `family, case, variant,
  * quantity, unit, value, reason` for each; the value is null with a reason if it is not
  * finite or could not be determined. Quantities of every variant are `particle_steps`,
- * `seconds` (of the wall clock) and `cpu_seconds`.
+ * `seconds` (of the wall clock), `cpu_seconds` and `peak_bytes`, the most memory that it had.
+ *
+ * A run that was interrupted has an object "incomplete" in its first line: `reason`, and how many
+ * programs of how many have ended (`done`, `programs`).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef VERIFICATION_RECORDS_RECORDS_H
@@ -52,6 +55,9 @@ const json_t *record_find(GHashTable *index, const json_t *line, const char *wha
 /* The object of a case; NULL if the run has none of that name. Whether it has a tag. */
 const json_t *records_case(const struct records *records, const char *name);
 bool record_has_tag(const json_t *entry, const char *tag);
+
+/* What is missing of a run that was interrupted, as a sentence; NULL of a complete one. g_free. */
+char *records_incomplete(const struct records *records);
 
 /* Whether two records of one case come from one declared check. */
 bool record_same_declaration(const json_t *one, const json_t *other);

@@ -49,7 +49,7 @@ static enum mpm_status write_case(const char *folder, const struct report_source
     if (status == MPM_OK)
         status = write_owned(home, "index.html", report_case(site, entry, results, files), error);
     if (status == MPM_OK && failed != NULL)
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "figure %s of case %s: %s",
+        status = failure_set(error, MPM_RUN_FAILED, "figure %s of case %s: %s",
                              record_text(json_array_get(figures, failed_index), "figure"),
                              record_text(entry, "case"), failed->reason);
     g_ptr_array_unref(files);
@@ -74,7 +74,7 @@ static enum mpm_status write_comparison(const char *folder, const struct report_
     if (status == MPM_OK)
         status = write_owned(home, "comparison.csv", comparison_csv(&view), error);
     if (status == MPM_OK && picture.state == FIGURE_FAILED)
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "picture of the comparison of %s: %s",
+        status = failure_set(error, MPM_RUN_FAILED, "picture of the comparison of %s: %s",
                              record_text(entry, "case"), picture.reason);
     comparison_view_clear(&view);
     g_free(home);
@@ -92,8 +92,8 @@ static enum mpm_status write_cases(const char *folder, const struct report_sourc
         enum mpm_status drawn = write_case(folder, sources, site, entry, &own);
         if (drawn == MPM_OK)
             drawn = write_comparison(folder, sources, site, entry, &own);
-        /* the first failure is the one to report */
-        if (drawn != MPM_OK && status == MPM_OK)
+        /* the first failure is the one to report, but a missing file comes before a figure */
+        if (drawn > status)
             status = failure_set(error, drawn, "%s", own.message);
     }
     return status;
@@ -149,9 +149,9 @@ static void clear_file(void *element)
     g_free(file->text);
 }
 
-static enum mpm_status render(const char *folder, const struct report_sources *sources,
-                              const struct records *records, const struct report_stored *stored,
-                              struct mpm_error *error)
+static enum mpm_status render(const char *folder, const char *place,
+                              const struct report_sources *sources, const struct records *records,
+                              const struct report_stored *stored, struct mpm_error *error)
 {
     struct report_style style;
     TRY(report_style_read(sources->reports, &style, error));
@@ -161,7 +161,7 @@ static enum mpm_status render(const char *folder, const struct report_sources *s
         .changes = stored->changes,
         .mutants = stored->mutants,
         .headroom = stored->headroom,
-        .benchmarks = has_benchmarks(folder),
+        .benchmarks = has_benchmarks(place),
         .compares = any_comparison(json_object_get(records->run, "cases")),
         .files = g_array_new(FALSE, TRUE, sizeof(struct report_file)),
     };
@@ -188,8 +188,13 @@ enum mpm_status report_check(const char *folder, struct mpm_error *error)
     return status;
 }
 
-enum mpm_status report_render(const char *folder, const struct report_sources *sources,
-                              struct mpm_error *error)
+enum mpm_status report_status(enum mpm_status rendered)
+{
+    return rendered == MPM_RUN_FAILED ? MPM_ENVIRONMENT_FAILED : rendered;
+}
+
+enum mpm_status report_render(const char *folder, const char *place,
+                              const struct report_sources *sources, struct mpm_error *error)
 {
     struct records records;
     struct report_stored stored;
@@ -198,7 +203,7 @@ enum mpm_status report_render(const char *folder, const struct report_sources *s
     if (status == MPM_OK)
         status = report_stored_read(folder, &stored, error);
     if (status == MPM_OK) {
-        status = render(folder, sources, &records, &stored, error);
+        status = render(folder, place, sources, &records, &stored, error);
         report_stored_clear(&stored);
     }
     records_clear(&records);

@@ -19,15 +19,20 @@ struct report_sources {
 /* Renders index.html, the cases' pages, comparisons and figures, summary.md, junit.xml and
  * results.tap of `folder` from its checks.jsonl and
  * measurements.jsonl. The figures' data are those in the folder, their scripts those of the
- * sources. The same folder and sources give the same bytes. MPM_BAD_INPUT: no such results, or a
- * link or anything else but files where they should be. MPM_ENVIRONMENT_FAILED:
- * gnuplot is missing, a script failed, or a file cannot be written; all that can be
- * rendered has been, and the place of a missing figure states why. */
-enum mpm_status report_render(const char *folder, const struct report_sources *sources,
-                              struct mpm_error *error);
+ * sources. `place` is where the report is to lie: pages link to benchmarks beside it. The same
+ * folder and sources give the same bytes. MPM_BAD_INPUT: no such results, or a link or anything
+ * else but files where they should be. MPM_ENVIRONMENT_FAILED: a file cannot be written.
+ * MPM_RUN_FAILED: gnuplot is missing or a script failed; all else is there, and the place of a
+ * missing figure states why. */
+enum mpm_status report_render(const char *folder, const char *place,
+                              const struct report_sources *sources, struct mpm_error *error);
 
 /* Whether a folder has results that report_render() would take; MPM_BAD_INPUT else. */
 enum mpm_status report_check(const char *folder, struct mpm_error *error);
+
+/* The exit status for that of report_render: a figure that cannot be drawn is the environment's
+ * fault. */
+enum mpm_status report_status(enum mpm_status rendered);
 
 /* The parts, each a whole file's text; g_free. */
 char *report_markdown(const struct records *records);

@@ -27,7 +27,9 @@ static void begin_row(struct report_table *table, const json_t *check)
 static void add_verdict(GString *html, const struct records *records,
                         const struct record_counts *counts)
 {
-    char *verdict = text_verdict(counts);
+    char *verdict = text_verdict(counts), *incomplete = records_incomplete(records);
+    if (incomplete != NULL)
+        text_markup(html, "<p class=\"verdict bad\">%s</p>\n", incomplete);
     text_markup(html, "<h1 class=\"verdict %s\">%s</h1>\n", counts->failed > 0 ? "bad" : "good",
                 verdict);
     html_counts(html, counts);
@@ -38,6 +40,7 @@ static void add_verdict(GString *html, const struct records *records,
                 "(not a number, a missing row, zero, a value beyond the band, a crash and others) "
                 "turned their check red.</p>\n",
                 red, tried);
+    g_free(incomplete);
     g_free(verdict);
     g_free(tried);
     g_free(red);

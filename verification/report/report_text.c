@@ -63,10 +63,15 @@ static void markdown_cases(GString *markdown, const struct records *records)
 char *report_markdown(const struct records *records)
 {
     const struct record_counts counts = records_count(records, NULL, NULL);
-    char *verdict = text_verdict(&counts);
+    char *verdict = text_verdict(&counts), *incomplete = records_incomplete(records);
     GString *markdown = g_string_new("# Touchstone: ");
     text_markdown(markdown, verdict);
     g_string_append(markdown, "\n\n");
+    if (incomplete != NULL) {
+        text_markdown(markdown, incomplete);
+        g_string_append(markdown, "\n\n");
+    }
+    g_free(incomplete);
     for (int status = 0; status < VERDICT_STATUS_COUNT; status++)
         if (counts.of[status] > 0)
             g_string_append_printf(markdown, "- %s: %zu\n",
@@ -155,8 +160,11 @@ char *report_junit(const struct records *records)
 {
     const struct record_counts counts = records_count(records, NULL, NULL);
     const json_t *cases = json_object_get(records->run, "cases");
-    GString *xml = g_string_new("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                                "<testsuites name=\"mpm-verify\"");
+    GString *xml = g_string_new("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    char *incomplete = records_incomplete(records);
+    text_markup(xml, "<testsuites name=\"mpm-verify%s%s\"", incomplete == NULL ? "" : ". ",
+                incomplete == NULL ? "" : incomplete);
+    g_free(incomplete);
     junit_attributes(xml, &counts);
     g_string_append(xml, ">\n");
     for (size_t i = 0; i < json_array_size(cases); i++)
@@ -212,6 +220,10 @@ char *report_tap(const struct records *records)
 {
     GString *tap = g_string_new("TAP version 13\n");
     g_string_append_printf(tap, "1..%zu\n", json_array_size(records->checks));
+    char *incomplete = records_incomplete(records);
+    if (incomplete != NULL)
+        g_string_append_printf(tap, "# %s\n", incomplete);
+    g_free(incomplete);
     for (size_t i = 0; i < json_array_size(records->checks); i++)
         tap_check(tap, i + 1, json_array_get(records->checks, i));
     return g_string_free(tap, FALSE);

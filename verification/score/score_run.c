@@ -42,14 +42,15 @@ static void scored_open(const struct bundle *bundle, char *name, struct scored *
         scored->plan.checks[i].check = &bundle->criteria[i].check;
 }
 
-static enum mpm_status conclude(const struct score_options *options, const struct scored *scored,
+static enum mpm_status conclude(const struct score_options *options,
+                                const struct output_folder *output, const struct scored *scored,
                                 const struct job_result *result, struct console *console,
                                 struct record_counts *counts, struct mpm_error *error)
 {
     const struct plan_selection selection = {.tier = TIER_CI};
     GDateTime *now = g_date_time_new_now_utc();
     char *started = g_date_time_format(now, "%Y-%m-%dT%H:%M:%SZ");
-    const struct record_context context = {.output = options->output,
+    const struct record_context context = {.output = output->stage,
                                            .command = options->command,
                                            .selection = &selection,
                                            .kernels = MPM_KERNELS_AUTO,
@@ -58,10 +59,10 @@ static enum mpm_status conclude(const struct score_options *options, const struc
     struct records records = records_make(&scored->plan, result, &context);
     json_object_set_new(records.run, "score", json_true()); /* its command is the one to repeat */
     *counts = records_count(&records, NULL, NULL);
-    enum mpm_status status = records_write(options->output, &records, error);
+    enum mpm_status status = records_write(output->stage, &records, error);
     if (status == MPM_OK)
-        status = report_render(options->output,
-                               &(struct report_sources){.reports = options->reports}, error);
+        status =
+            output_report(output, &(struct report_sources){.reports = options->reports}, error);
     console_begin(console, &scored->plan);
     console_finished(console, 0, result);
     console_end(console, &records, status == MPM_OK ? options->output : NULL);
@@ -93,13 +94,14 @@ static enum mpm_status report(const struct score_options *options, const struct 
                               struct record_counts *counts, struct mpm_error *error)
 {
     struct scored scored;
-    int lock = -1;
+    struct output_folder output;
     const struct job_result result = {JOB_RETURNED, 0, 0, 0, rows};
+    TRY(output_open(options->output, &output, error));
     scored_open(bundle, name, &scored);
-    enum mpm_status status = output_prepare(options->output, &scored.plan, &lock, error);
+    enum mpm_status status = output_stage(&output, &scored.plan, error);
     if (status == MPM_OK)
-        status = conclude(options, &scored, &result, console, counts, error);
-    output_release(lock);
+        status = conclude(options, &output, &scored, &result, console, counts, error);
+    output_close(&output);
     g_free(scored.plan.checks);
     return status;
 }

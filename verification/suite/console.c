@@ -7,6 +7,7 @@
 #include "verification/records/check_text.h"
 #include "verification/suite/records_make.h"
 
+#include <stdarg.h>
 #include <string.h>
 
 enum { STATUS_WIDTH = 15, BAR_WIDTH = 30 };
@@ -59,9 +60,8 @@ static void clear_progress(const struct console *console)
         fprintf(console->out, "\r\033[K");
 }
 
-void console_progress(void *context, size_t done, size_t total)
+void console_progress(const struct console *console, size_t done, size_t total)
 {
-    const struct console *console = context;
     if (!console->terminal || done == total)
         return;
     const size_t filled = BAR_WIDTH * done / MAX(1, total);
@@ -102,9 +102,19 @@ static void print_check(const struct console *console, const json_t *record)
     g_free(seconds);
 }
 
-void console_finished(void *context, size_t job, const struct job_result *result)
+void console_say(const struct console *console, const char *format, ...)
 {
-    const struct console *console = context;
+    va_list arguments;
+    clear_progress(console);
+    va_start(arguments, format);
+    (void)vfprintf(console->out, format, arguments);
+    va_end(arguments);
+    fputc('\n', console->out);
+    fflush(console->out);
+}
+
+void console_finished(const struct console *console, size_t job, const struct job_result *result)
+{
     const struct plan *plan = console->plan;
     clear_progress(console);
     for (size_t i = 0; i < plan->check_count; i++) {
@@ -150,8 +160,12 @@ void console_end(struct console *console, const struct records *records, const c
 {
     const struct record_counts counts = records_count(records, NULL, NULL);
     const size_t known = counts.of[VERDICT_EXPECTED_FAIL];
+    char *incomplete = records_incomplete(records);
     fputc('\n', console->out);
     print_failures(console, records);
+    if (incomplete != NULL)
+        fprintf(console->out, "%s\n", incomplete);
+    g_free(incomplete);
     if (output != NULL)
         fprintf(console->out, "report: %s/index.html\n", output);
     if (known > 0)

@@ -21,9 +21,12 @@ struct console {
 /* Fits the columns to the plan and prints the table's head. */
 void console_begin(struct console *console, const struct plan *plan);
 
-/* For schedule_options: `context` is the console. */
-void console_progress(void *context, size_t done, size_t total);
-void console_finished(void *context, size_t job, const struct job_result *result);
+void console_progress(const struct console *console, size_t done, size_t total);
+/* The lines of a job's checks. */
+void console_finished(const struct console *console, size_t job, const struct job_result *result);
+/* A line of its own. */
+void console_say(const struct console *console, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 /* States which quantities were measured that no case checks or compares (unchecked.h), if any. */
 void console_unchecked(const struct console *console, const GPtrArray *quantities);

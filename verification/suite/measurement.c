@@ -14,6 +14,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <time.h>
 
 struct measurement {
@@ -309,6 +310,26 @@ enum mpm_status measurement_series(struct measurement *measurement, const char *
 
 /* ----------------------------------------------------------------- running */
 
+/* The most memory that this process has had, in bytes (getrusage has units of 1024 on Linux). */
+static double most_memory(void)
+{
+    struct rusage usage;
+#ifdef __APPLE__
+    const double unit = 1;
+#else
+    const double unit = 1024;
+#endif
+    return getrusage(RUSAGE_SELF, &usage) == 0 ? unit * (double)usage.ru_maxrss : 0;
+}
+
+static void send_number(struct measurement *measurement, enum row_kind kind, const char *format,
+                        double number)
+{
+    char text[G_ASCII_DTOSTR_BUF_SIZE];
+    g_ascii_formatd(text, sizeof text, format, number);
+    send_line(measurement, row_line(kind, "", text));
+}
+
 enum mpm_status measurement_run(const struct measurement_setup *setup, struct mpm_error *error)
 {
     struct measurement measurement = {.setup = *setup};
@@ -318,9 +339,8 @@ enum mpm_status measurement_run(const struct measurement_setup *setup, struct mp
     char *work = g_strdup_printf("%" G_GUINT64_FORMAT, (guint64)measurement.particle_steps);
     send_line(&measurement, row_line(ROW_WORK, "", work));
     g_free(work);
-    char *seconds = g_strdup_printf("%.3f", measurement_processor_seconds());
-    send_line(&measurement, row_line(ROW_PROCESSOR, "", seconds));
-    g_free(seconds);
+    send_number(&measurement, ROW_PROCESSOR, "%.3f", measurement_processor_seconds());
+    send_number(&measurement, ROW_MEMORY, "%.0f", most_memory());
     send_line(&measurement, row_line(ROW_END, "", ""));
     if (status == MPM_OK && measurement.write_error != 0)
         status = failure_set(error, MPM_ENVIRONMENT_FAILED,

@@ -292,6 +292,19 @@ static json_t *optional_text(const char *text)
     return text == NULL ? json_null() : record_text_of(text);
 }
 
+static json_t *incomplete_record(const struct plan *plan, const struct job_result *results,
+                                 const char *reason)
+{
+    size_t done = 0;
+    for (size_t i = 0; i < plan->job_count; i++)
+        done += results[i].outcome != JOB_NOT_RUN;
+    json_t *object = json_object();
+    json_object_set_new(object, "reason", record_text_of(reason));
+    json_object_set_new(object, "done", json_integer((json_int_t)done));
+    json_object_set_new(object, "programs", json_integer((json_int_t)plan->job_count));
+    return object;
+}
+
 static json_t *run_record(const struct record_context *context)
 {
     const struct mpm_build_info *build = mpm_build_info();
@@ -329,6 +342,9 @@ struct records records_make(const struct plan *plan, const struct job_result *re
 {
     struct records records = {run_record(context), json_array(),
                               measurement_records(plan, results)};
+    if (context->incomplete != NULL)
+        json_object_set_new(records.run, "incomplete",
+                            incomplete_record(plan, results, context->incomplete));
     json_object_set_new(records.run, "cases", case_records(plan, results, context->output));
     for (size_t i = 0; i < plan->check_count; i++) {
         const struct planned_check *planned = &plan->checks[i];

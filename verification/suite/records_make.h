@@ -16,6 +16,7 @@ struct record_context {
     unsigned jobs;
     const char *started; /* UTC, ISO 8601 */
     double seconds;
+    const char *incomplete; /* why programs of the plan have not ended; NULL: all have */
 };
 
 /* Builds the records of a finished run; results[i] belongs to plan->jobs[i]. */

@@ -76,6 +76,9 @@ static void add_row(struct job_lines *job, const struct row *row)
     case ROW_PROCESSOR:
         add_number(job, "cpu_seconds", "s", row->text);
         break;
+    case ROW_MEMORY:
+        add_number(job, "peak_bytes", "byte", row->text);
+        break;
     case ROW_SKIP:
     case ROW_NOTE:
     case ROW_SERIES:

@@ -5,6 +5,7 @@
 
 #include "mpm_file.h"
 #include "verification/common/rows.h"
+#include "verification/suite/interruption.h"
 #include "verification/suite/measurement.h"
 
 #include <errno.h>
@@ -18,35 +19,6 @@
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
-
-/* ------------------------------------------------------------- interruption */
-
-static volatile sig_atomic_t interruption;
-
-static void note_interruption(int number)
-{
-    interruption = number;
-}
-
-struct handlers {
-    struct sigaction interrupt, terminate;
-};
-
-static void handlers_set(struct handlers *old)
-{
-    struct sigaction action;
-    memset(&action, 0, sizeof action);
-    action.sa_handler = note_interruption;
-    interruption = 0;
-    sigaction(SIGINT, &action, &old->interrupt);
-    sigaction(SIGTERM, &action, &old->terminate);
-}
-
-static void handlers_restore(const struct handlers *old)
-{
-    sigaction(SIGINT, &old->interrupt, NULL);
-    sigaction(SIGTERM, &old->terminate, NULL);
-}
 
 /* ------------------------------------------------------------------- a child */
 
@@ -68,14 +40,16 @@ static int create_file(const char *output, const struct planned_job *job, const 
     return file;
 }
 
-static void child_detach(int log)
+/* It ends with its parent, however that ends: two runs must never write the same files. */
+static void child_detach(int log, pid_t parent)
 {
     setpgid(0, 0);
-    signal(SIGINT, SIG_DFL);
-    signal(SIGTERM, SIG_DFL);
+    interruption_default();
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
+    if (getppid() != parent)
+        _exit(MPM_ENVIRONMENT_FAILED);
     const int nothing = open("/dev/null", O_RDONLY);
     dup2(nothing, STDIN_FILENO);
     dup2(log, STDOUT_FILENO);
@@ -84,9 +58,9 @@ static void child_detach(int log)
 }
 
 static void child_run(const struct planned_job *job, const struct schedule_options *options,
-                      int rows, int log)
+                      int rows, int log, pid_t parent)
 {
-    child_detach(log);
+    child_detach(log, parent);
     char *folder = g_build_filename(options->output, "cases", job->entry->file->name, NULL);
     const struct measurement_setup setup = {job->entry, job->variant, folder, options->simulation,
                                             rows};
@@ -113,13 +87,16 @@ struct scheduler {
     struct job_result *results;
     struct child *children; /* options->jobs places */
     size_t next, done;
+    enum mpm_status status; /* of the callers' `finished` */
+    struct mpm_error *error;
 };
 
 static void finish(struct scheduler *scheduler, size_t job)
 {
     scheduler->done++;
-    if (scheduler->options->finished != NULL)
-        scheduler->options->finished(scheduler->options->context, job, &scheduler->results[job]);
+    if (scheduler->options->finished != NULL && scheduler->status == MPM_OK)
+        scheduler->status = scheduler->options->finished(
+            scheduler->options->context, job, &scheduler->results[job], scheduler->error);
 }
 
 static void start_failed(struct scheduler *scheduler, size_t job, const char *what)
@@ -143,9 +120,9 @@ static void start(struct scheduler *scheduler, struct child *child)
         start_failed(scheduler, job, "the files of its results cannot be created");
     } else {
         fflush(NULL); /* or the child would write our buffers a second time */
-        const pid_t process = fork();
+        const pid_t parent = getpid(), process = fork();
         if (process == 0)
-            child_run(planned, scheduler->options, rows, log);
+            child_run(planned, scheduler->options, rows, log, parent);
         if (process < 0)
             start_failed(scheduler, job, "no process could be created");
         else
@@ -205,9 +182,17 @@ static bool has_ended(const struct child *child)
     return waitid(P_PID, (id_t)child->process, &information, flags) == 0 && information.si_pid != 0;
 }
 
+static void pass_over_known(struct scheduler *scheduler)
+{
+    while (scheduler->next < scheduler->plan->job_count &&
+           scheduler->results[scheduler->next].rows != NULL)
+        scheduler->next++;
+}
+
 static void attend(struct scheduler *scheduler, struct child *child)
 {
     if (child->process == 0) {
+        pass_over_known(scheduler);
         if (scheduler->next < scheduler->plan->job_count)
             start(scheduler, child);
     } else if (has_ended(child)) {
@@ -222,15 +207,25 @@ static void kill_all(struct scheduler *scheduler)
     for (unsigned i = 0; i < scheduler->options->jobs; i++)
         if (scheduler->children[i].process != 0) {
             kill(-scheduler->children[i].process, SIGKILL);
-            waitpid(scheduler->children[i].process, NULL, 0);
+            while (waitpid(scheduler->children[i].process, NULL, 0) < 0 && errno == EINTR)
+                ;
         }
+}
+
+/* What is left to say of a job that has not ended when the run does. */
+static void give_up(struct scheduler *scheduler, const char *why)
+{
+    for (size_t i = 0; i < scheduler->plan->job_count; i++)
+        if (scheduler->results[i].rows == NULL)
+            scheduler->results[i].rows = row_line(ROW_FAILURE, "", why);
 }
 
 enum { POLL_MICROSECONDS = 5000, POLLS_PER_PROGRESS = 20 };
 
 static void loop(struct scheduler *scheduler)
 {
-    for (unsigned round = 0; scheduler->done < scheduler->plan->job_count && interruption == 0;
+    for (unsigned round = 0; scheduler->done < scheduler->plan->job_count &&
+                             scheduler->status == MPM_OK && interruption_received() == 0;
          round++) {
         const size_t before = scheduler->done;
         for (unsigned i = 0; i < scheduler->options->jobs; i++)
@@ -244,25 +239,41 @@ static void loop(struct scheduler *scheduler)
     }
 }
 
+static size_t prepare(const struct plan *plan, struct job_result *results)
+{
+    size_t known = 0;
+    for (size_t i = 0; i < plan->job_count; i++)
+        if (results[i].rows != NULL)
+            known++;
+        else
+            results[i] = (struct job_result){.outcome = JOB_NOT_RUN,
+                                             .timeout = plan->jobs[i].variant->timeout};
+    return known;
+}
+
 enum mpm_status schedule_run(const struct plan *plan, const struct schedule_options *options,
                              struct job_result *results, struct mpm_error *error)
 {
-    struct scheduler scheduler = {plan, options, results, g_new0(struct child, options->jobs),
-                                  0,    0};
-    struct handlers old;
-    for (size_t i = 0; i < plan->job_count; i++)
-        results[i] =
-            (struct job_result){.outcome = JOB_NOT_RUN, .timeout = plan->jobs[i].variant->timeout};
-    handlers_set(&old);
+    struct scheduler scheduler = {
+        .plan = plan,
+        .options = options,
+        .results = results,
+        .children = g_new0(struct child, options->jobs),
+        .done = prepare(plan, results),
+        .status = MPM_OK,
+        .error = error,
+    };
     loop(&scheduler);
     kill_all(&scheduler);
-    handlers_restore(&old);
     g_free(scheduler.children);
-    if (interruption != 0)
-        return failure_set(error, MPM_ENVIRONMENT_FAILED,
-                           "interrupted after %zu of %zu programs: no report was written",
-                           scheduler.done, plan->job_count);
-    return MPM_OK;
+    const int signal_number = interruption_received();
+    if (scheduler.status == MPM_OK && scheduler.done < plan->job_count && signal_number != 0)
+        scheduler.status = failure_set(
+            error, MPM_INTERRUPTED, "interrupted by signal %d (%s) after %zu of %zu programs",
+            signal_number, g_strsignal(signal_number), scheduler.done, plan->job_count);
+    if (scheduler.status != MPM_OK)
+        give_up(&scheduler, error->message);
+    return scheduler.status;
 }
 
 void schedule_clear(struct job_result *results, size_t count)

@@ -12,16 +12,19 @@ struct schedule_options {
     const char *output; /* folder; the jobs of a case write in <output>/cases/<case> */
     unsigned jobs;      /* at a time, >= 1 */
     struct mpm_simulation_options simulation; /* of each job */
-    /* Called, if not NULL, about ten times a second and when a job ends. */
+    /* Called, if not NULL, about ten times a second and when a job ends; `done` of the whole plan.
+     */
     void (*progress)(void *context, size_t done, size_t total);
-    /* Called, if not NULL, when a job ends. */
-    void (*finished)(void *context, size_t job, const struct job_result *result);
+    /* Called, if not NULL, when a job ends; a failure ends the run. */
+    enum mpm_status (*finished)(void *context, size_t job, const struct job_result *result,
+                                struct mpm_error *error);
     void *context;
 };
 
-/* Runs every job; results[i] belongs to plan->jobs[i] and its rows are to be freed with
- * schedule_clear. A job that fails, crashes or hangs is a result. MPM_ENVIRONMENT_FAILED:
- * interrupted by SIGINT or SIGTERM, with every process group killed. */
+/* Runs every job whose results[i] has no rows yet; results[i] belongs to plan->jobs[i] and its rows
+ * are to be freed with schedule_clear. A job that fails, crashes or hangs is a result.
+ * MPM_INTERRUPTED: a signal of interruption.h has come; or else what `finished` has failed with.
+ * Then every process group is killed, and the jobs that have not ended are JOB_NOT_RUN. */
 enum mpm_status schedule_run(const struct plan *plan, const struct schedule_options *options,
                              struct job_result *results, struct mpm_error *error);
 void schedule_clear(struct job_result *results, size_t count);

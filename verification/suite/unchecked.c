@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* Of every run, whatever its program. */
-static const char *const of_all[] = {"particle_steps", "cpu_seconds", "seconds"};
+static const char *const of_all[] = {"particle_steps", "cpu_seconds", "seconds", "peak_bytes"};
 
 /* "PROGRAM QUANTITY" without a number at its end. */
 static char *key_of(const char *program, const char *quantity)

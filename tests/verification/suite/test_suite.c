@@ -13,8 +13,7 @@
 #include <glib/gstdio.h>
 #include <signal.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <sys/types.h>
 
 static const json_t *check_of(const struct records *records, const char *name)
 {
@@ -98,51 +97,15 @@ START_TEST(a_result_line_has_the_promised_keys)
 }
 END_TEST
 
-/* A process that runs `act` and exits with what it returns. */
-static pid_t in_process(int (*act)(const char *one, const char *other), const char *one,
-                        const char *other)
-{
-    (void)fflush(NULL);
-    const pid_t process = fork();
-    ck_assert_int_ge(process, 0);
-    if (process == 0)
-        _exit(act(one, other));
-    return process;
-}
-
-static int exit_status_of(pid_t process)
-{
-    int state = 0;
-    ck_assert_int_eq(waitpid(process, &state, 0), process);
-    ck_assert(WIFEXITED(state));
-    return WEXITSTATUS(state);
-}
-
-static int run_all(const char *catalogue, const char *output)
-{
-    const struct test_said said =
-        test_verify_with("mpm-verify run --catalogue @ --output @", catalogue, output);
-    return said.exit_status;
-}
-
-static void wait_for(const char *folder, const char *name)
-{
-    char *path = test_folder_path(folder, name);
-    for (int i = 0; i < 2000 && !g_file_test(path, G_FILE_TEST_EXISTS); i++)
-        g_usleep(5000);
-    ck_assert_msg(g_file_test(path, G_FILE_TEST_EXISTS), "%s", path);
-    g_free(path);
-}
-
-START_TEST(an_interrupted_run_ends_its_programs_and_leaves_no_report)
+START_TEST(an_interrupted_run_ends_its_programs_and_without_results_leaves_no_report)
 {
     char *catalogue = test_folder_create(), *output = test_folder_create();
     char *text = test_case_text("hang", "hang");
     char **parts = g_strsplit(text, "timeout: 0.5", 2);
     char *patient = g_strjoinv("timeout: 500", parts);
     test_case_write(catalogue, "hang", patient);
-    const pid_t process = in_process(run_all, catalogue, output);
-    wait_for(output, "cases/hang/rows-only.jsonl");
+    const pid_t process = test_in_process(test_run_all, catalogue, output);
+    test_wait_for(output, ".run/report/cases/hang/rows-only.jsonl");
     /* meanwhile the folder is taken */
     struct test_said said =
         test_verify_with("mpm-verify run --catalogue @ --output @", catalogue, output);
@@ -150,7 +113,7 @@ START_TEST(an_interrupted_run_ends_its_programs_and_leaves_no_report)
     ck_assert_ptr_nonnull(strstr(said.err, "another run is writing"));
     test_said_free(&said);
     ck_assert_int_eq(kill(process, SIGINT), 0);
-    ck_assert_int_eq(exit_status_of(process), 4);
+    ck_assert_int_eq(test_exit_status(process), 128 + SIGINT);
     char *lines = test_folder_path(output, "checks.jsonl");
     ck_assert(!g_file_test(lines, G_FILE_TEST_EXISTS));
     g_free(lines);
@@ -392,7 +355,7 @@ Suite *suite_suite(void)
     TCase *runs = tcase_create("runs");
     tcase_add_test(runs, whatever_a_program_does_each_declared_check_gets_its_status);
     tcase_add_test(runs, a_result_line_has_the_promised_keys);
-    tcase_add_test(runs, an_interrupted_run_ends_its_programs_and_leaves_no_report);
+    tcase_add_test(runs, an_interrupted_run_ends_its_programs_and_without_results_leaves_no_report);
     tcase_add_test(runs, an_output_folder_keeps_what_is_not_ours);
     tcase_add_test(runs, a_list_of_pairs_selects_those_and_is_recorded);
     tcase_add_test(runs, the_kernels_asked_for_reach_every_measurement_and_are_recorded);

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/common/folders.h"
+
+#include "mpm_file.h"
+#include "verification/common/input.h"
+
+#include <errno.h>
+
+enum mpm_status folder_failed(const char *path, struct mpm_error *error)
+{
+    return mpm_file_failed(path, errno, error);
+}
+
+enum mpm_status folder_make(const char *path, struct mpm_error *error)
+{
+    return mpm_folder_make(path) == 0 ? MPM_OK : folder_failed(path, error);
+}
+
+enum mpm_status folder_names(const char *folder, GPtrArray **names, struct mpm_error *error)
+{
+    if (mpm_path_kind(folder) != MPM_PATH_NONE)
+        return input_names(folder, names, error);
+    *names = g_ptr_array_new_with_free_func(g_free);
+    return MPM_OK;
+}
+
+enum mpm_status folder_remove(const char *path, struct mpm_error *error)
+{
+    return mpm_folder_remove_all(path) == 0 || errno == ENOENT ? MPM_OK
+                                                               : folder_failed(path, error);
+}
