@@ -18,7 +18,10 @@ enum mpm_status folder_make(const char *path, struct mpm_error *error)
 
 enum mpm_status folder_names(const char *folder, GPtrArray **names, struct mpm_error *error)
 {
-    if (mpm_path_kind(folder) != MPM_PATH_NONE)
+    enum mpm_path kind;
+    *names = NULL;
+    TRY(input_kind(folder, &kind, error));
+    if (kind != MPM_PATH_NONE)
         return input_names(folder, names, error);
     *names = g_ptr_array_new_with_free_func(g_free);
     return MPM_OK;
