@@ -19,7 +19,7 @@ static const char *const edge_names[MPM_EDGE_COUNT + 1] = {
 };
 
 /* "loads.tractions.0.value" */
-enum { KEY_SIZE = 64 };
+enum { KEY_SIZE = 96 };
 static const char *key_of(const struct mpm_edge_load_spec *load, const char *last,
                           char key[KEY_SIZE])
 {
@@ -160,6 +160,28 @@ enum mpm_status mpm_edge_loads_fill(struct mpm_simulation *simulation, struct mp
     return MPM_OK;
 }
 
+/* Radiation is of absolute temperatures. */
+static enum mpm_status check_radiation(const struct mpm_simulation *simulation,
+                                       const struct mpm_edge_load_spec *spec, size_t p,
+                                       const struct mpm_expression *ambient, const double place[2],
+                                       struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    const double around = mpm_expression_value(ambient, 0, place, 0.0);
+    const double own = simulation->state.particles.temperature[p];
+    char key[KEY_SIZE];
+    if (!(around >= 0.0))
+        return mpm_scene_error(error, scene, spec->line, key_of(spec, "radiation.ambient", key),
+                               "is %g at (%g, %g), time 0; allowed: absolute, at least 0", around,
+                               place[0], place[1]);
+    if (own >= 0.0)
+        return MPM_OK;
+    return mpm_scene_error(error, scene, spec->line, key_of(spec, "radiation", key),
+                           "body '%s' has a temperature of %g at (%g, %g), time 0; allowed: "
+                           "absolute, at least 0",
+                           scene->bodies[spec->body].name, own, place[0], place[1]);
+}
+
 /* Values at t = 0 must be finite. Particles are still in creation order, as the sites do. */
 enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulation,
                                            struct mpm_error *error)
@@ -176,6 +198,10 @@ enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulati
         mpm_edge_load_place(state, site, p, place);
         MPM_TRY(mpm_vector_field_check(simulation, &state->edge_loads.value[site->load], place,
                                        spec->line, key_of(spec, "value", key), error));
+        if (spec->flux == MPM_FLUX_RADIATES)
+            MPM_TRY(check_radiation(simulation, spec, p,
+                                    state->edge_loads.value[site->load].component[0], place,
+                                    error));
     }
     return MPM_OK;
 }
