@@ -22,6 +22,7 @@
     SUITE(kernel_bits)                                                                             \
     SUITE(energy_balance)                                                                          \
     SUITE(j_integral)                                                                              \
+    SUITE(j_free_strain)                                                                           \
     SUITE(j_refusals)                                                                              \
     SUITE(damping)                                                                                 \
     SUITE(crack_growth)                                                                            \

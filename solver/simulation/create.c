@@ -418,8 +418,8 @@ static enum mpm_status build(struct mpm_simulation *simulation,
     MPM_TRY(create_expressions(simulation, error));
     MPM_TRY(mpm_bodies_count(scene, &state->grid, &counts, error));
     MPM_TRY(check_memory(simulation, &counts, error));
-    MPM_TRY(mpm_edge_loads_create(simulation, error));
     MPM_TRY(mpm_symmetries_create(simulation, error));
+    MPM_TRY(mpm_edge_loads_create(simulation, error));
     MPM_TRY(mpm_conditions_list(scene, &state->grid, boundary_value, state, &state->conditions.list,
                                 &state->conditions.count, error));
     layout(simulation, &counts, &simulation->arena);

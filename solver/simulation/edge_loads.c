@@ -2,7 +2,8 @@
  *
  * A load on a face of a body acts on the edges on that side of those particles that have no
  * neighbour of the same body there: whether the lattice site beyond the edge belongs to the body,
- * as created. Faces across the lattice become staircase approximations. The axis r = 0 is no face.
+ * as created. Faces across the lattice become staircase approximations. The axis r = 0 is no face;
+ * a plane of symmetry is none for what flows, since it insulates.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/loads/edge_loads.h"
@@ -10,6 +11,7 @@
 #include "model/fill.h"
 #include "simulation/simulation.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -19,7 +21,7 @@ static const char *const edge_names[MPM_EDGE_COUNT + 1] = {
 };
 
 /* "loads.tractions.0.value" */
-enum { KEY_SIZE = 64 };
+enum { KEY_SIZE = 96 };
 static const char *key_of(const struct mpm_edge_load_spec *load, const char *last,
                           char key[KEY_SIZE])
 {
@@ -38,8 +40,26 @@ struct finder {
     struct mpm_edge_site *sites; /* NULL: only counts */
 };
 
-static bool is_face(const struct finder *finder, size_t body, const double site[2],
-                    enum mpm_edge edge)
+/* Of half a particle: an edge as close to a plane lies on it. */
+static const double ON_PLANE = 1e-6;
+
+/* `step`: from the particle to the edge, in halves of it. */
+static bool is_on_symmetry(const struct finder *finder, const double site[2], const int step[2])
+{
+    const struct mpm_state *const state = finder->state;
+    bool on_plane = false;
+    for (size_t k = 0; k < state->symmetries.count; k++) {
+        const struct mpm_symmetry *const plane = &state->symmetries.planes[k];
+        const double half = finder->half[plane->axis];
+        const double edge = site[plane->axis] + step[plane->axis] * half;
+        on_plane = on_plane || (step[plane->axis] != 0 &&
+                                fabs(edge - mpm_symmetry_place(state, plane)) <= ON_PLANE * half);
+    }
+    return on_plane;
+}
+
+static bool is_face(const struct finder *finder, const struct mpm_edge_load_spec *spec,
+                    const double site[2], enum mpm_edge edge)
 {
     static const int step[MPM_EDGE_COUNT][2] = {
         [MPM_EDGE_BOTTOM] = {0, -1},
@@ -52,7 +72,9 @@ static bool is_face(const struct finder *finder, size_t body, const double site[
                               site[1] + 2.0 * step[edge][1] * finder->half[1]};
     if (scene->geometry == MPM_AXISYMMETRIC && beyond[0] <= 0.0)
         return false;
-    return !mpm_body_contains_site(scene, &finder->state->grid, body, beyond);
+    if (spec->flux != MPM_NO_FLUX && is_on_symmetry(finder, site, step[edge]))
+        return false;
+    return !mpm_body_contains_site(scene, &finder->state->grid, spec->body, beyond);
 }
 
 static double initial_area(const struct finder *finder, const double site[2], enum mpm_edge edge)
@@ -73,7 +95,7 @@ static void find_edges(struct finder *finder, size_t load, const double site[2])
     const struct mpm_edge_load_spec *const spec = &finder->state->scene->edge_loads[load];
     for (int edge = 0; edge < MPM_EDGE_COUNT; edge++) {
         if ((spec->edge != MPM_EDGE_ALL && (int)spec->edge != edge) ||
-            !is_face(finder, spec->body, site, (enum mpm_edge)edge))
+            !is_face(finder, spec, site, (enum mpm_edge)edge))
             continue;
         if (finder->sites != NULL)
             finder->sites[finder->count] = (struct mpm_edge_site){
@@ -109,9 +131,10 @@ static enum mpm_status count_edges(struct mpm_simulation *simulation, size_t loa
     if (finder.count > 0)
         return MPM_OK;
     return mpm_scene_error(error, scene, spec->line, key_of(spec, "edge", key),
-                           "no particle of body '%s' has an edge on its %s that is not on r = 0; "
+                           "no particle of body '%s' has an edge on its %s that is not on r = 0%s; "
                            "allowed: a side with a face",
-                           scene->bodies[spec->body].name, edge_names[spec->edge]);
+                           scene->bodies[spec->body].name, edge_names[spec->edge],
+                           spec->flux == MPM_NO_FLUX ? "" : " or on a plane of symmetry");
 }
 
 /* ----------------------------------------------------------------- creating */
@@ -160,6 +183,28 @@ enum mpm_status mpm_edge_loads_fill(struct mpm_simulation *simulation, struct mp
     return MPM_OK;
 }
 
+/* Radiation is of absolute temperatures. */
+static enum mpm_status check_radiation(const struct mpm_simulation *simulation,
+                                       const struct mpm_edge_load_spec *spec, size_t p,
+                                       const struct mpm_expression *ambient, const double place[2],
+                                       struct mpm_error *error)
+{
+    const struct mpm_scene *const scene = simulation->scene;
+    const double around = mpm_expression_value(ambient, 0, place, 0.0);
+    const double own = simulation->state.particles.temperature[p];
+    char key[KEY_SIZE];
+    if (!(around >= 0.0))
+        return mpm_scene_error(error, scene, spec->line, key_of(spec, "radiation.ambient", key),
+                               "is %g at (%g, %g), time 0; allowed: absolute, at least 0", around,
+                               place[0], place[1]);
+    if (own >= 0.0)
+        return MPM_OK;
+    return mpm_scene_error(error, scene, spec->line, key_of(spec, "radiation", key),
+                           "body '%s' has a temperature of %g at (%g, %g), time 0; allowed: "
+                           "absolute, at least 0",
+                           scene->bodies[spec->body].name, own, place[0], place[1]);
+}
+
 /* Values at t = 0 must be finite. Particles are still in creation order, as the sites do. */
 enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulation,
                                            struct mpm_error *error)
@@ -176,6 +221,10 @@ enum mpm_status mpm_edge_loads_check_start(const struct mpm_simulation *simulati
         mpm_edge_load_place(state, site, p, place);
         MPM_TRY(mpm_vector_field_check(simulation, &state->edge_loads.value[site->load], place,
                                        spec->line, key_of(spec, "value", key), error));
+        if (spec->flux == MPM_FLUX_RADIATES)
+            MPM_TRY(check_radiation(simulation, spec, p,
+                                    state->edge_loads.value[site->load].component[0], place,
+                                    error));
     }
     return MPM_OK;
 }

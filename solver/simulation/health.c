@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/transport/transport_edges.h"
 #include "simulation/simulation.h"
 
 #include <stdarg.h>
@@ -41,7 +42,7 @@ static enum mpm_cause cause_of(enum mpm_failure_kind kind)
         [MPM_TWO_CRACKS] = MPM_CAUSE_CRACK,
         [MPM_USER_FORCE_NOT_FINITE] = MPM_CAUSE_LOAD,
         [MPM_SOURCE_NOT_FINITE] = MPM_CAUSE_LOAD,
-        [MPM_BELOW_ZERO] = MPM_CAUSE_LOAD,
+        [MPM_BELOW_ZERO] = MPM_CAUSE_TEMPERATURE,
         [MPM_CAPACITY_NEGATIVE] = MPM_CAUSE_TEMPERATURE,
         [MPM_TEMPERATURE_NEGATIVE] = MPM_CAUSE_TEMPERATURE,
         [MPM_NO_TEMPERATURE] = MPM_CAUSE_TEMPERATURE,
@@ -71,8 +72,8 @@ static const char *describe_update(const struct mpm_failure *failure, char text[
     if (failure->kind == MPM_SOURCE_NOT_FINITE)
         return print(text, "has a source in transport that is not finite: %g", failure->value);
     if (failure->kind == MPM_BELOW_ZERO)
-        return print(text, "radiates at a temperature of %g; allowed: absolute, at least 0",
-                     failure->value);
+        return print(text, "radiates %s temperature of %g; allowed: absolute, at least 0",
+                     failure->axis == MPM_RADIATES_TO ? "to an ambient" : "at a", failure->value);
     if (failure->kind == MPM_CAPACITY_NEGATIVE)
         return print(text,
                      "is at a temperature of %g, at which thermal_expansion makes the heat "

@@ -174,6 +174,8 @@ size_t mpm_cracks_undeformed_points(const struct mpm_scene *scene);
  * are on both sides, or a crack meets a plane. */
 enum mpm_status mpm_symmetries_create(struct mpm_simulation *simulation, struct mpm_error *error);
 enum mpm_status mpm_symmetries_fill(struct mpm_simulation *simulation, struct mpm_error *error);
+/* Its coordinate along the axis of its normal. */
+double mpm_symmetry_place(const struct mpm_state *state, const struct mpm_symmetry *plane);
 
 /* j_integrals.c: their memory; their tips, once the particles are placed: MPM_BAD_INPUT where a
  * contour is not one. */

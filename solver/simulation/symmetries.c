@@ -40,7 +40,7 @@ enum mpm_status mpm_symmetries_create(struct mpm_simulation *simulation, struct 
     return MPM_OK;
 }
 
-static double place_of_plane(const struct mpm_state *state, const struct mpm_symmetry *plane)
+double mpm_symmetry_place(const struct mpm_state *state, const struct mpm_symmetry *plane)
 {
     return state->grid.origin[plane->axis] +
            state->grid.cell[plane->axis] * (double)(plane->line - MPM_GHOST_ROWS);
@@ -51,7 +51,7 @@ static enum mpm_status find_inside(const struct mpm_simulation *simulation,
                                    struct mpm_symmetry *plane, struct mpm_error *error)
 {
     const struct mpm_state *const state = &simulation->state;
-    const double place = place_of_plane(state, plane);
+    const double place = mpm_symmetry_place(state, plane);
     const double *const position = state->particles.position[plane->axis];
     for (size_t p = 0; p < state->particles.count; p++) {
         const int64_t side = position[p] > place ? 1 : -1;
@@ -135,7 +135,7 @@ static enum mpm_status hold_points(struct mpm_simulation *simulation,
 {
     const struct mpm_scene *const scene = simulation->scene;
     struct mpm_state *const state = &simulation->state;
-    const double place = place_of_plane(state, plane);
+    const double place = mpm_symmetry_place(state, plane);
     const double slack = 1e-6 * state->grid.cell[plane->axis];
     for (size_t crack = 0; crack < scene->crack_count; crack++) {
         const size_t count = state->cracks.chains[crack].count;
@@ -171,7 +171,7 @@ static enum mpm_status check_bodies(const struct mpm_state *state, const struct 
                                     struct mpm_error *error)
 {
     const struct mpm_scene *const scene = state->scene;
-    const double place = place_of_plane(state, plane), least = reach_across(state, plane);
+    const double place = mpm_symmetry_place(state, plane), least = reach_across(state, plane);
     for (size_t crack = 0; crack < scene->crack_count && scene->contact.field_count > 0; crack++) {
         const struct mpm_crack_chain *const chain = &state->cracks.chains[crack];
         const double *const along = plane->axis == 0 ? chain->x : chain->y;

@@ -12,6 +12,7 @@ struct mpm_j_sums {
     double stress[3];                   /* s: xx yy xy */
     double gradient[MPM_GRADIENT_SIZE]; /* F - I */
     double energy;                      /* e */
+    double free_strain;
     double mass, momentum[2], force[2];
 };
 
@@ -31,9 +32,10 @@ struct mpm_j_particle {
     double place[2], v[2];
     double f[MPM_GRADIENT_SIZE];
     double tau[MPM_SYMMETRIC_SIZE];
-    double energy; /* W + K */
-    double plane;  /* J_2 */
-    double area;   /* undeformed */
+    double energy;      /* W + K */
+    double free_strain; /* transfer/law_state.h; 0 of materials that do not expand */
+    double plane;       /* J_2 */
+    double area;        /* undeformed */
     double density;
 };
 

@@ -150,6 +150,8 @@ static struct mpm_j_particle carried_by(const struct mpm_j_contour *contour, siz
         made.tau[k] = density * particles->stress[k][p];
     made.plane = made.f[MPM_XX] * made.f[MPM_YY] - made.f[MPM_XY] * made.f[MPM_YX];
     made.energy = density * mpm_particle_strain_energy(contour->state, p);
+    if (particles->free_strain != NULL)
+        made.free_strain = particles->free_strain[p];
     if (contour->spec->dynamic)
         made.energy += 0.5 * density * (made.v[0] * made.v[0] + made.v[1] * made.v[1]);
     return made;
@@ -166,6 +168,7 @@ static void add_to_sums(const struct mpm_state *state, const struct mpm_j_partic
     sums->stress[1] += inverse * own->tau[MPM_SYM_YY];
     sums->stress[2] += inverse * own->tau[MPM_SYM_XY];
     sums->energy += inverse * own->energy;
+    sums->free_strain += weight * own->free_strain;
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
         sums->gradient[k] += weight * (own->f[k] - (k == MPM_XY || k == MPM_YX ? 0.0 : 1.0));
     sums->mass += mass * entry->s;
@@ -260,9 +263,10 @@ static double share_of(const struct mpm_j_contour *contour, const int64_t at[2])
 
 /* Values of the nodes at a particle. */
 struct nodal {
-    double share;       /* of it inside the contour */
-    double force[2];    /* per mass: a - b */
-    double gradient[4]; /* of the velocity, at the particle: xx xy yx yy */
+    double share;        /* of it inside the contour */
+    double force[2];     /* per mass: a - b */
+    double gradient[4];  /* of the velocity, at the particle: xx xy yx yy */
+    double expansion[2]; /* gradient of the free strain, in the undeformed body */
 };
 
 static struct nodal nodal_values(const struct mpm_j_contour *contour,
@@ -270,6 +274,7 @@ static struct nodal nodal_values(const struct mpm_j_contour *contour,
 {
     struct mpm_stencil stencil;
     struct nodal nodal = {.share = 0.0};
+    double expansion[2] = {0.0, 0.0};
     mpm_particle_plain_stencil(contour->state, own->p, &stencil);
     for (int k = 0; k < stencil.count; k++) {
         const struct mpm_stencil_node *const entry = &stencil.node[k];
@@ -284,8 +289,11 @@ static struct nodal nodal_values(const struct mpm_j_contour *contour,
             nodal.force[i] += entry->s * sums->force[i] / sums->mass;
             nodal.gradient[2 * i] += entry->g[0] * sums->momentum[i] / sums->mass;
             nodal.gradient[2 * i + 1] += entry->g[1] * sums->momentum[i] / sums->mass;
+            expansion[i] += entry->g[i] * sums->free_strain / sums->area;
         }
     }
+    for (int k = 0; k < 2; k++)
+        nodal.expansion[k] = own->f[k] * expansion[0] + own->f[2 + k] * expansion[1];
     return nodal;
 }
 
@@ -364,18 +372,22 @@ static void add_area(const struct mpm_j_contour *contour, const struct mpm_tip_f
     const struct mpm_j_integral_spec *const spec = contour->spec;
     const struct mpm_j_particle own = carried_by(contour, p);
     struct nodal nodal = {.share = 0.0};
+    const double *const tau = own.tau;
+    const double trace = tau[MPM_SYM_XX] + tau[MPM_SYM_YY] + tau[MPM_SYM_ZZ];
+    const bool expands = contour->state->particles.free_strain != NULL;
     double curved[2] = {0.0, 0.0}, dynamic[2] = {0.0, 0.0}, weight = 1.0;
-    if (spec->dynamic || spec->form != MPM_J_CONTOUR)
+    if (spec->dynamic || expands || spec->form != MPM_J_CONTOUR)
         nodal = nodal_values(contour, &own);
     if (nodal.share > 0.0)
         weight = curved_term(contour, &own, curved);
     if (nodal.share > 0.0 && spec->dynamic)
         dynamic_term(contour, &own, &nodal, dynamic);
     for (int k = 0; k < 2; k++) {
-        j[k] += nodal.share * own.area * (weight * dynamic[k] - curved[k]);
+        const double changes = dynamic[k] + trace * nodal.expansion[k];
+        j[k] += nodal.share * own.area * (weight * changes - curved[k]);
         nodal.force[k] = spec->dynamic ? nodal.force[k] : 0.0;
     }
-    mpm_stress_intensity_add(frame, &own, nodal.force, sums);
+    mpm_stress_intensity_add(frame, &own, nodal.force, nodal.expansion, sums);
 }
 
 /* Particles outside of the contour by less than their reach have a share as well. */

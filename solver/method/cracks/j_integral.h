@@ -26,6 +26,14 @@
  *       J_k = int [...] dS - int 1/R (P_iR u_i,k - delta_kR P_tt u/R) dA + int rho_0 [...] dA
  * Both are exact; sums over particles and nodes make the difference.
  *
+ * Free strain e that varies from place to place (law_state.h: W is that of F exp(-e)) is one more
+ * thing that W depends on: dW/de = -tr tau at constant F, tau in all three directions, and the
+ * divergence of [...] has -tr(tau) e,k. So J has, in every form, with the weight of the term with
+ * rho_0 (W. K. Wilson, I.-W. Yu, Int. J. Fract. 15 (1979) 377-387, at small strain)
+ *     + int tr(tau) e,k dA,   e,k along axes of the undeformed body,
+ * at any deformation: e,k = F_mk de/dx_m, and that of means at the nodes, by the fields of the
+ * step. With heat of deformation W is still the one at constant temperature.
+ *
  * u_i,k in products with stress may be (F - C)_ik with any constant C, since forces on the contour,
  * inertia and body forces balance; in axisymmetry P_tt u/R delta_kR becomes P_tt (u/R delta_kR -
  * (C - I)_Rk) then. C is the mean of F on the contour, so that a body that turns as a whole is not

@@ -178,6 +178,18 @@ static double mixed_energy(const struct measured *own, const struct auxiliary *f
            2.0 * own->stress[2] * field->strain[2];
 }
 
+/* t_33: 0 in plane stress */
+static double across_plane(const struct mpm_tip_frame *frame, const struct auxiliary *field)
+{
+    const bool strained = frame->contour->state->scene->geometry != MPM_PLANE_STRESS;
+    return strained ? 0.25 * (3.0 - frame->kappa) * (field->stress[0] + field->stress[1]) : 0.0;
+}
+
+static double trace_of(const struct mpm_tip_frame *frame, const struct auxiliary *field)
+{
+    return field->stress[0] + field->stress[1] + across_plane(frame, field);
+}
+
 /* [...] q,k + rho (v' - b)_i a_i,1 q */
 static double planar_part(const struct measured *own, const struct auxiliary *field)
 {
@@ -193,7 +205,7 @@ static double curved_part(const struct mpm_tip_frame *frame, const struct mpm_j_
 {
     const double radial[2] = {frame->axes[0][0], frame->axes[1][0]}; /* e_R */
     const double slope[2] = {own->gradient[0], own->gradient[2]};
-    const double hoop = 0.25 * (3.0 - frame->kappa) * (field->stress[0] + field->stress[1]);
+    const double hoop = across_plane(frame, field);
     const double stretch = particle->f[MPM_ZZ] - 1.0;
     return own->weight * (particle->tau[MPM_SYM_ZZ] * along(radial, field->slope) +
                           product(field->stress, radial, slope) -
@@ -231,9 +243,25 @@ static void add_to_faces(const struct mpm_tip_frame *frame, const struct mpm_j_p
     }
 }
 
+/* The part of a particle's domain that is beyond the crack. */
+static double share_beyond(const struct mpm_tip_frame *frame, const struct mpm_j_particle *particle,
+                           const double x[2])
+{
+    const struct mpm_state *const state = frame->contour->state;
+    const double *const half = state->bodies[state->particles.body[particle->p]].half_size;
+    const double *const across = frame->axes[1];
+    const double reach = fabs(across[0]) * half[0] + fabs(across[1]) * half[1];
+    const double image[2] = {particle->place[0] - 2.0 * x[1] * frame->turned[1][0],
+                             particle->place[1] - 2.0 * x[1] * frame->turned[1][1]};
+    if (x[0] >= 0.0 || fabs(x[1]) >= reach ||
+        mpm_j_side(frame->contour, particle->place, image, NULL) == MPM_CRACK_SAME_SIDE)
+        return 0.0;
+    return 0.5 * (1.0 - fabs(x[1]) / reach);
+}
+
 void mpm_stress_intensity_add(const struct mpm_tip_frame *frame,
                               const struct mpm_j_particle *particle, const double force[2],
-                              struct mpm_intensity_sums *sums)
+                              const double expansion[2], struct mpm_intensity_sums *sums)
 {
     const double from[2] = {particle->place[0] - frame->place[0],
                             particle->place[1] - frame->place[1]};
@@ -247,8 +275,12 @@ void mpm_stress_intensity_add(const struct mpm_tip_frame *frame,
     auxiliary_at(frame, sqrt(particle->area), particle->place, x, field);
     add_to_faces(frame, particle, x, &own, sums);
     const double radius = frame->curved ? particle->place[0] / particle->f[MPM_ZZ] : 1.0;
+    const double slope = along(frame->axes[0], expansion); /* e,1 */
+    const double beyond = slope == 0.0 ? 0.0 : share_beyond(frame, particle, x);
     for (int mode = 0; mode < MPM_MODES; mode++) {
-        double sum = radius * planar_part(&own, &field[mode]);
+        const double kept = mode == 0 ? 1.0 : 1.0 - 2.0 * beyond;
+        const double free_strain = weight * kept * trace_of(frame, &field[mode]) * slope;
+        double sum = radius * (planar_part(&own, &field[mode]) + free_strain);
         if (frame->curved)
             sum += curved_part(frame, particle, &own, &field[mode]);
         sums->body[mode] += particle->area * sum;

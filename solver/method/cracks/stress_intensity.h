@@ -35,6 +35,12 @@
  *     R_0 M = int { R [...] q,k + q ( R rho (v' - b)_i a_i,1 + s_tt a_R,1 + t_iR u_i,1
  *             - t_33 (u_R,1 - (e_R)_1 u_R/R) - (e_R)_1 s_ik a_i,k ) } dA.
  *
+ * Free strain e that varies from place to place belongs to s alone, s = C (u_(k,l) - e delta_kl),
+ * so that t_ik u_i,1k - s_ik,1 a_i,k = t_kk e,1, with t_33, and M has, in axisymmetry with R,
+ *     + int t_kk e,1 q dA.
+ * In mode II t_kk jumps across the crack: a particle whose domain reaches beyond has it with the
+ * parts of both sides.
+ *
  * Integrals are sums over particles; u_i,1 is F - I. A body that has turned as a whole (planar) is
  * turned back by the rotation of the mean of F, with the weights q. q is 1 near the tip and falls
  * to 0 within J's rectangle, at the same distance on both sides of the tip; on each axis, with s
@@ -89,11 +95,11 @@ struct mpm_intensity_sums {
 struct mpm_tip_frame mpm_tip_frame_of(const struct mpm_j_contour *contour, double bulk,
                                       double shear);
 
-/* Adds a particle. `force`: v' - b there, or 0. Cost: some square roots, and a test of the crack;
- * next to nothing where q is 0. */
+/* Adds a particle. `force`: v' - b there, or 0; `expansion`: e,k in the undeformed body. Cost: some
+ * square roots, and a test of the crack; next to nothing where q is 0. */
 void mpm_stress_intensity_add(const struct mpm_tip_frame *frame,
                               const struct mpm_j_particle *particle, const double force[2],
-                              struct mpm_intensity_sums *sums);
+                              const double expansion[2], struct mpm_intensity_sums *sums);
 
 /* Adds the faces of a bent crack: those of all segments but the tip's. Cost: four nodes for each
  * quarter of a cell. */

@@ -69,7 +69,9 @@ static void spread_edge(struct mpm_state *state, const struct mpm_nodal_scalar *
     }
     value = area == 0.0 ? 0.0 : value / area;
     if (flux->flux == MPM_FLUX_RADIATES && value < 0.0)
-        mpm_strip_record(strip, MPM_BELOW_ZERO, edge->site->id, 0, value);
+        mpm_strip_record(strip, MPM_BELOW_ZERO, edge->site->id, MPM_RADIATES_ITSELF, value);
+    if (flux->flux == MPM_FLUX_RADIATES && edge->traction[0] < 0.0)
+        mpm_strip_record(strip, MPM_BELOW_ZERO, edge->site->id, MPM_RADIATES_TO, edge->traction[0]);
     const double phi = flux_at(flux, edge->traction[0], value);
     for (int k = 0; k < weights->count; k++)
         scalar->inflow[state->node_zero + weights->entry[k].node] += weights->entry[k].w * phi;

@@ -17,6 +17,9 @@
 
 #include "method/state.h"
 
+/* Whose temperature a failure MPM_BELOW_ZERO has, in the place of its axis. */
+enum { MPM_RADIATES_ITSELF, MPM_RADIATES_TO };
+
 /* Of state->edge_loads, which have been prepared. Cost: one look at each edge. */
 void mpm_transport_edges_spread(struct mpm_state *state, int workers,
                                 struct mpm_nodal_scalar *scalar);

@@ -103,6 +103,9 @@ END_TEST
 
 #define HEATING "transport.temperature.heating=true"
 #define HELD    "boundary=[{region: all, velocity: [0, 0]}]"
+#define RADIATION(ambient)                                                                         \
+    "transport.temperature.fluxes=[{body: block, edge: top, radiation: {emissivity: 0.5, sigma: "  \
+    "1e-3, ambient: '" ambient "'}}]"
 #define UNSTABLE                                                                                   \
     MATERIAL("neo_hookean",                                                                        \
              "bulk: 1.25, shear: 0.75, thermal_expansion: 0.5, stress_free_temperature: 1")
@@ -121,6 +124,12 @@ static const struct {
      "start: particle 0 (body 'block') is at a temperature of -0.5; allowed"},
     {{MATERIAL("ideal_gas", GAS), "transport.temperature.start='x<3.4 && y<4 ? -0.5 : 1'"},
      "start: particle 0 (body 'block') is at a temperature of -0.5; allowed"},
+    {{RADIATION("-1"), "transport.temperature.start=1"},
+     "transport.temperature.fluxes.0.radiation.ambient: is -1 at ("},
+    {{RADIATION("y-x"), "transport.temperature.start=1"},
+     "transport.temperature.fluxes.0.radiation.ambient: is -"},
+    {{RADIATION("1"), "transport.temperature.start='x>8 && y>7 ? -0.5 : 1'"},
+     "transport.temperature.fluxes.0.radiation: body 'block' has a temperature of -0.5 at ("},
 };
 
 START_TEST(temperatures_without_meaning_are_refused_at_the_start)
@@ -154,6 +163,10 @@ static const struct {
     {{MATERIAL("ideal_gas", GAS), "transport.temperature.start=1",
       "transport.temperature.source=-5"},
      "(body 'block') is at a temperature of -"},
+    {{RADIATION("1-10*t"), "transport.temperature.start=1"},
+     "(body 'block') radiates to an ambient temperature of -"},
+    {{RADIATION("1"), "transport.temperature.start=1", "transport.temperature.source=-5"},
+     "(body 'block') radiates at a temperature of -"},
     /* alpha below zero: stretched, so that it warms, shrinks, is stretched more, without end */
     {{MATERIAL("neo_hookean", "bulk: 1.25, shear: 0.75, thermal_expansion: -0.1, "
                               "stress_free_temperature: 1.5"),

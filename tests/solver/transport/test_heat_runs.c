@@ -7,6 +7,7 @@
 #include "support/heat_block.h"
 #include "support/kernel_pair.h"
 #include "support/near.h"
+#include "support/scene_files.h"
 
 #include <glib.h>
 #include <math.h>
@@ -27,6 +28,7 @@ static const char PLANE[] =
 #define END_FLUX(edge) "{body: block, edge: " edge ", convection: {coefficient: 0.4, ambient: 2}}"
 static const char BOTH_ENDS[] =
     "transport.temperature.fluxes=[" END_FLUX("top") ", " END_FLUX("bottom") "]";
+static const char ALL_ENDS[] = "transport.temperature.fluxes=[" END_FLUX("all") "]";
 static const char UPPER_END[] = "transport.temperature.fluxes=[" END_FLUX("top") "]";
 
 /* Left side prescribed, also at the nodes beyond the plane and on it. */
@@ -415,6 +417,52 @@ START_TEST(a_solvent_diffuses_as_heat_does)
 }
 END_TEST
 
+/* `all` leaves out what lies on a plane: half the area of the whole, 2 (6 + 4.8), and one step of
+ * what flows in. */
+START_TEST(nothing_flows_through_a_plane_of_symmetry)
+{
+    double inflow[2];
+    for (int k = 0; k < 2; k++) {
+        struct settings settings = {.count = 0};
+        settings_add(&settings, ALL_ENDS);
+        settings_add(&settings, "time={end: 1000, step: 0.05}");
+        if (k == 1) {
+            settings_add(&settings, HALF);
+            settings_add(&settings, PLANE);
+        }
+        struct test_run run = heat_block_open(&settings, MPM_KERNELS_AUTO);
+        test_run_steps(&run, 1);
+        inflow[k] = heat_block_scalar(&run)->totals.edges;
+        test_run_close(&run);
+        settings_clear(&settings);
+    }
+    ck_assert_near(inflow[0], 0.05 * 0.8 * 2.0 * 10.8, HEAT_BLOCK_ROUND_OFF);
+    ck_assert_near(2.0 * inflow[1], inflow[0], HEAT_BLOCK_ROUND_OFF);
+}
+END_TEST
+
+START_TEST(a_flux_on_a_plane_of_symmetry_is_refused)
+{
+    static const char scene_text[] = TEST_BLOCK_SCENE(
+        "{end: 1}",
+        "{name: soft, law: neo_hookean, density: 2, bulk: 1, shear: 1, heat_capacity: 1, "
+        "conductivity: 1}",
+        "  - {name: block, material: soft, region: {rectangle: {from: [3, 3.2], to: [9, 8]}}}\n"
+        "boundary: [{region: {line: {from: [3, 0], to: [3, 12]}}, symmetry: true}]\n"
+        "transport: {temperature: {fluxes: [{body: block, edge: left, value: 1}]}}\n");
+    struct mpm_scene *const scene = test_scene_read_text(scene_text);
+    struct mpm_simulation *simulation = NULL;
+    struct mpm_error error = {.message = ""};
+    ck_assert_int_eq(mpm_simulation_create(scene, &(struct mpm_simulation_options){.threads = 1},
+                                           &simulation, &error),
+                     MPM_BAD_INPUT);
+    test_contains(error.message, "transport.temperature.fluxes.0.edge: no particle of body 'block' "
+                                 "has an edge on its left that is not on r = 0 or on a plane of "
+                                 "symmetry");
+    mpm_scene_free(scene);
+}
+END_TEST
+
 Suite *suite_heat_runs(void)
 {
     Suite *suite = suite_create("heat_runs");
@@ -437,6 +485,8 @@ Suite *suite_heat_runs(void)
     tcase_add_loop_test(all, conduction_does_not_wait_beyond_its_limit, 0, HEAT_BLOCK_REST);
     tcase_add_loop_test(all, conduction_does_not_wait_beyond_the_last_step, 0, HEAT_BLOCK_REST);
     tcase_add_loop_test(all, a_solvent_diffuses_as_heat_does, 0, 2 * TEST_COMBINATIONS);
+    tcase_add_test(all, nothing_flows_through_a_plane_of_symmetry);
+    tcase_add_test(all, a_flux_on_a_plane_of_symmetry_is_refused);
     tcase_add_test(all, steps_stay_below_the_limit_of_explicit_conduction);
     suite_add_tcase(suite, all);
     return suite;
