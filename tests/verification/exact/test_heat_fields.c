@@ -5,6 +5,7 @@
 #include "suites.h"
 #include "support/near.h"
 #include "verification/exact/heat.h"
+#include "verification/exact/heat_edges.h"
 #include "verification/exact/kirchhoff.h"
 #include "verification/exact/uptake.h"
 
@@ -60,6 +61,44 @@ START_TEST(fields_of_fluxes_solve_the_equation)
         ck_assert_near(slope, 1.0, 5e-3);
     }
     ck_assert_near(heat_surface_flux(body, 0.2, 1e-3), 0.0, 1e-10);
+}
+END_TEST
+
+static double convects(enum heat_body body, double place, double tau)
+{
+    return heat_surface_convection(body, place, tau, 3.0);
+}
+
+START_TEST(fields_of_convection_solve_the_equation)
+{
+    const enum heat_body body = (enum heat_body)_i;
+    for (size_t t = 0; t < G_N_ELEMENTS(times); t++) {
+        const double tau = times[t], at = convects(body, 1.0, tau);
+        for (size_t k = 0; k < G_N_ELEMENTS(places); k++)
+            ck_assert_near(residual(convects, body, places[k], tau), 0.0, SLOPE);
+        const double slope =
+            (3.0 * at - 4.0 * convects(body, 0.99, tau) + convects(body, 0.98, tau)) / 0.02;
+        ck_assert_near(slope, 3.0 * (1.0 - at), 5e-3);
+        /* a film that does not resist is a surface that is held; one that resists, a flux of b */
+        ck_assert_near(heat_surface_convection(body, 0.6, tau, 1e9),
+                       heat_surface_held(body, 0.6, tau), 1e-8);
+        ck_assert_near(heat_surface_convection(body, 0.6, tau, 1e-6),
+                       1e-6 * heat_surface_flux(body, 0.6, tau), 1e-10);
+    }
+    ck_assert_near(heat_surface_convection(body, 0.2, 1e-3, 3.0), 0.0, 1e-10);
+    ck_assert_near(heat_surface_convection(body, 0.0, 0.1, 3.0),
+                   heat_surface_convection(body, 1e-6, 0.1, 3.0), 1e-10);
+}
+END_TEST
+
+START_TEST(a_body_that_radiates_follows_its_equation)
+{
+    const double start = 900.0, rate = 4e-11, t = 25.0, d = 1e-3;
+    const double now = heat_radiated(start, rate, t);
+    ck_assert_near((heat_radiated(start, rate, t + d) - heat_radiated(start, rate, t - d)) /
+                       (2.0 * d),
+                   -rate * now * now * now * now, 1e-6);
+    ck_assert_near(heat_radiated(start, rate, 0.0), start, 1e-12 * start);
 }
 END_TEST
 
@@ -189,6 +228,8 @@ Suite *suite_heat_fields(void)
     TCase *fields = tcase_create("fields");
     tcase_add_loop_test(fields, fields_of_held_surfaces_solve_the_equation, 0, HEAT_BODIES);
     tcase_add_loop_test(fields, fields_of_fluxes_solve_the_equation, 0, HEAT_BODIES);
+    tcase_add_loop_test(fields, fields_of_convection_solve_the_equation, 0, HEAT_BODIES);
+    tcase_add_test(fields, a_body_that_radiates_follows_its_equation);
     tcase_add_test(fields, the_mode_of_a_sphere_solves_the_equation);
     tcase_add_test(fields, a_spot_solves_the_equation_with_two_diffusivities);
     tcase_add_test(fields, a_passing_rod_is_steady);

@@ -7,6 +7,13 @@
  * _2, capacity_1 and _2 (per volume), start_1 and _2, conductance (0: none flows, inf: perfect
  * contact), origin, height (of the bodies, for what has passed), field: cylinder or slabs.
  *
+ * `field: lumped`: two bodies, or the sides of a crack, that conduct so well that each is of one
+ * temperature, with surfaces of any direction, told apart by their temperatures at t = 0. Of the
+ * parameters start, capacity (per mass), conductance and `area` (of their contact) alone: with the
+ * heat capacities C_1, C_2 of their particles, what has passed is
+ *
+ *     C_1 C_2/(C_1 + C_2) (T_1 - T_2) (1 - exp(-conductance area (1/C_1 + 1/C_2) t)).
+ *
  * Reports: error_l2, error_worst (% of the difference at t = 0), passed_part (heat that has gone
  * from the first field to the second over the exact one; where the scene has contact
  * and something flows), between (temperature at the contact: of the particles nearest to it on
@@ -26,12 +33,15 @@
 #include <string.h>
 
 enum { AXES = 2, COLUMNS = 4, COLUMN_COUNT = 2 };
-static const char *const field_names[] = {"slabs", "cylinder"};
+enum field { SLABS, CYLINDER, LUMPED, FIELDS };
+static const char *const field_names[FIELDS] = {"slabs", "cylinder", "lumped"};
 
 struct problem {
     struct heat_layers layers;
     struct heat_layers_series series;
     double origin, height;
+    enum field kind;
+    double area; /* lumped */
 };
 
 struct outcome {
@@ -64,9 +74,12 @@ static enum mpm_status read_problem(const struct measurement *m, struct problem 
         {"height", &problem->height},
     };
     size_t field;
-    TRY(measurement_choice(m, "field", field_names, G_N_ELEMENTS(field_names), &field, error));
+    TRY(measurement_choice(m, "field", field_names, FIELDS, &field, error));
     TRY(measurement_numbers(m, needed, G_N_ELEMENTS(needed), error));
-    layers->cylinder = field == 1;
+    problem->kind = (enum field)field;
+    layers->cylinder = field == CYLINDER;
+    if (field == LUMPED)
+        TRY(measurement_number(m, "area", &problem->area, error));
     layers->conductance = HUGE_VAL;
     return measurement_has(m, "conductance")
                ? measurement_number(m, "conductance", &layers->conductance, error)
@@ -76,7 +89,7 @@ static enum mpm_status read_problem(const struct measurement *m, struct problem 
 /* Before the run: its end is known. */
 static enum mpm_status solve(struct problem *problem, double time, struct mpm_error *error)
 {
-    if (problem->layers.conductance == 0.0 ||
+    if (problem->layers.conductance == 0.0 || problem->kind == LUMPED ||
         heat_layers_solve(&problem->layers, time, &problem->series))
         return MPM_OK;
     return failure_set(error, MPM_BAD_INPUT,
@@ -173,6 +186,31 @@ static void compare(const struct problem *problem, size_t count, const double *p
                               value_at_contact(problem, 1, count, position, value));
 }
 
+/* Heat that the bodies of one temperature have exchanged, over the exact one. */
+static double lumped_part(const struct problem *problem, const struct mpm_simulation *simulation,
+                          const double *first)
+{
+    const struct heat_layers *const layers = &problem->layers;
+    const size_t count = mpm_simulation_particle_count(simulation);
+    double *const value = g_new(double, count), *const mass = g_new(double, count);
+    double capacity[2] = {0.0, 0.0}, lost = 0.0;
+    mpm_simulation_field(simulation, MPM_FIELD_TEMPERATURE, value);
+    mpm_simulation_field(simulation, MPM_FIELD_MASS, mass);
+    for (size_t p = 0; p < count; p++) {
+        const int body =
+            fabs(first[p] - layers->start[0]) < fabs(first[p] - layers->start[1]) ? 0 : 1;
+        capacity[body] += layers->capacity[body] * mass[p];
+        if (body == 0)
+            lost += layers->capacity[0] * mass[p] * (first[p] - value[p]);
+    }
+    g_free(value);
+    g_free(mass);
+    const double both = capacity[0] * capacity[1] / (capacity[0] + capacity[1]);
+    const double rate = layers->conductance * problem->area / both;
+    return lost / (both * (layers->start[0] - layers->start[1]) *
+                   -expm1(-rate * mpm_simulation_time(simulation)));
+}
+
 static enum mpm_status measure_end(const struct study *study, struct measurement *m,
                                    struct mpm_simulation *simulation, const double *first,
                                    struct mpm_error *error)
@@ -213,11 +251,13 @@ static enum mpm_status measure_scene(void *context, struct measurement *m,
     enum mpm_status status =
         follow_to(m, simulation, mpm_scene_end_time(scene), &outcome->finished, error);
     follow_count_work(m, simulation);
-    if (status == MPM_OK)
+    if (status == MPM_OK && study->problem->kind == LUMPED)
+        outcome->passed_part = lumped_part(study->problem, simulation, first);
+    else if (status == MPM_OK)
         status = measure_end(study, m, simulation, first, error);
     g_free(first);
     outcome->imbalance = fabs(heat(scene, simulation) - at_start) / fabs(at_start);
-    if (study->problem->layers.conductance > 0.0) {
+    if (study->problem->layers.conductance > 0.0 && study->problem->kind != LUMPED) {
         const double wanted =
             study->problem->height *
             heat_layers_passed(&study->problem->series, mpm_simulation_time(simulation));
@@ -232,12 +272,14 @@ static void report(struct measurement *m, const struct problem *problem,
                    const struct outcome *outcome)
 {
     const double missing = outcome->finished ? 0.0 : (double)NAN;
-    levels_report_value(m, "error_l2", "", missing + outcome->error_l2);
-    levels_report_value(m, "error_worst", "", missing + outcome->error_worst);
-    levels_report_value(m, "between", "", missing + outcome->between);
+    if (problem->kind != LUMPED) {
+        levels_report_value(m, "error_l2", "", missing + outcome->error_l2);
+        levels_report_value(m, "error_worst", "", missing + outcome->error_worst);
+        levels_report_value(m, "between", "", missing + outcome->between);
+        measurement_report(m, "unchanged", outcome->unchanged ? 1.0 : 0.0);
+    }
     if (problem->layers.conductance > 0.0 && !isnan(outcome->passed_part))
         levels_report_value(m, "passed_part", "", missing + outcome->passed_part);
-    measurement_report(m, "unchanged", outcome->unchanged ? 1.0 : 0.0);
     measurement_report(m, "finished", outcome->finished ? 1.0 : 0.0);
 }
 
