@@ -51,6 +51,7 @@
     SUITE(gruneisen_solid)                                                                         \
     SUITE(equation_of_state)                                                                       \
     SUITE(viscosity)                                                                               \
+    SUITE(spall)                                                                                   \
     SUITE(parting)                                                                                 \
     SUITE(particles)                                                                               \
     SUITE(property)                                                                                \
