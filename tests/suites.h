@@ -51,6 +51,7 @@
     SUITE(gruneisen_solid)                                                                         \
     SUITE(equation_of_state)                                                                       \
     SUITE(viscosity)                                                                               \
+    SUITE(metal_limits)                                                                            \
     SUITE(spall)                                                                                   \
     SUITE(parting)                                                                                 \
     SUITE(particles)                                                                               \
