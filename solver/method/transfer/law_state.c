@@ -8,24 +8,6 @@
 #include <math.h>
 #include <string.h>
 
-size_t mpm_law_states_of(const struct mpm_scene *scene)
-{
-    size_t most = 0;
-    for (size_t k = 0; k < scene->body_count; k++) {
-        if (scene->bodies[k].rigid)
-            continue;
-        const size_t count = mpm_law_state_count(scene->materials[scene->bodies[k].material].law);
-        most = count > most ? count : most;
-    }
-    return most;
-}
-
-unsigned mpm_law_uses(const struct mpm_scene *scene)
-{
-    return (mpm_law_states_of(scene) > 0 ? MPM_USE_LAW_STATE : 0U) |
-           (mpm_scene_is_viscous(scene) ? MPM_USE_VISCOSITY : 0U);
-}
-
 double mpm_free_strain(const struct mpm_material_spec *material,
                        const double value[MPM_SCALAR_COUNT])
 {
