@@ -316,10 +316,8 @@ bool mpm_scene_is_damped(const struct mpm_scene *scene);
 /* Has one of its materials plastic strain: has its history the column plastic_dissipation? */
 bool mpm_scene_is_plastic(const struct mpm_scene *scene);
 
-/* Has it plastic strain and no crack: has its history the column parted_pairs? */
+/* Has its history the columns parted_pairs, melted_particles: plastic strain, a melting point? */
 bool mpm_scene_counts_parted(const struct mpm_scene *scene);
-
-/* Has one of its materials a melting temperature: has its history the column melted_particles? */
 bool mpm_scene_melts(const struct mpm_scene *scene);
 
 /* Has one of its materials artificial viscosity: has its history the column viscous_dissipation? */
