@@ -304,6 +304,7 @@ struct mpm_ledger {
     /* With plastic strain and without cracks, else 0: pairs of particles that were neighbours in
      * the undeformed body and that have no node in common: numerical fracture. */
     uint64_t parted_pairs;
+    uint64_t melted_particles; /* at their melting temperature or above: without strength */
 };
 
 /* Cost: one pass over the particles; strain energy needs a logarithm each. */
@@ -315,8 +316,9 @@ bool mpm_scene_is_damped(const struct mpm_scene *scene);
 /* Has one of its materials plastic strain: has its history the column plastic_dissipation? */
 bool mpm_scene_is_plastic(const struct mpm_scene *scene);
 
-/* Has it plastic strain and no crack: has its history the column parted_pairs? */
+/* Has its history the columns parted_pairs, melted_particles: plastic strain, a melting point? */
 bool mpm_scene_counts_parted(const struct mpm_scene *scene);
+bool mpm_scene_melts(const struct mpm_scene *scene);
 
 /* Has one of its materials artificial viscosity: has its history the column viscous_dissipation? */
 bool mpm_scene_is_viscous(const struct mpm_scene *scene);

@@ -53,6 +53,8 @@
     SUITE(gruneisen_solid)                                                                         \
     SUITE(equation_of_state)                                                                       \
     SUITE(viscosity)                                                                               \
+    SUITE(metal_limits)                                                                            \
+    SUITE(spall)                                                                                   \
     SUITE(parting)                                                                                 \
     SUITE(particles)                                                                               \
     SUITE(property)                                                                                \

@@ -91,6 +91,19 @@ static void warn_of_parting(struct mpm_run *run, const struct mpm_ledger *ledger
     mpm_run_warn(run, run->parted_warning);
 }
 
+/* The same for melted particles. */
+static void warn_of_melting(struct mpm_run *run, const struct mpm_ledger *ledger)
+{
+    if (ledger->melted_particles == 0 || run->melted_warning[0] != '\0')
+        return;
+    (void)g_snprintf(run->melted_warning, sizeof run->melted_warning,
+                     "melting, first seen at step %" PRIu64 ", time %g: %" PRIu64
+                     " particles at their melting temperature or above have no strength; see "
+                     "melted_particles of history.csv",
+                     ledger->step, ledger->time, ledger->melted_particles);
+    mpm_run_warn(run, run->melted_warning);
+}
+
 /* Each once. */
 static void warn_of_tips(struct mpm_run *run)
 {
@@ -110,6 +123,7 @@ static enum mpm_status write_history(struct mpm_run *run, struct mpm_error *erro
     struct mpm_ledger ledger;
     mpm_simulation_ledger(run->simulation, &ledger);
     warn_of_parting(run, &ledger);
+    warn_of_melting(run, &ledger);
     const enum mpm_status status = mpm_history_write(run->history, &ledger, run->simulation, error);
     if (status == MPM_RUN_FAILED)
         mpm_error_locate(error, ledger.step, ledger.time);
@@ -351,6 +365,7 @@ static enum mpm_status write_record(struct mpm_run *run, enum mpm_status status,
     record->reason = status != MPM_OK ? error->message : end_reason(run);
     record->growth_warning = run->growth_warning;
     record->parted_warning = run->parted_warning;
+    record->melted_warning = run->melted_warning;
     record->resume_warning = run->resume_warning;
     record->scene_path = run->options->scene_path;
     record->output_bytes = mpm_series_bytes(run->series);

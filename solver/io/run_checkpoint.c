@@ -24,10 +24,13 @@ static void visit_results(struct mpm_run *run, struct mpm_piece_visitor *visitor
                     "run.growth_warning", -1);
     mpm_piece_visit(visitor, MPM_PIECE_UINT8, run->parted_warning, MPM_MESSAGE_SIZE,
                     "run.parted_warning", -1);
+    mpm_piece_visit(visitor, MPM_PIECE_UINT8, run->melted_warning, MPM_MESSAGE_SIZE,
+                    "run.melted_warning", -1);
     mpm_piece_visit(visitor, MPM_PIECE_BOOL, run->tip_told, mpm_scene_j_integral_count(run->scene),
                     "run.tip_told", -1);
     run->growth_warning[MPM_MESSAGE_SIZE - 1] = '\0';
     run->parted_warning[MPM_MESSAGE_SIZE - 1] = '\0';
+    run->melted_warning[MPM_MESSAGE_SIZE - 1] = '\0';
 }
 
 static void visit_run(void *context, struct mpm_piece_visitor *visitor)

@@ -22,6 +22,7 @@ struct mpm_run {
     struct mpm_run_record record;
     char growth_warning[MPM_MESSAGE_SIZE]; /* empty until it was given */
     char parted_warning[MPM_MESSAGE_SIZE]; /* the same */
+    char melted_warning[MPM_MESSAGE_SIZE]; /* the same */
     char resume_warning[MPM_MESSAGE_SIZE];
     bool *tip_told; /* per J integral of the scene: has the end of its tip been reported? */
 };

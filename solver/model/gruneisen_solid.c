@@ -4,6 +4,7 @@
 #include "model/gruneisen_solid.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { ENERGY = MPM_SOLID_ENERGY, WORK = MPM_SOLID_WORK };
 
@@ -25,11 +26,8 @@ static bool add_pressure(const struct mpm_material *m, const struct mpm_law_step
                          double *state, double tau[MPM_SYMMETRIC_SIZE], double *wave)
 {
     double pressure, sound_squared;
-    if (!find_pressure(m, step, heat, &state[ENERGY], &pressure, &sound_squared)) {
-        for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
-            tau[k] = (double)NAN;
+    if (!find_pressure(m, step, heat, &state[ENERGY], &pressure, &sound_squared))
         return false;
-    }
     const double mean = -mpm_determinant(step->f) * pressure;
     mpm_plastic_add_volumetric(mean, tau);
     /* mean = -J p/rho_0 has the slope J^2 (-dp/dJ)/rho_0 + mean in ln J */
@@ -48,6 +46,17 @@ bool mpm_gruneisen_solid_update(const struct mpm_material *m, const struct mpm_p
         mpm_plastic_work(m, model, step, temperature, before, state[MPM_PLASTIC_STRAIN]);
     state[WORK] += work;
     return add_pressure(m, step, step->heat + heating * work, state, tau, wave);
+}
+
+enum mpm_law_fault mpm_gruneisen_solid_fault(const struct mpm_material *m,
+                                             const struct mpm_plastic_model *model,
+                                             const struct mpm_law_step *step, double temperature,
+                                             const double *state)
+{
+    double end[MPM_SOLID_VARIABLES], tau[MPM_SYMMETRIC_SIZE];
+    memcpy(end, state, sizeof end);
+    return mpm_plastic_return(m, model, step, temperature, end, tau) ? MPM_LAW_NO_STATE
+                                                                     : MPM_LAW_NO_RETURN;
 }
 
 bool mpm_gruneisen_solid_reheat(const struct mpm_material *m, const struct mpm_law_step *step,

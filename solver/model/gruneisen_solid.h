@@ -40,6 +40,12 @@ bool mpm_gruneisen_solid_update(const struct mpm_material *material,
                                 double *state, double tau[MPM_SYMMETRIC_SIZE],
                                 double *wave_speed_squared);
 
+/* The law's `fault_of` (material.h). */
+enum mpm_law_fault mpm_gruneisen_solid_fault(const struct mpm_material *material,
+                                             const struct mpm_plastic_model *model,
+                                             const struct mpm_law_step *step, double temperature,
+                                             const double *state);
+
 /* The law's `reheat` (material.h). */
 bool mpm_gruneisen_solid_reheat(const struct mpm_material *material,
                                 const struct mpm_law_step *step, double heating,

@@ -182,6 +182,9 @@ const char *mpm_johnson_cook_fault(const double *parameter)
     if (given != 0 && !(parameter[MPM_PARAMETER_REFERENCE_TEMPERATURE] <
                         parameter[MPM_PARAMETER_MELTING_TEMPERATURE]))
         return "melting_temperature is not above reference_temperature; allowed: above";
+    if (given != 0 && !(parameter[MPM_PARAMETER_START_TEMPERATURE] <
+                        parameter[MPM_PARAMETER_MELTING_TEMPERATURE]))
+        return "start_temperature is not below melting_temperature; allowed: below";
     if ((parameter[MPM_PARAMETER_HARDENING_COEFFICIENT] > 0.0) !=
         (parameter[MPM_PARAMETER_HARDENING_EXPONENT] > 0.0))
         return "hardening by a power requires hardening_coefficient and hardening_exponent; "

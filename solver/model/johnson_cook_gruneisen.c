@@ -13,12 +13,20 @@ static double heating_of(const struct mpm_material *m)
     return mpm_johnson_cook_softens(m) ? m->parameter[MPM_PARAMETER_TAYLOR_QUINNEY] : 1.0;
 }
 
+/* At the start of the step; NaN where it does not soften. */
+static double start_temperature(const struct mpm_material *m, const struct mpm_law_step *step,
+                                const double *state)
+{
+    return mpm_johnson_cook_softens(m) ? mpm_gruneisen_solid_temperature(m, step->old_f, state)
+                                       : (double)NAN;
+}
+
 static bool update(const struct mpm_material *m, const struct mpm_law_step *step, double *state,
                    double tau[MPM_SYMMETRIC_SIZE], double *wave)
 {
-    const double temperature = mpm_johnson_cook_softens(m)
-                                   ? mpm_gruneisen_solid_temperature(m, step->old_f, state)
-                                   : (double)NAN;
+    const double temperature = start_temperature(m, step, state);
+    if (temperature < 0.0)
+        return false;
     return mpm_gruneisen_solid_update(m, &mpm_johnson_cook_model, step, temperature, heating_of(m),
                                       state, tau, wave);
 }
@@ -28,6 +36,15 @@ static bool reheat(const struct mpm_material *m, const struct mpm_law_step *step
                    double *wave)
 {
     return mpm_gruneisen_solid_reheat(m, step, heating_of(m), old_state, state, tau, wave);
+}
+
+static enum mpm_law_fault fault_of(const struct mpm_material *m, const struct mpm_law_step *step,
+                                   const double *state)
+{
+    const double temperature = start_temperature(m, step, state);
+    return temperature < 0.0
+               ? MPM_LAW_COLD
+               : mpm_gruneisen_solid_fault(m, &mpm_johnson_cook_model, step, temperature, state);
 }
 
 static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZE],
@@ -54,6 +71,7 @@ const struct mpm_material_law mpm_johnson_cook_gruneisen = {
     .variable_count = MPM_SOLID_VARIABLES,
     .update = update,
     .reheat = reheat,
+    .fault_of = fault_of,
     .energy = energy,
     .keeps_heat = true,
     .least_volume = mpm_gruneisen_least_volume,

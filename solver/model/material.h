@@ -59,7 +59,7 @@
     ROW(A, B, GRUNEISEN, gruneisen, NONE, AT_LEAST(0),                                             \
         "gamma_0 of the initial density: pressure per internal energy of a volume")                \
     ROW(A, B, PRESSURE_CUTOFF, pressure_cutoff, STRESS, AT_LEAST(0),                               \
-        "largest tension of a fluid; no limit if missing")                                         \
+        "largest tension of an equation of state; no limit if missing")                            \
     ROW(A, B, ADIABATIC_INDEX, adiabatic_index, NONE, ABOVE(1), "gamma of a gas")                  \
     ROW(A, B, START_PRESSURE, start_pressure, STRESS, AT_LEAST(0), "of a gas at its density")      \
     ROW(A, B, STIFFENING_PRESSURE, stiffening_pressure, STRESS, AT_LEAST(0),                       \
@@ -117,6 +117,13 @@ struct mpm_law_step {
     double heat;             /* work of artificial viscosity in it, per mass */
 };
 
+/* Why `update` has no end of a step. */
+enum mpm_law_fault {
+    MPM_LAW_NO_RETURN, /* no plastic strain leads back to yield */
+    MPM_LAW_NO_STATE,  /* the equation of state has none */
+    MPM_LAW_COLD,      /* strength at a temperature below zero */
+};
+
 struct mpm_material_law {
     const char *name;
     const char *description;
@@ -132,8 +139,8 @@ struct mpm_material_law {
                    double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
     /* A law of the path: changes `state`, its state variables, from the start of the step to its
      * end. Without a step (duration 0) it leaves `state` as it is, and finds the stress of the
-     * state at hand. False if there is no such end: `stress` is then that of the trial state, or,
-     * of a solid whose equation of state has none, NaN. */
+     * state at hand. False if there is no such end: of one without a way back to yield
+     * `stress` is then that of the trial state. */
     bool (*update)(const struct mpm_material *material, const struct mpm_law_step *step,
                    double *state, double stress[MPM_SYMMETRIC_SIZE], double *wave_speed_squared);
 
@@ -164,6 +171,11 @@ struct mpm_material_law {
      * which of its state variables is the equivalent plastic strain. */
     double (*dissipation)(const struct mpm_material *material, const double *state);
     size_t plastic_strain;
+
+    /* What `update` lacks in a step from `state`, in which it has failed; of laws with more than
+     * one reason. Others: MPM_LAW_NO_STATE with keeps_heat, else MPM_LAW_NO_RETURN. */
+    enum mpm_law_fault (*fault_of)(const struct mpm_material *material,
+                                   const struct mpm_law_step *step, const double *state);
 
     /* Temperature at the end of a step without flow of heat, from step->temperature at its start;
      * of laws that read it. */

@@ -28,11 +28,57 @@ double mpm_gruneisen_least_volume(const struct mpm_material *m)
     return fmax(0.0, 1.0 - 1.0 / m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE]);
 }
 
-/* p/rho_0 with the cut-off */
-static double cut(const struct mpm_material *m, double pressure)
+/* A + gamma_0 e: p/rho_0 without the cut-off */
+static double whole_pressure(const struct mpm_material *m, double j, double energy)
 {
-    return fmax(pressure, -m->parameter[MPM_PARAMETER_PRESSURE_CUTOFF] / m->density);
+    double unused;
+    return cold_pressure(m, 1.0 - j, &unused) + m->parameter[MPM_PARAMETER_GRUNEISEN] * energy;
 }
+
+/* ------------------------------------------------------------------------ cut-off */
+
+/* p_c/rho_0; infinite without a cut-off: nothing is below -p_c then. */
+static double most_tension(const struct mpm_material *m)
+{
+    return m->parameter[MPM_PARAMETER_PRESSURE_CUTOFF] / m->density;
+}
+
+static bool is_cut(const struct mpm_material *m, double whole)
+{
+    return whole < -most_tension(m);
+}
+
+/* c_0^2 - gamma_0 p_c/rho_0, what A' + gamma_0 p/rho_0 is at the cut-off */
+static double stiffness_at_cut(const struct mpm_material *m)
+{
+    const double speed = m->parameter[MPM_PARAMETER_SOUND_SPEED];
+    return speed * speed - m->parameter[MPM_PARAMETER_GRUNEISEN] * most_tension(m);
+}
+
+/* J at which A + gamma_0 e is the cut-off, on the way from j with this mean tension over rho_0. It
+ * is in tension, where A is linear. */
+static double volume_at_cut(const struct mpm_material *m, double j, double energy, double mean)
+{
+    const double speed = m->parameter[MPM_PARAMETER_SOUND_SPEED];
+    const double gamma = m->parameter[MPM_PARAMETER_GRUNEISEN];
+    const double square = speed * speed;
+    return (square + most_tension(m) + gamma * (energy - mean * j)) / (square - gamma * mean);
+}
+
+/* J_c of a cut state */
+static double material_volume(const struct mpm_material *m, double j, double energy)
+{
+    return volume_at_cut(m, j, energy, most_tension(m));
+}
+
+/* c^2 of a cut state; 0: it has none. */
+static double cut_sound_squared(const struct mpm_material *m, double j, double energy)
+{
+    const double volume = material_volume(m, j, energy), stiffness = stiffness_at_cut(m);
+    return volume > 0.0 && stiffness > 0.0 ? volume * volume * stiffness : 0.0;
+}
+
+/* ----------------------------------------------------------------------- pressure */
 
 double mpm_gruneisen_pressure(const struct mpm_material *m, double j, double energy,
                               double *sound_squared)
@@ -40,25 +86,45 @@ double mpm_gruneisen_pressure(const struct mpm_material *m, double j, double ene
     const double gamma = m->parameter[MPM_PARAMETER_GRUNEISEN];
     double slope;
     const double pressure = cold_pressure(m, 1.0 - j, &slope) + gamma * energy;
+    if (is_cut(m, pressure)) {
+        *sound_squared = cut_sound_squared(m, j, energy);
+        return -most_tension(m);
+    }
     *sound_squared = j * j * (slope + gamma * pressure);
-    return cut(m, pressure);
+    return pressure;
+}
+
+/* The part of a step to j in which voids open or close and the material stays as it is. */
+static void change_voids(const struct mpm_material *m, double j, double *old_j, double *energy)
+{
+    if (!is_cut(m, whole_pressure(m, *old_j, *energy)))
+        return;
+    const double volume = fmax(j, material_volume(m, *old_j, *energy));
+    *energy -= most_tension(m) * (*old_j - volume);
+    *old_j = volume;
 }
 
 bool mpm_gruneisen_advance(const struct mpm_material *m, double old_j, double j, double heat,
                            double *energy, double *pressure, double *sound_squared)
 {
     const double gamma = m->parameter[MPM_PARAMETER_GRUNEISEN];
-    const double change = j - old_j, part = 1.0 + 0.5 * gamma * change;
-    double slope, unused;
-    if (!(j > mpm_gruneisen_least_volume(m)) || !(part > 0.0))
+    double unused;
+    if (!(j > mpm_gruneisen_least_volume(m)))
         return false;
+    change_voids(m, j, &old_j, energy);
     const double old = mpm_gruneisen_pressure(m, old_j, *energy, &unused);
-    const double cold = cold_pressure(m, 1.0 - j, &slope);
-    const double free = (*energy - 0.5 * (old + cold) * change + heat) / part;
-    const double whole = cold + gamma * free;
-    *pressure = cut(m, whole);
-    *energy = *pressure > whole ? *energy - 0.5 * (old + *pressure) * change + heat : free;
-    (void)mpm_gruneisen_pressure(m, j, *energy, sound_squared);
+    const double cold = cold_pressure(m, 1.0 - j, &unused);
+    const double change = j - old_j, part = 1.0 + 0.5 * gamma * change;
+    const double mean = 0.5 * (most_tension(m) - old);
+    if (is_cut(m, cold + gamma * (*energy + mean * change + heat))) {
+        const double volume = volume_at_cut(m, old_j, *energy, mean);
+        *energy += mean * (volume - old_j) + most_tension(m) * (j - volume) + heat;
+    } else if (part > 0.0) {
+        *energy = (*energy - 0.5 * (old + cold) * change + heat) / part;
+    } else {
+        return false;
+    }
+    *pressure = mpm_gruneisen_pressure(m, j, *energy, sound_squared);
     return *sound_squared > 0.0;
 }
 
@@ -150,6 +216,11 @@ static double isentropic_energy(const struct mpm_material *m, double eta)
 
 double mpm_gruneisen_temperature(const struct mpm_material *m, double j, double energy)
 {
+    if (is_cut(m, whole_pressure(m, j, energy))) {
+        const double volume = material_volume(m, j, energy);
+        energy -= most_tension(m) * (j - volume);
+        j = volume;
+    }
     const double eta = 1.0 - j;
     const double isentropic = m->parameter[MPM_PARAMETER_START_TEMPERATURE] *
                               mpm_exponential(m->parameter[MPM_PARAMETER_GRUNEISEN] * eta);

@@ -23,6 +23,13 @@ static bool reheat(const struct mpm_material *m, const struct mpm_law_step *step
     return mpm_gruneisen_solid_reheat(m, step, HEATING, old_state, state, tau, wave);
 }
 
+static enum mpm_law_fault fault_of(const struct mpm_material *m, const struct mpm_law_step *step,
+                                   const double *state)
+{
+    const struct mpm_plastic_model model = mpm_von_mises_model(m);
+    return mpm_gruneisen_solid_fault(m, &model, step, (double)NAN, state);
+}
+
 static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_SIZE],
                      const double *state)
 {
@@ -54,6 +61,7 @@ const struct mpm_material_law mpm_von_mises_gruneisen = {
     .variable_count = MPM_SOLID_VARIABLES,
     .update = update,
     .reheat = reheat,
+    .fault_of = fault_of,
     .energy = energy,
     .keeps_heat = true,
     .least_volume = mpm_gruneisen_least_volume,

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "method/transfer/law_state.h"
 #include "method/transport/transport_edges.h"
 #include "simulation/simulation.h"
 
@@ -50,6 +51,8 @@ static enum mpm_cause cause_of(enum mpm_failure_kind kind)
         [MPM_NO_RETURN] = MPM_CAUSE_PLASTIC,
         [MPM_NO_THICKNESS] = MPM_CAUSE_PLASTIC,
         [MPM_NO_STATE] = MPM_CAUSE_STATE,
+        [MPM_STRAIN_TOO_LARGE] = MPM_CAUSE_PLASTIC,
+        [MPM_COLD] = MPM_CAUSE_TEMPERATURE,
     };
     return causes[kind];
 }
@@ -90,6 +93,16 @@ static const char *describe_update(const struct mpm_failure *failure, char text[
                      "has an equivalent trial stress of %g, from which no plastic strain "
                      "leads back to yield; allowed: finite, of a body that is not stretched beyond "
                      "what numbers hold",
+                     failure->value);
+    if (failure->kind == MPM_STRAIN_TOO_LARGE)
+        return print(text,
+                     "has a component of F of size %g, for which its stress before plastic flow is "
+                     "no number; allowed: what numbers hold",
+                     failure->value);
+    if (failure->kind == MPM_COLD)
+        return print(text,
+                     "is at a temperature of %g by its equation of state, on which its strength "
+                     "depends; allowed: absolute, at least 0",
                      failure->value);
     if (failure->kind == MPM_NO_THICKNESS)
         return print(text,
@@ -181,6 +194,8 @@ static const char *describe(const struct mpm_simulation *simulation,
     case MPM_NO_TEMPERATURE:
     case MPM_NO_RETURN:
     case MPM_NO_THICKNESS:
+    case MPM_STRAIN_TOO_LARGE:
+    case MPM_COLD:
         return describe_update(failure, text);
     case MPM_NO_STATE:
         return describe_no_state(simulation, failure, text);
@@ -209,6 +224,47 @@ enum mpm_status mpm_health_refuse_start(const struct mpm_simulation *simulation,
                          describe(simulation, failure, text));
 }
 
+/* The particle whose waves are the fastest now. */
+static size_t find_fastest(const struct mpm_state *state)
+{
+    size_t fastest = 0;
+    double largest = 0.0;
+    for (size_t p = 0; p < state->particles.count; p++) {
+        double stress[MPM_SYMMETRIC_SIZE], square;
+        mpm_particle_find_stress(state, p, stress, &square);
+        if (square > largest) {
+            largest = square;
+            fastest = p;
+        }
+    }
+    return fastest;
+}
+
+/* An equation of state with a pole comes near it in steps that get shorter and shorter. */
+static enum mpm_status refuse_waves(const struct mpm_simulation *simulation,
+                                    struct mpm_error *error)
+{
+    const struct mpm_state *const state = &simulation->state;
+    const size_t p = find_fastest(state);
+    const struct mpm_material *const material = &state->bodies[state->particles.body[p]].material;
+    const double pole =
+        material->law->least_volume != NULL ? material->law->least_volume(material) : 0.0;
+    double f[MPM_GRADIENT_SIZE];
+    mpm_particle_deformation(&state->particles, p, f);
+    const double j = mpm_determinant(f), allowed = RUNAWAY_WAVE * simulation->wave_speed_start;
+    const uint32_t id = state->particles.id[p];
+    const char *const body = mpm_body_of_particle(simulation, id);
+    if (pole > 0.0)
+        return mpm_error_fail(error, MPM_CAUSE_STATE,
+                              "particle %u (body '%s') has J = %g, before the pole of its equation "
+                              "of state at J = %g, and a wave speed of %g; allowed: up to %g",
+                              id, body, j, pole, simulation->wave_speed, allowed);
+    return mpm_error_fail(error, MPM_CAUSE_WAVES,
+                          "wave speed %g of particle %u (body '%s') with det F = %g; allowed: up "
+                          "to %g, %g times that of the start",
+                          simulation->wave_speed, id, body, j, allowed, RUNAWAY_WAVE);
+}
+
 enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, struct mpm_error *error)
 {
     const struct mpm_failure *const failure = &simulation->state.failure;
@@ -221,9 +277,7 @@ enum mpm_status mpm_health_check(const struct mpm_simulation *simulation, struct
         return mpm_error_fail(error, cause, "particle %u (body '%s') %s", failure->particle,
                               mpm_body_of_particle(simulation, failure->particle),
                               describe(simulation, failure, text));
-    if (!(simulation->wave_speed <= RUNAWAY_WAVE * simulation->wave_speed_start))
-        return mpm_error_fail(
-            error, MPM_CAUSE_WAVES, "wave speed %g; allowed: up to %g, %g times that of the start",
-            simulation->wave_speed, RUNAWAY_WAVE * simulation->wave_speed_start, RUNAWAY_WAVE);
-    return MPM_OK;
+    return simulation->wave_speed <= RUNAWAY_WAVE * simulation->wave_speed_start
+               ? MPM_OK
+               : refuse_waves(simulation, error);
 }

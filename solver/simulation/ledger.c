@@ -14,6 +14,14 @@ bool mpm_scene_is_plastic(const struct mpm_scene *scene)
     return any;
 }
 
+bool mpm_scene_melts(const struct mpm_scene *scene)
+{
+    bool any = false;
+    for (size_t k = 0; k < scene->material_count; k++)
+        any = any || scene->materials[k].parameter[MPM_PARAMETER_MELTING_TEMPERATURE] > 0.0;
+    return any;
+}
+
 static void add_particle(const struct mpm_simulation *simulation, size_t p,
                          struct mpm_ledger *ledger)
 {
@@ -36,6 +44,7 @@ static void add_particle(const struct mpm_simulation *simulation, size_t p,
     ledger->strain_energy += mass * mpm_particle_strain_energy(&simulation->state, p);
     ledger->plastic_dissipation += mass * mpm_particle_dissipation(&simulation->state, p);
     ledger->viscous_dissipation += mass * mpm_particle_viscous_work(&simulation->state, p);
+    ledger->melted_particles += mpm_particle_is_melted(&simulation->state, p);
     if (simulation->scene->scalars[MPM_TEMPERATURE].heats)
         ledger->thermoelastic_energy +=
             mass * mpm_particle_thermoelastic_energy(&simulation->state, p);

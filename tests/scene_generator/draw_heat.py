@@ -76,6 +76,14 @@ def draw_of_fluid(sizes):
     return lambda canvas, key: ABSENT if canvas.law_requires(key) is None else canvas.pick(sizes)
 
 
+def draw_cutoff(canvas, key):
+    """Of some fluids and solids with an equation of state: parts of the stiffness that stresses reach."""
+    if canvas.law_requires(key) is None or not canvas.chance(50):
+        return ABSENT
+    material = canvas.notes["group"]
+    return short(material["density"] * material["sound_speed"] ** 2 * canvas.pick([0.01, 0, 0.05]))
+
+
 def draw_viscosity(canvas, _):
     """Of some materials, where nothing gives heat to it."""
     material = canvas.notes["group"]

@@ -16,7 +16,6 @@ from scales import SCALARS
 
 # ------------------------------------------------------------------- left out
 TABLES = "points are temperatures or strains, not places; invariants assume constants (H14, P2)"
-CUT = "bodies that rip have no scale invariants; tests of equations of state have it"
 LEFT_OUT = {
     "time.allow_unstable": "beyond the stability limit nothing is promised",
     "output.checkpoint": "the invariant of runs that go on from one has its own",
@@ -24,7 +23,6 @@ LEFT_OUT = {
     "output.snapshots": "the first state and the last are compared; more would land steps on them",
     "contact.normal=given": "refused: it is for pairs, each with its direction",
     "output.fringe": "a field for pictures; its values follow from the stress",
-    "materials[].pressure_cutoff": CUT,
     "materials[].heat_capacity_table": TABLES, "materials[].conductivity_table": TABLES,
     "materials[].diffusivity_table": TABLES, "materials[].hardening_table": TABLES,
 }
@@ -158,6 +156,7 @@ MEANING = {
     "materials[].sound_speed": heat.draw_of_fluid([1, 2]),
     "materials[].hugoniot_slope": heat.draw_of_fluid([1.5, 1, 2.5]),
     "materials[].gruneisen": heat.draw_of_fluid([2, 0, 1]),
+    "materials[].pressure_cutoff": heat.draw_cutoff,
     "materials[].adiabatic_index": heat.draw_of_fluid([4.4, 1.4]),
     # free of stress at the start, as solids are; gases at pressure have case P5
     "materials[].start_pressure": heat.draw_of_fluid([0]),

@@ -37,6 +37,8 @@ static const struct column {
     COLUMN(plastic_dissipation, ENERGY, mpm_scene_is_plastic),
     {"parted_pairs", offsetof(struct mpm_ledger, parted_pairs), true, MPM_DIMENSION_NONE,
      mpm_scene_counts_parted},
+    {"melted_particles", offsetof(struct mpm_ledger, melted_particles), true, MPM_DIMENSION_NONE,
+     mpm_scene_melts},
     COLUMN(viscous_dissipation, ENERGY, mpm_scene_is_viscous),
     COLUMN(cohesive_stored, ENERGY, mpm_scene_is_cohesive),
     COLUMN(cohesive_dissipated, ENERGY, mpm_scene_is_cohesive),

@@ -101,6 +101,8 @@ static json_t *warnings_array(const struct mpm_scene *scene, const struct mpm_ru
         json_array_append_new(array, text(record->growth_warning));
     if (record->parted_warning[0] != '\0')
         json_array_append_new(array, text(record->parted_warning));
+    if (record->melted_warning[0] != '\0')
+        json_array_append_new(array, text(record->melted_warning));
     for (size_t k = 0; k < mpm_scene_j_integral_count(scene); k++) {
         struct mpm_tip_end end;
         char message[MPM_MESSAGE_SIZE];

@@ -82,6 +82,12 @@ double mpm_particle_state_temperature(const struct mpm_state *state, size_t p)
     return material->law->temperature(material, f, variables);
 }
 
+bool mpm_particle_is_melted(const struct mpm_state *state, size_t p)
+{
+    const double melting = material_of(state, p)->parameter[MPM_PARAMETER_MELTING_TEMPERATURE];
+    return melting > 0.0 && mpm_particle_state_temperature(state, p) >= melting;
+}
+
 double mpm_particle_dissipation(const struct mpm_state *state, size_t p)
 {
     const struct mpm_material *const material = material_of(state, p);

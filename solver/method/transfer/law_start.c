@@ -3,6 +3,24 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/transfer/law_state.h"
 
+size_t mpm_law_states_of(const struct mpm_scene *scene)
+{
+    size_t most = 0;
+    for (size_t k = 0; k < scene->body_count; k++) {
+        if (scene->bodies[k].rigid)
+            continue;
+        const size_t count = mpm_law_state_count(scene->materials[scene->bodies[k].material].law);
+        most = count > most ? count : most;
+    }
+    return most;
+}
+
+unsigned mpm_law_uses(const struct mpm_scene *scene)
+{
+    return (mpm_law_states_of(scene) > 0 ? MPM_USE_LAW_STATE : 0U) |
+           (mpm_scene_is_viscous(scene) ? MPM_USE_VISCOSITY : 0U);
+}
+
 /* Of F at hand, which gets its F_zz. */
 static void begin_stress(const struct mpm_state *state, size_t p)
 {

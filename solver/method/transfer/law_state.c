@@ -8,24 +8,6 @@
 #include <math.h>
 #include <string.h>
 
-size_t mpm_law_states_of(const struct mpm_scene *scene)
-{
-    size_t most = 0;
-    for (size_t k = 0; k < scene->body_count; k++) {
-        if (scene->bodies[k].rigid)
-            continue;
-        const size_t count = mpm_law_state_count(scene->materials[scene->bodies[k].material].law);
-        most = count > most ? count : most;
-    }
-    return most;
-}
-
-unsigned mpm_law_uses(const struct mpm_scene *scene)
-{
-    return (mpm_law_states_of(scene) > 0 ? MPM_USE_LAW_STATE : 0U) |
-           (mpm_scene_is_viscous(scene) ? MPM_USE_VISCOSITY : 0U);
-}
-
 double mpm_free_strain(const struct mpm_material_spec *material,
                        const double value[MPM_SCALAR_COUNT])
 {
@@ -379,18 +361,56 @@ static void keep_variables(const struct mpm_particles *particles, size_t p,
         *mpm_particle_law_state(particles, p, law->variable_count) += at->work;
 }
 
-/* The law has no end of the step. */
-static void record_no_end(const struct evaluation *at, uint32_t id, struct mpm_strip *strip)
+/* What the law lacks of the step, from the particle's state. */
+static enum mpm_law_fault fault_of(const struct mpm_particles *particles, size_t p,
+                                   const struct evaluation *at)
 {
     const struct mpm_material_law *const law = at->material->law;
-    if (isnan(at->now.f[MPM_ZZ]))
+    if (law->fault_of == NULL)
+        return law->keeps_heat ? MPM_LAW_NO_STATE : MPM_LAW_NO_RETURN;
+    double old_f[MPM_GRADIENT_SIZE], f[MPM_GRADIENT_SIZE], variables[MPM_LAW_STATES];
+    elastic_part(&at->old, old_f);
+    elastic_part(&at->now, f);
+    load_variables(particles, p, law, variables);
+    const struct mpm_law_step step = {
+        old_f, f, at->duration, at->now.temperature, at->heat_capacity, at->viscous_work};
+    return law->fault_of(at->material, &step, variables);
+}
+
+/* No return from the trial stress at hand; where that is no number F is what is too large. */
+static void record_no_return(const struct evaluation *at, uint32_t id, struct mpm_strip *strip)
+{
+    const double trial = at->material->density * equivalent(at->stress);
+    double largest = 0.0;
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        largest = fmax(largest, fabs(at->now.f[k]));
+    if (isfinite(trial))
+        mpm_strip_record(strip, MPM_NO_RETURN, id, 0, trial);
+    else
+        mpm_strip_record(strip, MPM_STRAIN_TOO_LARGE, id, 0, largest);
+}
+
+/* The law has no end of the step. */
+static void record_no_end(const struct mpm_state *state, size_t p, const struct evaluation *at,
+                          struct mpm_strip *strip)
+{
+    const uint32_t id = state->particles.id[p];
+    if (isnan(at->now.f[MPM_ZZ])) {
         mpm_strip_record(strip, MPM_NO_THICKNESS, id, 0,
                          at->material->density * at->stress[MPM_SYM_ZZ]);
-    else if (law->keeps_heat && (law->dissipation == NULL || isnan(at->stress[MPM_SYM_XX])))
+        return;
+    }
+    switch (fault_of(&state->particles, p, at)) {
+    case MPM_LAW_COLD:
+        mpm_strip_record(strip, MPM_COLD, id, 0, mpm_particle_state_temperature(state, p));
+        break;
+    case MPM_LAW_NO_STATE:
         mpm_strip_record(strip, MPM_NO_STATE, id, 0, mpm_determinant(at->now.f));
-    else
-        mpm_strip_record(strip, MPM_NO_RETURN, id, 0,
-                         at->material->density * equivalent(at->stress));
+        break;
+    case MPM_LAW_NO_RETURN:
+        record_no_return(at, id, strip);
+        break;
+    }
 }
 
 bool mpm_particle_update_law(const struct mpm_state *state, size_t p, double part,
@@ -411,7 +431,7 @@ bool mpm_particle_update_law(const struct mpm_state *state, size_t p, double par
     }
     if (!evaluate(particles, p, &at) ||
         (viscosity_of(state, p)->given && !add_viscosity(state, p, &at))) {
-        record_no_end(&at, particles->id[p], strip);
+        record_no_end(state, p, &at, strip);
         return false;
     }
     if (heats && !add_heat(state, p, &at, strip))

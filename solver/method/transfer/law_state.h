@@ -76,6 +76,9 @@ double mpm_particle_strain_energy(const struct mpm_state *state, size_t p);
 double mpm_particle_internal_energy(const struct mpm_state *state, size_t p);
 double mpm_particle_state_temperature(const struct mpm_state *state, size_t p);
 
+/* Is its own temperature its melting temperature or above, where it has no strength? */
+bool mpm_particle_is_melted(const struct mpm_state *state, size_t p);
+
 /* Per unit mass, since t = 0: work of artificial viscosity. */
 double mpm_particle_viscous_work(const struct mpm_state *state, size_t p);
 
