@@ -10,6 +10,11 @@
  * implicit (backward Euler) where it is large. There the interface dissipates; the history counts
  * nodes with kappa > 1.
  *
+ * N&G have the law for small displacements. Here [u] is the jump of the material in the current
+ * frame and lengths, along the current normal, and the area is the current one: bodies that turn
+ * keep their energy. Where the surface is stretched while its jump is not zero, the area grows and
+ * the law has no energy: what this works counts as dissipated.
+ *
  * [u] is that of the particles' places (displacement_fit.h), less what places are ahead of the
  * strains by in orders of update that strain by other velocities than those that move particles. A
  * free vibration across one straight interface then keeps its energy. Where three bodies meet at a
