@@ -110,10 +110,8 @@ double mpm_contact_held(const struct mpm_state *state)
 {
     double held = 0.0;
     for (size_t k = 0; k < state->scene->contact.pair_count; k++) {
-        const double stored = state->contact.samples[k].stored;
-        const double dissipated =
-            state->contact.totals[k].dissipated + state->contact.totals[k].work - stored;
-        held += stored + fmax(dissipated, 0.0);
+        const struct mpm_contact_totals *const totals = &state->contact.totals[k];
+        held += fmax(totals->dissipated + totals->work, 0.0);
     }
     return held;
 }

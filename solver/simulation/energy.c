@@ -1,9 +1,11 @@
 /* Is the energy of a run what was put into it? The total energy that the ledger knows, kinetic +
  * strain + dissipated by damping, plastic strain and artificial viscosity + of cohesive cracks +
- * stored and dissipated by contact, may differ from that of the start by the work done alone. Here
- * contact that has made energy, whose dissipation the ledger has as a negative number, has
- * dissipated none: else what it has made would balance itself, and a run that ends in it would
- * pass. What is above that the scheme has made:
+ * stored and dissipated by contact, may differ from that of the start by the work done alone. Of
+ * contact, what a pair of bodies has stored and dissipated is what it has taken; here a pair that
+ * has given more than that, whose sum in the ledger is negative, has none: else what contact makes
+ * would balance itself, and a run that ends in it would pass. (Stored energy alone is no measure:
+ * that of the jump of a stiff interface can be large for a step, and its dissipation is minus
+ * that.) What is above that the scheme has made:
  *
  *   factor = 1 + (E - W - E_0) / (E_0 + the larger of largest |W| and 8 largest K_c so far),
  *
