@@ -4,7 +4,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/contact/displacement_fit.h"
 #include "suites.h"
+#include "support/folder.h"
 #include "support/near.h"
+#include "support/scene_files.h"
 #include "support/scenes.h"
 
 #include <glib.h>
@@ -65,6 +67,49 @@ START_TEST(a_vibration_across_an_interface_keeps_its_energy)
     g_free(shape);
     g_free(law);
     test_run_close(&run);
+}
+END_TEST
+
+/* ----------------------------------------------------------------- stiffness */
+
+static void expect_refused(const char *text, const char *setting, const char *says)
+{
+    char *folder = test_folder_create(), *path = test_folder_write(folder, "scene.yaml", text);
+    const struct mpm_simulation_options options = {.threads = 1};
+    struct mpm_scene *scene = NULL;
+    struct mpm_simulation *simulation = NULL;
+    struct mpm_error error = {0};
+    ck_assert_msg(mpm_scene_read(path, &setting, 1, &scene, &error) == MPM_OK, "%s", error.message);
+    ck_assert_int_eq(mpm_simulation_create(scene, &options, &simulation, &error), MPM_BAD_INPUT);
+    test_contains(error.message, says);
+    mpm_scene_free(scene);
+    g_free(path);
+    test_folder_remove(folder);
+}
+
+/* Of two equal materials with dt = 0.4 h/c: kappa = 4 D dt^2/(rho h). */
+START_TEST(a_stiff_interface_is_told_of_and_one_beyond_all_numbers_refused)
+{
+    static const struct {
+        const char *d, *says;
+    } cases[] = {
+        {"contact={law: interface, tension: 0.01, shear: 0.01}", ""},
+        {"contact={law: interface, tension: 0.01, shear: 100}", "times as stiff as an explicit"},
+        {"contact={law: interface, tension: 0.01, compression: 1e11, shear: 1}", "contact"},
+    };
+    for (size_t k = 0; k < G_N_ELEMENTS(cases); k++) {
+        struct test_run run = test_run_open(LAYERS, (const char *const[]){cases[k].d, NULL}, 1);
+        const char *const advice = mpm_simulation_advice(run.simulation);
+        ck_assert_msg(strstr(advice, cases[k].says) != NULL, "%zu: %s", k, advice);
+        ck_assert((advice[0] == '\0') == (cases[k].says[0] == '\0'));
+        test_run_close(&run);
+    }
+    static const char *const beyond[] = {
+        "contact={law: interface, tension: 1e14, shear: 1}",
+        "contact={law: interface, tension: 1, shear: 1e200}",
+        "contact={law: interface, tension: 1, compression: 1e308, shear: 1}"};
+    for (size_t k = 0; k < G_N_ELEMENTS(beyond); k++)
+        expect_refused(LAYERS, beyond[k], "allowed: up to 1e+12 times, or law: bonded");
 }
 END_TEST
 
@@ -234,6 +279,7 @@ Suite *suite_interface(void)
     TCase *tests = tcase_create("imperfect interfaces");
     tcase_add_loop_test(tests, a_vibration_across_an_interface_keeps_its_energy, 0,
                         ORDERS * SHAPES * STIFFNESSES);
+    tcase_add_test(tests, a_stiff_interface_is_told_of_and_one_beyond_all_numbers_refused);
     tcase_add_loop_test(tests, bodies_that_turn_get_no_energy_from_their_interface, 0, 2 * ORDERS);
     tcase_add_test(tests, the_jump_is_that_of_the_material_in_the_current_frame);
     tcase_add_test(tests, a_displacement_fit_is_exact_for_linear_fields);
