@@ -207,27 +207,8 @@ def draw_lattice(canvas, _):
     return [2, 2]
 
 
-def spin_of(canvas):
-    """How fast all bodies of a scene with contact spin about one place, as a part of the speed of
-    waves; 0 in most scenes."""
-    if "spin" not in canvas.notes:
-        spins = canvas.notes["contact"] and not canvas.axisymmetric and canvas.situation == "any"
-        canvas.notes["spin"] = canvas.pick([0.2, -0.3, 0.3]) if spins and canvas.chance(15) else 0
-    return canvas.notes["spin"]
-
-
-def draw_spin(canvas, speed):
-    boxes, centre = canvas.notes["boxes"], canvas.notes["centre"]
-    reach = max(1, max((box[1][k] - box[0][k]) * canvas.cell[k] for box in boxes for k in range(2)))
-    rate = short(spin_of(canvas) * speed / reach)
-    return [f"({-rate})*(y-({centre[1]}))", f"({rate})*(x-({centre[0]}))"]
-
-
 def draw_body_velocity(canvas, key):
-    """At rest, or a rigid motion with a stretch and a turn; on the axis none across it. In some scenes
-    all bodies spin."""
-    if spin_of(canvas) and not is_rigid(canvas):
-        return draw_spin(canvas, canvas.scale(key.unit))
+    """At rest, or a rigid motion with a stretch and a turn; on the axis none across it."""
     if is_rigid(canvas) or canvas.situation != "any" or canvas.chance(25):
         return ABSENT
     speed = canvas.scale(key.unit)

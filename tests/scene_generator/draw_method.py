@@ -4,7 +4,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 
 from draw import ABSENT, draw_value, short
-from draw_bodies import spin_of
 
 
 # ------------------------------------------------------------------------- method
@@ -138,7 +137,7 @@ def draw_time(canvas, key):
     elif canvas.situation == "loaded":
         time.update(courant=canvas.pick([0.4, 0.8]), steps=canvas.pick([400, 800]))
     else:
-        steps = 200 if spin_of(canvas) else canvas.pick([10, 5, 20, 20, 60])
+        steps = canvas.pick([10, 5, 20, 20, 60])
         if any(material["law"] == "ideal_gas" for material in canvas.scene["materials"]):
             steps = min(steps, 10)  # it leaves the grid soon
         if canvas.chance(20):
