@@ -11,6 +11,7 @@
 #include "simulation/simulation.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -103,6 +104,16 @@ void mpm_contact_energies(const struct mpm_state *state, double *stored, double 
         *dissipated +=
             state->contact.totals[k].dissipated + state->contact.totals[k].work - in_springs;
     }
+}
+
+double mpm_contact_held(const struct mpm_state *state)
+{
+    double held = 0.0;
+    for (size_t k = 0; k < state->scene->contact.pair_count; k++) {
+        const struct mpm_contact_totals *const totals = &state->contact.totals[k];
+        held += fmax(totals->dissipated + totals->work, 0.0);
+    }
+    return held;
 }
 
 /* ------------------------------------------------------------------ history */

@@ -10,6 +10,7 @@
 #include "method/transfer/transfer.h"
 #include "method/transfer/transfers.h"
 #include "model/fill.h"
+#include "simulation/interface_limit.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -383,6 +384,7 @@ enum mpm_status mpm_simulation_open(struct mpm_simulation *simulation, double wa
     simulation->lightest = mpm_lightest_particle(&state->particles);
     MPM_TRY(begin_totals(simulation, error));
     MPM_TRY(mpm_time_step_check(simulation, error));
+    MPM_TRY(mpm_interface_check(simulation, error));
     MPM_TRY(mpm_damping_check_start(simulation, error));
     MPM_TRY(mpm_openings_check_start(simulation, error));
     mpm_stability_advise(simulation);

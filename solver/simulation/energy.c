@@ -1,6 +1,11 @@
 /* Is the energy of a run what was put into it? The total energy that the ledger knows, kinetic +
- * strain + dissipated by damping, plastic strain and artificial viscosity + of cohesive cracks, may
- * differ from that of the start by the work done alone. What is above that the scheme has made:
+ * strain + dissipated by damping, plastic strain and artificial viscosity + of cohesive cracks +
+ * stored and dissipated by contact, may differ from that of the start by the work done alone. Of
+ * contact, what a pair of bodies has stored and dissipated is what it has taken; here a pair that
+ * has given more than that, whose sum in the ledger is negative, has none: else what contact makes
+ * would balance itself, and a run that ends in it would pass. (Stored energy alone is no measure:
+ * that of the jump of a stiff interface can be large for a step, and its dissipation is minus
+ * that.) What is above that the scheme has made:
  *
  *   factor = 1 + (E - W - E_0) / (E_0 + the larger of largest |W| and 8 largest K_c so far),
  *
@@ -102,14 +107,13 @@ static double total_energy(struct mpm_simulation *simulation,
                            void (*strain_energy)(void *context, int64_t strip, int worker))
 {
     struct mpm_state *const state = &simulation->state;
-    double stored, dissipated, in_contact, by_contact, strain = 0.0;
+    double stored, dissipated, strain = 0.0;
     mpm_strips_run(state->strip_count, state->workers, strain_energy, state);
     for (int64_t s = 0; s < state->strip_count; s++)
         strain += state->strips[s].strain_energy;
     mpm_cohesive_energies(state, &stored, &dissipated);
-    mpm_contact_energies(state, &in_contact, &by_contact);
     return mpm_kinetic_energy(state) + strain + state->damping.totals.dissipated + stored +
-           dissipated + in_contact + by_contact - state->transport.expansion.work;
+           dissipated + mpm_contact_held(state) - state->transport.expansion.work;
 }
 
 static uint32_t fastest_particle(const struct mpm_particles *particles)

@@ -2,10 +2,12 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/transfer/transfers.h"
+#include "simulation/interface_limit.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* What a method has beyond shape functions and order. */
 enum feature {
@@ -207,15 +209,26 @@ static void describe_limit(double courant, double limit, char *text, size_t size
                        courant, LEAST_TRIED);
 }
 
-void mpm_stability_advise(struct mpm_simulation *simulation)
+/* Adds to the advice that an interface is implicit. */
+static void advise_of_interfaces(struct mpm_simulation *simulation)
+{
+    size_t pair = 0;
+    const double kappa = mpm_interface_kappa(simulation, &pair);
+    const size_t length = strlen(simulation->advice);
+    if (!(kappa > 1.0))
+        return;
+    (void)snprintf(simulation->advice + length, sizeof simulation->advice - length,
+                   "%s%s: an interface %.3g times as stiff as an explicit step follows: it is "
+                   "integrated implicitly, and dissipates",
+                   length > 0 ? "; " : "", simulation->scene->contact.pairs[pair].key, kappa);
+}
+
+static void advise_of_courant(struct mpm_simulation *simulation)
 {
     const struct mpm_stability stability = mpm_scene_stability(simulation->scene);
     const double courant = mpm_time_step_courant(simulation);
     const bool is_small = courant > fmax(stability.small, LEAST_TRIED);
     char limit[80];
-    simulation->advice[0] = '\0';
-    if (simulation->scene->at_rest)
-        return;
     if (!is_small && !(courant > fmax(stability.large, LEAST_TRIED)))
         return;
     describe_limit(courant, is_small ? stability.small : stability.large, limit, sizeof limit);
@@ -226,6 +239,15 @@ void mpm_stability_advise(struct mpm_simulation *simulation)
         limit, stability.measured ? "this method" : "a method with one of the choices of this one",
         is_small ? "small motions" : "motions at 0.3 of the wave speed",
         is_small ? "the run may become unstable" : "large strains may feed its energy");
+}
+
+void mpm_stability_advise(struct mpm_simulation *simulation)
+{
+    simulation->advice[0] = '\0';
+    if (simulation->scene->at_rest)
+        return;
+    advise_of_courant(simulation);
+    advise_of_interfaces(simulation);
 }
 
 const char *mpm_simulation_advice(const struct mpm_simulation *simulation)

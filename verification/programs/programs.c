@@ -51,6 +51,7 @@
     PROGRAM(contact_twins)                                                                         \
     PROGRAM(two_bars)                                                                              \
     PROGRAM(laminate)                                                                              \
+    PROGRAM(contact_energy)                                                                        \
     PROGRAM(inclusion)                                                                             \
     PROGRAM(carried)                                                                               \
     PROGRAM(manufactured)                                                                          \

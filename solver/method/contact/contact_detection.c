@@ -50,10 +50,9 @@ static double area_of(const struct mpm_contact_pair *pair, const struct mpm_cont
     return fmax(fmin(first, second), 0.0);
 }
 
-/* A vector of the second field less that of the first, along the normal and along the surface. */
-static void turn(const double n[2], const double first[2], const double second[2], double turned[2])
+/* A vector along the normal and along the surface. */
+static void turn(const double n[2], const double by[2], double turned[2])
 {
-    const double by[2] = {second[0] - first[0], second[1] - first[1]};
     turned[0] = by[0] * n[0] + by[1] * n[1];
     turned[1] = by[1] * n[0] - by[0] * n[1];
 }
@@ -70,8 +69,10 @@ static void find_jump(const struct mpm_state *state, struct mpm_contact_pair *pa
                                           mpm_displacement_fit(&one->displacement, unit, surface),
                                       second =
                                           mpm_displacement_fit(&other->displacement, unit, surface);
-    turn(n, first.u, second.u, pair->jump);
-    turn(n, first.v, second.v, pair->rate);
+    double jump[2];
+    mpm_displacement_jump(&first, &second, jump);
+    turn(n, jump, pair->jump);
+    turn(n, (const double[2]){second.v[0] - first.v[0], second.v[1] - first.v[1]}, pair->rate);
 }
 
 static bool fills_cell(const struct mpm_state *state, const struct mpm_contact_node *node,

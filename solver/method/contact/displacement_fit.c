@@ -53,13 +53,26 @@ void mpm_displacement_put_on_plane(struct mpm_displacement_sums *sums, int axis)
         sums->ux[k] = sums->vx[k] = sums->h[k] = 0.0;
 }
 
+/* (I - H)^-1 of the mean H. */
+static void find_deformation(const struct mpm_displacement_sums *sums, double f[4])
+{
+    const double w = sums->weight, *const h = sums->h;
+    const double xx = 1.0 - h[0] / w, xy = -h[1] / w, yx = -h[2] / w, yy = 1.0 - h[3] / w;
+    const double determinant = xx * yy - xy * yx;
+    f[0] = yy / determinant;
+    f[1] = -xy / determinant;
+    f[2] = -yx / determinant;
+    f[3] = xx / determinant;
+}
+
 struct mpm_displacement_fit mpm_displacement_fit(const struct mpm_displacement_sums *sums,
                                                  double unit, const double x[2])
 {
     const double w = sums->weight;
-    struct mpm_displacement_fit fit = {{0.0, 0.0}, {0.0, 0.0}};
+    struct mpm_displacement_fit fit = {{0.0, 0.0}, {0.0, 0.0}, {1.0, 0.0, 0.0, 1.0}};
     if (w == 0.0)
         return fit;
+    find_deformation(sums, fit.f);
     const double mean[2] = {sums->x[0] / w, sums->x[1] / w};
     const double away[2] = {x[0] - mean[0], x[1] - mean[1]};
     const double lambda =
@@ -81,4 +94,13 @@ struct mpm_displacement_fit mpm_displacement_fit(const struct mpm_displacement_s
         }
     }
     return fit;
+}
+
+void mpm_displacement_jump(const struct mpm_displacement_fit *first,
+                           const struct mpm_displacement_fit *second, double jump[2])
+{
+    const double by[2] = {second->u[0] - first->u[0], second->u[1] - first->u[1]};
+    for (int i = 0; i < 2; i++)
+        jump[i] = 0.5 * ((first->f[2 * i] + second->f[2 * i]) * by[0] +
+                         (first->f[2 * i + 1] + second->f[2 * i + 1]) * by[1]);
 }

@@ -32,10 +32,16 @@ void mpm_displacement_put_on_plane(struct mpm_displacement_sums *sums, int axis)
 
 struct mpm_displacement_fit {
     double u[2], v[2];
+    double f[4]; /* F, xx xy yx yy */
 };
 
-/* At a place x from the node; zero without particles. `unit`: the size of a cell. */
+/* At a place x from the node; without particles u and v are zero and F is I. `unit`: the size of a
+ * cell. */
 struct mpm_displacement_fit mpm_displacement_fit(const struct mpm_displacement_sums *sums,
                                                  double unit, const double x[2]);
+
+/* [u], of the second field less the first. */
+void mpm_displacement_jump(const struct mpm_displacement_fit *first,
+                           const struct mpm_displacement_fit *second, double jump[2]);
 
 #endif

@@ -254,6 +254,35 @@ START_TEST(a_driven_block_beyond_its_limit_fails_for_its_energy)
 }
 END_TEST
 
+/* Two blocks that spin, joined by an interface: normals that follow the stairs of the particles,
+ * and a stiffness of 500 in shear, of which they take a part for the opening, make 20 times the
+ * energy put in. The ledger has it as dissipation of -20 times, and a total that falls. */
+START_TEST(energy_that_contact_makes_is_not_balanced_by_a_negative_dissipation)
+{
+    static const char *const settings[] = {
+        "grid={origin: [-12, -12], cell: [1, 1], cells: [24, 24]}",
+        "time={end: 150, courant: 0.4}",
+        "method.stress_update=usavg",
+        "materials=[{name: a, law: neo_hookean, density: 1, young: 10, poisson: 0.2}, "
+        "{name: b, law: neo_hookean, density: 1, young: 10, poisson: 0.2}]",
+        "bodies=[{name: a, material: a, region: {rectangle: {from: [-6, -2], to: [0, 2]}}, "
+        "velocity: ['-0.02*y', '0.02*x']}, {name: b, material: b, "
+        "region: {rectangle: {from: [0, -2], to: [6, 2]}}, velocity: ['-0.02*y', '0.02*x']}]",
+        "contact={law: interface, tension: 0.05, compression: 0.05, shear: 500, normal: average}",
+        NULL};
+    struct mpm_error error = {0};
+    struct test_run run = test_run_open(BLOCK, settings, 1);
+    const double start = test_run_ledger(&run).total_energy;
+    double most;
+    ck_assert_int_eq(go(&run, 150.0, false, &most, &error), MPM_RUN_FAILED);
+    ck_assert_msg(error.cause == MPM_CAUSE_ENERGY, "%s", error.message);
+    const struct mpm_ledger ledger = test_run_ledger(&run);
+    ck_assert_double_lt(ledger.contact_dissipated, -start);
+    ck_assert_double_lt(ledger.total_energy, start);
+    test_run_close(&run);
+}
+END_TEST
+
 START_TEST(strain_energy_that_a_caller_gives_is_put_in)
 {
     static const char *const settings[] = {"time={end: 10, courant: 0.4}",
@@ -372,6 +401,7 @@ Suite *suite_energy(void)
     tcase_add_loop_test(tests, a_condition_that_starts_at_once_is_no_growth, 0,
                         SUDDEN * COURANTS * ORDERS);
     tcase_add_loop_test(tests, a_driven_block_beyond_its_limit_fails_for_its_energy, 0, SUDDEN);
+    tcase_add_test(tests, energy_that_contact_makes_is_not_balanced_by_a_negative_dissipation);
     tcase_add_test(tests, strain_energy_that_a_caller_gives_is_put_in);
     tcase_add_loop_test(tests, a_start_that_is_no_number_or_has_no_end_is_refused, 0, ENDLESS);
     tcase_add_test(tests, a_number_of_steps_takes_the_place_of_an_end_that_is_never_reached);
