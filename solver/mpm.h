@@ -245,8 +245,7 @@ enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, cons
                                          struct mpm_error *error);
 
 /* One line for a user whose first step has a larger Courant number than mpm_scene_stability knows
- * to be bounded, or an interface stiffer than an explicit step follows (it is implicit); else "".
- */
+ * to be bounded, or whose interface is stiffer than an explicit step follows; else "". */
 const char *mpm_simulation_advice(const struct mpm_simulation *simulation);
 
 double mpm_simulation_time(const struct mpm_simulation *simulation);

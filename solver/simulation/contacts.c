@@ -111,9 +111,9 @@ double mpm_contact_held(const struct mpm_state *state)
     double held = 0.0;
     for (size_t k = 0; k < state->scene->contact.pair_count; k++) {
         const struct mpm_contact_totals *const totals = &state->contact.totals[k];
-        held += fmax(totals->dissipated + totals->work, 0.0);
+        held += totals->dissipated + totals->work;
     }
-    return held;
+    return fmax(held, 0.0);
 }
 
 /* ------------------------------------------------------------------ history */

@@ -1,11 +1,12 @@
 /* Is the energy of a run what was put into it? The total energy that the ledger knows, kinetic +
  * strain + dissipated by damping, plastic strain and artificial viscosity + of cohesive cracks +
  * stored and dissipated by contact, may differ from that of the start by the work done alone. Of
- * contact, what a pair of bodies has stored and dissipated is what it has taken; here a pair that
- * has given more than that, whose sum in the ledger is negative, has none: else what contact makes
- * would balance itself, and a run that ends in it would pass. (Stored energy alone is no measure:
- * that of the jump of a stiff interface can be large for a step, and its dissipation is minus
- * that.) What is above that the scheme has made:
+ * contact, what all pairs of bodies have stored and dissipated is what they have taken; where they
+ * have given more than that, and the sum in the ledger is negative, they have none: else what
+ * contact makes would balance itself, and a run that ends in it would pass. (Stored energy alone is
+ * no measure: that of the jump of a stiff interface can be large for a step, and its dissipation is
+ * minus that. Nor is a single pair: where three bodies meet, one gives to another.) What is above
+ * that the scheme has made:
  *
  *   factor = 1 + (E - W - E_0) / (E_0 + the larger of largest |W| and 8 largest K_c so far),
  *

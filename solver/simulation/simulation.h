@@ -202,7 +202,7 @@ bool mpm_contacts_have_interfaces(const struct mpm_scene *scene);
 bool mpm_contacts_join(const struct mpm_scene *scene, enum mpm_scalar which);
 /* What interfaces have stored, and contact has dissipated. */
 void mpm_contact_energies(const struct mpm_state *state, double *stored, double *dissipated);
-/* Their sum, in which a pair that has given more than it has taken holds nothing. */
+/* Their sum; nothing where all pairs together have given more than they have taken. */
 double mpm_contact_held(const struct mpm_state *state);
 
 /* The point that a crack has grown by, with a segment of which the ends were there in the

@@ -117,9 +117,11 @@ def driven_speed(case):
 
 
 def no_blow_up_passes_for_a_result(case):
-    """Exit 0: what the run holds and has dissipated has never passed ten times the energy put in; two
-    bodies whose contact has given more than it has taken hold none of it. Put in is energy at t = 0, by work, of expansion too, and by conditions that move nodes from the start, which strain a body before
-    they work on it (of its mass at their speed, at most). Below 1e-10 of m c^2 it is round-off."""
+    """Exit 0: what the run holds and has dissipated has never passed ten times the energy put in;
+    contact that has given more than it has taken, of all pairs together, holds none of it. Put in is
+    energy at t = 0, by work, of expansion too, and by conditions that move nodes from the start, which
+    strain a body before they work on it (of its mass at their speed, at most). Below 1e-10 of m c^2 it
+    is round-off."""
     base = case.base
     if base.status != 0:
         return True  # it does not pass for a result
@@ -129,10 +131,10 @@ def no_blow_up_passes_for_a_result(case):
     if "expansion_work" in history:  # of which the step leaves an error of first order
         put_in = put_in + numpy.abs(numpy.diff(history["expansion_work"], prepend=0.0)).cumsum()
     noise = 1e-10 * history["mass"][0] * case.wave ** 2
-    made = sum((numpy.maximum(-values - history.get(name.replace("dissipated", "stored"), 0.0), 0.0)
-                for name, values in history.items()
-                if re.fullmatch(r"contact_\d+_\d+_dissipated", name)), 0.0)
-    held = history["total_energy"] + made
+    contact = sum((values + history.get(name.replace("dissipated", "stored"), 0.0)
+                   for name, values in history.items()
+                   if re.fullmatch(r"contact_\d+_\d+_dissipated", name)), 0.0)
+    held = history["total_energy"] + numpy.maximum(-contact, 0.0)
     ratio = held / (put_in + noise)
     row = int(ratio.argmax())
     require(ratio[row] <= BLOW_UP, f"exit 0, total energy {held[row]:.6g} at step "

@@ -294,7 +294,7 @@ END_TEST
 /* At the corners of three bodies interfaces gain energy, slowly: 1.3 times it in 350 steps. */
 START_TEST(an_interface_of_any_stiffness_stays_bounded)
 {
-    static const double stiffness[] = {0.01, 1.0, 1e2, 1e5, 1e9, 1e15};
+    static const double stiffness[] = {0.01, 1.0, 1e2, 1e5, 1e9, 1e12};
     double energy = 0.0;
     for (size_t k = 0; k < G_N_ELEMENTS(stiffness); k++) {
         struct settings settings = {.count = 0};
