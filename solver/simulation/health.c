@@ -148,6 +148,15 @@ static const char *describe_no_state(const struct mpm_simulation *simulation,
                  least);
 }
 
+static const char *describe_rate(const struct mpm_simulation *simulation,
+                                 const struct mpm_failure *failure, char text[TEXT_SIZE])
+{
+    return print(text,
+                 "has damping.%s = %g; allowed: at least 0 and below %g, 1 over the time step",
+                 failure->axis == 0 ? "particle" : "grid", failure->value,
+                 1.0 / simulation->state.time_step);
+}
+
 /* What is wrong with the particle. */
 static const char *describe(const struct mpm_simulation *simulation,
                             const struct mpm_failure *failure, char text[TEXT_SIZE])
@@ -202,11 +211,7 @@ static const char *describe(const struct mpm_simulation *simulation,
     case MPM_OUTSIDE_TABLE:
         return describe_outside(simulation, failure, text);
     case MPM_RATE_REFUSED:
-        return print(text,
-                     "has damping.%s = %g; allowed: at least 0 and below %g, 1 over the "
-                     "time step",
-                     failure->axis == 0 ? "particle" : "grid", failure->value,
-                     1.0 / simulation->state.time_step);
+        return describe_rate(simulation, failure, text);
     case MPM_UNIFORM_LOAD_NOT_FINITE:
     case MPM_NO_FAILURE:
         break;
