@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The names are those of the sanitizers. */
+/* NOLINTBEGIN(readability-identifier-naming,bugprone-reserved-identifier) */
 /* A single allocation of more than 64 MB fails, so that what takes much memory has to be refused
  * before, or to end with a message. */
 const char *__asan_default_options(void);
@@ -29,6 +31,7 @@ const char *__lsan_default_suppressions(void)
 {
     return "leak:libhdf5\n";
 }
+/* NOLINTEND(readability-identifier-naming,bugprone-reserved-identifier) */
 
 /* -------------------------------------------------------------------- files */
 

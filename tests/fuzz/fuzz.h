@@ -8,10 +8,13 @@
 
 #include "mpm.h"
 
+/* The names are libFuzzer's. */
+/* NOLINTBEGIN(readability-identifier-naming) */
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 int LLVMFuzzerInitialize(int *argument_count, char ***arguments);
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t room, unsigned seed);
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t room);
+/* NOLINTEND(readability-identifier-naming) */
 
 /* A folder of this process, empty and new, in TMPDIR; it goes with the process. */
 const char *fuzz_folder(void);
