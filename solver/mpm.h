@@ -70,6 +70,7 @@ enum { MPM_MESSAGE_SIZE = 1024 };
 struct mpm_error {
     enum mpm_status status;
     enum mpm_cause cause;
+    int line;                       /* of the file that is at fault; 0 where there is none */
     char message[MPM_MESSAGE_SIZE]; /* one line: what, where, value, what is allowed */
 };
 
@@ -77,10 +78,9 @@ struct mpm_error {
 
 struct mpm_scene; /* read-only once read; any number of simulations can use it */
 
-/* Reads and validates a scene file. `settings` are `PATH=VALUE` texts applied in
- * order before validation (the last wins). Errors name file, line, key, value
- * and what is allowed: MPM_BAD_INPUT; out of memory: MPM_ENVIRONMENT_FAILED.
- * On failure *scene is NULL. */
+/* Reads and validates a scene file; "-" is standard input. `settings` are `PATH=VALUE` texts
+ * applied in order before validation (the last wins); `PATH=` unsets. MPM_BAD_INPUT names file,
+ * line, key, value and what is allowed; MPM_ENVIRONMENT_FAILED: no memory; *scene is NULL then. */
 enum mpm_status mpm_scene_read(const char *path, const char *const *settings, size_t setting_count,
                                struct mpm_scene **scene, struct mpm_error *error);
 void mpm_scene_free(struct mpm_scene *scene);

@@ -42,6 +42,7 @@
     SUITE(forms)                                                                                   \
     SUITE(accuracy)                                                                                \
     SUITE(support)                                                                                 \
+    SUITE(words)                                                                                   \
     SUITE(status)                                                                                  \
     SUITE(base)                                                                                    \
     APART(workers)                                                                                 \

@@ -43,16 +43,21 @@ struct work {
 
 static enum mpm_status build(const struct mpm_reading *reading)
 {
-    MPM_TRY(mpm_build_general(reading));
-    MPM_TRY(mpm_build_materials(reading));
-    MPM_TRY(mpm_build_bodies(reading));
-    MPM_TRY(mpm_build_boundaries(reading));
-    MPM_TRY(mpm_build_loads(reading));
-    MPM_TRY(mpm_build_cracks(reading));
-    MPM_TRY(mpm_build_contact(reading));
-    MPM_TRY(mpm_build_j_integrals(reading));
-    MPM_TRY(mpm_build_damping(reading));
-    return mpm_build_transport(reading);
+    static const struct {
+        enum mpm_status (*build)(const struct mpm_reading *reading);
+        bool goes_on; /* the next one needs nothing of it but names */
+    } stages[] = {
+        {mpm_build_general, false},    {mpm_build_materials, true},    {mpm_build_bodies, true},
+        {mpm_build_boundaries, false}, {mpm_build_loads, false},       {mpm_build_cracks, false},
+        {mpm_build_contact, false},    {mpm_build_j_integrals, false}, {mpm_build_damping, false},
+        {mpm_build_transport, false},
+    };
+    for (size_t i = 0; i < sizeof stages / sizeof stages[0]; i++) {
+        MPM_TRY(mpm_reading_note(reading, stages[i].build(reading)));
+        if (!stages[i].goes_on && reading->faults->count > 0)
+            return MPM_BAD_INPUT;
+    }
+    return MPM_OK;
 }
 
 static enum mpm_status copy_arguments(struct mpm_scene *scene, const char *path,
@@ -71,7 +76,7 @@ static enum mpm_status copy_arguments(struct mpm_scene *scene, const char *path,
 }
 
 static enum mpm_status read_scene(struct mpm_scene *scene, struct work *work,
-                                  struct mpm_error *error)
+                                  struct mpm_faults *faults, struct mpm_error *error)
 {
     const struct mpm_source source = mpm_scene_source(scene);
     const struct mpm_origin origin = {.setting = MPM_FROM_FILE};
@@ -79,26 +84,26 @@ static enum mpm_status read_scene(struct mpm_scene *scene, struct work *work,
     MPM_TRY(mpm_source_read(&source, bytes, error));
     hash_bytes(*bytes, scene);
     MPM_TRY(mpm_tree_parse(&source, origin, bytes->data, bytes->length, &work->root, error));
-    MPM_TRY(mpm_tree_apply_settings(&source, scene->setting_count, work->root, error));
-    MPM_TRY(mpm_tree_check(&source, &mpm_scene_root, work->root, error));
+    MPM_TRY(mpm_tree_apply_settings(&source, scene->setting_count, work->root, faults, error));
+    MPM_TRY(mpm_tree_check(&source, &mpm_scene_root, work->root, faults, error));
     work->raw = mpm_keys_fill(&mpm_scene_root, work->root);
     if (work->raw == NULL)
         return mpm_error_memory(error, sizeof *work->raw, "a scene's values");
     return build(&(struct mpm_reading){
-        .scene = scene, .root = work->root, .raw = work->raw, .error = error});
+        .scene = scene, .root = work->root, .raw = work->raw, .faults = faults, .error = error});
 }
 
-enum mpm_status mpm_scene_read(const char *path, const char *const *settings, size_t setting_count,
-                               struct mpm_scene **scene, struct mpm_error *error)
+static enum mpm_status make_scene(const char *path, const char *const *settings,
+                                  size_t setting_count, struct mpm_scene **scene,
+                                  struct mpm_faults *faults, struct mpm_error *error)
 {
-    *scene = NULL;
     struct mpm_scene *made = calloc(1, sizeof *made);
     if (made == NULL)
         return mpm_error_memory(error, sizeof *made, "a scene");
     struct work work = {.root = NULL};
     enum mpm_status status = copy_arguments(made, path, settings, setting_count, error);
     if (status == MPM_OK)
-        status = read_scene(made, &work, error);
+        status = read_scene(made, &work, faults, error);
     mpm_keys_free(&mpm_scene_root, work.raw);
     mpm_tree_free(work.root);
     free(work.bytes.data);
@@ -108,6 +113,33 @@ enum mpm_status mpm_scene_read(const char *path, const char *const *settings, si
     }
     *scene = made;
     return MPM_OK;
+}
+
+enum mpm_status mpm_scene_read_all(const char *path, const char *const *settings,
+                                   size_t setting_count, struct mpm_scene **scene,
+                                   struct mpm_faults *faults)
+{
+    struct mpm_error error = {.status = MPM_OK};
+    *scene = NULL;
+    faults->count = 0;
+    const enum mpm_status status = make_scene(path, settings, setting_count, scene, faults, &error);
+    /* what ends the reading at once is no list of mistakes */
+    if (status != MPM_OK && (status != MPM_BAD_INPUT || faults->count == 0)) {
+        faults->list[0] = error;
+        faults->count = 1;
+    }
+    return status;
+}
+
+enum mpm_status mpm_scene_read(const char *path, const char *const *settings, size_t setting_count,
+                               struct mpm_scene **scene, struct mpm_error *error)
+{
+    struct mpm_faults faults;
+    const enum mpm_status status =
+        mpm_scene_read_all(path, settings, setting_count, scene, &faults);
+    if (status != MPM_OK && error != NULL)
+        *error = faults.list[0];
+    return status;
 }
 
 /* ------------------------------------------------------------------- scene */

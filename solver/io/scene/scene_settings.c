@@ -57,10 +57,22 @@ static struct mpm_tree_node **entry_slot(const struct mpm_tree_node *list, const
     return NULL;
 }
 
+static const char *entry_hint(const struct mpm_tree_node *list, const char *segment,
+                              char hint[MPM_HINT_SIZE])
+{
+    struct mpm_nearest nearest = {.word = segment};
+    for (size_t i = 0; i < list->count; i++) {
+        const struct mpm_tree_entry *name = mpm_tree_entry(list->entries[i].value, "name");
+        if (name != NULL && name->value->kind == MPM_TREE_SCALAR)
+            mpm_nearest_offer(&nearest, name->value->text);
+    }
+    return mpm_nearest_hint(&nearest, hint);
+}
+
 static enum mpm_status find_entry(const struct setting *setting, const struct mpm_tree_node *list,
                                   const char *segment, struct mpm_tree_node ***slot)
 {
-    char name[MPM_EXCERPT_SIZE];
+    char name[MPM_EXCERPT_SIZE], hint[MPM_HINT_SIZE];
     if (list->kind != MPM_TREE_LIST)
         return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
                               "%s names an entry, but the scene has no list there",
@@ -70,8 +82,8 @@ static enum mpm_status find_entry(const struct setting *setting, const struct mp
         return MPM_OK;
     return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
                           "no entry %s in the list of %zu; allowed: a position from 0 or the "
-                          "`name` of an entry",
-                          mpm_excerpt(segment, name), list->count);
+                          "`name` of an entry%s",
+                          mpm_excerpt(segment, name), list->count, entry_hint(list, segment, hint));
 }
 
 /* A key that the scene does not have is made: the last of the path by the value itself,
@@ -92,23 +104,78 @@ static enum mpm_status add_missing(const struct setting *setting, const struct m
     return mpm_tree_append(group, key->name, value) ? MPM_OK : no_memory(setting);
 }
 
-static enum mpm_status find_key(const struct setting *setting, const struct mpm_key *group,
-                                struct mpm_tree_node *node, const char *segment,
-                                const struct mpm_key **key, struct mpm_tree_node ***slot)
+/* The key of the table, where the scene has a mapping. */
+static enum mpm_status know_key(const struct setting *setting, const struct mpm_key *group,
+                                const struct mpm_tree_node *node, const char *segment,
+                                const struct mpm_key **key)
 {
-    char name[MPM_EXCERPT_SIZE], allowed[MPM_ALLOWED_SIZE];
+    char name[MPM_EXCERPT_SIZE], allowed[MPM_ALLOWED_SIZE], hint[MPM_HINT_SIZE];
     *key = mpm_key_find(group, segment);
     if (*key == NULL)
         return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
-                              "unknown key %s; allowed: %s", mpm_excerpt(segment, name),
-                              mpm_key_children(group, allowed));
+                              "unknown key %s; allowed: %s%s", mpm_excerpt(segment, name),
+                              mpm_key_children(group, allowed), mpm_key_hint(group, segment, hint));
     if (node->kind != MPM_TREE_MAPPING)
         return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
                               "%s names a key, but the scene has no mapping there",
                               mpm_excerpt(segment, name));
+    return MPM_OK;
+}
+
+static enum mpm_status find_key(const struct setting *setting, const struct mpm_key *group,
+                                struct mpm_tree_node *node, const char *segment,
+                                const struct mpm_key **key, struct mpm_tree_node ***slot)
+{
+    MPM_TRY(know_key(setting, group, node, segment, key));
     if (mpm_tree_entry(node, segment) == NULL)
         MPM_TRY(add_missing(setting, *key, node));
     *slot = &mpm_tree_entry(node, segment)->value;
+    return MPM_OK;
+}
+
+static enum mpm_status refuse_part(const struct setting *setting, const struct mpm_key *key,
+                                   const char *segment)
+{
+    char name[MPM_EXCERPT_SIZE];
+    return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
+                          "%s is one value and has no part %s", key->name,
+                          mpm_excerpt(segment, name));
+}
+
+static bool has_parts(const struct mpm_key *key)
+{
+    return key->shape != MPM_KEY_ONE && key->shape != MPM_KEY_CHOICE;
+}
+
+/* `PATH=`: takes the key, or the entry of a list, out of the scene. What the scene does not give
+ * needs no taking out, but has to be a key. */
+static enum mpm_status unset(struct setting *setting, struct mpm_tree_node *root)
+{
+    struct mpm_key key = mpm_scene_root;
+    struct mpm_tree_node *node = root, *parent = NULL;
+    for (char *segment = next_segment(setting); segment != NULL; segment = next_segment(setting)) {
+        struct mpm_tree_node **entry = NULL;
+        if (!has_parts(&key))
+            return refuse_part(setting, &key, segment);
+        parent = node;
+        if (key.shape == MPM_KEY_GROUP) {
+            const struct mpm_key *next = NULL;
+            const struct mpm_tree_node nothing = {.kind = MPM_TREE_MAPPING};
+            MPM_TRY(know_key(setting, &key, node != NULL ? node : &nothing, segment, &next));
+            const struct mpm_tree_entry *const given =
+                node != NULL ? mpm_tree_entry(node, segment) : NULL;
+            node = given != NULL ? given->value : NULL;
+            key = *next;
+        } else if (node != NULL) {
+            MPM_TRY(find_entry(setting, node, segment, &entry));
+            node = *entry;
+            key = mpm_key_entry(&key);
+        } else {
+            key = mpm_key_entry(&key);
+        }
+    }
+    if (node != NULL && parent != NULL)
+        mpm_tree_remove(parent, node);
     return MPM_OK;
 }
 
@@ -122,11 +189,8 @@ static enum mpm_status find_slot(struct setting *setting, struct mpm_tree_node *
             const struct mpm_key *next = NULL;
             MPM_TRY(find_key(setting, &key, *slot, segment, &next, &slot));
             key = *next;
-        } else if (key.shape == MPM_KEY_ONE || key.shape == MPM_KEY_CHOICE) {
-            char name[MPM_EXCERPT_SIZE];
-            return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
-                                  "%s is one value and has no part %s", key.name,
-                                  mpm_excerpt(segment, name));
+        } else if (!has_parts(&key)) {
+            return refuse_part(setting, &key, segment);
         } else {
             MPM_TRY(find_entry(setting, *slot, segment, &slot));
             key = mpm_key_entry(&key);
@@ -141,13 +205,16 @@ static enum mpm_status apply(struct setting *setting, const char *text, struct m
     const char *equals = strchr(text, '=');
     const size_t length = equals != NULL ? (size_t)(equals - text) : 0;
     if (length == 0 || length >= PATH_SIZE)
-        return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
-                              "not a setting; allowed: PATH=VALUE with a path of up to %d "
-                              "characters, such as grid.refine=2",
-                              PATH_SIZE - 1);
+        return mpm_tree_fault(
+            setting->error, setting->source, setting->origin, "",
+            "not a setting; allowed: PATH=VALUE, or PATH= to unset, with a path of up to %d "
+            "characters, such as grid.refine=2",
+            PATH_SIZE - 1);
     memcpy(setting->path, text, length);
     setting->path[length] = '\0';
     setting->segments = setting->path;
+    if (equals[1] == '\0')
+        return unset(setting, *root);
     struct mpm_tree_node **slot = root;
     struct mpm_tree_node *value = NULL;
     MPM_TRY(mpm_tree_parse(setting->source, setting->origin, equals + 1, strlen(equals + 1), &value,
@@ -163,12 +230,13 @@ static enum mpm_status apply(struct setting *setting, const char *text, struct m
 }
 
 enum mpm_status mpm_tree_apply_settings(const struct mpm_source *source, size_t count,
-                                        struct mpm_tree_node *root, struct mpm_error *error)
+                                        struct mpm_tree_node *root, struct mpm_faults *faults,
+                                        struct mpm_error *error)
 {
     for (size_t i = 0; i < count; i++) {
         struct setting setting = {
             .source = source, .error = error, .origin = {.setting = (int)i + 1}};
-        MPM_TRY(apply(&setting, source->settings[i], &root));
+        MPM_TRY(mpm_faults_note(faults, apply(&setting, source->settings[i], &root), error));
     }
-    return MPM_OK;
+    return mpm_faults_status(faults, error);
 }
