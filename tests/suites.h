@@ -11,6 +11,7 @@
 
 #define SUITES(SUITE, APART)                                                                       \
     SUITE(docs)                                                                                    \
+    SUITE(completion)                                                                              \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
     SUITE(cli)                                                                                     \
@@ -59,6 +60,7 @@
     SUITE(parting)                                                                                 \
     SUITE(particles)                                                                               \
     SUITE(property)                                                                                \
+    SUITE(scene_faults)                                                                            \
     SUITE(scene)                                                                                   \
     SUITE(energy)                                                                                  \
     SUITE(guard)                                                                                   \
@@ -134,6 +136,7 @@
     SUITE(symmetry)                                                                                \
     SUITE(scene_settings)                                                                          \
     SUITE(schema)                                                                                  \
+    SUITE(console)                                                                                 \
     SUITE(suite)                                                                                   \
     SUITE(resume)                                                                                  \
     SUITE(bench)                                                                                   \

@@ -304,7 +304,7 @@ START_TEST(compare_tells_what_changed_and_whether_anything_got_worse)
         {"pass", "null", "null", "7", "1", 0, "1 m, then none"},
         {"pass", "1", "0.5", "8", "1", 0, "A/free [v]"},
         {"pass", "1", "0.5", "7", "9", 0, "slower   A [v]"},
-        {"pass", "1", "0.5", "7", "1.5", 0, "  none"},
+        {"pass", "1", "0.5", "7", "1.5", 0, "\n\n0 worse, 0 better, 0 changed otherwise\n"},
     };
     char *before = run_before();
     for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
@@ -315,6 +315,7 @@ START_TEST(compare_tells_what_changed_and_whether_anything_got_worse)
                       said.exit_status, said.out, said.err);
         ck_assert_msg(strstr(said.out, table[i].said) != NULL, "row %zu: %s", i, said.out);
         ck_assert_ptr_nonnull(strstr(said.out, "one, then two"));
+        ck_assert_ptr_null(strstr(said.out, "  none\n")); /* no section is empty */
         test_said_free(&said);
         test_folder_remove(after);
     }

@@ -1,0 +1,154 @@
+/* Commands by a table.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/status.h"
+#include "io/commands/completion.h"
+#include "io/commands/help.h"
+#include "mpm_commands.h"
+#include "mpm_words.h"
+
+#include <glib.h>
+#include <string.h>
+
+size_t mpm_operands_count(const struct mpm_command_entry *entry)
+{
+    size_t count = entry->operands[0] != '\0';
+    for (const char *c = entry->operands; *c != '\0'; c++)
+        count += *c == ' ';
+    return count;
+}
+
+static enum mpm_status check_operands(const struct mpm_command_line *line,
+                                      const struct mpm_command_entry *entry,
+                                      struct mpm_error *error)
+{
+    char **const rest = *line->rest;
+    const size_t given = rest == NULL ? 0 : g_strv_length(rest);
+    const size_t needed = mpm_operands_count(entry);
+    if (given == needed)
+        return MPM_OK;
+    if (given > needed)
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "%s: unexpected argument \"%s\"; see '%s %s --help'", entry->name,
+                             rest[needed], line->program, entry->name);
+    char **const names = g_strsplit(entry->operands, " ", -1);
+    const enum mpm_status status =
+        mpm_error_set(error, MPM_BAD_INPUT, "%s: %s is missing; see '%s %s --help'", entry->name,
+                      names[given], line->program, entry->name);
+    g_strfreev(names);
+    return status;
+}
+
+static void print_error(const struct mpm_command_line *line, const struct mpm_error *error)
+{
+    if (error->message[0] != '\0')
+        (void)fprintf(line->err, "%s: %s\n", line->program, error->message);
+}
+
+static enum mpm_status dispatch(const struct mpm_command_line *line,
+                                const struct mpm_command_entry *entry, int argc, char **argv,
+                                struct command *command)
+{
+    struct mpm_error error = {.status = MPM_OK};
+    bool help = false;
+    enum mpm_status status = mpm_options_read(line, entry, argc - 1, argv + 1, &help, &error);
+    if (status == MPM_OK && help) {
+        mpm_help_command(line, entry);
+        return MPM_OK;
+    }
+    if (status == MPM_OK)
+        status = check_operands(line, entry, &error);
+    if (status == MPM_OK)
+        status = entry->run(command, &error);
+    if (status != MPM_OK)
+        print_error(line, &error);
+    return status;
+}
+
+static const struct mpm_command_entry *find_command(const struct mpm_command_line *line,
+                                                    const char *name)
+{
+    for (size_t i = 0; name != NULL && i < line->command_count; i++)
+        if (strcmp(name, line->commands[i].name) == 0)
+            return &line->commands[i];
+    return NULL;
+}
+
+static enum mpm_status refuse_command(const struct mpm_command_line *line, const char *name)
+{
+    struct mpm_error error = {.status = MPM_OK};
+    GString *const names = g_string_new(NULL);
+    for (size_t i = 0; i < line->command_count; i++)
+        g_string_append_printf(names, "%s%s", i > 0 ? ", " : "", line->commands[i].name);
+    struct mpm_nearest nearest = {.word = name};
+    for (size_t i = 0; name != NULL && i < line->command_count; i++)
+        mpm_nearest_offer(&nearest, line->commands[i].name);
+    for (size_t i = 0; name != NULL && i < MPM_HELP_OWN_COUNT; i++)
+        mpm_nearest_offer(&nearest, mpm_help_own[i].name);
+    char hint[MPM_HINT_SIZE];
+    if (name == NULL)
+        (void)mpm_error_set(&error, MPM_BAD_INPUT, "a command is missing: %s; see '%s --help'",
+                            names->str, line->program);
+    else
+        (void)mpm_error_set(&error, MPM_BAD_INPUT,
+                            "unknown command \"%s\"; allowed: %s%s; see '%s --help'", name,
+                            names->str, mpm_nearest_hint(&nearest, hint), line->program);
+    g_string_free(names, TRUE);
+    print_error(line, &error);
+    return MPM_BAD_INPUT;
+}
+
+/* `help`, `help COMMAND`. */
+static enum mpm_status run_help(const struct mpm_command_line *line, const char *name)
+{
+    const struct mpm_command_entry *const entry = find_command(line, name);
+    for (size_t i = 0; i < MPM_HELP_OWN_COUNT; i++)
+        if (g_strcmp0(name, mpm_help_own[i].name) == 0) {
+            mpm_help_own_command(line, &mpm_help_own[i]);
+            return MPM_OK;
+        }
+    if (name != NULL && entry == NULL)
+        return refuse_command(line, name);
+    if (entry != NULL)
+        mpm_help_command(line, entry);
+    else
+        mpm_help_program(line);
+    return MPM_OK;
+}
+
+static enum mpm_status run_completion(const struct mpm_command_line *line, const char *shell)
+{
+    struct mpm_error error = {.status = MPM_OK};
+    if (g_strcmp0(shell, "--help") == 0)
+        return run_help(line, "completion");
+    if (mpm_completion_print(line, shell))
+        return MPM_OK;
+    (void)mpm_error_set(&error, MPM_BAD_INPUT, "completion %s: allowed: %s",
+                        shell == NULL ? "without a shell" : shell, mpm_completion_shells);
+    print_error(line, &error);
+    return MPM_BAD_INPUT;
+}
+
+static bool is_one_of(const char *name, const char *word, const char *other)
+{
+    return g_strcmp0(name, word) == 0 || g_strcmp0(name, other) == 0;
+}
+
+enum mpm_status mpm_command_line_run(const struct mpm_command_line *line, int argc, char **argv,
+                                     struct command *command)
+{
+    const char *const name = argc > 1 ? argv[1] : NULL;
+    if (g_strcmp0(name, "help") == 0)
+        return run_help(line, argc > 2 ? argv[2] : NULL);
+    if (g_strcmp0(name, "completion") == 0)
+        return run_completion(line, argc > 2 ? argv[2] : NULL);
+    if (is_one_of(name, "--help", "-h"))
+        return run_help(line, NULL);
+    if (g_strcmp0(name, "--version") == 0) {
+        (void)fprintf(line->out, "%s %s (%s)\n", line->program, mpm_build_info()->version,
+                      mpm_build_info()->revision);
+        return MPM_OK;
+    }
+    const struct mpm_command_entry *const entry = find_command(line, name);
+    return entry != NULL ? dispatch(line, entry, argc, argv, command) : refuse_command(line, name);
+}
