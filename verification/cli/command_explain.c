@@ -15,7 +15,8 @@
 #include <math.h>
 #include <string.h>
 
-enum { LABEL_COLUMN = 13, LINE_WIDTH = 80, ROWS_SHOWN = 10 };
+/* With the longest reasons of the catalogue that many rows fit into 24 lines. */
+enum { LABEL_COLUMN = 13, LINE_WIDTH = 80, ROWS_SHOWN = 4 };
 
 struct explanation {
     FILE *out;
@@ -100,7 +101,10 @@ static void print_values(const struct explanation *explanation, const GArray *va
     for (unsigned i = 0; i < MIN(values->len, (unsigned)ROWS_SHOWN); i++) {
         const struct last_value *value = &g_array_index(values, struct last_value, i);
         char *text = value->record == NULL ? g_strdup("none") : value_text(value->record);
-        fprintf(out, "%*s%s: %s\n", LABEL_COLUMN, "", value->variant->name, text);
+        char *row = g_strdup_printf("%s: %s", value->variant->name, text);
+        fprintf(out, "%*s", LABEL_COLUMN, "");
+        mpm_words_wrap(out, row, LABEL_COLUMN, LABEL_COLUMN + 2, LINE_WIDTH);
+        g_free(row);
         g_free(text);
     }
     if (values->len > ROWS_SHOWN)
