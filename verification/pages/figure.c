@@ -173,7 +173,7 @@ struct figure_result figure_plot(const struct figure_plot *plot)
     else
         g_strlcpy(result.reason, error.message, sizeof result.reason);
     if (made)
-        (void)mpm_folder_remove_all(home);
+        (void)mpm_folder_remove_all(home, NULL);
     g_free(home);
     g_free(script);
     g_free(old);

@@ -4,7 +4,7 @@
 #include "verification/report/case_figure.h"
 
 #include "mpm_file.h"
-#include "verification/common/input.h"
+#include "verification/common/folders.h"
 #include "verification/common/names.h"
 #include "verification/common/result_path.h"
 
@@ -16,9 +16,8 @@
 enum mpm_status case_data_files(const char *home, GPtrArray **files, struct mpm_error *error)
 {
     GPtrArray *names = NULL;
-    enum mpm_status status = MPM_OK;
-    if (mpm_path_kind(home) != MPM_PATH_NONE) /* a folder may have result lines alone */
-        status = input_names(home, &names, error);
+    /* a folder may have result lines alone */
+    const enum mpm_status status = folder_names(home, &names, error);
     *files = g_ptr_array_new_with_free_func(g_free);
     for (guint i = 0; names != NULL && i < names->len; i++) {
         const char *const name = names->pdata[i];
@@ -135,7 +134,7 @@ static char *find_script(const char *home, const json_t *entry, const json_t *fi
     const char *recorded = record_text(figure, "script_sha256");
     char *path = g_build_filename(home, record_text(figure, "script"), NULL), *text = NULL;
     size_t length = 0;
-    if (!mpm_path_is_folder(home))
+    if (mpm_path_kind(home) == MPM_PATH_NONE)
         g_snprintf(result->reason, sizeof result->reason,
                    "case %s is not in the catalogue, whose scripts draw figures",
                    record_text(entry, "case"));

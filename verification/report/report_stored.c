@@ -178,10 +178,12 @@ static enum mpm_status read_stored(const char *folder, const char *name,
                                    struct mpm_error *error)
 {
     char *path = g_build_filename(folder, name, NULL);
+    enum mpm_path kind = MPM_PATH_NONE;
     *object = NULL;
     enum mpm_status status = result_file_check(path, error);
-    if (status == MPM_OK &&
-        mpm_path_kind(path) != MPM_PATH_NONE) /* or reading it gives the reason */
+    if (status == MPM_OK)
+        status = input_kind(path, &kind, error);
+    if (status == MPM_OK && kind != MPM_PATH_NONE)
         status = read_object(path, fields, object, error);
     if (status == MPM_OK && *object != NULL && name == mutants_name)
         status = mutants_check(*object, path, error);

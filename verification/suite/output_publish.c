@@ -61,9 +61,11 @@ static enum mpm_status add_files(const char *root, const char *below, GPtrArray 
         char *path = *below == '\0' ? g_strdup(names->pdata[i])
                                     : g_build_filename(below, names->pdata[i], NULL);
         char *whole = g_build_filename(root, path, NULL);
-        if (mpm_path_is_folder(whole))
+        enum mpm_path kind;
+        status = input_kind(whole, &kind, error);
+        if (status == MPM_OK && kind == MPM_PATH_FOLDER)
             status = add_files(root, path, paths, error);
-        else
+        else if (status == MPM_OK)
             g_ptr_array_add(paths, g_strdup(path));
         g_free(whole);
         g_free(path);
@@ -170,8 +172,9 @@ static enum mpm_status carry_out(const struct output_folder *output, char *const
 enum mpm_status output_recover(const struct output_folder *output, struct mpm_error *error)
 {
     char *list = g_build_filename(output->state, list_name, NULL), *text = NULL;
-    enum mpm_status status = MPM_OK;
-    if (mpm_path_kind(list) != MPM_PATH_NONE)
+    enum mpm_path kind;
+    enum mpm_status status = input_kind(list, &kind, error);
+    if (status == MPM_OK && kind != MPM_PATH_NONE)
         status = input_text(list, NULL, &text, NULL, error);
     if (text != NULL) {
         char **paths = g_strsplit(g_strchomp(text), "\n", -1);
