@@ -4,6 +4,7 @@
 #include "verification/pages/figure.h"
 
 #include "mpm_file.h"
+#include "verification/common/input.h"
 #include "verification/common/output.h"
 #include "verification/pages/figure_script.h"
 #include "verification/pages/gnuplot.h"
@@ -83,15 +84,18 @@ char *figure_dress(const char *svg, const char *title, const char *description)
 
 static const char picture[] = "figure.svg", style[] = ".style.gp", axes[] = ".axes.gp";
 
+static bool is_picture(const char *text)
+{
+    return strstr(text, "</svg>") != NULL && g_utf8_validate(text, -1, NULL);
+}
+
 /* What the script wrote, dressed, as the file that it is to be. */
 static enum mpm_status dress_file(const char *home, const struct figure_plot *plot,
                                   struct mpm_error *error)
 {
-    char *path = g_build_filename(home, picture, NULL), *svg;
-    enum mpm_status status = MPM_OK;
-    svg = mpm_file_load(path, NULL);
-    if (svg == NULL || strstr(svg, "</svg>") == NULL ||
-        !g_utf8_validate(svg, -1, NULL)) /* no text else */
+    char *path = g_build_filename(home, picture, NULL), *svg = NULL;
+    enum mpm_status status = input_text(path, NULL, &svg, NULL, error);
+    if (status == MPM_BAD_INPUT || (svg != NULL && !is_picture(svg)))
         status = failure_set(error, MPM_ENVIRONMENT_FAILED, "the script wrote no SVG file");
     if (status == MPM_OK) {
         char *dressed = figure_dress(svg, plot->title, plot->description);
@@ -165,7 +169,9 @@ struct figure_result figure_plot(const struct figure_plot *plot)
     enum mpm_status status = made ? stage(home, script, plot, &error)
                                   : failure_set(&error, MPM_ENVIRONMENT_FAILED,
                                                 "%s: cannot be made: %s", home, g_strerror(errno));
-    (void)mpm_file_remove(old); /* or an old picture could stand for a new one */
+    /* or an old picture could stand for a new one */
+    if (status == MPM_OK && mpm_file_remove(old) != 0 && errno != ENOENT)
+        status = mpm_file_failed(old, errno, &error);
     if (status == MPM_OK)
         status = draw(home, script, plot, &error);
     if (status == MPM_OK)
