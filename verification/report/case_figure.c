@@ -46,8 +46,7 @@ static void require_data(const char *home, struct figure_result *result)
     if (case_data_files(home, &files, &error) != MPM_OK)
         fail(result, error.message);
     else if (files->len == 0)
-        g_strlcpy(result->reason,
-                  "this folder holds the result lines alone, not the figure's data",
+        g_strlcpy(result->reason, "this folder holds the result lines alone, not the figure's data",
                   sizeof result->reason);
     g_ptr_array_unref(files);
 }
