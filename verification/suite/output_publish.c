@@ -10,6 +10,7 @@
 #include "verification/common/output.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <glib.h>
 #include <string.h>
 
@@ -50,7 +51,18 @@ enum mpm_status output_find_ours(const char *folder, char **found, struct mpm_er
 
 /* ---------------------------------------------------------------- new files in */
 
-/* Paths of all files below a folder, from it on. */
+/* What programs wrote may not be on the disk yet. */
+static enum mpm_status sync_file(const char *path, struct mpm_error *error)
+{
+    const int file = mpm_file_open(path, O_RDONLY);
+    const int failed = file < 0 || mpm_file_sync(file) != 0;
+    const enum mpm_status status = failed ? mpm_file_failed(path, errno, error) : MPM_OK;
+    if (file >= 0)
+        (void)mpm_file_close(file);
+    return status;
+}
+
+/* Paths of all files below a folder, from it on; all are on the disk afterwards. */
 static enum mpm_status add_files(const char *root, const char *below, GPtrArray *paths,
                                  struct mpm_error *error)
 {
@@ -66,6 +78,8 @@ static enum mpm_status add_files(const char *root, const char *below, GPtrArray 
         if (status == MPM_OK && kind == MPM_PATH_FOLDER)
             status = add_files(root, path, paths, error);
         else if (status == MPM_OK)
+            status = sync_file(whole, error);
+        if (status == MPM_OK && kind != MPM_PATH_FOLDER)
             g_ptr_array_add(paths, g_strdup(path));
         g_free(whole);
         g_free(path);
