@@ -62,7 +62,8 @@ static enum mpm_status sync_file(const char *path, struct mpm_error *error)
     return status;
 }
 
-/* Paths of all files below a folder, from it on; all are on the disk afterwards. */
+/* Paths of all files below a folder, from it on; all are on the disk afterwards. What a program
+ * left half-written goes with the stage. */
 static enum mpm_status add_files(const char *root, const char *below, GPtrArray *paths,
                                  struct mpm_error *error)
 {
@@ -75,12 +76,12 @@ static enum mpm_status add_files(const char *root, const char *below, GPtrArray 
         char *whole = g_build_filename(root, path, NULL);
         enum mpm_path kind;
         status = input_kind(whole, &kind, error);
-        if (status == MPM_OK && kind == MPM_PATH_FOLDER)
+        if (status == MPM_OK && kind == MPM_PATH_FOLDER) {
             status = add_files(root, path, paths, error);
-        else if (status == MPM_OK)
+        } else if (status == MPM_OK && !g_str_has_suffix(path, MPM_PARTIAL_SUFFIX)) {
             status = sync_file(whole, error);
-        if (status == MPM_OK && kind != MPM_PATH_FOLDER)
             g_ptr_array_add(paths, g_strdup(path));
+        }
         g_free(whole);
         g_free(path);
     }
