@@ -207,8 +207,27 @@ def draw_lattice(canvas, _):
     return [2, 2]
 
 
+def turned_velocity(canvas, key):
+    """All bodies of the scene turn together, or none does."""
+    notes = canvas.notes
+    if "spin" not in notes:
+        sizes = [(notes["whole"][1][k] - notes["whole"][0][k]) * canvas.cell[k] for k in range(2)]
+        turns = not canvas.axisymmetric and not notes["still"] and canvas.chance(40)
+        notes["spin"] = short(canvas.pick([0.1, -0.1, 0.4, -0.02]) * canvas.scale(key.unit) /
+                              max(sizes)) if turns else 0
+        notes["pivot"] = place(canvas, [(notes["whole"][0][k] + notes["whole"][1][k]) / 2
+                                        for k in range(2)])
+    if not notes["spin"]:
+        return ABSENT
+    spin, (x, y) = notes["spin"], notes["pivot"]
+    return [f"({short(-spin)})*(y-({y}))", f"({spin})*(x-({x}))"]
+
+
 def draw_body_velocity(canvas, key):
-    """At rest, or a rigid motion with a stretch and a turn; on the axis none across it."""
+    """At rest, or a rigid motion with a stretch and a turn; on the axis none across it. Bodies that touch
+    have none of their own; in some planar scenes they all turn about one point."""
+    if canvas.situation == "touching" and not is_rigid(canvas):
+        return turned_velocity(canvas, key)
     if is_rigid(canvas) or canvas.situation != "any" or canvas.chance(25):
         return ABSENT
     speed = canvas.scale(key.unit)
