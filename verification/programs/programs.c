@@ -52,6 +52,7 @@
     PROGRAM(two_bars)                                                                              \
     PROGRAM(laminate)                                                                              \
     PROGRAM(contact_energy)                                                                        \
+    PROGRAM(adhesion)                                                                              \
     PROGRAM(inclusion)                                                                             \
     PROGRAM(carried)                                                                               \
     PROGRAM(manufactured)                                                                          \
