@@ -150,8 +150,11 @@ static bool find_slip(const struct flow *flow, double *slip)
     *slip = high;
     if (strength(flow, high, &slope) == 0.0)
         return flow->model->kinematic == 0.0;
-    if (!(overstress(flow, high, &slope) < 0.0))
+    const double rest = overstress(flow, high, &slope);
+    if (!(rest < ROUND_OFF * flow->norm))
         return false;
+    if (!(rest < 0.0)) /* a strength that is round-off of the trial stress, next to melting */
+        return flow->model->kinematic == 0.0;
     *slip = 0.0;
     for (int k = 0; k < ITERATIONS; k++) {
         const double over = overstress(flow, *slip, &slope);
@@ -183,7 +186,19 @@ static void slip_along_axes(const double b_elastic[MPM_SYMMETRIC_SIZE],
     mpm_symmetric_product(b_elastic, flown, after);
 }
 
-/* Changes the state; `driving` is that of the trial state, and that of the end on output. */
+/* Is b_e still positive? F and C_p^-1 of stretches far above 1e5 hold no elastic strain any more:
+ * it is less than the round-off of their product. */
+static bool holds_elastic_strain(const double f[MPM_GRADIENT_SIZE],
+                                 const double inverse[MPM_SYMMETRIC_SIZE])
+{
+    double b_elastic[MPM_SYMMETRIC_SIZE], plane[2];
+    push(f, inverse, b_elastic);
+    mpm_plane_eigenvalues(b_elastic, plane);
+    return plane[0] > 0.0 && b_elastic[MPM_SYM_ZZ] > 0.0;
+}
+
+/* Changes the state; `driving` is that of the trial state, and that of the end on output. False:
+ * no way back to yield; no number in `driving`: no elastic strain. */
 static bool flow_back(struct flow *flow, const double b_elastic[MPM_SYMMETRIC_SIZE],
                       double driving[MPM_SYMMETRIC_SIZE], double *state)
 {
@@ -204,7 +219,11 @@ static bool flow_back(struct flow *flow, const double b_elastic[MPM_SYMMETRIC_SI
         driving[k] -= flow->stiffness * slip * flow->normal[k];
     pull(flow->f, after, state + INVERSE);
     state[PLASTIC] += ROOT_TWO_THIRDS * slip;
-    return true;
+    if (holds_elastic_strain(flow->f, state + INVERSE))
+        return true;
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        driving[k] = (double)NAN;
+    return false;
 }
 
 /* -------------------------------------------------------------------- for laws */
