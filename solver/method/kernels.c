@@ -18,11 +18,14 @@ static void choose_transfer(const struct mpm_scene *scene, bool fast,
                             struct mpm_kernel_choice *choice)
 {
     const struct mpm_transfer *const transfer = mpm_transfer_of(scene->transfer);
+    /* APIC takes more than positions from v^{n+1}, which the rows change for the midpoint update */
+    const bool reads_ends =
+        scene->transfer == MPM_TRANSFER_APIC && scene->position_update == MPM_MIDPOINT;
     if (transfer->smooth != NULL && scene->transfer_order > 1) { /* order 1 is PIC */
         choice->smooth = transfer->smooth;
         choice->flip_rows = transfer->smoothed_rows;
         choice->flip_particles = mpm_pass_keep_fraction;
-    } else if (scene->flip_fraction < 1.0 && fast) {
+    } else if (scene->flip_fraction < 1.0 && fast && !reads_ends) {
         choice->flip_rows = mpm_row_flip_fraction;
         choice->flip_particles = mpm_pass_keep_fraction;
     } else if (scene->flip_fraction < 1.0) {
