@@ -208,7 +208,8 @@ def draw_lattice(canvas, _):
 
 
 def draw_body_velocity(canvas, key):
-    """At rest, or a rigid motion with a stretch and a turn; on the axis none across it."""
+    """At rest, or a rigid motion with a stretch and a turn; on the axis none across it. Some of metals
+    are thrown at up to half the speed of waves."""
     if is_rigid(canvas) or canvas.situation != "any" or canvas.chance(25):
         return ABSENT
     speed = canvas.scale(key.unit)
@@ -221,7 +222,8 @@ def draw_body_velocity(canvas, key):
     components = []
     for k in range(2):
         half = max(1, (high[k] - low[k]) / 2) * canvas.cell[k]
-        mean = canvas.pick([0, 0, 0.02, -0.1, 0.1])
+        thrown = canvas.notes["plastic"] and canvas.chance(10)
+        mean = canvas.pick([0.3, -0.3, -0.5] if thrown else [0, 0, 0.02, -0.1, 0.1])
         stretch = canvas.pick([0, 0.02, -0.05, 0.1, 0.2, -0.3])
         shear = canvas.pick([0, 0, 0.05, -0.1])
         if k == 0 and at_axis:
