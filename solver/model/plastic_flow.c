@@ -137,6 +137,24 @@ static double middle_of(double low, double high)
     return low < 1e-3 * high ? sqrt(fmax(low, LEAST)) * sqrt(high) : 0.5 * (low + high);
 }
 
+/* Where yield is met on the way to the slip `high`, at which without back stress no stress is left.
+ */
+enum place { NOWHERE, AT_THE_END, BEFORE_THE_END };
+
+static enum place place_of_end(const struct flow *flow, double high)
+{
+    static const double FAINT = 1e-12; /* a strength of that part of the trial stress is none */
+    const bool coaxial = flow->model->kinematic == 0.0;
+    if (coaxial && flow->yield > FAINT * flow->norm) /* and strength does not fall in p */
+        return BEFORE_THE_END;
+    double slope;
+    const double yield = strength(flow, high, &slope);
+    const double rest = norm_after(flow, high) - ROOT_TWO_THIRDS * yield;
+    if (yield > 0.0 && rest < 0.0)
+        return BEFORE_THE_END;
+    return coaxial && rest < ROUND_OFF * flow->norm ? AT_THE_END : NOWHERE;
+}
+
 /* The slip at which the overstress, |dev tau - beta| - sqrt(2/3) s, is 0: Newton's steps in a
  * bracket, halved where they leave it, do not come closer by half, or where the slope is infinite.
  * It is found where the overstress is round-off or the bracket is closed: a small step of Newton's
@@ -144,19 +162,12 @@ static double middle_of(double low, double high)
  * slips until no stress is left. */
 static bool find_slip(const struct flow *flow, double *slip)
 {
-    double low = 0.0, high = flow->norm / flow->stiffness, slope, last = HUGE_VAL;
-    double yield = strength(flow, high, &slope);
-    *slip = high;
-    if (yield == 0.0)
-        return flow->model->kinematic == 0.0;
-    const double rest = norm_after(flow, high) - ROOT_TWO_THIRDS * yield;
-    if (!(rest < ROUND_OFF * flow->norm))
-        return false;
-    if (!(rest < 0.0)) /* a strength that is round-off of the trial stress, next to melting */
-        return flow->model->kinematic == 0.0;
-    *slip = 0.0;
-    yield = flow->yield;
-    slope = flow->hardening;
+    double low = 0.0, high = flow->norm / flow->stiffness, last = HUGE_VAL;
+    double yield = flow->yield, slope = flow->hardening;
+    const enum place place = place_of_end(flow, high);
+    *slip = place == AT_THE_END ? high : 0.0;
+    if (place != BEFORE_THE_END)
+        return place == AT_THE_END;
     for (int k = 0; k < ITERATIONS; k++) {
         const double over = norm_after(flow, *slip) - ROOT_TWO_THIRDS * yield;
         const double change = over / (flow->stiffness + 2.0 / 3.0 * slope);
