@@ -6,7 +6,7 @@ set xlabel 'time (μs)'
 set ylabel '% of the kinetic energy at the start'
 set xrange [0:60]
 set yrange [0:100]
-set key right center
+set key left center
 energies = data.'/data-fig9-energies.dat'
 plot energies using ($1*1e3):2 with lines ls 2 title 'kinetic', \
      energies using ($1*1e3):3 with lines ls 4 title 'elastic, pressure included', \
