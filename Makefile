@@ -134,7 +134,7 @@ FAST_FLAGS    = -fno-math-errno -Wno-psabi \
 # Instrumented by clang, they take more than five minutes each; harnesses run the reference kernels.
 FAST_PLAIN_fuzz := -fno-sanitize=all -O0
 FAST_NAMES    = -DFAST_FAMILY=$(1) \
-                -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z)
+                -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z) $(if $(filter cpdi,$(1)),,-DFAST_AFFINE)
 # Where there is another level, the baseline is for old machines: a third less to compile counts
 # more than -O3, and than two searches of gcc for equal expressions (1 % of the instructions).
 FAST_FLAGS_baseline := $(if $(filter v3,$(FAST_LEVELS)),-O2 \

@@ -36,6 +36,10 @@ def draw_yield_stress(canvas, _):
         return ABSENT
     notes["hardens"], notes["rates"] = canvas.chance(60), canvas.chance(50)
     notes["softens"] = notes["group"]["law"].startswith("johnson_cook") and canvas.chance(60)
+    notes["table"] = notes["group"]["law"].startswith("von_mises") and canvas.chance(25)
+    if notes["table"]:
+        notes["hardens"] = False
+        return ABSENT
     return short(shear_modulus(notes["group"]) * canvas.pick([0.01, 0.002, 0.1, 0.03]))
 
 
@@ -49,6 +53,24 @@ def draw_part(canvas, key):
     if not has(canvas, key) or canvas.chance(50):
         return ABSENT
     return short(shear_modulus(canvas.notes["group"]) * canvas.pick([0.1, 0, 0.5]))
+
+
+def draw_modulus(canvas, key):
+    """Of isotropic hardening."""
+    return ABSENT if has(canvas, key) and canvas.notes["table"] else draw_part(canvas, key)
+
+
+def draw_table(canvas, _):
+    """In the place of a yield stress and its hardening: up to four points, steep and level pieces."""
+    if canvas.notes["group"]["law"] not in PLASTIC or not canvas.notes["table"]:
+        return ABSENT
+    stress = shear_modulus(canvas.notes["group"]) * canvas.pick([0.01, 0.002, 0.1, 0.03])
+    points, strain = [[0, short(stress)]], 0
+    for _ in range(canvas.integer(0, 3)):
+        strain += canvas.pick([0.01, 0.001, 0.1])
+        stress *= canvas.pick([1.3, 1, 2])
+        points.append([short(strain), short(stress)])
+    return points
 
 
 def draw_hardening_strain(canvas, key):

@@ -15,7 +15,7 @@ import draw_plastic as plastic
 from scales import SCALARS
 
 # ------------------------------------------------------------------- left out
-TABLES = "points are temperatures or strains, not places; invariants assume constants (H14, P2)"
+TABLES = "points are temperatures, not places; invariants assume constants (H14)"
 LEFT_OUT = {
     "time.allow_unstable": "beyond the stability limit nothing is promised",
     "output.checkpoint": "the invariant of runs that go on from one has its own",
@@ -24,7 +24,7 @@ LEFT_OUT = {
     "contact.normal=given": "refused: it is for pairs, each with its direction",
     "output.fringe": "a field for pictures; its values follow from the stress",
     "materials[].heat_capacity_table": TABLES, "materials[].conductivity_table": TABLES,
-    "materials[].diffusivity_table": TABLES, "materials[].hardening_table": TABLES,
+    "materials[].diffusivity_table": TABLES,
 }
 
 # Refused where nothing moves, since materials have law: none.
@@ -176,11 +176,12 @@ MEANING = {
     "materials[].specific_heat": plastic.draw_specific_heat,
     "materials[].start_temperature": plastic.draw_temperature,
     "materials[].yield_stress": plastic.draw_yield_stress,
-    "materials[].hardening_modulus": plastic.draw_part,
+    "materials[].hardening_modulus": plastic.draw_modulus,
     "materials[].hardening_strain": plastic.draw_hardening_strain,
     "materials[].hardening_exponent": plastic.draw_exponent,
     "materials[].hardening_coefficient": plastic.draw_coefficient,
     "materials[].kinematic_modulus": plastic.draw_part,
+    "materials[].hardening_table": plastic.draw_table,
     "materials[].rate_coefficient": plastic.draw_rate_coefficient,
     "materials[].reference_rate": plastic.draw_reference_rate,
     "materials[].softening_exponent": plastic.draw_of_softening([1, 0.7, 1.5]),

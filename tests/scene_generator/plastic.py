@@ -13,7 +13,8 @@ from heat import ended
 from images import same_bits
 
 SAME = {"position": 1, "velocity": 1, "deformation_gradient": 1, "stress": 1, "plastic_strain": 1}
-OF_VON_MISES = ("hardening_modulus", "hardening_strain", "hardening_exponent", "kinematic_modulus")
+OF_VON_MISES = ("hardening_modulus", "hardening_strain", "hardening_exponent", "kinematic_modulus",
+                "hardening_table")
 OF_JOHNSON_COOK = ("hardening_coefficient", "hardening_exponent", "rate_coefficient",
                    "reference_rate", "softening_exponent", "reference_temperature",
                    "melting_temperature", "taylor_quinney", "specific_heat", "start_temperature")
@@ -46,6 +47,8 @@ def elastic_until_yield(case):
     for material in scene["materials"]:
         if "yield_stress" in material:
             material["yield_stress"] *= 1e6
+        for point in material.get("hardening_table", []):
+            point[1] *= 1e6
     run = case.runner.run(scene)
     if run.status != 0:
         return False
@@ -64,6 +67,8 @@ def perfect_metals_are_one(case):
         scene = copy.deepcopy(case.brief)
         for material in scene["materials"]:
             if material["law"] in SIMPLE:
+                if "hardening_table" in material:
+                    material["yield_stress"] = material["hardening_table"][0][1]
                 for name in OF_VON_MISES + OF_JOHNSON_COOK:
                     material.pop(name, None)
                 material["law"] = law

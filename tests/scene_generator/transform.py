@@ -14,6 +14,7 @@ from schema import unit_exponents, visit
 SIZES = {"grid.cell", "grid.cells", "bodies[].particles_per_cell"}  # pairs without a place or a way
 ALONG = {"materials[].principal_conductivities",
          "materials[].principal_diffusivities"}  # pairs along axes that an angle turns
+CURVES = {"materials[].hardening_table"}  # points without a place: a number, and what has the unit
 WAYS = {"contact.pairs[].direction"}  # pairs that are vectors
 NORMALS = {"left": (-1, 0), "right": (1, 0), "bottom": (0, -1), "top": (0, 1)}
 
@@ -99,6 +100,8 @@ def moved(schema, scene, motion):
     def change(key, value):
         if key.path == "grid.origin":
             return value  # below, with the other corner
+        if key.path in CURVES:
+            return [list(point) for point in value]
         if key.shape == "points":
             return [motion.point(point) for point in value]
         if key.shape == "pair" and key.path in SIZES:
@@ -186,6 +189,8 @@ def in_units(schema, scene, length, mass, time, temperature):
             return expression(value, key.unit)
         if key.value != "number" or not key.unit:
             return value
+        if key.path in CURVES:
+            return [[first, second * scale(key.unit)] for first, second in value]
         if key.shape == "points":
             return [[part * scale(key.unit) for part in point] for point in value]
         if key.shape == "pair":

@@ -360,6 +360,33 @@ START_TEST(beyond_the_pole_there_is_no_end)
 }
 END_TEST
 
+/* Shear without end, by a part of itself in each step, until F and C_p^-1 hold no elastic strain
+ * any more. With and without an equation of state; on the way strength melts away. */
+START_TEST(sheared_without_end_it_has_a_state_or_fails)
+{
+    static const double LARGE = 1e4, PART = 0.02;
+    enum { STEPS = 2000 };
+    const struct solid *const solid = &solids[_i / 2];
+    struct point point;
+    bool sound = true;
+    double shear = 0.0;
+    begin(&point, solid, _i % 2 == 0 ? solid->law : solid->without);
+    for (int k = 0; k < STEPS && sound; k++) {
+        shear += PART * (1.0 + shear);
+        const double f[MPM_GRADIENT_SIZE] = {1, shear, 0, 1, 1};
+        sound = move(&point, f, 1e-3);
+        for (int c = 0; c < MPM_SYMMETRIC_SIZE && sound; c++)
+            ck_assert(isfinite(point.tau[c]));
+        ck_assert(!sound || (isfinite(point.wave) && point.wave > 0.0));
+    }
+    ck_assert(!sound);
+    if (solid->kinematic > 0.0) /* no plastic strain leads back from a shear of 11 */
+        return;
+    ck_assert_msg(shear > LARGE, "%s ends at a shear of %g", solid->name, shear);
+    ck_assert(isnan(point.tau[MPM_SYM_XY])); /* F is what is too large: law_state.c */
+}
+END_TEST
+
 START_TEST(parameters_come_in_groups)
 {
     struct point point;
@@ -395,6 +422,7 @@ Suite *suite_gruneisen_solid(void)
     suite_add_tcase(suite, softening);
     TCase *input = tcase_create("input");
     tcase_add_loop_test(input, beyond_the_pole_there_is_no_end, 0, SOLIDS);
+    tcase_add_loop_test(input, sheared_without_end_it_has_a_state_or_fails, 0, 2 * SOLIDS);
     tcase_add_loop_test(input, parameters_come_in_groups, 0, SOLIDS);
     suite_add_tcase(suite, input);
     return suite;

@@ -175,6 +175,24 @@ START_TEST(molten_metal_has_a_pressure_alone)
 }
 END_TEST
 
+/* Strength is round-off of the trial stress, and above 0. */
+START_TEST(metal_next_to_melting_flows)
+{
+    enum { STRETCHES = 100 };
+    struct strength s = strengths[5];
+    s.start = nextafter(MELTING, 0.0);
+    for (int k = 0; k < STRETCHES; k++) {
+        const double xx = 0.1 + 0.003 * k, yy = -0.3 + 0.001 * k;
+        struct point point;
+        begin(&point, &s);
+        ck_assert(stretch(&point, xx, yy, 0.05, 1.0));
+        const double mean = BULK / DENSITY * (xx + yy + 0.05);
+        for (int c = 0; c < 3; c++)
+            ck_assert_near(point.tau[c], mean, ROUND_OFF * BULK / DENSITY);
+    }
+}
+END_TEST
+
 /* ------------------------------------------------------------------------- heat */
 
 /* T at the end of a stretch to 0.5 in n steps */
@@ -261,6 +279,7 @@ Suite *suite_johnson_cook(void)
                         STRENGTHS * DURATIONS);
     tcase_add_test(strength, an_elastic_step_has_no_strength_of_rates);
     tcase_add_test(strength, molten_metal_has_a_pressure_alone);
+    tcase_add_test(strength, metal_next_to_melting_flows);
     suite_add_tcase(suite, strength);
     TCase *heat = tcase_create("heat");
     tcase_add_loop_test(heat, plastic_work_heats_as_an_integration_of_its_own_to_first_order, 0, 2);
