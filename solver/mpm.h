@@ -290,7 +290,7 @@ struct mpm_ledger {
      * thermoelastic_energy change by external work and inflow of heat alone, but for errors of the
      * time step. */
     double expansion_work, deformation_heat, thermoelastic_energy;
-    double plastic_dissipation; /* by plastic strain since t = 0; 0 without */
+    double plastic_dissipation, plastic_heat; /* plastic work since t = 0, but for this heat */
     /* By artificial viscosity since t = 0; 0 without. With an equation of state it is part of the
      * internal energy, and strain_energy is the rest. */
     double viscous_dissipation;
@@ -298,7 +298,7 @@ struct mpm_ledger {
     double total_energy;
     /* With output.energy_balance, else 0: what went from particles to nodes and back without
      * arriving, and what contact of cracks took, since t = 0. The change of total_energy plus both
-     * is external_work, to round-off; either may be negative. */
+     * plus plastic_heat is external_work, to round-off; either may be negative. */
     double transfer_loss, contact_loss;
     double j_min, j_max; /* extremes of det F */
     /* With plastic strain and without cracks, else 0: pairs of particles that were neighbours in

@@ -18,11 +18,12 @@ bool mpm_scene_has_transport(const struct mpm_scene *scene);
 /* Have its materials no stress, law: none, so that nothing but conduction is computed? */
 bool mpm_scene_is_at_rest(const struct mpm_scene *scene);
 
-/* Do its stresses depend on a scalar, by free expansion or the law: has its history the column
- * expansion_work? And does deformation change temperatures, with deformation_heat and
- * thermoelastic_energy? */
+/* Do stresses and scalars depend on each other, by free expansion, the law or plastic work: has its
+ * history the column expansion_work? Does deformation change temperatures, with deformation_heat
+ * and thermoelastic_energy? And is plastic work a part of that, with plastic_heat? */
 bool mpm_scene_couples(const struct mpm_scene *scene);
 bool mpm_scene_heats(const struct mpm_scene *scene);
+bool mpm_scene_has_plastic_heat(const struct mpm_scene *scene);
 
 /* Values of the history, scalar by scalar: of temperature thermal_energy, boundary_heat
  * (at nodes with a prescribed one), source_heat, edge_heat (fluxes), temperature_min and

@@ -70,6 +70,7 @@
     SUITE(scalar_exchange)                                                                         \
     SUITE(expansion)                                                                               \
     SUITE(expansion_runs)                                                                          \
+    SUITE(plastic_heat)                                                                            \
     SUITE(heat_fields)                                                                             \
     SUITE(heat_layers)                                                                             \
     SUITE(heat_manufactured)                                                                       \

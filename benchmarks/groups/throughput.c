@@ -50,23 +50,14 @@ static void add_heat(struct bench_context *context, GArray *points)
 {
     static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
     const struct bench_block plain = bench_block_plain(usual_size(context));
-    char *scene = bench_scene(context, "heat.yaml");
     for (size_t g = 0; g < G_N_ELEMENTS(geometries); g++)
         for (size_t k = 0; k < G_N_ELEMENTS(shapes); k++) {
-            struct bench_point *point = bench_points_add(
-                points, scene, &context->simulation, "heat alone, %s %s", geometries[g], shapes[k]);
-            bench_point_vary(point, "geometry", geometries[g]);
-            bench_point_vary(point, "method.shape", shapes[k]);
-            bench_point_set(point, "grid.refine=%u", plain.refine);
-            bench_point_text(point, "law", "none");
+            const struct bench_block block = {geometries[g], shapes[k], NULL, plain.refine};
+            bench_heat_add(context, points, &block, NULL);
         }
-    g_free(scene);
     bench_block_add(context, points, &plain, "without heat");
     struct bench_point *both = bench_block_add(context, points, &plain, "with heat");
-    bench_point_set(both, "units={length: m, mass: kg, time: s, temperature: K}");
-    bench_point_set(both, "materials.rubber.heat_capacity=1");
-    bench_point_set(both, "materials.rubber.conductivity=0.001");
-    bench_point_set(both, "transport={temperature: {start: 'x'}}");
+    bench_block_heat(both);
     both->against = g_strdup("plane_strain ugimp musl, without heat");
 }
 

@@ -321,6 +321,8 @@ struct mpm_scene {
 /* Does a material expand with a scalar? Depends the stress of one on the temperature itself? */
 bool mpm_scene_expands(const struct mpm_scene *scene);
 bool mpm_scene_reads_temperature(const struct mpm_scene *scene);
+/* Does a conducted temperature soften one of its materials? */
+bool mpm_scene_softens(const struct mpm_scene *scene);
 /* Does a property of conduction depend on the temperature? */
 bool mpm_scene_has_tables(const struct mpm_scene *scene);
 

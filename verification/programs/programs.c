@@ -18,6 +18,7 @@
     PROGRAM(heat_stability)                                                                        \
     PROGRAM(solvent)                                                                               \
     PROGRAM(thermodynamics)                                                                        \
+    PROGRAM(plastic_heat)                                                                          \
     PROGRAM(shock)                                                                                 \
     PROGRAM(plastic_path)                                                                          \
     PROGRAM(pressed_shell)                                                                         \

@@ -159,7 +159,7 @@ static void assert_stress_is_of_the_state(const struct test_run *run)
         double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE], unused;
         double state = *mpm_particle_law_state(particles, p, 0);
         deformation_of(run, p, f);
-        const struct mpm_law_step none = {f, f, 0.0, (double)NAN, (double)NAN, 0.0};
+        const struct mpm_law_step none = {f, f, 0.0, (double)NAN, (double)NAN, 0.0, (double)NAN};
         relaxing_update(&run->simulation->state.bodies[0].material, &none, &state, stress, &unused);
         for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
             ck_assert_double_eq(particles->stress[k][p], stress[k]);

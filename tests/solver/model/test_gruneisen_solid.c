@@ -84,7 +84,8 @@ static bool move(struct point *point, const double f[MPM_GRADIENT_SIZE], double 
     double old[MPM_GRADIENT_SIZE];
     memcpy(old, point->f, sizeof old);
     memcpy(point->f, f, sizeof old);
-    const struct mpm_law_step step = {old, point->f, duration, (double)NAN, (double)NAN, 0.0};
+    const struct mpm_law_step step = {old,         point->f, duration,   (double)NAN,
+                                      (double)NAN, 0.0,      (double)NAN};
     return point->material.law->update(&point->material, &step, point->state, point->tau,
                                        &point->wave);
 }
@@ -266,7 +267,8 @@ START_TEST(heat_of_viscosity_enters_energy_and_pressure)
     static const double HEAT = 2e4;
     struct point point;
     begin(&point, &solids[_i], solids[_i].law);
-    const struct mpm_law_step step = {point.f, point.f, 1e-3, (double)NAN, (double)NAN, HEAT};
+    const struct mpm_law_step step = {point.f,     point.f, 1e-3,       (double)NAN,
+                                      (double)NAN, HEAT,    (double)NAN};
     ck_assert(
         point.material.law->update(&point.material, &step, point.state, point.tau, &point.wave));
     ck_assert_near(energy_of(&point), HEAT, ROUND_OFF * HEAT);
@@ -290,7 +292,7 @@ START_TEST(heat_after_a_step_is_heat_in_it)
         memcpy(old_f, one.f, sizeof old_f);
         memcpy(old_state, one.state, sizeof old_state);
         place((enum path)path, 0.2, f);
-        struct mpm_law_step step = {old_f, f, 1e-3, (double)NAN, (double)NAN, 0.0};
+        struct mpm_law_step step = {old_f, f, 1e-3, (double)NAN, (double)NAN, 0.0, (double)NAN};
         ck_assert(law->update(&one.material, &step, one.state, one.tau, &one.wave));
         step.heat = HEAT;
         ck_assert(law->reheat(&one.material, &step, old_state, one.state, one.tau, &one.wave));
@@ -354,7 +356,7 @@ START_TEST(beyond_the_pole_there_is_no_end)
     begin(&point, &solids[_i], solids[_i].law);
     double start[MPM_LAW_STATES];
     memcpy(start, point.state, sizeof start);
-    const struct mpm_law_step step = {one, f, 1e-3, (double)NAN, (double)NAN, 0.0};
+    const struct mpm_law_step step = {one, f, 1e-3, (double)NAN, (double)NAN, 0.0, (double)NAN};
     ck_assert(!move(&point, f, 1e-3));
     ck_assert_int_eq(point.material.law->fault_of(&point.material, &step, start), MPM_LAW_NO_STATE);
 }
