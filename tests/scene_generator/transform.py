@@ -12,6 +12,8 @@ from scales import SCALARS
 from schema import unit_exponents, visit
 
 SIZES = {"grid.cell", "grid.cells", "bodies[].particles_per_cell"}  # pairs without a place or a way
+TABLES = {f"materials[].{name}": scalar for scalar in SCALARS.values()
+          for name in (scalar.capacity_table, scalar.one_table)}  # points over a scalar
 ALONG = {"materials[].principal_conductivities",
          "materials[].principal_diffusivities"}  # pairs along axes that an angle turns
 CURVES = {"materials[].hardening_table"}  # points without a place: a number, and what has the unit
@@ -102,6 +104,8 @@ def moved(schema, scene, motion):
             return value  # below, with the other corner
         if key.path in CURVES:
             return [list(point) for point in value]
+        if key.path in TABLES:
+            return copy.deepcopy(value)
         if key.shape == "points":
             return [motion.point(point) for point in value]
         if key.shape == "pair" and key.path in SIZES:
@@ -191,6 +195,9 @@ def in_units(schema, scene, length, mass, time, temperature):
             return value
         if key.path in CURVES:
             return [[first, second * scale(key.unit)] for first, second in value]
+        if key.path in TABLES:
+            over = temperature if TABLES[key.path].name == "temperature" else 1
+            return [[point * over, part * scale(key.unit)] for point, part in value]
         if key.shape == "points":
             return [[part * scale(key.unit) for part in point] for point in value]
         if key.shape == "pair":
