@@ -12,6 +12,11 @@ set ylabel up noenhanced
 set format y '%.0e'
 set key outside bottom center horizontal noenhanced
 set bmargin 6
-plot for [i=0:curves-1] data index i using 1:2 title columnheader(1) \
-         with linespoints ls 2+i%6 pt 4+i, \
-     for [i=1:slopes] data index curves using 1:2 skip 1 notitle with lines ls 8
+if (slopes) {
+    plot for [i=0:curves-1] data index i using 1:2 title columnheader(1) \
+             with linespoints ls 2+i%6 pt 4+i, \
+         data index curves using 1:2 notitle with lines ls 8
+} else {
+    plot for [i=0:curves-1] data index i using 1:2 title columnheader(1) \
+             with linespoints ls 2+i%6 pt 4+i
+}

@@ -78,7 +78,7 @@ static double add_slopes(struct drawing *drawing, GString *axes)
     if (!(width > 1.0))
         return drawing->y[0] / 2.0;
     g_string_append_printf(drawing->data,
-                           "\n\n\"slopes\"\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n",
+                           "\n\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n",
                            left, base, right, base, right, base * width * width, left, base, right,
                            base * width);
     for (int slope = 1; slope <= 2; slope++)
