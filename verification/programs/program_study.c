@@ -60,10 +60,11 @@ static enum mpm_status read_measure(struct study *study, unsigned k, bool axisym
     }
     if (reference == NULL)
         return MPM_OK;
-    const char *folder;
-    TRY(measurement_text(m, "folder", &folder, error));
-    char *text = g_str_has_suffix(reference, ".csv") ? g_build_filename(folder, reference, NULL)
-                                                     : g_strdup(reference);
+    const bool file = g_str_has_suffix(reference, ".csv");
+    const char *folder = NULL;
+    if (file)
+        TRY(measurement_text(m, "folder", &folder, error));
+    char *text = file ? g_build_filename(folder, reference, NULL) : g_strdup(reference);
     const enum mpm_status status =
         study_reference_open(text, axisymmetric, &measure->reference, error);
     g_free(text);

@@ -166,7 +166,7 @@ START_TEST(a_run_that_fails_is_in_the_table_with_its_cause)
     struct place place = place_create();
     char *said = verify(&place,
                         STUDY "--refine 1,2 --measure kinetic_energy --set time.allow_unstable=true "
-                              "--vary time.courant=0.4,30",
+                              "--set time.end=400 --vary time.courant=0.4,5",
                         1);
     ck_assert_ptr_nonnull(strstr(said, "failed"));
     ck_assert_ptr_nonnull(strstr(said, "This study is incomplete"));
