@@ -110,7 +110,7 @@ objects  = $(patsubst %.c,$(BUILD)/objects/%.o,$(1))
 # -O3 is for what runs in steps, and for exact solutions and measures. The rooms that read, write
 # and draw take a third less to compile with -O1, and give the same bits.
 COLD_ROOMS := $(addprefix solver/,cli io) $(addprefix benchmarks/,budget cli common groups report) \
-              $(addprefix verification/,cases cli common pages programs records report score suite)
+              $(addprefix verification/,cases cli common pages programs records report score study suite)
 flags_of    = $(if $(filter $(addsuffix /%,$(COLD_ROOMS)),$(1)),$(patsubst -O3,-O1,$(CODE_FLAGS)),\
                 $(CODE_FLAGS))
 

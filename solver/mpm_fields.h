@@ -47,6 +47,11 @@ const struct mpm_field_info *mpm_field_describe(enum mpm_field field);
  * has them. */
 bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field);
 
+/* The unit of a field in the names of the scene's units, as in snapshots: "g mm^-1 ms^-2". */
+enum { MPM_FIELD_UNIT_SIZE = 1024 };
+void mpm_scene_field_unit(const struct mpm_scene *scene, enum mpm_field field,
+                          char text[MPM_FIELD_UNIT_SIZE]);
+
 /* Copies a field of all particles, sorted by id: particle-major,
  * count * components values. Rigid bodies' particles are included. */
 void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_field field,

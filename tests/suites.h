@@ -29,6 +29,7 @@
     SUITE(grown_surfaces)                                                                          \
     SUITE(crack_ends)                                                                              \
     SUITE(score)                                                                                   \
+    SUITE(study)                                                                                   \
     SUITE(user_force)                                                                              \
     SUITE(loads)                                                                                   \
     SUITE(cohesive)                                                                                \

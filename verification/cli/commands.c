@@ -42,6 +42,11 @@ static const char usage[] =
     "                                         for each program that has no result\n"
     "  task DIR CASE/VARIANT                  such a line: runs it, and keeps its result in DIR\n"
     "  collect DIR                            the report of the results in DIR; runs nothing\n"
+    "  study SCENE|STUDY [--refine N,N,...] [--vary PATH=V,...]... [--set PATH=V]... [--resume]\n"
+    "      [--measure QUANTITY[:TAKE[@TIME or @X,Y]][=REFERENCE]]... [--timeout S] [--kernels K]\n"
+    "      [--jobs N] [--output DIR] [--launcher local|slurm] [--costs DIR] [--tasks]\n"
+    "                                         a convergence study of your scene: tables, orders and\n"
+    "                                         pictures (docs/tutorial-study.md)\n"
     "  explain CHECK [--output DIR]           what CASE[/CHECK[/VARIANT]] (globs) states, its "
     "band\n"
     "                                         and why, last values, the command to reproduce it\n"
@@ -73,7 +78,7 @@ static const char usage[] =
     "--kernels is auto, fast wherever a scene allows; --jobs the number of processors; --output\n"
     "build/reports/verify in the repository and verify-report elsewhere (score: "
     "build/reports/score\n"
-    "and score-report).\n"
+    "and score-report; study: mpm-study).\n"
     "Exit status: 0 every check holds (or shows its known weakness); 1 one does not; 2 bad usage\n"
     "or a bad catalogue; 4 the environment failed; 128 + n ended by signal n. headroom: 1 a band "
     "or its reason is at fault, "
@@ -100,6 +105,11 @@ static void options_clear(struct command_options *options)
     g_free(options->launcher);
     g_free(options->costs);
     g_free(options->mutants);
+    g_free(options->refine);
+    g_free(options->timeout);
+    g_strfreev(options->vary);
+    g_strfreev(options->settings);
+    g_strfreev(options->measures);
     g_strfreev(options->headroom);
     g_strfreev(options->rest);
 }
@@ -116,7 +126,9 @@ enum {
     TAKES_BASELINE = 128,
     TAKES_ADDITIONS = 256,
     TAKES_RESUME = 512,
-    TAKES_LAUNCHER = 1024
+    TAKES_LAUNCHER = 1024,
+    TAKES_STUDY = 2048,
+    TAKES_STATUS = 4096
 };
 
 enum mpm_status command_catalogue(const struct command *command, struct catalogue **catalogue,
@@ -173,12 +185,14 @@ static const struct command_entry commands[] = {
     {"list", TAKES_TAG | TAKES_CATALOGUE, 0, "", command_list},
     {"run",
      TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME |
-         TAKES_LAUNCHER,
+         TAKES_LAUNCHER | TAKES_STATUS,
      0, "", command_run},
     {"tasks", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME, 0,
      "", command_tasks},
     {"task", 0, 2, "task: DIR or CASE/VARIANT", command_task},
     {"collect", 0, 1, "collect: the folder DIR", command_collect},
+    {"study", TAKES_STUDY | TAKES_OUTPUT | TAKES_RESUME | TAKES_LAUNCHER, 1,
+     "study: SCENE or STUDY", command_study},
     {"explain", TAKES_OUTPUT | TAKES_CATALOGUE, 1, "explain: CHECK", command_explain},
     {"report", TAKES_BASELINE | TAKES_ADDITIONS | TAKES_CATALOGUE, 1, "report: the folder DIR",
      command_report},
@@ -199,11 +213,17 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
          {"case", 0, 0, G_OPTION_ARG_STRING, &given->case_glob, NULL, NULL}},
         {TAKES_SELECTION, {"variant", 0, 0, G_OPTION_ARG_STRING, &given->variant_glob, NULL, NULL}},
         {TAKES_SELECTION, {"only", 0, 0, G_OPTION_ARG_FILENAME, &given->only, NULL, NULL}},
-        {TAKES_SELECTION, {"kernels", 0, 0, G_OPTION_ARG_STRING, &given->kernels, NULL, NULL}},
-        {TAKES_SELECTION, {"jobs", 0, 0, G_OPTION_ARG_INT, &given->jobs, NULL, NULL}},
+        {TAKES_SELECTION | TAKES_STUDY, {"kernels", 0, 0, G_OPTION_ARG_STRING, &given->kernels, NULL, NULL}},
+        {TAKES_SELECTION | TAKES_STUDY, {"jobs", 0, 0, G_OPTION_ARG_INT, &given->jobs, NULL, NULL}},
         {TAKES_LAUNCHER, {"launcher", 0, 0, G_OPTION_ARG_STRING, &given->launcher, NULL, NULL}},
         {TAKES_LAUNCHER, {"costs", 0, 0, G_OPTION_ARG_FILENAME, &given->costs, NULL, NULL}},
-        {TAKES_LAUNCHER, {"status", 0, 0, G_OPTION_ARG_NONE, &given->status, NULL, NULL}},
+        {TAKES_STATUS, {"status", 0, 0, G_OPTION_ARG_NONE, &given->status, NULL, NULL}},
+        {TAKES_STUDY, {"tasks", 0, 0, G_OPTION_ARG_NONE, &given->tasks, NULL, NULL}},
+        {TAKES_STUDY, {"refine", 0, 0, G_OPTION_ARG_STRING, &given->refine, NULL, NULL}},
+        {TAKES_STUDY, {"timeout", 0, 0, G_OPTION_ARG_STRING, &given->timeout, NULL, NULL}},
+        {TAKES_STUDY, {"vary", 0, 0, G_OPTION_ARG_STRING_ARRAY, &given->vary, NULL, NULL}},
+        {TAKES_STUDY, {"set", 0, 0, G_OPTION_ARG_STRING_ARRAY, &given->settings, NULL, NULL}},
+        {TAKES_STUDY, {"measure", 0, 0, G_OPTION_ARG_STRING_ARRAY, &given->measures, NULL, NULL}},
         {TAKES_RESUME, {"resume", 0, 0, G_OPTION_ARG_NONE, &given->resume, NULL, NULL}},
         {TAKES_OUTPUT, {"output", 0, 0, G_OPTION_ARG_FILENAME, &given->output, NULL, NULL}},
         {TAKES_CATALOGUE,

@@ -62,7 +62,8 @@
     PROGRAM(extremes)                                                                              \
     PROGRAM(statics)                                                                               \
     PROGRAM(traction_sum)                                                                          \
-    PROGRAM(turning_load)
+    PROGRAM(turning_load)                                                                          \
+    PROGRAM(study)
 
 #define PROGRAM(name) extern const struct measure_program program_##name;
 PROGRAMS

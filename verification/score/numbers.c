@@ -5,7 +5,7 @@
 
 #include "verification/common/failure.h"
 #include "verification/common/rows.h"
-#include "verification/score/csv.h"
+#include "verification/common/csv.h"
 
 #include <math.h>
 #include <string.h>

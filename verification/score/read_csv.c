@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/common/failure.h"
 #include "verification/common/rows.h"
-#include "verification/score/csv.h"
+#include "verification/common/csv.h"
 #include "verification/score/readers.h"
 
 #include <math.h>

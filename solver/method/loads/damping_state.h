@@ -4,7 +4,8 @@
 #ifndef MPM_METHOD_DAMPING_STATE_H
 #define MPM_METHOD_DAMPING_STATE_H
 
-#include "base/expression.h"
+#include "base/status.h"
+#include "mpm_expression.h"
 #include "model/scene.h"
 
 /* Values that a step adds to; part of the last good state. */

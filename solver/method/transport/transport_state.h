@@ -4,7 +4,8 @@
 #ifndef MPM_METHOD_TRANSPORT_STATE_H
 #define MPM_METHOD_TRANSPORT_STATE_H
 
-#include "base/expression.h"
+#include "base/status.h"
+#include "mpm_expression.h"
 #include "model/scalar_conditions.h"
 #include "model/transport.h"
 

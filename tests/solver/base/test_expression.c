@@ -1,7 +1,7 @@
 /* Numbers and expressions of scenes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/expression.h"
+#include "mpm_expression.h"
 #include "base/strips.h"
 #include "suites.h"
 

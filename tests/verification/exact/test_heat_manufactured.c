@@ -2,7 +2,7 @@
  * their sources make these fields solutions, by differences; the vortices keep volumes and sides.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/expression.h"
+#include "mpm_expression.h"
 #include "model/scene.h"
 #include "suites.h"
 #include "support/near.h"

@@ -1,13 +1,16 @@
-/* Expressions of a scene: a number, or a formula in the coordinates and time.
+/* Expressions of a scene: a number, or a formula in the coordinates and time. Part of the public
+ * interface, for references in the same notation; mpm.h does not need it.
  *
  * muParser does the parsing; its header stays out of this one. One expression
  * holds one parser per worker, so that workers evaluate it at the same time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef MPM_BASE_EXPRESSION_H
-#define MPM_BASE_EXPRESSION_H
+#ifndef MPM_EXPRESSION_H
+#define MPM_EXPRESSION_H
 
-#include "base/status.h"
+#include "mpm.h"
+
+#include <stdbool.h>
 
 struct mpm_expression;
 

@@ -1,7 +1,7 @@
 /* CSV files, line by line.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/score/csv.h"
+#include "verification/common/csv.h"
 
 #include "verification/common/failure.h"
 #include "verification/common/input.h"

@@ -4,8 +4,8 @@
  * cells are without blanks around them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef VERIFICATION_SCORE_CSV_H
-#define VERIFICATION_SCORE_CSV_H
+#ifndef VERIFICATION_COMMON_CSV_H
+#define VERIFICATION_COMMON_CSV_H
 
 #include "mpm.h"
 
