@@ -10,6 +10,7 @@
 #include "support/marks.h"
 
 #define SUITES(SUITE, APART)                                                                       \
+    SUITE(install)                                                                                 \
     SUITE(docs)                                                                                    \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
@@ -131,6 +132,7 @@
     SUITE(crack_mouths)                                                                            \
     SUITE(cohesive_laws)                                                                           \
     SUITE(symmetry)                                                                                \
+    SUITE(draft)                                                                                   \
     SUITE(scene_settings)                                                                          \
     SUITE(schema)                                                                                  \
     SUITE(suite)                                                                                   \

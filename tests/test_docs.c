@@ -105,6 +105,7 @@ static const char *const documents[] = {
     "CONTRIBUTING.md",
     "docs/campaigns.md",
     "docs/heat.md",
+    "docs/library.md",
     "docs/scenes.md",
     "docs/tutorial-case.md",
     "docs/tutorial-material.md",

@@ -25,13 +25,14 @@ double mpm_run_instant(double time, double interval)
     return interval > 0.0 ? floor(time / interval + instant_tolerance) : 0.0;
 }
 
-/* Time that the next step must not pass: the next snapshot, or the end. Counted from
- * t = 0, so that no error adds up. */
+/* Time that the next step must not pass: the next snapshot, that of an observer, or the end.
+ * Counted from t = 0, so that no error adds up. */
 static double time_limit(const struct mpm_run *run)
 {
     const double interval = run->scene->snapshot_interval, end = run->scene->end;
     const double next = (run->snapshot_instant + 1.0) * interval;
-    return interval > 0.0 && next < end - instant_tolerance * interval ? next : end;
+    const double limit = interval > 0.0 && next < end - instant_tolerance * interval ? next : end;
+    return mpm_observers_limit(run->observers, limit);
 }
 
 static bool has_taken_all_steps(const struct mpm_run *run)
@@ -172,12 +173,14 @@ static enum mpm_status write_due_results(struct mpm_run *run, struct mpm_error *
     const bool history_due = history > run->history_instant;
     const bool snapshot_due = snapshot > run->snapshot_instant;
     const bool finished = is_finished(run);
+    const bool observed = mpm_observers_due(run->observers, finished);
     run->history_instant = history;
     run->snapshot_instant = snapshot;
-    if (!(history_due || snapshot_due || finished))
+    if (!(history_due || snapshot_due || finished || observed))
         return MPM_OK;
     MPM_TRY(mpm_simulation_judge(run->simulation, error));
-    return write_results(run, history_due || finished, snapshot_due || finished, error);
+    MPM_TRY(write_results(run, history_due || finished, snapshot_due || finished, error));
+    return observed ? mpm_observers_call(run->observers, false, error) : MPM_OK;
 }
 
 /* The simulation still shows the last good step; the first failure stays the reason. */
@@ -281,8 +284,10 @@ static enum mpm_status march(struct mpm_run *run, struct mpm_error *error)
     const char *const advice = mpm_simulation_advice(run->simulation);
     if (advice[0] != '\0')
         mpm_run_warn(run, advice);
-    if (!run->options->resume)
+    if (!run->options->resume) {
         MPM_TRY(write_results(run, true, true, error));
+        MPM_TRY(mpm_observers_call(run->observers, true, error));
+    }
     while (!is_finished(run)) {
         const int signal = run->options->interrupted != NULL ? run->options->interrupted() : 0;
         if (signal != 0)
@@ -346,6 +351,8 @@ static enum mpm_status set_up(struct mpm_run *run, struct mpm_error *error)
     if (!resume && run->options->output != NULL)
         MPM_TRY(mpm_results_folder_check(run->options->output, run->options->overwrite, error));
     MPM_TRY(resume ? go_on(run, error) : start(run, error));
+    MPM_TRY(mpm_observers_create(run->options->observers, run->options->observer_count, run->scene,
+                                 run->simulation, &run->observers, error));
     run->checkpoint_time = mpm_run_seconds();
     run->record.seconds_setup += run->checkpoint_time - begin;
     return MPM_OK;
@@ -387,6 +394,7 @@ enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_ru
     if (status == MPM_OK)
         status = write_record(&run, march(&run, &failure), &failure);
     g_free(run.tip_told);
+    mpm_observers_free(run.observers);
     mpm_history_free(run.history);
     mpm_series_free(run.series);
     mpm_simulation_free(run.simulation);

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/status.h"
 #include "method/transfer/law_state.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* ------------------------------------------------------- of a deformable particle */
@@ -128,6 +130,23 @@ const struct mpm_field_info *mpm_field_describe(enum mpm_field field)
 {
     const struct quantity *const quantity = &quantities[field];
     return quantity->stored != NULL ? &quantity->stored->info : &quantity->info;
+}
+
+enum mpm_status mpm_field_find(const char *name, enum mpm_field *field, struct mpm_error *error)
+{
+    char names[MPM_MESSAGE_SIZE / 2] = "";
+    size_t length = 0;
+    for (int k = 0; k < MPM_FIELD_COUNT; k++) {
+        const char *const known = mpm_field_describe((enum mpm_field)k)->name;
+        if (strcmp(name, known) == 0) {
+            *field = (enum mpm_field)k;
+            return MPM_OK;
+        }
+        if (length < sizeof names)
+            length += (size_t)snprintf(names + length, sizeof names - length, "%s%s",
+                                       k > 0 ? ", " : "", known);
+    }
+    return mpm_error_set(error, MPM_BAD_INPUT, "'%.64s' is no field; allowed: %s", name, names);
 }
 
 static bool has_equation_of_state(const struct mpm_scene *scene, bool with_temperature)
