@@ -397,7 +397,7 @@ bench: all ## speed, memory, scaling, error against run time (about 9 min); buil
 CLANG_FORMAT ?= $(or $(shell command -v clang-format-14),clang-format)
 CLANG_TIDY   ?= $(or $(shell command -v clang-tidy-14),clang-tidy)
 CHECKS := check-format check-source check-includes check-warnings check-cppcheck check-tidy \
-          check-bits check-budget check-reference check-mutants check-runner
+          check-bits check-budget check-reference check-mutants check-runner check-docs
 .PHONY: check check-all $(CHECKS) format
 check: ## format, lint, include directions, warnings and bits of both compilers, checksums
 	+@$(MAKE) --keep-going check-all
@@ -458,6 +458,8 @@ check-mutants:
 check-runner:
 	@.ci/check-runner $(CC)
 
+check-docs: docs
+
 format: ## rewrite the sources in the house format
 	$(CLANG_FORMAT) -i $(SOURCES) $(HEADERS)
 
@@ -481,6 +483,18 @@ install: all ## programs, headers, libmpm (static, shared, touchstone.pc), man p
 	  solver/touchstone.pc.in > $(LIB)/pkgconfig/touchstone.pc
 	$(foreach folder,$(wildcard verification/catalogue reports reference_data examples),cp -R $(folder) $(SHARE)/ &&) true
 	cp -R benchmarks/scenes benchmarks/budget.json $(SHARE)/benchmarks/
+
+# Pages of the public headers. A function without a comment and a reference that leads nowhere are
+# errors; members, constants and structs may speak for themselves.
+PLAIN_NAMES := [(](variable|enumeration|enumvalue|macro definition)[)] of|Compound .* is not documented
+DOXYGEN ?= doxygen
+.PHONY: docs
+docs: ## pages of the library's headers, by Doxygen; build/docs/html
+	@if command -v $(DOXYGEN) >/dev/null; then mkdir -p build/docs && \
+	  { cat docs/Doxyfile; echo 'INPUT += $(PUBLIC_HEADERS)'; echo 'OUTPUT_DIRECTORY = build/docs'; \
+	    echo 'PROJECT_NUMBER = $(VERSION)'; } | $(DOXYGEN) - && ! grep -Ev '$(PLAIN_NAMES)' build/docs/warnings && \
+	  echo 'build/docs/html/index.html'; \
+	else echo 'make docs: skipped, no $(DOXYGEN) here (make deps installs it)'; fi
 
 help: ## this list
 	@awk -F ': .*## |: ## ' '/^[a-z-]+: .*## /{printf "make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
