@@ -170,7 +170,7 @@ TESTER   := $(BUILD)/bin/mpm-tests
 PROBE    := $(BUILD)/bin/mpm-nodes
 
 # What sources include and the makefile writes.
-GENERATED := $(addprefix $(BUILD)/generated/,build_facts.h)
+GENERATED := $(addprefix $(BUILD)/generated/,build_facts.h scenes.inc plots.inc)
 
 # Commands are shown in short; V=1 shows them whole.
 short = $(if $(V),,@echo '  $(1) $(2)';)
@@ -245,6 +245,16 @@ $(BUILD)/generated/build_facts.h: FORCE
 	@mkdir -p $(@D)
 	@printf '#define BUILD_%s "%s"\n' VERSION '$(VERSION)' REVISION '$(REVISION)' \
 	  FLAGS '$(CODE_FLAGS)' $(replace_if_changed)
+# Texts that programs carry with them: scenes of `mpm new`, scripts of `mpm plot`. A row each: name,
+# first line without its mark, lines.
+TEXT_FILES := $(sort $(wildcard solver/cli/scenes/*.yaml solver/io/plot/*.gp))
+as_rows = awk 'FNR == 1 { if (NR > 1) print "NULL}},"; name = FILENAME; sub(/.*\//, "", name); \
+    sub(/\.[a-z]*$$/, "", name); first = $$0; sub(/^\# */, "", first); gsub(/["\\]/, "\\\\&", first); \
+    printf "{\"%s\", \"%s\", (const char *const[]){\n", name, first } \
+  { gsub(/["\\]/, "\\\\&"); print "\"" $$0 "\\n\"," } END { print "NULL}}," }'
+$(BUILD)/generated/scenes.inc $(BUILD)/generated/plots.inc: FORCE
+	@mkdir -p $(@D)
+	@$(as_rows) $(filter $(if $(findstring scenes,$@),%.yaml,%.gp),$(TEXT_FILES)) $(replace_if_changed)
 # A source that goes away must leave the library and the programs too.
 $(LIBRARY) $(PROGRAMS) $(TESTER) $(PROBE): $(BUILD)/generated/sources.txt
 $(BUILD)/generated/sources.txt: FORCE
@@ -466,8 +476,8 @@ format: ## rewrite the sources in the house format
 # ------------------------------------------------------------ install, help
 SHARE := $(DESTDIR)$(PREFIX)/share/touchstone
 LIB   := $(DESTDIR)$(PREFIX)/lib
-# Calls on files are for the project's own programs: no interface for others.
-PUBLIC_HEADERS := $(filter-out $(patsubst %,solver/mpm_%.h,file hdf5),$(sort $(wildcard solver/mpm*.h)))
+# Calls on files and gnuplot are for the project's own programs: no interface for others.
+PUBLIC_HEADERS := $(filter-out $(patsubst %,solver/mpm_%.h,file gnuplot hdf5),$(sort $(wildcard solver/mpm*.h)))
 .PHONY: install help
 install: all ## programs, headers, libmpm (static, shared, touchstone.pc), man pages, catalogue, examples into PREFIX (/usr/local), under DESTDIR
 	install -d $(addprefix $(DESTDIR)$(PREFIX)/,bin include lib/pkgconfig share/man/man1) \

@@ -14,6 +14,7 @@
     SUITE(docs)                                                                                    \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
+    SUITE(new_plot)                                                                                \
     SUITE(cli)                                                                                     \
     SUITE(properties)                                                                              \
     SUITE(checkpoint)                                                                              \

@@ -168,7 +168,7 @@ START_TEST(man_pages_have_the_options_and_commands_of_the_help)
         const char *program, *page, *commands[9];
         bool each; /* commands have a help of their own */
     } programs[] = {
-        {"mpm", "docs/man/mpm.1", {"run", "check", "info", "schema"}, true},
+        {"mpm", "docs/man/mpm.1", {"run", "check", "info", "schema", "new", "plot"}, true},
         {"mpm-verify",
          "docs/man/mpm-verify.1",
          {"list", "run", "explain", "report", "headroom", "compare", "export", "score"},

@@ -108,6 +108,18 @@ static void write_texts(struct mpm_snapshot *snapshot, hid_t object)
         mpm_snapshot_text(snapshot, object, provenance.facts[i].name, provenance.facts[i].text);
 }
 
+/* Of the bodies' particles before they deform: lengths along the axes, two of each body. */
+static void write_domains(struct mpm_snapshot *snapshot, hid_t object)
+{
+    const struct mpm_scene *const scene = snapshot->scene;
+    double *const sizes = g_new(double, 2 * scene->body_count);
+    for (size_t i = 0; i < 2 * scene->body_count; i++)
+        sizes[i] = scene->cell[i % 2] / scene->bodies[i / 2].particles_per_cell[i % 2];
+    mpm_snapshot_attribute(snapshot, object, "body_domains", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE,
+                           2 * scene->body_count, 1, sizes);
+    g_free(sizes);
+}
+
 static void write_description(struct mpm_snapshot *snapshot, hid_t object)
 {
     const int format = SNAPSHOT_FORMAT;
@@ -120,6 +132,7 @@ static void write_description(struct mpm_snapshot *snapshot, hid_t object)
     mpm_snapshot_attribute(snapshot, object, "step", H5T_STD_I64LE, H5T_NATIVE_UINT64, 1, 0, &step);
     mpm_snapshot_attribute(snapshot, object, "thickness", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, 0,
                            &snapshot->scene->thickness);
+    write_domains(snapshot, object);
     write_units(snapshot, object);
     write_texts(snapshot, object);
 }

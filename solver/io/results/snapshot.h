@@ -1,7 +1,7 @@
 /* One snapshot: all particles at one instant in one HDF5 file.
  *
  * /mpm            attributes: format, title, geometry, thickness, units_*, time, step,
- *                 staggered, body_names, settings and the facts of io/results/provenance.h
+ *                 staggered, body_names, body_domains, settings and the facts of io/results/provenance.h
  * /mpm/particles  one dataset per field of mpm_field_describe, with attributes unit,
  *                 description and components; integers are int64, the rest double; fringe
  *                 only where the scene selects it
