@@ -33,6 +33,9 @@ enum mpm_field {
     MPM_FIELD_INTERNAL_ENERGY,      /* 1: per mass; 0 of materials without an equation of state */
     MPM_FIELD_STATE_TEMPERATURE,    /* 1: of the equation of state; 0 of materials without */
     MPM_FIELD_VISCOUS_PRESSURE,     /* 1: artificial, part of the stress; 0 of materials without */
+    MPM_FIELD_DISPLACEMENT,         /* 2: since t = 0; not a number of rigid particles */
+    MPM_FIELD_VON_MISES,            /* 1: equivalent stress */
+    MPM_FIELD_PRESSURE,             /* 1: minus the mean normal stress */
     MPM_FIELD_COUNT,
 };
 

@@ -96,6 +96,7 @@
     SUITE(jets)                                                                                    \
     SUITE(manufactured)                                                                            \
     SUITE(activity)                                                                                \
+    SUITE(probes)                                                                                  \
     SUITE(results)                                                                                 \
     SUITE(history)                                                                                 \
     SUITE(cli_check)                                                                               \

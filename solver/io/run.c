@@ -159,6 +159,8 @@ static enum mpm_status write_results(struct mpm_run *run, bool history, bool sna
     const double start = mpm_run_seconds();
     const enum mpm_status row = history ? write_history(run, error) : MPM_OK;
     enum mpm_status status = row == MPM_RUN_FAILED ? MPM_OK : row;
+    if (status == MPM_OK && history)
+        status = mpm_probes_write(run->probes, run->simulation, error);
     if (status == MPM_OK && snapshot)
         status = mpm_series_write(run->series, run->simulation, error);
     run->record.seconds_output += mpm_run_seconds() - start;
@@ -271,6 +273,7 @@ static enum mpm_status interrupt(struct mpm_run *run, int signal, struct mpm_err
             return keep_last_good_state(run, judged, error);
         MPM_TRY(write_results(run, true, false, error));
         MPM_TRY(mpm_history_sync(run->history, error));
+        MPM_TRY(mpm_probes_sync(run->probes, error));
     }
     return mpm_error_set(error, MPM_INTERRUPTED,
                          "interrupted by signal %d (%s) at step %" PRIu64 ", time %.9g%s", signal,
@@ -320,6 +323,7 @@ static enum mpm_status open_results(struct mpm_run *run, struct mpm_error *error
     MPM_TRY(mpm_results_folder_prepare(folder, run->options->overwrite, &run->lock, error));
     MPM_TRY(mpm_series_create(folder, run->scene, mpm_simulation_particle_count(run->simulation),
                               &run->series, error));
+    MPM_TRY(mpm_probes_create(folder, run->scene, &run->probes, error));
     return mpm_history_create(folder, run->scene, &run->history, error);
 }
 
@@ -396,6 +400,7 @@ enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_ru
     g_free(run.tip_told);
     mpm_observers_free(run.observers);
     mpm_history_free(run.history);
+    mpm_probes_free(run.probes);
     mpm_series_free(run.series);
     mpm_simulation_free(run.simulation);
     mpm_results_folder_unlock(&run.lock);

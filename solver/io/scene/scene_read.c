@@ -210,6 +210,7 @@ void mpm_scene_free(struct mpm_scene *scene)
     free(scene->contact.field_of);
     free(scene->contact.pairs);
     free(scene->j_integrals);
+    free(scene->probes);
     free(scene->materials);
     free(scene->settings);
     free(scene->title);
