@@ -186,7 +186,8 @@ $(LIBRARY): $(call objects,$(SOLVER_SOURCES)) $(FAST_OBJECTS) $(LAW_OBJECTS)
 $(SHARED): $(LIBRARY)
 	$(call short,LINK,$@)$(CC) $(CODE_FLAGS) -shared -o $@ \
 	  $(if $(MACOS),-Wl$(comma)-install_name$(comma)@rpath/$(SONAME) -Wl$(comma)-all_load $<,\
-	    -Wl$(comma)-soname$(comma)$(SONAME) -Wl$(comma)--no-undefined \
+	    -Wl$(comma)-soname$(comma)$(SONAME) \
+	    $(if $(filter release debug,$(VARIANT)),-Wl$(comma)--no-undefined) \
 	    -Wl$(comma)--whole-archive $< -Wl$(comma)--no-whole-archive) $(LIBS_SOLVER)
 
 link = $(call short,LINK,$@)$(CC) $(CODE_FLAGS) -o $@ $(filter %.o %.a,$^)
