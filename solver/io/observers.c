@@ -66,10 +66,14 @@ enum mpm_status mpm_observation_field(struct mpm_observation *observation, enum 
 
 /* ----------------------------------------------------------------- instants */
 
+/* A time this close to the one at hand has come: a last sliver of a step would serve nobody. */
+static const double time_tolerance = 1e-12;
+
 static size_t times_reached(const struct mpm_observer *observer, double time)
 {
+    const double until = time + time_tolerance * fabs(time);
     size_t reached = 0;
-    while (reached < observer->time_count && observer->times[reached] <= time)
+    while (reached < observer->time_count && observer->times[reached] <= until)
         reached++;
     return reached;
 }
@@ -91,7 +95,7 @@ double mpm_observers_limit(const struct mpm_observers *observers, double end)
         if (entry->reached < observer->time_count)
             limit = fmin(limit, observer->times[entry->reached]);
     }
-    return limit;
+    return limit < end - time_tolerance * fabs(end) ? limit : end;
 }
 
 bool mpm_observers_due(struct mpm_observers *observers, bool end)
