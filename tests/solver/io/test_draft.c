@@ -93,7 +93,7 @@ static const struct {
 } mistakes[] = {
     {"method.shap", "ugimp", "block: --set \"method.shap=ugimp\": unknown key \"shap\""},
     {"method.shape", "ugimpp", "unknown choice, got \"ugimpp\"; allowed: classic | ugimp"},
-    {"time.courant", "7", "out of range, got \"7\"; allowed: "},
+    {"time.courant", "-7", "out of range, got \"-7\"; allowed: "},
     {"grid.cell", "[1, 0]", "out of range, got \"0\"; allowed: "},
     {"grid.cell", "[1", "did not find expected"},
     {"bodies.disk.velocity", "[0, 0]", "no entry \"disk\" in the list of 1; allowed: a position"},

@@ -103,7 +103,7 @@ static const struct {
     {"output={lines: [{name: a, from: [1, 1], to: [1, 9], points: 3}]}",
      "output.lines.0: outside the grid, got y = 9"},
     {"output={lines: [{name: a, from: [1, 1], to: [1, 2], points: 1}]}",
-     "allowed: from 2 to 10000"},
+     "allowed: integer from 2 to 10000"},
     {"output={probes: [{name: a, at: [1, 1]}], lines: [{name: a, from: [1, 1], to: [1, 2], points: "
      "2}]}",
      "output.lines.0: another probe or line is named \"a\""},
