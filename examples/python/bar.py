@@ -32,7 +32,7 @@ def build():
     draft.set("bodies.+", {"name": "bar", "material": "bar", "region": {"rectangle": {
         "from": [0, 0], "to": [LENGTH, 1]}}, "velocity": [f"{AMPLITUDE}*sin(pi*x/{LENGTH})", 0]})
     draft.set("boundary", [
-        {"region": "all", "velocity": ["free", 0]},
+        {"region": {"all": True}, "velocity": ["free", 0]},
         {"region": {"line": {"from": [0, 0], "to": [0, 1]}}, "velocity": [0, "free"]},
         {"region": {"line": {"from": [LENGTH, 0], "to": [LENGTH, 1]}}, "velocity": [0, "free"]}])
     draft.set("output", {"history": 1, "snapshots": 4})
