@@ -5,8 +5,12 @@
 #ifndef MPM_TRANSPORT_H
 #define MPM_TRANSPORT_H
 
+#include "mpm_api.h"
+
 #include <stdbool.h>
 #include <stddef.h>
+
+MPM_API_BEGIN
 
 struct mpm_scene;
 struct mpm_simulation;
@@ -33,5 +37,7 @@ size_t mpm_scene_transport_quantity_count(const struct mpm_scene *scene);
 struct mpm_quantity_info mpm_scene_transport_quantity(const struct mpm_scene *scene, size_t index);
 /* Cost: up to one pass over the particles. */
 double mpm_simulation_transport_quantity(const struct mpm_simulation *simulation, size_t index);
+
+MPM_API_END
 
 #endif

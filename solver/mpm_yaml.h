@@ -9,6 +9,8 @@
 
 #include "mpm.h"
 
+MPM_API_BEGIN
+
 /* -------------------------------------------------------------------- tree */
 
 enum { MPM_TREE_DEPTH_MAX = 64 };
@@ -128,5 +130,7 @@ enum mpm_status mpm_keys_read(const char *path, const struct mpm_key *root, void
 
 /* Frees what mpm_keys_read made, all of it memory of malloc; `data` may be NULL. */
 void mpm_keys_free(const struct mpm_key *root, void *data);
+
+MPM_API_END
 
 #endif

@@ -10,9 +10,11 @@
 #include "support/marks.h"
 
 #define SUITES(SUITE, APART)                                                                       \
+    SUITE(install)                                                                                 \
     SUITE(docs)                                                                                    \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
+    SUITE(new_plot)                                                                                \
     SUITE(cli)                                                                                     \
     SUITE(properties)                                                                              \
     SUITE(checkpoint)                                                                              \
@@ -96,6 +98,7 @@
     SUITE(jets)                                                                                    \
     SUITE(manufactured)                                                                            \
     SUITE(activity)                                                                                \
+    SUITE(probes)                                                                                  \
     SUITE(results)                                                                                 \
     SUITE(history)                                                                                 \
     SUITE(cli_check)                                                                               \
@@ -133,6 +136,7 @@
     SUITE(crack_mouths)                                                                            \
     SUITE(cohesive_laws)                                                                           \
     SUITE(symmetry)                                                                                \
+    SUITE(draft)                                                                                   \
     SUITE(scene_settings)                                                                          \
     SUITE(schema)                                                                                  \
     SUITE(suite)                                                                                   \

@@ -81,11 +81,11 @@ static int take_scene(const struct cli_command *command, char **operands, char *
 {
     const guint count = operands != NULL ? g_strv_length(operands) : 0;
     const guint wanted = command->operands[0] != '\0' ? 1 : 0;
-    if (count < wanted)
+    if (count < wanted && command->operands[0] != '[')
         return bad_usage(command, "a scene file is missing", "");
     if (count > wanted)
         return bad_usage(command, "unexpected argument ", operands[wanted]);
-    *scene = wanted > 0 ? g_strdup(operands[0]) : NULL;
+    *scene = count > 0 ? g_strdup(operands[0]) : NULL;
     return MPM_OK;
 }
 
@@ -120,7 +120,8 @@ int cli_command_run(const struct cli_command *command, int argc, char **argv)
     struct texts given = {.kernels = NULL};
     gboolean help = FALSE;
     const GOptionEntry options[] = {
-        {"output", 'o', 0, G_OPTION_ARG_FILENAME, &read.output, "Folder for the results", "DIR"},
+        {"output", 'o', 0, G_OPTION_ARG_FILENAME, &read.output,
+         "Folder for the results; of new: the file to write", "DIR"},
         {"overwrite", 0, 0, G_OPTION_ARG_NONE, &read.overwrite,
          "Replace the results that DIR holds", NULL},
         {"resume", 0, 0, G_OPTION_ARG_NONE, &read.resume, "Go on from the checkpoint in DIR", NULL},
@@ -128,6 +129,12 @@ int cli_command_run(const struct cli_command *command, int argc, char **argv)
          "Set a value of the scene; the last one wins", "PATH=VALUE"},
         {"quiet", 'q', 0, G_OPTION_ARG_NONE, &read.quiet, "Print nothing but errors", NULL},
         {"json", 0, 0, G_OPTION_ARG_NONE, &read.json, "Print the keys as JSON, for programs", NULL},
+        {"list", 0, 0, G_OPTION_ARG_NONE, &read.list, "List what there is to choose from", NULL},
+        {"field", 0, 0, G_OPTION_ARG_FILENAME, &read.field,
+         "What to draw (von_mises): a field, or one component of it, as stress.xx", "FIELD"},
+        {"snapshot", 0, 0, G_OPTION_ARG_FILENAME, &read.snapshot,
+         "Number of the snapshot to draw (the last one)", "N"},
+        {"format", 0, 0, G_OPTION_ARG_FILENAME, &read.format, "svg (the default) or png", "FORMAT"},
         {"kernels", 0, 0, G_OPTION_ARG_FILENAME, &given.kernels,
          "auto (the default: fast wherever the scene allows), reference or fast", "KERNELS"},
         {"simd", 0, 0, G_OPTION_ARG_FILENAME, &given.simd,
@@ -156,8 +163,8 @@ int cli_command_run(const struct cli_command *command, int argc, char **argv)
     }
     g_clear_error(&failure);
     g_option_context_free(context);
-    char *const texts[] = {read.scene, read.output,   given.kernels,
-                           given.simd, given.threads, program};
+    char *const texts[] = {read.scene,    read.output, read.field,    read.snapshot, read.format,
+                           given.kernels, given.simd,  given.threads, program};
     for (size_t i = 0; i < G_N_ELEMENTS(texts); i++)
         g_free(texts[i]);
     g_strfreev(read.settings);

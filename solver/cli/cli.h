@@ -11,15 +11,16 @@
 
 /* A command line, read. What a command does not take is NULL or FALSE. */
 struct cli_arguments {
-    char *scene, *output;
+    char *scene, *output; /* the operand, whatever it is: a scene, a kind, a folder */
+    char *field, *snapshot, *format;
     char **settings; /* texts of --set; ends with NULL, or is NULL */
     struct mpm_simulation_options simulation;
-    gboolean overwrite, resume, quiet, json;
+    gboolean overwrite, resume, quiet, json, list;
 };
 
 struct cli_command {
     const char *name;
-    const char *operands;       /* "SCENE" or "" */
+    const char *operands;       /* "SCENE", "" or, where it may be missing, "[KIND]" */
     const char *const *options; /* names of those that it takes; ends with NULL */
     const char *summary;
     const char *description;                     /* end of the help text; may be NULL */
@@ -30,6 +31,8 @@ int cli_run(struct cli_arguments *arguments);
 int cli_check(struct cli_arguments *arguments);
 int cli_info(struct cli_arguments *arguments);
 int cli_schema(struct cli_arguments *arguments);
+int cli_new(struct cli_arguments *arguments);
+int cli_plot(struct cli_arguments *arguments);
 
 /* Prints "mpm: ..." as one line on stderr; returns `status`. */
 int cli_fail(enum mpm_status status, const char *format, ...) __attribute__((format(printf, 2, 3)));

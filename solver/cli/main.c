@@ -48,6 +48,26 @@ static const struct cli_command commands[] = {
      .options = (const char *const[]){"json", NULL},
      .summary = "Print every scene key: type, unit, default, range, one line of help.",
      .run = cli_schema},
+    {.name = "new",
+     .operands = "[KIND]",
+     .options = (const char *const[]){"list", "output", "quiet", NULL},
+     .summary = "Write a commented scene to begin with, which runs at once.",
+     .description = "The scene goes to the file KIND.yaml in the current folder, or to that of\n"
+                    "--output. A file that is there is never overwritten. 'mpm new --list' lists\n"
+                    "the kinds.",
+     .run = cli_new},
+    {.name = "plot",
+     .operands = "[DIR]",
+     .options =
+         (const char *const[]){"field", "snapshot", "format", "output", "list", "quiet", NULL},
+     .summary = "Draw a field of the particles, and the history, with gnuplot.",
+     .description =
+         "DIR is a folder that 'mpm run' has written. The pictures go there too, or to the\n"
+         "folder of --output: plot-FIELD-NNNNNN.svg has the particles with their\n"
+         "domains, plot-history.svg the energies and the range of det F over time.\n"
+         "'mpm plot --list' lists fields. gnuplot runs without a shell, with scripts of\n"
+         "this program alone: a folder of results is only data.",
+     .run = cli_plot},
 };
 
 static int print_help(void)
@@ -75,8 +95,9 @@ static int print_version(void)
 static int dispatch(int argc, char **argv)
 {
     if (argc < 2)
-        return cli_fail(MPM_BAD_INPUT, "a command is missing: run, check, info or schema; "
-                                       "see 'mpm --help'");
+        return cli_fail(MPM_BAD_INPUT,
+                        "a command is missing: run, check, info, schema, new or plot; "
+                        "see 'mpm --help'");
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
         return print_help();
     if (strcmp(argv[1], "--version") == 0)
@@ -85,7 +106,7 @@ static int dispatch(int argc, char **argv)
         if (strcmp(argv[1], commands[i].name) == 0)
             return cli_command_run(&commands[i], argc - 1, argv + 1);
     return cli_fail(MPM_BAD_INPUT,
-                    "unknown command '%s': allowed are run, check, info, schema; "
+                    "unknown command '%s': allowed are run, check, info, schema, new, plot; "
                     "see 'mpm --help'",
                     argv[1]);
 }

@@ -109,7 +109,8 @@ static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulatio
     unsigned uses = MPM_USE_DEFORMABLE;
     uses |= keeps_domains(&simulation->state) ? MPM_USE_DOMAINS : 0;
     uses |= mpm_transfer_of(scene->transfer)->carries;
-    if (mpm_crack_detection_needs_surfaces(scene) || mpm_contacts_have_interfaces(scene))
+    if (mpm_crack_detection_needs_surfaces(scene) || mpm_contacts_have_interfaces(scene) ||
+        scene->derived)
         uses |= MPM_USE_ORIGINS;
     uses |= simulation->state.damping.particles ? MPM_USE_DRAG : 0;
     uses |= mpm_transport_uses(scene);

@@ -22,6 +22,9 @@ LEFT_OUT = {
     "output.snapshots": "the first state and the last are compared; more would land steps on them",
     "contact.normal=given": "refused: it is for pairs, each with its direction",
     "output.fringe": "a field for pictures; its values follow from the stress",
+    "output.derived": "fields for pictures; their values follow from others",
+    "output.probes": "fields at places; they follow from those of the particles",
+    "output.lines": "the same",
 }
 
 # Refused where nothing moves, since materials have law: none.

@@ -4,10 +4,10 @@
 #include "verification/pages/figure.h"
 
 #include "mpm_file.h"
+#include "mpm_gnuplot.h"
 #include "verification/common/input.h"
 #include "verification/common/output.h"
 #include "verification/pages/figure_script.h"
-#include "verification/pages/gnuplot.h"
 
 #include <errno.h>
 #include <glib.h>
@@ -144,15 +144,14 @@ static enum mpm_status draw(const char *home, const char *script, const struct f
     char *settings = g_strdup_printf("style='%s'; axes='%s'; output='%s'; %s", style, axes, picture,
                                      plot->settings);
     char *said = NULL;
-    GError *failure = NULL;
+    char *failure = NULL;
     enum mpm_status status = MPM_OK;
-    const bool ran = gnuplot_run(home, settings, script, &said, &failure);
+    const bool ran = mpm_gnuplot_run(home, settings, script, &said, &failure);
     if (said == NULL)
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "gnuplot cannot be run: %s",
-                             failure->message);
+        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "gnuplot cannot be run: %s", failure);
     else if (!ran || strstr(said, "warning:") != NULL)
         status = complaint(said, error);
-    g_clear_error(&failure);
+    g_free(failure);
     g_free(said);
     g_free(settings);
     return status == MPM_OK ? dress_file(home, plot, error) : status;

@@ -8,6 +8,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* ---------------------------------------------------------------- messages */
 
@@ -70,13 +71,30 @@ static enum mpm_status copy_arguments(struct mpm_scene *scene, const char *path,
     return MPM_OK;
 }
 
-static enum mpm_status read_scene(struct mpm_scene *scene, struct work *work,
-                                  struct mpm_error *error)
+/* Of the file, or of a text in memory. */
+static enum mpm_status take_bytes(const struct mpm_source *source, const struct mpm_bytes *text,
+                                  struct mpm_bytes *bytes, struct mpm_error *error)
+{
+    if (text == NULL)
+        return mpm_source_read(source, bytes, error);
+    if (text->length > MPM_SOURCE_SIZE_MAX)
+        return mpm_tree_fault(error, source, (struct mpm_origin){.line = 0}, "",
+                              "a text of %zu bytes is too big; allowed: up to 16 MiB",
+                              text->length);
+    *bytes = (struct mpm_bytes){.data = malloc(text->length + 1), .length = text->length};
+    if (bytes->data == NULL)
+        return mpm_error_memory(error, text->length, "a scene's text");
+    memcpy(bytes->data, text->data, text->length);
+    return MPM_OK;
+}
+
+static enum mpm_status read_scene(struct mpm_scene *scene, const struct mpm_bytes *text,
+                                  struct work *work, struct mpm_error *error)
 {
     const struct mpm_source source = mpm_scene_source(scene);
     const struct mpm_origin origin = {.setting = MPM_FROM_FILE};
     struct mpm_bytes *const bytes = &work->bytes;
-    MPM_TRY(mpm_source_read(&source, bytes, error));
+    MPM_TRY(take_bytes(&source, text, bytes, error));
     hash_bytes(*bytes, scene);
     MPM_TRY(mpm_tree_parse(&source, origin, bytes->data, bytes->length, &work->root, error));
     MPM_TRY(mpm_tree_apply_settings(&source, scene->setting_count, work->root, error));
@@ -88,8 +106,9 @@ static enum mpm_status read_scene(struct mpm_scene *scene, struct work *work,
         .scene = scene, .root = work->root, .raw = work->raw, .error = error});
 }
 
-enum mpm_status mpm_scene_read(const char *path, const char *const *settings, size_t setting_count,
-                               struct mpm_scene **scene, struct mpm_error *error)
+static enum mpm_status make_scene(const char *path, const struct mpm_bytes *text,
+                                  const char *const *settings, size_t setting_count,
+                                  struct mpm_scene **scene, struct mpm_error *error)
 {
     *scene = NULL;
     struct mpm_scene *made = calloc(1, sizeof *made);
@@ -98,7 +117,7 @@ enum mpm_status mpm_scene_read(const char *path, const char *const *settings, si
     struct work work = {.root = NULL};
     enum mpm_status status = copy_arguments(made, path, settings, setting_count, error);
     if (status == MPM_OK)
-        status = read_scene(made, &work, error);
+        status = read_scene(made, text, &work, error);
     mpm_keys_free(&mpm_scene_root, work.raw);
     mpm_tree_free(work.root);
     free(work.bytes.data);
@@ -108,6 +127,20 @@ enum mpm_status mpm_scene_read(const char *path, const char *const *settings, si
     }
     *scene = made;
     return MPM_OK;
+}
+
+enum mpm_status mpm_scene_read(const char *path, const char *const *settings, size_t setting_count,
+                               struct mpm_scene **scene, struct mpm_error *error)
+{
+    return make_scene(path, NULL, settings, setting_count, scene, error);
+}
+
+enum mpm_status mpm_scene_parse(const char *name, const char *text, size_t length,
+                                const char *const *settings, size_t setting_count,
+                                struct mpm_scene **scene, struct mpm_error *error)
+{
+    const struct mpm_bytes bytes = {.data = (char *)(uintptr_t)text, .length = length};
+    return make_scene(name, &bytes, settings, setting_count, scene, error);
 }
 
 /* ------------------------------------------------------------------- scene */
@@ -177,6 +210,7 @@ void mpm_scene_free(struct mpm_scene *scene)
     free(scene->contact.field_of);
     free(scene->contact.pairs);
     free(scene->j_integrals);
+    free(scene->probes);
     free(scene->materials);
     free(scene->settings);
     free(scene->title);

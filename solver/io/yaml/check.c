@@ -239,7 +239,8 @@ enum mpm_status mpm_tree_check(const struct mpm_source *source, const struct mpm
 {
     struct checking checking = {.source = source, .error = error};
     /* Another format would have other keys: say so before calling them unknown. */
-    const struct mpm_key *const format = mpm_key_find(root, "format");
+    const struct mpm_key *const format =
+        root->shape == MPM_KEY_GROUP ? mpm_key_find(root, "format") : NULL;
     const struct mpm_tree_entry *const entry = mpm_tree_entry(tree, "format");
     if (format != NULL && entry != NULL) {
         const size_t length = enter(&checking, "format");

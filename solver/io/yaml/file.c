@@ -10,8 +10,6 @@
 #include <glib.h>
 #include <stdlib.h>
 
-enum { FILE_SIZE_MAX = 16 * 1024 * 1024 };
-
 static enum mpm_status refuse_file(const struct mpm_source *source, const char *fault,
                                    struct mpm_error *error)
 {
@@ -39,7 +37,7 @@ static enum mpm_status check_kind(const struct mpm_source *source, int file, siz
         return refuse_file(source, "is a folder", error);
     if (!S_ISREG(facts.st_mode))
         return refuse_file(source, "is not a regular file", error);
-    if (facts.st_size > FILE_SIZE_MAX)
+    if (facts.st_size > MPM_SOURCE_SIZE_MAX)
         return refuse_file(source, "the file is too big", error);
     *size = (size_t)facts.st_size;
     return MPM_OK;

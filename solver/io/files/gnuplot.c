@@ -1,11 +1,12 @@
 /* gnuplot without a shell.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/pages/gnuplot.h"
+#include "mpm_gnuplot.h"
 
 #include "mpm_file.h"
 
 #include <errno.h>
+#include <glib.h>
 #include <signal.h>
 #include <stdint.h>
 #include <string.h>
@@ -99,18 +100,21 @@ static char **environment_of(const char *home)
                              : g_environ_setenv(environment, "LD_LIBRARY_PATH", libraries, TRUE);
 }
 
-bool gnuplot_run(const char *folder, const char *settings, const char *script, char **said,
-                 GError **failure)
+bool mpm_gnuplot_run(const char *folder, const char *settings, const char *script, char **said,
+                     char **failure)
 {
     /* -d: no file of settings is read */
     char *command[] = {
         "gnuplot", "-d", "-e", (char *)(uintptr_t)settings, (char *)(uintptr_t)script, NULL};
     char **environment = environment_of(folder);
+    GError *error = NULL;
     int state = 0;
     const bool ran =
         g_spawn_sync(folder, command, environment, G_SPAWN_SEARCH_PATH | G_SPAWN_STDOUT_TO_DEV_NULL,
-                     confine, NULL, NULL, said, &state, failure) &&
-        g_spawn_check_wait_status(state, failure);
+                     confine, NULL, NULL, said, &state, &error) &&
+        g_spawn_check_wait_status(state, &error);
+    *failure = error != NULL ? g_strdup(error->message) : NULL;
+    g_clear_error(&error);
     g_strfreev(environment);
     return ran;
 }
