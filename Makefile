@@ -2,7 +2,10 @@
 # `make help` lists the targets.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-VERSION := 0.1.0
+# The version stands in the header that programs of others include.
+version_of = $(shell sed -n 's/^\#define MPM_VERSION_$(1) \([0-9]*\)$$/\1/p' solver/mpm_api.h)
+INTERFACE := $(call version_of,MAJOR).$(call version_of,MINOR)
+VERSION   := $(INTERFACE).$(call version_of,PATCH)
 VARIANT ?= release
 PREFIX  ?= /usr/local
 
@@ -55,6 +58,9 @@ endif
 # Contraction is off so that every compiler and SIMD level gives the same bits.
 CODE_FLAGS := -std=c11 -D_POSIX_C_SOURCE=200809L $(FLAGS_$(VARIANT)) -ffp-contract=off -pthread \
               $(EXTRA_FLAGS)
+# Objects of the library go into libmpm.a and libmpm.so alike. No symbol of the library is replaced
+# by a program's, so its functions call each other as directly as in a program.
+SHARED_FLAGS := -fPIC -fvisibility=hidden -fno-semantic-interposition
 
 # pkg-config is asked when a recipe first needs the answer, and once.
 # hdf5-serial before hdf5: where MPI builds are installed too, hdf5 may be one of them.
@@ -79,6 +85,7 @@ INCLUDES_solver       := -Isolver
 INCLUDES_verification := -Isolver -I.
 INCLUDES_benchmarks   := -Isolver -I.
 INCLUDES_tests        := -Isolver -I. -Itests
+comma   := ,
 room     = $(firstword $(subst /, ,$(1)))
 includes = $(INCLUDES_$(call room,$(1))) -I$(BUILD)/generated $(PACKAGE_FLAGS)
 
@@ -110,8 +117,9 @@ objects  = $(patsubst %.c,$(BUILD)/objects/%.o,$(1))
 # -O3 is for what runs in steps, and for exact solutions and measures. The rooms that read, write
 # and draw take a third less to compile with -O1, and give the same bits.
 COLD_ROOMS := $(addprefix solver/,cli io) $(addprefix benchmarks/,budget cli common groups report) \
-              $(addprefix verification/,cases cli common pages programs records report score suite)
-flags_of    = $(if $(filter $(addsuffix /%,$(COLD_ROOMS)),$(1)),$(patsubst -O3,-O1,$(CODE_FLAGS)),\
+              $(addprefix verification/,cases cli common pages programs records report score study suite)
+flags_of    = $(if $(filter-out cli,$(word 2,$(subst /, ,$(filter solver/%,$(1))))),$(SHARED_FLAGS)) \
+              $(if $(filter $(addsuffix /%,$(COLD_ROOMS)),$(1)),$(patsubst -O3,-O1,$(CODE_FLAGS)),\
                 $(CODE_FLAGS))
 
 # Levels of SIMD differ in instructions, not in what is written: builds that look for faults or for
@@ -134,7 +142,7 @@ FAST_FLAGS    = -fno-math-errno -Wno-psabi \
 # Instrumented by clang, they take more than five minutes each; harnesses run the reference kernels.
 FAST_PLAIN_fuzz := -fno-sanitize=all -O0
 FAST_NAMES    = -DFAST_FAMILY=$(1) \
-                -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z)
+                -DFAST_SHAPE=MPM_$(shell echo $(1) | tr a-z A-Z) $(if $(filter cpdi,$(1)),,-DFAST_AFFINE)
 # Where there is another level, the baseline is for old machines: a third less to compile counts
 # more than -O3, and than two searches of gcc for equal expressions (1 % of the instructions).
 FAST_FLAGS_baseline := $(if $(filter v3,$(FAST_LEVELS)),-O2 \
@@ -152,20 +160,35 @@ $(BUILD)/objects/solver/method/fast/fast.o $(BUILD)/objects/verification/exact/m
 endif
 
 LIBRARY  := $(BUILD)/libmpm.a
+# macOS: another suffix, and the version before it.
+MACOS    := $(filter Darwin,$(shell uname -s))
+SONAME   := libmpm.$(if $(MACOS),$(INTERFACE).dylib,so.$(INTERFACE))
+SHARED   := $(BUILD)/libmpm.$(if $(MACOS),$(VERSION).dylib,so.$(VERSION))
 PROGRAMS := $(if $(CLI_SOURCES),$(BUILD)/bin/mpm) $(if $(VERIFY_MAIN),$(BUILD)/bin/mpm-verify) \
             $(if $(BENCH_MAIN),$(BUILD)/bin/mpm-bench)
 TESTER   := $(BUILD)/bin/mpm-tests
 PROBE    := $(BUILD)/bin/mpm-nodes
 
+# What sources include and the makefile writes.
+GENERATED := $(addprefix $(BUILD)/generated/,build_facts.h scenes.inc plots.inc)
+
 # Commands are shown in short; V=1 shows them whole.
 short = $(if $(V),,@echo '  $(1) $(2)';)
 
 .PHONY: all
-all: $(FAST_OBJECTS) $(PROGRAMS) $(LIBRARY) ## build the programs and libmpm.a in build/release (the default)
+all: $(FAST_OBJECTS) $(PROGRAMS) $(LIBRARY) $(SHARED) ## build the programs, libmpm.a and libmpm.so in build/release (the default)
 
 $(LIBRARY): $(call objects,$(SOLVER_SOURCES)) $(FAST_OBJECTS) $(LAW_OBJECTS)
 	@rm -f $@
 	$(call short,AR,$@)ar rcs $@ $(filter %.o,$^)
+
+# All that a program of others can call is in the headers: what they do not declare stays hidden.
+$(SHARED): $(LIBRARY)
+	$(call short,LINK,$@)$(CC) $(CODE_FLAGS) -shared -o $@ \
+	  $(if $(MACOS),-Wl$(comma)-install_name$(comma)@rpath/$(SONAME) -Wl$(comma)-all_load $<,\
+	    -Wl$(comma)-soname$(comma)$(SONAME) \
+	    $(if $(filter release debug,$(VARIANT)),-Wl$(comma)--no-undefined) \
+	    -Wl$(comma)--whole-archive $< -Wl$(comma)--no-whole-archive) $(LIBS_SOLVER)
 
 link = $(call short,LINK,$@)$(CC) $(CODE_FLAGS) -o $@ $(filter %.o %.a,$^)
 $(BUILD)/bin/mpm: $(call objects,$(CLI_SOURCES)) $(LIBRARY)
@@ -184,23 +207,23 @@ objects: $(FAST_OBJECTS) $(LAW_OBJECTS) $(WIDE_OBJECTS) \
          $(call objects,$(filter-out $(FAST_SOURCE) $(FAST_LAWS),$(SOURCES)))
 # Without code: a quarter of the time of `objects`.
 .PHONY: warnings
-warnings: $(BUILD)/generated/build_facts.h
+warnings: $(GENERATED)
 	@printf '%s\n' $(filter-out $(SOLVER_SOURCES) $(FAST_SOURCE) $(FAST_LAWS) $(CLI_SOURCES),$(SOURCES)) | \
 	  xargs -P $(JOBS) -n 8 $(CC) -fsyntax-only $(CODE_FLAGS) $(WARNINGS) -I. -Isolver -Itests \
 	  -I$(BUILD)/generated $(PACKAGE_FLAGS)
-$(BUILD)/objects/%.o: %.c $(BUILD)/generated/flags.txt | $(BUILD)/generated/build_facts.h
+$(BUILD)/objects/%.o: %.c $(BUILD)/generated/flags.txt | $(GENERATED)
 	@mkdir -p $(@D)
 	$(call short,CC,$<)$(CC) $(call flags_of,$<) $(WARNINGS) $(call includes,$<) -MMD -MP -c -o $@ $<
 
 $(FAST_OBJECTS): $(BUILD)/objects/fast/%.o: $(FAST_SOURCE) $(BUILD)/generated/flags.txt
 	@mkdir -p $(@D)
-	$(call short,CC,$< ($*))$(CC) $(CODE_FLAGS) $(WARNINGS) \
+	$(call short,CC,$< ($*))$(CC) $(CODE_FLAGS) $(SHARED_FLAGS) $(WARNINGS) \
 	  $(call FAST_FLAGS,$(patsubst .%,%,$(suffix $*))) $(call FAST_NAMES,$(basename $*)) -Isolver \
 	  -MMD -MP -c -o $@ $<
 
 $(LAW_OBJECTS): $(BUILD)/objects/fast/laws.%.o: $(FAST_LAWS) $(BUILD)/generated/flags.txt
 	@mkdir -p $(@D)
-	$(call short,CC,$< ($*))$(CC) $(CODE_FLAGS) $(WARNINGS) $(call FAST_FLAGS,$*) -Isolver \
+	$(call short,CC,$< ($*))$(CC) $(CODE_FLAGS) $(SHARED_FLAGS) $(WARNINGS) $(call FAST_FLAGS,$*) -Isolver \
 	  -MMD -MP -c -o $@ $<
 
 $(WIDE_OBJECTS): $(BUILD)/objects/wide/%.o: verification/exact/%.c $(BUILD)/generated/flags.txt
@@ -218,11 +241,21 @@ REVISION = $(shell test -e .git && git describe --always --dirty --abbrev=12 2>/
 replace_if_changed = > $@.$$$$; cmp -s $@.$$$$ $@ && rm $@.$$$$ || mv $@.$$$$ $@
 $(BUILD)/generated/flags.txt: FORCE
 	@mkdir -p $(@D) $(BUILD)/bin
-	@echo '$(CC) $(CODE_FLAGS) $(WARNINGS) $(PACKAGE_FLAGS)' $(replace_if_changed)
+	@echo '$(CC) $(CODE_FLAGS) $(SHARED_FLAGS) $(WARNINGS) $(PACKAGE_FLAGS)' $(replace_if_changed)
 $(BUILD)/generated/build_facts.h: FORCE
 	@mkdir -p $(@D)
 	@printf '#define BUILD_%s "%s"\n' VERSION '$(VERSION)' REVISION '$(REVISION)' \
 	  FLAGS '$(CODE_FLAGS)' $(replace_if_changed)
+# Texts that programs carry with them: scenes of `mpm new`, scripts of `mpm plot`. A row each: name,
+# first line without its mark, lines.
+TEXT_FILES := $(sort $(wildcard solver/cli/scenes/*.yaml solver/io/plot/*.gp))
+as_rows = awk 'FNR == 1 { if (NR > 1) print "NULL}},"; name = FILENAME; sub(/.*\//, "", name); \
+    sub(/\.[a-z]*$$/, "", name); first = $$0; sub(/^\# */, "", first); gsub(/["\\]/, "\\\\&", first); \
+    printf "{\"%s\", \"%s\", (const char *const[]){\n", name, first } \
+  { gsub(/["\\]/, "\\\\&"); print "\"" $$0 "\\n\"," } END { print "NULL}}," }'
+$(BUILD)/generated/scenes.inc $(BUILD)/generated/plots.inc: FORCE
+	@mkdir -p $(@D)
+	@$(as_rows) $(filter $(if $(findstring scenes,$@),%.yaml,%.gp),$(TEXT_FILES)) $(replace_if_changed)
 # A source that goes away must leave the library and the programs too.
 $(LIBRARY) $(PROGRAMS) $(TESTER) $(PROBE): $(BUILD)/generated/sources.txt
 $(BUILD)/generated/sources.txt: FORCE
@@ -239,10 +272,16 @@ TEST_ENVIRONMENT_san  := $(TEST_ENVIRONMENT_asan)
 TEST_ENVIRONMENT_tsan := CK_TIMEOUT_MULTIPLIER=10 TSAN_OPTIONS=ignore_noninstrumented_modules=1:die_after_fork=0:$(TSAN_OPTIONS)
 TEST_ENVIRONMENT_cov  := CK_TIMEOUT_MULTIPLIER=5
 
-.PHONY: test
-test: $(FAST_OBJECTS) $(TESTER) $(PROGRAMS) ## unit tests; also VARIANT=debug|asan|ubsan|san|tsan|cov
-	@MPM_TEST_PROCESSES=$(JOBS) MPM_BIN=$(abspath $(BUILD)/bin) $(TEST_ENVIRONMENT_$(VARIANT)) \
-	  $(TESTER)
+# Programs of others are tested from an installed copy.
+INSTALLED := $(abspath $(BUILD)/installed)
+.PHONY: test installed
+test: $(FAST_OBJECTS) $(TESTER) $(PROGRAMS) installed ## unit tests; also VARIANT=debug|asan|ubsan|san|tsan|cov
+	@MPM_TEST_PROCESSES=$(JOBS) MPM_BIN=$(abspath $(BUILD)/bin) MPM_INSTALLED=$(INSTALLED) \
+	  MPM_VARIANT=$(VARIANT) MPM_CC='$(CC)' $(TEST_ENVIRONMENT_$(VARIANT)) $(TESTER)
+installed: all
+	@rm -rf $(INSTALLED)
+	+@$(MAKE) install DESTDIR= PREFIX=$(INSTALLED) > $(BUILD)/installed.log 2>&1 || \
+	  { cat $(BUILD)/installed.log; false; }
 
 # The short tier of these two is in `make test`.
 .PHONY: test-kernels
@@ -369,7 +408,7 @@ bench: all ## speed, memory, scaling, error against run time (9 to 14 min); buil
 CLANG_FORMAT ?= $(or $(shell command -v clang-format-14),clang-format)
 CLANG_TIDY   ?= $(or $(shell command -v clang-tidy-14),clang-tidy)
 CHECKS := check-format check-source check-includes check-warnings check-cppcheck check-tidy \
-          check-bits check-budget check-reference check-mutants check-runner
+          check-bits check-budget check-reference check-mutants check-runner check-docs check-equations
 .PHONY: check check-all $(CHECKS) format
 check: ## format, lint, include directions, warnings and bits of both compilers, checksums
 	+@$(MAKE) --keep-going check-all
@@ -380,7 +419,7 @@ check-format:
 	@$(CLANG_FORMAT) --dry-run -Werror $(SOURCES) $(HEADERS)
 check-source:
 	@.ci/check-source $(SOURCES) $(HEADERS)
-check-includes: $(BUILD)/generated/build_facts.h
+check-includes: $(GENERATED)
 	@mkdir -p build/check; : > build/check/includes
 	@for file in $(SOURCES) $(HEADERS); do \
 	  $(CC) $(CODE_FLAGS) -I. -Isolver -Itests -I$(BUILD)/generated $(PACKAGE_FLAGS) \
@@ -396,16 +435,16 @@ check-warnings: check-gcc
 # The file of fast kernels is read as one of those that it stands for.
 LINT_FLAGS = -D_POSIX_C_SOURCE=200809L -DFAST_LEVEL=baseline $(call FAST_NAMES,ugimp)
 # POSIX makes NULL a void pointer, so it may end a list of arguments: no varFuncNullUB.
-check-cppcheck:
+check-cppcheck: $(GENERATED)
 	@mkdir -p build/check/cppcheck
 	@cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --error-exitcode=1 --suppress=missingIncludeSystem \
 	  --suppress=varFuncNullUB $(LINT_FLAGS) \
-	  --cppcheck-build-dir=build/check/cppcheck -Isolver -I. -Itests $(SOURCES)
+	  --cppcheck-build-dir=build/check/cppcheck -Isolver -I. -Itests -I$(BUILD)/generated $(SOURCES)
 # States that the static analyzer follows in a function: it takes nine tenths of the time of
 # clang-tidy. Its own default is 225000, for three times as long: `.ci/nightly` has it.
 ANALYZER_NODES ?= 75000
-check-tidy: $(BUILD)/generated/build_facts.h
+check-tidy: $(GENERATED)
 	@printf '%s\n' $(SOURCES) | xargs -P $(JOBS) -n 1 .ci/check-tidy $(CLANG_TIDY) \
 	  -std=c11 -Xclang -analyzer-config -Xclang max-nodes=$(ANALYZER_NODES) $(LINT_FLAGS) \
 	  -I. -Isolver -Itests -I$(BUILD)/generated $(PACKAGE_FLAGS) --
@@ -426,9 +465,18 @@ check-reference:
 check-mutants:
 	@tests/mutants/mutants.py check
 
+# The table of MathML is made with blahtexml and committed, so that a report needs no converter.
+.PHONY: equations
+equations: ## reports/equations.json: MathML of the TeX in the cases' texts
+	@.ci/equations
+check-equations:
+	@.ci/equations --check
+
 # The unit tests' own runner, with suites that crash, hang, leak, leave and fail.
 check-runner:
 	@.ci/check-runner $(CC)
+
+check-docs: docs
 
 format: ## rewrite the sources in the house format
 	$(CLANG_FORMAT) -i $(SOURCES) $(HEADERS)
@@ -437,20 +485,41 @@ format: ## rewrite the sources in the house format
 SHARE := $(DESTDIR)$(PREFIX)/share/touchstone
 # Where the shells look for completion, below share/.
 COMPLETIONS := bash-completion/completions zsh/site-functions fish/vendor_completions.d
+LIB   := $(DESTDIR)$(PREFIX)/lib
+# Command lines, calls on files and gnuplot are for the project's own programs: no interface for others.
+PUBLIC_HEADERS := $(filter-out $(patsubst %,solver/mpm_%.h,commands expression file gnuplot hdf5 words),$(sort $(wildcard solver/mpm*.h)))
 .PHONY: install help
-install: all ## programs, headers, libmpm.a, man pages, completion and catalogue into PREFIX (/usr/local), under DESTDIR
-	install -d $(addprefix $(DESTDIR)$(PREFIX)/,bin include lib share/man/man1) $(SHARE)/benchmarks
+install: all ## programs, headers, libmpm (static, shared, touchstone.pc), man pages, completion, catalogue, examples into PREFIX (/usr/local), under DESTDIR
+	install -d $(addprefix $(DESTDIR)$(PREFIX)/,bin include lib/pkgconfig share/man/man1) \
+	  $(SHARE)/benchmarks
 	install $(PROGRAMS) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 $(wildcard docs/man/*.1) $(DESTDIR)$(PREFIX)/share/man/man1
-	install -m 644 $(wildcard solver/mpm*.h) $(DESTDIR)$(PREFIX)/include
-	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib
+	install -m 644 $(PUBLIC_HEADERS) $(DESTDIR)$(PREFIX)/include
+	install -m 644 $(LIBRARY) $(LIB)
+	install $(SHARED) $(LIB)
+	ln -sf $(notdir $(SHARED)) $(LIB)/$(SONAME)
+	ln -sf $(SONAME) $(LIB)/libmpm.$(if $(MACOS),dylib,so)
+	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@PACKAGES@|$(PACKAGES_SOLVER)|' \
+	  solver/touchstone.pc.in > $(LIB)/pkgconfig/touchstone.pc
 	install -d $(addprefix $(DESTDIR)$(PREFIX)/share/,$(COMPLETIONS))
 	$(foreach name,$(notdir $(PROGRAMS)),\
 	  $(BUILD)/bin/$(name) completion bash > $(DESTDIR)$(PREFIX)/share/bash-completion/completions/$(name) && \
 	  $(BUILD)/bin/$(name) completion zsh > $(DESTDIR)$(PREFIX)/share/zsh/site-functions/_$(name) && \
 	  $(BUILD)/bin/$(name) completion fish > $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d/$(name).fish &&) true
-	$(foreach folder,$(wildcard verification/catalogue reports reference_data),cp -R $(folder) $(SHARE)/ &&) true
+	$(foreach folder,$(wildcard verification/catalogue reports reference_data examples),cp -R $(folder) $(SHARE)/ &&) true
 	cp -R benchmarks/scenes benchmarks/budget.json $(SHARE)/benchmarks/
+
+# Pages of the public headers. A function without a comment and a reference that leads nowhere are
+# errors; members, constants and structs may speak for themselves.
+PLAIN_NAMES := [(](variable|enumeration|enumvalue|macro definition)[)] of|Compound .* is not documented
+DOXYGEN ?= doxygen
+.PHONY: docs
+docs: ## pages of the library's headers, by Doxygen; build/docs/html
+	@if command -v $(DOXYGEN) >/dev/null; then mkdir -p build/docs && \
+	  { cat docs/Doxyfile; echo 'INPUT += $(PUBLIC_HEADERS)'; echo 'OUTPUT_DIRECTORY = build/docs'; \
+	    echo 'PROJECT_NUMBER = $(VERSION)'; } | $(DOXYGEN) - && ! grep -Ev '$(PLAIN_NAMES)' build/docs/warnings && \
+	  echo 'build/docs/html/index.html'; \
+	else echo 'make docs: skipped, no $(DOXYGEN) here (make deps installs it)'; fi
 
 help: ## this list
 	@awk -F ': .*## |: ## ' '/^[a-z-]+: .*## /{printf "make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)

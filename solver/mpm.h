@@ -13,66 +13,23 @@
 #ifndef MPM_H
 #define MPM_H
 
+#include "mpm_api.h"
 #include "mpm_contact.h"
 #include "mpm_dimension.h"
+#include "mpm_draft.h"
+#include "mpm_error.h"
 #include "mpm_fields.h"
 #include "mpm_fracture.h"
+#include "mpm_monitor.h"
+#include "mpm_observe.h"
+#include "mpm_shape.h"
 #include "mpm_transport.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-/* ------------------------------------------------------------------ status */
-
-/* The values are the exit statuses of the command `mpm`. */
-enum mpm_status {
-    MPM_OK = 0,
-    MPM_BAD_INPUT = 2,          /* the scene or an argument is wrong: nothing was written */
-    MPM_RUN_FAILED = 3,         /* enum mpm_cause has the causes */
-    MPM_ENVIRONMENT_FAILED = 4, /* memory, disk, a file that cannot be written */
-    MPM_INTERRUPTED = 128,      /* the caller has ended the run: plus the number of its signal */
-};
-
-/* Why a run failed (MPM_RUN_FAILED). The message starts with words of its own for each. */
-enum mpm_cause {
-    MPM_CAUSE_NONE, /* no failure, or one with another status */
-    MPM_CAUSE_ENERGY,
-    MPM_CAUSE_WAVES,
-    MPM_CAUSE_NOT_FINITE,
-    MPM_CAUSE_INVERTED,
-    MPM_CAUSE_LEFT_GRID,
-    MPM_CAUSE_PASSED_AXIS,
-    MPM_CAUSE_OUTRAN_CELL,
-    MPM_CAUSE_DOMAIN,
-    MPM_CAUSE_LOAD,
-    MPM_CAUSE_CONDITION,
-    MPM_CAUSE_RIGID,
-    MPM_CAUSE_DAMPING,
-    MPM_CAUSE_CRACK,
-    MPM_CAUSE_J_INTEGRAL,
-    MPM_CAUSE_CONTACT,
-    MPM_CAUSE_NOT_AT_REST,
-    MPM_CAUSE_TEMPERATURE,
-    MPM_CAUSE_PLASTIC,
-    MPM_CAUSE_STATE,
-    MPM_CAUSE_COUNT,
-};
-/* `name` is the value of "cause" in run.json: "left_grid"; `words` start the message: "left the
- * grid". */
-struct mpm_cause_info {
-    const char *name, *words, *description;
-};
-const struct mpm_cause_info *mpm_cause_describe(enum mpm_cause cause);
-
-enum { MPM_MESSAGE_SIZE = 1024 };
-
-struct mpm_error {
-    enum mpm_status status;
-    enum mpm_cause cause;
-    int line;                       /* of the file that is at fault; 0 where there is none */
-    char message[MPM_MESSAGE_SIZE]; /* one line: what, where, value, what is allowed */
-};
+MPM_API_BEGIN
 
 /* ------------------------------------------------------------------- scene */
 
@@ -83,11 +40,18 @@ struct mpm_scene; /* read-only once read; any number of simulations can use it *
  * line, key, value and what is allowed; MPM_ENVIRONMENT_FAILED: no memory; *scene is NULL then. */
 enum mpm_status mpm_scene_read(const char *path, const char *const *settings, size_t setting_count,
                                struct mpm_scene **scene, struct mpm_error *error);
+/* The same of a text in memory. `name` is what messages and records call it by, as a file's path.
+ */
+enum mpm_status mpm_scene_parse(const char *name, const char *text, size_t length,
+                                const char *const *settings, size_t setting_count,
+                                struct mpm_scene **scene, struct mpm_error *error);
 void mpm_scene_free(struct mpm_scene *scene);
 
+/* Bodies in the scene's order, the name of one of them, and time.end. */
 size_t mpm_scene_body_count(const struct mpm_scene *scene);
 const char *mpm_scene_body_name(const struct mpm_scene *scene, size_t body);
 double mpm_scene_end_time(const struct mpm_scene *scene);
+
 /* By how many time steps the particles' values are behind the time of the simulation, after any
  * step and at the start: velocity and F of a scheme are those of time - lag * step, at a fixed
  * step. Velocities are those of the middle of the last step. F is that of the step's force when the
@@ -97,6 +61,7 @@ double mpm_scene_end_time(const struct mpm_scene *scene);
 struct mpm_lags {
     double position, velocity, deformation;
 };
+/* Those of a scene. */
 struct mpm_lags mpm_scene_lags(const struct mpm_scene *scene);
 /* Two sets of kernels take a step. The reference kernels go particle by particle, to be read beside
  * the papers; the fast ones take several at once. Both agree to round-off. */
@@ -106,8 +71,7 @@ enum mpm_kernels {
     MPM_KERNELS_FAST, /* MPM_BAD_INPUT, with the reason, where a scene has none */
     MPM_KERNELS_COUNT,
 };
-/* "auto", "reference", "fast" */
-const char *mpm_kernels_name(enum mpm_kernels kernels);
+const char *mpm_kernels_name(enum mpm_kernels kernels); /* "auto", "reference", "fast" */
 
 /* The instructions that fast kernels are built for; results are the same bits. */
 enum mpm_simd {
@@ -116,8 +80,7 @@ enum mpm_simd {
     MPM_SIMD_X86_64_V3, /* AVX2; MPM_BAD_INPUT where build or machine lacks it */
     MPM_SIMD_COUNT,
 };
-/* "auto", "baseline", "x86-64-v3" */
-const char *mpm_simd_name(enum mpm_simd simd);
+const char *mpm_simd_name(enum mpm_simd simd); /* "auto", "baseline", "x86-64-v3" */
 
 /* Finds the entry of that name. MPM_BAD_INPUT: there is none; the message lists those allowed. */
 enum mpm_status mpm_kernels_find(const char *name, enum mpm_kernels *kernels,
@@ -128,6 +91,7 @@ struct mpm_simulation_options {
     int threads; /* at most so many, >= 1; results do not depend on it */
     enum mpm_kernels kernels;
     enum mpm_simd simd;
+    const struct mpm_monitor *monitor; /* must outlive the simulation; NULL: none */
 };
 
 enum { MPM_REASON_SIZE = 128 };
@@ -157,6 +121,7 @@ struct mpm_stability {
     double large;  /* the same with 0.3 of it, where strains reach 0.3 and particles cross cells */
     bool measured; /* with all choices of the scene; else the least of what has them one by one */
 };
+/* Those of a scene's method. */
 struct mpm_stability mpm_scene_stability(const struct mpm_scene *scene);
 
 /* Validates all that needs geometry (bodies, boundaries, memory) and estimates the
@@ -248,11 +213,13 @@ enum mpm_status mpm_simulation_set_start(struct mpm_simulation *simulation, cons
  * to be bounded, or whose interface is stiffer than an explicit step follows; else "". */
 const char *mpm_simulation_advice(const struct mpm_simulation *simulation);
 
+/* Time and number of the last step, its length, the number of particles, rigid ones included, and
+ * the bytes of all memory held. */
 double mpm_simulation_time(const struct mpm_simulation *simulation);
 uint64_t mpm_simulation_step(const struct mpm_simulation *simulation);
-double mpm_simulation_time_step(const struct mpm_simulation *simulation); /* the last one taken */
+double mpm_simulation_time_step(const struct mpm_simulation *simulation);
 size_t mpm_simulation_particle_count(const struct mpm_simulation *simulation);
-size_t mpm_simulation_bytes(const struct mpm_simulation *simulation); /* all memory held */
+size_t mpm_simulation_bytes(const struct mpm_simulation *simulation);
 
 /* The massless points that carry the cracks, as they are now: crack by crack in the scene's order,
  * each from its first point to its last, with those set between the scene's own. */
@@ -260,6 +227,8 @@ struct mpm_crack_point {
     size_t crack;
     double position[2];
 };
+
+/* How many there are, and one of them. */
 size_t mpm_simulation_crack_point_count(const struct mpm_simulation *simulation);
 struct mpm_crack_point mpm_simulation_crack_point(const struct mpm_simulation *simulation,
                                                   size_t point);
@@ -290,7 +259,7 @@ struct mpm_ledger {
      * thermoelastic_energy change by external work and inflow of heat alone, but for errors of the
      * time step. */
     double expansion_work, deformation_heat, thermoelastic_energy;
-    double plastic_dissipation; /* by plastic strain since t = 0; 0 without */
+    double plastic_dissipation, plastic_heat; /* plastic work since t = 0, but for this heat */
     /* By artificial viscosity since t = 0; 0 without. With an equation of state it is part of the
      * internal energy, and strain_energy is the rest. */
     double viscous_dissipation;
@@ -298,7 +267,7 @@ struct mpm_ledger {
     double total_energy;
     /* With output.energy_balance, else 0: what went from particles to nodes and back without
      * arriving, and what contact of cracks took, since t = 0. The change of total_energy plus both
-     * is external_work, to round-off; either may be negative. */
+     * plus plastic_heat is external_work, to round-off; either may be negative. */
     double transfer_loss, contact_loss;
     double j_min, j_max; /* extremes of det F */
     /* With plastic strain and without cracks, else 0: pairs of particles that were neighbours in
@@ -338,10 +307,11 @@ struct mpm_quantity_info {
     struct mpm_dimension dimension;
     const char *description;
 };
-/* How many there are, 0 for scenes without any; what `index`, below that, is; and its value
- * now. Cost of a value: one pass over the points of its crack. */
+/* How many there are; 0 for scenes without any. */
 size_t mpm_scene_crack_quantity_count(const struct mpm_scene *scene);
+/* What the one of that index is. */
 struct mpm_quantity_info mpm_scene_crack_quantity(const struct mpm_scene *scene, size_t index);
+/* Its value now. Cost: one pass over the points of its crack. */
 double mpm_simulation_crack_quantity(const struct mpm_simulation *simulation, size_t index);
 /* How near to rest a scene with time.rest is after the last step; both 1 before the first. */
 struct mpm_rest {
@@ -389,6 +359,7 @@ struct mpm_phases {
     const char *name[MPM_PHASE_MAX];
     double seconds[MPM_PHASE_MAX];
 };
+/* Fills in those of the simulation. */
 void mpm_simulation_phases(const struct mpm_simulation *simulation, struct mpm_phases *phases);
 const char *mpm_simulation_kernels(const struct mpm_simulation *simulation); /* "fast", ... */
 /* Particles of the last step with additional velocity fields in their stencils: those with nodes on
@@ -416,6 +387,10 @@ struct mpm_run_options {
     /* Called before each step, if not NULL: other than 0, the number of a signal, the run is to end
      * now. */
     int (*interrupted)(void);
+    /* Functions that get the particles' fields at steps or times. Steps land on their times as they
+     * do on snapshots; the energy is judged before each call. */
+    const struct mpm_observer *observers;
+    size_t observer_count;
 };
 
 /* Runs a scene to its end and writes run.json, history.csv and snapshots. A scene that requires
@@ -435,55 +410,6 @@ struct mpm_run_options {
 enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_run_options *options,
                               struct mpm_error *error);
 
-/* --------------------------------------------------------- shape functions */
-
-enum mpm_geometry { MPM_PLANE_STRAIN, MPM_PLANE_STRESS, MPM_AXISYMMETRIC };
-/* Families of shape functions, S(value of method.shape in scenes, enumerator). */
-#define MPM_SHAPES(S)                                                                              \
-    S("classic", MPM_CLASSIC)                                                                      \
-    S("ugimp", MPM_UGIMP)                                                                          \
-    S("cpdi", MPM_CPDI)                                                                            \
-    S("bspline2", MPM_BSPLINE2)                                                                    \
-    S("bspline3", MPM_BSPLINE3)
-#define MPM_SHAPE(name, shape) shape,
-enum mpm_shape { MPM_SHAPES(MPM_SHAPE) MPM_SHAPE_COUNT };
-#undef MPM_SHAPE
-/* What becomes of a domain at r = 0. Points are the same with all of them. */
-enum mpm_axis {
-    MPM_TRUNCATED,
-    MPM_UNTRUNCATED,
-    MPM_PLANAR, /* the planar S and G, not truncated, and T = S / r_p */
-};
-
-/* One particle domain over a regular grid whose node (0, 0) is at `origin`. */
-struct mpm_shape_query {
-    enum mpm_shape shape;
-    enum mpm_geometry geometry;
-    enum mpm_axis axis;             /* axisymmetric only */
-    double origin[2];               /* position of node (0, 0) */
-    double cell[2];                 /* cell size */
-    int64_t cells[2];               /* along each axis; 0: the grid has no edges there */
-    double position[2];             /* particle centre */
-    double half_size[2];            /* half the undeformed size, l_p * cell / 2 */
-    double deformation_gradient[4]; /* xx xy yx yy; used by CPDI */
-};
-
-enum { MPM_STENCIL_MAX = 16 };
-
-struct mpm_stencil_entry {
-    int64_t column, row; /* node, relative to node (0, 0); may be negative */
-    double s;            /* S_ip, N&G (6) */
-    double g[2];         /* G_ip, N&G (7), 1/length */
-    double t;            /* T_ip, N&G (8), 1/length; 0 in planar geometry */
-};
-
-/* S, G and T of every node that a particle reaches; each node at most once, entries
- * with S = 0, G = 0 and T = 0 left out. B-splines are adapted to the edges: the first and
- * the last node and, in axisymmetry, r = 0 where nodes lie on it; the particle must be
- * inside. Returns the number of entries. */
-size_t mpm_shape_evaluate(const struct mpm_shape_query *query,
-                          struct mpm_stencil_entry entries[MPM_STENCIL_MAX]);
-
 /* -------------------------------------------------------------- provenance */
 
 /* Facts compiled into the binary or read from the machine; never a build date. */
@@ -495,6 +421,9 @@ struct mpm_build_info {
     const char *libraries; /* name version, comma separated */
     const char *simd;      /* the widest that fast kernels have on this machine */
 };
+/* Those of this library. */
 const struct mpm_build_info *mpm_build_info(void);
+
+MPM_API_END
 
 #endif

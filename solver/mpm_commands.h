@@ -35,7 +35,7 @@ struct mpm_option {
 struct mpm_command_entry {
     const char *name;
     unsigned takes;          /* bits: its options */
-    const char *operands;    /* their names, each required: "DIR CASE/VARIANT"; "" for none */
+    const char *operands;    /* "DIR CASE/VARIANT", each required; "[DIR]" may be left out; or "" */
     const char *summary;     /* one line */
     const char *description; /* end of its help, or NULL */
     enum mpm_status (*run)(struct command *command, struct mpm_error *error);

@@ -4,8 +4,12 @@
 #ifndef MPM_CONTACT_H
 #define MPM_CONTACT_H
 
+#include "mpm_api.h"
+
 #include <stdbool.h>
 #include <stddef.h>
+
+MPM_API_BEGIN
 
 struct mpm_scene;
 struct mpm_simulation;
@@ -34,11 +38,12 @@ struct mpm_contact_point {
     double gap;  /* of the surfaces, positive if they are apart; 0 but with detection: extent */
     double area; /* of the surfaces at the node, for the thickness or per radian */
 };
-/* How many points of contact there are, 0 before the first step and in scenes without contact; and
- * one of them, `index` below that, in the order of nodes. Cost of one: a look at the nodes before.
- */
+/* How many there are: 0 before the first step and in scenes without contact. */
 size_t mpm_simulation_contact_point_count(const struct mpm_simulation *simulation);
+/* The one of an index below that, in the order of nodes. Cost: a look at the nodes before. */
 struct mpm_contact_point mpm_simulation_contact_point(const struct mpm_simulation *simulation,
                                                       size_t index);
+
+MPM_API_END
 
 #endif

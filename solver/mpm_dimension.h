@@ -4,7 +4,11 @@
 #ifndef MPM_DIMENSION_H
 #define MPM_DIMENSION_H
 
+#include "mpm_api.h"
+
 #include <stdint.h>
+
+MPM_API_BEGIN
 
 /* Exponents of the unit of a quantity: of stress -1, 1, -2 and 0. */
 struct mpm_dimension {
@@ -43,5 +47,7 @@ struct mpm_dimension {
 #define MPM_DIMENSION_MASS_SOURCE      {.length = -3, .mass = 1, .time = -1}
 #define MPM_DIMENSION_HEAT_SOURCE      {.length = -1, .mass = 1, .time = -3} /* per volume */
 /* clang-format on */
+
+MPM_API_END
 
 #endif

@@ -4,10 +4,14 @@
 #ifndef MPM_FIELDS_H
 #define MPM_FIELDS_H
 
+#include "mpm_api.h"
 #include "mpm_dimension.h"
+#include "mpm_error.h"
 
 #include <stdbool.h>
 #include <stddef.h>
+
+MPM_API_BEGIN
 
 struct mpm_scene;
 struct mpm_simulation;
@@ -29,6 +33,9 @@ enum mpm_field {
     MPM_FIELD_INTERNAL_ENERGY,      /* 1: per mass; 0 of materials without an equation of state */
     MPM_FIELD_STATE_TEMPERATURE,    /* 1: of the equation of state; 0 of materials without */
     MPM_FIELD_VISCOUS_PRESSURE,     /* 1: artificial, part of the stress; 0 of materials without */
+    MPM_FIELD_DISPLACEMENT,         /* 2: since t = 0; not a number of rigid particles */
+    MPM_FIELD_VON_MISES,            /* 1: equivalent stress */
+    MPM_FIELD_PRESSURE,             /* 1: minus the mean normal stress */
     MPM_FIELD_COUNT,
 };
 
@@ -43,9 +50,17 @@ struct mpm_field_info {
 /* The descriptor of a field. Dimensions are per radian as they are for the thickness. */
 const struct mpm_field_info *mpm_field_describe(enum mpm_field field);
 
+/* Finds the field of that name. MPM_BAD_INPUT: there is none; the message lists those allowed. */
+enum mpm_status mpm_field_find(const char *name, enum mpm_field *field, struct mpm_error *error);
+
 /* Is the field one of the scene's snapshots? All up to mass are always, the others where the scene
  * has them. */
 bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field);
+
+/* The unit of a field in the names of the scene's units, as in snapshots: "g mm^-1 ms^-2". */
+enum { MPM_FIELD_UNIT_SIZE = 1024 };
+void mpm_scene_field_unit(const struct mpm_scene *scene, enum mpm_field field,
+                          char text[MPM_FIELD_UNIT_SIZE]);
 
 /* Copies a field of all particles, sorted by id: particle-major,
  * count * components values. Rigid bodies' particles are included. */
@@ -57,5 +72,7 @@ void mpm_simulation_field(const struct mpm_simulation *simulation, enum mpm_fiel
  * the simulation, once after each sort: not for several threads at a time. */
 void mpm_simulation_field_range(const struct mpm_simulation *simulation, enum mpm_field field,
                                 size_t first, size_t count, double *values);
+
+MPM_API_END
 
 #endif

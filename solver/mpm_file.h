@@ -92,7 +92,8 @@ int mpm_folder_sync(const char *path);
 /* What is in it, sorted by bytes, without . and ..; NULL at the end. */
 char **mpm_folder_list(const char *path);
 void mpm_folder_list_free(char **names);
-/* A file, a link or a folder with all that is in it; goes on after failures. */
-int mpm_folder_remove_all(const char *path);
+/* A file, a link or a folder with all that is in it; goes on after failures, of which errno is the
+ * first and `failed`, unless NULL, its path (g_free; NULL without failures). */
+int mpm_folder_remove_all(const char *path, char **failed);
 
 #endif

@@ -4,9 +4,13 @@
 #ifndef MPM_FRACTURE_H
 #define MPM_FRACTURE_H
 
+#include "mpm_api.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+
+MPM_API_BEGIN
 
 /* The J integral at a tip of a crack, as `j_integral` of the scene defines it, and what follows
  * from it. Components along 1, the direction in which the crack would grow straight on, and along
@@ -37,4 +41,7 @@ struct mpm_tip_end {
     double time;
     double place[2]; /* and where the tip was */
 };
+
+MPM_API_END
+
 #endif

@@ -5,8 +5,12 @@
 #ifndef MPM_TRANSPORT_H
 #define MPM_TRANSPORT_H
 
+#include "mpm_api.h"
+
 #include <stdbool.h>
 #include <stddef.h>
+
+MPM_API_BEGIN
 
 struct mpm_scene;
 struct mpm_simulation;
@@ -18,11 +22,12 @@ bool mpm_scene_has_transport(const struct mpm_scene *scene);
 /* Have its materials no stress, law: none, so that nothing but conduction is computed? */
 bool mpm_scene_is_at_rest(const struct mpm_scene *scene);
 
-/* Do its stresses depend on a scalar, by free expansion or the law: has its history the column
- * expansion_work? And does deformation change temperatures, with deformation_heat and
- * thermoelastic_energy? */
+/* Do stresses and scalars depend on each other, by free expansion, the law or plastic work: has its
+ * history the column expansion_work? Does deformation change temperatures, with deformation_heat
+ * and thermoelastic_energy? And is plastic work a part of that, with plastic_heat? */
 bool mpm_scene_couples(const struct mpm_scene *scene);
 bool mpm_scene_heats(const struct mpm_scene *scene);
+bool mpm_scene_has_plastic_heat(const struct mpm_scene *scene);
 
 /* Values of the history, scalar by scalar: of temperature thermal_energy, boundary_heat
  * (at nodes with a prescribed one), source_heat, edge_heat (fluxes), temperature_min and
@@ -32,5 +37,7 @@ size_t mpm_scene_transport_quantity_count(const struct mpm_scene *scene);
 struct mpm_quantity_info mpm_scene_transport_quantity(const struct mpm_scene *scene, size_t index);
 /* Cost: up to one pass over the particles. */
 double mpm_simulation_transport_quantity(const struct mpm_simulation *simulation, size_t index);
+
+MPM_API_END
 
 #endif

@@ -9,6 +9,8 @@
 
 #include "mpm.h"
 
+MPM_API_BEGIN
+
 /* ---------------------------------------------------------------- mistakes */
 
 /* The first mistakes of a file, sorted by line: of a --set before those of the file. */
@@ -59,6 +61,11 @@ struct mpm_tree_node {
 enum mpm_status mpm_tree_read(const char *path, struct mpm_tree_node **root,
                               struct mpm_error *error);
 void mpm_tree_free(struct mpm_tree_node *node);
+
+/* The file of a scene, read again, with the settings of the scene and the defaults of all keys that
+ * are missing. Fails as mpm_scene_read if the file has changed. */
+enum mpm_status mpm_scene_tree(const struct mpm_scene *scene, struct mpm_tree_node **root,
+                               struct mpm_error *error);
 
 /* The node at a path of keys and positions ("bodies.0.region"), or NULL. With `nearest`
  * not NULL also the deepest node on the way. */
@@ -144,5 +151,7 @@ enum mpm_status mpm_keys_read(const char *path, const struct mpm_key *root, void
 
 /* Frees what mpm_keys_read made, all of it memory of malloc; `data` may be NULL. */
 void mpm_keys_free(const struct mpm_key *root, void *data);
+
+MPM_API_END
 
 #endif

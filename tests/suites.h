@@ -10,10 +10,12 @@
 #include "support/marks.h"
 
 #define SUITES(SUITE, APART)                                                                       \
+    SUITE(install)                                                                                 \
     SUITE(docs)                                                                                    \
     SUITE(completion)                                                                              \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
+    SUITE(new_plot)                                                                                \
     SUITE(cli)                                                                                     \
     SUITE(properties)                                                                              \
     SUITE(checkpoint)                                                                              \
@@ -30,6 +32,7 @@
     SUITE(grown_surfaces)                                                                          \
     SUITE(crack_ends)                                                                              \
     SUITE(score)                                                                                   \
+    SUITE(study)                                                                                   \
     SUITE(user_force)                                                                              \
     SUITE(loads)                                                                                   \
     SUITE(cohesive)                                                                                \
@@ -73,6 +76,7 @@
     SUITE(scalar_exchange)                                                                         \
     SUITE(expansion)                                                                               \
     SUITE(expansion_runs)                                                                          \
+    SUITE(plastic_heat)                                                                            \
     SUITE(heat_fields)                                                                             \
     SUITE(heat_layers)                                                                             \
     SUITE(heat_manufactured)                                                                       \
@@ -97,6 +101,7 @@
     SUITE(jets)                                                                                    \
     SUITE(manufactured)                                                                            \
     SUITE(activity)                                                                                \
+    SUITE(probes)                                                                                  \
     SUITE(results)                                                                                 \
     SUITE(history)                                                                                 \
     SUITE(cli_check)                                                                               \
@@ -113,6 +118,8 @@
     SUITE(score_readers)                                                                           \
     SUITE(score_snapshots)                                                                         \
     SUITE(report_site)                                                                             \
+    SUITE(report_history)                                                                          \
+    SUITE(decision)                                                                                \
     SUITE(scene_run)                                                                               \
     SUITE(budget)                                                                                  \
     SUITE(scene_limits)                                                                            \
@@ -134,6 +141,7 @@
     SUITE(crack_mouths)                                                                            \
     SUITE(cohesive_laws)                                                                           \
     SUITE(symmetry)                                                                                \
+    SUITE(draft)                                                                                   \
     SUITE(scene_settings)                                                                          \
     SUITE(schema)                                                                                  \
     SUITE(console)                                                                                 \
@@ -142,10 +150,14 @@
     SUITE(bench)                                                                                   \
     SUITE(timing)                                                                                  \
     SUITE(pareto)                                                                                  \
+    SUITE(series)                                                                                  \
     SUITE(bench_report)                                                                            \
     SUITE(programs)                                                                                \
     SUITE(orders)                                                                                  \
     SUITE(pictures)                                                                                \
+    SUITE(monitor)                                                                                 \
+    SUITE(picture_take)                                                                            \
+    SUITE(case_pictures)                                                                           \
     SUITE(measures)                                                                                \
     SUITE(modes)                                                                                   \
     SUITE(dispersion)                                                                              \

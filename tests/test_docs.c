@@ -105,6 +105,7 @@ static const char *const documents[] = {
     "CONTRIBUTING.md",
     "docs/campaigns.md",
     "docs/heat.md",
+    "docs/library.md",
     "docs/scenes.md",
     "docs/tutorial-case.md",
     "docs/tutorial-material.md",
@@ -261,6 +262,36 @@ START_TEST(help_has_lines_of_80_characters)
 }
 END_TEST
 
+/* ---------------------------------------------------------------------- hosted CI */
+
+static const char records[] =
+    "{\"kind\":\"run\"}\n"
+    "{\"kind\":\"check\",\"family\":\"R\",\"case\":\"R1\",\"check\":\"j\",\"variant\":\"a\","
+    "\"quantity\":\"J\",\"value\":2.5,\"low\":0,\"high\":1,\"status\":\"fail\",\"reason\":\"\","
+    "\"title\":\"50 %\\nof it\"}\n"
+    "{\"kind\":\"check\",\"family\":\"R\",\"case\":\"R1\",\"check\":\"k\",\"variant\":\"a\","
+    "\"quantity\":\"K\",\"value\":null,\"low\":0,\"high\":1,\"status\":\"timeout\","
+    "\"reason\":\"::late\",\"title\":\"k\"}\n"
+    "{\"kind\":\"check\",\"status\":\"pass\"}\n{\"kind\":\"check\",\"status\":\"expected-fail\"}\n";
+
+START_TEST(checks_that_fail_are_annotated_at_their_cases)
+{
+    char *const folder = test_folder_create();
+    g_free(test_folder_write(folder, "checks.jsonl", records));
+    struct test_command command = test_command_run(".ci/annotate", folder, NULL);
+    ck_assert_str_eq(command.output,
+                     "::error file=verification/catalogue/R/R1/case.yaml,title=R1/j a%3A fail::"
+                     "J: 2.5 is not within 0 to 1 (50 %25%0Aof it)\n"
+                     "::error file=verification/catalogue/R/R1/case.yaml,title=R1/k a%3A timeout::"
+                     "K: ::late (k)\n");
+    test_command_free(&command);
+    command = test_command_run(".ci/annotate", folder, "1", NULL);
+    ck_assert_ptr_nonnull(strstr(command.output, "::error title=more::1 more checks failed"));
+    test_command_free(&command);
+    test_folder_remove(folder);
+}
+END_TEST
+
 /* ---------------------------------------------------------------------------- laws */
 
 START_TEST(the_document_on_scenes_has_a_row_for_each_law)
@@ -346,6 +377,7 @@ Suite *suite_docs(void)
 {
     Suite *suite = suite_create("docs");
     TCase *docs = tcase_create("docs");
+    tcase_add_test(docs, checks_that_fail_are_annotated_at_their_cases);
     tcase_add_test(docs, the_document_on_scenes_has_a_row_for_each_law);
     tcase_add_test(docs, the_tutorial_on_scores_does_what_it_says);
     tcase_add_loop_test(docs, links_of_the_documents_lead_to_files, 0,

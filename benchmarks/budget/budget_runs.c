@@ -12,6 +12,14 @@ enum { STEPS = 40 };
 /* Across the grid, through a quarter of the strips, with both tips inside. */
 #define CRACK(contact) "cracks=[{points: [[1.6, 2.1], [3.2, 2.9]], " contact "}]"
 
+/* Two bodies that touch along a line across the grid, twenty cells of the 400. */
+#define TWO_BODIES                                                                                 \
+    "bodies=[{name: lower, material: rubber, region: {rectangle: {from: [0, 0], to: [5, 2.5]}}, "  \
+    "velocity: ['0.5*sin(pi*x/5)*cos(pi*y/5)', '-0.5*cos(pi*x/5)*sin(pi*y/5)']}, "                 \
+    "{name: upper, material: rubber, region: {rectangle: {from: [0, 2.5], to: [5, 5]}}, "          \
+    "velocity: ['0.5*sin(pi*x/5)*cos(pi*y/5)', '-0.5*cos(pi*x/5)*sin(pi*y/5)']}]"
+#define CONTACT(law) TWO_BODIES, "contact={fields: bodies, " law "}"
+
 /* What block.yaml takes to conduct heat as well. */
 #define UNITS    "units={length: m, mass: kg, time: s, temperature: K}"
 #define CAPACITY "materials.rubber.heat_capacity=1"
@@ -37,6 +45,15 @@ const struct budget_run budget_runs[] = {
      MPM_KERNELS_AUTO,
      {"method.shape=cpdi", "method.stress_update=usavg",
       CRACK("contact: friction, friction: 0.3")}},
+    {"planar uGIMP MUSL, contact with friction",
+     PLANAR,
+     MPM_KERNELS_AUTO,
+     {CONTACT("law: friction, friction: 0.3")}},
+    {"planar CPDI USAVG, interface, normals by logistic regression",
+     PLANAR,
+     MPM_KERNELS_AUTO,
+     {"method.shape=cpdi", "method.stress_update=usavg",
+      CONTACT("law: interface, tension: 10, shear: 10, normal: logistic")}},
     {"heat alone, planar uGIMP", "heat.yaml", MPM_KERNELS_AUTO, {NULL}},
     {"heat alone, planar CPDI", "heat.yaml", MPM_KERNELS_AUTO, {"method.shape=cpdi"}},
     {"planar uGIMP MUSL with heat", PLANAR, MPM_KERNELS_AUTO, {UNITS, CAPACITY, CONDUCTS, HEAT}},

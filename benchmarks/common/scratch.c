@@ -24,6 +24,6 @@ enum mpm_status scratch_create(char **path, struct mpm_error *error)
 void scratch_remove(char *path)
 {
     if (path != NULL)
-        (void)mpm_folder_remove_all(path);
+        (void)mpm_folder_remove_all(path, NULL);
     g_free(path);
 }

@@ -26,3 +26,26 @@ struct bench_point *bench_block_add(const struct bench_context *context, GArray 
     bench_point_text(point, "law", "neo_hookean");
     return point;
 }
+
+void bench_block_heat(struct bench_point *block)
+{
+    bench_point_set(block, "units={length: m, mass: kg, time: s, temperature: K}");
+    bench_point_set(block, "materials.rubber.heat_capacity=1");
+    bench_point_set(block, "materials.rubber.conductivity=0.001");
+    bench_point_set(block, "transport={temperature: {start: 'x'}}");
+}
+
+struct bench_point *bench_heat_add(const struct bench_context *context, GArray *points,
+                                   const struct bench_block *block, const char *more)
+{
+    char *scene = bench_scene(context, "heat.yaml");
+    struct bench_point *point = bench_points_add(
+        points, scene, &context->simulation, "heat alone, %s %s%s%s", block->geometry, block->shape,
+        more == NULL ? "" : ", ", more == NULL ? "" : more);
+    g_free(scene);
+    bench_point_vary(point, "geometry", block->geometry);
+    bench_point_vary(point, "method.shape", block->shape);
+    bench_point_set(point, "grid.refine=%u", block->refine);
+    bench_point_text(point, "law", "none");
+    return point;
+}

@@ -23,4 +23,12 @@ struct bench_block bench_block_plain(unsigned refine);
 struct bench_point *bench_block_add(const struct bench_context *context, GArray *points,
                                     const struct bench_block *block, const char *more);
 
+/* The block with heat that is conducted beside its mechanics. */
+void bench_block_heat(struct bench_point *block);
+
+/* Adds a point "heat alone, GEOMETRY SHAPE[, MORE]", of scenes/heat.yaml: the block without
+ * mechanics. */
+struct bench_point *bench_heat_add(const struct bench_context *context, GArray *points,
+                                   const struct bench_block *block, const char *more);
+
 #endif

@@ -11,16 +11,25 @@
 /* Seconds in the standard tier. */
 static const double SHARE = 65;
 
+enum heat { NO_HEAT, WITH_HEAT, HEAT_ALONE };
+static const char *const heat_words[] = {NULL, "with heat", "heat alone"};
+
 /* geometry, shape, order, size as in the project's targets. */
-static const struct bench_block rows[] = {
-    {"plane_strain", "ugimp", "musl", BENCH_BLOCK_1E6},
-    {"plane_strain", "ugimp", "usavg", BENCH_BLOCK_1E6},
-    {"plane_strain", "ugimp", "usl", BENCH_BLOCK_1E6},
-    {"plane_strain", "ugimp", "usf", BENCH_BLOCK_1E6},
-    {"axisymmetric", "ugimp", "musl", BENCH_BLOCK_1E6},
-    {"plane_strain", "classic", "musl", BENCH_BLOCK_1E6},
-    {"plane_strain", "cpdi", "musl", BENCH_BLOCK_1E6},
-    {"axisymmetric", "cpdi", "musl", BENCH_BLOCK_1E6},
+static const struct row {
+    struct bench_block block;
+    enum heat heat;
+} rows[] = {
+    {{"plane_strain", "ugimp", "musl", BENCH_BLOCK_1E6}, NO_HEAT},
+    {{"plane_strain", "ugimp", "usavg", BENCH_BLOCK_1E6}, NO_HEAT},
+    {{"plane_strain", "ugimp", "usl", BENCH_BLOCK_1E6}, NO_HEAT},
+    {{"plane_strain", "ugimp", "usf", BENCH_BLOCK_1E6}, NO_HEAT},
+    {{"axisymmetric", "ugimp", "musl", BENCH_BLOCK_1E6}, NO_HEAT},
+    {{"plane_strain", "classic", "musl", BENCH_BLOCK_1E6}, NO_HEAT},
+    {{"plane_strain", "cpdi", "musl", BENCH_BLOCK_1E6}, NO_HEAT},
+    {{"axisymmetric", "cpdi", "musl", BENCH_BLOCK_1E6}, NO_HEAT},
+    {{"plane_strain", "ugimp", "musl", BENCH_BLOCK_1E6}, WITH_HEAT},
+    {{"plane_strain", "ugimp", NULL, BENCH_BLOCK_1E6}, HEAT_ALONE},
+    {{"axisymmetric", "ugimp", NULL, BENCH_BLOCK_1E6}, HEAT_ALONE},
 };
 
 enum { ROWS = sizeof rows / sizeof rows[0], ARITHMETIC = ROWS, BANDWIDTH };
@@ -28,23 +37,42 @@ enum { ROWS = sizeof rows / sizeof rows[0], ARITHMETIC = ROWS, BANDWIDTH };
 /* Bytes that any order of computation must move for a particle and a step when particles do
  * not fit into the cache, and the grid does: its state read once and written once. Position
  * 2, velocity 2, and of F and stress what is not constant (planar 4 and 3, axisymmetric 5
- * and 4); mass is read only. */
-static double least_bytes(const struct bench_block *row)
+ * and 4); temperature 1; mass is read only. Of heat alone position is read only too. */
+static double least_bytes(const struct row *row)
 {
-    const bool hoop = strcmp(row->geometry, "axisymmetric") == 0;
-    const int state = 2 + 2 + (hoop ? 5 + 4 : 4 + 3), mass = 1;
-    return (double)((2 * state + mass) * (int)sizeof(double));
+    const bool hoop = strcmp(row->block.geometry, "axisymmetric") == 0;
+    const int motion = 2 + 2 + (hoop ? 5 + 4 : 4 + 3), mass = 1, temperature = 1, place = 2;
+    const int numbers = row->heat == HEAT_ALONE
+                            ? 2 * temperature + place + mass
+                            : 2 * motion + mass + (row->heat == WITH_HEAT ? 2 * temperature : 0);
+    return (double)(numbers * (int)sizeof(double));
+}
+
+static struct bench_point *add_row(const struct bench_context *context, GArray *points,
+                                   const struct row *row)
+{
+    struct bench_block block = row->block;
+    if (context->tier == BENCH_QUICK)
+        block.refine = BENCH_BLOCK_1E5;
+    const char *const size = context->tier == BENCH_QUICK ? "10^5" : "10^6";
+    if (row->heat == HEAT_ALONE)
+        return bench_heat_add(context, points, &block, size);
+    char *const more =
+        row->heat == WITH_HEAT ? g_strconcat("with heat, ", size, NULL) : g_strdup(size);
+    struct bench_point *const point = bench_block_add(context, points, &block, more);
+    g_free(more);
+    if (row->heat == WITH_HEAT)
+        bench_block_heat(point);
+    return point;
 }
 
 static GArray *make_points(struct bench_context *context)
 {
     GArray *points = bench_points_new();
     for (size_t i = 0; i < ROWS; i++) {
-        struct bench_block row = rows[i];
-        if (context->tier == BENCH_QUICK)
-            row.refine = BENCH_BLOCK_1E5;
-        struct bench_point *point =
-            bench_block_add(context, points, &row, context->tier == BENCH_QUICK ? "10^5" : "10^6");
+        struct bench_point *const point = add_row(context, points, &rows[i]);
+        if (heat_words[rows[i].heat] != NULL)
+            bench_point_text(point, "heat", heat_words[rows[i].heat]);
         point->phases = true;
     }
     struct bench_point *arithmetic = bench_points_add_probe(

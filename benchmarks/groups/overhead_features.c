@@ -33,6 +33,15 @@
 #define MANY_PARTICLES "plain, 10^5 particles"
 #define ALONG_GRID     "crack along the grid"
 
+/* Two bodies of 10^5 particles each, which touch along a line across the block. */
+#define TWICE_AS_MANY "grid.refine=44"
+#define LOWER_AND_UPPER                                                                            \
+    "bodies=[{name: lower, material: rubber, region: {rectangle: {from: [1, 1], to: [6, 3.5]}}, "  \
+    "velocity: ['0.3 + 0.2*sin(pi*(y-1)/5)', '0.2 + 0.2*cos(pi*(x-1)/5)']}, "                      \
+    "{name: upper, material: rubber, region: {rectangle: {from: [1, 3.5], to: [6, 6]}}, "          \
+    "velocity: ['0.3 + 0.2*sin(pi*(y-1)/5)', '0.2 + 0.2*cos(pi*(x-1)/5)']}]"
+#define TWO_BODIES "two bodies as one field, 2 x 10^5 particles"
+
 const struct overhead_feature overhead_features[] = {
     {STEPS_ALONE, NULL, false, PLANAR, {NULL}, "plane strain, uGIMP, MUSL, neo-Hookean, FLIP"},
     {"axisymmetry",
@@ -138,6 +147,20 @@ const struct overhead_feature overhead_features[] = {
      "one pass over the particles, two stencils of those near the tip: under 3 %, so that J every "
      "100 "
      "steps is under 1 %"},
+    {TWO_BODIES, NULL, false, PLANAR, {TWICE_AS_MANY, LOWER_AND_UPPER}, "the same, for contact"},
+    {"contact without friction",
+     TWO_BODIES,
+     false,
+     PLANAR,
+     {TWICE_AS_MANY, LOWER_AND_UPPER, "contact={fields: bodies, law: frictionless}"},
+     "the particles beside the line, one in forty, with areas, surfaces and their distance: 5 % is "
+     "the aim"},
+    {"contact with friction",
+     TWO_BODIES,
+     false,
+     PLANAR,
+     {TWICE_AS_MANY, LOWER_AND_UPPER, "contact={fields: bodies, law: friction, friction: 0.3}"},
+     "the same exchange of momentum with one more component: no dearer than without"},
     {START_AND_END, NULL, true, PLANAR, {RUN, SLOW, "output={}"}, "steps and files of a whole run"},
     {"ledger every 100 steps",
      START_AND_END,

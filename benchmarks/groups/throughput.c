@@ -1,4 +1,5 @@
-/* Throughput: particle-steps a second of every variant, of sizes, and of small scenes.
+/* Throughput: particle-steps a second of every variant, of sizes, of plastic laws, and of small
+ * scenes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/groups/blocks.h"
@@ -8,7 +9,7 @@
 static const char *const geometries[] = {"plane_strain", "axisymmetric"};
 
 /* Seconds for each list, in the standard tier. */
-static const double VARIANTS = 60, SIZES = 50, HEAT = 20, OTHERS = 25;
+static const double VARIANTS = 60, SIZES = 50, HEAT = 20, PLASTIC = 15, OTHERS = 25;
 
 static unsigned usual_size(const struct bench_context *context)
 {
@@ -49,24 +50,53 @@ static void add_heat(struct bench_context *context, GArray *points)
 {
     static const char *const shapes[] = {"classic", "ugimp", "cpdi", "bspline2", "bspline3"};
     const struct bench_block plain = bench_block_plain(usual_size(context));
-    char *scene = bench_scene(context, "heat.yaml");
     for (size_t g = 0; g < G_N_ELEMENTS(geometries); g++)
         for (size_t k = 0; k < G_N_ELEMENTS(shapes); k++) {
-            struct bench_point *point = bench_points_add(
-                points, scene, &context->simulation, "heat alone, %s %s", geometries[g], shapes[k]);
-            bench_point_vary(point, "geometry", geometries[g]);
-            bench_point_vary(point, "method.shape", shapes[k]);
-            bench_point_set(point, "grid.refine=%u", plain.refine);
-            bench_point_text(point, "law", "none");
+            const struct bench_block block = {geometries[g], shapes[k], NULL, plain.refine};
+            bench_heat_add(context, points, &block, NULL);
         }
-    g_free(scene);
     bench_block_add(context, points, &plain, "without heat");
     struct bench_point *both = bench_block_add(context, points, &plain, "with heat");
-    bench_point_set(both, "units={length: m, mass: kg, time: s, temperature: K}");
-    bench_point_set(both, "materials.rubber.heat_capacity=1");
-    bench_point_set(both, "materials.rubber.conductivity=0.001");
-    bench_point_set(both, "transport={temperature: {start: 'x'}}");
+    bench_block_heat(both);
     both->against = g_strdup("plane_strain ugimp musl, without heat");
+}
+
+/* The axisymmetric block of metals that yield at a tenth of its stresses, beside that of rubber;
+ * and the penetration of case P9, with APIC, artificial viscosity and contact, on cells of 0.5 mm.
+ */
+static void add_plastic(struct bench_context *context, GArray *points)
+{
+#define JOHNSON_COOK                                                                               \
+    "yield_stress: 0.1, hardening_coefficient: 0.1, hardening_exponent: 0.3, rate_coefficient: "   \
+    "0.02, reference_rate: 0.001, softening_exponent: 1, reference_temperature: 300, "             \
+    "melting_temperature: 1700, start_temperature: 300, specific_heat: 1, taylor_quinney: 0.9"
+    static const struct {
+        const char *name, *law, *parameters;
+    } laws[] = {
+        {"von Mises", "von_mises", "bulk: 60, shear: 30, yield_stress: 0.1, hardening_modulus: 1"},
+        {"Johnson-Cook", "johnson_cook", "bulk: 60, shear: 30, " JOHNSON_COOK},
+        {"Johnson-Cook and Mie-Gruneisen", "johnson_cook_gruneisen",
+         "shear: 30, sound_speed: 7.746, hugoniot_slope: 1.5, gruneisen: 2, " JOHNSON_COOK},
+    };
+#undef JOHNSON_COOK
+    struct bench_block block = bench_block_plain(usual_size(context));
+    block.geometry = "axisymmetric";
+    bench_block_add(context, points, &block, "rubber");
+    for (size_t k = 0; k < G_N_ELEMENTS(laws); k++) {
+        struct bench_point *point = bench_block_add(context, points, &block, laws[k].name);
+        bench_point_set(point, "units={length: m, mass: kg, time: s, temperature: K}");
+        bench_point_set(point, "materials.rubber={name: rubber, density: 1, law: %s, %s}",
+                        laws[k].law, laws[k].parameters);
+        bench_point_text(point, "law", laws[k].law);
+        point->phases = true;
+        point->against = g_strdup("axisymmetric ugimp musl, rubber");
+    }
+    char *scene = bench_case_scene(context, "P/P9");
+    struct bench_point *rod =
+        bench_points_add(points, scene, &context->simulation, "P9: axisymmetric ugimp musl, apic");
+    bench_point_set(rod, "grid.refine=2");
+    rod->phases = true;
+    g_free(scene);
 }
 
 /* What the tables of variants and sizes leave out, each beside the plain block. */
@@ -104,7 +134,10 @@ static void add_others(struct bench_context *context, GArray *points)
 
 enum mpm_status bench_throughput(struct bench_context *context, struct mpm_error *error)
 {
-    const struct bench_list lists[] = {
-        {add_variants, VARIANTS}, {add_sizes, SIZES}, {add_heat, HEAT}, {add_others, OTHERS}};
+    const struct bench_list lists[] = {{add_variants, VARIANTS},
+                                       {add_sizes, SIZES},
+                                       {add_heat, HEAT},
+                                       {add_plastic, PLASTIC},
+                                       {add_others, OTHERS}};
     return bench_measure_lists(context, "throughput", lists, G_N_ELEMENTS(lists), error);
 }

@@ -92,7 +92,7 @@ char *report_variant_words(const struct bench_variant *variant)
 
 char *report_variant(const json_t *line)
 {
-    static const char *const keys[] = {"shape", "stress_update", "geometry"};
+    static const char *const keys[] = {"shape", "stress_update", "geometry", "heat"};
     GString *text = g_string_new(NULL);
     for (size_t i = 0; i < G_N_ELEMENTS(keys); i++) {
         const char *word = report_word(report_setting(line, keys[i]));

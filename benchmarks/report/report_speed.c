@@ -51,13 +51,13 @@ void report_front(struct report *report)
     if (!report_has(report, "limit", "The headline table"))
         return;
     GPtrArray *lines = report_lines(report, "result", "limit", rate);
-    document_table(
-        report->document,
-        "Neo-Hookean block, one thread. Rate: million particle-steps a second. Per GFLOP: "
-        "thousand particle-steps for each GFLOP that multiply-adds reach on the same "
-        "core in the same rounds, which depends less on how busy the machine is. "
-        "Bytes: all memory, a particle.",
-        columns);
+    document_table(report->document,
+                   "Neo-Hookean block, one thread; heat alone is without mechanics. Rate: million "
+                   "particle-steps a second. Per GFLOP: "
+                   "thousand particle-steps for each GFLOP that multiply-adds reach on the same "
+                   "core in the same rounds, which depends less on how busy the machine is. "
+                   "Bytes: all memory, a particle.",
+                   columns);
     for (unsigned i = 0; i < lines->len; i++)
         front_row(report, lines->pdata[i]);
     g_ptr_array_unref(lines);

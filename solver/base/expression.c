@@ -4,7 +4,9 @@
  * assignment and `1,2` as a list: both are refused before it sees the text.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/expression.h"
+#include "mpm_expression.h"
+
+#include "base/status.h"
 
 #include <locale.h>
 #include <math.h>

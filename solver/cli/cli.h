@@ -12,6 +12,7 @@
 /* A command line, read. What a command does not take is NULL or false. */
 struct cli_arguments {
     char *output, *kernels, *simd, *threads, *filter;
+    char *field, *snapshot, *format;
     char **settings; /* texts of --set; ends with NULL, or is NULL */
     char **operands;
     bool overwrite, resume, quiet, json, list;
@@ -28,6 +29,8 @@ enum mpm_status cli_run(struct command *command, struct mpm_error *error);
 enum mpm_status cli_check(struct command *command, struct mpm_error *error);
 enum mpm_status cli_info(struct command *command, struct mpm_error *error);
 enum mpm_status cli_schema(struct command *command, struct mpm_error *error);
+enum mpm_status cli_new(struct command *command, struct mpm_error *error);
+enum mpm_status cli_plot(struct command *command, struct mpm_error *error);
 
 /* What --kernels, --simd and --threads mean, and the operand; `name`: of the command. */
 enum mpm_status cli_take_simulation(struct command *command, const char *name,

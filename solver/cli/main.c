@@ -12,7 +12,14 @@
 #include <unistd.h>
 
 /* Which options a command takes; bits of `takes`. */
-enum { TAKES_SCENE = 1, TAKES_RUN = 2, TAKES_SCHEMA = 4 };
+enum {
+    TAKES_SCENE = 1,
+    TAKES_RUN = 2,
+    TAKES_SCHEMA = 4,
+    TAKES_NEW = 8,
+    TAKES_PLOT = 16,
+    TAKES_QUIET = 32
+};
 
 #define OPTION(who, key, member, form, what, text)                                                 \
     {                                                                                              \
@@ -20,21 +27,23 @@ enum { TAKES_SCENE = 1, TAKES_RUN = 2, TAKES_SCHEMA = 4 };
         .offset = offsetof(struct cli_arguments, member), .value = (what), .help = (text)          \
     }
 
+#define OUTPUT(who, what, text)                                                                    \
+    {                                                                                              \
+        .takes = (who), .name = "output", .letter = 'o', .kind = MPM_OPTION_TEXT,                  \
+        .offset = offsetof(struct cli_arguments, output), .value = (what), .help = (text)          \
+    }
+
 static const struct mpm_option options[] = {
-    {.takes = TAKES_RUN,
-     .name = "output",
-     .letter = 'o',
-     .kind = MPM_OPTION_TEXT,
-     .offset = offsetof(struct cli_arguments, output),
-     .value = "DIR",
-     .help = "folder for the results"},
+    OUTPUT(TAKES_RUN, "DIR", "folder for the results"),
+    OUTPUT(TAKES_NEW, "FILE", "the file to write; KIND.yaml unless given"),
+    OUTPUT(TAKES_PLOT, "DIR", "folder for the pictures; that of the results unless given"),
     OPTION(TAKES_RUN, "overwrite", overwrite, FLAG, NULL, "replace the results that DIR holds"),
     OPTION(TAKES_RUN, "resume", resume, FLAG, NULL, "go on from the checkpoint in DIR"),
     OPTION(TAKES_SCENE, "set", settings, LIST, "PATH=VALUE",
            "set a value of the scene, the last one wins; PATH= takes the key out"),
     OPTION(TAKES_SCENE, "threads", threads, TEXT, "N",
            "compute with at most so many threads (OMP_NUM_THREADS, or all processors)"),
-    {.takes = TAKES_RUN,
+    {.takes = TAKES_QUIET,
      .name = "quiet",
      .letter = 'q',
      .kind = MPM_OPTION_FLAG,
@@ -49,11 +58,19 @@ static const struct mpm_option options[] = {
     OPTION(TAKES_SCHEMA, "json", json, FLAG, NULL,
            "print a JSON Schema (draft 7) of scenes, for editors"),
     OPTION(TAKES_SCHEMA, "list", list, FLAG, NULL, "print the keys and laws as JSON, for programs"),
+    OPTION(TAKES_NEW, "list", list, FLAG, NULL, "list the kinds"),
+    OPTION(TAKES_PLOT, "list", list, FLAG, NULL, "list the fields"),
+    OPTION(TAKES_PLOT, "field", field, TEXT, "FIELD",
+           "what to draw: a field, or one component of it, as stress.xx; von_mises unless given"),
+    OPTION(TAKES_PLOT, "snapshot", snapshot, TEXT, "N",
+           "number of the snapshot to draw; the last one unless given"),
+    OPTION(TAKES_PLOT, "format", format, TEXT, "svg|png",
+           "format of the pictures; svg unless given"),
 };
 
 static const struct mpm_command_entry commands[] = {
     {.name = "run",
-     .takes = TAKES_SCENE | TAKES_RUN,
+     .takes = TAKES_SCENE | TAKES_RUN | TAKES_QUIET,
      .operands = "SCENE",
      .summary = "Run a scene and write its results.",
      .description =
@@ -93,6 +110,25 @@ static const struct mpm_command_entry commands[] = {
                     "scene.schema.json', with a first line '# yaml-language-server: "
                     "$schema=scene.schema.json' in a scene.",
      .run = cli_schema},
+    {.name = "new",
+     .takes = TAKES_NEW | TAKES_QUIET,
+     .operands = "[KIND]",
+     .summary = "Write a commented scene to begin with, which runs at once.",
+     .description = "The scene goes to the file KIND.yaml in the current folder, or to that of "
+                    "--output. A file that is there is never overwritten. 'mpm new --list' lists "
+                    "the kinds.",
+     .run = cli_new},
+    {.name = "plot",
+     .takes = TAKES_PLOT | TAKES_QUIET,
+     .operands = "[DIR]",
+     .summary = "Draw a field of the particles, and the history, with gnuplot.",
+     .description =
+         "DIR is a folder that 'mpm run' has written. The pictures go there too, or to the folder "
+         "of --output: plot-FIELD-NNNNNN.svg has the particles with their domains, "
+         "plot-history.svg the energies and the range of det F over time. 'mpm plot --list' lists "
+         "fields. gnuplot runs without a shell, with scripts of this program alone: a folder of "
+         "results is only data.",
+     .run = cli_plot},
 };
 
 static int run(int argc, char **argv)

@@ -25,13 +25,14 @@ double mpm_run_instant(double time, double interval)
     return interval > 0.0 ? floor(time / interval + instant_tolerance) : 0.0;
 }
 
-/* Time that the next step must not pass: the next snapshot, or the end. Counted from
- * t = 0, so that no error adds up. */
+/* Time that the next step must not pass: the next snapshot, that of an observer, or the end.
+ * Counted from t = 0, so that no error adds up. */
 static double time_limit(const struct mpm_run *run)
 {
     const double interval = run->scene->snapshot_interval, end = run->scene->end;
     const double next = (run->snapshot_instant + 1.0) * interval;
-    return interval > 0.0 && next < end - instant_tolerance * interval ? next : end;
+    const double limit = interval > 0.0 && next < end - instant_tolerance * interval ? next : end;
+    return mpm_observers_limit(run->observers, limit);
 }
 
 static bool has_taken_all_steps(const struct mpm_run *run)
@@ -158,6 +159,8 @@ static enum mpm_status write_results(struct mpm_run *run, bool history, bool sna
     const double start = mpm_run_seconds();
     const enum mpm_status row = history ? write_history(run, error) : MPM_OK;
     enum mpm_status status = row == MPM_RUN_FAILED ? MPM_OK : row;
+    if (status == MPM_OK && history)
+        status = mpm_probes_write(run->probes, run->simulation, error);
     if (status == MPM_OK && snapshot)
         status = mpm_series_write(run->series, run->simulation, error);
     run->record.seconds_output += mpm_run_seconds() - start;
@@ -172,12 +175,14 @@ static enum mpm_status write_due_results(struct mpm_run *run, struct mpm_error *
     const bool history_due = history > run->history_instant;
     const bool snapshot_due = snapshot > run->snapshot_instant;
     const bool finished = is_finished(run);
+    const bool observed = mpm_observers_due(run->observers, finished);
     run->history_instant = history;
     run->snapshot_instant = snapshot;
-    if (!(history_due || snapshot_due || finished))
+    if (!(history_due || snapshot_due || finished || observed))
         return MPM_OK;
     MPM_TRY(mpm_simulation_judge(run->simulation, error));
-    return write_results(run, history_due || finished, snapshot_due || finished, error);
+    MPM_TRY(write_results(run, history_due || finished, snapshot_due || finished, error));
+    return observed ? mpm_observers_call(run->observers, false, error) : MPM_OK;
 }
 
 /* The simulation still shows the last good step; the first failure stays the reason. */
@@ -268,6 +273,7 @@ static enum mpm_status interrupt(struct mpm_run *run, int signal, struct mpm_err
             return keep_last_good_state(run, judged, error);
         MPM_TRY(write_results(run, true, false, error));
         MPM_TRY(mpm_history_sync(run->history, error));
+        MPM_TRY(mpm_probes_sync(run->probes, error));
     }
     return mpm_error_set(error, MPM_INTERRUPTED,
                          "interrupted by signal %d (%s) at step %" PRIu64 ", time %.9g%s", signal,
@@ -281,8 +287,10 @@ static enum mpm_status march(struct mpm_run *run, struct mpm_error *error)
     const char *const advice = mpm_simulation_advice(run->simulation);
     if (advice[0] != '\0')
         mpm_run_warn(run, advice);
-    if (!run->options->resume)
+    if (!run->options->resume) {
         MPM_TRY(write_results(run, true, true, error));
+        MPM_TRY(mpm_observers_call(run->observers, true, error));
+    }
     while (!is_finished(run)) {
         const int signal = run->options->interrupted != NULL ? run->options->interrupted() : 0;
         if (signal != 0)
@@ -315,6 +323,7 @@ static enum mpm_status open_results(struct mpm_run *run, struct mpm_error *error
     MPM_TRY(mpm_results_folder_prepare(folder, run->options->overwrite, &run->lock, error));
     MPM_TRY(mpm_series_create(folder, run->scene, mpm_simulation_particle_count(run->simulation),
                               &run->series, error));
+    MPM_TRY(mpm_probes_create(folder, run->scene, &run->probes, error));
     return mpm_history_create(folder, run->scene, &run->history, error);
 }
 
@@ -346,6 +355,8 @@ static enum mpm_status set_up(struct mpm_run *run, struct mpm_error *error)
     if (!resume && run->options->output != NULL)
         MPM_TRY(mpm_results_folder_check(run->options->output, run->options->overwrite, error));
     MPM_TRY(resume ? go_on(run, error) : start(run, error));
+    MPM_TRY(mpm_observers_create(run->options->observers, run->options->observer_count, run->scene,
+                                 run->simulation, &run->observers, error));
     run->checkpoint_time = mpm_run_seconds();
     run->record.seconds_setup += run->checkpoint_time - begin;
     return MPM_OK;
@@ -387,7 +398,9 @@ enum mpm_status mpm_scene_run(const struct mpm_scene *scene, const struct mpm_ru
     if (status == MPM_OK)
         status = write_record(&run, march(&run, &failure), &failure);
     g_free(run.tip_told);
+    mpm_observers_free(run.observers);
     mpm_history_free(run.history);
+    mpm_probes_free(run.probes);
     mpm_series_free(run.series);
     mpm_simulation_free(run.simulation);
     mpm_results_folder_unlock(&run.lock);

@@ -46,6 +46,7 @@ enum mpm_status mpm_run_checkpoint(struct mpm_run *run, struct mpm_error *error)
 {
     const double start = mpm_run_seconds();
     run->record.checkpoints++;
+    MPM_TRY(mpm_probes_sync(run->probes, error));
     MPM_TRY(mpm_history_sync(run->history, error)); /* its rows are older than the checkpoint */
     MPM_TRY(mpm_checkpoint_write(run->options->output, run->scene,
                                  mpm_simulation_kernels(run->simulation), visit_run, run, error));
@@ -102,6 +103,8 @@ static enum mpm_status rewind_results(struct mpm_run *run, struct mpm_error *err
 {
     const char *const folder = run->options->output;
     MPM_TRY(mpm_history_cut(run->history, error));
+    MPM_TRY(mpm_probes_reopen(folder, run->scene, mpm_simulation_step(run->simulation),
+                              &run->probes, error));
     MPM_TRY(mpm_results_folder_rewind(folder, mpm_series_count(run->series), error));
     return mpm_series_count(run->series) > 0 ? mpm_series_write_list(run->series, error) : MPM_OK;
 }

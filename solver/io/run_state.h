@@ -4,7 +4,9 @@
 #ifndef MPM_IO_RUN_STATE_H
 #define MPM_IO_RUN_STATE_H
 
+#include "io/observers.h"
 #include "io/results/history.h"
+#include "io/results/probes.h"
 #include "io/results/results_folder.h"
 #include "io/results/run_record.h"
 #include "io/results/series.h"
@@ -16,6 +18,8 @@ struct mpm_run {
     struct mpm_simulation *simulation;
     struct mpm_history *history; /* NULL, as the series, when nothing is written */
     struct mpm_series *series;
+    struct mpm_probes *probes; /* NULL also without output.probes and output.lines */
+    struct mpm_observers *observers;
     double history_instant, snapshot_instant; /* number of the last one passed */
     double checkpoint_instant;
     double checkpoint_time; /* on the clock of mpm_run_seconds, of the last one or of the start */

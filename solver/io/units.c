@@ -44,6 +44,17 @@ void mpm_unit_text(const struct mpm_scene *scene, struct mpm_dimension dimension
         g_strlcpy(text, "1", MPM_UNIT_SIZE);
 }
 
+/* No field's dimension has all four units. */
+_Static_assert((int)MPM_UNIT_SIZE / 4 * 3 <= (int)MPM_FIELD_UNIT_SIZE, "units would be cut");
+
+void mpm_scene_field_unit(const struct mpm_scene *scene, enum mpm_field field,
+                          char text[MPM_FIELD_UNIT_SIZE])
+{
+    char whole[MPM_UNIT_SIZE];
+    mpm_unit_text(scene, mpm_field_describe(field)->dimension, whole);
+    g_strlcpy(text, whole, MPM_FIELD_UNIT_SIZE);
+}
+
 void mpm_dimension_text(struct mpm_dimension dimension, char text[MPM_UNIT_SIZE])
 {
     const struct factor factors[FACTORS] = {{"mass", dimension.mass},

@@ -2,6 +2,7 @@
 #include "method/kernels.h"
 
 #include "method/fast/fast.h"
+#include "method/fast/fast_laws.h"
 #include "method/grid/grid_update.h"
 #include "method/transfer/transfer.h"
 #include "method/transfer/transfers.h"
@@ -18,11 +19,14 @@ static void choose_transfer(const struct mpm_scene *scene, bool fast,
                             struct mpm_kernel_choice *choice)
 {
     const struct mpm_transfer *const transfer = mpm_transfer_of(scene->transfer);
+    /* APIC takes more than positions from v^{n+1}, which the rows change for the midpoint update */
+    const bool reads_ends =
+        scene->transfer == MPM_TRANSFER_APIC && scene->position_update == MPM_MIDPOINT;
     if (transfer->smooth != NULL && scene->transfer_order > 1) { /* order 1 is PIC */
         choice->smooth = transfer->smooth;
         choice->flip_rows = transfer->smoothed_rows;
         choice->flip_particles = mpm_pass_keep_fraction;
-    } else if (scene->flip_fraction < 1.0 && fast) {
+    } else if (scene->flip_fraction < 1.0 && fast && !reads_ends) {
         choice->flip_rows = mpm_row_flip_fraction;
         choice->flip_particles = mpm_pass_keep_fraction;
     } else if (scene->flip_fraction < 1.0) {
@@ -65,6 +69,14 @@ static bool reads_masses(const struct mpm_scene *scene)
     return any;
 }
 
+static bool all_in_vectors(const struct mpm_scene *scene)
+{
+    bool all = true;
+    for (size_t k = 0; k < scene->material_count; k++)
+        all = all && mpm_fast_body_has_vectors(&scene->materials[k]);
+    return all || scene->at_rest;
+}
+
 static enum mpm_status choose_fast(const struct mpm_scene *scene, bool packed_fields,
                                    enum mpm_simd simd, struct mpm_kernel_choice *choice,
                                    struct mpm_error *error)
@@ -74,7 +86,11 @@ static enum mpm_status choose_fast(const struct mpm_scene *scene, bool packed_fi
         .passes = mpm_fast_passes(scene, simd),
         .start_rows = without_forces ? mpm_row_start_from_sums : mpm_row_start_velocity,
         .name = "fast",
-        .reason = "all features of the scene have them; four particles at a time",
+        .reason =
+            all_in_vectors(scene)
+                ? "all features of the scene have them; four particles at a time"
+                : "all features of the scene have them; four particles at a time, but for the "
+                  "stress of some materials",
         .simd = simd_names[simd],
     };
     if (choice->passes == NULL)

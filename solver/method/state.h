@@ -61,8 +61,8 @@ enum mpm_failure_kind {
     MPM_NO_RETURN,               /* value: equivalent trial stress without a way back to yield */
     MPM_NO_THICKNESS,            /* value: tau_zz that no F_zz makes vanish, in plane stress */
     MPM_NO_STATE,                /* value: J, at which an equation of state has no next state */
-    MPM_STRAIN_TOO_LARGE, /* value: largest component of F, whose trial stress is no number */
-    MPM_COLD,             /* value: temperature, below zero, that strength depends on */
+    MPM_STRAIN_TOO_LARGE,        /* value: largest component of F, beside which b_e is no number */
+    MPM_COLD,                    /* value: temperature, below zero, that strength depends on */
 };
 
 struct mpm_failure {

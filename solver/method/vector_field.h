@@ -4,7 +4,8 @@
 #ifndef MPM_METHOD_VECTOR_FIELD_H
 #define MPM_METHOD_VECTOR_FIELD_H
 
-#include "base/expression.h"
+#include "base/status.h"
+#include "mpm_expression.h"
 
 struct mpm_vector_field {
     struct mpm_expression *component[2]; /* NULL: free, or no such field */

@@ -12,10 +12,11 @@
  * - T* = 0 below T_r; from T_m on there is no strength, and the metal flows as a fluid.
  * - without the rate's or the temperature's parameters, these factors are 1.
  *
- * The temperature is adiabatic and the law's own: T = T_0 + chi w/c with the plastic work w per
- * mass, the Taylor-Quinney factor chi and the specific heat c. Its value in a step is that of the
- * start of the step: softening within a step would make s fall in p, for which the return has no
- * bracket. The error is of first order in the step.
+ * In a scene that conducts heat T is the conducted temperature. In others it is adiabatic and the
+ * law's own: T = T_0 + chi w/c with the plastic work w per mass, the Taylor-Quinney factor chi and
+ * the specific heat c. Its value in a step is that of the start of the step: softening within a
+ * step would make s fall in p, for which the return has no bracket. The error is of first order in
+ * the step.
  *
  * In a step r and T are constants of s, so that the plastic work of the step is the integral of
  * s in p, exactly.
@@ -125,13 +126,21 @@ bool mpm_johnson_cook_softens(const struct mpm_material *m)
 
 /* ---------------------------------------------------------------------- the law */
 
-static double temperature_of(const struct mpm_material *m, const double *state)
+static double own_temperature(const struct mpm_material *m, const double *state)
 {
     const double *const given = m->parameter;
-    if (!is_thermal(given))
-        return (double)NAN;
     return given[MPM_PARAMETER_START_TEMPERATURE] +
            given[MPM_PARAMETER_TAYLOR_QUINNEY] * state[WORK] / given[MPM_PARAMETER_SPECIFIC_HEAT];
+}
+
+/* At the start of the step; NaN where it does not soften. */
+static double start_temperature(const struct mpm_material *m, const struct mpm_law_step *step,
+                                const double *state)
+{
+    if (!is_thermal(m->parameter))
+        return (double)NAN;
+    return mpm_material_softens(m->law, m->parameter) ? step->start_temperature
+                                                      : own_temperature(m, state);
 }
 
 static double dissipation(const struct mpm_material *m, const double *state)
@@ -144,7 +153,7 @@ static bool update(const struct mpm_material *m, const struct mpm_law_step *step
                    double tau[MPM_SYMMETRIC_SIZE], double *wave)
 {
     const struct mpm_plastic_model *const model = &mpm_johnson_cook_model;
-    const double before = state[MPM_PLASTIC_STRAIN], start = temperature_of(m, state);
+    const double before = state[MPM_PLASTIC_STRAIN], start = start_temperature(m, step, state);
     if (!mpm_plastic_return(m, model, step, start, state, tau))
         return false;
     state[WORK] += mpm_plastic_work(m, model, step, start, before, state[MPM_PLASTIC_STRAIN]);
@@ -163,28 +172,58 @@ static double temperature(const struct mpm_material *m, const double f[MPM_GRADI
                           const double *state)
 {
     (void)f;
-    return temperature_of(m, state);
+    return own_temperature(m, state);
 }
 
-const char *mpm_johnson_cook_fault(const double *parameter)
+/* How many of a list are given. */
+static int count_given(const double *parameter, const enum mpm_parameter *list, int count)
 {
-    static const enum mpm_parameter thermal[] = {
-        MPM_PARAMETER_SOFTENING_EXPONENT,  MPM_PARAMETER_REFERENCE_TEMPERATURE,
-        MPM_PARAMETER_MELTING_TEMPERATURE, MPM_PARAMETER_START_TEMPERATURE,
-        MPM_PARAMETER_SPECIFIC_HEAT,       MPM_PARAMETER_TAYLOR_QUINNEY};
-    enum { THERMAL = sizeof thermal / sizeof thermal[0] };
     int given = 0;
-    for (int k = 0; k < THERMAL; k++)
-        given += parameter[thermal[k]] > 0.0;
-    if (given != 0 && given != THERMAL)
-        return "softening requires softening_exponent, reference_temperature, melting_temperature, "
-               "start_temperature, specific_heat and taylor_quinney; allowed: all or none";
+    for (int k = 0; k < count; k++)
+        given += parameter[list[k]] > 0.0;
+    return given;
+}
+
+/* Softening, at a temperature of the law's own or at one that is conducted. */
+static const char *thermal_fault(const double *parameter)
+{
+    static const enum mpm_parameter softening[] = {MPM_PARAMETER_SOFTENING_EXPONENT,
+                                                   MPM_PARAMETER_REFERENCE_TEMPERATURE,
+                                                   MPM_PARAMETER_MELTING_TEMPERATURE};
+    enum { SOFTENING = sizeof softening / sizeof softening[0] };
+    const int given = count_given(parameter, softening, SOFTENING);
+    if (given != 0 && given != SOFTENING)
+        return "softening requires softening_exponent, reference_temperature and "
+               "melting_temperature; allowed: all or none";
     if (given != 0 && !(parameter[MPM_PARAMETER_REFERENCE_TEMPERATURE] <
                         parameter[MPM_PARAMETER_MELTING_TEMPERATURE]))
         return "melting_temperature is not above reference_temperature; allowed: above";
     if (given != 0 && !(parameter[MPM_PARAMETER_START_TEMPERATURE] <
                         parameter[MPM_PARAMETER_MELTING_TEMPERATURE]))
         return "start_temperature is not below melting_temperature; allowed: below";
+    return NULL;
+}
+
+const char *mpm_johnson_cook_fault_without_heat(const double *parameter)
+{
+    static const enum mpm_parameter thermal[] = {
+        MPM_PARAMETER_SOFTENING_EXPONENT,  MPM_PARAMETER_REFERENCE_TEMPERATURE,
+        MPM_PARAMETER_MELTING_TEMPERATURE, MPM_PARAMETER_START_TEMPERATURE,
+        MPM_PARAMETER_SPECIFIC_HEAT,       MPM_PARAMETER_TAYLOR_QUINNEY};
+    enum { THERMAL = sizeof thermal / sizeof thermal[0] };
+    const int given = count_given(parameter, thermal, THERMAL);
+    return given == 0 || given == THERMAL
+               ? NULL
+               : "softening by a temperature of its own requires softening_exponent, "
+                 "reference_temperature, melting_temperature, start_temperature, specific_heat and "
+                 "taylor_quinney; allowed: all or none";
+}
+
+const char *mpm_johnson_cook_fault(const double *parameter)
+{
+    const char *const thermal = thermal_fault(parameter);
+    if (thermal != NULL)
+        return thermal;
     if ((parameter[MPM_PARAMETER_HARDENING_COEFFICIENT] > 0.0) !=
         (parameter[MPM_PARAMETER_HARDENING_EXPONENT] > 0.0))
         return "hardening by a power requires hardening_coefficient and hardening_exponent; "
@@ -209,10 +248,12 @@ static const struct mpm_law_variable variables[VARIABLES] = {
 const struct mpm_material_law mpm_johnson_cook = {
     .name = "johnson_cook",
     .description = "tau = K ln J I + 2 G dev ln V_e, F = F_e F_p; yields at |dev tau| = sqrt(2/3) "
-                   "s, s = (A + B p^n) (1 + C ln max(r/r_0, 1)) (1 - T*^m), adiabatic",
+                   "s, s = (A + B p^n) (1 + C ln max(r/r_0, 1)) (1 - T*^m), "
+                   "adiabatic without conduction",
     .parameters = parameters,
     .parameter_count = sizeof parameters / sizeof *parameters,
     .fault = mpm_johnson_cook_fault,
+    .fault_without_heat = mpm_johnson_cook_fault_without_heat,
     .variables = variables,
     .variable_count = VARIABLES,
     .update = update,

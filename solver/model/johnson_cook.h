@@ -28,7 +28,9 @@ extern const struct mpm_plastic_model mpm_johnson_cook_model;
 /* Does the temperature soften it? */
 bool mpm_johnson_cook_softens(const struct mpm_material *material);
 
-/* What is wrong with the parameters of strength, or NULL. */
+/* What is wrong with the parameters of strength, or NULL; in any scene, and beyond that in one
+ * without transport.temperature. */
 const char *mpm_johnson_cook_fault(const double *parameter);
+const char *mpm_johnson_cook_fault_without_heat(const double *parameter);
 
 #endif

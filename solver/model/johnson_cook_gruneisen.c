@@ -53,6 +53,13 @@ static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_S
     return mpm_gruneisen_solid_energy(m, 0.0, heating_of(m), f, state);
 }
 
+/* The temperature is always its own. */
+static const char *fault(const double *parameter)
+{
+    const char *const strength = mpm_johnson_cook_fault(parameter);
+    return strength != NULL ? strength : mpm_johnson_cook_fault_without_heat(parameter);
+}
+
 static const struct mpm_law_parameter parameters[] = {
     {.which = MPM_PARAMETER_SHEAR},
     MPM_JOHNSON_COOK_PARAMETERS,
@@ -66,7 +73,7 @@ const struct mpm_material_law mpm_johnson_cook_gruneisen = {
                    "temperature softens",
     .parameters = parameters,
     .parameter_count = sizeof parameters / sizeof *parameters,
-    .fault = mpm_johnson_cook_fault,
+    .fault = fault,
     .variables = variables,
     .variable_count = MPM_SOLID_VARIABLES,
     .update = update,

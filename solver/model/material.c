@@ -83,11 +83,29 @@ bool mpm_material_has_temperature(const struct mpm_material_law *law, const doub
     return law->temperature != NULL && parameter[MPM_PARAMETER_SPECIFIC_HEAT] > 0.0;
 }
 
+double mpm_material_plastic_heating(const struct mpm_material_law *law, const double *parameter)
+{
+    const bool conducted = law->dissipation != NULL && !law->keeps_heat &&
+                           !mpm_material_has_temperature(law, parameter);
+    return conducted && parameter[MPM_PARAMETER_TAYLOR_QUINNEY] > 0.0
+               ? parameter[MPM_PARAMETER_TAYLOR_QUINNEY]
+               : 0.0;
+}
+
+bool mpm_material_softens(const struct mpm_material_law *law, const double *parameter)
+{
+    return parameter[MPM_PARAMETER_MELTING_TEMPERATURE] > 0.0 &&
+           !mpm_material_has_temperature(law, parameter);
+}
+
 double mpm_material_start_wave(const struct mpm_material *material)
 {
     static const double f[MPM_GRADIENT_SIZE] = {[MPM_XX] = 1.0, [MPM_YY] = 1.0, [MPM_ZZ] = 1.0};
-    static const struct mpm_law_step none = {
-        .old_f = f, .f = f, .temperature = (double)NAN, .heat_capacity = (double)NAN};
+    static const struct mpm_law_step none = {.old_f = f,
+                                             .f = f,
+                                             .temperature = (double)NAN,
+                                             .heat_capacity = (double)NAN,
+                                             .start_temperature = (double)NAN};
     const struct mpm_material_law *const law = material->law;
     double stress[MPM_SYMMETRIC_SIZE], state[MPM_LAW_STATES], square;
     if (law->update == NULL) {

@@ -110,11 +110,12 @@ struct mpm_material {
 
 /* From one F to the next. */
 struct mpm_law_step {
-    const double *old_f, *f; /* [MPM_GRADIENT_SIZE]; the same if there is no step yet */
-    double duration;         /* of this part of a time step: 0 if there is no step yet */
-    double temperature;      /* at its end; NaN in a scene that has none */
-    double heat_capacity;    /* per mass; NaN where deformation gives no heat */
-    double heat;             /* work of artificial viscosity in it, per mass */
+    const double *old_f, *f;  /* [MPM_GRADIENT_SIZE]; the same if there is no step yet */
+    double duration;          /* of this part of a time step: 0 if there is no step yet */
+    double temperature;       /* at its end; NaN in a scene that conducts none */
+    double heat_capacity;     /* per mass; NaN where deformation gives no heat */
+    double heat;              /* work of artificial viscosity in it, per mass */
+    double start_temperature; /* at its start; NaN as `temperature` */
 };
 
 /* Why `update` has no end of a step. */
@@ -166,6 +167,9 @@ struct mpm_material_law {
     /* What is wrong with parameters that are within their ranges each, or NULL. By enum
      * mpm_parameter; an optional one that is not given has its fallback. */
     const char *(*fault)(const double *parameter);
+    /* The same in a scene without transport.temperature: of parameters that only a conducted
+     * temperature has a use for. */
+    const char *(*fault_without_heat)(const double *parameter);
 
     /* Of a law with plastic strain: energy per unit mass that it has dissipated since t = 0; and
      * which of its state variables is the equivalent plastic strain. */
@@ -251,6 +255,11 @@ void mpm_material_start(const struct mpm_material *material, double *state);
 
 /* Has it a temperature of its own, that of its equation of state? */
 bool mpm_material_has_temperature(const struct mpm_material_law *law, const double *parameter);
+
+/* In a scene that conducts heat: part of plastic work that heats the temperature that is conducted,
+ * 0 of materials without it; and does that temperature soften it? */
+double mpm_material_plastic_heating(const struct mpm_material_law *law, const double *parameter);
+bool mpm_material_softens(const struct mpm_material_law *law, const double *parameter);
 
 /* The square of the wave speed in the undeformed body, where all state variables have their start
  * values. */

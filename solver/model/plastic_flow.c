@@ -88,6 +88,7 @@ struct flow {
     double normal[MPM_SYMMETRIC_SIZE]; /* N */
     double norm;                       /* |dev tau - beta| of the trial state */
     double stiffness;                  /* what it falls by, per slip */
+    double yield, hardening;           /* s and ds/dp without slip */
 };
 
 /* b_e after the slip dg: V_e exp(-2 dg N) V_e */
@@ -115,19 +116,15 @@ static double strength(const struct flow *flow, double slip, double *slope)
     return flow->model->yield(flow->m, &point, slope);
 }
 
-/* |dev tau - beta| - sqrt(2/3) s after the slip. Without back stress the former is linear in it. */
-static double overstress(const struct flow *flow, double slip, double *slope)
+/* |dev tau - beta| after the slip. Without back stress it is linear in it. */
+static double norm_after(const struct flow *flow, double slip)
 {
-    double norm = flow->norm - flow->stiffness * slip, hardening;
-    if (flow->model->kinematic > 0.0) {
-        double b_elastic[MPM_SYMMETRIC_SIZE], driving[MPM_SYMMETRIC_SIZE];
-        slipped(flow, slip, b_elastic);
-        driving_stress(flow->m, flow->model->kinematic, flow->f, b_elastic, driving);
-        norm = mpm_symmetric_norm(driving);
-    }
-    const double yield = strength(flow, slip, &hardening);
-    *slope = -(flow->stiffness + 2.0 / 3.0 * hardening);
-    return norm - ROOT_TWO_THIRDS * yield;
+    double b_elastic[MPM_SYMMETRIC_SIZE], driving[MPM_SYMMETRIC_SIZE];
+    if (flow->model->kinematic == 0.0)
+        return flow->norm - flow->stiffness * slip;
+    slipped(flow, slip, b_elastic);
+    driving_stress(flow->m, flow->model->kinematic, flow->f, b_elastic, driving);
+    return mpm_symmetric_norm(driving);
 }
 
 enum { ITERATIONS = 200 };
@@ -140,22 +137,40 @@ static double middle_of(double low, double high)
     return low < 1e-3 * high ? sqrt(fmax(low, LEAST)) * sqrt(high) : 0.5 * (low + high);
 }
 
-/* The slip at which the overstress is 0: Newton's steps in a bracket, halved where they leave it,
- * do not come closer by half, or where the slope is infinite. It is found where the overstress is
- * round-off or the bracket is closed: a small step of Newton's is no sign of it, since powers of a
- * small plastic strain are steep. A model without strength slips until no stress is left. */
+/* Where yield is met on the way to the slip `high`, at which without back stress no stress is left.
+ */
+enum place { NOWHERE, AT_THE_END, BEFORE_THE_END };
+
+static enum place place_of_end(const struct flow *flow, double high)
+{
+    static const double FAINT = 1e-12; /* a strength of that part of the trial stress is none */
+    const bool coaxial = flow->model->kinematic == 0.0;
+    if (coaxial && flow->yield > FAINT * flow->norm) /* and strength does not fall in p */
+        return BEFORE_THE_END;
+    double slope;
+    const double yield = strength(flow, high, &slope);
+    const double rest = norm_after(flow, high) - ROOT_TWO_THIRDS * yield;
+    if (yield > 0.0 && rest < 0.0)
+        return BEFORE_THE_END;
+    return coaxial && rest < ROUND_OFF * flow->norm ? AT_THE_END : NOWHERE;
+}
+
+/* The slip at which the overstress, |dev tau - beta| - sqrt(2/3) s, is 0: Newton's steps in a
+ * bracket, halved where they leave it, do not come closer by half, or where the slope is infinite.
+ * It is found where the overstress is round-off or the bracket is closed: a small step of Newton's
+ * is no sign of it, since powers of a small plastic strain are steep. A model without strength
+ * slips until no stress is left. */
 static bool find_slip(const struct flow *flow, double *slip)
 {
-    double low = 0.0, high = flow->norm / flow->stiffness, slope, last = HUGE_VAL;
-    *slip = high;
-    if (strength(flow, high, &slope) == 0.0)
-        return flow->model->kinematic == 0.0;
-    if (!(overstress(flow, high, &slope) < 0.0))
-        return false;
-    *slip = 0.0;
+    double low = 0.0, high = flow->norm / flow->stiffness, last = HUGE_VAL;
+    double yield = flow->yield, slope = flow->hardening;
+    const enum place place = place_of_end(flow, high);
+    *slip = place == AT_THE_END ? high : 0.0;
+    if (place != BEFORE_THE_END)
+        return place == AT_THE_END;
     for (int k = 0; k < ITERATIONS; k++) {
-        const double over = overstress(flow, *slip, &slope);
-        const double change = -over / slope;
+        const double over = norm_after(flow, *slip) - ROOT_TWO_THIRDS * yield;
+        const double change = over / (flow->stiffness + 2.0 / 3.0 * slope);
         const bool slow = fabs(over) > 0.5 * last;
         if (!isfinite(change))
             return false;
@@ -167,6 +182,7 @@ static bool find_slip(const struct flow *flow, double *slip)
         if (slow || !(*slip > low && *slip < high))
             *slip = middle_of(low, high);
         last = fabs(over);
+        yield = strength(flow, *slip, &slope);
     }
     return false;
 }
@@ -183,7 +199,19 @@ static void slip_along_axes(const double b_elastic[MPM_SYMMETRIC_SIZE],
     mpm_symmetric_product(b_elastic, flown, after);
 }
 
-/* Changes the state; `driving` is that of the trial state, and that of the end on output. */
+/* Is b_e still positive? F and C_p^-1 of stretches far above 1e5 hold no elastic strain any more:
+ * it is less than the round-off of their product. */
+static bool holds_elastic_strain(const double f[MPM_GRADIENT_SIZE],
+                                 const double inverse[MPM_SYMMETRIC_SIZE])
+{
+    double b_elastic[MPM_SYMMETRIC_SIZE], plane[2];
+    push(f, inverse, b_elastic);
+    mpm_plane_eigenvalues(b_elastic, plane);
+    return plane[0] > 0.0 && b_elastic[MPM_SYM_ZZ] > 0.0;
+}
+
+/* Changes the state; `driving` is that of the trial state, and that of the end on output. False:
+ * no way back to yield; no number in `driving`: no elastic strain. */
 static bool flow_back(struct flow *flow, const double b_elastic[MPM_SYMMETRIC_SIZE],
                       double driving[MPM_SYMMETRIC_SIZE], double *state)
 {
@@ -204,7 +232,11 @@ static bool flow_back(struct flow *flow, const double b_elastic[MPM_SYMMETRIC_SI
         driving[k] -= flow->stiffness * slip * flow->normal[k];
     pull(flow->f, after, state + INVERSE);
     state[PLASTIC] += ROOT_TWO_THIRDS * slip;
-    return true;
+    if (holds_elastic_strain(flow->f, state + INVERSE))
+        return true;
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        driving[k] = (double)NAN;
+    return false;
 }
 
 /* -------------------------------------------------------------------- for laws */
@@ -213,7 +245,7 @@ bool mpm_plastic_return(const struct mpm_material *m, const struct mpm_plastic_m
                         const struct mpm_law_step *step, double temperature, double *state,
                         double tau[MPM_SYMMETRIC_SIZE])
 {
-    double b_elastic[MPM_SYMMETRIC_SIZE], driving[MPM_SYMMETRIC_SIZE], slope;
+    double b_elastic[MPM_SYMMETRIC_SIZE], driving[MPM_SYMMETRIC_SIZE];
     push(step->f, state + INVERSE, b_elastic);
     if (step->duration > 0.0) {
         struct flow flow = {.m = m,
@@ -224,8 +256,8 @@ bool mpm_plastic_return(const struct mpm_material *m, const struct mpm_plastic_m
                             .softening = softening_of(m, model, temperature),
                             .stiffness = 2.0 * m->shear + 2.0 / 3.0 * model->kinematic};
         driving_stress(m, model->kinematic, step->f, b_elastic, driving);
-        const double radius = ROOT_TWO_THIRDS * strength(&flow, 0.0, &slope);
-        if (!(mpm_symmetric_norm(driving) <= radius) &&
+        flow.yield = strength(&flow, 0.0, &flow.hardening);
+        if (!(mpm_symmetric_norm(driving) <= ROOT_TWO_THIRDS * flow.yield) &&
             !flow_back(&flow, b_elastic, driving, state)) {
             for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
                 tau[k] = driving[k];

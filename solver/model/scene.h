@@ -255,6 +255,13 @@ struct mpm_rest_spec {
     int64_t patience;      /* steps without a lower residual that end the run; 0: any number */
 };
 
+/* Places on a line, at equal distances: one for a point. */
+struct mpm_probe_spec {
+    char name[MPM_NAME_SIZE];
+    double from[2], to[2];
+    int64_t points;
+};
+
 struct mpm_scene {
     char *path; /* as given, for messages */
     char *title;
@@ -311,6 +318,9 @@ struct mpm_scene {
     double checkpoint_interval;                 /* 0: none */
     double checkpoint_seconds;                  /* of the run's own time; 0: none */
     bool energy_balance;                        /* transfer_loss in the history */
+    bool derived;                               /* output.derived */
+    struct mpm_probe_spec *probes; /* those of output.probes, then those of output.lines */
+    size_t probe_count;
     double fringe; /* k_f of CRAMP (23), 1/stress; 0: no fringes asked for */
     int line_grid, line_time, line_body_force, line_damping; /* in the file, for messages */
     unsigned char sha256[32];                                /* of the file's bytes */
@@ -321,6 +331,8 @@ struct mpm_scene {
 /* Does a material expand with a scalar? Depends the stress of one on the temperature itself? */
 bool mpm_scene_expands(const struct mpm_scene *scene);
 bool mpm_scene_reads_temperature(const struct mpm_scene *scene);
+/* Does a conducted temperature soften one of its materials? */
+bool mpm_scene_softens(const struct mpm_scene *scene);
 /* Does a property of conduction depend on the temperature? */
 bool mpm_scene_has_tables(const struct mpm_scene *scene);
 

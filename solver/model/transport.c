@@ -49,9 +49,27 @@ bool mpm_scene_has_tables(const struct mpm_scene *scene)
     return any;
 }
 
+bool mpm_scene_has_plastic_heat(const struct mpm_scene *scene)
+{
+    bool any = false;
+    for (size_t k = 0; k < scene->material_count; k++)
+        any = any || mpm_material_plastic_heating(scene->materials[k].law,
+                                                  scene->materials[k].parameter) > 0.0;
+    return any;
+}
+
+bool mpm_scene_softens(const struct mpm_scene *scene)
+{
+    bool any = false;
+    for (size_t k = 0; k < scene->material_count; k++)
+        any = any || mpm_material_softens(scene->materials[k].law, scene->materials[k].parameter);
+    return any;
+}
+
 bool mpm_scene_couples(const struct mpm_scene *scene)
 {
-    return mpm_scene_expands(scene) || mpm_scene_reads_temperature(scene);
+    return mpm_scene_expands(scene) || mpm_scene_reads_temperature(scene) ||
+           mpm_scene_has_plastic_heat(scene) || mpm_scene_softens(scene);
 }
 
 bool mpm_scene_heats(const struct mpm_scene *scene)

@@ -109,10 +109,21 @@ static double energy(const struct mpm_material *m, const double f[MPM_GRADIENT_S
     return mpm_plastic_energy(m, mpm_von_mises_model(m).kinematic, f, state);
 }
 
+/* The law has no temperature of its own. */
+static const char *fault_without_heat(const double *parameter)
+{
+    return parameter[MPM_PARAMETER_TAYLOR_QUINNEY] > 0.0
+               ? "taylor_quinney in a scene without transport.temperature, where plastic work "
+                 "heats "
+                 "nothing; allowed: with transport.temperature and its heating: true"
+               : NULL;
+}
+
 static const struct mpm_law_parameter parameters[] = {
     {.which = MPM_PARAMETER_BULK},
     {.which = MPM_PARAMETER_SHEAR},
     MPM_VON_MISES_PARAMETERS,
+    {.which = MPM_PARAMETER_TAYLOR_QUINNEY, .optional = true},
 };
 static const struct mpm_law_variable variables[] = {MPM_PLASTIC_VARIABLE_ROWS};
 
@@ -123,6 +134,7 @@ const struct mpm_material_law mpm_von_mises = {
     .parameters = parameters,
     .parameter_count = sizeof parameters / sizeof *parameters,
     .fault = mpm_von_mises_fault,
+    .fault_without_heat = fault_without_heat,
     .variables = variables,
     .variable_count = MPM_PLASTIC_VARIABLES,
     .update = update,

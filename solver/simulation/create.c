@@ -109,7 +109,8 @@ static struct mpm_particle_needs needs_of(const struct mpm_simulation *simulatio
     unsigned uses = MPM_USE_DEFORMABLE;
     uses |= keeps_domains(&simulation->state) ? MPM_USE_DOMAINS : 0;
     uses |= mpm_transfer_of(scene->transfer)->carries;
-    if (mpm_crack_detection_needs_surfaces(scene) || mpm_contacts_have_interfaces(scene))
+    if (mpm_crack_detection_needs_surfaces(scene) || mpm_contacts_have_interfaces(scene) ||
+        scene->derived)
         uses |= MPM_USE_ORIGINS;
     uses |= simulation->state.damping.particles ? MPM_USE_DRAG : 0;
     uses |= mpm_transport_uses(scene);
@@ -473,6 +474,8 @@ enum mpm_status mpm_simulation_create(const struct mpm_scene *scene,
         mpm_simulation_free(made);
         return status;
     }
+    made->monitor = options->monitor;
+    mpm_simulation_look(made, MPM_AT_START);
     *simulation = made;
     return MPM_OK;
 }
@@ -481,11 +484,11 @@ void mpm_simulation_free(struct mpm_simulation *simulation)
 {
     if (simulation == NULL)
         return;
+    mpm_simulation_look(simulation, MPM_AT_END);
     struct mpm_state *const state = &simulation->state;
-    const struct mpm_scene *const scene = simulation->scene;
-    free_fields(state->conditions.boundary_velocity, scene->boundary_count);
-    free_fields(state->conditions.body_velocity, scene->body_count);
-    free_fields(state->edge_loads.value, scene->edge_load_count);
+    free_fields(state->conditions.boundary_velocity, simulation->scene->boundary_count);
+    free_fields(state->conditions.body_velocity, simulation->scene->body_count);
+    free_fields(state->edge_loads.value, simulation->scene->edge_load_count);
     mpm_vector_field_free(&state->body_force);
     free(state->symmetries.planes);
     mpm_damping_free(&state->damping);

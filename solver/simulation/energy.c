@@ -87,7 +87,7 @@ static void bound_strain_energy(void *context, int64_t index, int worker)
     strip->strain_energy = sum;
 }
 
-/* With what plastic strain and artificial viscosity have dissipated. */
+/* With what plastic strain and artificial viscosity have dissipated, as heat or not. */
 static void add_strain_energy(void *context, int64_t index, int worker)
 {
     struct mpm_state *const state = context;
@@ -98,7 +98,7 @@ static void add_strain_energy(void *context, int64_t index, int worker)
     for (size_t p = strip->begin; p < strip->end; p++)
         sum += particles->mass[p] *
                (mpm_particle_strain_energy(state, p) + mpm_particle_dissipation(state, p) +
-                mpm_particle_viscous_work(state, p));
+                mpm_particle_plastic_heat(state, p) + mpm_particle_viscous_work(state, p));
     strip->strain_energy = sum;
 }
 

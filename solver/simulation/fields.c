@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/status.h"
 #include "method/transfer/law_state.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* ------------------------------------------------------- of a deformable particle */
@@ -64,6 +66,36 @@ static void find_viscous_pressure(const struct mpm_simulation *simulation, size_
     out[0] = viscous == NULL ? 0.0 : viscous[p] * stress_scale(simulation, p);
 }
 
+static double not_known(const struct mpm_simulation *simulation)
+{
+    (void)simulation;
+    return (double)NAN;
+}
+
+static void find_displacement(const struct mpm_simulation *simulation, size_t p, double *out)
+{
+    const struct mpm_particles *const particles = &simulation->state.particles;
+    for (int k = 0; k < 2; k++)
+        out[k] = particles->origin[k] == NULL ? (double)NAN
+                                              : particles->position[k][p] - particles->origin[k][p];
+}
+
+static void find_von_mises(const struct mpm_simulation *simulation, size_t p, double *out)
+{
+    double s[MPM_SYMMETRIC_SIZE];
+    find_stress(simulation, p, s);
+    const double xy = s[MPM_SYM_XX] - s[MPM_SYM_YY], yz = s[MPM_SYM_YY] - s[MPM_SYM_ZZ],
+                 zx = s[MPM_SYM_ZZ] - s[MPM_SYM_XX];
+    out[0] = sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * s[MPM_SYM_XY] * s[MPM_SYM_XY]);
+}
+
+static void find_pressure(const struct mpm_simulation *simulation, size_t p, double *out)
+{
+    double s[MPM_SYMMETRIC_SIZE];
+    find_stress(simulation, p, s);
+    out[0] = -(s[MPM_SYM_XX] + s[MPM_SYM_YY] + s[MPM_SYM_ZZ]) / 3.0;
+}
+
 /* CRAMP (23) */
 static void find_fringe(const struct mpm_simulation *simulation, size_t p, double *out)
 {
@@ -118,16 +150,43 @@ static const struct quantity quantities[MPM_FIELD_COUNT] = {
     [MPM_FIELD_VISCOUS_PRESSURE] = {.info = {"viscous_pressure", 1, false, MPM_DIMENSION_STRESS,
                                              "artificial viscosity, part of the stress"},
                                     .find = find_viscous_pressure},
+    [MPM_FIELD_DISPLACEMENT] = {.info = {"displacement", 2, false, MPM_DIMENSION_LENGTH,
+                                         "position minus that at t = 0: x y, or r z"},
+                                .find = find_displacement,
+                                .rigid = not_known},
+    [MPM_FIELD_VON_MISES] = {.info = {"von_mises", 1, false, MPM_DIMENSION_STRESS,
+                                      "equivalent stress of von Mises, of the Cauchy stress"},
+                             .find = find_von_mises},
+    [MPM_FIELD_PRESSURE] = {.info = {"pressure", 1, false, MPM_DIMENSION_STRESS,
+                                     "minus the mean of the three normal stresses"},
+                            .find = find_pressure},
 #define MPM_ROW(name, ...) [MPM_FIELD_##name] = {.stored = &mpm_particle_rows[MPM_PARTICLE_##name]},
     MPM_WRITTEN_PARTICLE_FIELDS(MPM_ROW)
 #undef MPM_ROW
 };
-_Static_assert(MPM_FIELD_COUNT == MPM_PARTICLE_WRITTEN_COUNT + 7, "one row for each field");
+_Static_assert(MPM_FIELD_COUNT == MPM_PARTICLE_WRITTEN_COUNT + 10, "one row for each field");
 
 const struct mpm_field_info *mpm_field_describe(enum mpm_field field)
 {
     const struct quantity *const quantity = &quantities[field];
     return quantity->stored != NULL ? &quantity->stored->info : &quantity->info;
+}
+
+enum mpm_status mpm_field_find(const char *name, enum mpm_field *field, struct mpm_error *error)
+{
+    char names[MPM_MESSAGE_SIZE / 2] = "";
+    size_t length = 0;
+    for (int k = 0; k < MPM_FIELD_COUNT; k++) {
+        const char *const known = mpm_field_describe((enum mpm_field)k)->name;
+        if (strcmp(name, known) == 0) {
+            *field = (enum mpm_field)k;
+            return MPM_OK;
+        }
+        if (length < sizeof names)
+            length += (size_t)snprintf(names + length, sizeof names - length, "%s%s",
+                                       k > 0 ? ", " : "", known);
+    }
+    return mpm_error_set(error, MPM_BAD_INPUT, "'%.64s' is no field; allowed: %s", name, names);
 }
 
 static bool has_equation_of_state(const struct mpm_scene *scene, bool with_temperature)
@@ -148,6 +207,8 @@ bool mpm_scene_has_field(const struct mpm_scene *scene, enum mpm_field field)
         return scene->scalars[MPM_TEMPERATURE].asked;
     if (field == MPM_FIELD_CONCENTRATION)
         return scene->scalars[MPM_CONCENTRATION].asked;
+    if (field >= MPM_FIELD_DISPLACEMENT)
+        return scene->derived;
     if (field == MPM_FIELD_PLASTIC_STRAIN)
         return mpm_scene_is_plastic(scene);
     if (field == MPM_FIELD_INTERNAL_ENERGY || field == MPM_FIELD_STATE_TEMPERATURE)

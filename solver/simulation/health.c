@@ -96,8 +96,8 @@ static const char *describe_update(const struct mpm_failure *failure, char text[
                      failure->value);
     if (failure->kind == MPM_STRAIN_TOO_LARGE)
         return print(text,
-                     "has a component of F of size %g, for which its stress before plastic flow is "
-                     "no number; allowed: what numbers hold",
+                     "has a component of F of size %g, beside which its elastic strain is no "
+                     "number; allowed: stretches whose squares numbers hold with it",
                      failure->value);
     if (failure->kind == MPM_COLD)
         return print(text,

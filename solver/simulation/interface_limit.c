@@ -51,3 +51,21 @@ enum mpm_status mpm_interface_check(const struct mpm_simulation *simulation,
                          "or law: bonded",
                          simulation->scene->contact.pairs[pair].key, kappa, MPM_KAPPA_MAX);
 }
+
+double mpm_interface_unevenness(const struct mpm_scene *scene, size_t *pair)
+{
+    double largest = 0.0;
+    for (size_t k = 0; k < scene->contact.pair_count; k++) {
+        const struct mpm_pair_spec *const law = &scene->contact.pairs[k];
+        const double normal = fmax(law->tension, law->compression);
+        if (law->law != MPM_PAIR_INTERFACE || law->normal == MPM_NORMAL_LOGISTIC ||
+            law->normal == MPM_NORMAL_GIVEN || !(fmin(normal, law->shear) > 0.0))
+            continue;
+        const double ratio = fmax(normal / law->shear, law->shear / normal);
+        if (ratio > largest) {
+            largest = ratio;
+            *pair = k;
+        }
+    }
+    return largest;
+}

@@ -22,4 +22,10 @@ double mpm_interface_kappa(const struct mpm_simulation *simulation, size_t *pair
 enum mpm_status mpm_interface_check(const struct mpm_simulation *simulation,
                                     struct mpm_error *error);
 
+/* The largest ratio of D_t to D_n, or of D_n to D_t, of the scene's interfaces whose normals follow
+ * the particles' stairs: an error of the normal takes a part of an opening for sliding, which makes
+ * energy in bodies that turn. *pair: whose it is. 0: none. */
+#define MPM_UNEVEN_MAX 10.0
+double mpm_interface_unevenness(const struct mpm_scene *scene, size_t *pair);
+
 #endif

@@ -43,6 +43,7 @@ static void add_particle(const struct mpm_simulation *simulation, size_t p,
     ledger->kinetic_energy += 0.5 * mass * (vx * vx + vy * vy);
     ledger->strain_energy += mass * mpm_particle_strain_energy(&simulation->state, p);
     ledger->plastic_dissipation += mass * mpm_particle_dissipation(&simulation->state, p);
+    ledger->plastic_heat += mass * mpm_particle_plastic_heat(&simulation->state, p);
     ledger->viscous_dissipation += mass * mpm_particle_viscous_work(&simulation->state, p);
     ledger->melted_particles += mpm_particle_is_melted(&simulation->state, p);
     if (simulation->scene->scalars[MPM_TEMPERATURE].heats)
@@ -81,8 +82,8 @@ void mpm_simulation_ledger(const struct mpm_simulation *simulation, struct mpm_l
             energy->contact - ledger->contact_stored - ledger->contact_dissipated;
         ledger->transfer_loss = energy->lost + energy->internal_work -
                                 (ledger->strain_energy - simulation->strain_start) -
-                                ledger->plastic_dissipation - ledger->viscous_dissipation +
-                                ledger->expansion_work - ledger->cohesive_stored -
-                                ledger->cohesive_dissipated;
+                                ledger->plastic_dissipation - ledger->plastic_heat -
+                                ledger->viscous_dissipation + ledger->expansion_work -
+                                ledger->cohesive_stored - ledger->cohesive_dissipated;
     }
 }

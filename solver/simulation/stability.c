@@ -209,18 +209,28 @@ static void describe_limit(double courant, double limit, char *text, size_t size
                        courant, LEAST_TRIED);
 }
 
-/* Adds to the advice that an interface is implicit. */
+/* Adds what is said of a pair, with a number in it. */
+static void add_of_pair(struct mpm_simulation *simulation, size_t pair, const char *before,
+                        double number, const char *after)
+{
+    const size_t length = strlen(simulation->advice);
+    (void)snprintf(simulation->advice + length, sizeof simulation->advice - length,
+                   "%s%s: %s%.3g%s", length > 0 ? "; " : "",
+                   simulation->scene->contact.pairs[pair].key, before, number, after);
+}
+
 static void advise_of_interfaces(struct mpm_simulation *simulation)
 {
     size_t pair = 0;
     const double kappa = mpm_interface_kappa(simulation, &pair);
-    const size_t length = strlen(simulation->advice);
-    if (!(kappa > 1.0))
-        return;
-    (void)snprintf(simulation->advice + length, sizeof simulation->advice - length,
-                   "%s%s: an interface %.3g times as stiff as an explicit step follows: it is "
-                   "integrated implicitly, and dissipates",
-                   length > 0 ? "; " : "", simulation->scene->contact.pairs[pair].key, kappa);
+    if (kappa > 1.0)
+        add_of_pair(simulation, pair, "an interface ", kappa,
+                    " times as stiff as an explicit step follows: it is integrated implicitly, and "
+                    "dissipates");
+    const double ratio = mpm_interface_unevenness(simulation->scene, &pair);
+    if (ratio > MPM_UNEVEN_MAX)
+        add_of_pair(simulation, pair, "stiffnesses of an interface differ by a factor of ", ratio,
+                    ": its energy grows where bodies turn (case C13), but with normal: logistic");
 }
 
 static void advise_of_courant(struct mpm_simulation *simulation)

@@ -24,7 +24,8 @@ unsigned mpm_transport_uses(const struct mpm_scene *scene)
         uses |= scene->scalars[which].source != NULL ? MPM_USE_SOURCE : 0;
     }
     uses |= mpm_scene_expands(scene) ? MPM_USE_FREE_STRAIN : 0;
-    if (mpm_scene_heats(scene) || mpm_scene_reads_temperature(scene))
+    if (mpm_scene_heats(scene) || mpm_scene_reads_temperature(scene) ||
+        (scene->scalars[MPM_TEMPERATURE].asked && mpm_scene_softens(scene)))
         uses |= MPM_USE_LAW_TEMPERATURE;
     return uses;
 }

@@ -13,6 +13,11 @@ from calls import HARMLESS, REASONS, SUFFIX
 SHOWN = 300  # characters of a message
 
 CHECKPOINT = re.compile(r"(^|/)checkpoint[^/]*\.h5$")
+IN_TEMPORARY = re.compile(r"/touchstone-\w{6}(/|$)")
+KEPT_FOLDER = "/.run/results/"
+READS = ("stat", "open", "fstat", "read")
+REMOVES = ("opendir", "readdir", "lstat", "unlink", "rmdir")
+KEPT = re.compile(r"^\.run/results/[^/]*\.json$")  # what one program of the suite has found
 LOCKS = ("run.lock", ".mpm-verify")
 
 # Where these fail, the file may belong to another writer, or stays: the next one writes over it.
@@ -35,6 +40,10 @@ IGNORED = (
 
 def may_ignore(call):
     """Why a fault of the call may be passed over, or None."""
+    if IN_TEMPORARY.search(call.paths[0]) and call.name in REMOVES:
+        return "what is left in a temporary folder is no result"
+    if KEPT_FOLDER in call.paths[0] and call.name in READS:
+        return "a result that cannot be read is found again by its program"
     for name, end, why in IGNORED:
         if name in ("", call.name) and call.paths[0].endswith(end):
             return why
@@ -59,7 +68,9 @@ def without_times(name, content):
     and whoever goes on from it writes the bytes of the results."""
     if CHECKPOINT.search(name):
         return b"sound" if is_checkpoint(content) else content
-    if name.endswith("run.json"):
+    if KEPT.search(name):
+        return b"sound" if is_kept(content) else content
+    if name == "run.json":
         record = json.loads(content)
         record["warnings"] = [warning for warning in record["warnings"]
                               if "the run goes on from checkpoint-previous.h5" not in warning]
@@ -68,7 +79,8 @@ def without_times(name, content):
         record.pop("resumed", None)
         record["counters"].pop("checkpoints", None)
         return json.dumps(record).encode()
-    return re.sub(rb"[-+]?[0-9][0-9.]*(e[-+]?[0-9]+)?( (ms|s|min)\b)?", b"#", content)
+    return re.sub(rb"[-+]?[0-9][0-9.]*(e[-+]?[0-9]+| \xc3\x97 10<sup>[^<]*</sup>)?( (ms|s|min)\b)?",
+                  b"#", content)
 
 
 def same(name, content, other, steady):
@@ -76,6 +88,14 @@ def same(name, content, other, steady):
     if content == other:
         return True
     return name not in steady and without_times(name, content) == without_times(name, other)
+
+
+def difference(name, content, other):
+    """Where two contents begin to differ, apart from times."""
+    ours, theirs = without_times(name, content), without_times(name, other)
+    at = next((i for i, pair in enumerate(zip(ours, theirs)) if pair[0] != pair[1]),
+              min(len(ours), len(theirs)))
+    return f"{ours[max(0, at - 40):at + 40]} for {theirs[max(0, at - 40):at + 40]}"
 
 
 # ---------------------------------------------------------------------------- whole files
@@ -88,6 +108,12 @@ def is_checkpoint(content):
             lines[3] == "md5 " + hashlib.md5(content[512:]).hexdigest())
 
 
+def is_kept(content):
+    """Is it a line of JSON, and its sum?"""
+    text, _, total = content.rstrip(b"\n").partition(b"\n")
+    return hashlib.sha256(text).hexdigest().encode() == total
+
+
 def is_json_lines(content):
     """Is each line an object, the last one included?"""
     return content.endswith(b"\n") and all(json.loads(line) is not None
@@ -96,6 +122,7 @@ def is_json_lines(content):
 
 WHOLE = (
     (CHECKPOINT, is_checkpoint),
+    (KEPT, is_kept),
     (r"\.json$|\.series$", lambda content: json.loads(content) is not None),
     (r"\.jsonl$", is_json_lines),
     (r"\.html$", lambda content: content.rstrip().endswith(b"</html>")),
@@ -167,7 +194,7 @@ class Judge:
         for name, content in found.items():
             if not any(same(name, content, other.get(name, b""), self.steady)
                        for other in (self.files, self.again)):
-                return f"{name} has other bytes"
+                return f"{name} has other bytes: {difference(name, content, self.files[name])}"
         return None
 
     def of_fault(self, outcome, kind, found, before, lasting):

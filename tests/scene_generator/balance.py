@@ -149,13 +149,13 @@ def losses(history):
 
 
 def the_ledger_closes_in_every_step(case):
-    """d(total energy) + d(losses) = d(external work). Round-off: of the energies that are
+    """d(total energy) + d(losses) + d(heat of plastic work) = d(external work). Round-off: of the energies that are
     summed, and of a strain energy, which comes from terms of the size of the modulus."""
     base = case.base
     if base.status != 0 or case.hides_losses:
         return False
     history = base.history
-    held = history["total_energy"] + losses(history)
+    held = history["total_energy"] + losses(history) + history.get("plastic_heat", 0.0)
     gap = numpy.abs(numpy.diff(held) - numpy.diff(history["external_work"]))
     size = numpy.maximum.accumulate(sum(numpy.abs(history[name])
                                         for name in compare.NUMBERS if name in history))[1:]

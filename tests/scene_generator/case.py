@@ -97,9 +97,16 @@ class Case(Scales):
         return any(material["law"] == "ideal_gas" for material in self.scene["materials"])
 
     @property
+    def softens(self):
+        """Is a material softened by the temperature that is conducted?"""
+        return self.conducts and any(
+            "melting_temperature" in material and "specific_heat" not in material
+            for material in self.scene["materials"])
+
+    @property
     def couples(self):
         """Do stresses follow a scalar?"""
-        return self.gas or any(material.get(scalar.expansion, 0) != 0 for scalar in self.scalars
+        return self.gas or self.softens or any(material.get(scalar.expansion, 0) != 0 for scalar in self.scalars
                                for material in self.scene["materials"])
 
     @property

@@ -36,7 +36,7 @@ SLACK = 1e2
 FAINT = 1e-3  # of the wave speed: velocities below are measured by this
 NUMBERS = ("kinetic_energy", "strain_energy", "external_work", "total_energy",
            "damping_dissipation", "plastic_dissipation", "viscous_dissipation", "cohesive_stored", "cohesive_dissipated",
-           "transfer_loss", "contact_loss", "contact_stored", "contact_dissipated")
+           "plastic_heat", "transfer_loss", "contact_loss", "contact_stored", "contact_dissipated")
 COUPLED = ("expansion_work", "deformation_heat", "thermoelastic_energy")
 
 

@@ -14,7 +14,8 @@ from draw_heat import FLUIDS
 from heat import (LEVEL, capacity_of, close_to, ended, in_fixed_steps, with_short_steps,
                   with_slow_waves)
 from images import agrees, same_bits
-from scalars import alone, groups_of, still, with_values, without_input, without_passages
+from scalars import (alone, groups_of, has_table, still, with_values, without_heat_of_strength,
+                     without_input, without_passages, without_tables)
 from scales import SCALARS
 from transform import Motion
 
@@ -40,7 +41,10 @@ def as_heat(scene):
     for material in scene["materials"]:
         capacity = material.pop(solvent.capacity)
         material[heat.capacity] = capacity / material["density"]
-        if solvent.one in material:
+        if solvent.one_table in material:
+            material[heat.one_table] = [[point, capacity * value]
+                                        for point, value in material.pop(solvent.one_table)]
+        elif solvent.one in material:
             material[heat.one] = capacity * material.pop(solvent.one)
         else:
             material[heat.two] = [capacity * part for part in material.pop(solvent.two)]
@@ -59,6 +63,7 @@ def without_heat(scene):
     for material in scene["materials"]:
         for name in SCALARS["temperature"].of_material:
             material.pop(name, None)
+        without_heat_of_strength(material)
     return without_passages(scene)
 
 
@@ -93,6 +98,7 @@ def no_expansion_changes_no_digit(case):
     for scene in (one, other):
         scene["transport"].get("temperature", {}).pop("heating", None)
         for material in scene["materials"]:
+            without_heat_of_strength(material)
             for scalar in case.scalars:
                 material |= {scalar.expansion: 0, scalar.stress_free: LEVEL}
                 if scene is one:
@@ -202,7 +208,7 @@ def substeps_are_steps(case):
     if not case.conducts or case.plain.status != 0 or "radiation" in given or "t*" in given or \
             case.conduction_rate == 0:
         return False
-    alike = alone(case.brief)
+    alike = without_tables(alone(case.brief))
     alike["output"] = {"history": 1e6 * case.brief["time"]["end"]}
     for parts, name, step in ((PARTS, "substeps", (PARTS - 0.5) / case.conduction_rate),
                               (1, "every", 0.3 / case.conduction_rate)):
@@ -227,7 +233,7 @@ def heat_between_bodies_is_counted(case):
     has between it and the others; with insulated surfaces not at all."""
     heat = SCALARS["temperature"]
     if heat not in case.scalars or "contact" not in case.scene or case.heats or \
-            case.plain.status != 0:
+            case.plain.status != 0 or has_table(case.scene, heat.capacity_table):
         return False
     scene = without_input(case.brief, conditions=True)
     run = case.runner.run(scene)

@@ -254,7 +254,8 @@ def wanted_of(keys, tables):
     wanted = []
     for path, key in keys.items():
         if key.shape not in ("group", "list") and path not in tables.LEFT_OUT and \
-                not path.startswith(tuple(name + "." for name in tables.LEFT_OUT)):
+                not path.startswith(tuple(name + end for name in tables.LEFT_OUT
+                                          for end in (".", "[]."))):
             wanted += [path, *(f"{path}={choice}" for choice in key.choices or [])]
     return [path for path in wanted if path not in tables.LEFT_OUT]
 

@@ -207,8 +207,25 @@ def draw_lattice(canvas, _):
     return [2, 2]
 
 
+def spin_of(canvas):
+    """The rate at which all bodies of the scene turn about one point; 0 in most."""
+    notes = canvas.notes
+    if "spin" not in notes:
+        sizes = [(notes["whole"][1][k] - notes["whole"][0][k]) * canvas.cell[k] for k in range(2)]
+        turns = notes["contact"] and not canvas.axisymmetric and canvas.chance(25)
+        notes["spin"] = short(canvas.pick([0.1, -0.1, 0.4, -0.02]) *
+                              canvas.scale("length/time") / max(sizes)) if turns else 0
+    return notes["spin"]
+
+
 def draw_body_velocity(canvas, key):
-    """At rest, or a rigid motion with a stretch and a turn; on the axis none across it."""
+    """At rest, or a rigid motion with a stretch and a turn; on the axis none across it. Bodies that touch
+    all turn about one point in some planar scenes. Some of metals are thrown at up to half the speed
+    of waves."""
+    if not is_rigid(canvas) and canvas.situation == "any" and spin_of(canvas):
+        low, high = canvas.notes["whole"]
+        x, y = place(canvas, [(low[k] + high[k]) / 2 for k in range(2)])
+        return [f"({short(-spin_of(canvas))})*(y-({y}))", f"({spin_of(canvas)})*(x-({x}))"]
     if is_rigid(canvas) or canvas.situation != "any" or canvas.chance(25):
         return ABSENT
     speed = canvas.scale(key.unit)
@@ -221,7 +238,8 @@ def draw_body_velocity(canvas, key):
     components = []
     for k in range(2):
         half = max(1, (high[k] - low[k]) / 2) * canvas.cell[k]
-        mean = canvas.pick([0, 0, 0.02, -0.1, 0.1])
+        thrown = canvas.notes["plastic"] and canvas.chance(10)
+        mean = canvas.pick([0.3, -0.3, -0.5] if thrown else [0, 0, 0.02, -0.1, 0.1])
         stretch = canvas.pick([0, 0.02, -0.05, 0.1, 0.2, -0.3])
         shear = canvas.pick([0, 0, 0.05, -0.1])
         if k == 0 and at_axis:

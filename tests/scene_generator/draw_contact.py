@@ -66,7 +66,8 @@ def draw_pair(canvas, key, law, usual, rigid=False):
     heat = canvas.notes["heat"] and canvas.chance(60) and not rigid and law != "none"
     if canvas.chance(60 if usual else 70):
         normals = [name for name in key.child("normal").choices if usual or name != "given"]
-        entry["normal"] = canvas.pick(normals)
+        given = law == "interface" and "given" in normals and canvas.chance(30)
+        entry["normal"] = "given" if given else canvas.pick(normals)
     if entry.get("normal") == "given":
         entry["direction"] = canvas.pick([[0, 1], [1, 0], [0, -2], [-1, 0], [0.6, 0.8], [1, -3]])
     if canvas.chance(50):

@@ -13,7 +13,7 @@ from draw import ABSENT, draw_value, short
 from draw_bodies import SIDES, is_rigid
 import draw_plastic as plastic
 from draw_loads import line, nodes_across, place
-from scales import bulk_modulus
+from scales import SCALARS, bulk_modulus
 
 RADIATING_LEVEL = 10  # absolute temperatures stay above 0
 LEVELS = [0, RADIATING_LEVEL, -3, RADIATING_LEVEL]
@@ -23,21 +23,24 @@ PARTS = {"temperature": 1, "concentration": 0.25}  # by which they vary
 # ------------------------------------------------------------------------ what there is
 def settle(canvas):
     """Which scalars a scene conducts, and what of mechanics they change. In `coupled` stresses follow
-    scalars; in `exchanging` bodies in contact, or the sides of cracks, exchange heat."""
+    scalars; in `exchanging` bodies in contact, or the sides of cracks, exchange heat, in a part of the
+    scenes with such stresses too. A third of those with mechanics has plastic strain."""
     notes, situation = canvas.notes, canvas.situation
     conducts = situation in ("heated", "coupled", "exchanging")
     kinds = ["heat", "heat", "heat", "solvent", "both"] if situation != "exchanging" else \
         ["heat", "heat", "heat", "heat", "both", "solvent"]
     kind = canvas.pick(kinds) if conducts else "none"
     notes["heat"], notes["solvent"] = kind in ("heat", "both"), kind in ("solvent", "both")
-    notes["coupled"] = situation == "coupled"
+    notes["coupled"] = situation == "coupled" or situation == "exchanging" and canvas.chance(50)
     notes["exchanging"] = situation == "exchanging"
     notes["still"] = conducts and not notes["coupled"] and canvas.chance(50)
-    absolute = notes["coupled"] and canvas.chance(70)
+    notes["plastic"] = notes["plastic"] or conducts and not notes["still"] and canvas.chance(35)
+    absolute = (notes["coupled"] or notes["plastic"]) and canvas.chance(70)
     notes["levels"] = {"temperature": canvas.pick([RADIATING_LEVEL] if absolute else LEVELS),
                        "concentration": canvas.pick([0, 0.5])}
-    notes["gas"] = absolute and notes["heat"] and canvas.chance(50)
+    notes["gas"] = absolute and notes["heat"] and not notes["plastic"] and canvas.chance(50)
     notes["heats"] = absolute and notes["heat"] and canvas.chance(60)
+    notes["tables"] = conducts and canvas.chance(25)
 
 
 def scalar_of(key):
@@ -102,7 +105,39 @@ def draw_capacity(canvas, key):
     """Of heat or solvent: of each material of a scene that has it."""
     if not is_conducted(canvas, key):
         return ABSENT
+    canvas.notes["varies"] = scalar_of(key) == "temperature" and canvas.notes["tables"] and \
+        not canvas.notes["heats"] and canvas.chance(60)
+    if canvas.notes["varies"]:
+        return ABSENT
     return short(canvas.pick([1, 0.5, 3]) * canvas.scale(key.unit))
+
+
+TABLE_ENDS = (-40, 60)  # beyond all values that scenes and invariants have
+
+
+def draw_table(canvas, key, sizes):
+    """Of a property: to either side of the scene's level it rises, falls, or has a peak."""
+    scalar = scalar_of(key)
+    level, part = canvas.notes["levels"][scalar], PARTS[scalar]
+    places = [TABLE_ENDS[0], *(short(level + part * canvas.pick(away)) for away in
+                               ([-0.5, -0.2], [0.1, 0.3], [0.6, 2])), TABLE_ENDS[1]]
+    scale = canvas.scale(key.unit)
+    kept = [0, *sorted(canvas.pick([[1, 2, 3], [2], [1, 3], []])), 4]
+    return [[places[k], short(canvas.pick(sizes) * scale)] for k in kept]
+
+
+def draw_capacity_table(canvas, key):
+    """In the place of a number."""
+    if not is_conducted(canvas, key) or not canvas.notes["varies"]:
+        return ABSENT
+    return draw_table(canvas, key, [1, 0.5, 2])
+
+
+def draw_conductivity_table(canvas, key):
+    """In the place of a number."""
+    if not canvas.notes["table of " + scalar_of(key)]:
+        return ABSENT
+    return draw_table(canvas, key, [0.25, 1, 0.05])
 
 
 def draw_size(canvas):
@@ -114,7 +149,9 @@ def draw_conductivity(canvas, key):
     """A number, or a tensor below."""
     tensor = is_conducted(canvas, key) and canvas.chance(40)
     canvas.notes["tensor of " + scalar_of(key)] = tensor
-    if not is_conducted(canvas, key) or tensor:
+    table = is_conducted(canvas, key) and not tensor and canvas.notes["tables"] and canvas.chance(70)
+    canvas.notes["table of " + scalar_of(key)] = table
+    if not is_conducted(canvas, key) or tensor or table:
         return ABSENT
     return short(draw_size(canvas) * canvas.scale(key.unit))
 
@@ -140,11 +177,12 @@ def draw_expansion(canvas, key):
     """Of solids whose stresses follow a scalar: percents of a strain for the changes that scalars have."""
     material = canvas.notes["group"]
     if not canvas.notes["coupled"] or not is_conducted(canvas, key) or \
-            material["law"] == "ideal_gas" or canvas.chance(20):
+            material["law"] in ("ideal_gas", *FLUIDS) or canvas.chance(20):
         return ABSENT
     if scalar_of(key) == "concentration":
         return canvas.pick([0.04, -0.02, 0.1, 0])
-    most = math.sqrt(HEATING_MOST * material["density"] * material["heat_capacity"] /
+    capacity = SCALARS["temperature"].capacity_per_volume(material)
+    most = math.sqrt(HEATING_MOST * capacity /
                      (9 * bulk_modulus(material) * (RADIATING_LEVEL + 3)))
     return canvas.pick([1, -1, 0.3, 0]) * short(min(0.02, most))
 
@@ -201,9 +239,10 @@ def draw_transport(canvas, key):
 
 
 def draw_heating(canvas):
-    """Heat of deformation, where something expands or is a gas, and temperatures are absolute."""
-    changes = any(material["law"] == "ideal_gas" or "thermal_expansion" in material
-                  and material["thermal_expansion"] != 0
+    """Heat of deformation, where something expands or is a gas, and temperatures are absolute; and of
+    plastic work."""
+    changes = any(material["law"] == "ideal_gas" or "taylor_quinney" in material or
+                  material.get("thermal_expansion", 0) != 0
                   for material in canvas.scene["materials"])
     return {"heating": True} if canvas.notes["heats"] and changes else \
         {"heating": False} if canvas.chance(10) else {}

@@ -49,7 +49,7 @@ def loss(case, parts):
         return None
     history = result.history
     change = history["strain_energy"] - history["strain_energy"][0]
-    for name in ("cohesive_stored", "cohesive_dissipated", "plastic_dissipation"):
+    for name in ("cohesive_stored", "cohesive_dissipated", "plastic_dissipation", "plastic_heat"):
         change = change + history.get(name, 0.0)
     stored = compare.largest(change) + compare.largest(history.get("expansion_work", 0.0))
     return history["transfer_loss"][-1], stored

@@ -13,7 +13,8 @@ import compare
 from case import evaluate, require
 from images import agrees
 from motion import LAST_DIGITS, inside_planes, nodes_of
-from scalars import alone, scalars_of, with_values, without_input, without_scalars
+from scalars import (alone, has_table, scalars_of, with_tables_higher, with_values, without_input,
+                     without_scalars, without_tables)
 from transform import Motion, names_of
 
 LEVEL = 7.3  # of scalars that a scene is given, of the size of temperatures that it has
@@ -46,9 +47,9 @@ def heat_stored_is_heat_taken_in(case):
 
 
 def capacity_of(case, state, scalar):
-    """The capacity of each particle."""
+    """The capacity of each particle; of a table the largest."""
     materials = {material["name"]: material for material in case.scene["materials"]}
-    capacities = {body["name"]: scalar.capacity_per_volume(materials[body["material"]]) /
+    capacities = {body["name"]: scalar.capacity_per_volume(materials[body["material"]], max) /
                   materials[body["material"]]["density"] if "material" in body else 0.0
                   for body in case.scene["bodies"]}
     return state.mass * numpy.array([capacities[state.body_names[k]] for k in state.body])
@@ -162,12 +163,15 @@ def close_to(case, one, other, what, shift=0.0):
 
 
 def temperatures_have_no_zero(case):
-    """A scene without what depends on absolute temperatures, radiation and gases and heat of deformation,
-    and all scalars higher by a constant: the answer is."""
-    if not case.conducts or radiates(case) or case.gas or case.heats or case.plain.status != 0:
+    """A scene without what depends on absolute temperatures, radiation, gases, softening and heat of
+    deformation, and all scalars higher by a constant, of tables too: the answer is. Not judged with
+    stresses: enthalpy of a capacity that varies, which is more by another sum."""
+    if not case.conducts or radiates(case) or case.gas or case.softens or case.heats or \
+            case.plain.status != 0 or case.couples and has_table(case.scene, "heat_capacity_table"):
         return False
     what = "scalars higher by a constant"
-    other = ended(case, with_values(case.brief, lambda text: f"({text})+{LEVEL}"), what)
+    higher = with_values(case.brief, lambda text: f"({text})+{LEVEL}")
+    other = ended(case, with_tables_higher(higher, LEVEL), what)
     one = case.plain
     if case.couples:  # round-off of a scalar moves bodies
         for scalar in case.scalars:
@@ -256,7 +260,7 @@ def an_even_source_warms_evenly(case):
     their particles at the rate s / (rho c), up to the end of the run, also where transport waits."""
     if not case.conducts or case.plain.status != 0:
         return False
-    scene = alone(with_values(case.brief, lambda _: LEVEL))
+    scene = without_tables(alone(with_values(case.brief, lambda _: LEVEL)))
     step = 0.4 / (case.conduction_rate * capacity_ratio(case) + case.wave / min(case.cell))
     scene["time"] = {"end": scene["time"]["end"], "steps": scene["time"]["steps"], "step": step}
     for scalar, given in scalars_of(scene).items():
@@ -276,7 +280,7 @@ def an_even_source_warms_evenly(case):
 
 def capacity_ratio(case):
     """The largest capacity per volume over the smallest, of the scalar for which that is more."""
-    capacities = [[scalar.capacity_per_volume(material) for material in case.scene["materials"]]
+    capacities = [[scalar.capacity_per_volume(material, of) for of in (min, max) for material in case.scene["materials"]]
                   for scalar in case.scalars]
     return max(max(each) / min(each) for each in capacities)
 
@@ -294,7 +298,7 @@ def a_held_gradient_stays(case):
             slopes[int(ends["from"][0] != ends["to"][0])] = 0
     field = f"{LEVEL}" + "".join(f"+({slope})*({name}-({first}))" for slope, name, first in
                                  zip(slopes, names, grid.get("origin", [0, 0])))
-    scene = in_fixed_steps(case, alone(case.brief))
+    scene = in_fixed_steps(case, without_tables(alone(case.brief)))
     for scalar, given in scalars_of(scene).items():
         for body in scene["bodies"]:
             body.pop(scalar.name, None)
@@ -335,6 +339,8 @@ def tensors_in_other_words(case):
     scene = case.brief
     for material in scene["materials"]:
         for scalar in case.scalars:
+            if scalar.one_table in material:
+                continue
             if scalar.one in material:
                 material[scalar.two] = 2 * [material.pop(scalar.one)]
                 material[scalar.angle] = 17

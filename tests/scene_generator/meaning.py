@@ -15,7 +15,6 @@ import draw_plastic as plastic
 from scales import SCALARS
 
 # ------------------------------------------------------------------- left out
-TABLES = "points are temperatures or strains, not places; invariants assume constants (H14, P2)"
 LEFT_OUT = {
     "time.allow_unstable": "beyond the stability limit nothing is promised",
     "output.checkpoint": "the invariant of runs that go on from one has its own",
@@ -23,8 +22,9 @@ LEFT_OUT = {
     "output.snapshots": "the first state and the last are compared; more would land steps on them",
     "contact.normal=given": "refused: it is for pairs, each with its direction",
     "output.fringe": "a field for pictures; its values follow from the stress",
-    "materials[].heat_capacity_table": TABLES, "materials[].conductivity_table": TABLES,
-    "materials[].diffusivity_table": TABLES, "materials[].hardening_table": TABLES,
+    "output.derived": "fields for pictures; their values follow from others",
+    "output.probes": "fields at places; they follow from those of the particles",
+    "output.lines": "the same",
 }
 
 # Refused where nothing moves, since materials have law: none.
@@ -162,13 +162,16 @@ MEANING = {
     "materials[].start_pressure": heat.draw_of_fluid([0]),
     "materials[].stiffening_pressure": heat.draw_of_fluid([1, 0.3]),
     "materials[].heat_capacity": heat.draw_capacity,
+    "materials[].heat_capacity_table": heat.draw_capacity_table,
     "materials[].conductivity": heat.draw_conductivity,
+    "materials[].conductivity_table": heat.draw_conductivity_table,
     "materials[].principal_conductivities": heat.draw_principal,
     "materials[].conductivity_angle": heat.draw_angle,
     "materials[].thermal_expansion": heat.draw_expansion,
     "materials[].stress_free_temperature": heat.draw_stress_free,
     "materials[].saturation": heat.draw_capacity,
     "materials[].diffusivity": heat.draw_conductivity,
+    "materials[].diffusivity_table": heat.draw_conductivity_table,
     "materials[].principal_diffusivities": heat.draw_principal,
     "materials[].diffusivity_angle": heat.draw_angle,
     "materials[].swelling": heat.draw_expansion,
@@ -176,17 +179,18 @@ MEANING = {
     "materials[].specific_heat": plastic.draw_specific_heat,
     "materials[].start_temperature": plastic.draw_temperature,
     "materials[].yield_stress": plastic.draw_yield_stress,
-    "materials[].hardening_modulus": plastic.draw_part,
+    "materials[].hardening_modulus": plastic.draw_modulus,
     "materials[].hardening_strain": plastic.draw_hardening_strain,
     "materials[].hardening_exponent": plastic.draw_exponent,
     "materials[].hardening_coefficient": plastic.draw_coefficient,
     "materials[].kinematic_modulus": plastic.draw_part,
+    "materials[].hardening_table": plastic.draw_table,
     "materials[].rate_coefficient": plastic.draw_rate_coefficient,
     "materials[].reference_rate": plastic.draw_reference_rate,
     "materials[].softening_exponent": plastic.draw_of_softening([1, 0.7, 1.5]),
     "materials[].reference_temperature": plastic.draw_of_softening([10]),
     "materials[].melting_temperature": plastic.draw_of_softening([12, 11]),
-    "materials[].taylor_quinney": plastic.draw_of_softening([1, 0.9]),
+    "materials[].taylor_quinney": plastic.draw_quinney,
     "materials[].density": bodies.draw_density,
     "materials[].young": bodies.draw_young,
     "materials[].poisson": bodies.draw_poisson,

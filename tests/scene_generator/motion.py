@@ -12,7 +12,7 @@ import compare
 import transform
 from case import Violation, evaluate, require
 from scalars import scalars_of, still, with_values, without_input
-from scales import wave_speed
+from scales import SCALARS, wave_speed
 from transform import Motion
 
 
@@ -162,7 +162,9 @@ def smooth(scene):
     if "contact" in new:
         softest = 0.1 * min(material["density"] * wave_speed(material) ** 2
                             for material in new["materials"]) / max(new["grid"]["cell"])
-        slowest = 0.1 * min(material["density"] * material.get("heat_capacity", 1) * wave_speed(material)
+        heat = SCALARS["temperature"]
+        slowest = 0.1 * min((heat.capacity_per_volume(material) if heat.has_capacity(material)
+                             else material["density"]) * wave_speed(material)
                             for material in new["materials"])
         new["contact"] = smooth_contact(new["contact"], softest, slowest)
     for name in ("cracks", "transfer", "form"):

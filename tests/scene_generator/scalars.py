@@ -35,6 +35,32 @@ def with_values(scene, change):
     return new
 
 
+def with_tables_higher(scene, change):
+    """The scene with tables of properties whose temperatures and concentrations are higher."""
+    for scalar in scalars_of(scene):
+        for material in scene["materials"]:
+            for name in (scalar.capacity_table, scalar.one_table):
+                if name in material:
+                    material[name] = [[point + change, value] for point, value in material[name]]
+    return scene
+
+
+def without_tables(scene):
+    """The scene with constants in the place of tables: the first of each."""
+    for scalar in scalars_of(scene):
+        for material in scene["materials"]:
+            for name, table in ((scalar.capacity, scalar.capacity_table),
+                                (scalar.one, scalar.one_table)):
+                if table in material:
+                    material[name] = material.pop(table)[0][1]
+    return scene
+
+
+def has_table(scene, name):
+    """Has a material that table?"""
+    return any(name in material for material in scene["materials"])
+
+
 def without_input(scene, conditions=False):
     """The scene, whose scalars get no source and no given fluxes any more; also no conditions and
     surroundings where `conditions` is to go."""
@@ -48,6 +74,8 @@ def without_input(scene, conditions=False):
 
 
 OF_SCALARS = set().union(*(scalar.of_material for scalar in SCALARS.values()))
+OF_STRENGTH = ("taylor_quinney", "softening_exponent", "reference_temperature",
+               "melting_temperature")
 OF_PASSAGES = ("heat", "conductance", "heat_gap")
 
 
@@ -60,6 +88,13 @@ def without_passages(scene):
     return scene
 
 
+def without_heat_of_strength(material):
+    """The material, whose strength has nothing to do with a temperature that is conducted any more."""
+    if "specific_heat" not in material:
+        for name in OF_STRENGTH:
+            material.pop(name, None)
+
+
 def without_scalars(scene):
     """The scene, which conducts nothing any more."""
     scene.pop("transport", None)
@@ -69,6 +104,7 @@ def without_scalars(scene):
     for material in scene["materials"]:
         for name in OF_SCALARS:
             material.pop(name, None)
+        without_heat_of_strength(material)
     return without_passages(scene)
 
 

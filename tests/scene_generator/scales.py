@@ -13,6 +13,7 @@ class Scalar:
         self.name = name
         self.content, self.flow = words  # columns of the history
         self.capacity, self.one, self.two, self.angle, self.expansion, self.stress_free = of_material
+        self.capacity_table, self.one_table = self.capacity + "_table", self.one + "_table"
 
     @property
     def flows(self):
@@ -22,15 +23,23 @@ class Scalar:
     @property
     def of_material(self):
         """Keys of materials."""
-        return {self.capacity, self.one, self.two, self.angle, self.expansion, self.stress_free}
+        return {self.capacity, self.one, self.two, self.angle, self.expansion, self.stress_free,
+                self.capacity_table, self.one_table}
 
-    def capacity_per_volume(self, material):
-        """Of the undeformed material."""
-        return material[self.capacity] * (material["density"] if self.name == "temperature" else 1)
+    def has_capacity(self, material):
+        """Does the material conduct it?"""
+        return self.capacity in material or self.capacity_table in material
+
+    def capacity_per_volume(self, material, of=min):
+        """Of the undeformed material; of a table the smallest, or the largest."""
+        capacity = of(value for _, value in material[self.capacity_table]) \
+            if self.capacity_table in material else material[self.capacity]
+        return capacity * (material["density"] if self.name == "temperature" else 1)
 
     def diffusivity(self, material):
-        """The largest of a material, along any direction."""
-        largest = max([material.get(self.one, 0), *material.get(self.two, [])])
+        """The largest of a material, along any direction and at any value of tables."""
+        largest = max([material.get(self.one, 0), *material.get(self.two, []),
+                       *(value for _, value in material.get(self.one_table, []))])
         return largest / self.capacity_per_volume(material) if self.name == "temperature" else largest
 
 
@@ -55,7 +64,8 @@ def wave_speed(material):
     """Of longitudinal waves in the undeformed material, without flow of heat."""
     if "gas_constant" in material:
         constant = material["gas_constant"]
-        return math.sqrt(constant * HOTTEST * (1 + constant / material["heat_capacity"]))
+        capacity = SCALARS["temperature"].capacity_per_volume(material) / material["density"]
+        return math.sqrt(constant * HOTTEST * (1 + constant / capacity))
     viscous = material.get("viscosity", {"linear": 0})["linear"]
     slower = viscous + math.sqrt(1 + viscous ** 2)
     if "sound_speed" in material:
@@ -117,7 +127,7 @@ class Scales:
             bodies = self.scene.get("bodies", [])
             used = [body.get("material") for body in bodies]
             materials = [material for material in self.scene["materials"]
-                         if scalar.capacity in material and (material["name"] in used or not bodies)]
+                         if scalar.has_capacity(material) and (material["name"] in used or not bodies)]
             if not materials:
                 continue
             diffusivity = max([diffusivity, *map(scalar.diffusivity, materials)])

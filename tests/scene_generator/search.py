@@ -34,6 +34,7 @@ import invariants
 import meaning
 import run
 from case import Case, Discarded, Violation
+from plastic import is_plastic, plastic_work
 from schema import read_schema
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -177,7 +178,7 @@ class Search:
             self.of_batch[name] += 1
             asked += name in others
         self.valid.update(keys)
-        work = case.base.history.get("plastic_dissipation")
+        work = plastic_work(case.base.history) if is_plastic(case) else None
         if work is not None:
             self.yielding.update(plastic=1, yields=int(work[-1] > 0))
 

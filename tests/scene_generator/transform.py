@@ -12,8 +12,11 @@ from scales import SCALARS
 from schema import unit_exponents, visit
 
 SIZES = {"grid.cell", "grid.cells", "bodies[].particles_per_cell"}  # pairs without a place or a way
+TABLES = {f"materials[].{name}": scalar for scalar in SCALARS.values()
+          for name in (scalar.capacity_table, scalar.one_table)}  # points over a scalar
 ALONG = {"materials[].principal_conductivities",
          "materials[].principal_diffusivities"}  # pairs along axes that an angle turns
+CURVES = {"materials[].hardening_table"}  # points without a place: a number, and what has the unit
 WAYS = {"contact.pairs[].direction"}  # pairs that are vectors
 NORMALS = {"left": (-1, 0), "right": (1, 0), "bottom": (0, -1), "top": (0, 1)}
 
@@ -99,6 +102,10 @@ def moved(schema, scene, motion):
     def change(key, value):
         if key.path == "grid.origin":
             return value  # below, with the other corner
+        if key.path in CURVES:
+            return [list(point) for point in value]
+        if key.path in TABLES:
+            return copy.deepcopy(value)
         if key.shape == "points":
             return [motion.point(point) for point in value]
         if key.shape == "pair" and key.path in SIZES:
@@ -186,6 +193,11 @@ def in_units(schema, scene, length, mass, time, temperature):
             return expression(value, key.unit)
         if key.value != "number" or not key.unit:
             return value
+        if key.path in CURVES:
+            return [[first, second * scale(key.unit)] for first, second in value]
+        if key.path in TABLES:
+            over = temperature if TABLES[key.path].name == "temperature" else 1
+            return [[point * over, part * scale(key.unit)] for point, part in value]
         if key.shape == "points":
             return [[part * scale(key.unit) for part in point] for point in value]
         if key.shape == "pair":

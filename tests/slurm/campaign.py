@@ -195,12 +195,17 @@ TIMES = {"seconds", "started", "command", "only"}
 MEASURED = {"seconds", "cpu_seconds", "peak_bytes"}
 
 
+def without(value):
+    """A value of the same type that says nothing."""
+    return value if value is None else "" if isinstance(value, str) else 0
+
+
 def without_times(value):
     """JSON with every time set to zero."""
     if isinstance(value, dict):
         if value.get("quantity") in MEASURED:
             return dict(value, value=0)
-        return {key: ("" if isinstance(inner, str) else 0) if key in TIMES else without_times(inner)
+        return {key: without(inner) if key in TIMES else without_times(inner)
                 for key, inner in value.items()}
     return [without_times(inner) for inner in value] if isinstance(value, list) else value
 

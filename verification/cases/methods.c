@@ -3,9 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/cases/methods.h"
 
-#include "mpm_file.h"
 #include "verification/cases/yaml_place.h"
 #include "verification/cases/yaml_read.h"
+#include "verification/common/input.h"
 #include "verification/common/names.h"
 
 #include <glib.h>
@@ -91,10 +91,11 @@ enum mpm_status methods_load(const char *folder, struct method_table **table,
                              struct mpm_error *error)
 {
     char *path = g_build_filename(folder, file_name, NULL);
-    enum mpm_status status = MPM_OK;
+    enum mpm_path kind;
+    enum mpm_status status = input_kind(path, &kind, error);
     void *data = NULL;
     *table = NULL;
-    if (mpm_path_kind(path) != MPM_PATH_NONE) /* or reading it gives the reason */
+    if (status == MPM_OK && kind != MPM_PATH_NONE)
         status = mpm_keys_read(path, &table_file, &data, error);
     if (status == MPM_OK && data != NULL)
         status = check_table(path, data, error);

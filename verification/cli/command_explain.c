@@ -155,6 +155,8 @@ static void print_check(const struct explanation *explanation, const struct case
     print_label(out, "quantity", g_strdup_printf("%s, norm: %s", check->quantity, check->norm));
     print_band(out, check);
     print_label(out, "why", g_strdup(check->why));
+    if (check->basis == BASIS_INDEPENDENT)
+        print_label(out, "computed", g_strdup(file->calculation));
     print_label(out, "evidence", g_strdup(*evidence == '\0' ? "not stated" : evidence));
     if (check->headroom != NULL)
         print_label(out, "headroom", g_strdup(check->headroom));

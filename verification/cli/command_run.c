@@ -94,11 +94,11 @@ static void run_options_clear(struct made_options *made)
 }
 
 /* What a command of a run works on, in `folder` (NULL: where reports go). */
-static enum mpm_status run_options_make(const struct command *command, const char *folder,
+static enum mpm_status run_options_make(const struct command *command,
+                                        const struct command_options *given, const char *folder,
                                         bool resume, struct made_options *made,
                                         struct mpm_error *error)
 {
-    const struct command_options *given = &command->options;
     *made = (struct made_options){
         .reports = resources_reports(command->argv[0]),
         .typed = command_line_typed(PROGRAM, command->argc, command->argv),
@@ -140,7 +140,7 @@ static enum mpm_status read_launcher(const char *text, enum launcher *launcher,
 }
 
 static enum mpm_status run_with(const struct run_options *run, enum launcher launcher,
-                                struct command *command, struct mpm_error *error)
+                                const char *costs, struct command *command, struct mpm_error *error)
 {
     const struct suite_world *world = command->world;
     struct console console = {
@@ -149,8 +149,8 @@ static enum mpm_status run_with(const struct run_options *run, enum launcher lau
     enum mpm_status status;
     if (launcher == LAUNCHER_SLURM) {
         char *program = resources_program(command->argv[0], PROGRAM);
-        status = launch_slurm(run, world->programs, program, command->options.costs, &console,
-                              &counts, &command->signal_number, error);
+        status = launch_slurm(run, world->programs, program, costs, &console, &counts,
+                              &command->signal_number, error);
         g_free(program);
     } else {
         status = suite_run(run, world->programs, &console, &counts, &command->signal_number, error);
@@ -160,17 +160,40 @@ static enum mpm_status run_with(const struct run_options *run, enum launcher lau
     return status;
 }
 
+/* What the run left is worth its tables, whatever it came to. */
+static enum mpm_status run_and_tables(const struct run_options *run, enum launcher launcher,
+                                      const char *costs, struct command *command,
+                                      struct mpm_error *error)
+{
+    struct mpm_error later;
+    const enum mpm_status status = run_with(run, launcher, costs, command, error);
+    if (status != MPM_OK && status != MPM_INTERRUPTED)
+        return status;
+    const enum mpm_status written =
+        command_study_tables(command, run->output, run->texts.catalogue, &later);
+    if (written == MPM_OK || status != MPM_OK)
+        return status;
+    *error = later;
+    return written;
+}
+
 enum mpm_status command_run(struct command *command, struct mpm_error *error)
 {
-    const struct command_options *given = &command->options;
+    return command_run_given(command, &command->options, error);
+}
+
+enum mpm_status command_run_given(struct command *command, const struct command_options *given,
+                                  struct mpm_error *error)
+{
     struct made_options made;
     enum launcher launcher;
     TRY(read_launcher(given->launcher, &launcher, error));
-    TRY(run_options_make(command, given->output, given->resume || given->status, &made, error));
+    TRY(run_options_make(command, given, given->output, given->resume || given->status, &made,
+                         error));
     const enum mpm_status status =
         given->status
             ? campaign_status(&made.run, command->world->programs, command->world->out, error)
-            : run_with(&made.run, launcher, command, error);
+            : run_and_tables(&made.run, launcher, given->costs, command, error);
     run_options_clear(&made);
     return status;
 }
@@ -179,9 +202,14 @@ enum mpm_status command_run(struct command *command, struct mpm_error *error)
 
 enum mpm_status command_tasks(struct command *command, struct mpm_error *error)
 {
-    const struct command_options *given = &command->options;
+    return command_tasks_given(command, &command->options, error);
+}
+
+enum mpm_status command_tasks_given(struct command *command, const struct command_options *given,
+                                    struct mpm_error *error)
+{
     struct made_options made;
-    TRY(run_options_make(command, given->output, given->resume, &made, error));
+    TRY(run_options_make(command, given, given->output, given->resume, &made, error));
     char *program = resources_program(command->argv[0], PROGRAM);
     const enum mpm_status status =
         campaign_tasks(&made.run, command->world->programs, program, command->world->out, error);
@@ -194,7 +222,7 @@ enum mpm_status command_task(struct command *command, struct mpm_error *error)
 {
     char **const rest = command->options.rest;
     struct made_options made;
-    TRY(run_options_make(command, rest[0], true, &made, error));
+    TRY(run_options_make(command, &command->options, rest[0], true, &made, error));
     const enum mpm_status status =
         campaign_task(&made.run, command->world->programs, rest[1], &command->signal_number, error);
     run_options_clear(&made);
@@ -208,11 +236,12 @@ enum mpm_status command_collect(struct command *command, struct mpm_error *error
         .out = world->out, .terminal = world->terminal, .verbose = command->options.verbose};
     struct record_counts counts;
     struct made_options made;
-    TRY(run_options_make(command, command->options.rest[0], true, &made, error));
-    const enum mpm_status status =
-        campaign_collect(&made.run, world->programs, &console, &counts, error);
+    TRY(run_options_make(command, &command->options, command->options.rest[0], true, &made, error));
+    enum mpm_status status = campaign_collect(&made.run, world->programs, &console, &counts, error);
     console_clear(&console);
     command->checks_failed = counts.failed > 0;
+    if (status == MPM_OK)
+        status = command_study_tables(command, made.run.output, made.run.texts.catalogue, error);
     run_options_clear(&made);
     return status;
 }

@@ -33,7 +33,9 @@ enum {
     TAKES_RESUME = 512,
     TAKES_LAUNCHER = 1024,
     TAKES_LAST_RUN = 2048,
-    TAKES_VERBOSE = 4096
+    TAKES_VERBOSE = 4096,
+    TAKES_STUDY = 8192,
+    TAKES_STATUS = 16384
 };
 
 enum mpm_status command_catalogue(const struct command *command, struct catalogue **catalogue,
@@ -57,6 +59,7 @@ static enum mpm_status command_report(struct command *command, struct mpm_error 
         .baseline = command->options.baseline,
         .mutants = command->options.mutants,
         .headroom = (const char *const *)command->options.headroom,
+        .history = (const char *const *)command->options.history,
     };
     TRY(report_check(folder, error)); /* before anything is written there */
     TRY(report_store(folder, &additions, error));
@@ -91,7 +94,7 @@ static const struct mpm_command_entry commands[] = {
      command_list},
     {"run",
      TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME |
-         TAKES_LAUNCHER | TAKES_VERBOSE,
+         TAKES_LAUNCHER | TAKES_STATUS | TAKES_VERBOSE,
      "", "run, judge, and write results and reports", NULL, command_run},
     {"tasks", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME, "",
      "begin a run for any other engine: print a command line for each program that has no result",
@@ -101,14 +104,19 @@ static const struct mpm_command_entry commands[] = {
      "Exit status: 0 the result is there; else the task is to be run again.", command_task},
     {"collect", TAKES_VERBOSE, "DIR", "write the report of the results in DIR; run nothing", NULL,
      command_collect},
+    {"study", TAKES_STUDY | TAKES_RESUME | TAKES_LAUNCHER | TAKES_VERBOSE, "SCENE",
+     "a convergence study of your scene: tables, orders and pictures",
+     "SCENE is a scene, or the file of a study (docs/tutorial-study.md). With --resume and no "
+     "other option of the study, a scene goes on with the study in the output folder.",
+     command_study},
     {"explain", TAKES_LAST_RUN | TAKES_CATALOGUE, "CHECK",
      "what a check states, its band and why, last values, the command to reproduce it",
      "CHECK is CASE[/CHECK[/VARIANT]], with globs. Of a CASE alone all is printed.",
      command_explain},
     {"report", TAKES_BASELINE | TAKES_ADDITIONS | TAKES_CATALOGUE, "DIR",
      "render the reports of DIR again from its result lines",
-     "What --baseline, --mutants and --headroom name is stored in DIR, and in each report of it "
-     "from then on.",
+     "What --baseline, --mutants, --headroom and --history name is stored in DIR, and in each "
+     "report of it from then on.",
      command_report},
     {"headroom", 0, "DIR",
      "whether every check of DIR is within 1.5 to 100 times its deviation from its band's end, "
@@ -152,9 +160,9 @@ static const struct mpm_option options[] = {
            "only variants whose names match; GLOB,GLOB for several"),
     OPTION(TAKES_SELECTION, "only", only, TEXT, "FILE",
            "only the variants of FILE, a line CASE/VARIANT each"),
-    OPTION(TAKES_SELECTION, "kernels", kernels, TEXT, "auto|reference|fast",
+    OPTION(TAKES_SELECTION | TAKES_STUDY, "kernels", kernels, TEXT, "auto|reference|fast",
            "auto, fast wherever a scene allows, unless given"),
-    OPTION(TAKES_SELECTION, "jobs", jobs, INTEGER, "N",
+    OPTION(TAKES_SELECTION | TAKES_STUDY, "jobs", jobs, INTEGER, "N",
            "processes at a time; the number of processors unless given"),
     OPTION(TAKES_RESUME, "resume", resume, FLAG, NULL,
            "go on with the run in the output folder: only what is missing there or whose binary, "
@@ -163,7 +171,7 @@ static const struct mpm_option options[] = {
            "where the programs run; local unless given"),
     OPTION(TAKES_LAUNCHER, "costs", costs, TEXT, "DIR",
            "folder of an earlier run: time and memory asked of Slurm follow from it"),
-    OPTION(TAKES_LAUNCHER, "status", status, FLAG, NULL,
+    OPTION(TAKES_STATUS, "status", status, FLAG, NULL,
            "print how far the run in the output folder is, and run nothing"),
     {.takes = TAKES_VERBOSE,
      .name = "verbose",
@@ -177,6 +185,18 @@ static const struct mpm_option options[] = {
            "mutants.json of a run of planted bugs, for a page of the report"),
     OPTION(TAKES_ADDITIONS, "headroom", headroom, LIST, "NAME=DIR",
            "results of another build, for a page of the report"),
+    OPTION(TAKES_ADDITIONS, "history", history, LIST, "DIR",
+           "earlier run, or benchmarks, oldest first: the course of each value"),
+    OPTION(TAKES_STUDY, "refine", refine, TEXT, "N,N,...", "refinements of the grid"),
+    OPTION(TAKES_STUDY, "vary", vary, LIST, "PATH=V,...", "values of a setting of the scene"),
+    OPTION(TAKES_STUDY, "set", settings, LIST, "PATH=V", "set a value of the scene in all runs"),
+    OPTION(TAKES_STUDY, "measure", measures, LIST, "QUANTITY[:TAKE[@TIME]][=REFERENCE]",
+           "what is measured, at a time, or at a place by @X,Y"),
+    OPTION(TAKES_STUDY, "timeout", timeout, TEXT, "S", "the seconds that one run may take"),
+    OPTION(TAKES_STUDY, "tasks", tasks, FLAG, NULL,
+           "print a command line for each run, for any other engine; run nothing"),
+    OPTION(TAKES_STUDY, "output", output, TEXT, "DIR",
+           "folder of the study; mpm-study unless given"),
     OPTION(TAKES_CHANGE, "change", change, TEXT, "X",
            "relative change of a value that counts; 0.001 unless given"),
     OPTION(TAKES_NAME, "name", name, TEXT, "SOLVER",

@@ -32,10 +32,11 @@ struct command_options {
     char *case_globs, *variant_globs, *tags; /* joined by commas where several are given */
     char *tier, *only, *kernels, *output, *catalogue, *change;
     char *name; /* of a solver */
-    char *baseline, *mutants, **headroom;
+    char *baseline, *mutants, **headroom, **history;
     char *launcher, *costs;
+    char *refine, *timeout, **vary, **settings, **measures; /* of a study */
     int jobs;
-    bool resume, status, verbose, names;
+    bool resume, status, verbose, names, tasks;
     char **rest; /* the arguments beside the options */
 };
 
@@ -52,11 +53,21 @@ enum mpm_status command_run(struct command *command, struct mpm_error *error);
 enum mpm_status command_tasks(struct command *command, struct mpm_error *error);
 enum mpm_status command_task(struct command *command, struct mpm_error *error);
 enum mpm_status command_collect(struct command *command, struct mpm_error *error);
+enum mpm_status command_study(struct command *command, struct mpm_error *error);
 enum mpm_status command_list(struct command *command, struct mpm_error *error);
 enum mpm_status command_explain(struct command *command, struct mpm_error *error);
 enum mpm_status command_headroom(struct command *command, struct mpm_error *error);
 enum mpm_status command_export(struct command *command, struct mpm_error *error);
 enum mpm_status command_score(struct command *command, struct mpm_error *error);
+
+/* As command_run, command_tasks, for the catalogue, the output and so on in `given`. */
+enum mpm_status command_run_given(struct command *command, const struct command_options *given,
+                                  struct mpm_error *error);
+enum mpm_status command_tasks_given(struct command *command, const struct command_options *given,
+                                    struct mpm_error *error);
+/* Writes and prints the tables of a study, if the run in `output` is of the study's catalogue. */
+enum mpm_status command_study_tables(struct command *command, const char *output,
+                                     const char *catalogue, struct mpm_error *error);
 
 struct catalogue;
 

@@ -29,6 +29,10 @@ enum mpm_status folder_names(const char *folder, GPtrArray **names, struct mpm_e
 
 enum mpm_status folder_remove(const char *path, struct mpm_error *error)
 {
-    return mpm_folder_remove_all(path) == 0 || errno == ENOENT ? MPM_OK
-                                                               : folder_failed(path, error);
+    char *failed;
+    enum mpm_status status = MPM_OK;
+    if (mpm_folder_remove_all(path, &failed) != 0 && errno != ENOENT)
+        status = folder_failed(failed, error);
+    g_free(failed);
+    return status;
 }

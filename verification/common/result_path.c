@@ -5,11 +5,15 @@
 
 #include "mpm_file.h"
 
+#include <errno.h>
+
 static enum mpm_status check(const char *path, enum mpm_path allowed, struct mpm_error *error)
 {
     const enum mpm_path kind = mpm_path_own_kind(path);
-    if (kind == allowed || kind <= MPM_PATH_NONE)
-        return MPM_OK; /* a path that cannot be looked at cannot be read or written either */
+    if (kind == MPM_PATH_UNKNOWN)
+        return mpm_file_unread(path, errno, NULL, error);
+    if (kind == allowed || kind == MPM_PATH_NONE)
+        return MPM_OK;
     return failure_set(error, MPM_BAD_INPUT, "%s: is %s: allowed is a %s", path,
                        kind == MPM_PATH_FILE                   ? "a file"
                        : kind == MPM_PATH_FOLDER               ? "a folder"

@@ -46,6 +46,20 @@ double heat_surface_held(enum heat_body body, double place, double tau)
     return 1.0 - sum;
 }
 
+double heat_source_held(enum heat_body body, double place, double tau)
+{
+    const double axes = (double)body + 1.0;
+    double sum = 0.0;
+    for (unsigned n = 0; n < TERMS_MAX; n++) {
+        double exponent;
+        const double term = held_term(body, n, place, &exponent);
+        if (exponent * tau > NOTHING)
+            break;
+        sum += term / exponent * exp(-exponent * tau);
+    }
+    return 0.5 / axes * (1.0 - place * place) - sum;
+}
+
 /* tan d = d between n pi and (n + 1/2) pi, by Newton's method of sin d - d cos d */
 static double root_of_tangent(unsigned n)
 {

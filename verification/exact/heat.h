@@ -17,6 +17,10 @@
  *     v = 3 tau + r^2/(2 a^2) - 3/10 - 2 sum_n exp(-d_n^2 tau) sin(d_n r/a)/(d_n^2 sin(d_n) r/a),
  *                                                                    tan d_n = d_n, d_n > 0
  *
+ *   slab, cylinder, sphere, m = 1, 2, 3, with v = 0 at first and on the surface, and a source of
+ *   k/a^2 per volume; w_n exp(-b_n^2 tau) are the terms of 1 - v above:
+ *     v = (1 - x^2/a^2)/(2 m) - sum_n w_n/b_n^2 exp(-b_n^2 tau)
+ *
  *   slab with v = 0 at first and at x = 0, and v = sin(w t) at x = a: with s_n = kappa (n pi/a)^2,
  *     v = (x/a) sin w t + sum_n (2 (-1)^n w/(n pi)) sin(n pi x/a)
  *                               (s_n cos w t + w sin w t - s_n exp(-s_n t))/(s_n^2 + w^2)
@@ -49,6 +53,7 @@ enum heat_body { HEAT_SLAB, HEAT_CYLINDER, HEAT_SPHERE, HEAT_BODIES };
  */
 double heat_surface_held(enum heat_body body, double place, double tau);
 double heat_surface_flux(enum heat_body body, double place, double tau);
+double heat_source_held(enum heat_body body, double place, double tau);
 /* place = x/a; rate = kappa/a^2 > 0, frequency w > 0. */
 double heat_slab_driven(double place, double rate, double frequency, double time);
 double heat_sphere_mode(double place, double tau);

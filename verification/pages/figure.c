@@ -4,9 +4,10 @@
 #include "verification/pages/figure.h"
 
 #include "mpm_file.h"
+#include "mpm_gnuplot.h"
+#include "verification/common/input.h"
 #include "verification/common/output.h"
 #include "verification/pages/figure_script.h"
-#include "verification/pages/gnuplot.h"
 
 #include <errno.h>
 #include <glib.h>
@@ -83,17 +84,39 @@ char *figure_dress(const char *svg, const char *title, const char *description)
 
 static const char picture[] = "figure.svg", style[] = ".style.gp", axes[] = ".axes.gp";
 
+static bool is_picture(const char *text)
+{
+    return strstr(text, "</svg>") != NULL && g_utf8_validate(text, -1, NULL);
+}
+
+/* The size that gnuplot gave the picture: pages keep room for it before it is there. */
+static void read_size(const char *svg, struct figure_result *result)
+{
+    static const char begin[] = "viewBox=\"0 0 ";
+    const char *box = strstr(svg, begin);
+    char *rest = NULL;
+    result->width = 760; /* that of style.gp */
+    result->height = 470;
+    if (box == NULL)
+        return;
+    const gint64 width = g_ascii_strtoll(box + strlen(begin), &rest, 10);
+    const gint64 height = g_ascii_strtoll(rest, NULL, 10);
+    if (width > 0 && width < G_MAXINT && height > 0 && height < G_MAXINT) {
+        result->width = (int)width;
+        result->height = (int)height;
+    }
+}
+
 /* What the script wrote, dressed, as the file that it is to be. */
 static enum mpm_status dress_file(const char *home, const struct figure_plot *plot,
-                                  struct mpm_error *error)
+                                  struct figure_result *result, struct mpm_error *error)
 {
-    char *path = g_build_filename(home, picture, NULL), *svg;
-    enum mpm_status status = MPM_OK;
-    svg = mpm_file_load(path, NULL);
-    if (svg == NULL || strstr(svg, "</svg>") == NULL ||
-        !g_utf8_validate(svg, -1, NULL)) /* no text else */
+    char *path = g_build_filename(home, picture, NULL), *svg = NULL;
+    enum mpm_status status = input_text(path, NULL, &svg, NULL, error);
+    if (status == MPM_BAD_INPUT || (svg != NULL && !is_picture(svg)))
         status = failure_set(error, MPM_ENVIRONMENT_FAILED, "the script wrote no SVG file");
-    if (status == MPM_OK) {
+    if (status == MPM_OK && svg != NULL) {
+        read_size(svg, result);
         char *dressed = figure_dress(svg, plot->title, plot->description);
         status = output_write(plot->folder, plot->output, dressed, error);
         g_free(dressed);
@@ -135,23 +158,22 @@ static enum mpm_status stage(const char *home, const char *script, const struct 
 
 /* Runs the staged script; its complaint is a failure. */
 static enum mpm_status draw(const char *home, const char *script, const struct figure_plot *plot,
-                            struct mpm_error *error)
+                            struct figure_result *result, struct mpm_error *error)
 {
     char *settings = g_strdup_printf("style='%s'; axes='%s'; output='%s'; %s", style, axes, picture,
                                      plot->settings);
     char *said = NULL;
-    GError *failure = NULL;
+    char *failure = NULL;
     enum mpm_status status = MPM_OK;
-    const bool ran = gnuplot_run(home, settings, script, &said, &failure);
+    const bool ran = mpm_gnuplot_run(home, settings, script, &said, &failure);
     if (said == NULL)
-        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "gnuplot cannot be run: %s",
-                             failure->message);
+        status = failure_set(error, MPM_ENVIRONMENT_FAILED, "gnuplot cannot be run: %s", failure);
     else if (!ran || strstr(said, "warning:") != NULL)
         status = complaint(said, error);
-    g_clear_error(&failure);
+    g_free(failure);
     g_free(said);
     g_free(settings);
-    return status == MPM_OK ? dress_file(home, plot, error) : status;
+    return status == MPM_OK ? dress_file(home, plot, result, error) : status;
 }
 
 struct figure_result figure_plot(const struct figure_plot *plot)
@@ -165,15 +187,17 @@ struct figure_result figure_plot(const struct figure_plot *plot)
     enum mpm_status status = made ? stage(home, script, plot, &error)
                                   : failure_set(&error, MPM_ENVIRONMENT_FAILED,
                                                 "%s: cannot be made: %s", home, g_strerror(errno));
-    (void)mpm_file_remove(old); /* or an old picture could stand for a new one */
+    /* or an old picture could stand for a new one */
+    if (status == MPM_OK && mpm_file_remove(old) != 0 && errno != ENOENT)
+        status = mpm_file_failed(old, errno, &error);
     if (status == MPM_OK)
-        status = draw(home, script, plot, &error);
+        status = draw(home, script, plot, &result, &error);
     if (status == MPM_OK)
         result.state = FIGURE_DRAWN;
     else
         g_strlcpy(result.reason, error.message, sizeof result.reason);
     if (made)
-        (void)mpm_folder_remove_all(home);
+        (void)mpm_folder_remove_all(home, NULL);
     g_free(home);
     g_free(script);
     g_free(old);

@@ -17,11 +17,12 @@ struct figure_result {
     enum figure_state state;
     char reason[MPM_MESSAGE_SIZE]; /* of anything but DRAWN */
     const char *note;              /* what a reader should know of the script; NULL: nothing */
+    int width, height;             /* px, of a picture that is DRAWN */
 };
 
 /* Draws the picture <folder>/<output>, an SVG file, dressed, by the gnuplot script at the path
  * `script`; a whole run happens in a temporary folder, by copies of the scripts that
- * figure_script_check() has read, without a shell (gnuplot_run()). DRAWN or FAILED. */
+ * figure_script_check() has read, without a shell (mpm_gnuplot_run()). DRAWN or FAILED. */
 struct figure_plot {
     const char *script;   /* path */
     const char *style;    /* path, for `load style` */

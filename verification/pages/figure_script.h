@@ -15,7 +15,7 @@
  * the function system and texts that begin with '<', which gnuplot opens as a pipe; these last may
  * be in what is `generated`, where texts are labels. MPM_BAD_INPUT with name and line.
  *
- * A text can be put together while the script runs, which this cannot see: gnuplot_run() keeps
+ * A text can be put together while the script runs, which this cannot see: mpm_gnuplot_run() keeps
  * gnuplot from starting programs. */
 enum mpm_status figure_script_check(const char *name, const char *text, bool generated,
                                     struct mpm_error *error);

@@ -23,8 +23,10 @@
  *   peak                        largest equivalent stress at early, late and the end, in the
  *                               scene's unit
  *   reached                     time at which the run ended, % of the scene's end
- * and finished. Series: course (time nose tail, of the run, then of each pair), and particles_1 to
- * _3 (r z stress body) at early, late and the end, the stress von Mises'.
+ * and finished. Series: course (time nose tail, of the run, then of each pair), energies (% of the
+ * kinetic energy at the start: kinetic; elastic, what the pressure has stored included; heat, by
+ * viscosity and the part `heating` of plastic work; cold, the rest of that work; friction; lost),
+ * and particles_1 to _3 (r z stress body) at early, late and the end, the stress von Mises'.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/exact/alekseevskii_tate.h"
@@ -36,11 +38,13 @@
 #include <stdlib.h>
 
 enum { AXES = 2, STRESS = 4, PAIRS = 3, COURSE = 3 + 2 * PAIRS, PICTURES = 3, DOTS = 4 };
+enum { ENERGIES = 7 };
 enum { SAMPLES = 120 };
 
 struct study {
     struct penetration pair[PAIRS];
-    double row, early, late, late_tail;
+    double row, early, late, late_tail, heating;
+    double energy;     /* kinetic, at the start */
     size_t count, rod; /* particles, and those of the rod, which come first */
     double *x, *stress, *mass, *body;
     size_t *order, *tail; /* of the rod; the last row's */
@@ -50,7 +54,7 @@ struct study {
     double tail_last, nose_last;
     double lost, plastic, viscous, peak, reached, parted;
     bool finished;
-    struct follow_rows course, picture[PICTURES];
+    struct follow_rows course, energies, picture[PICTURES];
 };
 
 /* --------------------------------------------------------------------- places */
@@ -120,6 +124,22 @@ static void take_picture(struct study *study, int which)
     }
 }
 
+static void add_energies(struct study *study, const struct mpm_ledger *ledger)
+{
+    const double part = 100.0 / study->energy, plastic = ledger->plastic_dissipation;
+    const double heat = ledger->viscous_dissipation + study->heating * plastic;
+    const double row[ENERGIES] = {
+        ledger->time,
+        part * ledger->kinetic_energy,
+        part * ledger->strain_energy,
+        part * heat,
+        part * (1.0 - study->heating) * plastic,
+        part * ledger->contact_dissipated,
+        100.0 - part * ledger->total_energy,
+    };
+    follow_rows_add(&study->energies, row);
+}
+
 static void look_at(void *context, const struct mpm_simulation *simulation,
                     const struct mpm_ledger *ledger)
 {
@@ -141,6 +161,7 @@ static void look_at(void *context, const struct mpm_simulation *simulation,
         study->nose_last = 100.0 * row[1] / row[3];
     }
     follow_rows_add(&study->course, row);
+    add_energies(study, ledger);
 }
 
 /* ------------------------------------------------------------------- running */
@@ -179,6 +200,8 @@ static void close_study(struct study *study)
     study->order = study->tail = NULL;
     follow_rows_free(&study->course);
     study->course = (struct follow_rows){.columns = COURSE};
+    follow_rows_free(&study->energies);
+    study->energies = (struct follow_rows){.columns = ENERGIES};
     for (int k = 0; k < PICTURES; k++) {
         follow_rows_free(&study->picture[k]);
         study->picture[k] = (struct follow_rows){.columns = DOTS};
@@ -208,6 +231,7 @@ static enum mpm_status measure(void *context, struct measurement *m, const struc
     struct follow_result result = {.finished = true};
     begin(study, simulation);
     mpm_simulation_ledger(simulation, &start);
+    study->energy = start.kinetic_energy;
     for (int k = 0; k < PICTURES && result.finished; k++) {
         const struct follow follow = {.measurement = m,
                                       .end = stops[k],
@@ -282,6 +306,9 @@ static enum mpm_status write_series(struct measurement *m, const struct study *s
     TRY(follow_rows_check(&study->course, error));
     TRY(measurement_series(m, "course", "time nose tail nose_1 tail_1 nose_2 tail_2 nose_3 tail_3",
                            COURSE, study->course.count, study->course.values, error));
+    TRY(follow_rows_check(&study->energies, error));
+    TRY(measurement_series(m, "energies", "time kinetic elastic heat cold friction lost", ENERGIES,
+                           study->energies.count, study->energies.values, error));
     for (int k = 0; k < PICTURES; k++) {
         char name[32];
         (void)g_snprintf(name, sizeof name, "particles_%d", k + 1);
@@ -306,6 +333,7 @@ static enum mpm_status read_problem(const struct measurement *m, struct study *s
         {"early", &study->early},
         {"late", &study->late},
         {"late_tail", &study->late_tail},
+        {"heating", &study->heating},
     };
     TRY(measurement_numbers(m, table, G_N_ELEMENTS(table), error));
     for (int k = PAIRS; k-- > 0;) {
@@ -322,7 +350,7 @@ static enum mpm_status read_problem(const struct measurement *m, struct study *s
 static enum mpm_status run(struct measurement *m, struct mpm_error *error)
 {
     struct levels levels;
-    struct study study = {.course = {.columns = COURSE}};
+    struct study study = {.course = {.columns = COURSE}, .energies = {.columns = ENERGIES}};
     TRY(read_problem(m, &study, error));
     TRY(levels_read(m, &levels, error));
     const size_t runs = levels_runs(&levels);

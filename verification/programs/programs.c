@@ -18,6 +18,7 @@
     PROGRAM(heat_stability)                                                                        \
     PROGRAM(solvent)                                                                               \
     PROGRAM(thermodynamics)                                                                        \
+    PROGRAM(plastic_heat)                                                                          \
     PROGRAM(shock)                                                                                 \
     PROGRAM(plastic_path)                                                                          \
     PROGRAM(pressed_shell)                                                                         \
@@ -52,6 +53,7 @@
     PROGRAM(two_bars)                                                                              \
     PROGRAM(laminate)                                                                              \
     PROGRAM(contact_energy)                                                                        \
+    PROGRAM(adhesion)                                                                              \
     PROGRAM(inclusion)                                                                             \
     PROGRAM(carried)                                                                               \
     PROGRAM(manufactured)                                                                          \
@@ -60,7 +62,8 @@
     PROGRAM(extremes)                                                                              \
     PROGRAM(statics)                                                                               \
     PROGRAM(traction_sum)                                                                          \
-    PROGRAM(turning_load)
+    PROGRAM(turning_load)                                                                          \
+    PROGRAM(study)
 
 #define PROGRAM(name) extern const struct measure_program program_##name;
 PROGRAMS

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/records/records.h"
 
-#include "mpm_file.h"
+#include "verification/common/input.h"
 #include "verification/common/names.h"
 #include "verification/common/output.h"
 #include "verification/common/result_lines.h"
@@ -90,15 +90,23 @@ static const struct record_field variant_fields[] = {
     {"notes", RECORD_TEXTS, false, NULL},          {"values", RECORD_OBJECT, false, NULL},
     {"particle_steps", RECORD_COUNT, false, NULL}, {NULL, RECORD_TEXT, false, NULL},
 };
+static const struct record_field picture_fields[] = {
+    {"variant", RECORD_NAME, true, NULL},
+    {"caption", RECORD_TEXT, false, NULL},
+    {NULL, RECORD_TEXT, false, NULL},
+};
 static const struct record_field case_fields[] = {
     {"family", RECORD_NAME, true, NULL},
     {"case", RECORD_NAME, true, NULL},
     {"title", RECORD_TEXT, false, NULL},
     {"summary", RECORD_TEXT, false, NULL},
+    {"calculation", RECORD_TEXT, false, NULL},
     {"tags", RECORD_TEXTS, false, NULL},
     {"program", RECORD_TEXT, false, NULL},
     {"readme", RECORD_TEXT, false, NULL},
     {"figures", RECORD_LIST, false, figure_fields},
+    {"picture", RECORD_OBJECT, false, picture_fields},
+    {"no_picture", RECORD_TEXT, false, NULL},
     {"comparison", RECORD_OBJECT, false, comparison_fields},
     {"variants", RECORD_LIST, false, variant_fields},
     {NULL, RECORD_TEXT, false, NULL},
@@ -212,11 +220,12 @@ static enum mpm_status read_measurements(const char *folder, struct records *rec
         measured_run_fields, measurement_fields, is_measured_run,
         is_measurement};
     char *path = g_build_filename(folder, measurements_name, NULL);
-    const bool there = mpm_path_kind(path) != MPM_PATH_NONE; /* or reading it gives the reason */
+    enum mpm_path kind;
+    enum mpm_status status = input_kind(path, &kind, error);
     json_t *run = NULL;
     g_free(path);
-    const enum mpm_status status =
-        there ? result_lines_read(folder, &format, &run, &records->measurements, error) : MPM_OK;
+    if (status == MPM_OK && kind != MPM_PATH_NONE)
+        status = result_lines_read(folder, &format, &run, &records->measurements, error);
     json_decref(run);
     return status;
 }

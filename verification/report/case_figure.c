@@ -4,6 +4,7 @@
 #include "verification/report/case_figure.h"
 
 #include "mpm_file.h"
+#include "verification/common/folders.h"
 #include "verification/common/input.h"
 #include "verification/common/names.h"
 #include "verification/common/result_path.h"
@@ -16,15 +17,15 @@
 enum mpm_status case_data_files(const char *home, GPtrArray **files, struct mpm_error *error)
 {
     GPtrArray *names = NULL;
-    enum mpm_status status = MPM_OK;
-    if (mpm_path_kind(home) != MPM_PATH_NONE) /* a folder may have result lines alone */
-        status = input_names(home, &names, error);
+    /* a folder may have result lines alone */
+    const enum mpm_status status = folder_names(home, &names, error);
     *files = g_ptr_array_new_with_free_func(g_free);
     for (guint i = 0; names != NULL && i < names->len; i++) {
         const char *const name = names->pdata[i];
         if ((g_pattern_match_simple("data-*.dat", name) &&
              !g_pattern_match_simple("data-comparison*", name)) ||
-            g_pattern_match_simple("rows-*.jsonl", name))
+            g_pattern_match_simple("rows-*.jsonl", name) ||
+            g_pattern_match_simple("picture-*.json", name))
             g_ptr_array_add(*files, g_strdup(name));
     }
     if (names != NULL)
@@ -32,14 +33,23 @@ enum mpm_status case_data_files(const char *home, GPtrArray **files, struct mpm_
     return status;
 }
 
-/* Whether a program left anything in the folder of a case. */
-static bool has_data(const char *home)
+static void fail(struct figure_result *result, const char *reason)
 {
+    result->state = FIGURE_FAILED;
+    g_strlcpy(result->reason, reason, sizeof result->reason);
+}
+
+/* A reason in the result unless a program left something in the folder of the case. */
+static void require_data(const char *home, struct figure_result *result)
+{
+    struct mpm_error error = {.status = MPM_OK};
     GPtrArray *files;
-    (void)case_data_files(home, &files, NULL); /* the page reports a failure */
-    const bool any = files->len > 0;
+    if (case_data_files(home, &files, &error) != MPM_OK)
+        fail(result, error.message);
+    else if (files->len == 0)
+        g_strlcpy(result->reason, "this folder holds the result lines alone, not the figure's data",
+                  sizeof result->reason);
     g_ptr_array_unref(files);
-    return any;
 }
 
 /* The names go into links and pictures, so they are such as a run writes. */
@@ -133,13 +143,16 @@ static char *find_script(const char *home, const json_t *entry, const json_t *fi
                          struct figure_result *result)
 {
     const char *recorded = record_text(figure, "script_sha256");
+    struct mpm_error error = {.status = MPM_OK};
     char *path = g_build_filename(home, record_text(figure, "script"), NULL), *text = NULL;
     size_t length = 0;
-    if (!mpm_path_is_folder(home))
+    if (mpm_path_kind(home) == MPM_PATH_NONE)
         g_snprintf(result->reason, sizeof result->reason,
                    "case %s is not in the catalogue, whose scripts draw figures",
                    record_text(entry, "case"));
-    else if ((text = mpm_file_load(path, &length)) == NULL)
+    else if (input_text(path, NULL, &text, &length, &error) == MPM_ENVIRONMENT_FAILED)
+        fail(result, error.message);
+    else if (text == NULL)
         g_snprintf(result->reason, sizeof result->reason,
                    "its script %s is not in the catalogue's folder of case %s",
                    record_text(figure, "script"), record_text(entry, "case"));
@@ -210,9 +223,8 @@ struct figure_result figure_draw(const char *folder, const struct report_sources
     char *script = NULL;
     char *variants = variants_needed(entry, json_object_get(figure, "needs"), result.reason,
                                      sizeof result.reason);
-    if (result.reason[0] == '\0' && !has_data(home))
-        g_strlcpy(result.reason, "this folder holds the result lines alone, not the figure's data",
-                  sizeof result.reason);
+    if (result.reason[0] == '\0')
+        require_data(home, &result);
     if (result.reason[0] == '\0' && source == NULL)
         g_strlcpy(result.reason, "no catalogue is found, whose scripts draw figures",
                   sizeof result.reason);

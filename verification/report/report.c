@@ -8,6 +8,7 @@
 #include "verification/common/record.h"
 #include "verification/pages/report_style.h"
 #include "verification/report/case_figure.h"
+#include "verification/report/case_pictures.h"
 #include "verification/report/comparison_plot.h"
 #include "verification/report/comparison_view.h"
 #include "verification/report/report_site.h"
@@ -45,9 +46,14 @@ static enum mpm_status write_case(const char *folder, const struct report_source
     char *home = g_build_filename(folder, "cases", record_text(entry, "case"), NULL);
     (void)mpm_folder_make(home); /* a failure is reported by the reading */
     GPtrArray *files;
+    GString *scene = g_string_new(NULL);
     enum mpm_status status = case_data_files(home, &files, error);
     if (status == MPM_OK)
-        status = write_owned(home, "index.html", report_case(site, entry, results, files), error);
+        status = case_pictures(home, entry, scene, error);
+    if (status == MPM_OK)
+        status = write_owned(home, "index.html",
+                             report_case(site, entry, scene->str, results, files), error);
+    g_string_free(scene, TRUE);
     if (status == MPM_OK && failed != NULL)
         status = failure_set(error, MPM_RUN_FAILED, "figure %s of case %s: %s",
                              record_text(json_array_get(figures, failed_index), "figure"),
@@ -104,8 +110,8 @@ static enum mpm_status make_site(const char *folder, struct report_site *site,
                                  struct mpm_error *error)
 {
     static void (*const pages[])(struct report_site *) = {
-        report_front_page,   report_limits_page,   report_headroom_page,
-        report_mutants_page, report_glossary_page,
+        report_front_page,   report_checks_page,  report_limits_page,   report_headroom_page,
+        report_history_page, report_mutants_page, report_decision_page, report_glossary_page,
     };
     TRY(write_owned(folder, "junit.xml", report_junit(site->records), error));
     TRY(write_owned(folder, "results.tap", report_tap(site->records), error));
@@ -161,7 +167,9 @@ static enum mpm_status render(const char *folder, const char *place,
         .changes = stored->changes,
         .mutants = stored->mutants,
         .headroom = stored->headroom,
+        .history = stored->history,
         .benchmarks = has_benchmarks(place),
+        .folder = folder,
         .compares = any_comparison(json_object_get(records->run, "cases")),
         .files = g_array_new(FALSE, TRUE, sizeof(struct report_file)),
     };

@@ -2,6 +2,7 @@
 #include "verification/suite/kept_result.h"
 
 #include "mpm_file.h"
+#include "verification/common/input.h"
 #include "verification/common/output.h"
 #include "verification/common/record.h"
 #include "verification/common/rows.h"
@@ -58,15 +59,21 @@ static json_t *content_of(const char *name, const char *bytes, size_t length)
     return file;
 }
 
-static void add_file(json_t *files, const char *folder, const char *name)
+/* A program may have ended before it wrote the file. */
+static enum mpm_status add_file(json_t *files, const char *folder, const char *name,
+                                struct mpm_error *error)
 {
-    char *path = g_build_filename(folder, name, NULL);
+    char *path = g_build_filename(folder, name, NULL), *bytes = NULL;
     size_t length = 0;
-    char *bytes = mpm_file_load(path, &length);
+    enum mpm_path kind;
+    enum mpm_status status = input_kind(path, &kind, error);
+    if (status == MPM_OK && kind != MPM_PATH_NONE)
+        status = input_text(path, NULL, &bytes, &length, error);
     if (bytes != NULL)
         json_array_append_new(files, content_of(name, bytes, length));
     g_free(bytes);
     g_free(path);
+    return status;
 }
 
 static bool is_name(const char *name)
@@ -75,30 +82,31 @@ static bool is_name(const char *name)
 }
 
 /* The log, and the data files that the rows name. */
-static json_t *files_of(const struct kept_place *place, const struct planned_job *job,
-                        const char *text)
+static enum mpm_status add_files(json_t *files, const struct kept_place *place,
+                                 const struct planned_job *job, const char *text,
+                                 struct mpm_error *error)
 {
-    json_t *files = json_array();
     char *log = schedule_path(place->work, job, "log", ".txt");
     char *folder = g_path_get_dirname(log), *name = g_path_get_basename(log);
     unsigned bad_line;
     GArray *rows = rows_parse(text, &bad_line);
-    add_file(files, folder, name);
-    for (unsigned i = 0; rows != NULL && i < rows->len; i++) {
+    enum mpm_status status = add_file(files, folder, name, error);
+    for (unsigned i = 0; status == MPM_OK && rows != NULL && i < rows->len; i++) {
         const struct row *row = &g_array_index(rows, struct row, i);
         if (row->kind == ROW_SERIES && is_name(row->name))
-            add_file(files, folder, row->name);
+            status = add_file(files, folder, row->name, error);
     }
     if (rows != NULL)
         g_array_unref(rows);
     g_free(name);
     g_free(folder);
     g_free(log);
-    return files;
+    return status;
 }
 
-static json_t *object_of(const struct kept_place *place, const char *key,
-                         const struct planned_job *job, const struct job_result *result)
+/* Takes `files`. */
+static json_t *object_of(const char *key, const struct planned_job *job,
+                         const struct job_result *result, json_t *files)
 {
     json_t *object = json_object();
     json_object_set_new(object, "format", json_integer(KEPT_FORMAT));
@@ -110,7 +118,7 @@ static json_t *object_of(const struct kept_place *place, const char *key,
     json_object_set_new(object, "seconds", json_real(result->seconds));
     json_object_set_new(object, "timeout", json_real(result->timeout));
     json_object_set_new(object, "rows", content_of("rows", result->rows, strlen(result->rows)));
-    json_object_set_new(object, "files", files_of(place, job, result->rows));
+    json_object_set_new(object, "files", files);
     return object;
 }
 
@@ -118,12 +126,15 @@ enum mpm_status kept_write(const struct kept_place *place, const char *key,
                            const struct planned_job *job, const struct job_result *result,
                            struct mpm_error *error)
 {
-    json_t *object = object_of(place, key, job, result);
+    json_t *files = json_array();
+    enum mpm_status status = add_files(files, place, job, result->rows, error);
+    json_t *object = object_of(key, job, result, files);
     char *line = json_dumps(object, JSON_COMPACT | JSON_PRESERVE_ORDER);
     char *sum = g_compute_checksum_for_string(G_CHECKSUM_SHA256, line, -1);
     char *text = g_strconcat(line, "\n", sum, "\n", NULL);
     char *name = g_strconcat(key, ".json", NULL);
-    const enum mpm_status status = output_write(place->results, name, text, error);
+    if (status == MPM_OK)
+        status = output_write(place->results, name, text, error);
     g_free(name);
     g_free(text);
     g_free(sum);

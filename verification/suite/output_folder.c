@@ -5,6 +5,7 @@
 
 #include "mpm_file.h"
 #include "verification/common/folders.h"
+#include "verification/common/input.h"
 #include "verification/suite/output_publish.h"
 
 #include <errno.h>
@@ -41,12 +42,14 @@ void output_close(struct output_folder *output)
 
 static enum mpm_status refuse_foreign(const char *folder, struct mpm_error *error)
 {
-    if (mpm_path_exists(folder) && !mpm_path_is_folder(folder))
+    enum mpm_path kind;
+    TRY(input_kind(folder, &kind, error));
+    if (kind != MPM_PATH_NONE && kind != MPM_PATH_FOLDER)
         return failure_set(error, MPM_BAD_INPUT, "%s: is a file; --output names a folder", folder);
-    enum mpm_status status = MPM_OK;
     char *own = g_build_filename(folder, marker, NULL);
     char *stranger = NULL;
-    if (!mpm_path_exists(own))
+    enum mpm_status status = input_kind(own, &kind, error);
+    if (status == MPM_OK && kind == MPM_PATH_NONE)
         status = output_find_ours(folder, &stranger, error);
     if (stranger != NULL)
         status = failure_set(error, MPM_BAD_INPUT,

@@ -10,6 +10,7 @@
 #include "verification/common/output.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <glib.h>
 #include <string.h>
 
@@ -18,13 +19,16 @@ static const char list_name[] = "publish";
 static const char *const top_names[] = {
     "checks.jsonl", "measurements.jsonl", "index.html",    "summary.md",   "junit.xml",
     "results.tap",  "limits.html",        "headroom.html", "mutants.html", "glossary.html",
-    "changes.json", "headroom.json",      "mutants.json",  "table-*.csv"};
+    "history.html", "decision.html",      "checks.html",   "changes.json", "headroom.json",
+    "mutants.json", "history.json",       "table-*.csv"};
 static const char *const folder_names_ours[] = {"cases", "style"};
 static const char *const style_names[] = {"style.gp",  "comparison.gp", "report.css",
-                                          "page.html", "table.js",      "glossary.md"};
-static const char *const case_names[] = {"rows-*.jsonl",   "log-*.txt",  "data-*.dat",
-                                         "figure-*.svg",   "index.html", "comparison.html",
-                                         "comparison.csv", "checks.csv", "runs.csv"};
+                                          "page.html", "table.js",      "glossary.md",
+                                          "filter.js", "equations.json"};
+static const char *const case_names[] = {"rows-*.jsonl", "log-*.txt",       "data-*.dat",
+                                         "figure-*.svg", "picture-*.json",  "picture-*.svg",
+                                         "index.html",   "comparison.html", "comparison.csv",
+                                         "checks.csv",   "runs.csv"};
 static const char *const source_names[] = {"*.gp", "*.dat", "*.csv"};
 
 static bool any_matches(const char *const *globs, size_t count, const char *name)
@@ -50,7 +54,19 @@ enum mpm_status output_find_ours(const char *folder, char **found, struct mpm_er
 
 /* ---------------------------------------------------------------- new files in */
 
-/* Paths of all files below a folder, from it on. */
+/* What programs wrote may not be on the disk yet. */
+static enum mpm_status sync_file(const char *path, struct mpm_error *error)
+{
+    const int file = mpm_file_open(path, O_RDONLY);
+    const int failed = file < 0 || mpm_file_sync(file) != 0;
+    const enum mpm_status status = failed ? mpm_file_failed(path, errno, error) : MPM_OK;
+    if (file >= 0)
+        (void)mpm_file_close(file);
+    return status;
+}
+
+/* Paths of all files below a folder, from it on; all are on the disk afterwards. What a program
+ * left half-written goes with the stage. */
 static enum mpm_status add_files(const char *root, const char *below, GPtrArray *paths,
                                  struct mpm_error *error)
 {
@@ -61,10 +77,14 @@ static enum mpm_status add_files(const char *root, const char *below, GPtrArray 
         char *path = *below == '\0' ? g_strdup(names->pdata[i])
                                     : g_build_filename(below, names->pdata[i], NULL);
         char *whole = g_build_filename(root, path, NULL);
-        if (mpm_path_is_folder(whole))
+        enum mpm_path kind;
+        status = input_kind(whole, &kind, error);
+        if (status == MPM_OK && kind == MPM_PATH_FOLDER) {
             status = add_files(root, path, paths, error);
-        else
+        } else if (status == MPM_OK && !g_str_has_suffix(path, MPM_PARTIAL_SUFFIX)) {
+            status = sync_file(whole, error);
             g_ptr_array_add(paths, g_strdup(path));
+        }
         g_free(whole);
         g_free(path);
     }
@@ -170,8 +190,9 @@ static enum mpm_status carry_out(const struct output_folder *output, char *const
 enum mpm_status output_recover(const struct output_folder *output, struct mpm_error *error)
 {
     char *list = g_build_filename(output->state, list_name, NULL), *text = NULL;
-    enum mpm_status status = MPM_OK;
-    if (mpm_path_kind(list) != MPM_PATH_NONE)
+    enum mpm_path kind;
+    enum mpm_status status = input_kind(list, &kind, error);
+    if (status == MPM_OK && kind != MPM_PATH_NONE)
         status = input_text(list, NULL, &text, NULL, error);
     if (text != NULL) {
         char **paths = g_strsplit(g_strchomp(text), "\n", -1);

@@ -71,14 +71,15 @@ static enum mpm_status read_state(const char *folder, json_t **state, struct mpm
 {
     struct output_folder output = output_names(folder);
     char *path = g_build_filename(output.state, file_name, NULL);
-    enum mpm_status status = MPM_OK;
+    enum mpm_path kind;
+    enum mpm_status status = input_kind(path, &kind, error);
     *state = NULL;
-    if (mpm_path_kind(path) == MPM_PATH_NONE)
+    if (status == MPM_OK && kind == MPM_PATH_NONE)
         status = failure_set(error, MPM_BAD_INPUT,
                              "%s: no run was begun here that could go on (%s is missing); allowed "
                              "is the --output of an earlier run",
                              folder, path);
-    else
+    else if (status == MPM_OK)
         status = input_json(path, JSON_REJECT_DUPLICATES, state, error);
     if (status == MPM_OK && json_integer_value(json_object_get(*state, "format")) != STATE_FORMAT)
         status = failure_set(error, MPM_BAD_INPUT, "%s: format: allowed is %d", path, STATE_FORMAT);

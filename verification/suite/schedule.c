@@ -4,6 +4,7 @@
 #include "verification/suite/schedule.h"
 
 #include "mpm_file.h"
+#include "verification/common/input.h"
 #include "verification/common/rows.h"
 #include "verification/suite/interruption.h"
 #include "verification/suite/measurement.h"
@@ -31,13 +32,21 @@ char *schedule_path(const char *output, const struct planned_job *job, const cha
     return path;
 }
 
-static int create_file(const char *output, const struct planned_job *job, const char *prefix,
-                       const char *suffix)
+/* The files of its rows and its log, open; or false with a reason, to be freed. */
+static bool create_files(const char *output, const struct planned_job *job, int files[2],
+                         char **reason)
 {
-    char *path = schedule_path(output, job, prefix, suffix);
-    const int file = mpm_file_open(path, O_CREAT | O_TRUNC | O_WRONLY);
-    g_free(path);
-    return file;
+    char *paths[2] = {schedule_path(output, job, "rows", ".jsonl"),
+                      schedule_path(output, job, "log", ".txt")};
+    files[1] = -1;
+    for (int i = 0; i < 2 && (i == 0 || files[0] >= 0); i++) {
+        files[i] = mpm_file_open(paths[i], O_CREAT | O_TRUNC | O_WRONLY);
+        if (files[i] < 0)
+            *reason = g_strdup_printf("%s: cannot be created: %s", paths[i], g_strerror(errno));
+    }
+    g_free(paths[0]);
+    g_free(paths[1]);
+    return files[1] >= 0;
 }
 
 /* It ends with its parent, however that ends: two runs must never write the same files. */
@@ -99,13 +108,12 @@ static void finish(struct scheduler *scheduler, size_t job)
             scheduler->options->context, job, &scheduler->results[job], scheduler->error);
 }
 
-static void start_failed(struct scheduler *scheduler, size_t job, const char *what)
+static void start_failed(struct scheduler *scheduler, size_t job, char *reason)
 {
     struct job_result *result = &scheduler->results[job];
-    char *text = g_strdup_printf("%s: %s", what, g_strerror(errno));
     result->outcome = JOB_NOT_RUN;
-    result->rows = row_line(ROW_FAILURE, "", text);
-    g_free(text);
+    result->rows = row_line(ROW_FAILURE, "", reason);
+    g_free(reason);
     finish(scheduler, job);
 }
 
@@ -114,26 +122,26 @@ static void start(struct scheduler *scheduler, struct child *child)
     const size_t job = scheduler->next++;
     const struct planned_job *planned = &scheduler->plan->jobs[job];
     const char *output = scheduler->options->output;
-    const int rows = create_file(output, planned, "rows", ".jsonl");
-    const int log = create_file(output, planned, "log", ".txt");
-    if (rows < 0 || log < 0) {
-        start_failed(scheduler, job, "the files of its results cannot be created");
+    int files[2];
+    char *reason = NULL;
+    if (!create_files(output, planned, files, &reason)) {
+        start_failed(scheduler, job, reason);
     } else {
         fflush(NULL); /* or the child would write our buffers a second time */
         const pid_t parent = getpid(), process = fork();
         if (process == 0)
-            child_run(planned, scheduler->options, rows, log, parent);
+            child_run(planned, scheduler->options, files[0], files[1], parent);
         if (process < 0)
-            start_failed(scheduler, job, "no process could be created");
+            start_failed(scheduler, job,
+                         g_strdup_printf("no process could be created: %s", g_strerror(errno)));
         else
             *child = (struct child){process, job, g_get_monotonic_time()};
         if (process > 0)
             setpgid(process, process); /* also here: whoever comes first */
     }
-    if (rows >= 0)
-        (void)mpm_file_close(rows);
-    if (log >= 0)
-        (void)mpm_file_close(log);
+    for (int i = 0; i < 2; i++)
+        if (files[i] >= 0)
+            (void)mpm_file_close(files[i]);
 }
 
 static double seconds_since(gint64 start_time)
@@ -141,15 +149,18 @@ static double seconds_since(gint64 start_time)
     return (double)(g_get_monotonic_time() - start_time) * 1e-6;
 }
 
-static char *read_rows(const struct scheduler *scheduler, size_t job)
+/* Rows that cannot be read are no result of the program. */
+static void read_rows(const struct scheduler *scheduler, size_t job, struct job_result *result)
 {
     char *path =
         schedule_path(scheduler->options->output, &scheduler->plan->jobs[job], "rows", ".jsonl");
-    char *text = NULL;
-    if ((text = mpm_file_load(path, NULL)) == NULL)
-        text = g_strdup("");
+    struct mpm_error error = {.status = MPM_OK};
+    if (input_text(path, NULL, &result->rows, NULL, &error) != MPM_OK) {
+        result->outcome = JOB_RETURNED;
+        result->code = MPM_ENVIRONMENT_FAILED;
+        result->rows = row_line(ROW_FAILURE, "", error.message);
+    }
     g_free(path);
-    return text;
 }
 
 /* Kills what is left of the group before the leader's number can be used again. */
@@ -161,7 +172,6 @@ static void reap(struct scheduler *scheduler, struct child *child, bool timed_ou
         ;
     struct job_result *result = &scheduler->results[child->job];
     result->seconds = seconds_since(child->started);
-    result->rows = read_rows(scheduler, child->job);
     if (timed_out) {
         result->outcome = JOB_TIMED_OUT;
     } else if (WIFSIGNALED(state)) {
@@ -171,6 +181,7 @@ static void reap(struct scheduler *scheduler, struct child *child, bool timed_ou
         result->outcome = JOB_RETURNED;
         result->code = WEXITSTATUS(state);
     }
+    read_rows(scheduler, child->job, result);
     child->process = 0;
     finish(scheduler, child->job);
 }

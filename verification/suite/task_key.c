@@ -50,10 +50,12 @@ static enum mpm_status add_folder(GChecksum *sum, const char *folder, struct mpm
             g_free(path);
             continue;
         }
+        enum mpm_path kind;
         add_text(sum, name);
-        if (mpm_path_is_folder(path))
+        status = input_kind(path, &kind, error);
+        if (status == MPM_OK && kind == MPM_PATH_FOLDER)
             status = add_folder(sum, path, error);
-        else
+        else if (status == MPM_OK)
             status = add_file(sum, path, error);
         g_free(path);
     }

@@ -74,7 +74,8 @@ GPtrArray *unchecked_quantities(const struct catalogue *catalogue, const struct 
         const json_t *const line = json_array_get(measurements, i);
         const char *const quantity = record_text(line, "quantity");
         const char *const program = program_of(plan, record_text(line, "case"));
-        bool common = program == NULL;
+        /* a study's numbers go to tables of its own */
+        bool common = program == NULL || strcmp(program, "study") == 0;
         for (size_t k = 0; k < G_N_ELEMENTS(of_all); k++)
             common = common || strcmp(of_all[k], quantity) == 0;
         char *const key = common ? NULL : key_of(program, quantity);

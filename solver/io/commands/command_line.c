@@ -24,13 +24,13 @@ static enum mpm_status check_operands(const struct mpm_command_line *line,
 {
     char **const rest = *line->rest;
     const size_t given = rest == NULL ? 0 : g_strv_length(rest);
-    const size_t needed = mpm_operands_count(entry);
-    if (given == needed)
-        return MPM_OK;
-    if (given > needed)
+    const size_t most = mpm_operands_count(entry);
+    if (given > most)
         return mpm_error_set(error, MPM_BAD_INPUT,
                              "%s: unexpected argument \"%s\"; see '%s %s --help'", entry->name,
-                             rest[needed], line->program, entry->name);
+                             rest[most], line->program, entry->name);
+    if (given == most || entry->operands[0] == '[')
+        return MPM_OK;
     char **const names = g_strsplit(entry->operands, " ", -1);
     const enum mpm_status status =
         mpm_error_set(error, MPM_BAD_INPUT, "%s: %s is missing; see '%s %s --help'", entry->name,

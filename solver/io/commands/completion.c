@@ -15,6 +15,7 @@ enum value_kind { VALUE_ANY, VALUE_CHOICE, VALUE_FOLDER, VALUE_FILE, VALUE_NAME 
 static enum value_kind kind_of(const char *value, const char *names)
 {
     static const char *const files[] = {"FILE", "SCENE", "RESULTS", NULL};
+    value += value[0] == '['; /* one that may be left out */
     if (names != NULL)
         return VALUE_NAME;
     if (strchr(value, '|') != NULL)

@@ -77,10 +77,12 @@ static int make_one(const char *path)
 {
     if (system_mkdir(path, 0777) == 0)
         return 0;
-    const int reason = errno;
-    const bool there = mpm_path_is_folder(path);
-    errno = reason == EEXIST ? ENOTDIR : reason;
-    return there ? 0 : -1;
+    int reason = errno;
+    const enum mpm_path there = mpm_path_kind(path);
+    if (reason == EEXIST) /* what is there is no folder, or cannot be looked at */
+        reason = there == MPM_PATH_UNKNOWN ? errno : ENOTDIR;
+    errno = reason;
+    return there == MPM_PATH_FOLDER ? 0 : -1;
 }
 
 int mpm_folder_make(const char *path)
@@ -155,21 +157,52 @@ void mpm_folder_list_free(char **names)
     g_strfreev(names);
 }
 
+/* The first thing that cannot be removed, and why. */
+struct removal {
+    char *path;
+    int reason;
+};
+
+static void note_failure(struct removal *removal, const char *path)
+{
+    if (removal->path == NULL)
+        *removal = (struct removal){g_strdup(path), errno};
+}
+
 /* Depth is that of what programs write: two or three. */
-int mpm_folder_remove_all(const char *path) /* NOLINT(misc-no-recursion) */
+static void remove_all(const char *path, struct removal *removal) /* NOLINT(misc-no-recursion) */
 {
     struct stat facts;
-    if (system_lstat(path, &facts) != 0)
-        return -1;
-    if (!S_ISDIR(facts.st_mode))
-        return mpm_file_remove(path);
+    if (system_lstat(path, &facts) != 0) {
+        note_failure(removal, path);
+        return;
+    }
+    if (!S_ISDIR(facts.st_mode)) {
+        if (mpm_file_remove(path) != 0)
+            note_failure(removal, path);
+        return;
+    }
     char **const names = mpm_folder_list(path);
-    int failed = names != NULL ? 0 : -1;
+    if (names == NULL)
+        note_failure(removal, path);
     for (char **name = names; name != NULL && *name != NULL; name++) {
         char *const entry = g_build_filename(path, *name, NULL);
-        failed = mpm_folder_remove_all(entry) == 0 ? failed : -1;
+        remove_all(entry, removal);
         g_free(entry);
     }
     mpm_folder_list_free(names);
-    return mpm_folder_remove(path) == 0 ? failed : -1;
+    if (mpm_folder_remove(path) != 0)
+        note_failure(removal, path);
+}
+
+int mpm_folder_remove_all(const char *path, char **failed)
+{
+    struct removal removal = {NULL, 0};
+    remove_all(path, &removal);
+    const int status = removal.path == NULL ? 0 : -1;
+    if (failed != NULL)
+        *failed = g_steal_pointer(&removal.path);
+    g_free(removal.path);
+    errno = removal.reason;
+    return status;
 }

@@ -47,6 +47,7 @@ static const struct column {
     COLUMN(expansion_work, ENERGY, mpm_scene_couples),
     COLUMN(deformation_heat, ENERGY, mpm_scene_heats),
     COLUMN(thermoelastic_energy, ENERGY, mpm_scene_heats),
+    COLUMN(plastic_heat, ENERGY, mpm_scene_has_plastic_heat),
     COLUMN(transfer_loss, ENERGY, mpm_scene_has_energy_balance),
     COLUMN(contact_loss, ENERGY, mpm_scene_has_contact_loss),
 };

@@ -2,7 +2,9 @@
 #include "io/results/results_folder.h"
 
 #include "io/checkpoint/checkpoint.h"
+#include "io/results/crack_lines.h"
 #include "io/results/history.h"
+#include "io/results/probes.h"
 #include "io/results/run_record.h"
 #include "io/results/series.h"
 #include "mpm_file.h"
@@ -12,25 +14,34 @@
 #include <string.h>
 #include <unistd.h>
 
-/* particles-123456.hdf, with as many digits as it likes. */
-static bool is_snapshot_name(const char *name)
+/* particles-123456.hdf or cracks-123456.vtp, with as many digits as it likes; *number is that. */
+static bool is_snapshot_name(const char *name, uint64_t *number)
 {
-    if (!g_str_has_prefix(name, MPM_SERIES_PREFIX))
-        return false;
-    const char *number = name + strlen(MPM_SERIES_PREFIX);
-    const size_t digits = strspn(number, "0123456789");
-    return digits > 0 && strcmp(number + digits, MPM_SERIES_SUFFIX) == 0;
+    static const struct {
+        const char *prefix, *suffix;
+    } kinds[] = {{MPM_SERIES_PREFIX, MPM_SERIES_SUFFIX}, {MPM_CRACKS_PREFIX, MPM_CRACKS_SUFFIX}};
+    for (size_t k = 0; k < G_N_ELEMENTS(kinds); k++) {
+        if (!g_str_has_prefix(name, kinds[k].prefix))
+            continue;
+        const char *const start = name + strlen(kinds[k].prefix);
+        const size_t digits = strspn(start, "0123456789");
+        *number = g_ascii_strtoull(start, NULL, 10);
+        return digits > 0 && strcmp(start + digits, kinds[k].suffix) == 0;
+    }
+    return false;
 }
 
 /* Also what an interrupted run may leave: the name with MPM_PARTIAL_SUFFIX. */
 static bool is_result_name(const char *name)
 {
-    static const char *const names[] = {MPM_RUN_RECORD_NAME, MPM_HISTORY_NAME, MPM_SERIES_LIST,
-                                        MPM_CHECKPOINT_NAME, MPM_CHECKPOINT_PREVIOUS};
+    static const char *const names[] = {
+        MPM_RUN_RECORD_NAME, MPM_HISTORY_NAME,    MPM_SERIES_LIST,        MPM_CRACKS_LIST,
+        MPM_PROBES_NAME,     MPM_CHECKPOINT_NAME, MPM_CHECKPOINT_PREVIOUS};
     char *whole = g_strdup(name);
     if (g_str_has_suffix(whole, MPM_PARTIAL_SUFFIX))
         whole[strlen(whole) - strlen(MPM_PARTIAL_SUFFIX)] = '\0';
-    bool is_result = is_snapshot_name(whole);
+    uint64_t number;
+    bool is_result = is_snapshot_name(whole, &number);
     for (size_t i = 0; i < G_N_ELEMENTS(names); i++)
         is_result = is_result || strcmp(whole, names[i]) == 0;
     g_free(whole);
@@ -46,11 +57,11 @@ static bool is_any_result(const char *name, size_t snapshots)
 /* Of a run that goes on after so many snapshots. */
 static bool is_left_over(const char *name, size_t snapshots)
 {
+    uint64_t number = 0;
     if (!is_result_name(name))
         return false;
     return strcmp(name, MPM_RUN_RECORD_NAME) == 0 || g_str_has_suffix(name, MPM_PARTIAL_SUFFIX) ||
-           (is_snapshot_name(name) &&
-            g_ascii_strtoull(name + strlen(MPM_SERIES_PREFIX), NULL, 10) >= snapshots);
+           (is_snapshot_name(name, &number) && number >= snapshots);
 }
 
 typedef bool (*name_test)(const char *name, size_t snapshots);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/series.h"
 
+#include "io/results/crack_lines.h"
 #include "io/results/file_write.h"
 #include "io/results/snapshot.h"
 
@@ -117,6 +118,34 @@ enum mpm_status mpm_series_write_list(const struct mpm_series *series, struct mp
     return mpm_file_write_json(series->folder, MPM_SERIES_LIST, series->list, 1, error);
 }
 
+/* The list of the cracks' files names one for each snapshot, at the same times. */
+static enum mpm_status write_crack_list(const struct mpm_series *series, struct mpm_error *error)
+{
+    json_t *const list = json_pack("{s:s, s:[]}", "file-series-version", "1.0", "files");
+    for (size_t k = 0; k < json_array_size(series->files); k++) {
+        char *const name = mpm_crack_lines_name(k);
+        json_t *const time = json_object_get(json_array_get(series->files, k), "time");
+        (void)json_array_append_new(json_object_get(list, "files"),
+                                    json_pack("{s:s, s:O}", "name", name, "time", time));
+        g_free(name);
+    }
+    const enum mpm_status status =
+        mpm_file_write_json(series->folder, MPM_CRACKS_LIST, list, 1, error);
+    json_decref(list);
+    return status;
+}
+
+static enum mpm_status write_cracks(const struct mpm_series *series,
+                                    const struct mpm_simulation *simulation,
+                                    struct mpm_error *error)
+{
+    if (series->scene->crack_count == 0)
+        return MPM_OK;
+    MPM_TRY(mpm_crack_lines_write(series->folder, json_array_size(series->files) - 1, series->scene,
+                                  simulation, error));
+    return write_crack_list(series, error);
+}
+
 enum mpm_status mpm_series_write(struct mpm_series *series, const struct mpm_simulation *simulation,
                                  struct mpm_error *error)
 {
@@ -132,5 +161,6 @@ enum mpm_status mpm_series_write(struct mpm_series *series, const struct mpm_sim
     }
     append(series, name, time);
     series->last_step = step;
-    return mpm_series_write_list(series, error);
+    MPM_TRY(mpm_series_write_list(series, error));
+    return write_cracks(series, simulation, error);
 }

@@ -108,6 +108,18 @@ static void write_texts(struct mpm_snapshot *snapshot, hid_t object)
         mpm_snapshot_text(snapshot, object, provenance.facts[i].name, provenance.facts[i].text);
 }
 
+/* Of the bodies' particles before they deform: lengths along the axes, two of each body. */
+static void write_domains(struct mpm_snapshot *snapshot, hid_t object)
+{
+    const struct mpm_scene *const scene = snapshot->scene;
+    double *const sizes = g_new(double, 2 * scene->body_count);
+    for (size_t i = 0; i < 2 * scene->body_count; i++)
+        sizes[i] = scene->cell[i % 2] / scene->bodies[i / 2].particles_per_cell[i % 2];
+    mpm_snapshot_attribute(snapshot, object, "body_domains", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE,
+                           2 * scene->body_count, 1, sizes);
+    g_free(sizes);
+}
+
 static void write_description(struct mpm_snapshot *snapshot, hid_t object)
 {
     const int format = SNAPSHOT_FORMAT;
@@ -120,6 +132,7 @@ static void write_description(struct mpm_snapshot *snapshot, hid_t object)
     mpm_snapshot_attribute(snapshot, object, "step", H5T_STD_I64LE, H5T_NATIVE_UINT64, 1, 0, &step);
     mpm_snapshot_attribute(snapshot, object, "thickness", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, 0,
                            &snapshot->scene->thickness);
+    write_domains(snapshot, object);
     write_units(snapshot, object);
     write_texts(snapshot, object);
 }
@@ -145,6 +158,39 @@ static void write_described(struct mpm_snapshot *snapshot, hid_t parent,
     mpm_snapshot_text(snapshot, dataset, "components",
                       components_text(snapshot->scene->geometry, info->components));
     mpm_snapshot_checked(snapshot, H5Dclose(dataset));
+}
+
+/* One component of a field, in place from the first particle on. */
+static void fill_component(const struct mpm_snapshot *snapshot,
+                           const struct mpm_snapshot_source *source, size_t first, size_t count)
+{
+    const size_t components = mpm_field_describe(source->field)->components;
+    fill_field(snapshot, source, first, count);
+    for (size_t i = 0; i < count; i++)
+        snapshot->work[i] = snapshot->work[components * i + source->component];
+}
+
+/* "stress_xx" and so on, datasets of their own: ParaView numbers components. */
+static void write_components(struct mpm_snapshot *snapshot, hid_t particles, hid_t point_data,
+                             enum mpm_field field)
+{
+    const struct mpm_field_info *const whole = mpm_field_describe(field);
+    char **const names =
+        g_strsplit(components_text(snapshot->scene->geometry, whole->components), ", ", -1);
+    for (size_t k = 0; k < whole->components; k++) {
+        const char *const last = strcmp(names[k], "θθ") == 0 ? "tt" : names[k];
+        char *const name = g_strdup_printf("%s_%s", whole->name, last);
+        struct mpm_field_info info = *whole;
+        info.name = name;
+        info.components = 1;
+        const struct mpm_snapshot_source source = {
+            .fill = fill_component, .field = field, .component = k};
+        write_described(snapshot, particles, &info, snapshot->count, &source);
+        mpm_snapshot_checked(
+            snapshot, H5Lcreate_hard(particles, name, point_data, name, H5P_DEFAULT, H5P_DEFAULT));
+        g_free(name);
+    }
+    g_strfreev(names);
 }
 
 static void write_field(struct mpm_snapshot *snapshot, hid_t particles, hid_t point_data,
@@ -281,6 +327,9 @@ static void write_groups(struct mpm_snapshot *snapshot)
     for (int field = 0; field < MPM_FIELD_COUNT; field++)
         if (mpm_scene_has_field(snapshot->scene, (enum mpm_field)field))
             write_field(snapshot, particles, point_data, (enum mpm_field)field);
+    static const enum mpm_field tensors[] = {MPM_FIELD_STRESS, MPM_FIELD_DEFORMATION_GRADIENT};
+    for (size_t k = 0; k < G_N_ELEMENTS(tensors) && snapshot->scene->derived; k++)
+        write_components(snapshot, particles, point_data, tensors[k]);
     write_cracks(snapshot, mpm);
     write_vtk(snapshot, vtk);
     mpm_snapshot_checked(snapshot, H5Gclose(point_data));

@@ -47,6 +47,7 @@ struct mpm_snapshot_source {
     void (*fill)(const struct mpm_snapshot *snapshot, const struct mpm_snapshot_source *source,
                  size_t first, size_t count);
     enum mpm_field field;
+    size_t component; /* of the field, where only one is written */
     double value;
 };
 

@@ -3,7 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
 
-#include "base/expression.h"
+#include "base/status.h"
+#include "mpm_expression.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -165,12 +165,13 @@ static enum mpm_status build_output(const struct mpm_reading *reading)
     scene->checkpoint_seconds = mpm_raw_double(raw->checkpoint_seconds);
     scene->fringe = mpm_raw_double(raw->fringe);
     scene->energy_balance = raw->energy_balance;
+    scene->derived = raw->derived;
     if (raw->snapshots != NULL && scene->end / scene->snapshot_interval >= snapshots_max)
         return mpm_reading_fault(reading, "output.snapshots",
                                  "too many snapshots, got an interval of %s up to end = %g; "
                                  "allowed: fewer than %.0f",
                                  raw->snapshots, scene->end, snapshots_max);
-    return MPM_OK;
+    return mpm_build_probes(reading);
 }
 
 enum mpm_status mpm_build_general(const struct mpm_reading *reading)

@@ -71,6 +71,9 @@ enum mpm_status mpm_build_transport(const struct mpm_reading *reading);
 /* Damping, and when a run is at rest. */
 enum mpm_status mpm_build_damping(const struct mpm_reading *reading);
 
+/* A part of the output: places whose fields are written. */
+enum mpm_status mpm_build_probes(const struct mpm_reading *reading);
+
 /* Their J integrals. */
 enum mpm_status mpm_build_j_integrals(const struct mpm_reading *reading);
 

@@ -257,6 +257,20 @@ enum mpm_status mpm_refuse_conduction(const struct mpm_reading *reading, enum mp
     return MPM_OK;
 }
 
+/* The key is for heat of deformation alone. */
+static enum mpm_status check_plastic_heat(const struct mpm_reading *reading)
+{
+    const struct mpm_scene *const scene = reading->scene;
+    for (size_t m = 0; !scene->scalars[MPM_TEMPERATURE].heats && m < scene->material_count; m++)
+        if (mpm_material_plastic_heating(scene->materials[m].law, scene->materials[m].parameter) >
+            0.0)
+            return mpm_reading_fault(
+                reading, mpm_path_join(mpm_path_entry("materials", m).text, "taylor_quinney").text,
+                "given without transport.temperature.heating, where plastic work heats nothing; "
+                "allowed: with heating: true");
+    return MPM_OK;
+}
+
 enum mpm_status mpm_check_own_heat(const struct mpm_reading *reading)
 {
     const struct mpm_scene *const scene = reading->scene;
@@ -274,11 +288,27 @@ enum mpm_status mpm_check_own_heat(const struct mpm_reading *reading)
                 scene->materials[m].law->name);
     }
     for (size_t m = 0; m < scene->material_count; m++)
-        if (mpm_material_has_temperature(scene->materials[m].law, scene->materials[m].parameter))
+        if (scene->materials[m].parameter[MPM_PARAMETER_SPECIFIC_HEAT] > 0.0 ||
+            scene->materials[m].parameter[MPM_PARAMETER_START_TEMPERATURE] > 0.0)
             return mpm_reading_fault(
                 reading, mpm_path_join(mpm_path_entry("materials", m).text, "law").text,
-                "got %s with start_temperature, a temperature of its own, in a scene with "
-                "transport.temperature; allowed: without it",
+                "got %s with start_temperature or specific_heat, a temperature of its own, in a "
+                "scene with "
+                "transport.temperature; allowed: without start_temperature and specific_heat",
                 scene->materials[m].law->name);
+    return check_plastic_heat(reading);
+}
+
+enum mpm_status mpm_refuse_heated_laws(const struct mpm_reading *reading)
+{
+    const struct mpm_scene *const scene = reading->scene;
+    for (size_t m = 0; m < scene->material_count; m++) {
+        const struct mpm_material_law *const law = scene->materials[m].law;
+        const char *const fault = law->fault_without_heat == NULL
+                                      ? NULL
+                                      : law->fault_without_heat(scene->materials[m].parameter);
+        if (fault != NULL)
+            return mpm_reading_fault(reading, mpm_path_entry("materials", m).text, "%s", fault);
+    }
     return MPM_OK;
 }

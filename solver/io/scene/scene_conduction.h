@@ -14,7 +14,11 @@ enum mpm_status mpm_build_conduction(const struct mpm_reading *reading, enum mpm
 enum mpm_status mpm_refuse_conduction(const struct mpm_reading *reading, enum mpm_scalar which);
 
 /* No material has heat that a scene with temperatures would not know: an equation of state has a
- * temperature of its own, and work of viscosity would be heat that heating does not have. */
+ * temperature of its own, and work of viscosity would be heat that heating does not have; plastic
+ * work heats with heating alone. */
 enum mpm_status mpm_check_own_heat(const struct mpm_reading *reading);
+
+/* No material has parameters that only a conducted temperature has a use for. */
+enum mpm_status mpm_refuse_heated_laws(const struct mpm_reading *reading);
 
 #endif

@@ -426,6 +426,17 @@
     X(S, GROUP, thermostat, thermostat, ANYWHERE, OPTIONAL, NONE, NULL, ANY,                         \
       "adds to alpha_g a rate that follows the kinetic energy")
 
+#define KEYS_probe(X, S)                                                                           \
+    X(S, ONE, name, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "name in the rows of probes.csv")     \
+    X(S, PAIR, at, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ANY, "place, which stays where it is")
+
+#define KEYS_probe_line(X, S)                                                                      \
+    X(S, ONE, name, NAME, ANYWHERE, REQUIRED, NONE, NULL, ANY, "name in the rows of probes.csv")     \
+    X(S, PAIR, from, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ANY, "first place")                   \
+    X(S, PAIR, to, NUMBER, ANYWHERE, REQUIRED, LENGTH, NULL, ANY, "last place")                      \
+    X(S, ONE, points, INTEGER, ANYWHERE, REQUIRED, NONE, NULL, FROM_TO(2, 10000),                    \
+      "places along the line, at equal distances, both ends included")
+
 #define KEYS_output(X, S)                                                                          \
     X(S, ONE, history, NUMBER, ANYWHERE, OPTIONAL, TIME, NULL, ABOVE(0),                         \
       "interval of rows in history.csv; without it only t = 0 and end")                            \
@@ -438,7 +449,13 @@
     X(S, ONE, energy_balance, BOOLEAN, ANYWHERE, OPTIONAL, NONE, "false", ANY,                       \
       "history.csv has transfer_loss, what is lost between particles and nodes, measured in each step, and with it closes to round-off") \
     X(S, ONE, fringe, NUMBER, PLANAR, OPTIONAL, COMPLIANCE, NULL, ABOVE(0),              \
-      "k: snapshots have fringe, cos(k (s1 - s2)) of the principal stresses in the plane (CRAMP 23); 2 pi thickness over the material's stress for one fringe")
+      "k: snapshots have fringe, cos(k (s1 - s2)) of the principal stresses in the plane (CRAMP 23); 2 pi thickness over the material's stress for one fringe") \
+    X(S, ONE, derived, BOOLEAN, ANYWHERE, OPTIONAL, NONE, "false", ANY,                              \
+      "snapshots also have displacement, von_mises, pressure and each component of tensors by its name") \
+    X(S, LIST, probes, probe, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                                   \
+      "places whose fields are rows of probes.csv, at the times of the history")                     \
+    X(S, LIST, lines, probe_line, ANYWHERE, OPTIONAL, NONE, "[]", ANY,                               \
+      "the same for places along lines")
 
 #define KEYS_scene(X, S)                                                                           \
     X(S, ONE, format, INTEGER, ANYWHERE, REQUIRED, NONE, NULL, FROM_TO(1, 1),                        \
@@ -471,7 +488,7 @@
     L(polygon) L(line) L(body_region) L(boundary_region) L(rigid) L(body) L(boundary)            \
     L(traction) L(loads) L(propagation) L(j_integral) L(cohesive) L(crack) L(contact_pair) L(contact) \
     L(temperature_condition) L(convection) L(radiation) L(heat_flux) L(temperature) \
-    L(concentration_condition) L(evaporation) L(solvent_flux) L(concentration) L(transport) L(thermostat) L(damping) L(output) L(scene)
+    L(concentration_condition) L(evaporation) L(solvent_flux) L(concentration) L(transport) L(thermostat) L(damping) L(probe) L(probe_line) L(output) L(scene)
 /* clang-format on */
 
 #endif

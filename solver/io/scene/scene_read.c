@@ -8,6 +8,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* ---------------------------------------------------------------- messages */
 
@@ -75,17 +76,43 @@ static enum mpm_status copy_arguments(struct mpm_scene *scene, const char *path,
     return MPM_OK;
 }
 
-static enum mpm_status read_scene(struct mpm_scene *scene, struct work *work,
-                                  struct mpm_faults *faults, struct mpm_error *error)
+/* Of the file, or of a text in memory. */
+static enum mpm_status take_bytes(const struct mpm_source *source, const struct mpm_bytes *text,
+                                  struct mpm_bytes *bytes, struct mpm_error *error)
+{
+    if (text == NULL)
+        return mpm_source_read(source, bytes, error);
+    if (text->length > MPM_SOURCE_SIZE_MAX)
+        return mpm_tree_fault(error, source, (struct mpm_origin){.line = 0}, "",
+                              "a text of %zu bytes is too big; allowed: up to 16 MiB",
+                              text->length);
+    *bytes = (struct mpm_bytes){.data = malloc(text->length + 1), .length = text->length};
+    if (bytes->data == NULL)
+        return mpm_error_memory(error, text->length, "a scene's text");
+    memcpy(bytes->data, text->data, text->length);
+    return MPM_OK;
+}
+
+/* The tree of the scene's file with its settings and the defaults of what is missing. */
+static enum mpm_status read_tree(const struct mpm_scene *scene, const struct mpm_bytes *text,
+                                 struct work *work, struct mpm_faults *faults,
+                                 struct mpm_error *error)
 {
     const struct mpm_source source = mpm_scene_source(scene);
     const struct mpm_origin origin = {.setting = MPM_FROM_FILE};
     struct mpm_bytes *const bytes = &work->bytes;
-    MPM_TRY(mpm_source_read(&source, bytes, error));
-    hash_bytes(*bytes, scene);
+    MPM_TRY(take_bytes(&source, text, bytes, error));
     MPM_TRY(mpm_tree_parse(&source, origin, bytes->data, bytes->length, &work->root, error));
     MPM_TRY(mpm_tree_apply_settings(&source, scene->setting_count, work->root, faults, error));
-    MPM_TRY(mpm_tree_check(&source, &mpm_scene_root, work->root, faults, error));
+    return mpm_tree_check(&source, &mpm_scene_root, work->root, faults, error);
+}
+
+static enum mpm_status read_scene(struct mpm_scene *scene, const struct mpm_bytes *text,
+                                  struct work *work, struct mpm_faults *faults,
+                                  struct mpm_error *error)
+{
+    MPM_TRY(read_tree(scene, text, work, faults, error));
+    hash_bytes(work->bytes, scene);
     work->raw = mpm_keys_fill(&mpm_scene_root, work->root);
     if (work->raw == NULL)
         return mpm_error_memory(error, sizeof *work->raw, "a scene's values");
@@ -93,9 +120,23 @@ static enum mpm_status read_scene(struct mpm_scene *scene, struct work *work,
         .scene = scene, .root = work->root, .raw = work->raw, .faults = faults, .error = error});
 }
 
-static enum mpm_status make_scene(const char *path, const char *const *settings,
-                                  size_t setting_count, struct mpm_scene **scene,
-                                  struct mpm_faults *faults, struct mpm_error *error)
+enum mpm_status mpm_scene_tree(const struct mpm_scene *scene, struct mpm_tree_node **root,
+                               struct mpm_error *error)
+{
+    struct work work = {.root = NULL};
+    struct mpm_faults faults = {.count = 0};
+    const enum mpm_status status = read_tree(scene, NULL, &work, &faults, error);
+    free(work.bytes.data);
+    *root = status == MPM_OK ? work.root : NULL;
+    if (status != MPM_OK)
+        mpm_tree_free(work.root);
+    return status;
+}
+
+static enum mpm_status make_scene(const char *path, const struct mpm_bytes *text,
+                                  const char *const *settings, size_t setting_count,
+                                  struct mpm_scene **scene, struct mpm_faults *faults,
+                                  struct mpm_error *error)
 {
     struct mpm_scene *made = calloc(1, sizeof *made);
     if (made == NULL)
@@ -103,7 +144,7 @@ static enum mpm_status make_scene(const char *path, const char *const *settings,
     struct work work = {.root = NULL};
     enum mpm_status status = copy_arguments(made, path, settings, setting_count, error);
     if (status == MPM_OK)
-        status = read_scene(made, &work, faults, error);
+        status = read_scene(made, text, &work, faults, error);
     mpm_keys_free(&mpm_scene_root, work.raw);
     mpm_tree_free(work.root);
     free(work.bytes.data);
@@ -115,14 +156,16 @@ static enum mpm_status make_scene(const char *path, const char *const *settings,
     return MPM_OK;
 }
 
-enum mpm_status mpm_scene_read_all(const char *path, const char *const *settings,
-                                   size_t setting_count, struct mpm_scene **scene,
-                                   struct mpm_faults *faults)
+/* All mistakes of the file, or of a text in memory. */
+static enum mpm_status read_all(const char *path, const struct mpm_bytes *text,
+                                const char *const *settings, size_t setting_count,
+                                struct mpm_scene **scene, struct mpm_faults *faults)
 {
     struct mpm_error error = {.status = MPM_OK};
     *scene = NULL;
     faults->count = 0;
-    const enum mpm_status status = make_scene(path, settings, setting_count, scene, faults, &error);
+    const enum mpm_status status =
+        make_scene(path, text, settings, setting_count, scene, faults, &error);
     /* what ends the reading at once is no list of mistakes */
     if (status != MPM_OK && (status != MPM_BAD_INPUT || faults->count == 0)) {
         faults->list[0] = error;
@@ -131,15 +174,37 @@ enum mpm_status mpm_scene_read_all(const char *path, const char *const *settings
     return status;
 }
 
-enum mpm_status mpm_scene_read(const char *path, const char *const *settings, size_t setting_count,
-                               struct mpm_scene **scene, struct mpm_error *error)
+/* The first mistake. */
+static enum mpm_status read_first(const char *path, const struct mpm_bytes *text,
+                                  const char *const *settings, size_t setting_count,
+                                  struct mpm_scene **scene, struct mpm_error *error)
 {
     struct mpm_faults faults;
-    const enum mpm_status status =
-        mpm_scene_read_all(path, settings, setting_count, scene, &faults);
+    const enum mpm_status status = read_all(path, text, settings, setting_count, scene, &faults);
     if (status != MPM_OK && error != NULL)
         *error = faults.list[0];
     return status;
+}
+
+enum mpm_status mpm_scene_read_all(const char *path, const char *const *settings,
+                                   size_t setting_count, struct mpm_scene **scene,
+                                   struct mpm_faults *faults)
+{
+    return read_all(path, NULL, settings, setting_count, scene, faults);
+}
+
+enum mpm_status mpm_scene_read(const char *path, const char *const *settings, size_t setting_count,
+                               struct mpm_scene **scene, struct mpm_error *error)
+{
+    return read_first(path, NULL, settings, setting_count, scene, error);
+}
+
+enum mpm_status mpm_scene_parse(const char *name, const char *text, size_t length,
+                                const char *const *settings, size_t setting_count,
+                                struct mpm_scene **scene, struct mpm_error *error)
+{
+    const struct mpm_bytes bytes = {.data = (char *)(uintptr_t)text, .length = length};
+    return read_first(name, &bytes, settings, setting_count, scene, error);
 }
 
 /* ------------------------------------------------------------------- scene */
@@ -209,6 +274,7 @@ void mpm_scene_free(struct mpm_scene *scene)
     free(scene->contact.field_of);
     free(scene->contact.pairs);
     free(scene->j_integrals);
+    free(scene->probes);
     free(scene->materials);
     free(scene->settings);
     free(scene->title);

@@ -9,6 +9,9 @@
 
 enum { PATH_SIZE = 512 };
 
+/* As a segment of a path: one entry more of a list. */
+static const char new_entry[] = "+";
+
 struct setting {
     const struct mpm_source *source;
     struct mpm_error *error;
@@ -69,7 +72,17 @@ static const char *entry_hint(const struct mpm_tree_node *list, const char *segm
     return mpm_nearest_hint(&nearest, hint);
 }
 
-static enum mpm_status find_entry(const struct setting *setting, const struct mpm_tree_node *list,
+/* A new entry at the end: an empty mapping until it has its value. */
+static enum mpm_status append_entry(const struct setting *setting, struct mpm_tree_node *list,
+                                    struct mpm_tree_node ***slot)
+{
+    if (!mpm_tree_append(list, NULL, mpm_tree_new(MPM_TREE_MAPPING, setting->origin)))
+        return no_memory(setting);
+    *slot = &list->entries[list->count - 1].value;
+    return MPM_OK;
+}
+
+static enum mpm_status find_entry(const struct setting *setting, struct mpm_tree_node *list,
                                   const char *segment, struct mpm_tree_node ***slot)
 {
     char name[MPM_EXCERPT_SIZE], hint[MPM_HINT_SIZE];
@@ -77,12 +90,14 @@ static enum mpm_status find_entry(const struct setting *setting, const struct mp
         return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
                               "%s names an entry, but the scene has no list there",
                               mpm_excerpt(segment, name));
+    if (strcmp(segment, new_entry) == 0)
+        return append_entry(setting, list, slot);
     *slot = entry_slot(list, segment);
     if (*slot != NULL)
         return MPM_OK;
     return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
-                          "no entry %s in the list of %zu; allowed: a position from 0 or the "
-                          "`name` of an entry%s",
+                          "no entry %s in the list of %zu; allowed: a position from 0, the "
+                          "`name` of an entry, or + for a new one at the end%s",
                           mpm_excerpt(segment, name), list->count, entry_hint(list, segment, hint));
 }
 
@@ -94,6 +109,8 @@ static enum mpm_status add_missing(const struct setting *setting, const struct m
     struct mpm_tree_node *value = NULL;
     if (setting->segments == NULL || key->shape == MPM_KEY_GROUP)
         value = mpm_tree_new(MPM_TREE_MAPPING, setting->origin);
+    else if (setting->segments[0] == new_entry[0])
+        value = mpm_tree_new(MPM_TREE_LIST, setting->origin);
     else if (key->fallback != NULL)
         MPM_TRY(mpm_tree_default(setting->source, key, &value, setting->error));
     else
@@ -229,14 +246,19 @@ static enum mpm_status apply(struct setting *setting, const char *text, struct m
     return MPM_OK;
 }
 
+enum mpm_status mpm_tree_apply_setting(const struct mpm_source *source, size_t index,
+                                       struct mpm_tree_node *root, struct mpm_error *error)
+{
+    struct setting setting = {
+        .source = source, .error = error, .origin = {.setting = (int)index + 1}};
+    return apply(&setting, source->settings[index], &root);
+}
+
 enum mpm_status mpm_tree_apply_settings(const struct mpm_source *source, size_t count,
                                         struct mpm_tree_node *root, struct mpm_faults *faults,
                                         struct mpm_error *error)
 {
-    for (size_t i = 0; i < count; i++) {
-        struct setting setting = {
-            .source = source, .error = error, .origin = {.setting = (int)i + 1}};
-        MPM_TRY(mpm_faults_note(faults, apply(&setting, source->settings[i], &root), error));
-    }
+    for (size_t i = 0; i < count; i++)
+        MPM_TRY(mpm_faults_note(faults, mpm_tree_apply_setting(source, i, root, error), error));
     return mpm_faults_status(faults, error);
 }

@@ -3,8 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
 
-#include "base/expression.h"
+#include "base/status.h"
 #include "io/yaml/names.h"
+#include "mpm_expression.h"
 
 #include <stdarg.h>
 #include <stdio.h>

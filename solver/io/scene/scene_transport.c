@@ -214,11 +214,12 @@ static enum mpm_status build_heating(const struct mpm_reading *reading)
     struct mpm_scene *const scene = reading->scene;
     const struct mpm_raw_temperature *const raw = reading->raw->transport->temperature;
     scene->scalars[MPM_TEMPERATURE].heats = raw != NULL && raw->heating;
-    if (!scene->scalars[MPM_TEMPERATURE].heats || mpm_scene_couples(scene))
+    if (!scene->scalars[MPM_TEMPERATURE].heats || mpm_scene_expands(scene) ||
+        mpm_scene_reads_temperature(scene) || mpm_scene_has_plastic_heat(scene))
         return MPM_OK;
     return mpm_reading_fault(reading, "transport.temperature.heating",
                              "got true where no deformation gives heat; allowed: with a material "
-                             "that has thermal_expansion or the law ideal_gas");
+                             "that has thermal_expansion, taylor_quinney or the law ideal_gas");
 }
 
 /* The region of a body that conducts, for samples of what may be anywhere. */
@@ -299,6 +300,8 @@ static enum mpm_status check_without(const struct mpm_reading *reading, enum mpm
 {
     const struct mpm_scene *const scene = reading->scene;
     MPM_TRY(mpm_refuse_conduction(reading, which));
+    if (which == MPM_TEMPERATURE)
+        MPM_TRY(mpm_refuse_heated_laws(reading));
     for (size_t m = 0; which == MPM_TEMPERATURE && m < scene->material_count; m++)
         if (scene->materials[m].law->reads_temperature)
             return mpm_reading_fault(

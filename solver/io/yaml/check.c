@@ -262,7 +262,8 @@ enum mpm_status mpm_tree_check(const struct mpm_source *source, const struct mpm
     struct mpm_error fault = {.status = MPM_OK};
     struct checking checking = {.source = source, .faults = faults, .error = &fault};
     /* Another format would have other keys: say so before calling them unknown. */
-    const struct mpm_key *const format = mpm_key_find(root, "format");
+    const struct mpm_key *const format =
+        root->shape == MPM_KEY_GROUP ? mpm_key_find(root, "format") : NULL;
     const struct mpm_tree_entry *const entry = mpm_tree_entry(tree, "format");
     enum mpm_status status = MPM_OK;
     if (format != NULL && entry != NULL) {

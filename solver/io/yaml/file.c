@@ -12,8 +12,6 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { FILE_SIZE_MAX = 16 * 1024 * 1024 };
-
 static enum mpm_status refuse_file(const struct mpm_source *source, const char *fault,
                                    struct mpm_error *error)
 {
@@ -41,7 +39,7 @@ static enum mpm_status check_kind(const struct mpm_source *source, int file, siz
         return refuse_file(source, "is a folder", error);
     if (!S_ISREG(facts.st_mode))
         return refuse_file(source, "is not a regular file", error);
-    if (facts.st_size > FILE_SIZE_MAX)
+    if (facts.st_size > MPM_SOURCE_SIZE_MAX)
         return refuse_file(source, "the file is too big", error);
     *size = (size_t)facts.st_size;
     return MPM_OK;
@@ -69,7 +67,7 @@ static enum mpm_status read_bytes(const struct mpm_source *source, int file,
 static enum mpm_status read_stream(const struct mpm_source *source, struct mpm_bytes *bytes,
                                    struct mpm_error *error)
 {
-    const size_t capacity = (size_t)FILE_SIZE_MAX + 1;
+    const size_t capacity = (size_t)MPM_SOURCE_SIZE_MAX + 1;
     bytes->data = malloc(capacity);
     if (bytes->data == NULL)
         return mpm_error_memory(error, capacity, "standard input");

@@ -1,8 +1,9 @@
 /* Structs from checked trees, by their table of keys.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/expression.h"
+#include "base/status.h"
 #include "io/yaml/keys.h"
+#include "mpm_expression.h"
 
 #include <stdlib.h>
 #include <string.h>

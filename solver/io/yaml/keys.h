@@ -13,9 +13,9 @@ enum {
     MPM_ALLOWED_SIZE = 512,
 };
 
-/* Checks a tree against the table and fills in the defaults. MPM_BAD_INPUT with the
- * place of the key, the first of all in `faults`: keys that are unknown, missing or of another
- * geometry, values of another kind or out of range. */
+/* Checks a tree against the table, or a value against its key, and fills in the defaults.
+ * MPM_BAD_INPUT with the place of the key, the first of all in `faults`: keys that are unknown,
+ * missing or of another geometry, values of another kind or out of range. */
 enum mpm_status mpm_tree_check(const struct mpm_source *source, const struct mpm_key *root,
                                struct mpm_tree_node *tree, struct mpm_faults *faults,
                                struct mpm_error *error);

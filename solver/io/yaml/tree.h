@@ -9,7 +9,7 @@
 
 #include "mpm_yaml.h"
 
-enum { MPM_EXCERPT_SIZE = 80 };
+enum { MPM_EXCERPT_SIZE = 80, MPM_SOURCE_SIZE_MAX = 16 * 1024 * 1024 };
 
 /* What messages call the places of values by. */
 struct mpm_source {

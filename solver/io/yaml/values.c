@@ -1,8 +1,9 @@
 /* Kinds of values: what one scalar may be.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/expression.h"
+#include "base/status.h"
 #include "io/yaml/keys.h"
+#include "mpm_expression.h"
 
 #include <glib.h>
 #include <math.h>

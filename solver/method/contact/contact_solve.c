@@ -6,15 +6,14 @@
 
 /* A direction along which less than this part of the mobility is left counts as held. */
 static const double HELD_ALONG = 1e-12;
-/* Changes below this part of the largest impulse are round-off. */
-static const double SETTLED = 1e-15;
-/* Sweeps can go round in circles where a small pressure holds a large drag. After LIMIT_AFTER they
- * begin again, with a drag of stick of at most STEEP times the pressure; after LEAVE_AFTER once
- * more with at most the pressure, of friction too, and from PART_AFTER on a pair whose pressure has
- * ended has no drag any more. Each begins from nothing: what a circle has come to depends on
- * round-off. */
-enum { SWEEPS = 2000, LIMIT_AFTER = 200, LEAVE_AFTER = 400, PART_AFTER = 440 };
-static const double STEEP = 10.0;
+/* Changes below this part of the largest impulse are round-off. Those below ALMOST, of the largest
+ * velocity too, are if they have not become less in STALLED sweeps. */
+static const double SETTLED = 1e-15, ALMOST = 1e-10;
+enum { SWEEPS = 2000, ENOUGH = 200, ROUNDS = 10, SWEEPS_OF_ROUND = 150, STALLED = 30 };
+/* Drag over pressure, at most: of stick that has not settled without a limit; within bounds. */
+static const double STEEP = 10.0, EVEN = 1.0;
+/* A pull that has come this near to its limit has reached it. */
+static const double REACHED = 0.999;
 /* Stick: a pressure below this part of the drag is the round-off of none. */
 static const double FAINT = 1e-9;
 
@@ -137,49 +136,135 @@ struct solution {
     struct mpm_contact_side *sides;
     const struct mpm_solve_pair *pairs;
     int count;
-    double shares[PAIRS];
-    bool parted[PAIRS]; /* pairs whose drag does not come again */
+    double shares[PAIRS], mobility[PAIRS];
+    double fastest, moved; /* velocity of a field; its change in the last sweep, at most */
+    double least;          /* of these changes */
+    int since;             /* sweeps */
+    bool almost;           /* settled */
+    bool limited;          /* stick is, to STEEP */
+    bool bounded;          /* bounds for the drag are known, and for the pull */
+    double bounds[PAIRS], pulls[PAIRS];
+    double momentum;            /* of sweeps with bounds, */
+    struct parts before[PAIRS]; /* and what they are ahead of */
 };
 
-static bool needs_pressure(const struct mpm_solve_pair *pair)
+static double within(double low, double value, double high)
 {
-    return pair->law == MPM_PAIR_STICK || pair->law == MPM_PAIR_FRICTION;
+    return value < low ? low : value > high ? high : value;
 }
 
-static void limit_drag(double slope, const struct parts *parts, double share, struct parts *change)
+/* The same within bounds, to which it goes by its share of the way too. */
+static struct parts bounded_change_of(const struct solution *of, int k, const struct parts *parts)
+{
+    const struct mpm_solve_pair *const pair = &of->pairs[k];
+    const double *const n = pair->normal, along[2] = {-n[1], n[0]};
+    const double share = of->shares[k], bound = of->bounds[k];
+    struct approach approach = approach_of(pair, of->sides);
+    const double press = share * stopping(&approach, n, pair->approach);
+    const double pressed = fmin(parts->pressed + press, of->pulls[k]) - parts->pressed;
+    for (int axis = 0; axis < 2; axis++)
+        approach.difference[axis] += approach.mobility[axis] * pressed * n[axis];
+    const double drag = share * stopping(&approach, along, 0.0);
+    return (struct parts){pressed, within(-bound, parts->dragged + drag, bound) - parts->dragged};
+}
+
+static void limit_drag(const struct parts *parts, double share, struct parts *change)
 {
     const double pressure = fabs(parts->pressed + change->pressed);
     const double dragged =
-        mpm_contact_drag(parts->dragged + change->dragged / share, pressure, slope, slope);
+        mpm_contact_drag(parts->dragged + change->dragged / share, pressure, STEEP, STEEP);
     change->dragged = share * (dragged - parts->dragged);
 }
 
-/* All pairs at once. Returns whether anything has changed. */
-static bool sweep(struct solution *of, int number, struct parts parts[PAIRS])
+static bool is_linear(const struct mpm_solve_pair *pair)
+{
+    return pair->law == MPM_PAIR_BONDED || pair->law == MPM_PAIR_INTERFACE;
+}
+
+/* Goes on in the direction of the last two sweeps, further from sweep to sweep (Nesterov), until
+ * that is not downhill any more. `changes` are those to where the sweep leads. */
+static void go_ahead(struct solution *of, const struct parts *parts, struct parts *changes)
+{
+    struct parts made[PAIRS], gone[PAIRS];
+    double downhill = 0.0;
+    for (int k = 0; k < of->count; k++) {
+        made[k].pressed = parts[k].pressed + changes[k].pressed;
+        made[k].dragged = parts[k].dragged + changes[k].dragged;
+        gone[k].pressed = made[k].pressed - of->before[k].pressed;
+        gone[k].dragged = made[k].dragged - of->before[k].dragged;
+        downhill += of->mobility[k] / of->shares[k] *
+                    (changes[k].pressed * gone[k].pressed + changes[k].dragged * gone[k].dragged);
+    }
+    if (downhill < 0.0)
+        of->momentum = 1.0;
+    const double next = 0.5 * (1.0 + sqrt(1.0 + 4.0 * of->momentum * of->momentum));
+    const double ahead = (of->momentum - 1.0) / next;
+    of->momentum = next;
+    for (int k = 0; k < of->count; k++) {
+        changes[k].pressed += ahead * gone[k].pressed;
+        changes[k].dragged += ahead * gone[k].dragged;
+        of->before[k] = made[k];
+    }
+}
+
+/* All pairs at once. Returns whether more than round-off has changed. */
+static bool sweep(struct solution *of, struct parts parts[PAIRS])
 {
     struct parts changes[PAIRS];
     double largest = 0.0, changed = 0.0;
     for (int k = 0; k < of->count; k++) {
-        changes[k] = change_of(&of->pairs[k], of->sides, &parts[k], of->shares[k]);
-        if (number >= LEAVE_AFTER && needs_pressure(&of->pairs[k]))
-            limit_drag(1.0, &parts[k], of->shares[k], &changes[k]);
-        else if (number >= LIMIT_AFTER && of->pairs[k].law == MPM_PAIR_STICK)
-            limit_drag(STEEP, &parts[k], of->shares[k], &changes[k]);
-        const double left = parts[k].pressed + changes[k].pressed / of->shares[k];
-        if (number >= PART_AFTER && needs_pressure(&of->pairs[k]) &&
-            left >= -FAINT * fabs(parts[k].pressed))
-            of->parted[k] = true;
-        if (of->parted[k])
-            changes[k].dragged = -of->shares[k] * parts[k].dragged;
+        changes[k] = of->bounded && !is_linear(&of->pairs[k])
+                         ? bounded_change_of(of, k, &parts[k])
+                         : change_of(&of->pairs[k], of->sides, &parts[k], of->shares[k]);
+        if (of->limited && of->pairs[k].law == MPM_PAIR_STICK)
+            limit_drag(&parts[k], of->shares[k], &changes[k]);
     }
+    if (of->bounded)
+        go_ahead(of, parts, changes);
+    of->moved = 0.0;
     for (int k = 0; k < of->count; k++) {
+        const double change = fmax(fabs(changes[k].pressed), fabs(changes[k].dragged));
         apply(&of->pairs[k], &changes[k], of->sides);
         parts[k].pressed += changes[k].pressed;
         parts[k].dragged += changes[k].dragged;
         largest = fmax(largest, fmax(fabs(parts[k].pressed), fabs(parts[k].dragged)));
-        changed = fmax(changed, fmax(fabs(changes[k].pressed), fabs(changes[k].dragged)));
+        changed = fmax(changed, change);
+        of->moved = fmax(of->moved, of->mobility[k] * change);
     }
-    return changed > SETTLED * largest;
+    of->fastest = fmax(of->fastest, of->moved);
+    of->since++;
+    if (of->moved < 0.9 * of->least) {
+        of->least = of->moved;
+        of->since = 0;
+    }
+    of->almost = changed < ALMOST * largest && of->moved < ALMOST * of->fastest;
+    return changed > SETTLED * largest && !(of->almost && of->since >= STALLED);
+}
+
+static void go_back(const struct solution *of, struct parts parts[PAIRS],
+                    const struct parts from[PAIRS])
+{
+    for (int k = 0; k < of->count; k++) {
+        const struct parts back = {from[k].pressed - parts[k].pressed,
+                                   from[k].dragged - parts[k].dragged};
+        apply(&of->pairs[k], &back, of->sides);
+        parts[k] = from[k];
+    }
+}
+
+/* Up to so many. Returns whether they have settled. */
+static bool settle(struct solution *of, struct parts parts[PAIRS], int most)
+{
+    bool settled = false;
+    of->least = HUGE_VAL;
+    of->since = 0;
+    of->momentum = 1.0;
+    memcpy(of->before, parts, (size_t)of->count * sizeof *parts);
+    for (int k = 0; k < most && !settled; k++)
+        settled = !sweep(of, parts);
+    if (of->bounded)
+        go_back(of, parts, of->before);
+    return settled;
 }
 
 /* How much of its own need each pair may take at once: with the pairs of both its fields the need
@@ -201,6 +286,8 @@ static void find_shares(struct solution *solution)
                 need = fmax(need, (of[on[0]] * one + of[on[1]] * other) / (one + other));
         }
         solution->shares[k] = 1.0 / need;
+        solution->mobility[k] = fmax(sides[on[0]].mobility[0] + sides[on[1]].mobility[0],
+                                     sides[on[0]].mobility[1] + sides[on[1]].mobility[1]);
     }
 }
 
@@ -213,33 +300,80 @@ static void solve_one(struct mpm_contact_side *sides, const struct mpm_solve_pai
     apply(pair, parts, sides);
 }
 
-static void begin_again(const struct solution *of, struct parts parts[PAIRS])
+/* What pressures allow of drag, and which pulls have reached their limit. */
+static void find_bounds(struct solution *of, const struct parts parts[PAIRS])
 {
     for (int k = 0; k < of->count; k++) {
-        const struct parts back = {-parts[k].pressed, -parts[k].dragged};
-        apply(&of->pairs[k], &back, of->sides);
-        parts[k] = (struct parts){0.0, 0.0};
+        const struct mpm_solve_pair *const pair = &of->pairs[k];
+        const double slope = pair->law == MPM_PAIR_STICK      ? EVEN
+                             : pair->law == MPM_PAIR_FRICTION ? fmin(pair->friction, EVEN)
+                                                              : 0.0;
+        of->bounds[k] = slope * fmax(-parts[k].pressed, 0.0);
+        if (pair->pull < HUGE_VAL && parts[k].pressed > REACHED * pair->pull)
+            of->pulls[k] = 0.0;
     }
+}
+
+/* Rounds of sweeps, each with bounds for the drag from the pressures of the one before. */
+static void settle_in_bounds(struct solution *of, struct parts parts[PAIRS])
+{
+    of->limited = false;
+    of->bounded = true;
+    for (int k = 0; k < of->count; k++) {
+        of->bounds[k] = 0.0;
+        of->pulls[k] = of->pairs[k].pull;
+    }
+    for (int round = 0; round < ROUNDS; round++) {
+        settle(of, parts, SWEEPS_OF_ROUND);
+        find_bounds(of, parts);
+    }
+}
+
+/* All of what is known before the first sweep; returns whether a pair sticks. */
+static bool begin(struct solution *of)
+{
+    bool sticks = false;
+    of->limited = of->bounded = false;
+    of->fastest = 0.0;
+    find_shares(of);
+    for (int k = 0; k < of->count; k++) {
+        sticks = sticks || of->pairs[k].law == MPM_PAIR_STICK;
+        for (int i = 0; i < 2; i++)
+            for (int axis = 0; axis < 2; axis++)
+                of->fastest = fmax(of->fastest, fabs(of->sides[of->pairs[k].of[i]].velocity[axis]));
+    }
+    return sticks;
+}
+
+/* Up to ENOUGH sweeps, or more of them if they are about to settle. */
+static bool settle_well(struct solution *of, struct parts parts[PAIRS])
+{
+    if (settle(of, parts, ENOUGH))
+        return true;
+    if (!of->almost)
+        return false;
+    settle(of, parts, SWEEPS - ENOUGH);
+    return true;
 }
 
 static void solve_several(struct mpm_contact_side *sides, const struct mpm_solve_pair *pairs,
                           int count, struct parts parts[PAIRS])
 {
+    static const struct parts none[PAIRS];
     struct solution solution; /* not cleared as a whole: it is large */
-    bool sticks = false, rubs = false;
     solution.sides = sides;
     solution.pairs = pairs;
     solution.count = count;
-    memset(solution.parted, 0, sizeof solution.parted);
-    find_shares(&solution);
-    for (int k = 0; k < count; k++) {
-        sticks = sticks || pairs[k].law == MPM_PAIR_STICK;
-        rubs = rubs || needs_pressure(&pairs[k]);
-    }
+    const bool sticks = begin(&solution);
     memset(parts, 0, (size_t)count * sizeof *parts);
-    for (int k = 0; k < SWEEPS && sweep(&solution, k, parts); k++)
-        if ((k + 1 == LIMIT_AFTER && sticks) || (k + 1 == LEAVE_AFTER && rubs))
-            begin_again(&solution, parts);
+    if (settle_well(&solution, parts))
+        return;
+    go_back(&solution, parts, none);
+    solution.limited = sticks;
+    if (sticks && settle_well(&solution, parts))
+        return;
+    go_back(&solution, parts, none);
+    settle_in_bounds(&solution, parts);
 }
 
 void mpm_contact_solve(struct mpm_contact_side *sides, struct mpm_solve_pair *pairs, int count)

@@ -18,12 +18,16 @@
  * (S_1 + S_2)/(k_1 S_1 + k_2 S_2), which makes the sweeps converge: pairs of a rigid body do not
  * hinder each other.
  *
- * Stick with p near 0 is friction without a limit, and such sweeps can go round in circles. If they
- * have not settled after 200, they begin again with |q| <= 10 |p| for stick: what settles below
- * this limit obeys stick itself. After 200 more they begin a last time with |q| <= |p| for stick
- * and friction, and a pair whose p has become 0 has q = 0 from then on. Fields whose masses differ
- * by a factor of 1000 and more can need more than the 2000 sweeps that are done; then the lightest
- * of them keep an error of up to some per cent of the approach.
+ * Stick with p near 0 is friction without a limit, so more than one set of impulses can obey these
+ * laws, and sweeps can go round in circles between them. Where 200 sweeps have not settled and are
+ * not about to, they begin again with |q| <= 10 |p| for stick: what settles below this limit obeys
+ * stick itself. If that has not settled after 200 either, they begin a last time, in rounds, with
+ * |q| <= b for stick and friction. In the first round b is 0; then it is min(mu, 1) times the
+ * pressure that the round before has found, with mu = 1 for stick. An adhesion that reaches c in a
+ * round has p <= 0 from then on. Each round is a convex problem, of the least kinetic energy: its
+ * velocities are unique, round-off changes them by round-off, and it makes no energy. After 10
+ * rounds of up to 150 sweeps, fields of a ten-millionth of the mass of others can keep a part of
+ * their approach.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_CONTACT_SOLVE_H

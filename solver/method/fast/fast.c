@@ -38,12 +38,14 @@ static enum mpm_fast_geometry geometry_of(const struct mpm_scene *scene)
 }
 
 /* With several scalars each has passes of its own: sources of particles are those of one. So has
- * one with steps of its own, or with several fields at a node. */
+ * one with steps of its own, with several fields at a node, or beside APIC. */
 static enum mpm_fast_cargo cargo_of(const struct mpm_scene *scene)
 {
     int scalars = 0;
     for (int which = 0; which < MPM_SCALAR_COUNT; which++)
         scalars += scene->scalars[which].asked ? 1 : 0;
+    if (scene->transfer == MPM_TRANSFER_APIC)
+        return MPM_FAST_AFFINE;
     const bool each_step = scene->transport_substeps == 1 && scene->transport_every == 1;
     const bool one_field = scene->crack_count == 0 && scene->contact.field_count == 0;
     return scalars == 1 && each_step && one_field && !scene->at_rest ? MPM_FAST_WITH_SCALAR
@@ -58,22 +60,19 @@ static bool has_vectors(const struct mpm_material_law *law)
     return row->law != NULL;
 }
 
+bool mpm_fast_body_has_vectors(const struct mpm_material_spec *body)
+{
+    return has_vectors(body->law) && mpm_law_state_count(body->law) == 0 && !body->viscosity.given;
+}
+
 const char *mpm_fast_lacks(const struct mpm_scene *scene)
 {
     if (families[MPM_SIMD_BASELINE][scene->shape] == NULL)
         return "there are no fast kernels for this method.shape";
     if (scene->axis == MPM_PLANAR && !mpm_shape_family(scene->shape)->point)
         return "there are no fast kernels for method.axis: planar";
-    if (mpm_transfer_of(scene->transfer)->no_fast != NULL)
-        return mpm_transfer_of(scene->transfer)->no_fast;
-    for (size_t k = 0; k < scene->material_count && !scene->at_rest; k++)
-        if (!has_vectors(scene->materials[k].law))
-            return "there are no fast kernels for the law of a material";
-    for (size_t k = 0; k < scene->material_count; k++)
-        if (mpm_law_state_count(scene->materials[k].law) > 0)
-            return "there are no fast kernels for laws with state variables";
-    if (mpm_scene_is_viscous(scene))
-        return "there are no fast kernels for artificial viscosity";
+    if (scene->transfer == MPM_TRANSFER_APIC && scene->shape == MPM_CPDI)
+        return "there are no fast kernels for method.transfer: apic with CPDI";
     if (mpm_scene_couples(scene))
         return "there are no fast kernels for stresses that depend on a scalar";
     if (mpm_scene_has_tables(scene))

@@ -16,8 +16,14 @@ enum mpm_fast_geometry {
     MPM_FAST_GEOMETRIES,
 };
 
-/* Do passes of mechanics take a scalar along (struct mpm_passes)? */
-enum mpm_fast_cargo { MPM_FAST_WITHOUT_SCALAR, MPM_FAST_WITH_SCALAR, MPM_FAST_CARGOES };
+/* What passes of mechanics take along: nothing, a scalar (struct mpm_passes), or the velocity
+ * gradients of APIC, which not all families have. */
+enum mpm_fast_cargo {
+    MPM_FAST_WITHOUT_SCALAR,
+    MPM_FAST_WITH_SCALAR,
+    MPM_FAST_AFFINE,
+    MPM_FAST_CARGOES,
+};
 
 /* A family's kernels, by cargo, geometry and order of the stress update. */
 typedef const struct mpm_passes mpm_fast_family[MPM_FAST_CARGOES][MPM_FAST_GEOMETRIES]

@@ -3,6 +3,8 @@
 
 #include "method/fields/fields.h"
 #include "method/transfer/extent.h"
+#include "method/transfer/law_state.h"
+#include "method/transfer/transfer.h"
 
 static double place_of_axis(const struct mpm_shape_grid *grid)
 {
@@ -58,6 +60,7 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
             projection != NULL && projection->to != NULL ? (void *)projection->to : grid->gradient,
         .time_step = state->time_step,
         .stress_step = part * state->time_step,
+        .part = part,
         .back = midpoint ? 0.5 * state->time_step : 0.0,
         .deformation_terms = state->scene->deformation_terms,
         .material = state->bodies[body].material,
@@ -74,10 +77,41 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
         constants->inverse_cell[axis] = grid->inverse_cell[axis];
         constants->edge_low[axis] = (double)state->shape_grid.edge_low[axis];
         constants->edge_high[axis] = (double)state->shape_grid.edge_high[axis];
-        constants->longest_step[axis] = grid->cell[axis];
+        constants->cell[axis] = grid->cell[axis];
         constants->end[axis] = mpm_grid_end(grid, axis);
         constants->lowest_reach[axis] = constants->origin[axis] - ghost;
         constants->highest_reach[axis] = constants->end[axis] + ghost;
+    }
+}
+
+static void find_stress(const struct mpm_state *state, size_t p)
+{
+    double stress[MPM_SYMMETRIC_SIZE], wave_speed_squared;
+    mpm_particle_find_stress(state, p, stress, &wave_speed_squared);
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        state->particles.stress[k][p] = stress[k];
+}
+
+void mpm_fast_update_particles(struct fast_sums *sums, double part,
+                               const struct mpm_particles *particles, size_t first, size_t end,
+                               const struct fast_deformations *next)
+{
+    const struct mpm_state *state = sums->state;
+    struct mpm_state seen; /* with the copies of a tail as its particles */
+    if (particles != &state->particles) {
+        seen = *state;
+        seen.particles = *particles;
+        state = &seen;
+    }
+    for (size_t p = first; p < end; p++) {
+        double f[MPM_GRADIENT_SIZE];
+        if (next == NULL) {
+            find_stress(state, p);
+            continue;
+        }
+        for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+            f[i] = next->f[i][p - first];
+        mpm_particle_take_deformation(state, p, part, f, sums->strip);
     }
 }
 

@@ -56,6 +56,16 @@ MPM_INLINE mpm_vector determinant_vector(const mpm_vector f[MPM_GRADIENT_SIZE])
 void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double part,
                         struct fast_constants *constants);
 
+/* F of a block's particles at the end of an update. */
+struct fast_deformations {
+    double f[MPM_GRADIENT_SIZE][MPM_BLOCK_VECTORS * MPM_VECTOR_SIZE];
+};
+/* Gives particles first..end - 1 that F and its stress, `part` of the time step later; without it
+ * (NULL) the stress of the F at hand. They may be the copies of a tail. */
+void mpm_fast_update_particles(struct fast_sums *sums, double part,
+                               const struct mpm_particles *particles, size_t first, size_t end,
+                               const struct fast_deformations *next);
+
 /* The end of the run of particles of one body that begins at `begin`. */
 size_t mpm_fast_run_end(const struct mpm_state *state, size_t begin, size_t end);
 

@@ -13,6 +13,7 @@ struct fast_spec {
     enum mpm_shape shape;
     bool axisymmetric;
     bool momentum;   /* spread mass and momentum */
+    bool affine;     /* with APIC: see fast_affine.h; not of CPDI */
     bool force;      /* spread internal forces */
     bool finish;     /* the last pass, which only reads */
     bool scalars;    /* exchange scalars with nodes, by S: see fast_scalars.h */
@@ -62,10 +63,11 @@ struct fast_constants {
     double (*gradient)[2][2];      /* in a projection its `to`, if it has one */
     struct fast_scalar scalar;     /* that is conducted, if one is */
     double time_step, stress_step; /* the latter is the part that this update stands for */
+    double part;                   /* stress_step of time_step */
     double back;                   /* of the midpoint update: v^{n+1} - back a */
     int deformation_terms;
     double lowest_reach[2], highest_reach[2]; /* where their domains may be */
-    double longest_step[2];                   /* a cell */
+    double cell[2];                           /* the longest step, too */
     struct mpm_material material;
 };
 
@@ -88,6 +90,7 @@ MPM_INLINE double *fast_row(const void *array, int64_t node, int64_t j,
 struct fast_load {
     mpm_vector mass;
     mpm_vector momentum[2];
+    mpm_vector affine[4];                  /* m_p C_p, of APIC */
     mpm_vector stress[MPM_SYMMETRIC_SIZE]; /* -m tau / rho_0 */
 };
 

@@ -1,6 +1,6 @@
 /* The fast kernels of one shape family and one level of SIMD: this file is compiled for each
- * pair, with FAST_FAMILY (a name of method.shape), FAST_SHAPE (the same in capitals) and
- * FAST_LEVEL (baseline, v3).
+ * pair, with FAST_FAMILY (a name of method.shape), FAST_SHAPE (the same in capitals), FAST_LEVEL
+ * (baseline, v3), and FAST_AFFINE where the family has kernels of APIC.
  *
  * A kernel is one of the bodies in fast_passes.h with constants: those that a loop over nodes or
  * vectors would look at each time. What a pass looks at once for a block is no instance of its own:
@@ -14,11 +14,13 @@
 
 enum { BLOCK = MPM_BLOCK_VECTORS * MPM_VECTOR_SIZE, NO_UPDATE = -1 };
 
-/* The stress update of a body's law; `kind`: a geometry, or MPM_FAST_RECOMPUTE. */
-MPM_INLINE mpm_fast_update *update_of(const struct mpm_material *material, int kind)
+/* The stress update of a body; `kind`: a geometry, or MPM_FAST_RECOMPUTE. */
+MPM_INLINE mpm_fast_update *update_of(const struct mpm_body *body, int kind)
 {
+    const struct mpm_material_law *const law =
+        mpm_fast_body_has_vectors(body->given) ? body->material.law : NULL;
     const struct mpm_fast_law *row = FAST_NAME(laws);
-    while (row->law != material->law) /* mpm_fast_lacks has looked: it is there */
+    while (row->law != law)
         row++;
     /* cppcheck-suppress CastIntegerToAddressAtReturn ; a function, not an integer */
     return row->update[kind];
@@ -141,7 +143,7 @@ MPM_INLINE void run_strip(const struct fast_spec *spec, struct mpm_state *state,
         const uint32_t body = state->particles.body[run.begin];
         mpm_fast_constants(state, body, change->part, &k);
         if (change->kind != NO_UPDATE)
-            block.update = update_of(&k.material, change->kind);
+            block.update = update_of(&state->bodies[body], change->kind);
         run_pieces(spec, state, index, traffic, &run, &k, &block, work);
         if (change->extents != NULL)
             take_extent(sums, &change->extents->of[state->bodies[body].layer]);
@@ -158,6 +160,14 @@ static void recompute(void *state, int64_t strip, int worker)
 }
 
 /* --------------------------------------------------------------- the passes */
+
+/* The strip's has what was found particle by particle. */
+MPM_INLINE void set_wave(const struct fast_sums *sums)
+{
+    const double largest = mpm_largest_lane(sums->wave);
+    if (largest > sums->strip->wave_speed_squared)
+        sums->strip->wave_speed_squared = largest;
+}
 
 static const unsigned scalar_spreads = 1u << FAST_CONTENT | 1u << FAST_CAPACITY;
 
@@ -181,10 +191,11 @@ MPM_INLINE void pass_stress_before(const struct fast_spec *spec, struct mpm_stat
     };
     const struct fast_change change = {state->order->before, (int)state->scene->geometry, NULL};
     struct fast_sums sums;
+    state->strips[strip].wave_speed_squared = 0.0;
     run_strip(spec, state, strip, &change, &traffic, &sums, block_stress_before);
     if (spec->conducts)
         sums.strip->diffusivity = mpm_largest_lane(sums.diffusivity);
-    sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
+    set_wave(&sums);
 }
 
 MPM_INLINE void pass_project(const struct fast_spec *spec, struct mpm_state *state, int64_t strip)
@@ -261,11 +272,13 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
     const struct fast_change change = {state->order->after,
                                        updates ? (int)state->scene->geometry : NO_UPDATE, &extents};
     mpm_extents_begin(state, &extents);
+    if (updates)
+        state->strips[strip].wave_speed_squared = 0.0;
     run_strip(spec, state, strip, &change, &traffic, &sums, block_finish);
     if (!state->order->extrapolate)
         sums.strip->kinetic_energy = mpm_sum_of_lanes(sums.kinetic);
     if (updates)
-        sums.strip->wave_speed_squared = mpm_largest_lane(sums.wave);
+        set_wave(&sums);
     if (sums.strip->failure.kind == MPM_NO_FAILURE)
         mpm_strip_set_boxes(state, sums.strip, &extents);
 }
@@ -291,6 +304,15 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
     KERNEL(pass_stress_before, plane##_stress_force, .force = true, __VA_ARGS__)                   \
     KERNEL(pass_to_particles, plane##_extrapolate, __VA_ARGS__)
 
+/* Of APIC, where they spread momentum or read velocities. */
+#ifdef FAST_AFFINE
+#define AFFINE_KERNELS(plane, ...)                                                                 \
+    MECHANICS(plane##_affine, .affine = true, __VA_ARGS__)                                         \
+    KERNEL(pass_to_particles, plane##_affine_extrapolate, .affine = true, __VA_ARGS__)
+#else
+#define AFFINE_KERNELS(plane, ...)
+#endif
+
 #define ALONE .scalars = true, .alone = true
 
 #define KERNELS(plane, ...)                                                                        \
@@ -298,6 +320,7 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
     GATHERING(plane, __VA_ARGS__)                                                                  \
     MECHANICS(plane##_scalar, .scalars = true, __VA_ARGS__)                                        \
     GATHERING(plane##_scalar, .scalars = true, .conducts = true, __VA_ARGS__)                      \
+    AFFINE_KERNELS(plane, __VA_ARGS__)                                                             \
     KERNEL(pass_project, plane##_project, __VA_ARGS__)                                             \
     KERNEL(pass_spread_scalar, plane##_spread, ALONE, __VA_ARGS__)                                 \
     KERNEL(pass_conduct, plane##_conduct, ALONE, .conducts = true, __VA_ARGS__)                    \
@@ -330,6 +353,20 @@ MPM_INLINE void pass_finish(const struct fast_spec *spec, struct mpm_state *stat
             STEP(plane, own##_finish, own##_momentum, own##_stress_force, NULL, with_scalar),      \
     }
 
+#define AFFINE_ORDERS(plane)                                                                       \
+    {                                                                                              \
+        [MPM_USL] =                                                                                \
+            STEP(plane, plane##_affine_finish, plane##_affine_momentum_force, NULL, NULL, false),  \
+        [MPM_MUSL] = STEP(plane, plane##_finish, plane##_affine_momentum_force, NULL,              \
+                          plane##_affine_extrapolate, false),                                      \
+        [MPM_USF] = STEP(plane, plane##_affine_finish, plane##_affine_momentum,                    \
+                         plane##_stress_force, NULL, false),                                       \
+        [MPM_USAVG] = STEP(plane, plane##_finish, plane##_affine_momentum, plane##_stress_force,   \
+                           plane##_affine_extrapolate, false),                                     \
+        [MPM_USAVG_ONCE] = STEP(plane, plane##_affine_finish, plane##_affine_momentum,             \
+                                plane##_stress_force, NULL, false),                                \
+    }
+
 KERNELS(planar, .axisymmetric = false)
 KERNELS(axisymmetric, .axisymmetric = true)
 
@@ -340,4 +377,8 @@ mpm_fast_family FAST_NAME(FAST_FAMILY) = {
     [MPM_FAST_WITH_SCALAR] = {[MPM_FAST_PLANAR] = ORDERS(planar, planar_scalar, true),
                               [MPM_FAST_AXISYMMETRIC] = ORDERS(axisymmetric, axisymmetric_scalar,
                                                                true)},
+#ifdef FAST_AFFINE
+    [MPM_FAST_AFFINE] = {[MPM_FAST_PLANAR] = AFFINE_ORDERS(planar),
+                         [MPM_FAST_AXISYMMETRIC] = AFFINE_ORDERS(axisymmetric)},
+#endif
 };

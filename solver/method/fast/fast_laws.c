@@ -75,6 +75,28 @@ MPM_INLINE void update_stresses(stress_of *stress, const struct fast_constants *
     sums->wave = largest;
 }
 
+/* -------------------------------------------------------- laws without vectors */
+
+/* F in vectors, into the places of particles; their stresses one by one. */
+MPM_INLINE void update_by_particle(enum mpm_geometry geometry, const struct fast_constants *k,
+                                   const struct mpm_particles *particles, size_t first, size_t end,
+                                   struct fast_sums *sums,
+                                   const mpm_vector (*gradient)[MPM_GRADIENT_SIZE])
+{
+    struct fast_deformations next;
+    for (size_t p = first; p < end; p += MPM_VECTOR_SIZE) {
+        mpm_vector f[MPM_GRADIENT_SIZE], h[MPM_GRADIENT_SIZE];
+        load_deformation(particles, p, f);
+        for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+            h[i] = k->stress_step * (*gradient)[i];
+        deform_vector(h, k->deformation_terms, geometry == MPM_AXISYMMETRIC, f);
+        for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+            mpm_store(next.f[i] + (p - first), f[i]);
+        gradient++;
+    }
+    mpm_fast_update_particles(sums, k->part, particles, first, end, &next);
+}
+
 /* ------------------------------------------------------------- the instances */
 
 #define FUNCTION(name)                                                                             \
@@ -100,6 +122,20 @@ MPM_INLINE void update_stresses(stress_of *stress, const struct fast_constants *
     }
 MPM_VECTOR_LAWS(LAW)
 
+#define BY_PARTICLE(geometry)                                                                      \
+    FUNCTION(particle_##geometry)                                                                  \
+    {                                                                                              \
+        update_by_particle(geometry, k, particles, first, end, sums, gradient);                    \
+    }
+BY_PARTICLE(MPM_PLANE_STRAIN)
+BY_PARTICLE(MPM_PLANE_STRESS)
+BY_PARTICLE(MPM_AXISYMMETRIC)
+FUNCTION(particle_recompute)
+{
+    (void)gradient;
+    mpm_fast_update_particles(sums, k->part, particles, first, end, NULL);
+}
+
 #define ROW(name)                                                                                  \
     {                                                                                              \
         .law = &mpm_##name,                                                                        \
@@ -108,4 +144,9 @@ MPM_VECTOR_LAWS(LAW)
                    [MPM_AXISYMMETRIC] = name##_MPM_AXISYMMETRIC,                                   \
                    [MPM_FAST_RECOMPUTE] = name##_recompute},                                       \
     },
-const struct mpm_fast_law FAST_NAME(laws)[] = {MPM_VECTOR_LAWS(ROW){.law = NULL}};
+const struct mpm_fast_law FAST_NAME(laws)[] = {
+    MPM_VECTOR_LAWS(ROW){.law = NULL,
+                         .update = {[MPM_PLANE_STRAIN] = particle_MPM_PLANE_STRAIN,
+                                    [MPM_PLANE_STRESS] = particle_MPM_PLANE_STRESS,
+                                    [MPM_AXISYMMETRIC] = particle_MPM_AXISYMMETRIC,
+                                    [MPM_FAST_RECOMPUTE] = particle_recompute}}};

@@ -11,9 +11,8 @@
 #define MPM_METHOD_FAST_LINES_H
 
 #include "base/simd.h"
+#include "method/fast/fast_affine.h"
 #include "method/fast/fast_constants.h"
-
-enum { MPM_LINE_NODES = 4 }; /* at most */
 
 /* Weights along one axis, by node; gradients per length. */
 struct fast_line {
@@ -31,7 +30,8 @@ struct fast_lines {
     mpm_vector sx[MPM_LINE_NODES]; /* the weights of x once more, by particles */
     /* and the others, where scalars are exchanged */
     mpm_vector dx[MPM_LINE_NODES], sy[MPM_LINE_NODES], dy[MPM_LINE_NODES];
-    bool together; /* all four have the same nodes; there */
+    bool together;               /* all four have the same nodes; there */
+    struct fast_moments moments; /* of APIC */
 };
 
 /* The place of a lane's pair, see mpm_store_pairs. */
@@ -241,15 +241,22 @@ MPM_INLINE void fast_lines_evaluate(const struct fast_spec *spec, const struct f
         if (spec->axisymmetric)
             mpm_store(lines->t[i], x.t[i]);
     }
+    if (spec->affine) {
+        struct fast_moments *const moments = &lines->moments;
+        const int nodes = line_nodes(spec);
+        moments->second[0] = fast_line_moments(x.s, nodes, k->cell[0], moments->x);
+        moments->second[1] = fast_line_moments(y.s, nodes, k->cell[1], moments->y);
+    }
 }
 
 /* ------------------------------------------------------------------ scatter */
 
 /* For one particle: sums += sx E_j + sy D_i with E_j = (sy, dy, sy, dy) (p_x, -xy, p_y, -yy)
- * and D_i = dx (0, -xx, 0, -xy) + t (0, -zz, 0, 0), stresses times mass. */
+ * and D_i = dx (0, -xx, 0, -xy) + t (0, -zz, 0, 0), stresses times mass; with APIC E_j has m_j
+ * affine_y too, and D_i m_i affine_x. */
 MPM_INLINE void spread_lane(const struct fast_spec *spec, const struct fast_constants *k,
                             const struct fast_lines *lines, int lane, mpm_vector along_y,
-                            mpm_vector along_x, mpm_vector hoop)
+                            mpm_vector along_x, mpm_vector hoop, const struct fast_turn *turn)
 {
     const int nodes = line_nodes(spec), pair = fast_pair[lane];
     mpm_vector d[MPM_LINE_NODES];
@@ -257,10 +264,14 @@ MPM_INLINE void spread_lane(const struct fast_spec *spec, const struct fast_cons
         d[i] = mpm_scale(lines->x[i][pair], along_x);
         if (spec->axisymmetric)
             d[i] += mpm_scale(lines->t[i][lane], hoop);
+        if (spec->affine && spec->momentum)
+            d[i] += mpm_scale(lines->moments.x[i][lane], turn->along_x[lane]);
     }
     for (int j = 0; j < nodes; j++) {
         double *const row = fast_row(k->sum, lines->node[lane], j, k);
-        const mpm_vector e = mpm_load_pair(&lines->y[j][pair]) * along_y;
+        mpm_vector e = mpm_load_pair(&lines->y[j][pair]) * along_y;
+        if (spec->affine && spec->momentum)
+            e += mpm_scale(lines->moments.y[j][lane], turn->along_y[lane]);
         for (int i = 0; i < nodes; i++) {
             const mpm_vector add =
                 mpm_scale(lines->x[i][pair + 1], e) + mpm_scale(lines->y[j][pair], d[i]);
@@ -290,6 +301,9 @@ MPM_INLINE void fast_lines_spread(const struct fast_spec *spec, const struct fas
     mpm_vector mass[4] = {zero, zero, zero, zero};
     for (int i = 0; i < line_nodes(spec); i++)
         mass[i] = load->mass * lines->sx[i];
+    struct fast_turn turn;
+    if (spec->affine && spec->momentum)
+        turn = fast_turn_of(load->affine, false);
     mpm_transpose(along_y);
     mpm_transpose(along_x);
     if (spec->axisymmetric)
@@ -298,44 +312,70 @@ MPM_INLINE void fast_lines_spread(const struct fast_spec *spec, const struct fas
         mpm_transpose(mass);
 #pragma GCC unroll 4
     for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
-        spread_lane(spec, k, lines, lane, along_y[lane], along_x[lane], hoop[lane]);
+        spread_lane(spec, k, lines, lane, along_y[lane], along_x[lane], hoop[lane], &turn);
         if (spec->momentum)
             spread_mass_lane(spec, k, lines, lane, mass[lane]);
     }
 }
 
-/* Adds s times a particle's vector to those of the nodes. */
+/* Adds s times a particle's vector to those of the nodes; with `turn` (or NULL) that of APIC. */
 MPM_INLINE void spread_value_lane(const struct fast_spec *spec, const struct fast_constants *k,
                                   const struct fast_lines *lines, int lane, void *array,
-                                  mpm_vector value)
+                                  mpm_vector value, const struct fast_turn *turn)
 {
     const int nodes = line_nodes(spec), pair = fast_pair[lane];
     for (int j = 0; j < nodes; j++) {
         double *const row = fast_row(array, lines->node[lane], j, k);
-        const mpm_vector part = mpm_scale(lines->y[j][pair], value);
-        for (int i = 0; i < nodes; i++)
-            mpm_store(row + 4 * i, mpm_load(row + 4 * i) + mpm_scale(lines->x[i][pair + 1], part));
+        mpm_vector part = mpm_scale(lines->y[j][pair], value);
+        if (turn != NULL)
+            part += mpm_scale(lines->moments.y[j][lane], turn->along_y[lane]);
+        for (int i = 0; i < nodes; i++) {
+            mpm_vector add = mpm_scale(lines->x[i][pair + 1], part);
+            if (turn != NULL)
+                add +=
+                    mpm_scale(lines->y[j][pair] * lines->moments.x[i][lane], turn->along_x[lane]);
+            mpm_store(row + 4 * i, mpm_load(row + 4 * i) + add);
+        }
     }
 }
 
 MPM_INLINE void fast_lines_spread_values(const struct fast_spec *spec,
                                          const struct fast_constants *k,
                                          const struct fast_lines *lines, void *array,
-                                         const mpm_vector values[4])
+                                         const mpm_vector values[4], const struct fast_turn *turn)
 {
     mpm_vector value[4] = {values[0], values[1], values[2], values[3]};
     mpm_transpose(value);
 #pragma GCC unroll 4
     for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
-        spread_value_lane(spec, k, lines, lane, array, value[lane]);
+        spread_value_lane(spec, k, lines, lane, array, value[lane], turn);
 }
 
 /* ------------------------------------------------------------------- gather */
 
-/* sum S of an array's nodal vectors; *hoop: sum T of the same, if asked for */
+/* What a row of nodes, `along` = sum_i s_i of it, adds to the columns of B_p; of classic functions
+ * slopes take the place of m_i. */
+MPM_INLINE void add_to_columns(const struct fast_spec *spec, const struct fast_lines *lines,
+                               int lane, int j, const double *row, mpm_vector along,
+                               mpm_vector columns[2])
+{
+    const bool slopes = spec->shape == MPM_CLASSIC;
+    const int pair = fast_pair[lane];
+    mpm_vector part = mpm_splat(0.0);
+    for (int i = 0; i < line_nodes(spec); i++)
+        part += mpm_scale(slopes ? lines->x[i][pair] : lines->moments.x[i][lane],
+                          mpm_load(row + 4 * i));
+    part = mpm_scale(lines->y[j][pair], part);
+    along = mpm_scale(slopes ? lines->y[j][pair + 1] : lines->moments.y[j][lane], along);
+    columns[0] = j == 0 ? part : columns[0] + part;
+    columns[1] = j == 0 ? along : columns[1] + along;
+}
+
+/* sum S of an array's nodal vectors; *hoop: sum T of the same, if asked for; columns: of B_p, or
+ * NULL */
 MPM_INLINE mpm_vector value_lane(const struct fast_spec *spec, const struct fast_constants *k,
                                  const struct fast_lines *lines, int lane, const void *array,
-                                 bool wants_hoop, mpm_vector *hoop)
+                                 bool wants_hoop, mpm_vector *hoop, mpm_vector columns[2])
 {
     const int nodes = line_nodes(spec), pair = fast_pair[lane];
     mpm_vector sum = mpm_splat(0.0), hoop_sum = mpm_splat(0.0);
@@ -344,6 +384,8 @@ MPM_INLINE mpm_vector value_lane(const struct fast_spec *spec, const struct fast
         mpm_vector part = mpm_scale(lines->x[0][pair + 1], mpm_load(row));
         for (int i = 1; i < nodes; i++)
             part += mpm_scale(lines->x[i][pair + 1], mpm_load(row + 4 * i));
+        if (columns != NULL)
+            add_to_columns(spec, lines, lane, j, row, part, columns);
         part = mpm_scale(lines->y[j][pair], part);
         sum = j == 0 ? part : sum + part;
         if (wants_hoop) {
@@ -385,14 +427,22 @@ MPM_INLINE mpm_vector gradient_lane(const struct fast_spec *spec, const struct f
 
 MPM_INLINE void fast_lines_gather(const struct fast_spec *spec, const struct fast_constants *k,
                                   const struct fast_lines *lines, const void *array,
-                                  bool wants_hoop, mpm_vector value[4], mpm_vector hoop[4])
+                                  bool wants_hoop, mpm_vector value[4], mpm_vector hoop[4],
+                                  mpm_vector (*columns)[4])
 {
 #pragma GCC unroll 4
-    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
-        value[lane] = value_lane(spec, k, lines, lane, array, wants_hoop, &hoop[lane]);
+    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++) {
+        mpm_vector column[2] = {mpm_splat(0.0), mpm_splat(0.0)};
+        value[lane] = value_lane(spec, k, lines, lane, array, wants_hoop, &hoop[lane],
+                                 columns == NULL ? NULL : column);
+        for (int axis = 0; columns != NULL && axis < 2; axis++)
+            columns[axis][lane] = column[axis];
+    }
     mpm_transpose(value);
     if (wants_hoop)
         mpm_transpose(hoop);
+    for (int axis = 0; columns != NULL && axis < 2; axis++)
+        mpm_transpose(columns[axis]);
 }
 
 MPM_INLINE void fast_lines_gradient(const struct fast_spec *spec, const struct fast_constants *k,

@@ -65,34 +65,49 @@ MPM_INLINE void spread(const struct fast_spec *spec, const struct fast_constants
         fast_lines_spread(spec, k, &stencil->lines, load);
 }
 
-/* Values that go with S only, to the nodal vectors of an array. */
+/* Values that go with S only, to the nodal vectors of an array; turn: of APIC, or NULL. */
 MPM_INLINE void spread_values(const struct fast_spec *spec, const struct fast_constants *k,
                               const union fast_stencil *stencil, void *array,
-                              const mpm_vector values[4])
+                              const mpm_vector values[4], const struct fast_turn *turn)
 {
     if (spec->shape == MPM_CPDI)
         fast_cpdi_spread_values(k, &stencil->cpdi, array, values);
     else
-        fast_lines_spread_values(spec, k, &stencil->lines, array, values);
+        fast_lines_spread_values(spec, k, &stencil->lines, array, values, turn);
 }
 
 /* (p_x, p_x, p_y, p_y), to make a velocity of which a gradient can be taken */
 MPM_INLINE void spread_momentum(const struct fast_spec *spec, const struct fast_constants *k,
+                                const struct mpm_particles *particles, size_t p,
                                 const union fast_stencil *stencil, const mpm_vector momentum[2])
 {
     const mpm_vector values[4] = {momentum[0], momentum[0], momentum[1], momentum[1]};
-    spread_values(spec, k, stencil, k->gradient, values);
+    if (!spec->affine) {
+        spread_values(spec, k, stencil, k->gradient, values, NULL);
+        return;
+    }
+    mpm_vector affine[4];
+    fast_affine_momentum(spec, particles, p, &stencil->lines.moments, mpm_load(particles->mass + p),
+                         affine);
+    const struct fast_turn turn = fast_turn_of(affine, true);
+    spread_values(spec, k, stencil, k->gradient, values, &turn);
 }
 
-/* sum S and sum T of (a_x, a_y, v_x, v_y) */
+/* sum S and sum T of (a_x, a_y, v_x, v_y); B_p, where it is asked for */
 MPM_INLINE void gather_motion(const struct fast_spec *spec, const struct fast_constants *k,
+                              const struct mpm_particles *particles, size_t p,
                               const union fast_stencil *stencil, bool wants_hoop,
                               mpm_vector motion[4], mpm_vector hoop[4])
 {
-    if (spec->shape == MPM_CPDI)
+    if (spec->shape == MPM_CPDI) {
         fast_cpdi_gather(spec, k, &stencil->cpdi, k->read, wants_hoop, motion, hoop);
-    else
-        fast_lines_gather(spec, k, &stencil->lines, k->read, wants_hoop, motion, hoop);
+    } else if (spec->affine) {
+        mpm_vector columns[2][4];
+        fast_lines_gather(spec, k, &stencil->lines, k->read, wants_hoop, motion, hoop, columns);
+        fast_affine_keep(particles, p, columns);
+    } else {
+        fast_lines_gather(spec, k, &stencil->lines, k->read, wants_hoop, motion, hoop, NULL);
+    }
 }
 
 /* sum S of an array's nodal vectors */
@@ -104,7 +119,7 @@ MPM_INLINE void gather_values(const struct fast_spec *spec, const struct fast_co
     if (spec->shape == MPM_CPDI)
         fast_cpdi_gather(spec, k, &stencil->cpdi, array, false, values, unused);
     else
-        fast_lines_gather(spec, k, &stencil->lines, array, false, values, unused);
+        fast_lines_gather(spec, k, &stencil->lines, array, false, values, unused, NULL);
 }
 
 MPM_INLINE void gather_gradient(const struct fast_spec *spec, const struct fast_constants *k,
@@ -189,7 +204,7 @@ MPM_INLINE void update_position_vector(const struct fast_spec *spec, const struc
             sound &= mpm_less(mpm_splat(k->lowest_reach[axis]), low);
             sound &= mpm_less(high, mpm_splat(k->highest_reach[axis]));
         }
-        sound &= mpm_at_most(mpm_absolute(step[axis]), mpm_splat(k->longest_step[axis]));
+        sound &= mpm_at_most(mpm_absolute(step[axis]), mpm_splat(k->cell[axis]));
     }
     if (spec->axisymmetric)
         sound &= mpm_less(mpm_splat(0.0), position[0]);
@@ -234,6 +249,17 @@ MPM_INLINE void update_stress_block(const struct fast_spec *spec, const struct f
                   (const mpm_vector(*)[MPM_GRADIENT_SIZE])gradient);
 }
 
+/* Momentum and mass */
+MPM_INLINE void spread_sums(const struct fast_spec *spec, const struct fast_constants *k,
+                            const union fast_stencil *stencil, const struct fast_load *load)
+{
+    const mpm_vector values[4] = {load->momentum[0], load->mass, load->momentum[1]};
+    struct fast_turn turn;
+    if (spec->affine)
+        turn = fast_turn_of(load->affine, false);
+    spread_values(spec, k, stencil, k->sum, values, spec->affine ? &turn : NULL);
+}
+
 /* Task 1, with the stress at hand also Task 3 */
 MPM_INLINE void block_to_grid(const struct fast_spec *spec, const struct fast_block *block)
 {
@@ -244,12 +270,14 @@ MPM_INLINE void block_to_grid(const struct fast_spec *spec, const struct fast_bl
         struct fast_load load = {.mass = mpm_load(block->particles->mass + p)};
         for (int axis = 0; axis < 2; axis++)
             load.momentum[axis] = load.mass * mpm_load(block->particles->velocity[axis] + p);
+        if (spec->affine)
+            fast_affine_momentum(spec, block->particles, p, &stencil[v].lines.moments, load.mass,
+                                 load.affine);
         if (spec->force) {
             load_stress(block->particles, p, &load);
             spread(spec, block->k, &stencil[v], &load);
         } else { /* no forces yet: masses, see struct mpm_node_sum */
-            const mpm_vector values[4] = {load.momentum[0], load.mass, load.momentum[1]};
-            spread_values(spec, block->k, &stencil[v], block->k->sum, values);
+            spread_sums(spec, block->k, &stencil[v], &load);
         }
     }
     if (spec->scalars)
@@ -278,7 +306,7 @@ MPM_INLINE void move_vector(const struct fast_spec *spec, const struct fast_bloc
                             mpm_vector momentum[2])
 {
     mpm_vector motion[4], hoop[4], next[2];
-    gather_motion(spec, block->k, stencil, hoop_radius, motion, hoop);
+    gather_motion(spec, block->k, block->particles, p, stencil, hoop_radius, motion, hoop);
     update_velocity_vector(block->k, block->particles, p, motion, block->sums, momentum);
     next_position(block->k, block->particles, p, hoop_radius, motion, hoop, next);
     for (int axis = 0; axis < 2; axis++)
@@ -340,7 +368,7 @@ MPM_INLINE void block_project(const struct fast_spec *spec, const struct fast_bl
     FOR_VECTORS(block, p, v)
     {
         const mpm_vector values[4] = {sums[v][0], sums[v][0], sums[v][1], sums[v][1]};
-        spread_values(spec, block->k, &stencil[v], block->k->gradient, values);
+        spread_values(spec, block->k, &stencil[v], block->k->gradient, values, NULL);
     }
 }
 
@@ -365,7 +393,7 @@ MPM_INLINE void block_to_particles(const struct fast_spec *spec, const struct fa
     evaluate_block(spec, block, stencil);
     move_block(spec, block, stencil, momentum);
     FOR_VECTORS(block, p, v)
-    spread_momentum(spec, block->k, &stencil[v], momentum[v]);
+    spread_momentum(spec, block->k, block->particles, p, &stencil[v], momentum[v]);
     if (spec->conducts)
         conduct_scalar(spec, block, stencil);
 }

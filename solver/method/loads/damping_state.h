@@ -4,8 +4,9 @@
 #ifndef MPM_METHOD_DAMPING_STATE_H
 #define MPM_METHOD_DAMPING_STATE_H
 
-#include "base/expression.h"
+#include "base/status.h"
 #include "model/scene.h"
+#include "mpm_expression.h"
 
 /* Values that a step adds to; part of the last good state. */
 struct mpm_damping_totals {

@@ -12,15 +12,21 @@ struct surroundings {
     double moment[3];                /* D_p: xx, yy, xy */
 };
 
-/* An additional field of a node is where its parent is. */
+/* An additional field of a node is where its parent is. Places count from the first node: far from
+ * the grid's origin digits of the distances would be lost. */
 static void look_around(const struct mpm_state *state, const struct mpm_stencil *stencil,
                         struct surroundings *around)
 {
+    const struct mpm_grid *const grid = &state->grid;
+    const int64_t first = mpm_field_parent(state, state->node_zero + stencil->node[0].node);
     double mean[2] = {0.0, 0.0};
     around->stencil = stencil;
     for (int k = 0; k < stencil->count; k++) {
-        const int64_t node = state->node_zero + stencil->node[k].node;
-        mpm_grid_position(&state->grid, mpm_field_parent(state, node), around->away[k]);
+        const int64_t node = mpm_field_parent(state, state->node_zero + stencil->node[k].node);
+        const int64_t columns = node % grid->columns - first % grid->columns;
+        const int64_t rows = node / grid->columns - first / grid->columns;
+        around->away[k][0] = grid->cell[0] * (double)columns;
+        around->away[k][1] = grid->cell[1] * (double)rows;
         for (int axis = 0; axis < 2; axis++)
             mean[axis] += stencil->node[k].s * around->away[k][axis];
     }

@@ -84,11 +84,15 @@ double mpm_particle_state_temperature(const struct mpm_state *state, size_t p)
 
 bool mpm_particle_is_melted(const struct mpm_state *state, size_t p)
 {
-    const double melting = material_of(state, p)->parameter[MPM_PARAMETER_MELTING_TEMPERATURE];
-    return melting > 0.0 && mpm_particle_state_temperature(state, p) >= melting;
+    const struct mpm_material *const material = material_of(state, p);
+    const double melting = material->parameter[MPM_PARAMETER_MELTING_TEMPERATURE];
+    const bool conducted = mpm_material_softens(material->law, material->parameter);
+    return melting > 0.0 && (conducted ? state->particles.law_temperature[p]
+                                       : mpm_particle_state_temperature(state, p)) >= melting;
 }
 
-double mpm_particle_dissipation(const struct mpm_state *state, size_t p)
+/* Per unit mass, since t = 0. */
+static double plastic_work(const struct mpm_state *state, size_t p)
 {
     const struct mpm_material *const material = material_of(state, p);
     double variables[MPM_LAW_STATES];
@@ -96,6 +100,24 @@ double mpm_particle_dissipation(const struct mpm_state *state, size_t p)
         return 0.0;
     load_variables(&state->particles, p, material->law, variables);
     return material->law->dissipation(material, variables);
+}
+
+/* The part of it that heats the conducted temperature. */
+static double heating(const struct mpm_state *state, size_t p)
+{
+    const struct mpm_material *const material = material_of(state, p);
+    return mpm_material_plastic_heating(material->law, material->parameter);
+}
+
+double mpm_particle_dissipation(const struct mpm_state *state, size_t p)
+{
+    return (1.0 - heating(state, p)) * plastic_work(state, p);
+}
+
+double mpm_particle_plastic_heat(const struct mpm_state *state, size_t p)
+{
+    const double part = heating(state, p);
+    return part > 0.0 ? part * plastic_work(state, p) : 0.0;
 }
 
 double mpm_particle_thermoelastic_energy(const struct mpm_state *state, size_t p)

@@ -2,6 +2,7 @@
 #include "method/transfer/law_state.h"
 
 #include "method/transfer/extent.h"
+#include "method/transfer/stress_work.h"
 #include "model/plane_stress.h"
 #include "mpm_transport.h"
 
@@ -17,30 +18,6 @@ double mpm_free_strain(const struct mpm_material_spec *material,
             sum += material->expansion[k].coefficient *
                    (value[k] - material->expansion[k].stress_free);
     return sum;
-}
-
-/* tau : (dF F^-1) */
-static double work_rate(const double tau[MPM_SYMMETRIC_SIZE], const double df[MPM_GRADIENT_SIZE],
-                        const double f[MPM_GRADIENT_SIZE])
-{
-    const double area = f[MPM_XX] * f[MPM_YY] - f[MPM_XY] * f[MPM_YX];
-    const double xx = df[MPM_XX] * f[MPM_YY] - df[MPM_XY] * f[MPM_YX];
-    const double xy = df[MPM_XY] * f[MPM_XX] - df[MPM_XX] * f[MPM_XY];
-    const double yx = df[MPM_YX] * f[MPM_YY] - df[MPM_YY] * f[MPM_YX];
-    const double yy = df[MPM_YY] * f[MPM_XX] - df[MPM_YX] * f[MPM_XY];
-    return (tau[MPM_SYM_XX] * xx + tau[MPM_SYM_YY] * yy + tau[MPM_SYM_XY] * (xy + yx)) / area +
-           tau[MPM_SYM_ZZ] * df[MPM_ZZ] / f[MPM_ZZ];
-}
-
-/* Integral of P : dF from the old F to the new one by the trapezoidal rule; P = tau F^-T is the
- * first Piola-Kirchhoff stress over rho_0. Error of third order in dF. */
-static double stress_work(const double old_stress[MPM_SYMMETRIC_SIZE],
-                          const double stress[MPM_SYMMETRIC_SIZE], const struct mpm_law_step *step)
-{
-    double df[MPM_GRADIENT_SIZE];
-    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
-        df[k] = step->f[k] - step->old_f[k];
-    return 0.5 * (work_rate(old_stress, df, step->old_f) + work_rate(stress, df, step->f));
 }
 
 static void load_variables(const struct mpm_particles *particles, size_t p,
@@ -62,6 +39,7 @@ struct point {
 struct evaluation {
     const struct mpm_material *material;
     double duration, heat_capacity;
+    double heating; /* part of plastic work that becomes heat */
     bool plane_stress;
     struct point old, now;
     double old_stress[MPM_SYMMETRIC_SIZE];
@@ -77,6 +55,19 @@ static void elastic_part(const struct point *point, double f[MPM_GRADIENT_SIZE])
     const double scale = point->free_strain == 0.0 ? 1.0 : exp(-point->free_strain);
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
         f[k] = scale * point->f[k];
+}
+
+/* From F to F as the law has it. */
+static struct mpm_law_step step_of(const struct evaluation *at, const double *old_f,
+                                   const double *f)
+{
+    return (struct mpm_law_step){.old_f = old_f,
+                                 .f = f,
+                                 .duration = at->duration,
+                                 .temperature = at->now.temperature,
+                                 .heat_capacity = at->heat_capacity,
+                                 .heat = at->viscous_work,
+                                 .start_temperature = at->old.temperature};
 }
 
 /* F_zz of a point in plane stress, from that of its F_e */
@@ -118,14 +109,13 @@ static bool evaluate(const struct mpm_particles *particles, size_t p, struct eva
     double old_f[MPM_GRADIENT_SIZE], f[MPM_GRADIENT_SIZE];
     elastic_part(&at->old, old_f);
     elastic_part(&at->now, f);
-    const struct mpm_law_step step = {
-        old_f, f, at->duration, at->now.temperature, at->heat_capacity, at->viscous_work};
+    const struct mpm_law_step step = step_of(at, old_f, f);
     if (law->update == NULL)
         update_elastic(at, f);
     else if (!update_path(particles, p, at, &step, f))
         return false;
     at->work = law->energy == NULL || law->reads_temperature
-                   ? stress_work(at->old_stress, at->stress, &step)
+                   ? mpm_stress_work(at->old_stress, at->stress, &step)
                    : 0.0;
     return true;
 }
@@ -137,8 +127,7 @@ static bool evaluate_heated(const struct mpm_particles *particles, size_t p, str
     if (law->reheat == NULL)
         return evaluate(particles, p, at);
     double old[MPM_LAW_STATES];
-    const struct mpm_law_step step = {at->old.f,           at->now.f,         at->duration,
-                                      at->now.temperature, at->heat_capacity, at->viscous_work};
+    const struct mpm_law_step step = step_of(at, at->old.f, at->now.f);
     load_variables(particles, p, law, old);
     return law->reheat(at->material, &step, old, at->variables, at->stress,
                        &at->wave_speed_squared);
@@ -159,9 +148,11 @@ static struct evaluation at_hand(const struct mpm_state *state, size_t p)
         .heat_capacity = (double)NAN,
         .plane_stress = false,
     };
-    if (state->scene->scalars[MPM_TEMPERATURE].heats)
+    if (state->scene->scalars[MPM_TEMPERATURE].heats) {
         at.heat_capacity =
             state->bodies[particles->body[p]].given->conduction[MPM_TEMPERATURE].capacity;
+        at.heating = mpm_material_plastic_heating(at.material->law, at.material->parameter);
+    }
     mpm_particle_deformation(particles, p, at.old.f);
     at.old.free_strain = particles->free_strain == NULL ? 0.0 : particles->free_strain[p];
     at.old.temperature =
@@ -194,16 +185,31 @@ static double equivalent(const double stress[MPM_SYMMETRIC_SIZE])
 enum { HEAT_ITERATIONS = 1000 };
 static const double HEAT_ROUND_OFF = 1e-12;
 
+/* What plastic work between the particle's state and that at hand heats by. */
+static double plastic_rise(const struct mpm_particles *particles, size_t p,
+                           const struct evaluation *at)
+{
+    const struct mpm_material_law *const law = at->material->law;
+    double old[MPM_LAW_STATES];
+    if (at->heating == 0.0)
+        return 0.0;
+    load_variables(particles, p, law, old);
+    return at->heating / at->heat_capacity *
+           (law->dissipation(at->material, at->variables) - law->dissipation(at->material, old));
+}
+
 /* The temperature that deformation alone leads to from `start`, given the stress at hand. */
-static double adiabatic(const struct evaluation *at, double alpha, double start)
+static double adiabatic(const struct mpm_particles *particles, size_t p,
+                        const struct evaluation *at, double alpha, double start)
 {
     const struct mpm_material_law *const law = at->material->law;
     if (law->adiabatic != NULL) {
-        const struct mpm_law_step step = {at->old.f, at->now.f,         at->duration,
-                                          start,     at->heat_capacity, 0.0};
+        const struct mpm_law_step step = {at->old.f,         at->now.f, at->duration, start,
+                                          at->heat_capacity, 0.0,       start};
         return law->adiabatic(at->material, &step);
     }
-    return start * exp(-alpha / at->heat_capacity * (trace(at->stress) - trace(at->old_stress)));
+    return start * exp(-alpha / at->heat_capacity * (trace(at->stress) - trace(at->old_stress))) +
+           plastic_rise(particles, p, at);
 }
 
 /* Finds temperature and stress together; false: there is no such temperature. Changes shrink by a
@@ -214,7 +220,7 @@ static bool heat_up(const struct mpm_particles *particles, size_t p, double alph
     const double start = at->now.temperature, strain = at->now.free_strain;
     double last = HUGE_VAL;
     for (int k = 0; k < HEAT_ITERATIONS; k++) {
-        const double next = adiabatic(at, alpha, start);
+        const double next = adiabatic(particles, p, at, alpha, start);
         const double change = fabs(next - at->now.temperature);
         if (!isfinite(next))
             return false;
@@ -276,8 +282,9 @@ static bool add_heat(const struct mpm_state *state, size_t p, struct evaluation 
     const struct mpm_material_spec *const given = state->bodies[particles->body[p]].given;
     const double alpha = given->expansion[MPM_TEMPERATURE].coefficient;
     const double start = at->now.temperature;
-    if ((alpha != 0.0 || at->material->law->adiabatic != NULL) &&
-        !heat_up(particles, p, alpha, at)) {
+    if (alpha == 0.0 && at->material->law->adiabatic == NULL) {
+        at->now.temperature += plastic_rise(particles, p, at);
+    } else if (!heat_up(particles, p, alpha, at)) {
         mpm_strip_record(strip, MPM_NO_TEMPERATURE, particles->id[p], 0, start);
         return false;
     }
@@ -372,8 +379,7 @@ static enum mpm_law_fault fault_of(const struct mpm_particles *particles, size_t
     elastic_part(&at->old, old_f);
     elastic_part(&at->now, f);
     load_variables(particles, p, law, variables);
-    const struct mpm_law_step step = {
-        old_f, f, at->duration, at->now.temperature, at->heat_capacity, at->viscous_work};
+    const struct mpm_law_step step = step_of(at, old_f, f);
     return law->fault_of(at->material, &step, variables);
 }
 

@@ -17,6 +17,9 @@
  * that is stable. With T of the step before instead, the stress would follow the strain with an
  * adiabatic part that is a step late, which makes energy: waves would grow.
  *
+ * Plastic work w per mass gives chi dw besides: T' has chi (w' - w) / c more, with the w' of the
+ * stress that T' leads to. What is dissipated otherwise is (1 - chi) w.
+ *
  * T of the laws is sum S_ip T_i of the end of the step, not T_p, in which FLIP leaves what nodes do
  * not see; X is that of the last stress update, so that what T_i changes is heated by as well.
  *
@@ -82,8 +85,10 @@ bool mpm_particle_is_melted(const struct mpm_state *state, size_t p);
 /* Per unit mass, since t = 0: work of artificial viscosity. */
 double mpm_particle_viscous_work(const struct mpm_state *state, size_t p);
 
-/* Per unit mass, since t = 0: of plastic strain; 0 of other laws. */
+/* Per unit mass, since t = 0, of plastic strain: what is dissipated and is no heat of the conducted
+ * temperature, and what is; 0 of other laws. */
 double mpm_particle_dissipation(const struct mpm_state *state, size_t p);
+double mpm_particle_plastic_heat(const struct mpm_state *state, size_t p);
 
 /* alpha T tr(tau) / rho_0 per unit mass, with the T of the law; 0 without heat of deformation. */
 double mpm_particle_thermoelastic_energy(const struct mpm_state *state, size_t p);

@@ -348,13 +348,11 @@ MPM_INLINE bool set_deformation(const struct mpm_particles *particles, size_t p,
     return j > 0.0;
 }
 
-/* What law_state.h has to do. Not inlined: scenes without such laws would pay for it. */
-MPM_SEPARATE void update_with_state(const struct mpm_state *state, size_t p,
-                                    const struct mpm_stencil *stencil, double part,
-                                    struct mpm_strip *strip)
+void mpm_particle_take_deformation(const struct mpm_state *state, size_t p, double part,
+                                   double f[MPM_GRADIENT_SIZE], struct mpm_strip *strip)
 {
-    double f[MPM_GRADIENT_SIZE], stress[MPM_SYMMETRIC_SIZE] = {0.0}, wave_speed_squared = 0.0;
-    double j = deform(state, p, stencil, part, f);
+    double stress[MPM_SYMMETRIC_SIZE] = {0.0}, wave_speed_squared = 0.0;
+    double j = mpm_determinant(f);
     if (j > 0.0) {
         if (!mpm_particle_update_law(state, p, part, f, strip, stress, &wave_speed_squared))
             return;
@@ -362,6 +360,16 @@ MPM_SEPARATE void update_with_state(const struct mpm_state *state, size_t p,
     }
     if (set_deformation(&state->particles, p, f, j, strip))
         mpm_particle_set_stress(&state->particles, p, stress, wave_speed_squared, strip);
+}
+
+/* Not inlined: scenes without such laws would pay for it. */
+MPM_SEPARATE void update_with_state(const struct mpm_state *state, size_t p,
+                                    const struct mpm_stencil *stencil, double part,
+                                    struct mpm_strip *strip)
+{
+    double f[MPM_GRADIENT_SIZE];
+    (void)deform(state, p, stencil, part, f);
+    mpm_particle_take_deformation(state, p, part, f, strip);
 }
 
 static void update_stress(const struct mpm_state *state, size_t p,

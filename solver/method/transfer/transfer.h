@@ -33,6 +33,10 @@ bool mpm_particle_body_force(const struct mpm_state *state, size_t p, int worker
 /* sum S w_i at the particle, of a vector of the nodes; in the momentum form with its weights */
 void mpm_particle_gather(const struct mpm_state *state, size_t p, double (*nodes)[2],
                          double value[2]);
+/* Gives the particle `f` and what law_state.h makes of it, `part` of the time step later; in plane
+ * stress `f` gets its F_zz. Failures and the wave speed go to `strip`. */
+void mpm_particle_take_deformation(const struct mpm_state *state, size_t p, double part,
+                                   double f[MPM_GRADIENT_SIZE], struct mpm_strip *strip);
 /* Its place with the reach of its domain; no way gone. */
 struct mpm_placement mpm_particle_placement(const struct mpm_state *state, size_t p);
 

@@ -52,8 +52,7 @@ static const struct mpm_transfer transfers[MPM_TRANSFER_COUNT] = {
                            .passes = affine_passes,
                            .no_momentum = "carries the gradient of nodal velocities",
                            .no_visibility = "takes a gradient from all of a particle's nodes",
-                           .no_grid_drag = "carries the gradient of nodal velocities",
-                           .no_fast = "there are no fast kernels for method.transfer: apic"},
+                           .no_grid_drag = "carries the gradient of nodal velocities"},
 };
 
 const struct mpm_transfer *mpm_transfer_of(enum mpm_transfer_kind kind)

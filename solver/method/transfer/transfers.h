@@ -20,8 +20,8 @@ struct mpm_transfer {
     void (*smooth)(struct mpm_state *state, int workers);
     mpm_pass *smoothed_rows;
     /* Why it is not with form: momentum, not with cracks: visibility and not with grid damping at
-     * the particles (with "it" before all three), and has no fast kernels; NULL: it is. */
-    const char *no_momentum, *no_visibility, *no_grid_drag, *no_fast;
+     * the particles (with "it" before all three); NULL: it is. */
+    const char *no_momentum, *no_visibility, *no_grid_drag;
 };
 
 const struct mpm_transfer *mpm_transfer_of(enum mpm_transfer_kind kind);

@@ -43,6 +43,12 @@ static bool is_undeformed(const struct mpm_particles *particles)
     return true;
 }
 
+/* Has it nodes whose particles do not follow them of themselves? */
+static bool may_settle(const struct mpm_nodal_scalar *scalar)
+{
+    return !mpm_scalar_takes_values(scalar) && (scalar->hold_count > 0 || scalar->joins);
+}
+
 void mpm_transport_forget(struct mpm_state *state)
 {
     state->transport.undeformed = state->scene->at_rest && is_undeformed(&state->particles);
@@ -50,8 +56,7 @@ void mpm_transport_forget(struct mpm_state *state)
     for (size_t k = 0; k < state->transport.count; k++) {
         struct mpm_nodal_scalar *const scalar = &state->transport.list[k];
         scalar->at_hand = false;
-        scalar->settles =
-            !mpm_scalar_takes_values(scalar) && (scalar->hold_count > 0 || scalar->joins);
+        scalar->settles = may_settle(scalar);
     }
 }
 
@@ -235,7 +240,8 @@ static void settle(struct mpm_state *state, int workers, struct mpm_nodal_scalar
             scalar->settling[k] /= scalar->result[field];
     }
     mpm_scalar_rows_run(state, scalar, row_clear_inflow);
-    scalar->settles = false;
+    scalar->settles =
+        may_settle(scalar) && state->scene->scalars[scalar->which].heats; /* in each step */
 }
 
 /* The nodes reach the value at the end of the step; what that takes beside the inflow is counted,

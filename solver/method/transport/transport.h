@@ -31,6 +31,9 @@
  * some 0.3 cells away from it: an error of first order (NAFEMS T3 on 40 cells: up to 1.7 % of the
  * amplitude instead of 0.46 %).
  *
+ * Heat of deformation changes particles and not nodes. Beside a held node it would stay for ever in
+ * the part that S_bp has of it, so that with it held nodes move their particles in each step.
+ *
  * With PIC, v_p = sum S_ip (v_i + dt dv_i/dt), Notes (142): conserves too, and conducts of itself.
  * XPIC and FMPM are between both: transport_smoothing.h.
  *

@@ -4,9 +4,10 @@
 #ifndef MPM_METHOD_TRANSPORT_STATE_H
 #define MPM_METHOD_TRANSPORT_STATE_H
 
-#include "base/expression.h"
+#include "base/status.h"
 #include "model/scalar_conditions.h"
 #include "model/transport.h"
+#include "mpm_expression.h"
 
 #include <assert.h>
 

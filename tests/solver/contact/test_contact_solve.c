@@ -328,6 +328,93 @@ START_TEST(laws_hold_where_sweeps_of_stick_alone_go_round_in_circles)
 }
 END_TEST
 
+/* Where four of eight wedges meet (case C9). In one of both, sweeps are about to settle when they
+ * have been enough; in the other, those with a friction of 10 go round in circles. */
+enum { MEETINGS = 2 };
+static const struct {
+    double vx, vy, mass;
+} of_wedges[MEETINGS][FOUR] = {
+    {{0.0061438253866587722, -0.006571570731407619, 21.4248191100078},
+     {0.0052055381946600424, -0.0043274964600307237, 737.312655192265},
+     {0.0011261980973459103, 0.008554065960448512, 0.05574670734169856},
+     {0.0045615858700690662, 0.010506203043053185, 5.926465619985813e-06}},
+    {{0.0033690948159583794, -0.0046471581158278171, 21.309226818451144},
+     {0.0052312923731072805, -0.0025576638679235862, 731.93419415627613},
+     {0.0047930144338814984, 0.0011670510464691787, 0.055555887576859843},
+     {-9.7001481225542435e-05, 0.0026716520755194467, 5.3111678991417142e-09}},
+};
+static const struct {
+    int of[2];
+    double angle, approach;
+} between_wedges[MEETINGS][SIX] = {
+    {{{0, 1}, -2.7187535423658269, 0.0},
+     {{0, 2}, -2.2786307358606073, 130.97261935229747},
+     {{0, 3}, -2.2786307358606073, 75.272833404652118},
+     {{1, 2}, 0.42283911122396645, 0.0},
+     {{1, 3}, 0.42283911122396645, 0.0},
+     {{2, 3}, 1.5722282219345844, 0.0}},
+    {{{0, 1}, -2.7266323099269907, 0.0},
+     {{0, 2}, -2.2820927292269837, 131.97618675743391},
+     {{0, 3}, -2.2820927292269837, 76.176180657927574},
+     {{1, 2}, 0.41496034366280271, 0.0},
+     {{1, 3}, 0.41496034366280271, 0.0},
+     {{2, 3}, 1.570850038137156, 0.0}},
+};
+
+static void wedges_meet(int meeting, enum mpm_pair_law law, double shake,
+                        struct mpm_contact_side sides[FOUR], struct mpm_solve_pair pairs[SIX])
+{
+    for (int i = 0; i < FOUR; i++) {
+        sides[i] =
+            side(of_wedges[meeting][i].vx, of_wedges[meeting][i].vy, of_wedges[meeting][i].mass);
+        for (int axis = 0; axis < 2; axis++)
+            sides[i].velocity[axis] *= 1.0 + ((3 * i + axis) % 4 - 1.5) * shake;
+    }
+    for (int k = 0; k < SIX; k++) {
+        const int *const of = between_wedges[meeting][k].of;
+        pairs[k] = pair(of[0], of[1], between_wedges[meeting][k].angle, law);
+        pairs[k].approach = between_wedges[meeting][k].approach;
+        pairs[k].friction = pairs[k].static_friction = 10.0;
+    }
+}
+
+static double energy_of(const struct mpm_contact_side sides[FOUR])
+{
+    double energy = 0.0;
+    for (int i = 0; i < FOUR; i++)
+        for (int axis = 0; axis < 2; axis++)
+            energy +=
+                0.5 * sides[i].velocity[axis] * sides[i].velocity[axis] / sides[i].mobility[axis];
+    return energy;
+}
+
+START_TEST(a_shake_does_not_decide_what_fields_of_many_masses_do)
+{
+    const enum mpm_pair_law law = _i / MEETINGS == 0 ? MPM_PAIR_STICK : MPM_PAIR_FRICTION;
+    enum { SHAKES = 20 };
+    static const double SHAKE = 1e-9, ALLOWED = 3e-8; /* ten times what it does */
+    struct mpm_contact_side sides[FOUR], shaken[FOUR];
+    struct mpm_solve_pair pairs[SIX];
+    wedges_meet(_i % MEETINGS, law, 0.0, sides, pairs);
+    const double before = energy_of(sides);
+    mpm_contact_solve(sides, pairs, SIX);
+    ck_assert_double_le(energy_of(sides), before);
+    for (int k = 0; k < SIX; k++) {
+        const struct left left = left_of(sides, &pairs[k]);
+        ck_assert_double_le(left.approach, SETTLED);
+        if (fabs(left.sliding) > SETTLED) /* as much drag as there is pressure, at least */
+            ck_assert_double_ge(fabs(left.dragged), 0.999 * left.pressed);
+    }
+    for (int n = -SHAKES; n <= SHAKES; n++) {
+        wedges_meet(_i % MEETINGS, law, n * SHAKE, shaken, pairs);
+        mpm_contact_solve(shaken, pairs, SIX);
+        for (int i = 0; i < FOUR; i++)
+            for (int axis = 0; axis < 2; axis++)
+                ck_assert_near(shaken[i].velocity[axis], sides[i].velocity[axis], ALLOWED);
+    }
+}
+END_TEST
+
 Suite *suite_contact_solve(void)
 {
     Suite *suite = suite_create("contact_solve");
@@ -348,6 +435,8 @@ Suite *suite_contact_solve(void)
     tcase_add_test(several, a_field_that_touches_none_changes_nothing);
     tcase_add_loop_test(several, contact_of_several_fields_does_not_depend_on_their_order, 0, 3);
     tcase_add_loop_test(several, laws_hold_where_sweeps_of_stick_alone_go_round_in_circles, 0, 3);
+    tcase_add_loop_test(several, a_shake_does_not_decide_what_fields_of_many_masses_do, 0,
+                        2 * MEETINGS);
     suite_add_tcase(suite, several);
     return suite;
 }

@@ -60,8 +60,11 @@ START_TEST(fast_and_reference_kernels_agree_beside_cracks_for_every_transfer)
 {
     for (int k = 0; k < CRACK_BLOCK_EXCHANGES; k++) {
         struct settings settings = crack_block_method(_i);
-        if (crack_block_add_exchange(&settings, k) >= CRACK_BLOCK_APIC) {
-            settings_clear(&settings); /* APIC and the momentum form have reference kernels only */
+        /* classic functions and CPDI: with APIC the former amplify round-off, the latter have
+         * reference kernels only, and so has the momentum form */
+        const int exchange = crack_block_add_exchange(&settings, k);
+        if (exchange == CRACK_BLOCK_FORM || (exchange == CRACK_BLOCK_APIC && _i % 2 == 0)) {
+            settings_clear(&settings);
             continue;
         }
         settings_add(&settings, "cracks=[{points: [[4, 4.1], [7.3, 7]], contact: none}]");

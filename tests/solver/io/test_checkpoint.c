@@ -101,7 +101,7 @@ static const struct kind {
     const char *settings[10];
 } kinds[] = {
     {"two blocks", {NULL}},
-    {"reference kernels' affine motion", {"method.transfer={kind: apic}"}},
+    {"affine motion", {"method.transfer={kind: apic}"}},
     {"a thermostat", {"damping={thermostat: {gain: 1}}"}},
     {"the balance of energies", {"damping={grid: 1, particle: 0.5}", "output.energy_balance=true"}},
     {"work from outside", {"loads={body_force: [1, 0.5]}"}},

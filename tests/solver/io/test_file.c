@@ -176,7 +176,7 @@ START_TEST(a_folder_is_listed_in_order_and_removed_with_what_is_in_it)
     ck_assert_int_eq(mpm_path_link(kept, link), 0);
     char **const names = mpm_folder_list(top), *const all = g_strjoinv(" ", names);
     ck_assert_str_eq(all, "a b deep");
-    ck_assert_int_eq(mpm_folder_remove_all(top), 0);
+    ck_assert_int_eq(mpm_folder_remove_all(top, NULL), 0);
     ck_assert_int_eq(mpm_path_kind(top), MPM_PATH_NONE);
     ck_assert_int_eq(mpm_path_kind(kept), MPM_PATH_FILE); /* a link goes, not what it is to */
     ck_assert_ptr_null(mpm_folder_list(top));

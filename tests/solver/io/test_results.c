@@ -235,7 +235,8 @@ static void check_datasets(const char *const *settings, size_t count, bool seen[
 
 START_TEST(every_dataset_names_its_unit_its_meaning_and_its_components)
 {
-    static const char *const solid[] = {"output.fringe=0.5", "materials.rubber.law=von_mises",
+    static const char *const solid[] = {"output.fringe=0.5", "output.derived=true",
+                                        "materials.rubber.law=von_mises",
                                         "materials.rubber.yield_stress=1", TEST_BLOCKS_CONDUCTING};
     static const char *const fluid[] = {
         "materials=[{name: rubber, law: mie_gruneisen, density: 1, sound_speed: 30, "

@@ -203,7 +203,25 @@ static const char *const refused_couplings[][3] = {
      "materials.0.thermal_expansion: given for the law none; allowed: for laws of solids"},
     {STEEL("neo_hookean", SOLID), "transport.temperature.heating=true",
      "transport.temperature.heating: got true where no deformation gives heat; allowed: with a "
-     "material that has thermal_expansion or the law ideal_gas"},
+     "material that has thermal_expansion, taylor_quinney or the law ideal_gas"},
+    {STEEL("von_mises", SOLID ", yield_stress: 1"), "transport.temperature.heating=true",
+     "transport.temperature.heating: got true where no deformation gives heat"},
+    {STEEL("von_mises", SOLID ", yield_stress: 1, taylor_quinney: 0.9"), "title=x",
+     "materials.0.taylor_quinney: given without transport.temperature.heating, where plastic work "
+     "heats nothing; allowed: with heating: true"},
+    {STEEL("von_mises", SOLID ", yield_stress: 1, taylor_quinney: 1.1"), "title=x",
+     "materials.0.taylor_quinney: out of range"},
+    {STEEL("neo_hookean", SOLID ", taylor_quinney: 0.9"), "title=x",
+     "materials.0: the law neo_hookean has no parameter taylor_quinney"},
+    {STEEL("johnson_cook", SOLID ", yield_stress: 1, specific_heat: 3"), "title=x",
+     "materials.0.law: got johnson_cook with start_temperature or specific_heat, a temperature of "
+     "its own, in a scene with transport.temperature; allowed: without start_temperature and "
+     "specific_heat"},
+    {STEEL("johnson_cook", SOLID ", yield_stress: 1, start_temperature: 3"), "title=x",
+     "materials.0.law: got johnson_cook with start_temperature or specific_heat"},
+    {STEEL("johnson_cook", SOLID ", yield_stress: 1, softening_exponent: 1"), "title=x",
+     "materials.0: softening requires softening_exponent, reference_temperature and "
+     "melting_temperature; allowed: all or none"},
     {STEEL("neo_hookean", SOLID ", thermal_expansion: 0, stress_free_temperature: 3"),
      "transport.temperature.heating=true", "transport.temperature.heating: got true where no"},
     {STEEL("ideal_gas", "gas_constant: 1"), "geometry=plane_stress",
@@ -239,6 +257,16 @@ static const char *const refused_without[][2] = {
     {"materials=[{name: steel, law: neo_hookean, density: 2, bulk: 3, shear: 1, "
      "stress_free_temperature: 1}, {name: wood, law: neo_hookean, density: 1, bulk: 1, shear: 1}]",
      "materials.0.stress_free_temperature: given in a scene without transport.temperature"},
+    {"materials=[{name: steel, law: von_mises, density: 2, bulk: 3, shear: 1, yield_stress: 1, "
+     "taylor_quinney: 0.9}, {name: wood, law: neo_hookean, density: 1, bulk: 1, shear: 1}]",
+     "materials.0: taylor_quinney in a scene without transport.temperature, where plastic work "
+     "heats nothing; allowed: with transport.temperature and its heating: true"},
+    {"materials=[{name: steel, law: johnson_cook, density: 2, bulk: 3, shear: 1, yield_stress: 1, "
+     "softening_exponent: 1, reference_temperature: 1, melting_temperature: 2}, {name: wood, law: "
+     "neo_hookean, density: 1, bulk: 1, shear: 1}]",
+     "materials.0: softening by a temperature of its own requires softening_exponent, "
+     "reference_temperature, melting_temperature, start_temperature, specific_heat and "
+     "taylor_quinney; allowed: all or none"},
 };
 
 START_TEST(couplings_without_a_temperature_are_refused)

@@ -145,9 +145,9 @@ START_TEST(what_has_no_fast_kernels_is_refused_with_the_reason)
 {
     static const struct {
         const char *setting, *reason;
-    } rows[] = {
-        {"method.transfer.kind=apic", "there are no fast kernels for method.transfer: apic"},
-        {"method.form=momentum", "there are no fast kernels for method.form: momentum"}};
+    } rows[] = {{"method={shape: cpdi, stress_update: musl, transfer: {kind: apic}}",
+                 "there are no fast kernels for method.transfer: apic with CPDI"},
+                {"method.form=momentum", "there are no fast kernels for method.form: momentum"}};
     const struct mpm_simulation_options fast = {.threads = 1, .kernels = MPM_KERNELS_FAST};
     for (size_t k = 0; k < G_N_ELEMENTS(rows); k++) {
         struct settings settings = {.count = 0};

@@ -96,6 +96,10 @@ START_TEST(a_stiff_interface_is_told_of_and_one_beyond_all_numbers_refused)
         {"contact={law: interface, tension: 0.01, shear: 0.01}", ""},
         {"contact={law: interface, tension: 0.01, shear: 100}", "times as stiff as an explicit"},
         {"contact={law: interface, tension: 0.01, compression: 1e11, shear: 1}", "contact"},
+        {"contact={law: interface, tension: 0.001, shear: 0.01}", ""},
+        {"contact={law: interface, tension: 0.001, shear: 0.011}", "differ by a factor of 11"},
+        {"contact={law: interface, tension: 0.011, shear: 0.001}", "differ by a factor of 11"},
+        {"contact={law: interface, tension: 0.001, shear: 0.011, normal: logistic}", ""},
     };
     for (size_t k = 0; k < G_N_ELEMENTS(cases); k++) {
         struct test_run run = test_run_open(LAYERS, (const char *const[]){cases[k].d, NULL}, 1);

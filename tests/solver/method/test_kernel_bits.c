@@ -58,7 +58,7 @@ static const struct {
     enum mpm_kernels kernels;
     int threads; /* against one */
     const char *scene;
-    const char *settings[3];
+    const char *settings[4]; /* to NULL */
 } columns[] = {
     {MPM_KERNELS_FAST, 3, PLANE, {"geometry=plane_strain", "method.shape=classic"}},
     {MPM_KERNELS_FAST, 3, PLANE, {"geometry=plane_strain", "method.shape=cpdi"}},
@@ -67,6 +67,12 @@ static const struct {
     {MPM_KERNELS_FAST, 3, RING, {"geometry=axisymmetric", "method.stress_update=usavg"}},
     {MPM_KERNELS_FAST, 3, RING, {"geometry=axisymmetric", "method.axis=untruncated"}},
     {MPM_KERNELS_FAST, 3, RING, {"geometry=axisymmetric", "method.shape=cpdi"}},
+    {MPM_KERNELS_FAST,
+     3,
+     RING,
+     {"geometry=axisymmetric", "method.transfer={kind: apic}",
+      "materials.rubber={name: rubber, law: von_mises, density: 1, bulk: 80, shear: 48, "
+      "yield_stress: 0.5, viscosity: {linear: 0.3, quadratic: 1}}"}},
     {MPM_KERNELS_REFERENCE, 2, RING, {"geometry=axisymmetric", "method.stress_update=usavg"}},
     {MPM_KERNELS_REFERENCE, 3, PLANE, {"geometry=plane_strain", "method.shape=cpdi"}},
 };

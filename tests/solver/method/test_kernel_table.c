@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/combinations.h"
+#include "support/crowd.h"
 #include "support/folder.h"
 #include "support/kernel_pair.h"
 #include "support/settings.h"
@@ -29,10 +30,6 @@ static const struct order {
               {"usf", NULL},
               {"usavg", NULL},
               {"usavg", "method.extrapolate=false"}};
-/* of the two materials */
-static const char *const laws[][2] = {{"neo_hookean", "neo_hookean"},
-                                      {"linear_elastic", "linear_elastic"},
-                                      {"linear_elastic", "neo_hookean"}};
 enum {
     GEOMETRIES = G_N_ELEMENTS(geometries),
     ORDERS = G_N_ELEMENTS(orders),
@@ -131,10 +128,14 @@ static void check_pair(const struct kernel_pair *pair, const char *text,
 
 /* USL, and USAVG without re-extrapolation, make any round-off grow without bound where nodes of
  * little mass are: at the edges of bodies with classic functions, and at r < 0, where untruncated
- * domains leave a mass that is a small difference. There, two codes can be compared for a few
- * steps only. */
-static bool amplifies_round_off(int combination)
+ * domains leave a mass that is a small difference. APIC does with classic functions at any edge
+ * (affine.h). There, two codes can be compared for a few steps only. */
+static bool amplifies_round_off(int combination, const struct settings *settings)
 {
+    for (guint k = 0; k < settings->count; k++)
+        if (strstr(settings->texts[k], "apic") != NULL &&
+            strcmp(test_shapes[combination % TEST_SHAPES], "classic") == 0)
+            return true;
     const struct geometry *geometry = &geometries[combination / TEST_SHAPES % GEOMETRIES];
     return (strcmp(order_of(combination)->name, "usl") == 0 ||
             order_of(combination)->setting != NULL) &&
@@ -146,7 +147,7 @@ static bool amplifies_round_off(int combination)
 static double run_pair(int combination, const char *text, const struct settings *settings)
 {
     struct kernel_pair pair = open_pair(text, settings, false);
-    for (int step = amplifies_round_off(combination) ? 10 : KERNEL_PAIR_STEPS;
+    for (int step = amplifies_round_off(combination, settings) ? 10 : KERNEL_PAIR_STEPS;
          step > 0 && kernel_pair_step(&pair); step--)
         ;
     check_pair(&pair, text, settings);
@@ -164,60 +165,15 @@ static double run_pair(int combination, const char *text, const struct settings 
 
 /* -------------------------------------------------------------- combinations */
 
-/* Cells are not square. A block at the axis (or a wall), beside it in the same cells a body
- * with another number of particles a cell; apart from them bodies of 1, 3, 5 and 6 particles,
- * two of them in one cell; a rigid body and moving boundaries. Velocities vary from particle
- * to particle. Waves cross a cell in 0.5. */
-static const char CROWD[] =
-    "format: 1\n"
-    "title: A crowd\n"
-    "geometry: plane_strain\n"
-    "grid: {origin: [-2, 0], cell: [1, 0.8], cells: [16, 15]}\n"
-    "time: {end: 1000, courant: 0.3}\n"
-    "materials:\n"
-    "  - {name: soft, law: neo_hookean, density: 1, bulk: 1.2, shear: 0.9}\n"
-    "  - {name: heavy, law: neo_hookean, density: 3, bulk: 2, shear: 0.7}\n"
-    "bodies:\n"
-    "  - {name: block, material: soft, region: {rectangle: {from: [0, 1.6], to: [3.5, 4.8]}},\n"
-    "     particles_per_cell: [2, 2]}\n"
-    "  - {name: side, material: heavy, region: {rectangle: {from: [3.6, 1.6], to: [5, 4]}},\n"
-    "     particles_per_cell: [3, 1]}\n"
-    "  - {name: one, material: heavy, region: {rectangle: {from: [7, 8], to: [7.5, 8.8]}},\n"
-    "     particles_per_cell: [2, 1]}\n"
-    "  - {name: three, material: soft, region: {rectangle: {from: [6, 8.8], to: [7, 9.6]}},\n"
-    "     particles_per_cell: [3, 1]}\n"
-    "  - {name: five, material: soft, region: {rectangle: {from: [7, 8.8], to: [8, 9.6]}},\n"
-    "     particles_per_cell: [5, 1]}\n"
-    "  - {name: six, material: soft, region: {rectangle: {from: [7.55, 8], to: [8, 8.8]}},\n"
-    "     particles_per_cell: [4, 3]}\n"
-    "  - {name: wall, rigid: {velocity: [free, '0.05*cos(2*t)']},\n"
-    "     region: {rectangle: {from: [0, 0.8], to: [3, 1.6]}}}\n"
-    "boundary:\n"
-    "  - {region: {line: {from: [4, 1.6], to: [6, 1.6]}}, velocity: ['0.02*sin(3*t)', -0.03]}\n";
-
-static const char *const crowd_velocities[] = {
-    ("bodies.block.velocity=['0.08*sin(3*X+Y)*X/(X+1)+0.03*sin(37*X+91*Y)*X/(X+1)', "
-     "'0.06*cos(2*Y-X)+0.03*cos(53*Y-71*X)']"),
-    "bodies.side.velocity=['-0.05+0.04*cos(41*X*Y)', '0.05*sin(29*X-3*Y)']",
-    "bodies.five.velocity=['0.1*sin(60*X)', '-0.1']",
-};
-
-/* Ways from the grid to the particles that fast kernels have; NULL: as it is. */
-static const char *const exchanges[] = {
-    "method.transfer={kind: flip, fraction: 0.95}",
-    "method.transfer={kind: pic}",
-    "method.transfer={kind: xpic, order: 3}",
-    "method.transfer={kind: fmpm, order: 2}",
-};
-
 /* What a scene may have besides; each bit of `chosen` is one, and `exchange` which of them. */
 static void add_features(struct settings *settings, unsigned chosen, unsigned exchange,
-                         const struct geometry *geometry)
+                         bool has_apic, const struct geometry *geometry)
 {
+    const unsigned last = has_apic ? EXCHANGES : APIC;
     if ((chosen & 1u) != 0)
         settings_add(settings, "method.position_update=midpoint");
     if ((chosen & 2u) != 0)
-        settings_add(settings, exchanges[exchange % G_N_ELEMENTS(exchanges)]);
+        settings_add(settings, exchanges[exchange % last]);
     if ((chosen & 4u) != 0)
         add_translated(settings, "loads={body_force: ['0.02*sin(X+t)', -0.03]}", geometry);
     if ((chosen & 8u) != 0)
@@ -241,11 +197,11 @@ START_TEST(both_kernels_agree_on_every_combination)
                 settings_add(&settings, "grid.origin=[0, 0]");
             for (size_t i = 0; i < G_N_ELEMENTS(crowd_velocities); i++)
                 add_translated(&settings, crowd_velocities[i], geometry);
-            settings_add_formatted(&settings, "materials.soft.law=%s", laws[law][0]);
-            settings_add_formatted(&settings, "materials.heavy.law=%s", laws[law][1]);
+            add_laws(&settings, &laws[law]);
             add_features(&settings, chosen, (unsigned)_i + law + (unsigned)_i / TEST_SHAPES,
-                         geometry);
-            ck_assert(run_pair(_i, CROWD, &settings) > 0.01);
+                         strcmp(test_shapes[_i % TEST_SHAPES], "cpdi") != 0, geometry);
+            if (!laws[law].no_plane_stress || strcmp(geometry->name, "plane_stress") != 0)
+                ck_assert(run_pair(_i, CROWD, &settings) > 0.01);
             settings_clear(&settings);
         }
 }
@@ -463,7 +419,8 @@ static void fail_alike(int combination, const struct failing *failing_scene)
 /* Without re-extrapolation a rounding error comes to more than the bound on the way there. */
 START_TEST(both_kernels_fail_alike)
 {
-    const bool comparable = !amplifies_round_off(_i) && order_of(_i)->setting == NULL;
+    static const struct settings none = {.count = 0};
+    const bool comparable = !amplifies_round_off(_i, &none) && order_of(_i)->setting == NULL;
     for (size_t k = 0; k < G_N_ELEMENTS(failing) && comparable; k++)
         fail_alike(_i, &failing[k]);
     if (strcmp(test_shapes[_i % TEST_SHAPES], "cpdi") == 0)

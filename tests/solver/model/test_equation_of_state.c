@@ -48,7 +48,7 @@ static bool move(struct point *point, double j, double heat)
     const double old = cbrt(point->j), now = cbrt(j);
     const double from[MPM_GRADIENT_SIZE] = {old, 0, 0, old, old};
     const double to[MPM_GRADIENT_SIZE] = {now, 0, 0, now, now};
-    const struct mpm_law_step step = {from, to, 0.1, (double)NAN, (double)NAN, heat};
+    const struct mpm_law_step step = {from, to, 0.1, (double)NAN, (double)NAN, heat, (double)NAN};
     double tau[MPM_SYMMETRIC_SIZE];
     point->j = j;
     if (!point->material.law->update(&point->material, &step, &point->energy, tau, &point->wave))

@@ -84,7 +84,8 @@ static bool move(struct point *point, const double f[MPM_GRADIENT_SIZE], double 
     double old[MPM_GRADIENT_SIZE];
     memcpy(old, point->f, sizeof old);
     memcpy(point->f, f, sizeof old);
-    const struct mpm_law_step step = {old, point->f, duration, (double)NAN, (double)NAN, 0.0};
+    const struct mpm_law_step step = {old,         point->f, duration,   (double)NAN,
+                                      (double)NAN, 0.0,      (double)NAN};
     return point->material.law->update(&point->material, &step, point->state, point->tau,
                                        &point->wave);
 }
@@ -266,7 +267,8 @@ START_TEST(heat_of_viscosity_enters_energy_and_pressure)
     static const double HEAT = 2e4;
     struct point point;
     begin(&point, &solids[_i], solids[_i].law);
-    const struct mpm_law_step step = {point.f, point.f, 1e-3, (double)NAN, (double)NAN, HEAT};
+    const struct mpm_law_step step = {point.f,     point.f, 1e-3,       (double)NAN,
+                                      (double)NAN, HEAT,    (double)NAN};
     ck_assert(
         point.material.law->update(&point.material, &step, point.state, point.tau, &point.wave));
     ck_assert_near(energy_of(&point), HEAT, ROUND_OFF * HEAT);
@@ -290,7 +292,7 @@ START_TEST(heat_after_a_step_is_heat_in_it)
         memcpy(old_f, one.f, sizeof old_f);
         memcpy(old_state, one.state, sizeof old_state);
         place((enum path)path, 0.2, f);
-        struct mpm_law_step step = {old_f, f, 1e-3, (double)NAN, (double)NAN, 0.0};
+        struct mpm_law_step step = {old_f, f, 1e-3, (double)NAN, (double)NAN, 0.0, (double)NAN};
         ck_assert(law->update(&one.material, &step, one.state, one.tau, &one.wave));
         step.heat = HEAT;
         ck_assert(law->reheat(&one.material, &step, old_state, one.state, one.tau, &one.wave));
@@ -354,9 +356,36 @@ START_TEST(beyond_the_pole_there_is_no_end)
     begin(&point, &solids[_i], solids[_i].law);
     double start[MPM_LAW_STATES];
     memcpy(start, point.state, sizeof start);
-    const struct mpm_law_step step = {one, f, 1e-3, (double)NAN, (double)NAN, 0.0};
+    const struct mpm_law_step step = {one, f, 1e-3, (double)NAN, (double)NAN, 0.0, (double)NAN};
     ck_assert(!move(&point, f, 1e-3));
     ck_assert_int_eq(point.material.law->fault_of(&point.material, &step, start), MPM_LAW_NO_STATE);
+}
+END_TEST
+
+/* Shear without end, by a part of itself in each step, until F and C_p^-1 hold no elastic strain
+ * any more. With and without an equation of state; on the way strength melts away. */
+START_TEST(sheared_without_end_it_has_a_state_or_fails)
+{
+    static const double LARGE = 1e4, PART = 0.02;
+    enum { STEPS = 2000 };
+    const struct solid *const solid = &solids[_i / 2];
+    struct point point;
+    bool sound = true;
+    double shear = 0.0;
+    begin(&point, solid, _i % 2 == 0 ? solid->law : solid->without);
+    for (int k = 0; k < STEPS && sound; k++) {
+        shear += PART * (1.0 + shear);
+        const double f[MPM_GRADIENT_SIZE] = {1, shear, 0, 1, 1};
+        sound = move(&point, f, 1e-3);
+        for (int c = 0; c < MPM_SYMMETRIC_SIZE && sound; c++)
+            ck_assert(isfinite(point.tau[c]));
+        ck_assert(!sound || (isfinite(point.wave) && point.wave > 0.0));
+    }
+    ck_assert(!sound);
+    if (solid->kinematic > 0.0) /* no plastic strain leads back from a shear of 11 */
+        return;
+    ck_assert_msg(shear > LARGE, "%s ends at a shear of %g", solid->name, shear);
+    ck_assert(isnan(point.tau[MPM_SYM_XY])); /* F is what is too large: law_state.c */
 }
 END_TEST
 
@@ -395,6 +424,7 @@ Suite *suite_gruneisen_solid(void)
     suite_add_tcase(suite, softening);
     TCase *input = tcase_create("input");
     tcase_add_loop_test(input, beyond_the_pole_there_is_no_end, 0, SOLIDS);
+    tcase_add_loop_test(input, sheared_without_end_it_has_a_state_or_fails, 0, 2 * SOLIDS);
     tcase_add_loop_test(input, parameters_come_in_groups, 0, SOLIDS);
     suite_add_tcase(suite, input);
     return suite;

@@ -74,7 +74,8 @@ static bool stretch(struct point *point, double xx, double yy, double zz, double
     const double f[MPM_GRADIENT_SIZE] = {exp(xx), 0, 0, exp(yy), exp(zz)};
     memcpy(old, point->f, sizeof old);
     memcpy(point->f, f, sizeof f);
-    const struct mpm_law_step step = {old, point->f, duration, (double)NAN, (double)NAN, 0.0};
+    const struct mpm_law_step step = {old,         point->f, duration,   (double)NAN,
+                                      (double)NAN, 0.0,      (double)NAN};
     return mpm_johnson_cook.update(&point->material, &step, point->state, point->tau, &point->wave);
 }
 
@@ -175,6 +176,24 @@ START_TEST(molten_metal_has_a_pressure_alone)
 }
 END_TEST
 
+/* Strength is round-off of the trial stress, and above 0. */
+START_TEST(metal_next_to_melting_flows)
+{
+    enum { STRETCHES = 100 };
+    struct strength s = strengths[5];
+    s.start = nextafter(MELTING, 0.0);
+    for (int k = 0; k < STRETCHES; k++) {
+        const double xx = 0.1 + 0.003 * k, yy = -0.3 + 0.001 * k;
+        struct point point;
+        begin(&point, &s);
+        ck_assert(stretch(&point, xx, yy, 0.05, 1.0));
+        const double mean = BULK / DENSITY * (xx + yy + 0.05);
+        for (int c = 0; c < 3; c++)
+            ck_assert_near(point.tau[c], mean, ROUND_OFF * BULK / DENSITY);
+    }
+}
+END_TEST
+
 /* ------------------------------------------------------------------------- heat */
 
 /* T at the end of a stretch to 0.5 in n steps */
@@ -227,6 +246,13 @@ END_TEST
 
 /* ------------------------------------------------------------------- bad input */
 
+/* In a scene that conducts no heat. */
+static const char *fault_of(const double *parameter)
+{
+    const char *const fault = mpm_johnson_cook.fault(parameter);
+    return fault != NULL ? fault : mpm_johnson_cook.fault_without_heat(parameter);
+}
+
 START_TEST(parameters_come_in_groups)
 {
     static const enum mpm_parameter lonely[] = {
@@ -237,16 +263,16 @@ START_TEST(parameters_come_in_groups)
         MPM_PARAMETER_SPECIFIC_HEAT,         MPM_PARAMETER_TAYLOR_QUINNEY};
     double parameter[MPM_PARAMETER_COUNT];
     set_parameters(&strengths[0], parameter);
-    ck_assert_ptr_null(mpm_johnson_cook.fault(parameter));
+    ck_assert_ptr_null(fault_of(parameter));
     for (size_t k = 0; k < sizeof lonely / sizeof lonely[0]; k++) {
         set_parameters(&strengths[5], parameter);
-        ck_assert_ptr_null(mpm_johnson_cook.fault(parameter));
+        ck_assert_ptr_null(fault_of(parameter));
         parameter[lonely[k]] = 0.0; /* one of a group is missing */
-        ck_assert_ptr_nonnull(mpm_johnson_cook.fault(parameter));
+        ck_assert_ptr_nonnull(fault_of(parameter));
     }
     set_parameters(&strengths[5], parameter);
     parameter[MPM_PARAMETER_MELTING_TEMPERATURE] = REFERENCE;
-    ck_assert_ptr_nonnull(mpm_johnson_cook.fault(parameter));
+    ck_assert_ptr_nonnull(fault_of(parameter));
 }
 END_TEST
 
@@ -261,6 +287,7 @@ Suite *suite_johnson_cook(void)
                         STRENGTHS * DURATIONS);
     tcase_add_test(strength, an_elastic_step_has_no_strength_of_rates);
     tcase_add_test(strength, molten_metal_has_a_pressure_alone);
+    tcase_add_test(strength, metal_next_to_melting_flows);
     suite_add_tcase(suite, strength);
     TCase *heat = tcase_create("heat");
     tcase_add_loop_test(heat, plastic_work_heats_as_an_integration_of_its_own_to_first_order, 0, 2);

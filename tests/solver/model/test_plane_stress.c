@@ -68,7 +68,8 @@ static bool move(struct sheet *sheet, const double f[MPM_GRADIENT_SIZE], double 
     memcpy(old, sheet->state, sizeof old);
     memcpy(sheet->f, f, sizeof old_f);
     sheet->f[MPM_ZZ] = old_f[MPM_ZZ];
-    const struct mpm_law_step step = {old_f, sheet->f, duration, (double)NAN, (double)NAN, 0.0};
+    const struct mpm_law_step step = {old_f,       sheet->f, duration,   (double)NAN,
+                                      (double)NAN, 0.0,      (double)NAN};
     return mpm_plane_stress_update(&sheet->material, &step, sheet->f, old, sheet->state, sheet->tau,
                                    &sheet->wave);
 }

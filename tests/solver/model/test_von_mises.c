@@ -62,7 +62,8 @@ static bool move(struct point *point, const double f[MPM_GRADIENT_SIZE])
     double old[MPM_GRADIENT_SIZE];
     memcpy(old, point->f, sizeof old);
     memcpy(point->f, f, sizeof old);
-    const struct mpm_law_step step = {old, point->f, 0.1, (double)NAN, (double)NAN, 0.0};
+    const struct mpm_law_step step = {old,         point->f, 0.1,        (double)NAN,
+                                      (double)NAN, 0.0,      (double)NAN};
     return mpm_von_mises.update(&point->material, &step, point->state, point->tau, &point->wave);
 }
 

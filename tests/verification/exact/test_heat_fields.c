@@ -64,6 +64,19 @@ START_TEST(fields_of_fluxes_solve_the_equation)
 }
 END_TEST
 
+START_TEST(fields_of_sources_solve_the_equation)
+{
+    const enum heat_body body = (enum heat_body)_i;
+    for (size_t t = 0; t < G_N_ELEMENTS(times); t++) {
+        for (size_t k = 0; k < G_N_ELEMENTS(places); k++)
+            ck_assert_near(residual(heat_source_held, body, places[k], times[t]), 1.0, SLOPE);
+        ck_assert_near(heat_source_held(body, 1.0, times[t]), 0.0, 1e-14);
+    }
+    ck_assert_near(heat_source_held(body, 0.2, 1e-3), 1e-3, 1e-12); /* nothing has flowed here */
+    ck_assert_near(heat_source_held(body, 0.5, 10.0), 0.375 / ((double)body + 1.0), 1e-9);
+}
+END_TEST
+
 static double convects(enum heat_body body, double place, double tau)
 {
     return heat_surface_convection(body, place, tau, 3.0);
@@ -228,6 +241,7 @@ Suite *suite_heat_fields(void)
     TCase *fields = tcase_create("fields");
     tcase_add_loop_test(fields, fields_of_held_surfaces_solve_the_equation, 0, HEAT_BODIES);
     tcase_add_loop_test(fields, fields_of_fluxes_solve_the_equation, 0, HEAT_BODIES);
+    tcase_add_loop_test(fields, fields_of_sources_solve_the_equation, 0, HEAT_BODIES);
     tcase_add_loop_test(fields, fields_of_convection_solve_the_equation, 0, HEAT_BODIES);
     tcase_add_test(fields, a_body_that_radiates_follows_its_equation);
     tcase_add_test(fields, the_mode_of_a_sphere_solves_the_equation);

@@ -1,12 +1,12 @@
 /* What figures' scripts may do: read before they run, and run without a shell.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mpm_gnuplot.h"
 #include "suites.h"
 #include "support/folder.h"
 
 #include "verification/pages/figure.h"
 #include "verification/pages/figure_script.h"
-#include "verification/pages/gnuplot.h"
 
 #include <glib.h>
 #include <string.h>
@@ -166,17 +166,18 @@ END_TEST
 
 /* ------------------------------------------------------------------- what is run */
 
-/* Runs the text, past the reading, as gnuplot_run() does it. Whether `mark` was left. */
+/* Runs the text, past the reading, as mpm_gnuplot_run() does it. Whether `mark` was left. */
 static bool leaves_mark(const char *text, char **said)
 {
     char *folder = test_folder_create();
-    GError *failure = NULL;
+    char *failure = NULL;
     g_free(test_folder_write(folder, "script.gp", text));
-    (void)gnuplot_run(folder, "set terminal svg; set output 'x.svg'", "script.gp", said, &failure);
+    (void)mpm_gnuplot_run(folder, "set terminal svg; set output 'x.svg'", "script.gp", said,
+                          &failure);
     ck_assert_ptr_nonnull(*said);
     char *mark = test_folder_path(folder, "mark");
     const bool left = test_file_exists(mark);
-    g_clear_error(&failure);
+    g_free(failure);
     g_free(mark);
     test_folder_remove(folder);
     return left;

@@ -28,11 +28,10 @@ set xrange [-12:12]
 set yrange [-4:44]
 set xtics 6
 set title 'equivalent stress (GPa)'
-set cbrange [0:3]
+set cbrange [0:2]
 set palette defined (0 '#dce6f2', 1 '#7fb0d8', 2 '#e0a040', 3 '#a02010')
 dots = data.'/data-coarse-particles_3.dat'
-plot dots using 1:($4 == 1 ? $2 : 1/0):3 with points pt 7 ps 0.4 palette, \
-     dots using (-$1):($4 == 1 ? $2 : 1/0):3 with points pt 7 ps 0.4 palette, \
-     dots using 1:($4 == 0 ? $2 : 1/0) with points pt 7 ps 0.4 lc rgb '#303030', \
+plot dots using 1:2:3 with points pt 7 ps 0.4 palette, \
+     dots using (-$1):($4 == 1 ? $2 : 1/0) with points pt 7 ps 0.4 lc rgb '#d0d0d0', \
      dots using (-$1):($4 == 0 ? $2 : 1/0) with points pt 7 ps 0.4 lc rgb '#303030'
 unset multiplot
