@@ -5,7 +5,7 @@ set output output
 set xlabel 'x (mm)'
 set ylabel 'pressure (GPa)'
 set xrange [0:16]
-set key top right
+set key tmargin center horizontal maxcols 3 samplen 2.5 width -5
 file(v) = data.'/data-'.v.'-profile.dat'
 plot file('tungsten_2000') using 1:(1e3*$9) with lines ls 1 title 'exact', \
      file('copper_1000') using 1:(1e3*$9) with lines ls 1 notitle, \
