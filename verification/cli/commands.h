@@ -31,7 +31,7 @@ int suite_command(int argc, char **argv, const struct suite_world *world);
 struct command_options {
     char *tier, *case_glob, *variant_glob, *only, *kernels, *output, *catalogue, *tag, *change;
     char *name; /* of a solver */
-    char *baseline, *mutants, **headroom;
+    char *baseline, *mutants, **headroom, **history;
     char *launcher, *costs;
     int jobs, resume, status;
     char **rest; /* the arguments beside the options */
