@@ -169,7 +169,35 @@ function sorting() {
   return complaints;
 }
 
-const source = [textLines, overlaps, layout, axisTitles, picture, references, isSorted, sorting].map(String).join("\n");
+/* Each field above a table: rows that have every word of the last row's first cell stay, with it, and all
+ * others go; an empty field brings all back; no row has a text that is in none. */
+function filtering() {
+  const complaints = [];
+  const visible = (rows) => rows.filter((row) => !row.hidden && !row.parentNode.hidden);
+  document.querySelectorAll(".filter").forEach((line, place) => {
+    const field = line.querySelector("input"), table = line.nextElementSibling.querySelector("table");
+    const rows = Array.from(table.tBodies).flatMap((body) => Array.from(body.rows))
+      .filter((row) => !row.querySelector("[scope=rowgroup]"));
+    const headings = rows.map((row) => row.parentNode.querySelector("[scope=rowgroup]"))
+      .map((heading) => (heading === null ? "" : heading.textContent.toLowerCase()));
+    const type = (words) => { field.value = words; field.dispatchEvent(new Event("input")); };
+    const all = visible(rows).length, name = rows[rows.length - 1].cells[0].textContent.trim().toLowerCase();
+    type(name.toUpperCase());
+    const fits = rows.filter((row, i) => name.split(/\s+/).every((word) =>
+      row.textContent.toLowerCase().includes(word) || headings[i].includes(word)));
+    if (visible(rows).length !== fits.length || fits.some((row) => row.hidden))
+      complaints.push(`field ${place}: "${name}" leaves ${visible(rows).length} rows of ${fits.length}`);
+    if (!line.querySelector("output").textContent.startsWith(`${fits.length} of`))
+      complaints.push(`field ${place}: says "${line.querySelector("output").textContent}"`);
+    type("no such text anywhere");
+    if (visible(rows).length !== 0) complaints.push(`field ${place}: rows stay that have no such text`);
+    type("");
+    if (visible(rows).length !== all || all !== rows.length) complaints.push(`field ${place}: rows are lost`);
+  });
+  return complaints;
+}
+
+const source = [textLines, overlaps, layout, axisTitles, picture, references, isSorted, sorting, filtering].map(String).join("\n");
 
 /* The expression that calls one of them. */
 const call = (name) => `(() => { ${source}\nreturn ${name}(); })()`;

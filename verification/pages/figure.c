@@ -10,6 +10,7 @@
 
 #include <errno.h>
 #include <glib.h>
+#include <stdio.h>
 #include <string.h>
 
 char *figure_quoted(const char *text)
@@ -83,9 +84,19 @@ char *figure_dress(const char *svg, const char *title, const char *description)
 
 static const char picture[] = "figure.svg", style[] = ".style.gp", axes[] = ".axes.gp";
 
+/* The size that gnuplot gave the picture: pages keep room for it before it is there. */
+static void read_size(const char *svg, struct figure_result *result)
+{
+    const char *box = strstr(svg, "viewBox=\"0 0 ");
+    if (box == NULL || sscanf(box, "viewBox=\"0 0 %d %d\"", &result->width, &result->height) != 2) {
+        result->width = 760; /* that of style.gp */
+        result->height = 470;
+    }
+}
+
 /* What the script wrote, dressed, as the file that it is to be. */
 static enum mpm_status dress_file(const char *home, const struct figure_plot *plot,
-                                  struct mpm_error *error)
+                                  struct figure_result *result, struct mpm_error *error)
 {
     char *path = g_build_filename(home, picture, NULL), *svg;
     enum mpm_status status = MPM_OK;
@@ -94,6 +105,7 @@ static enum mpm_status dress_file(const char *home, const struct figure_plot *pl
         !g_utf8_validate(svg, -1, NULL)) /* no text else */
         status = failure_set(error, MPM_ENVIRONMENT_FAILED, "the script wrote no SVG file");
     if (status == MPM_OK) {
+        read_size(svg, result);
         char *dressed = figure_dress(svg, plot->title, plot->description);
         status = output_write(plot->folder, plot->output, dressed, error);
         g_free(dressed);
@@ -135,7 +147,7 @@ static enum mpm_status stage(const char *home, const char *script, const struct 
 
 /* Runs the staged script; its complaint is a failure. */
 static enum mpm_status draw(const char *home, const char *script, const struct figure_plot *plot,
-                            struct mpm_error *error)
+                            struct figure_result *result, struct mpm_error *error)
 {
     char *settings = g_strdup_printf("style='%s'; axes='%s'; output='%s'; %s", style, axes, picture,
                                      plot->settings);
@@ -151,7 +163,7 @@ static enum mpm_status draw(const char *home, const char *script, const struct f
     g_clear_error(&failure);
     g_free(said);
     g_free(settings);
-    return status == MPM_OK ? dress_file(home, plot, error) : status;
+    return status == MPM_OK ? dress_file(home, plot, result, error) : status;
 }
 
 struct figure_result figure_plot(const struct figure_plot *plot)
@@ -167,7 +179,7 @@ struct figure_result figure_plot(const struct figure_plot *plot)
                                                 "%s: cannot be made: %s", home, g_strerror(errno));
     (void)mpm_file_remove(old); /* or an old picture could stand for a new one */
     if (status == MPM_OK)
-        status = draw(home, script, plot, &error);
+        status = draw(home, script, plot, &result, &error);
     if (status == MPM_OK)
         result.state = FIGURE_DRAWN;
     else
