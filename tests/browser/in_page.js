@@ -174,7 +174,7 @@ function sorting() {
 function filtering() {
   const complaints = [];
   const visible = (rows) => rows.filter((row) => !row.hidden && !row.parentNode.hidden);
-  document.querySelectorAll(".filter").forEach((line, place) => {
+  document.querySelectorAll("p.filter").forEach((line, place) => {
     const field = line.querySelector("input"), table = line.nextElementSibling.querySelector("table");
     const rows = Array.from(table.tBodies).flatMap((body) => Array.from(body.rows))
       .filter((row) => !row.querySelector("[scope=rowgroup]"));

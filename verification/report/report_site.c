@@ -31,6 +31,7 @@ void report_site_links(GString *html, const struct report_site *site, const char
         {"index.html", "", "Overview"},
         {"index.html", "#cases", "Cases"},
         {"index.html", "#comparisons", "Comparisons"},
+        {"checks.html", "", "Checks"},
         {"decision.html", "", "Which method"},
         {"limits.html", "", "Limits"},
         {"headroom.html", "", "Headroom"},

@@ -45,12 +45,14 @@ void report_site_links(GString *html, const struct report_site *site, const char
 void report_limits_page(struct report_site *site);
 void report_headroom_page(struct report_site *site);
 void report_mutants_page(struct report_site *site);
+void report_checks_page(struct report_site *site);
 void report_history_page(struct report_site *site);
 void report_decision_page(struct report_site *site);
 void report_glossary_page(struct report_site *site);
 void report_front_page(struct report_site *site);
 
 /* Parts of the front page. */
+void report_search(GString *html);
 void report_coverage(GString *html, struct report_site *site);
 void report_changes(GString *html, struct report_site *site);
 /* The pages of comparisons in one: purposes with the variant for each, and a table of

@@ -16,10 +16,10 @@
 static const char list_name[] = "publish";
 
 static const char *const top_names[] = {
-    "checks.jsonl", "measurements.jsonl", "index.html",    "summary.md",    "junit.xml",
-    "results.tap",  "limits.html",        "headroom.html", "mutants.html",  "glossary.html",
-    "history.html", "decision.html",      "changes.json",  "headroom.json", "mutants.json",
-    "history.json", "table-*.csv"};
+    "checks.jsonl", "measurements.jsonl", "index.html",    "summary.md",   "junit.xml",
+    "results.tap",  "limits.html",        "headroom.html", "mutants.html", "glossary.html",
+    "history.html", "decision.html",      "checks.html",   "changes.json", "headroom.json",
+    "mutants.json", "history.json",       "table-*.csv"};
 static const char *const folder_names_ours[] = {"cases", "style"};
 static const char *const style_names[] = {"style.gp",  "comparison.gp", "report.css",
                                           "page.html", "table.js",      "glossary.md",
