@@ -249,24 +249,65 @@ static GString *case_links(const GPtrArray *names)
 
 enum { FALLING_SHOWN = 4 };
 
-/* What it does not hold: title, value and case of each, the first few in sight. */
+static bool same_check(const json_t *one, const json_t *other)
+{
+    return strcmp(record_text(one, "case"), record_text(other, "case")) == 0 &&
+           strcmp(record_text(one, "check"), record_text(other, "check")) == 0;
+}
+
+/* Whether one before `place` is of the same check. */
+static bool is_told(const GPtrArray *falling, unsigned place)
+{
+    for (unsigned i = 0; i < place; i++)
+        if (same_check(falling->pdata[i], falling->pdata[place]))
+            return true;
+    return false;
+}
+
+/* Case, title, values and variants of a check that the method does not hold. */
+static void add_fall(GString *html, const GPtrArray *falling, unsigned place)
+{
+    const json_t *check = falling->pdata[place];
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    GString *variants = g_string_new(NULL);
+    for (unsigned i = place; i < falling->len; i++) {
+        const double value = record_number(falling->pdata[i], "value");
+        if (!same_check(check, falling->pdata[i]))
+            continue;
+        g_string_append_printf(variants, "%s%s", variants->len == 0 ? "" : ", ",
+                               record_text(falling->pdata[i], "variant"));
+        if (isfinite(value)) {
+            low = fmin(low, value);
+            high = fmax(high, value);
+        }
+    }
+    g_string_append(html, "<li>");
+    add_case_link(html, record_text(check, "case"), "index.html#checks");
+    text_markup(html, ": %s, ", record_text(check, "title"));
+    html_numbers(html, low < high ? text_range(low, high, record_text(check, "unit"))
+                                  : text_value(check));
+    text_markup(html, " <span class=\"about\">%s</span></li>", variants->str);
+    g_string_free(variants, TRUE);
+}
+
+/* What it does not hold, the first few in sight. */
 static void add_falling(GString *html, const GPtrArray *falling)
 {
+    unsigned told = 0, kinds = 0;
+    for (unsigned i = 0; i < falling->len; i++)
+        kinds += !is_told(falling, i);
     g_string_append(html, "<ul class=\"falling\">");
     for (unsigned i = 0; i < falling->len; i++) {
-        const json_t *check = falling->pdata[i];
-        if (i == FALLING_SHOWN)
+        if (is_told(falling, i))
+            continue;
+        if (told++ == FALLING_SHOWN)
             g_string_append_printf(html,
                                    "</ul><details><summary>and %u more</summary><ul "
                                    "class=\"falling\">",
-                                   falling->len - FALLING_SHOWN);
-        g_string_append(html, "<li>");
-        add_case_link(html, record_text(check, "case"), "index.html#checks");
-        text_markup(html, ": %s, ", record_text(check, "title"));
-        html_numbers(html, text_value(check));
-        text_markup(html, " <span class=\"about\">%s</span></li>", record_text(check, "variant"));
+                                   kinds - FALLING_SHOWN);
+        add_fall(html, falling, i);
     }
-    g_string_append(html, falling->len > FALLING_SHOWN ? "</ul></details>" : "</ul>");
+    g_string_append(html, kinds > FALLING_SHOWN ? "</ul></details>" : "</ul>");
 }
 
 static void add_method(struct report_table *table, const struct method *method)
