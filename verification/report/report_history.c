@@ -330,9 +330,14 @@ void report_history_page(struct report_site *site)
     g_string_append(html, "<h2 id=\"benchmarks\">Benchmarks</h2>\n");
     add_courses(html, site, &view, view.benchmarks, "Every benchmark over the runs",
                 "history-benchmarks.csv");
-    g_string_append(html, "<h2 id=\"values\">Values of checks</h2>\n");
+    /* thousands of rows: closed, they cost a reader and a browser nothing */
+    g_string_append_printf(html,
+                           "<h2 id=\"values\">Values of checks</h2>\n<details>"
+                           "<summary>The course of each of %u values</summary>\n",
+                           view.checks->len);
     add_courses(html, site, &view, view.checks, "Every check’s value over the runs",
                 "history-checks.csv");
+    g_string_append(html, "</details>\n");
     g_array_unref(view.benchmarks);
     g_array_unref(view.checks);
     report_site_page(site, "history.html", "History", html);
