@@ -24,7 +24,7 @@ unset key
 unset grid
 set multiplot layout 3,1 margins 0.09, 0.88, 0.11, 0.98 spacing 0, 0.06
 do for [k = 1:3] {
-    set label 1 sprintf('%s µs', word(times, k)) at 302, -30 right front
+    set label 1 sprintf('%s µs', word(times, k)) at -12, 29 left front
     if (k > 1) { unset colorbox }
     if (k == 1) { set colorbox user origin 0.9, 0.15 size 0.02, 0.7 }
     if (k == 3) { set xlabel 'x (mm)' }
