@@ -8,13 +8,15 @@
  * its line; the stamp in the corner is no part of the picture. */
 function smallText() {
   const LEAST = 9; /* px */
-  const found = new Map(), width = document.documentElement.getBoundingClientRect().width;
+  const found = new Map(), svg = document.documentElement, own = svg.getScreenCTM();
+  const width = svg.viewBox.baseVal !== null && svg.viewBox.baseVal.width > 0
+    ? svg.viewBox.baseVal.width : svg.getBoundingClientRect().width;
   /* beside another one in two columns; wide ones, and that of a comparison, have a line of their own */
   const alone = width > 780 || document.querySelector("g[id^='comparison_plot_']") !== null;
   const shown = Math.min(1, (alone ? 1040 : 632) / width);
   for (const text of document.querySelectorAll("text")) {
     const matrix = text.getScreenCTM(), words = text.textContent.trim();
-    const size = parseFloat(getComputedStyle(text).fontSize) * Math.hypot(matrix.a, matrix.b) * shown;
+    const size = parseFloat(getComputedStyle(text).fontSize) * shown * Math.hypot(matrix.a, matrix.b) / Math.hypot(own.a, own.b);
     if (words !== "" && !words.startsWith("Touchstone ") && size < LEAST - 0.01) found.set(size.toFixed(1), words);
   }
   return Array.from(found, ([size, words]) => `text of ${size} px: "${words.slice(0, 40)}"`);

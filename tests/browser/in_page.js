@@ -89,10 +89,20 @@ function axisTitles(texts) {
   return (texts.some(turned) ? [] : ["no title of the y axis"]).concat(title ? [] : ["no title of the x axis"]);
 }
 
+/* What is drawn of a picture: its view box, which a window of other proportions surrounds. */
+function drawnFrame(svg) {
+  const { x, y, width, height } = svg.viewBox.baseVal === null ? { width: 0 } : svg.viewBox.baseVal;
+  if (width === 0) return svg.getBoundingClientRect();
+  const matrix = svg.getScreenCTM();
+  const corner = (across, up) => new DOMPoint(across, up).matrixTransform(matrix);
+  const low = corner(x, y), high = corner(x + width, y + height);
+  return { left: low.x, top: low.y, right: high.x, bottom: high.y };
+}
+
 /* Labels of a picture: inside it, and apart; both axes have a title. A sign alone is a mark, not a label; what is written
  * twice in one place (the stamp, by each panel) reads as once. */
 function picture() {
-  const svg = document.documentElement, frame = svg.getBoundingClientRect(), places = new Set();
+  const svg = document.documentElement, frame = drawnFrame(svg), places = new Set();
   const texts = Array.from(svg.querySelectorAll("text")).filter((t) => /[\p{L}\p{N}]/u.test(t.textContent));
   const lines = texts.map((t) => ({ text: t.textContent.trim().slice(0, 40), box: t.getBoundingClientRect(), node: t }))
     .filter(({ text, box }) => {
@@ -197,7 +207,7 @@ function filtering() {
   return complaints;
 }
 
-const source = [textLines, overlaps, layout, axisTitles, picture, references, isSorted, sorting, filtering].map(String).join("\n");
+const source = [textLines, overlaps, layout, axisTitles, drawnFrame, picture, references, isSorted, sorting, filtering].map(String).join("\n");
 
 /* The expression that calls one of them. */
 const call = (name) => `(() => { ${source}\nreturn ${name}(); })()`;

@@ -149,19 +149,19 @@ async function testReport(browser, folder, axe, pictures, top) {
   fs.mkdirSync(pictures, { recursive: true });
   if (!top) test.judge("the sample of cases", missing(pages));
   for (const page of pages.filter((name) => !top || !name.includes("/"))) {
-    await tab.width(WIDTHS[2]);
+    await tab.width(WIDTHS.at(-1));
     if (!page.includes("/") || inSample(page)) await test.whole(tab, page, pictures);
     else await test.load(tab, page);
   }
   if (top) return test;
-  await tab.width(WIDTHS[2]);
+  await tab.width(WIDTHS.at(-1));
   for (const file of filesOf(folder, ".svg")) await test.labels(tab, file);
   return test;
 }
 
 async function testLabels(browser, folder, axe) {
   const test = new Test(folder, axe), tab = await browser.tab(), pictures = filesOf(folder, ".svg", 4);
-  await tab.width(WIDTHS[2]);
+  await tab.width(WIDTHS.at(-1));
   test.judge("pictures", pictures.length > 0 ? [] : [`none in ${folder}`]);
   for (const file of pictures) await test.labels(tab, file);
   return test;
@@ -174,7 +174,7 @@ async function testItself(browser, folder, axe) {
     const copy = spoiledCopy(folder, fault);
     try {
       const inner = new Test(copy, axe);
-      await tab.width(WIDTHS[2]);
+      await tab.width(WIDTHS.at(-1));
       await inner.look(tab, fault);
       const said = inner.failures.flatMap(({ complaints }) => complaints);
       const seen = said.find((text) => fault.complaint.test(text));
