@@ -17,7 +17,7 @@ titles = 'classic uGIMP CPDI "quadratic splines" "cubic splines"'
 first = 0.125
 at = 0.05
 unset key
-set tmargin at screen 0.93
+set tmargin at screen 0.9
 set bmargin at screen 0.30
 set multiplot
 do for [k = 1:2] {
