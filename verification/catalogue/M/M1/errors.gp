@@ -23,8 +23,8 @@ unset key
 set multiplot layout 2,2
 do for [k=1:3] {
     set title word('displacement "deformation gradient F" "Cauchy stress"', k)
-    set label 1 'slope 2 ± 0.15' at 0.0135, (k == 1 ? 2e-4 : 7e-4) font ',12' textcolor rgb '#606060'
-    if (k > 1) { set label 2 'slope 1 ± 0.1' at 0.0135, 0.009 font ',12' textcolor rgb '#606060' }
+    set label 1 'slope 2 ± 0.15' at 0.0135, (k == 1 ? 2e-4 : 7e-4) font ',12' textcolor rgb '#808080'
+    if (k > 1) { set label 2 'slope 1 ± 0.1' at 0.0135, 0.08 font ',12' textcolor rgb '#808080' }
     two = (k == 1 ? 0.045 : 0.14)
     plot '+' using 1:(power($1,two,2.15)):(power($1,two,1.85)) with filledcurves lc rgb '#bbbbbb' notitle, \
          '+' using 1:(k == 1 ? NaN : power($1,0.21,1.1)):(k == 1 ? NaN : power($1,0.21,0.9)) with filledcurves lc rgb '#bbbbbb' notitle, \
