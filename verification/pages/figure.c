@@ -10,7 +10,6 @@
 
 #include <errno.h>
 #include <glib.h>
-#include <stdio.h>
 #include <string.h>
 
 char *figure_quoted(const char *text)
@@ -87,10 +86,18 @@ static const char picture[] = "figure.svg", style[] = ".style.gp", axes[] = ".ax
 /* The size that gnuplot gave the picture: pages keep room for it before it is there. */
 static void read_size(const char *svg, struct figure_result *result)
 {
-    const char *box = strstr(svg, "viewBox=\"0 0 ");
-    if (box == NULL || sscanf(box, "viewBox=\"0 0 %d %d\"", &result->width, &result->height) != 2) {
-        result->width = 760; /* that of style.gp */
-        result->height = 470;
+    static const char begin[] = "viewBox=\"0 0 ";
+    const char *box = strstr(svg, begin);
+    char *rest = NULL;
+    result->width = 760; /* that of style.gp */
+    result->height = 470;
+    if (box == NULL)
+        return;
+    const gint64 width = g_ascii_strtoll(box + strlen(begin), &rest, 10);
+    const gint64 height = g_ascii_strtoll(rest, NULL, 10);
+    if (width > 0 && width < G_MAXINT && height > 0 && height < G_MAXINT) {
+        result->width = (int)width;
+        result->height = (int)height;
     }
 }
 
@@ -104,7 +111,7 @@ static enum mpm_status dress_file(const char *home, const struct figure_plot *pl
     if (svg == NULL || strstr(svg, "</svg>") == NULL ||
         !g_utf8_validate(svg, -1, NULL)) /* no text else */
         status = failure_set(error, MPM_ENVIRONMENT_FAILED, "the script wrote no SVG file");
-    if (status == MPM_OK) {
+    if (status == MPM_OK && svg != NULL) {
         read_size(svg, result);
         char *dressed = figure_dress(svg, plot->title, plot->description);
         status = output_write(plot->folder, plot->output, dressed, error);
