@@ -408,7 +408,7 @@ bench: all ## speed, memory, scaling, error against run time (about 9 min); buil
 CLANG_FORMAT ?= $(or $(shell command -v clang-format-14),clang-format)
 CLANG_TIDY   ?= $(or $(shell command -v clang-tidy-14),clang-tidy)
 CHECKS := check-format check-source check-includes check-warnings check-cppcheck check-tidy \
-          check-bits check-budget check-reference check-mutants check-runner check-docs
+          check-bits check-budget check-reference check-mutants check-runner check-docs check-equations
 .PHONY: check check-all $(CHECKS) format
 check: ## format, lint, include directions, warnings and bits of both compilers, checksums
 	+@$(MAKE) --keep-going check-all
@@ -464,6 +464,13 @@ check-reference:
 # A mutant whose lines have changed no longer applies: whoever changes them mends it.
 check-mutants:
 	@tests/mutants/mutants.py check
+
+# The table of MathML is made with blahtexml and committed, so that a report needs no converter.
+.PHONY: equations
+equations: ## reports/equations.json: MathML of the TeX in the cases' texts
+	@.ci/equations
+check-equations:
+	@.ci/equations --check
 
 # The unit tests' own runner, with suites that crash, hang, leak, leave and fail.
 check-runner:

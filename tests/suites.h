@@ -115,6 +115,8 @@
     SUITE(score_readers)                                                                           \
     SUITE(score_snapshots)                                                                         \
     SUITE(report_site)                                                                             \
+    SUITE(report_history)                                                                          \
+    SUITE(decision)                                                                                \
     SUITE(scene_run)                                                                               \
     SUITE(budget)                                                                                  \
     SUITE(scene_limits)                                                                            \
@@ -144,6 +146,7 @@
     SUITE(bench)                                                                                   \
     SUITE(timing)                                                                                  \
     SUITE(pareto)                                                                                  \
+    SUITE(series)                                                                                  \
     SUITE(bench_report)                                                                            \
     SUITE(programs)                                                                                \
     SUITE(orders)                                                                                  \

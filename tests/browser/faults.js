@@ -7,6 +7,12 @@ const fs = require("node:fs");
 const os = require("node:os");
 const path = require("node:path");
 
+/* A figure as gnuplot writes it: a curve with its entry in the legend, then its line. */
+const figure = (size, title, line) => () => '<svg xmlns="http://www.w3.org/2000/svg" width="400" height="200">' +
+  `<text transform="translate(20,120) rotate(270)" font-size="14">${title}</text>` +
+  `<g id="f_plot_1"><title>a curve</title><g font-size="${size}"><text x="100" y="40">a curve</text></g>` +
+  `<path d="M150,36 L180,36" stroke="black"/><path d="${line}" fill="none" stroke="black"/></g>` +
+  '<text x="180" y="190">time (s)</text></svg>';
 const addStyle = (rule) => (text) => text.replace("</head>", `<style>${rule}</style></head>`);
 const addMarkup = (markup) => (text) => text.replace("</main>", `${markup}</main>`);
 
@@ -30,12 +36,22 @@ const faults = [
   { name: "a picture without a title of the x axis", file: "picture.svg", look: "labels", complaint: /^no title of the x axis/,
     spoil: () => '<svg xmlns="http://www.w3.org/2000/svg" width="200" height="100">' +
       '<text transform="translate(20,80) rotate(270)">speed</text><text x="80" y="95">1.5</text></svg>' },
+  { name: "letters too small to read", file: "picture.svg", look: "labels", complaint: /^text of 6.0 px/,
+    spoil: figure(6, "speed (m/s)", "M60,150 L380,160") },
+  { name: "an axis without its unit", file: "picture.svg", look: "labels", complaint: /^an axis without a unit/,
+    spoil: figure(14, "speed", "M60,150 L380,160") },
+  { name: "a legend on a curve", file: "picture.svg", look: "labels", complaint: /^the legend is on a curve/,
+    spoil: figure(14, "speed (m/s)", "M60,150 L100,34 L380,37") },
+  { name: "a legend as large as its figure", file: "picture.svg", look: "labels", complaint: /^the legend takes/,
+    spoil: figure(90, "speed (m/s)", "M60,150 L380,160") },
   { name: "texts on each other", file: "glossary.html", look: "layout", complaint: /^texts overlap/,
     spoil: addStyle("h2 + dl { margin-top: -2rem; }") },
   { name: "a page that scrolls sideways", file: "glossary.html", look: "layout", complaint: /scrolls sideways|leaves the page/,
     spoil: addStyle(".scroll { overflow: visible; } table { min-width: 60rem; }") },
   { name: "a table that sorts wrongly", file: "glossary.html", look: "sort", complaint: /stands before|aria-sort/,
     spoil: (text) => text.replace("rising ? order : -order", "rising ? -order : order") },
+  { name: "a field that filters nothing", file: "glossary.html", look: "filter", complaint: /leaves \d+ rows|rows stay/,
+    spoil: (text) => text.replace("row.hidden = !fits;", "") },
   { name: "an exception in a script", file: "glossary.html", look: "load", complaint: /^exception/,
     spoil: addMarkup("<script>throw new Error('spoiled');</script>") },
   { name: "an error on the console", file: "glossary.html", look: "load", complaint: /^console/,

@@ -89,10 +89,20 @@ function axisTitles(texts) {
   return (texts.some(turned) ? [] : ["no title of the y axis"]).concat(title ? [] : ["no title of the x axis"]);
 }
 
+/* What is drawn of a picture: its view box, which a window of other proportions surrounds. */
+function drawnFrame(svg) {
+  const { x, y, width, height } = svg.viewBox.baseVal === null ? { width: 0 } : svg.viewBox.baseVal;
+  if (width === 0) return svg.getBoundingClientRect();
+  const matrix = svg.getScreenCTM();
+  const corner = (across, up) => new DOMPoint(across, up).matrixTransform(matrix);
+  const low = corner(x, y), high = corner(x + width, y + height);
+  return { left: low.x, top: low.y, right: high.x, bottom: high.y };
+}
+
 /* Labels of a picture: inside it, and apart; both axes have a title. A sign alone is a mark, not a label; what is written
  * twice in one place (the stamp, by each panel) reads as once. */
 function picture() {
-  const svg = document.documentElement, frame = svg.getBoundingClientRect(), places = new Set();
+  const svg = document.documentElement, frame = drawnFrame(svg), places = new Set();
   const texts = Array.from(svg.querySelectorAll("text")).filter((t) => /[\p{L}\p{N}]/u.test(t.textContent));
   const lines = texts.map((t) => ({ text: t.textContent.trim().slice(0, 40), box: t.getBoundingClientRect(), node: t }))
     .filter(({ text, box }) => {
@@ -169,7 +179,35 @@ function sorting() {
   return complaints;
 }
 
-const source = [textLines, overlaps, layout, axisTitles, picture, references, isSorted, sorting].map(String).join("\n");
+/* Each field above a table: rows that have every word of the last row's first cell stay, with it, and all
+ * others go; an empty field brings all back; no row has a text that is in none. */
+function filtering() {
+  const complaints = [];
+  const visible = (rows) => rows.filter((row) => !row.hidden && !row.parentNode.hidden);
+  document.querySelectorAll("p.filter").forEach((line, place) => {
+    const field = line.querySelector("input"), table = line.nextElementSibling.querySelector("table");
+    const rows = Array.from(table.tBodies).flatMap((body) => Array.from(body.rows))
+      .filter((row) => !row.querySelector("[scope=rowgroup]"));
+    const headings = rows.map((row) => row.parentNode.querySelector("[scope=rowgroup]"))
+      .map((heading) => (heading === null ? "" : heading.textContent.toLowerCase()));
+    const type = (words) => { field.value = words; field.dispatchEvent(new Event("input")); };
+    const all = visible(rows).length, name = rows[rows.length - 1].cells[0].textContent.trim().toLowerCase();
+    type(name.toUpperCase());
+    const fits = rows.filter((row, i) => name.split(/\s+/).every((word) =>
+      row.textContent.toLowerCase().includes(word) || headings[i].includes(word)));
+    if (visible(rows).length !== fits.length || fits.some((row) => row.hidden))
+      complaints.push(`field ${place}: "${name}" leaves ${visible(rows).length} rows of ${fits.length}`);
+    if (!line.querySelector("output").textContent.startsWith(`${fits.length} of`))
+      complaints.push(`field ${place}: says "${line.querySelector("output").textContent}"`);
+    type("no such text anywhere");
+    if (visible(rows).length !== 0) complaints.push(`field ${place}: rows stay that have no such text`);
+    type("");
+    if (visible(rows).length !== all || all !== rows.length) complaints.push(`field ${place}: rows are lost`);
+  });
+  return complaints;
+}
+
+const source = [textLines, overlaps, layout, axisTitles, drawnFrame, picture, references, isSorted, sorting, filtering].map(String).join("\n");
 
 /* The expression that calls one of them. */
 const call = (name) => `(() => { ${source}\nreturn ${name}(); })()`;

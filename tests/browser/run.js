@@ -15,10 +15,11 @@ const path = require("node:path");
 const { pathToFileURL } = require("node:url");
 const { Browser } = require("./devtools.js");
 const { call } = require("./in_page.js");
+const { call: callInFigure } = require("./in_figure.js");
 const { filesOf, linksOf } = require("./site.js");
 const { faults, spoiledCopy } = require("./faults.js");
 
-const WIDTHS = [360, 768, 1440];
+const WIDTHS = [360, 500, 768, 1440];
 const SCHEMES = ["light", "dark"];
 /* Cases whose pages are checked in full: few and many checks, pictures, a comparison, failures reported.
  * All others are loaded, and their links followed. */
@@ -30,7 +31,7 @@ const AXE_RULES = {
   dark: { runOnly: { type: "rule", values: ["color-contrast", "link-in-text-block"] } },
 };
 /* Width and scheme of the screenshots of a page. */
-const PICTURES = { 360: ["light"], 768: ["dark"], 1440: SCHEMES };
+const PICTURES = { 360: ["light"], 500: SCHEMES, 768: ["dark"], 1440: SCHEMES };
 
 class Test {
   constructor(folder, axe) {
@@ -70,6 +71,10 @@ class Test {
     this.judge(`${page}: tables sort`, complaints);
   }
 
+  async filter(tab, page) {
+    this.judge(`${page}: fields filter`, await tab.ask(call("filtering")));
+  }
+
   async layout(tab, page, width) {
     await tab.width(width);
     this.judge(`${page}: layout at ${width} px`, await tab.ask(call("layout")));
@@ -88,6 +93,7 @@ class Test {
   async whole(tab, page, pictures = null) {
     await this.load(tab, page);
     await this.sort(tab, page);
+    await this.filter(tab, page);
     await this.open(tab, page); /* rows as they were */
     for (const width of WIDTHS) {
       await this.layout(tab, page, width);
@@ -103,6 +109,7 @@ class Test {
     if (look === "load") return this.load(tab, file);
     await this.open(tab, file);
     if (look === "sort") return this.sort(tab, file);
+    if (look === "filter") return this.filter(tab, file);
     return look === "layout" ? this.layout(tab, file, WIDTHS[0]) : this.accessibility(tab, file, "light");
   }
 
@@ -118,6 +125,7 @@ class Test {
   async labels(tab, file) {
     await this.open(tab, file);
     this.judge(`${file}: labels`, await tab.ask(call("picture")));
+    this.judge(`${file}: legend, units and size of letters`, await tab.ask(callInFigure("figure")));
   }
 
   say() {
@@ -141,19 +149,19 @@ async function testReport(browser, folder, axe, pictures, top) {
   fs.mkdirSync(pictures, { recursive: true });
   if (!top) test.judge("the sample of cases", missing(pages));
   for (const page of pages.filter((name) => !top || !name.includes("/"))) {
-    await tab.width(WIDTHS[2]);
+    await tab.width(WIDTHS.at(-1));
     if (!page.includes("/") || inSample(page)) await test.whole(tab, page, pictures);
     else await test.load(tab, page);
   }
   if (top) return test;
-  await tab.width(WIDTHS[2]);
+  await tab.width(WIDTHS.at(-1));
   for (const file of filesOf(folder, ".svg")) await test.labels(tab, file);
   return test;
 }
 
 async function testLabels(browser, folder, axe) {
   const test = new Test(folder, axe), tab = await browser.tab(), pictures = filesOf(folder, ".svg", 4);
-  await tab.width(WIDTHS[2]);
+  await tab.width(WIDTHS.at(-1));
   test.judge("pictures", pictures.length > 0 ? [] : [`none in ${folder}`]);
   for (const file of pictures) await test.labels(tab, file);
   return test;
@@ -166,7 +174,7 @@ async function testItself(browser, folder, axe) {
     const copy = spoiledCopy(folder, fault);
     try {
       const inner = new Test(copy, axe);
-      await tab.width(WIDTHS[2]);
+      await tab.width(WIDTHS.at(-1));
       await inner.look(tab, fault);
       const said = inner.failures.flatMap(({ complaints }) => complaints);
       const seen = said.find((text) => fault.complaint.test(text));

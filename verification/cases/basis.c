@@ -6,7 +6,8 @@
 #include <glib.h>
 #include <string.h>
 
-static const char *const basis_names[] = {"theory", "round-off", "literature", "measured"};
+static const char *const basis_names[] = {"theory", "round-off", "literature",
+                                          "independent calculation", "measured"};
 
 const char *basis_name(enum case_basis basis)
 {

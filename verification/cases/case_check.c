@@ -300,6 +300,31 @@ static enum mpm_status check_bundle(const char *path, const struct case_file *fi
     return MPM_OK;
 }
 
+static unsigned independent_count(const struct case_check *checks, unsigned count)
+{
+    unsigned independent = 0;
+    for (unsigned i = 0; i < count; i++)
+        independent += checks[i].basis == BASIS_INDEPENDENT;
+    return independent;
+}
+
+/* A band that rests on a calculation is worth what can be repeated of it. */
+static enum mpm_status check_calculation(const char *path, const struct case_file *file,
+                                         struct mpm_error *error)
+{
+    unsigned count = independent_count(file->checks, file->checks_count);
+    if (file->numbers != NULL)
+        count += independent_count(file->numbers->list, file->numbers->list_count);
+    if (count > 0 && file->calculation == NULL)
+        return yaml_refuse(path, error, "calculation",
+                           "is missing: bands from an independent calculation need what it "
+                           "computed and how to repeat it");
+    if (count == 0 && file->calculation != NULL)
+        return yaml_refuse(path, error, "calculation",
+                           "no band has the basis \"independent calculation\"");
+    return MPM_OK;
+}
+
 enum mpm_status case_file_check(const char *path, const struct case_file *file,
                                 struct mpm_error *error)
 {
@@ -316,6 +341,7 @@ enum mpm_status case_file_check(const char *path, const struct case_file *file,
         TRY(check_check(path, file, i, error));
     for (unsigned i = 0; i < file->figures_count; i++)
         TRY(check_figure(path, file, i, error));
+    TRY(check_calculation(path, file, error));
     TRY(check_comparison(path, file, error));
     TRY(check_bundle(path, file, error));
     return check_numbers(path, file, error);

@@ -24,6 +24,7 @@ static const struct mpm_choice tier_values[] = {{"ci", TIER_CI}, {"full", TIER_F
 static const struct mpm_choice basis_values[] = {{"theory", BASIS_THEORY},
                                                  {"round-off", BASIS_ROUND_OFF},
                                                  {"literature", BASIS_LITERATURE},
+                                                 {"independent calculation", BASIS_INDEPENDENT},
                                                  {"measured", BASIS_MEASURED}};
 static const struct mpm_choice evidence_values[] = {
     {"quadrature", EVIDENCE_QUADRATURE},       {"exact", EVIDENCE_EXACT},
@@ -154,6 +155,7 @@ static const struct mpm_key file_keys[] = {
     TEXT("summary", case_file, summary),
     TEXTS("tags", case_file, tags, 0),
     YAML_CHOICE("evidence", false, case_file, evidence, evidence_values),
+    OPTIONAL_TEXT("calculation", case_file, calculation),
     TEXT("program", case_file, program_name),
     OPTIONAL_TEXT("scene", case_file, scene),
     LIST("parameters", case_file, parameters, case_parameter, parameter_keys, 0),

@@ -51,7 +51,13 @@ struct case_methods {
     unsigned parameters_count;
 };
 
-enum case_basis { BASIS_THEORY, BASIS_ROUND_OFF, BASIS_LITERATURE, BASIS_MEASURED };
+enum case_basis {
+    BASIS_THEORY,
+    BASIS_ROUND_OFF,
+    BASIS_LITERATURE,
+    BASIS_INDEPENDENT, /* a calculation by other means; the case describes it */
+    BASIS_MEASURED
+};
 enum case_outcome { OUTCOME_PASS, OUTCOME_FAIL };
 
 struct case_check {
@@ -154,6 +160,7 @@ struct case_file {
     char **tags;
     unsigned tags_count;
     enum case_evidence evidence; /* of checks that state none of their own */
+    char *calculation; /* the independent one that bands rest on, and how to repeat it; NULL */
     char *program_name;
     char *scene;
     struct case_parameter *parameters;

@@ -54,7 +54,9 @@ static const char usage[] =
     "lines;\n"
     "      [--mutants FILE]                   stores there, and shows, what changed since a "
     "baseline,\n"
-    "      [--headroom NAME=DIR]...           a run of mutants, the values of other builds' runs\n"
+    "      [--headroom NAME=DIR]...           a run of mutants, the values of other builds' runs,\n"
+    "      [--history DIR]...                 the course of each value over earlier runs and\n"
+    "                                         benchmarks, oldest first\n"
     "  headroom DIR                           whether every check of DIR is within 1.5 to 100 "
     "times\n"
     "                                         its deviation from its band's end, over the builds "
@@ -111,6 +113,7 @@ static void options_clear(struct command_options *options)
     g_strfreev(options->settings);
     g_strfreev(options->measures);
     g_strfreev(options->headroom);
+    g_strfreev(options->history);
     g_strfreev(options->rest);
 }
 
@@ -152,6 +155,7 @@ static enum mpm_status command_report(struct command *command, struct mpm_error 
         .baseline = command->options.baseline,
         .mutants = command->options.mutants,
         .headroom = (const char *const *)command->options.headroom,
+        .history = (const char *const *)command->options.history,
     };
     TRY(report_check(folder, error)); /* before anything is written there */
     TRY(report_store(folder, &additions, error));
@@ -233,6 +237,8 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
         {TAKES_ADDITIONS, {"mutants", 0, 0, G_OPTION_ARG_FILENAME, &given->mutants, NULL, NULL}},
         {TAKES_ADDITIONS,
          {"headroom", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &given->headroom, NULL, NULL}},
+        {TAKES_ADDITIONS,
+         {"history", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &given->history, NULL, NULL}},
         {TAKES_CHANGE, {"change", 0, 0, G_OPTION_ARG_STRING, &given->change, NULL, NULL}},
         {TAKES_NAME, {"name", 0, 0, G_OPTION_ARG_STRING, &given->name, NULL, NULL}},
     };

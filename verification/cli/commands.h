@@ -31,7 +31,7 @@ int suite_command(int argc, char **argv, const struct suite_world *world);
 struct command_options {
     char *tier, *case_glob, *variant_glob, *only, *kernels, *output, *catalogue, *tag, *change;
     char *name; /* of a solver */
-    char *baseline, *mutants, **headroom;
+    char *baseline, *mutants, **headroom, **history;
     char *launcher, *costs;
     char *refine, *timeout, **vary, **settings, **measures; /* of a study */
     int jobs, resume, status, tasks;

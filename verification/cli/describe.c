@@ -143,6 +143,8 @@ static void print_declaration(const struct explanation *explanation, const struc
     if (band->weakness)
         fprintf(out, "  weakness   known to fail: required to lie in %s\n", weak);
     fprintf(out, "  why        %s\n", check->why);
+    if (check->basis == BASIS_INDEPENDENT)
+        fprintf(out, "  computed   %s\n", job->entry->file->calculation);
     fprintf(out, "  evidence   %s\n", *evidence == '\0' ? "not stated" : evidence);
     if (check->headroom != NULL)
         fprintf(out, "  headroom   %s\n", check->headroom);

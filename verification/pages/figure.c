@@ -89,15 +89,34 @@ static bool is_picture(const char *text)
     return strstr(text, "</svg>") != NULL && g_utf8_validate(text, -1, NULL);
 }
 
+/* The size that gnuplot gave the picture: pages keep room for it before it is there. */
+static void read_size(const char *svg, struct figure_result *result)
+{
+    static const char begin[] = "viewBox=\"0 0 ";
+    const char *box = strstr(svg, begin);
+    char *rest = NULL;
+    result->width = 760; /* that of style.gp */
+    result->height = 470;
+    if (box == NULL)
+        return;
+    const gint64 width = g_ascii_strtoll(box + strlen(begin), &rest, 10);
+    const gint64 height = g_ascii_strtoll(rest, NULL, 10);
+    if (width > 0 && width < G_MAXINT && height > 0 && height < G_MAXINT) {
+        result->width = (int)width;
+        result->height = (int)height;
+    }
+}
+
 /* What the script wrote, dressed, as the file that it is to be. */
 static enum mpm_status dress_file(const char *home, const struct figure_plot *plot,
-                                  struct mpm_error *error)
+                                  struct figure_result *result, struct mpm_error *error)
 {
     char *path = g_build_filename(home, picture, NULL), *svg = NULL;
     enum mpm_status status = input_text(path, NULL, &svg, NULL, error);
     if (status == MPM_BAD_INPUT || (svg != NULL && !is_picture(svg)))
         status = failure_set(error, MPM_ENVIRONMENT_FAILED, "the script wrote no SVG file");
-    if (status == MPM_OK) {
+    if (status == MPM_OK && svg != NULL) {
+        read_size(svg, result);
         char *dressed = figure_dress(svg, plot->title, plot->description);
         status = output_write(plot->folder, plot->output, dressed, error);
         g_free(dressed);
@@ -139,7 +158,7 @@ static enum mpm_status stage(const char *home, const char *script, const struct 
 
 /* Runs the staged script; its complaint is a failure. */
 static enum mpm_status draw(const char *home, const char *script, const struct figure_plot *plot,
-                            struct mpm_error *error)
+                            struct figure_result *result, struct mpm_error *error)
 {
     char *settings = g_strdup_printf("style='%s'; axes='%s'; output='%s'; %s", style, axes, picture,
                                      plot->settings);
@@ -154,7 +173,7 @@ static enum mpm_status draw(const char *home, const char *script, const struct f
     g_free(failure);
     g_free(said);
     g_free(settings);
-    return status == MPM_OK ? dress_file(home, plot, error) : status;
+    return status == MPM_OK ? dress_file(home, plot, result, error) : status;
 }
 
 struct figure_result figure_plot(const struct figure_plot *plot)
@@ -172,7 +191,7 @@ struct figure_result figure_plot(const struct figure_plot *plot)
     if (status == MPM_OK && mpm_file_remove(old) != 0 && errno != ENOENT)
         status = mpm_file_failed(old, errno, &error);
     if (status == MPM_OK)
-        status = draw(home, script, plot, &error);
+        status = draw(home, script, plot, &result, &error);
     if (status == MPM_OK)
         result.state = FIGURE_DRAWN;
     else

@@ -17,6 +17,7 @@ struct figure_result {
     enum figure_state state;
     char reason[MPM_MESSAGE_SIZE]; /* of anything but DRAWN */
     const char *note;              /* what a reader should know of the script; NULL: nothing */
+    int width, height;             /* px, of a picture that is DRAWN */
 };
 
 /* Draws the picture <folder>/<output>, an SVG file, dressed, by the gnuplot script at the path

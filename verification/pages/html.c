@@ -44,7 +44,7 @@ void html_numbers(GString *html, char *text)
 void html_name(GString *html, const char *name)
 {
     char *markup = g_markup_escape_text(name, -1);
-    markup = replace(markup, "[_/]", "\\0<wbr />");
+    markup = replace(markup, "[_/=]|\\.(?=[a-z])", "\\0<wbr />");
     g_string_append(html, markup);
     g_free(markup);
 }
@@ -70,9 +70,10 @@ char *html_fill(const struct report_style *style, const char *title, GString *na
     char *safe_title = g_markup_escape_text(title, -1);
     const struct {
         const char *place, *text;
-    } fills[] = {{"title", safe_title},     {"style", style->css},
-                 {"script", style->script}, {"navigation", navigation->str},
-                 {"content", content->str}, {"footer", footer->str}};
+    } fills[] = {{"title", safe_title},           {"style", style->css},
+                 {"script", style->script},       {"filter", style->filter},
+                 {"navigation", navigation->str}, {"content", content->str},
+                 {"footer", footer->str}};
     GString *page = g_string_new(NULL);
     /* one pass over the template, so that a text with {{...}} in it stays a text */
     for (const char *rest = style->page; *rest != '\0';) {

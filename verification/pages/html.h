@@ -17,7 +17,7 @@ void html_state_count(GString *html, const char *class, const char *mark, size_t
 /* A text with numbers (of text.h; taken over), powers of ten written out: 1.3 × 10⁻¹⁵. */
 void html_numbers(GString *html, char *text);
 
-/* A name that a narrow column may break after underscores and slashes. */
+/* A name that a narrow column may break after underscores, slashes, = and points between words. */
 void html_name(GString *html, const char *name);
 
 /* A margin as a bar and a number. */

@@ -4,6 +4,7 @@
 #include "verification/pages/report_style.h"
 
 #include "mpm_file.h"
+#include "verification/common/input.h"
 #include "verification/common/resources.h"
 
 #include <errno.h>
@@ -19,6 +20,7 @@ enum mpm_status report_style_read(const char *reports, struct report_style *styl
     } files[] = {{"page.html", &style->page},
                  {"report.css", &style->css},
                  {"table.js", &style->script},
+                 {"filter.js", &style->filter},
                  {"glossary.md", &style->glossary}};
     enum mpm_status status = MPM_OK;
     if (reports == NULL)
@@ -31,6 +33,13 @@ enum mpm_status report_style_read(const char *reports, struct report_style *styl
                                  g_strerror(errno));
         g_free(path);
     }
+    if (status == MPM_OK) {
+        char *path = g_build_filename(reports, "equations.json", NULL);
+        status = input_json(path, JSON_REJECT_DUPLICATES, &style->equations, error);
+        if (status != MPM_OK)
+            status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be read", path);
+        g_free(path);
+    }
     if (status != MPM_OK)
         report_style_clear(style);
     return status;
@@ -41,6 +50,8 @@ void report_style_clear(struct report_style *style)
     g_free(style->page);
     g_free(style->css);
     g_free(style->script);
+    g_free(style->filter);
     g_free(style->glossary);
+    json_decref(style->equations);
     *style = (struct report_style){.page = NULL};
 }

@@ -6,11 +6,15 @@
 
 #include "verification/common/failure.h"
 
+#include <jansson.h>
+
 struct report_style {
     char *page; /* page.html, with {{title}}, {{style}}, ... */
     char *css;
-    char *script;   /* of sortable tables */
-    char *glossary; /* Markdown */
+    char *script;      /* of sortable tables */
+    char *filter;      /* of the fields above long ones */
+    char *glossary;    /* Markdown */
+    json_t *equations; /* TeX to MathML, for markdown_html() */
 };
 
 /* Reads it from `reports`, the folder that resources_reports() finds: a folder of results has no

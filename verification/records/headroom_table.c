@@ -178,3 +178,15 @@ size_t headroom_table_count(const struct headroom_table *table, unsigned build,
     }
     return count;
 }
+
+size_t headroom_table_reasoned(const struct headroom_table *table, enum headroom judged)
+{
+    size_t count = 0;
+    for (unsigned i = 0; i < table->checks->len; i++) {
+        const struct declared_headroom *declared =
+            &g_array_index(table->checks, struct declared_headroom, i);
+        count += headroom_judge(declared_headroom_least(declared)) == judged &&
+                 *record_text(declared->first, "headroom") != '\0';
+    }
+    return count;
+}

@@ -58,4 +58,7 @@ size_t headroom_table_faults(const struct headroom_table *table, enum headroom_f
 size_t headroom_table_count(const struct headroom_table *table, unsigned build,
                             enum headroom judged);
 
+/* Of those that all builds together judge so: how many state why they may. */
+size_t headroom_table_reasoned(const struct headroom_table *table, enum headroom judged);
+
 #endif

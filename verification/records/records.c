@@ -95,6 +95,7 @@ static const struct record_field case_fields[] = {
     {"case", RECORD_NAME, true, NULL},
     {"title", RECORD_TEXT, false, NULL},
     {"summary", RECORD_TEXT, false, NULL},
+    {"calculation", RECORD_TEXT, false, NULL},
     {"tags", RECORD_TEXTS, false, NULL},
     {"program", RECORD_TEXT, false, NULL},
     {"readme", RECORD_TEXT, false, NULL},

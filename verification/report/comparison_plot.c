@@ -5,6 +5,7 @@
 
 #include "mpm_file.h"
 #include "verification/common/output.h"
+#include "verification/common/text.h"
 #include "verification/measures/axis_tics.h"
 #include "verification/measures/label_places.h"
 #include "verification/pages/figure.h"
@@ -335,4 +336,47 @@ struct figure_result comparison_plot(const struct comparison_view *view, const j
     g_free(data);
     g_string_free(axes, TRUE);
     return result;
+}
+
+/* --------------------------------------------------------------------- marks */
+
+enum { PICTURE_WIDTH = 760, PICTURE_HEIGHT = 520, MARK_RADIUS = 9 };
+/* What comparison.gp leaves at the left and at the top. */
+static const double LEFT = 0.13, TOP = 0.15;
+
+static void add_mark(GString *html, const struct comparison_view *view, const struct point *point,
+                     const struct label_place *place, size_t x, size_t y)
+{
+    char across[G_ASCII_DTOSTR_BUF_SIZE], up[G_ASCII_DTOSTR_BUF_SIZE];
+    char *first = text_quantity(point->x, view->columns[x].unit);
+    char *second = text_quantity(point->y, view->columns[y].unit);
+    g_ascii_formatd(across, sizeof across, "%.1f", LEFT * PICTURE_WIDTH + place->x);
+    g_ascii_formatd(up, sizeof up, "%.1f", TOP * PICTURE_HEIGHT + frame.height - place->y);
+    g_string_append_printf(html, "<circle r=\"%d\" cx=\"%s\" cy=\"%s\">", MARK_RADIUS, across, up);
+    text_markup(html, "<title>%zu: %s. %s: %s. %s: %s</title></circle>", point->row + 1,
+                view->names[point->row], view->columns[x].title, first, view->columns[y].title,
+                second);
+    g_free(second);
+    g_free(first);
+}
+
+void comparison_plot_marks(const struct comparison_view *view, GString *html)
+{
+    const size_t x = comparison_view_column(view, record_text(view->declared, "pareto_x"));
+    const size_t y = comparison_view_column(view, record_text(view->declared, "pareto_y"));
+    if (x == COMPARISON_NONE || y == COMPARISON_NONE)
+        return;
+    GArray *points = points_of(view, x, y);
+    const struct axis_range across = range_of(points, false), up = range_of(points, true);
+    g_array_sort(points, compare_points);
+    g_string_append_printf(html, "<svg class=\"marks\" viewBox=\"0 0 %d %d\" aria-hidden=\"true\">",
+                           PICTURE_WIDTH, PICTURE_HEIGHT);
+    for (unsigned i = points->len; i > 0; i--) { /* those on the front on top */
+        const struct point *point = &g_array_index(points, struct point, i - 1);
+        const struct label_place place = {.x = frame.width * axis_place(&across, point->x),
+                                          .y = frame.height * axis_place(&up, point->y)};
+        add_mark(html, view, point, &place, x, y);
+    }
+    g_string_append(html, "</svg>");
+    g_array_unref(points);
 }

@@ -19,4 +19,8 @@ struct figure_result comparison_plot(const struct comparison_view *view, const j
  * g_free. */
 char *comparison_plot_data(const struct comparison_view *view, size_t x, size_t y, GString *axes);
 
+/* Appends an SVG of the picture's size with a place for each of its points, which a pointer finds
+ * and whose title is the variant with both numbers; nothing where there is no picture. */
+void comparison_plot_marks(const struct comparison_view *view, GString *html);
+
 #endif

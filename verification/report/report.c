@@ -104,8 +104,8 @@ static enum mpm_status make_site(const char *folder, struct report_site *site,
                                  struct mpm_error *error)
 {
     static void (*const pages[])(struct report_site *) = {
-        report_front_page,   report_limits_page,   report_headroom_page,
-        report_mutants_page, report_glossary_page,
+        report_front_page,   report_checks_page,  report_limits_page,   report_headroom_page,
+        report_history_page, report_mutants_page, report_decision_page, report_glossary_page,
     };
     TRY(write_owned(folder, "junit.xml", report_junit(site->records), error));
     TRY(write_owned(folder, "results.tap", report_tap(site->records), error));
@@ -161,6 +161,7 @@ static enum mpm_status render(const char *folder, const char *place,
         .changes = stored->changes,
         .mutants = stored->mutants,
         .headroom = stored->headroom,
+        .history = stored->history,
         .benchmarks = has_benchmarks(place),
         .compares = any_comparison(json_object_get(records->run, "cases")),
         .files = g_array_new(FALSE, TRUE, sizeof(struct report_file)),

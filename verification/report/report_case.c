@@ -10,8 +10,9 @@
 #include <math.h>
 #include <string.h>
 
-static void add_head(GString *html, const struct records *records, const json_t *entry)
+static void add_head(GString *html, const struct report_site *site, const json_t *entry)
 {
+    const struct records *records = site->records;
     const struct record_counts counts = records_count(records, NULL, record_text(entry, "case"));
     text_markup(html, "<h1 class=\"verdict %s\">%s: %s</h1>\n<p class=\"lead\">%s</p>\n",
                 counts.failed > 0 ? "bad" : "good", record_text(entry, "case"),
@@ -22,22 +23,28 @@ static void add_head(GString *html, const struct records *records, const json_t 
                               "use for what</p>\n");
     static const struct {
         const char *place, *title;
-    } parts[] = {{"pictures", "Pictures"},
-                 {"checks", "Checks"},
-                 {"cite", "Cite and reproduce"},
-                 {"data", "Data"},
-                 {"runs", "Runs"}};
+    } parts[] = {{"pictures", "Pictures"}, {"text", "Problem, source, criterion"},
+                 {"checks", "Checks"},     {"cite", "Cite and reproduce"},
+                 {"data", "Data"},         {"runs", "Runs"}};
     const bool pictures = json_array_size(json_object_get(entry, "figures")) > 0;
     g_string_append(html, "<nav aria-label=\"On this page\"><ul class=\"here\">");
     for (size_t i = pictures ? 0 : 1; i < G_N_ELEMENTS(parts); i++)
         text_markup(html, "<li><a href=\"#%s\">%s</a></li>", parts[i].place, parts[i].title);
     g_string_append(html, "</ul></nav>\n");
-    char *readme = markdown_html(record_text(entry, "readme"));
-    g_string_append_printf(html, "<section class=\"readme\">\n%s</section>\n", readme);
+}
+
+/* After the pictures: they show what it explains. */
+static void add_readme(GString *html, const struct report_site *site, const json_t *entry)
+{
+    char *readme = markdown_html(record_text(entry, "readme"), site->style->equations);
+    g_string_append_printf(html, "<section class=\"readme\" id=\"text\">\n%s</section>\n", readme);
     g_free(readme);
 }
 
 /* ------------------------------------------------------------------- figures */
+
+/* px; a figure that is wider has both columns. */
+enum { COLUMN_WIDTH = 780 };
 
 static void add_figure(GString *html, const json_t *figure, const struct figure_result *result)
 {
@@ -45,8 +52,10 @@ static void add_figure(GString *html, const json_t *figure, const struct figure_
     if (result->state == FIGURE_DRAWN)
         text_markup(
             html,
-            "<figure>\n<img src=\"figure-%s.svg\" width=\"760\" height=\"470\" alt=\"%s. %s\" />\n",
-            record_text(figure, "figure"), title, record_text(figure, "caption"));
+            "<figure class=\"wide%s\">\n<img src=\"figure-%s.svg\" width=\"%d\" height=\"%d\" "
+            "alt=\"%s. %s\" />\n",
+            result->width > COLUMN_WIDTH ? " whole" : "", record_text(figure, "figure"),
+            result->width, result->height, title, record_text(figure, "caption"));
     else
         text_markup(html, "<figure>\n<p class=\"notice%s\"><strong>%s</strong> %s</p>\n",
                     result->state == FIGURE_FAILED ? "" : " quiet",
@@ -65,9 +74,10 @@ static void add_figures(GString *html, const json_t *entry, const struct figure_
     const json_t *figures = json_object_get(entry, "figures");
     if (json_array_size(figures) == 0)
         return;
-    g_string_append(html, "<h2 id=\"pictures\">Pictures</h2>\n");
+    g_string_append(html, "<h2 id=\"pictures\">Pictures</h2>\n<div class=\"figures\">\n");
     for (size_t i = 0; i < json_array_size(figures); i++)
         add_figure(html, json_array_get(figures, i), &results[i]);
+    g_string_append(html, "</div>\n");
 }
 
 /* --------------------------------------------------------------------- checks */
@@ -144,12 +154,17 @@ static GPtrArray *checks_of(const struct records *records, const char *name)
 
 static void add_checks(GString *html, const struct records *records, const char *name)
 {
+    const char *calculation = record_text(records_case(records, name), "calculation");
     GPtrArray *checks = checks_of(records, name);
     g_string_append(
         html,
         "<h2 id=\"checks\">Checks</h2>\n<p class=\"about\">Each check with its band and the "
         "reason for it, then one row per variant; a heading sorts within each check. “Proven” "
-        "counts the spoiled results that turned the check red on this run.</p>\n"
+        "counts the spoiled results that turned the check red on this run.</p>\n");
+    if (*calculation != '\0')
+        text_markup(html, "<p class=\"about\">Independent calculation: %s</p>\n", calculation);
+    g_string_append(
+        html,
         "<div class=\"scroll tall\" tabindex=\"0\" role=\"region\" aria-label=\"Checks\"><table "
         "class=\"sortable groups\">\n<thead><tr><th scope=\"col\">Variant</th>"
         "<th scope=\"col\">Status</th><th scope=\"col\" class=\"n\">Value</th>"
@@ -224,7 +239,7 @@ static void add_lines(GString *html, const json_t *texts, const char *element)
 {
     for (size_t i = 0; i < json_array_size(texts); i++) {
         g_string_append_printf(html, "%s<%s>", i == 0 ? "" : "<br />", element);
-        text_markup(html, "%s", json_string_value(json_array_get(texts, i)));
+        html_name(html, json_string_value(json_array_get(texts, i)));
         g_string_append_printf(html, "</%s>", element);
     }
 }
@@ -382,8 +397,9 @@ char *report_case(struct report_site *site, const json_t *entry,
     text_markup(navigation,
                 "<p class=\"path\"><a href=\"../../index.html#cases\">family %s</a> / %s</p>",
                 record_text(entry, "family"), name);
-    add_head(html, records, entry);
+    add_head(html, site, entry);
     add_figures(html, entry, figures);
+    add_readme(html, site, entry);
     add_checks(html, records, name);
     add_file(site, entry, "checks.csv", checks_csv(records, name));
     add_citation(html, entry, records->run);

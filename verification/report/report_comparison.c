@@ -5,6 +5,7 @@
 #include "verification/measures/comparison_guide.h"
 #include "verification/measures/comparison_words.h"
 #include "verification/pages/html.h"
+#include "verification/report/comparison_plot.h"
 #include "verification/report/comparison_view.h"
 #include "verification/report/report_site.h"
 #include "verification/report/verdict_html.h"
@@ -102,14 +103,17 @@ static void add_picture(GString *html, const struct comparison_view *view,
     if (picture->state == FIGURE_WITHOUT_DATA && *picture->reason == '\0')
         return;
     g_string_append(html, "<figure class=\"wide\">\n");
-    if (picture->state == FIGURE_DRAWN)
+    if (picture->state == FIGURE_DRAWN) {
         text_markup(
             html,
-            "<img src=\"figure-comparison.svg\" width=\"760\" height=\"520\" alt=\"%s: "
+            "<div class=\"marked\"><img src=\"figure-comparison.svg\" width=\"760\" height=\"520\" "
+            "alt=\"%s: "
             "one quantity over the other for every variant that counts; the table below has "
             "the numbers\" />\n",
             record_text(view->declared, "title"));
-    else
+        comparison_plot_marks(view, html);
+        g_string_append(html, "</div>\n");
+    } else
         text_markup(html,
                     "<p class=\"notice%s\"><strong>The picture is not drawn:</strong> %s</p>\n",
                     picture->state == FIGURE_FAILED ? "" : " quiet", picture->reason);

@@ -152,12 +152,13 @@ static void add_table(GString *html, const GArray *problems)
 {
     GPtrArray *names = names_of(problems);
     g_string_append(
-        html, "<h3>Every variant on every problem</h3>\n<p class=\"about\" "
-              "id=\"how\">The number that decides on each page, and its rank there; a heading "
-              "sorts. –: that case does not run it at this size.</p>\n<div class=\"scroll short\" "
-              "tabindex=\"0\" role=\"region\" aria-label=\"Every variant on every problem\"><table "
-              "class=\"sortable\" aria-describedby=\"how\">\n<thead><tr><th scope=\"col\" "
-              "aria-sort=\"ascending\">Variant</th>");
+        html,
+        "<h3>Every variant on every problem</h3>\n<p class=\"about\" "
+        "id=\"how\">The number that decides on each page, and its rank there; a heading "
+        "sorts. –: that case does not run it at this size.</p>\n<div class=\"scroll tall matrix\" "
+        "tabindex=\"0\" role=\"region\" aria-label=\"Every variant on every problem\"><table "
+        "class=\"sortable\" aria-describedby=\"how\">\n<thead><tr><th scope=\"col\" "
+        "aria-sort=\"ascending\">Variant</th>");
     for (unsigned p = 0; p < problems->len; p++)
         add_heading(html, &g_array_index(problems, struct problem, p));
     g_string_append(html, "</tr></thead>\n<tbody>\n");

@@ -81,7 +81,7 @@ static char *with_places(char *html)
 void report_glossary_page(struct report_site *site)
 {
     GString *html = g_string_new("<h1>Words and symbols</h1>\n");
-    char *text = with_places(markdown_html(site->style->glossary));
+    char *text = with_places(markdown_html(site->style->glossary, site->style->equations));
     add_statuses(html);
     g_string_append_printf(html, "<section class=\"readme\">\n%s</section>\n", text);
     add_parts(html, site);

@@ -50,7 +50,8 @@ static void add_row(struct report_table *table, const struct headroom_table *hea
                     record_text(declared->missing, "variant"),
                     headroom->names[declared->missing_in]);
     report_table_link(table, href, name);
-    report_table_state(table, looks[look].class, looks[look].mark, looks[look].word);
+    report_table_state(table, *reason == '\0' ? looks[look].class : "idle", looks[look].mark,
+                       looks[look].word);
     report_table_number(table, least, isinf(least) ? g_strdup("∞") : text_number(least));
     report_table_name(table, record_text(declared->variant, "variant"));
     report_table_text(table, declared->variant == NULL ? "" : headroom->names[declared->nearest]);
@@ -64,15 +65,29 @@ static void add_row(struct report_table *table, const struct headroom_table *hea
     g_free(href);
 }
 
+/* How many checks are judged so; those that state why are apart, and no alarm. */
+static void add_count(GString *html, const struct headroom_table *table, size_t look)
+{
+    const size_t all = headroom_table_count(table, table->build_count, looks[look].judged);
+    const bool outside =
+        looks[look].judged == HEADROOM_FLAKY || looks[look].judged == HEADROOM_SLACK;
+    const size_t reasoned = outside ? headroom_table_reasoned(table, looks[look].judged) : 0;
+    if (all > reasoned)
+        html_state_count(html, looks[look].class, looks[look].mark, all - reasoned,
+                         looks[look].word);
+    if (reasoned > 0) {
+        char *word = g_strdup_printf("%s for a stated reason", looks[look].word);
+        html_state_count(html, "idle", looks[look].mark, reasoned, word);
+        g_free(word);
+    }
+}
+
 /* Verdicts, and what is wrong: in words, since one build alone does not show it. */
 static void add_counts(GString *html, const struct headroom_table *table, bool compared)
 {
     g_string_append(html, "<ul class=\"counts\">");
-    for (size_t look = 0; look < G_N_ELEMENTS(looks); look++) {
-        const size_t number = headroom_table_count(table, table->build_count, looks[look].judged);
-        if (number > 0)
-            html_state_count(html, looks[look].class, looks[look].mark, number, looks[look].word);
-    }
+    for (size_t look = 0; look < G_N_ELEMENTS(looks); look++)
+        add_count(html, table, look);
     g_string_append(html, "</ul>\n");
     bool sound = true;
     for (int fault = HEADROOM_SOUND + 1; fault < HEADROOM_FAULTS; fault++) {

@@ -164,6 +164,7 @@ void report_front_page(struct report_site *site)
     const struct record_counts counts = records_count(site->records, NULL, NULL);
     GString *html = g_string_new(NULL);
     add_verdict(html, site->records, &counts);
+    report_search(html);
     if (counts.failed > 0)
         add_failures(html, site);
     add_closest(html, site);

@@ -31,8 +31,11 @@ void report_site_links(GString *html, const struct report_site *site, const char
         {"index.html", "", "Overview"},
         {"index.html", "#cases", "Cases"},
         {"index.html", "#comparisons", "Comparisons"},
+        {"checks.html", "", "Checks"},
+        {"decision.html", "", "Which method"},
         {"limits.html", "", "Limits"},
         {"headroom.html", "", "Headroom"},
+        {"history.html", "", "History"},
         {"mutants.html", "", "Mutants"},
         {"../bench/index.html", "", "Benchmarks"},
         {"glossary.html", "", "Glossary"},
@@ -44,7 +47,10 @@ void report_site_links(GString *html, const struct report_site *site, const char
     for (size_t i = 0; i < G_N_ELEMENTS(pages); i++) {
         const bool front = *pages[i].place != '\0';
         if ((g_str_has_prefix(pages[i].file, "..") && !site->benchmarks) ||
-            (strcmp(pages[i].place, "#comparisons") == 0 && !site->compares))
+            (strcmp(pages[i].place, "#comparisons") == 0 && !site->compares) ||
+            (strcmp(pages[i].file, "decision.html") == 0 && !site->compares) ||
+            (strcmp(pages[i].file, "history.html") == 0 && site->history == NULL) ||
+            (strcmp(pages[i].file, "mutants.html") == 0 && site->mutants == NULL))
             continue;
         text_markup(html, "<li><a href=\"%s%s%s\"", root, pages[i].file, pages[i].place);
         g_string_append(

@@ -15,6 +15,7 @@ struct report_site {
     const json_t *changes;  /* since a baseline; NULL if none is stored */
     const json_t *mutants;  /* NULL if none are stored */
     const json_t *headroom; /* other builds' runs; NULL if none are stored */
+    const json_t *history;  /* earlier runs; NULL if none are stored */
     bool benchmarks;        /* ../bench/index.html is there */
     bool compares;          /* a case declares a comparison */
     GArray *files;          /* struct report_file; written when all are made */
@@ -44,10 +45,14 @@ void report_site_links(GString *html, const struct report_site *site, const char
 void report_limits_page(struct report_site *site);
 void report_headroom_page(struct report_site *site);
 void report_mutants_page(struct report_site *site);
+void report_checks_page(struct report_site *site);
+void report_history_page(struct report_site *site);
+void report_decision_page(struct report_site *site);
 void report_glossary_page(struct report_site *site);
 void report_front_page(struct report_site *site);
 
 /* Parts of the front page. */
+void report_search(GString *html);
 void report_coverage(GString *html, struct report_site *site);
 void report_changes(GString *html, struct report_site *site);
 /* The pages of comparisons in one: purposes with the variant for each, and a table of

@@ -9,12 +9,13 @@
 #include "verification/common/record_shape.h"
 #include "verification/common/result_path.h"
 #include "verification/records/changes.h"
+#include "verification/records/history.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 static const char changes_name[] = "changes.json", headroom_name[] = "headroom.json",
-                  mutants_name[] = "mutants.json";
+                  mutants_name[] = "mutants.json", history_name[] = "history.json";
 
 /* Relative; the default of mpm-verify compare. */
 static const double change_shown = 1e-3;
@@ -170,6 +171,11 @@ enum mpm_status report_store(const char *folder, const struct report_additions *
         TRY(keep_headroom(folder, additions->headroom, error));
     if (additions->mutants != NULL)
         TRY(keep_mutants(folder, additions->mutants, error));
+    if (additions->history != NULL) {
+        json_t *history;
+        TRY(history_gather(folder, additions->history, &history, error));
+        TRY(write_json(folder, history_name, history, error));
+    }
     return MPM_OK;
 }
 
@@ -201,7 +207,8 @@ enum mpm_status report_stored_read(const char *folder, struct report_stored *sto
         json_t **object;
     } files[] = {{changes_name, changes_fields, &stored->changes},
                  {headroom_name, headroom_fields, &stored->headroom},
-                 {mutants_name, mutants_fields, &stored->mutants}};
+                 {mutants_name, mutants_fields, &stored->mutants},
+                 {history_name, history_fields, &stored->history}};
     enum mpm_status status = MPM_OK;
     for (size_t i = 0; status == MPM_OK && i < G_N_ELEMENTS(files); i++)
         status = read_stored(folder, files[i].name, files[i].fields, files[i].object, error);
@@ -215,5 +222,6 @@ void report_stored_clear(struct report_stored *stored)
     json_decref(stored->changes);
     json_decref(stored->headroom);
     json_decref(stored->mutants);
+    json_decref(stored->history);
     *stored = (struct report_stored){.changes = NULL};
 }

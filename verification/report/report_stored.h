@@ -3,6 +3,7 @@
  *
  *     changes.json    what changed since a baseline
  *     headroom.json   the values of the same checks in runs of other builds
+ *     history.json    the values of earlier runs
  *     mutants.json    which spoiled solvers the tests and the suite noticed
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -17,6 +18,7 @@ struct report_additions {
     const char *baseline;        /* folder of an earlier run */
     const char *mutants;         /* a file */
     const char *const *headroom; /* NAME=DIR, ended by NULL */
+    const char *const *history;  /* folders of earlier runs, oldest first, ended by NULL */
 };
 
 /* Works them out for the run in `folder` and writes them there. MPM_BAD_INPUT: a folder without
@@ -25,7 +27,7 @@ enum mpm_status report_store(const char *folder, const struct report_additions *
                              struct mpm_error *error);
 
 struct report_stored {
-    json_t *changes, *headroom, *mutants; /* NULL: none stored */
+    json_t *changes, *headroom, *mutants, *history; /* NULL: none stored */
 };
 
 /* MPM_BAD_INPUT: a file that is there and not as described. */

@@ -179,7 +179,7 @@ static enum mpm_status read_number(struct bundle *bundle, const json_t *object,
     return basis_find(record_text(object, "basis"), &check->basis)
                ? MPM_OK
                : refuse(bundle, error, "criteria: basis",
-                        "theory, round-off, literature or measured");
+                        "theory, round-off, literature, independent calculation or measured");
 }
 
 static enum mpm_status read_criteria(struct bundle *bundle, struct mpm_error *error)

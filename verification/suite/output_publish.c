@@ -19,10 +19,12 @@ static const char list_name[] = "publish";
 static const char *const top_names[] = {
     "checks.jsonl", "measurements.jsonl", "index.html",    "summary.md",   "junit.xml",
     "results.tap",  "limits.html",        "headroom.html", "mutants.html", "glossary.html",
-    "changes.json", "headroom.json",      "mutants.json",  "table-*.csv"};
+    "history.html", "decision.html",      "checks.html",   "changes.json", "headroom.json",
+    "mutants.json", "history.json",       "table-*.csv"};
 static const char *const folder_names_ours[] = {"cases", "style"};
 static const char *const style_names[] = {"style.gp",  "comparison.gp", "report.css",
-                                          "page.html", "table.js",      "glossary.md"};
+                                          "page.html", "table.js",      "glossary.md",
+                                          "filter.js", "equations.json"};
 static const char *const case_names[] = {"rows-*.jsonl",   "log-*.txt",  "data-*.dat",
                                          "figure-*.svg",   "index.html", "comparison.html",
                                          "comparison.csv", "checks.csv", "runs.csv"};

@@ -255,6 +255,8 @@ static json_t *case_record(const struct catalogue_case *entry)
     json_object_set_new(object, "case", record_text_of(file->name));
     json_object_set_new(object, "title", record_text_of(file->title));
     json_object_set_new(object, "summary", record_text_of(file->summary));
+    if (file->calculation != NULL)
+        json_object_set_new(object, "calculation", record_text_of(file->calculation));
     json_object_set_new(object, "tags", texts_of(file->tags, file->tags_count));
     json_object_set_new(object, "program", record_text_of(file->program_name));
     json_object_set_new(object, "readme", record_text_of(entry->readme));

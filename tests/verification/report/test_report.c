@@ -161,7 +161,8 @@ END_TEST
 START_TEST(markdown_loses_raw_html_and_its_first_heading)
 {
     char *html = markdown_html("# Title\n\n## Problem\n\n<b>raw</b> [x](javascript:alert(1))\n\n"
-                               "| a |\n|---|\n| 1 |\n");
+                               "| a |\n|---|\n| 1 |\n",
+                               NULL);
     ck_assert_ptr_null(strstr(html, "Title"));
     ck_assert_ptr_nonnull(strstr(html, "<h2>Problem</h2>"));
     ck_assert_ptr_null(strstr(html, "<b>"));
@@ -175,11 +176,27 @@ START_TEST(markdown_without_a_text_below_its_title_is_an_empty_page)
 {
     static const char *const texts[] = {"", "\n", "# Title", "# Title\n", "<b></b>"};
     for (size_t i = 0; i < G_N_ELEMENTS(texts); i++) {
-        char *html = markdown_html(texts[i]);
+        char *html = markdown_html(texts[i], NULL);
         ck_assert_msg(strstr(html, "Title") == NULL && strstr(html, "table") == NULL, "'%s': '%s'",
                       texts[i], html);
         g_free(html);
     }
+}
+END_TEST
+
+START_TEST(equations_are_those_of_the_table_and_else_stay_tex)
+{
+    json_t *table = json_pack("{s:{s:s},s:{s:s}}", "display", "a < b", "<math>display</math>",
+                              "inline", "x", "<math>inline</math>");
+    char *html = markdown_html("Of $`x`$ and $`y`$, of `x` and $5.\n\n```math\na < b\n```\n\n"
+                               "```math\n<math>not ours</math>\n```\n",
+                               table);
+    ck_assert_ptr_nonnull(strstr(html, "Of <math>inline</math> and <code>y</code>, of "
+                                       "<code>x</code> and $5."));
+    ck_assert_ptr_nonnull(strstr(html, "<math>display</math></div>"));
+    ck_assert_ptr_nonnull(strstr(html, "&lt;math&gt;not ours"));
+    g_free(html);
+    json_decref(table);
 }
 END_TEST
 
@@ -189,6 +206,7 @@ Suite *suite_report(void)
     TCase *reports = tcase_create("reports");
     tcase_add_test(reports, reports_are_well_formed_and_rendered_again_to_the_same_bytes);
     tcase_add_test(reports, result_lines_alone_are_enough_for_a_report);
+    tcase_add_test(reports, equations_are_those_of_the_table_and_else_stay_tex);
     tcase_add_test(reports, markdown_loses_raw_html_and_its_first_heading);
     tcase_add_test(reports, markdown_without_a_text_below_its_title_is_an_empty_page);
     suite_add_tcase(suite, reports);

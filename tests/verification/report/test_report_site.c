@@ -294,8 +294,9 @@ END_TEST
 
 START_TEST(every_page_is_well_formed_and_limits_hold_the_weaknesses)
 {
-    static const char *const pages[] = {"index.html",   "limits.html",   "headroom.html",
-                                        "mutants.html", "glossary.html", "cases/Q/index.html"};
+    static const char *const pages[] = {"index.html",        "limits.html",   "headroom.html",
+                                        "mutants.html",      "glossary.html", "checks.html",
+                                        "cases/Q/index.html"};
     for (size_t i = 0; i < G_N_ELEMENTS(pages); i++) {
         char *page = test_folder_read(folders.first, pages[i]);
         test_assert_well_formed(page, pages[i]);
@@ -303,6 +304,8 @@ START_TEST(every_page_is_well_formed_and_limits_hold_the_weaknesses)
     }
     expect(folders.first, "table-weaknesses.csv", "\"Q\",\"ninth\",\"too few points\"");
     expect(folders.first, "mutants.html", "holds no run of mutants");
+    expect(folders.first, "table-all-checks.csv", "\"Q/exact\",");
+    expect(folders.first, "index.html", "action=\"checks.html\"");
     expect(folders.first, "index.html", "None is stored with this report");
     expect(folders.first, "glossary.html", "id=\"evidence\"");
     expect(folders.first, "cases/Q/index.html", "Revision ");

@@ -129,6 +129,8 @@ static const struct {
     {"expected: 1", "expected: 9", "expected must lie"},
     {"expected: 1", "expected: [1]", "case.yaml:19: checks.0.expected: not a single value"},
     {"basis: theory", "basis: hope", "case.yaml:22: checks.0.basis: unknown choice"},
+    {"basis: theory", "basis: independent calculation", "calculation: is missing"},
+    {"program: ", "calculation: c\nprogram: ", "no band has the basis"},
     {"basis: theory", "basis: theory\n    outcome: fail", "needs both"},
     {"basis: theory", "basis: theory\n    fails_low: 3\n    fails_high: 4", "needs both"},
     {"basis: theory", "basis: theory\n    outcome: fail\n    fails_low: -1\n    fails_high: 0.1",
@@ -235,6 +237,28 @@ START_TEST(the_catalogue_of_this_tree_is_sound)
 }
 END_TEST
 
+/* Whoever reads the page of one case finds the same in any other at the same place. */
+START_TEST(every_text_of_a_case_has_the_same_headings)
+{
+    static const char *const headings[] = {"\n## Problem\n", "\n## Source and reference\n",
+                                           "\n## Criterion\n"};
+    struct catalogue *own = NULL;
+    struct mpm_error error = {.status = MPM_OK};
+    ck_assert_msg(catalogue_read("verification/catalogue", programs_all(), &own, &error) == MPM_OK,
+                  "%s", error.message);
+    for (size_t i = 0; i < own->count; i++) {
+        const char *rest = strstr(own->cases[i].readme, "\n## ");
+        for (size_t k = 0; k < G_N_ELEMENTS(headings); k++) {
+            const char *found = rest == NULL ? NULL : strstr(rest, headings[k]);
+            ck_assert_msg(found != NULL && (k > 0 || found == rest), "%s: no%s in its place",
+                          own->cases[i].file->name, headings[k]);
+            rest = found;
+        }
+    }
+    catalogue_free(own);
+}
+END_TEST
+
 START_TEST(the_programs_of_the_suite_have_names_of_their_own)
 {
     const struct program_table table = programs_all();
@@ -255,6 +279,7 @@ Suite *suite_catalogue(void)
     tcase_add_test(cases, a_bad_case_is_refused_with_file_line_and_reason);
     tcase_add_test(cases, a_folder_without_cases_or_without_a_readme_is_refused);
     tcase_add_test(cases, the_catalogue_of_this_tree_is_sound);
+    tcase_add_test(cases, every_text_of_a_case_has_the_same_headings);
     tcase_add_test(cases, the_programs_of_the_suite_have_names_of_their_own);
     suite_add_tcase(suite, cases);
     return suite;

@@ -27,7 +27,7 @@ set style fill empty
 unset key
 unset grid
 set format x ''
-set multiplot layout 2,1 margins 0.08, 0.88, 0.17, 0.93 spacing 0, 0.11
+set multiplot layout 2,1 margins 0.08, 0.88, 0.17, 0.89 spacing 0, 0.11
 set title 'one velocity field, 25.4 µs'
 set colorbox user origin 0.9, 0.2 size 0.02, 0.68
 plot file('field') matrix using (($1 + 0.5) - 14):(($2 + 0.5) - 34):($3 < empty ? NaN : $3) with image, \

@@ -5,8 +5,8 @@ set output output
 set xlabel 'time (ms)'
 set ylabel 'velocity of the block (mm/ms)'
 set xrange [0:25]
-set yrange [-0.02:0.9]
-set key top left
+set yrange [-0.02:0.65]
+set key tmargin center horizontal maxcols 2 samplen 2.5 width -10
 file(v) = data.'/data-'.v.'-body.dat'
 theory(a, t) = t > 5 ? a*(t - 2.5) : 1/0
 plot theory(0.025, x) with lines ls 1 title 'theory', \

@@ -6,7 +6,7 @@ set xlabel 'time (ms)'
 set ylabel 'velocity, spin × radius (mm/ms)'
 set xrange [0:45]
 set yrange [-0.02:1.4]
-set key top left
+set key tmargin center horizontal maxcols 2 samplen 2.5 width -7 font ',12'
 file(v) = data.'/data-'.v.'-body.dat'
 g = 0.05/sqrt(2)
 theory(a, t) = t > 15 ? a*(t - 7.5) : 1/0

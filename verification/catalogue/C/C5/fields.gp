@@ -12,7 +12,7 @@ unset key
 unset grid
 set palette defined (-1 '#08306b', -0.5 '#0072B2', -0.15 '#9ecae1', 0 '#ffffff', 0.2 '#D55E00')
 set cbrange [-0.15:0.03]
-set multiplot layout 1,2 margins 0.09, 0.9, 0.15, 0.93 spacing 0.08, 0
+set multiplot layout 1,2 margins 0.09, 0.9, 0.15, 0.9 spacing 0.08, 0
 set title 'between plates: σ_{zz} (MPa)'
 set xrange [0:18]
 set yrange [0:17]

@@ -1,6 +1,7 @@
 # How far the whole and the half are apart.
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
+set terminal svg size 760,560 dynamic enhanced font 'Helvetica,Arial,sans-serif,14' name name linewidth 1 rounded
 set output output
 set xlabel 'time (ms)'
 set ylabel 'largest difference in stress over the largest stress'
@@ -8,7 +9,7 @@ set logscale y
 set format y '10^{%T}'
 set xrange [0:45]
 set yrange [1e-16:10]
-set key at graph 0.97, 0.62 right
+set key tmargin center horizontal maxcols 2 samplen 2.5 width -10
 file(v) = data.'/data-'.v.'-difference.dat'
 plot file('ugimp_musl_visibility') using 1:7 with lines ls 1 title 'node visibility, uGIMP', \
      file('bspline2_musl_plain') using 1:7 with lines ls 2 title 'not reflected, quadratic splines', \

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set output output
-set xlabel 'time'
+set xlabel 'time (unit of the scene)'
 set ylabel 'length grown (cells)'
 set xrange [380:640]
 set yrange [0:14]

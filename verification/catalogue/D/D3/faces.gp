@@ -6,7 +6,7 @@ set xlabel 'time (ms)'
 set ylabel 'distance of the faces (mm)'
 set xrange [0:16]
 set yrange [-4:3]
-set key bottom left
+set key tmargin center horizontal maxcols 3 samplen 2.5 width -6
 file(v) = data.'/data-'.v.'-collision.dat'
 plot 0 with lines ls 8 notitle, \
      file('ugimp_usavg') using 1:5 with lines ls 2 dt 1 title 'left crack, widest', \

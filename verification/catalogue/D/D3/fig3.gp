@@ -2,7 +2,7 @@
 # grey as well.
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
-set terminal svg size 760,440 dynamic enhanced font 'Helvetica,Arial,sans-serif,14' name name linewidth 1 rounded
+set terminal svg size 760,500 dynamic enhanced font 'Helvetica,Arial,sans-serif,14' name name linewidth 1 rounded
 set output output
 empty = -1e29
 pixel = 0.2
@@ -20,9 +20,9 @@ unset xlabel
 set tics scale 0.4
 set xtics -30,10,30
 set ytics -10,10,10
-set multiplot layout 2,2 margins 0.11, 0.87, 0.16, 0.97 spacing 0.05, 0.08
+set multiplot layout 2,2 margins 0.11, 0.87, 0.15, 0.92 spacing 0.05, 0.17
 do for [k = 1:4] {
-    set label 1 sprintf('%c: %s ms', 64 + k, word(times, k)) at graph 0.5, 0.06 center front
+    set label 1 sprintf('%c: %s ms', 64 + k, word(times, k)) at graph 0.5, 1.09 center front
     if (k % 2 == 1) { set ylabel 'y (mm)' } else { unset ylabel }
     if (k > 2) { set xlabel 'x (mm)' }
     if (k > 1) { unset colorbox }

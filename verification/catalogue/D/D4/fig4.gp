@@ -17,13 +17,14 @@ set yrange [-34:34]
 set size ratio -1
 set tics scale 0.4
 set ytics 30
+set ylabel 'y (mm)'
 do for [k = 0:4] { set object (k + 1) circle at 30 + 60*k, 0 size 30 front fs empty border lc rgb '#808080' lw 0.6 }
 set object 6 rectangle from -11, -17 to 0, 17 behind fs empty border lc rgb '#808080' lw 0.6
 unset key
 unset grid
-set multiplot layout 3,1 margins 0.05, 0.88, 0.11, 0.98 spacing 0, 0.06
+set multiplot layout 3,1 margins 0.09, 0.88, 0.11, 0.98 spacing 0, 0.06
 do for [k = 1:3] {
-    set label 1 sprintf('%s µs', word(times, k)) at 302, -30 right front
+    set label 1 sprintf('%s µs', word(times, k)) at -12, 29 left front
     if (k > 1) { unset colorbox }
     if (k == 1) { set colorbox user origin 0.9, 0.15 size 0.02, 0.7 }
     if (k == 3) { set xlabel 'x (mm)' }

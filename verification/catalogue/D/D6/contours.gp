@@ -4,7 +4,7 @@ load style
 set output output
 set xlabel 'cells from the tip to the sides of the contour'
 set ylabel 'J / handbook'
-set key top left
+set key tmargin center horizontal maxcols 3 samplen 2.5 width -5
 set yrange [0.9:1.5]
 set xrange [1.5:8.5]
 plot 1 with lines ls 1 title 'handbook', \

@@ -6,7 +6,7 @@ x0 = 0.25
 cylinder = (1 + x0/2 - 5*x0**2/8 + 0.421*x0**3)*sqrt(1 - x0)/(1 - x0**2)
 set xlabel 'cells from the tip to the sides of the contour'
 set ylabel 'K_I / 2σ√(a/π)'
-set key top left
+set key tmargin center horizontal maxcols 3 samplen 2.5 width -6
 set xrange [3.5:8.5]
 set yrange [0.95:1.2]
 plot cylinder with lines ls 1 title 'cylinder, handbook', \

@@ -6,7 +6,7 @@ set xlabel 'turns'
 set ylabel 'growth of the radius (%)'
 set xrange [0:5]
 set yrange [-9:18]
-set key top left
+set key tmargin center horizontal maxcols 3 samplen 2.5 width -6
 file(v) = data.'/data-apic_'.v.'-disk.dat'
 plot 0 with lines ls 8 notitle, \
      file('musl_two_terms') using 2:(100*$3) with lines ls 3 title 'MUSL, two terms', \

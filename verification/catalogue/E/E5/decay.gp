@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set output output
-set xlabel 'time'
+set xlabel 'time (unit of the scene)'
 set ylabel 'velocity over start'
 set xrange [0:4]
 set yrange [0:1.05]

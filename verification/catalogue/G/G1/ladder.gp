@@ -15,7 +15,7 @@ set ytics scale 0 noenhanced
 do for [i=1:n] { set ytics add (word(variants, i) i) }
 set cbrange [0:6]
 set cbtics 1
-set cblabel 'problems of six that stay bounded'
+set cblabel 'number of problems, of six, that stay bounded'
 set palette maxcolors 7 defined (0 '#67001f', 1 '#d6604d', 2 '#f4a582', 3 '#d9d9d9', 4 '#92c5de', 5 '#4393c3', 6 '#053061')
 set arrow 1 from sqrt(3), graph 0 to sqrt(3), graph 1 nohead ls 8
 file(i) = data.'/data-'.word(variants, i).'-ladder.dat'

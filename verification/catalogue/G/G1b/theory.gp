@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set output output
-set xlabel 'predicted by linear theory'
-set ylabel 'found by bisection'
+set xlabel 'Courant number predicted by linear theory'
+set ylabel 'Courant number found by bisection'
 set xrange [0.5:3]
 set yrange [0.5:3]
 set size square

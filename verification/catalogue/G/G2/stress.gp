@@ -8,7 +8,7 @@ set logscale y
 set format y '%g'
 set xrange [0:100]
 set yrange [0.05:1000]
-set key outside right top
+set key tmargin center horizontal maxcols 3 samplen 2.5 width -4
 plot 1 with lines ls 8 notitle, \
      data.'/data-classic_musl-carried.dat' using 1:2 with lines ls 3 title 'classic, MUSL', \
      data.'/data-classic_usavg-carried.dat' using 1:2 with lines ls 6 title 'classic, USAVG', \

@@ -8,7 +8,7 @@ set logscale x
 set xrange [1:0.049]
 set xtics (1, 0.5, 0.2, 0.1, 0.05)
 set yrange [0.8:2]
-set key top left
+set key tmargin center horizontal maxcols 5 samplen 2.5 width -2
 exact(p) = (1 - 0.0077639320225*p)**2
 shapes = 'classic ugimp cpdi bspline2 bspline3'
 file(s) = data.'/data-compress_'.s.'-state.dat'

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set output output
-set xlabel 'time'
+set xlabel 'time (unit of the scene)'
 set ylabel 'velocity over wave speed'
 set logscale y
 set format y '10^{%L}'

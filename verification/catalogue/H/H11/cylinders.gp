@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set output output
-set xlabel 'r'
+set xlabel 'r (m)'
 set ylabel 'temperature over the difference at t = 0'
 set xrange [0:2]
 set yrange [-0.05:1.05]

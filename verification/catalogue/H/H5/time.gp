@@ -8,7 +8,7 @@ set xtics (0.005, 0.01, 0.02, 0.04)
 set ylabel 'error of temperature (% of the amplitude)'
 set xrange [0.004:0.05]
 set yrange [0.2:6]
-set key bottom right
+set key tmargin center horizontal maxcols 3 samplen 2.5 width -6
 $exact << EOD
 0.04 2.97261 3.80415
 0.02 1.47224 1.88683

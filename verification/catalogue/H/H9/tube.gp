@@ -3,7 +3,7 @@
 load style
 set output output
 set xlabel 'radius (mm)'
-set ylabel 'stress over alpha E rise'
+set ylabel 'stress over αE × rise of temperature'
 set key bottom right
 set xrange [10:20]
 file = data.'/data-tube_ugimp-profile.dat'

@@ -9,7 +9,7 @@ set xrange [0.11:1.15]
 set xtics ('1/8' 0.125, '1/4' 0.25, '1/2' 0.5, '1' 1)
 set yrange [3e-4:3]
 set format y '10^{%T}'
-set key top left Left reverse
+set key tmargin center horizontal maxcols 3 samplen 2.5 width -6
 file(v) = data.'/data-'.v.'-levels.dat'
 plot 0.045*x**2 with lines ls 8 title 'slope 2', 0.1*x with lines ls 8 dt 2 title 'slope 1', \
      file('ugimp_usavg') using ($1*8):3 with linespoints ls 2 title 'cells and steps', \

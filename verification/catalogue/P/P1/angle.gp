@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set output output
-set xlabel 'time'
-set ylabel 'angle {/Symbol y} in rad'
+set xlabel 'time (unit of the scene)'
+set ylabel 'angle ψ of the stress to the rate of strain (rad)'
 set xrange [0:1]
 set yrange [0:1.5]
 set key top right

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set output output
-set xlabel 'equivalent strain, signed'
-set ylabel 'equivalent stress, signed'
+set xlabel 'equivalent strain, signed (1)'
+set ylabel 'equivalent stress, signed (unit of the scene)'
 set yrange [-10:8]
 set key bottom right
 plot data.'/data-shear_perfect-path.dat' using 2:4 with lines ls 1 title 'exact', \

@@ -9,7 +9,7 @@ set xrange [10:20]
 set yrange [-1.1:1.1]
 set ytics 0.5
 set xlabel 'r (mm)'
-set multiplot layout 1,3 margins 0.11, 0.98, 0.16, 0.9 spacing 0.05, 0
+set multiplot layout 1,3 margins 0.11, 0.98, 0.19, 0.9 spacing 0.05, 0
 set ylabel 'stress / Y'
 set key bottom right
 do for [k = 1:3] {

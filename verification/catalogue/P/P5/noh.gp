@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set output output
-set xlabel 'x'
+set xlabel 'x (unit of the scene)'
 set ylabel 'density, 4 times the internal energy'
 set xrange [0:0.3]
 set yrange [0:5]

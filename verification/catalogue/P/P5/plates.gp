@@ -13,7 +13,7 @@ do for [k=1:4] {
     c = int(word(columns, k))
     scale = k < 4 ? 1e3 : 1.0
     set ylabel word(labels, k)
-    if (k == 1) { set key top right; set yrange [0:160] } else { unset key; set autoscale y }
+    if (k == 1) { set key tmargin center horizontal maxcols 2 samplen 2; set yrange [0:*] } else { unset key; set autoscale y }
     plot file('tungsten_2000') using 1:(scale*column(c + 5)) with lines ls 1 title 'exact', \
          file('copper_1000') using 1:(scale*column(c + 5)) with lines ls 1 notitle, \
          file('tungsten_2000') using 1:(scale*column(c)) with points ls 2 ps 0.3 title 'tungsten, 2000 m/s', \

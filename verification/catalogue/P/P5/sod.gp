@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set output output
-set xlabel 'x'
-set ylabel 'density, velocity, pressure'
+set xlabel 'x (unit of the scene)'
+set ylabel 'density, velocity, pressure (units of the scene)'
 set yrange [-0.05:1.5]
-set key top right
+set key tmargin center horizontal maxcols 4 samplen 2.5 width -2
 file = data.'/data-sod-profile.dat'
 plot file using 1:7 with lines ls 1 title 'exact', \
      file using 1:8 with lines ls 1 notitle, \

@@ -7,7 +7,7 @@ file(v) = data.'/data-'.v.'-profile.dat'
 set xrange [0:120]
 set yrange [0:30]
 set xlabel 'x at the start (mm)'
-set multiplot layout 1,2 margins 0.09, 0.98, 0.16, 0.9 spacing 0.06, 0
+set multiplot layout 1,2 margins 0.09, 0.98, 0.19, 0.9 spacing 0.06, 0
 set ylabel 'pressure (10^{-6} MPa)'
 do for [v in 'ugimp_usavg ugimp_usavg_hardening'] {
     set title v eq 'ugimp_usavg' ? 'perfect plasticity' : 'hardening, H = G'

@@ -32,7 +32,7 @@ set xrange [0:80]
 set yrange [0:34]
 set xtics 20
 set xlabel 'time (μs)'
-set ylabel 'mm'
+set ylabel 'length, radius (mm)'
 set key center right
 plot course using ($1*1000):3 with lines ls 2 title 'length', 21.425 with lines ls 1 title 'converged, other codes', \
      course using ($1*1000):2 with lines ls 3 title 'radius', 7.226 with lines ls 1 notitle

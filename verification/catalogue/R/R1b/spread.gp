@@ -8,7 +8,7 @@ set logscale y
 set format y '10^{%T}'
 set xrange [0:100]
 set yrange [1e-5:100]
-set key top left
+set key tmargin center horizontal maxcols 2 samplen 2.5 width -8
 plot 0.01 with lines ls 8 title 'band', \
      data.'/data-consistent-curve.dat' using (100-$2):7 every ::1 with lines ls 1 title 'CPDI, one-term dF, hoop radius', \
      data.'/data-series-curve.dat' using (100-$2):7 every ::1 with lines ls 2 title 'CPDI, series dF, shape function radius', \

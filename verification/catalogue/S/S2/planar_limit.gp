@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set xlabel 'r_p / Δr'
-set ylabel 'difference from the planar function'
+set ylabel 'difference from the planar function (1)'
 set logscale xy
 set format x '10^{%L}'
 set format y '10^{%L}'

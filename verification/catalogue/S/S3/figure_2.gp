@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set xlabel '2r / Δr'
-set ylabel 'S_r'
+set ylabel 'shape function S_r (1)'
 set xrange [-3:6]
 set yrange [-0.25:1.0]
 set xtics 1

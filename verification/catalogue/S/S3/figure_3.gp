@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 load style
 set xlabel '2r / Δr'
-set ylabel 'dS_r'
+set ylabel 'gradient dS_r of the shape function (1)'
 set xrange [-3:6]
 set yrange [-1:1]
 set xtics 1

@@ -6,7 +6,7 @@ set xlabel 'initial distance from the loaded edge (mm)'
 set ylabel 'axial stress σ_{zz} over the exact stress (%)'
 set xrange [0:40]
 set yrange [0:200]
-set key bottom right
+set key tmargin center horizontal maxcols 2 samplen 2.5 width -8 font ',12'
 plot 100 with lines ls 1 title 'exact', \
      141.12 with lines ls 8 title 'exact under forces: 1411 of 1000 MPa', \
      data.'/data-cpdi-profile.dat' using (40-$2):($4/10) with points ls 2 title 'CPDI, traction', \

@@ -1,0 +1,52 @@
+/* Steps in a series of numbers.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/measures/series_steps.h"
+
+#include "verification/measures/run_change.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static int compare(const void *a, const void *b)
+{
+    const double one = *(const double *)a, other = *(const double *)b;
+    return (one > other) - (one < other);
+}
+
+/* The next finite number after `place`; `count` if there is none. */
+static size_t next_finite(const double *values, size_t count, size_t place)
+{
+    while (place < count && !isfinite(values[place]))
+        place++;
+    return place;
+}
+
+double series_noise(const double *values, size_t count, double *work)
+{
+    size_t changes = 0;
+    for (size_t from = next_finite(values, count, 0); from < count;) {
+        const size_t to = next_finite(values, count, from + 1);
+        if (to < count)
+            work[changes++] = run_change_relative(values[from], values[to]);
+        from = to;
+    }
+    if (changes < SERIES_CHANGES)
+        return 0;
+    qsort(work, changes, sizeof *work, compare);
+    return changes % 2 == 1 ? work[changes / 2] : 0.5 * (work[changes / 2 - 1] + work[changes / 2]);
+}
+
+size_t series_steps(const double *values, size_t count, double noise, double least,
+                    struct series_step *steps)
+{
+    size_t found = 0;
+    for (size_t from = next_finite(values, count, 0); from < count;) {
+        const size_t to = next_finite(values, count, from + 1);
+        const double change = to < count ? run_change_relative(values[from], values[to]) : 0;
+        if (change > fmax(SERIES_NOISES * noise, least))
+            steps[found++] = (struct series_step){from, to, change};
+        from = to;
+    }
+    return found;
+}
