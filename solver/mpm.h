@@ -17,6 +17,7 @@
 #include "mpm_dimension.h"
 #include "mpm_fields.h"
 #include "mpm_fracture.h"
+#include "mpm_observer.h"
 #include "mpm_transport.h"
 
 #include <stdbool.h>
@@ -106,8 +107,7 @@ enum mpm_kernels {
     MPM_KERNELS_FAST, /* MPM_BAD_INPUT, with the reason, where a scene has none */
     MPM_KERNELS_COUNT,
 };
-/* "auto", "reference", "fast" */
-const char *mpm_kernels_name(enum mpm_kernels kernels);
+const char *mpm_kernels_name(enum mpm_kernels kernels); /* "auto", "reference", "fast" */
 
 /* The instructions that fast kernels are built for; results are the same bits. */
 enum mpm_simd {
@@ -116,8 +116,7 @@ enum mpm_simd {
     MPM_SIMD_X86_64_V3, /* AVX2; MPM_BAD_INPUT where build or machine lacks it */
     MPM_SIMD_COUNT,
 };
-/* "auto", "baseline", "x86-64-v3" */
-const char *mpm_simd_name(enum mpm_simd simd);
+const char *mpm_simd_name(enum mpm_simd simd); /* "auto", "baseline", "x86-64-v3" */
 
 /* Finds the entry of that name. MPM_BAD_INPUT: there is none; the message lists those allowed. */
 enum mpm_status mpm_kernels_find(const char *name, enum mpm_kernels *kernels,
@@ -128,6 +127,7 @@ struct mpm_simulation_options {
     int threads; /* at most so many, >= 1; results do not depend on it */
     enum mpm_kernels kernels;
     enum mpm_simd simd;
+    const struct mpm_observer *observer; /* must outlive the simulation; NULL: none */
 };
 
 enum { MPM_REASON_SIZE = 128 };

@@ -142,6 +142,7 @@
     SUITE(programs)                                                                                \
     SUITE(orders)                                                                                  \
     SUITE(pictures)                                                                                \
+    SUITE(observer)                                                                                \
     SUITE(measures)                                                                                \
     SUITE(modes)                                                                                   \
     SUITE(dispersion)                                                                              \
