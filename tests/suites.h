@@ -143,6 +143,8 @@
     SUITE(orders)                                                                                  \
     SUITE(pictures)                                                                                \
     SUITE(observer)                                                                                \
+    SUITE(picture_take)                                                                            \
+    SUITE(case_pictures)                                                                           \
     SUITE(measures)                                                                                \
     SUITE(modes)                                                                                   \
     SUITE(dispersion)                                                                              \

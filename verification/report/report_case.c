@@ -10,13 +10,15 @@
 #include <math.h>
 #include <string.h>
 
-static void add_head(GString *html, const struct records *records, const json_t *entry)
+static void add_head(GString *html, const struct records *records, const json_t *entry,
+                     const char *scene)
 {
     const struct record_counts counts = records_count(records, NULL, record_text(entry, "case"));
     text_markup(html, "<h1 class=\"verdict %s\">%s: %s</h1>\n<p class=\"lead\">%s</p>\n",
                 counts.failed > 0 ? "bad" : "good", record_text(entry, "case"),
                 record_text(entry, "title"), record_text(entry, "summary"));
     html_counts(html, &counts);
+    g_string_append(html, scene);
     if (json_is_object(json_object_get(entry, "comparison")))
         g_string_append(html, "<p><a href=\"comparison.html\">Its variants compared</a>: which to "
                               "use for what</p>\n");
@@ -363,8 +365,8 @@ static void add_data(GString *html, const GPtrArray *files, bool compares)
         return;
     g_string_append_printf(html,
                            "<details><summary>%u files that the runs wrote: curves "
-                           "(.dat) and reported values (.jsonl)</summary>\n<ul "
-                           "class=\"files\">\n",
+                           "(.dat), reported values (.jsonl), and what pictures show "
+                           "(.json)</summary>\n<ul class=\"files\">\n",
                            files->len);
     for (unsigned i = 0; i < files->len; i++)
         text_markup(html, "<li><a href=\"%s\">%s</a></li>\n", (const char *)files->pdata[i],
@@ -372,7 +374,7 @@ static void add_data(GString *html, const GPtrArray *files, bool compares)
     g_string_append(html, "</ul></details>\n");
 }
 
-char *report_case(struct report_site *site, const json_t *entry,
+char *report_case(struct report_site *site, const json_t *entry, const char *scene,
                   const struct figure_result *figures, const GPtrArray *files)
 {
     GString *html = g_string_new(NULL), *navigation = g_string_new(NULL);
@@ -382,7 +384,7 @@ char *report_case(struct report_site *site, const json_t *entry,
     text_markup(navigation,
                 "<p class=\"path\"><a href=\"../../index.html#cases\">family %s</a> / %s</p>",
                 record_text(entry, "family"), name);
-    add_head(html, records, entry);
+    add_head(html, records, entry, scene);
     add_figures(html, entry, figures);
     add_checks(html, records, name);
     add_file(site, entry, "checks.csv", checks_csv(records, name));
