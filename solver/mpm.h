@@ -20,6 +20,7 @@
 #include "mpm_error.h"
 #include "mpm_fields.h"
 #include "mpm_fracture.h"
+#include "mpm_monitor.h"
 #include "mpm_observe.h"
 #include "mpm_shape.h"
 #include "mpm_transport.h"
@@ -71,8 +72,7 @@ enum mpm_kernels {
     MPM_KERNELS_FAST, /* MPM_BAD_INPUT, with the reason, where a scene has none */
     MPM_KERNELS_COUNT,
 };
-/* "auto", "reference", "fast" */
-const char *mpm_kernels_name(enum mpm_kernels kernels);
+const char *mpm_kernels_name(enum mpm_kernels kernels); /* "auto", "reference", "fast" */
 
 /* The instructions that fast kernels are built for; results are the same bits. */
 enum mpm_simd {
@@ -81,8 +81,7 @@ enum mpm_simd {
     MPM_SIMD_X86_64_V3, /* AVX2; MPM_BAD_INPUT where build or machine lacks it */
     MPM_SIMD_COUNT,
 };
-/* "auto", "baseline", "x86-64-v3" */
-const char *mpm_simd_name(enum mpm_simd simd);
+const char *mpm_simd_name(enum mpm_simd simd); /* "auto", "baseline", "x86-64-v3" */
 
 /* Finds the entry of that name. MPM_BAD_INPUT: there is none; the message lists those allowed. */
 enum mpm_status mpm_kernels_find(const char *name, enum mpm_kernels *kernels,
@@ -93,6 +92,7 @@ struct mpm_simulation_options {
     int threads; /* at most so many, >= 1; results do not depend on it */
     enum mpm_kernels kernels;
     enum mpm_simd simd;
+    const struct mpm_monitor *monitor; /* must outlive the simulation; NULL: none */
 };
 
 enum { MPM_REASON_SIZE = 128 };

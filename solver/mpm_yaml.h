@@ -46,6 +46,11 @@ enum mpm_status mpm_tree_read(const char *path, struct mpm_tree_node **root,
                               struct mpm_error *error);
 void mpm_tree_free(struct mpm_tree_node *node);
 
+/* The file of a scene, read again, with the settings of the scene and the defaults of all keys that
+ * are missing. Fails as mpm_scene_read if the file has changed. */
+enum mpm_status mpm_scene_tree(const struct mpm_scene *scene, struct mpm_tree_node **root,
+                               struct mpm_error *error);
+
 /* The node at a path of keys and positions ("bodies.0.region"), or NULL. With `nearest`
  * not NULL also the deepest node on the way. */
 const struct mpm_tree_node *mpm_tree_find(const struct mpm_tree_node *root, const char *path,

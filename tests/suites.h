@@ -151,6 +151,9 @@
     SUITE(programs)                                                                                \
     SUITE(orders)                                                                                  \
     SUITE(pictures)                                                                                \
+    SUITE(monitor)                                                                                 \
+    SUITE(picture_take)                                                                            \
+    SUITE(case_pictures)                                                                           \
     SUITE(measures)                                                                                \
     SUITE(modes)                                                                                   \
     SUITE(dispersion)                                                                              \

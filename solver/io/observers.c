@@ -126,7 +126,7 @@ static enum mpm_status check(const struct mpm_observer *observer, size_t index,
                              "observer %zu: interval %g; allowed: 0 or above, finite", index,
                              observer->interval);
     for (size_t k = 0; k < observer->time_count; k++) {
-        const double before = k > 0 ? observer->times[k - 1] : -INFINITY;
+        const double before = k > 0 ? observer->times[k - 1] : -HUGE_VAL;
         if (!isfinite(observer->times[k]) || observer->times[k] <= before)
             return mpm_error_set(error, MPM_BAD_INPUT,
                                  "observer %zu: time %zu is %g; allowed: finite times that ascend",

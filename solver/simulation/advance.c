@@ -91,7 +91,22 @@ enum mpm_status mpm_simulation_advance(struct mpm_simulation *simulation, double
     mpm_simulation_count_step(simulation);
     if (simulation->scene->rest.asked)
         mpm_rest_judge(simulation);
-    return mpm_energy_is_in_doubt(simulation) ? mpm_simulation_judge(simulation, error) : MPM_OK;
+    if (mpm_energy_is_in_doubt(simulation))
+        MPM_TRY(mpm_simulation_judge(simulation, error));
+    mpm_simulation_look(simulation, MPM_AFTER_STEP);
+    return MPM_OK;
+}
+
+void mpm_simulation_look(const struct mpm_simulation *simulation, enum mpm_moment moment)
+{
+    const struct mpm_monitor *const monitor = simulation->monitor;
+    if (monitor != NULL)
+        monitor->look(monitor->context, moment, simulation);
+}
+
+const struct mpm_scene *mpm_simulation_scene(const struct mpm_simulation *simulation)
+{
+    return simulation->scene;
 }
 
 enum mpm_status mpm_simulation_judge(struct mpm_simulation *simulation, struct mpm_error *error)

@@ -474,6 +474,8 @@ enum mpm_status mpm_simulation_create(const struct mpm_scene *scene,
         mpm_simulation_free(made);
         return status;
     }
+    made->monitor = options->monitor;
+    mpm_simulation_look(made, MPM_AT_START);
     *simulation = made;
     return MPM_OK;
 }
@@ -482,6 +484,7 @@ void mpm_simulation_free(struct mpm_simulation *simulation)
 {
     if (simulation == NULL)
         return;
+    mpm_simulation_look(simulation, MPM_AT_END);
     struct mpm_state *const state = &simulation->state;
     const struct mpm_scene *const scene = simulation->scene;
     free_fields(state->conditions.boundary_velocity, scene->boundary_count);

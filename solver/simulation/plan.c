@@ -8,8 +8,10 @@ enum mpm_status mpm_scene_plan(const struct mpm_scene *scene,
                                const struct mpm_simulation_options *options, struct mpm_plan *plan,
                                struct mpm_error *error)
 {
+    struct mpm_simulation_options unseen = *options;
     struct mpm_simulation *simulation = NULL;
-    MPM_TRY(mpm_simulation_create(scene, options, &simulation, error));
+    unseen.monitor = NULL;
+    MPM_TRY(mpm_simulation_create(scene, &unseen, &simulation, error));
     const struct mpm_grid *const grid = &simulation->state.grid;
     bool lands;
     *plan = (struct mpm_plan){

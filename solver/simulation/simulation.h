@@ -88,8 +88,12 @@ struct mpm_simulation {
     struct mpm_parting parting;
     double seconds[MPM_PHASE_COUNT];
     char advice[MPM_MESSAGE_SIZE];
-    struct mpm_error failure; /* status MPM_OK while the run is sound */
+    struct mpm_error failure;          /* status MPM_OK while the run is sound */
+    const struct mpm_monitor *monitor; /* NULL: none, or not made yet */
 };
+
+/* Tells the monitor, if there is one. */
+void mpm_simulation_look(const struct mpm_simulation *simulation, enum mpm_moment moment);
 
 /* time_step.c: the next step from the Courant number and what is fastest now, waves in the
  * deformed material or particles, or the fixed one; shortened to land on `limit`. *lands:

@@ -2,6 +2,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/cases/case_file.h"
+
+#include "verification/cases/case_picture.h"
 #include "verification/cases/yaml_place.h"
 #include "verification/common/input.h"
 #include "verification/common/names.h"
@@ -344,5 +346,6 @@ enum mpm_status case_file_check(const char *path, const struct case_file *file,
     TRY(check_calculation(path, file, error));
     TRY(check_comparison(path, file, error));
     TRY(check_bundle(path, file, error));
+    TRY(case_picture_check(path, file, error));
     return check_numbers(path, file, error);
 }

@@ -79,6 +79,40 @@ static const struct mpm_key figure_keys[] = {TEXT("name", case_figure, name),
                                              TEXTS("needs", case_figure, needs, 0),
                                              YAML_END};
 
+static const struct mpm_choice field_values[] = {
+    {"by_law", PICTURE_BY_LAW},
+    {"speed", PICTURE_SPEED},
+    {"velocity_x", PICTURE_VELOCITY_X},
+    {"velocity_y", PICTURE_VELOCITY_Y},
+    {"displacement", PICTURE_DISPLACEMENT},
+    {"displacement_x", PICTURE_DISPLACEMENT_X},
+    {"displacement_y", PICTURE_DISPLACEMENT_Y},
+    {"von_mises", PICTURE_VON_MISES},
+    {"pressure", PICTURE_PRESSURE},
+    {"stress_xx", PICTURE_STRESS_XX},
+    {"stress_yy", PICTURE_STRESS_YY},
+    {"stress_zz", PICTURE_STRESS_ZZ},
+    {"stress_xy", PICTURE_STRESS_XY},
+    {"volume_ratio", PICTURE_VOLUME_RATIO},
+    {"temperature", PICTURE_TEMPERATURE},
+    {"concentration", PICTURE_CONCENTRATION},
+    {"plastic_strain", PICTURE_PLASTIC_STRAIN},
+    {"internal_energy", PICTURE_INTERNAL_ENERGY},
+    {"state_temperature", PICTURE_STATE_TEMPERATURE},
+    {"fringe", PICTURE_FRINGE},
+};
+
+static const struct mpm_key picture_keys[] = {
+    OPTIONAL_TEXT("variant", case_picture, variant),
+    YAML_CHOICE("field", false, case_picture, field, field_values),
+    YAML_OPTIONAL_INTEGER("simulation", case_picture, simulation, 1, 1000),
+    OPTIONAL_NUMBER("time", case_picture, time_text),
+    OPTIONAL_NUMBER("magnify", case_picture, magnify_text),
+    YAML_OPTIONAL_INTEGER("frames", case_picture, frames, 2, 40),
+    YAML_FLAG("strip", case_picture, strip),
+    OPTIONAL_TEXT("caption", case_picture, caption),
+    YAML_END};
+
 static const struct mpm_choice better_values[] = {
     {"low", COMPARISON_LOW}, {"high", COMPARISON_HIGH}, {"zero", COMPARISON_ZERO}};
 
@@ -163,6 +197,8 @@ static const struct mpm_key file_keys[] = {
     YAML_GROUP("methods", case_file, methods, case_methods, methods_keys),
     LIST("checks", case_file, checks, case_check, check_keys, 1),
     LIST("figures", case_file, figures, case_figure, figure_keys, 0),
+    YAML_GROUP("picture", case_file, picture, case_picture, picture_keys),
+    OPTIONAL_TEXT("no_picture", case_file, no_picture),
     YAML_GROUP("comparison", case_file, comparison, case_comparison, comparison_keys),
     YAML_GROUP("bundle", case_file, bundle, case_bundle, bundle_keys),
     YAML_GROUP("bundle_of_numbers", case_file, numbers, case_numbers, numbers_keys),
@@ -221,6 +257,10 @@ static void convert_numbers(struct case_file *file)
     }
     if (file->bundle != NULL)
         convert_bundle(file->bundle);
+    if (file->picture != NULL) {
+        file->picture->time = number_or(file->picture->time_text, (double)NAN);
+        file->picture->magnify = number_or(file->picture->magnify_text, (double)NAN);
+    }
 }
 
 enum mpm_status case_file_load(const char *path, struct case_file **file, struct mpm_error *error)

@@ -81,6 +81,43 @@ struct case_figure {
     unsigned needs_count;
 };
 
+/* What the pictures of a case show; every case with a scene has some. */
+enum picture_field {
+    PICTURE_BY_LAW, /* none is stated: what matters to the scene's laws */
+    PICTURE_SPEED,
+    PICTURE_VELOCITY_X,
+    PICTURE_VELOCITY_Y,
+    PICTURE_DISPLACEMENT,
+    PICTURE_DISPLACEMENT_X,
+    PICTURE_DISPLACEMENT_Y,
+    PICTURE_VON_MISES,
+    PICTURE_PRESSURE,
+    PICTURE_STRESS_XX,
+    PICTURE_STRESS_YY,
+    PICTURE_STRESS_ZZ,
+    PICTURE_STRESS_XY,
+    PICTURE_VOLUME_RATIO,
+    PICTURE_TEMPERATURE,
+    PICTURE_CONCENTRATION,
+    PICTURE_PLASTIC_STRAIN,
+    PICTURE_INTERNAL_ENERGY,
+    PICTURE_STATE_TEMPERATURE,
+    PICTURE_FRINGE,
+    PICTURE_FIELD_COUNT,
+};
+
+struct case_picture {
+    char *variant; /* whose run is shown; NULL: the first of tier ci, else the first */
+    enum picture_field field;
+    int64_t simulation; /* which of its program's, from 1 on; 0: the first */
+    char *time_text, *magnify_text;
+    double time;    /* of the state shown, or of a motion's last frame; NAN: the last one */
+    double magnify; /* of displacements; NAN: by their size */
+    int64_t frames; /* of a motion, 0: none */
+    bool strip;     /* is it in the strip of the index? */
+    char *caption;  /* what to see, in a sentence; may be NULL */
+};
+
 struct case_column {
     char *quantity, *title, *unit;
     enum comparison_better better;
@@ -172,6 +209,8 @@ struct case_file {
     unsigned checks_count;
     struct case_figure *figures;
     unsigned figures_count;
+    struct case_picture *picture; /* NULL: as if it were empty, or */
+    char *no_picture;             /* why there is none; NULL in a case with a scene, as a rule */
     struct case_comparison *comparison; /* NULL if it has none */
     struct case_bundle *bundle;         /* a field for other solvers, or */
     struct case_numbers *numbers;       /* numbers, or */

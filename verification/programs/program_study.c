@@ -195,7 +195,7 @@ static enum mpm_status run_in_folder(struct study *study, struct mpm_error *erro
         status = run_scene(study, scene, folder, error);
     mpm_scene_free(scene);
     if (made)
-        (void)mpm_folder_remove_all(folder);
+        (void)mpm_folder_remove_all(folder, NULL);
     g_free(folder);
     return status;
 }

@@ -90,6 +90,11 @@ static const struct record_field variant_fields[] = {
     {"notes", RECORD_TEXTS, false, NULL},          {"values", RECORD_OBJECT, false, NULL},
     {"particle_steps", RECORD_COUNT, false, NULL}, {NULL, RECORD_TEXT, false, NULL},
 };
+static const struct record_field picture_fields[] = {
+    {"variant", RECORD_NAME, true, NULL},
+    {"caption", RECORD_TEXT, false, NULL},
+    {NULL, RECORD_TEXT, false, NULL},
+};
 static const struct record_field case_fields[] = {
     {"family", RECORD_NAME, true, NULL},
     {"case", RECORD_NAME, true, NULL},
@@ -100,6 +105,8 @@ static const struct record_field case_fields[] = {
     {"program", RECORD_TEXT, false, NULL},
     {"readme", RECORD_TEXT, false, NULL},
     {"figures", RECORD_LIST, false, figure_fields},
+    {"picture", RECORD_OBJECT, false, picture_fields},
+    {"no_picture", RECORD_TEXT, false, NULL},
     {"comparison", RECORD_OBJECT, false, comparison_fields},
     {"variants", RECORD_LIST, false, variant_fields},
     {NULL, RECORD_TEXT, false, NULL},

@@ -24,7 +24,8 @@ enum mpm_status case_data_files(const char *home, GPtrArray **files, struct mpm_
         const char *const name = names->pdata[i];
         if ((g_pattern_match_simple("data-*.dat", name) &&
              !g_pattern_match_simple("data-comparison*", name)) ||
-            g_pattern_match_simple("rows-*.jsonl", name))
+            g_pattern_match_simple("rows-*.jsonl", name) ||
+            g_pattern_match_simple("picture-*.json", name))
             g_ptr_array_add(*files, g_strdup(name));
     }
     if (names != NULL)

@@ -8,6 +8,7 @@
 #include "verification/common/record.h"
 #include "verification/pages/report_style.h"
 #include "verification/report/case_figure.h"
+#include "verification/report/case_pictures.h"
 #include "verification/report/comparison_plot.h"
 #include "verification/report/comparison_view.h"
 #include "verification/report/report_site.h"
@@ -45,9 +46,14 @@ static enum mpm_status write_case(const char *folder, const struct report_source
     char *home = g_build_filename(folder, "cases", record_text(entry, "case"), NULL);
     (void)mpm_folder_make(home); /* a failure is reported by the reading */
     GPtrArray *files;
+    GString *scene = g_string_new(NULL);
     enum mpm_status status = case_data_files(home, &files, error);
     if (status == MPM_OK)
-        status = write_owned(home, "index.html", report_case(site, entry, results, files), error);
+        status = case_pictures(home, entry, scene, error);
+    if (status == MPM_OK)
+        status = write_owned(home, "index.html",
+                             report_case(site, entry, scene->str, results, files), error);
+    g_string_free(scene, TRUE);
     if (status == MPM_OK && failed != NULL)
         status = failure_set(error, MPM_RUN_FAILED, "figure %s of case %s: %s",
                              record_text(json_array_get(figures, failed_index), "figure"),
@@ -163,6 +169,7 @@ static enum mpm_status render(const char *folder, const char *place,
         .headroom = stored->headroom,
         .history = stored->history,
         .benchmarks = has_benchmarks(place),
+        .folder = folder,
         .compares = any_comparison(json_object_get(records->run, "cases")),
         .files = g_array_new(FALSE, TRUE, sizeof(struct report_file)),
     };

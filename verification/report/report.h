@@ -48,9 +48,9 @@ char *comparison_page(const struct report_site *site, const json_t *entry,
 char *comparison_csv(const struct comparison_view *view);
 
 /* The page of `entry`, an object of the run's cases, whose figures `figures` belongs to; its tables
- * go to checks.csv and runs.csv in the folder of the case. `files` are names in that folder that
- * the page offers. */
-char *report_case(struct report_site *site, const json_t *entry,
+ * go to checks.csv and runs.csv in the folder of the case. `scene` is HTML with the pictures of its
+ * scene, `files` are names in that folder that the page offers. */
+char *report_case(struct report_site *site, const json_t *entry, const char *scene,
                   const struct figure_result *figures, const GPtrArray *files);
 
 #endif

@@ -10,7 +10,8 @@
 #include <math.h>
 #include <string.h>
 
-static void add_head(GString *html, const struct report_site *site, const json_t *entry)
+static void add_head(GString *html, const struct report_site *site, const json_t *entry,
+                     const char *scene)
 {
     const struct records *records = site->records;
     const struct record_counts counts = records_count(records, NULL, record_text(entry, "case"));
@@ -18,6 +19,7 @@ static void add_head(GString *html, const struct report_site *site, const json_t
                 counts.failed > 0 ? "bad" : "good", record_text(entry, "case"),
                 record_text(entry, "title"), record_text(entry, "summary"));
     html_counts(html, &counts);
+    g_string_append(html, scene);
     if (json_is_object(json_object_get(entry, "comparison")))
         g_string_append(html, "<p><a href=\"comparison.html\">Its variants compared</a>: which to "
                               "use for what</p>\n");
@@ -378,8 +380,8 @@ static void add_data(GString *html, const GPtrArray *files, bool compares)
         return;
     g_string_append_printf(html,
                            "<details><summary>%u files that the runs wrote: curves "
-                           "(.dat) and reported values (.jsonl)</summary>\n<ul "
-                           "class=\"files\">\n",
+                           "(.dat), reported values (.jsonl), and what pictures show "
+                           "(.json)</summary>\n<ul class=\"files\">\n",
                            files->len);
     for (unsigned i = 0; i < files->len; i++)
         text_markup(html, "<li><a href=\"%s\">%s</a></li>\n", (const char *)files->pdata[i],
@@ -387,7 +389,7 @@ static void add_data(GString *html, const GPtrArray *files, bool compares)
     g_string_append(html, "</ul></details>\n");
 }
 
-char *report_case(struct report_site *site, const json_t *entry,
+char *report_case(struct report_site *site, const json_t *entry, const char *scene,
                   const struct figure_result *figures, const GPtrArray *files)
 {
     GString *html = g_string_new(NULL), *navigation = g_string_new(NULL);
@@ -397,7 +399,7 @@ char *report_case(struct report_site *site, const json_t *entry,
     text_markup(navigation,
                 "<p class=\"path\"><a href=\"../../index.html#cases\">family %s</a> / %s</p>",
                 record_text(entry, "family"), name);
-    add_head(html, site, entry);
+    add_head(html, site, entry, scene);
     add_figures(html, entry, figures);
     add_readme(html, site, entry);
     add_checks(html, records, name);

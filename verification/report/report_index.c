@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/pages/html.h"
 #include "verification/records/check_text.h"
+#include "verification/report/case_pictures.h"
 #include "verification/report/report_site.h"
 #include "verification/report/verdict_html.h"
 
@@ -163,6 +164,7 @@ void report_front_page(struct report_site *site)
 {
     const struct record_counts counts = records_count(site->records, NULL, NULL);
     GString *html = g_string_new(NULL);
+    case_pictures_strip(html, site->records, site->folder);
     add_verdict(html, site->records, &counts);
     report_search(html);
     if (counts.failed > 0)

@@ -12,6 +12,7 @@
 struct report_site {
     const struct records *records;
     const struct report_style *style;
+    const char *folder;     /* of the results */
     const json_t *changes;  /* since a baseline; NULL if none is stored */
     const json_t *mutants;  /* NULL if none are stored */
     const json_t *headroom; /* other builds' runs; NULL if none are stored */

@@ -4,10 +4,10 @@
 #include "verification/common/failure.h"
 #include "verification/common/output.h"
 #include "verification/common/record.h"
+#include "verification/common/scene_json.h"
 #include "verification/score/bundle.h"
 #include "verification/score/bundle_folder.h"
 #include "verification/score/references.h"
-#include "verification/score/scene_json.h"
 
 #include <math.h>
 #include <stdlib.h>

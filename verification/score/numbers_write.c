@@ -6,9 +6,9 @@
 #include "verification/common/output.h"
 #include "verification/common/record.h"
 #include "verification/common/resources.h"
+#include "verification/common/scene_json.h"
 #include "verification/score/bundle_folder.h"
 #include "verification/score/numbers.h"
-#include "verification/score/scene_json.h"
 
 #include <string.h>
 

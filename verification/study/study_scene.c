@@ -216,7 +216,7 @@ enum mpm_status study_scene_try(struct study *study, const struct study_run *run
         status = try_in(study, scene, folder, error);
     mpm_scene_free(scene);
     if (made)
-        (void)mpm_folder_remove_all(folder);
+        (void)mpm_folder_remove_all(folder, NULL);
     g_free(folder);
     g_free(settings);
     return status;

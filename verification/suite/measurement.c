@@ -7,6 +7,7 @@
 #include "verification/common/names.h"
 #include "verification/common/output.h"
 #include "verification/common/rows.h"
+#include "verification/suite/picture_take.h"
 
 #include <errno.h>
 #include <glib.h>
@@ -20,6 +21,7 @@
 struct measurement {
     struct measurement_setup setup;
     uint64_t particle_steps;
+    bool skipped;
     int write_error; /* errno of the first row that could not be written */
 };
 
@@ -251,6 +253,7 @@ void measurement_inconclusive(struct measurement *measurement, const char *quant
 void measurement_skip(struct measurement *measurement, const char *format, ...)
 {
     va_list arguments;
+    measurement->skipped = true;
     va_start(arguments, format);
     send_formatted(measurement, ROW_SKIP, "", format, arguments);
     va_end(arguments);
@@ -330,10 +333,27 @@ static void send_number(struct measurement *measurement, enum row_kind kind, con
     send_line(measurement, row_line(kind, "", text));
 }
 
+/* Runs the program, and writes what the taker, if there is one, has seen of it. */
+static enum mpm_status run_program(struct measurement *measurement, struct picture_taker *taker,
+                                   struct mpm_error *error)
+{
+    TRY(measurement->setup.entry->program->run(measurement, error));
+    if (taker == NULL || measurement->skipped)
+        return MPM_OK;
+    TRY(picture_taker_write(taker, measurement->setup.data_folder, error));
+    char *name = picture_file_name(measurement_variant(measurement));
+    send_line(measurement, row_line(ROW_SERIES, name, ""));
+    g_free(name);
+    return MPM_OK;
+}
+
 enum mpm_status measurement_run(const struct measurement_setup *setup, struct mpm_error *error)
 {
     struct measurement measurement = {.setup = *setup};
-    enum mpm_status status = setup->entry->program->run(&measurement, error);
+    struct picture_taker *taker = picture_taker_new(setup->entry, setup->variant);
+    measurement.setup.simulation.monitor = picture_taker_monitor(taker);
+    enum mpm_status status = run_program(&measurement, taker, error);
+    picture_taker_free(taker);
     if (status != MPM_OK)
         send_line(&measurement, row_line(ROW_FAILURE, "", error->message));
     char *work = g_strdup_printf("%" G_GUINT64_FORMAT, (guint64)measurement.particle_steps);

@@ -4,8 +4,9 @@
  *     limits.html    headroom.html   mutants.html   glossary.html   table-*.csv
  *     changes.json   headroom.json   mutants.json   (see reports/README.md)
  *     style/         style.gp, comparison.gp, report.css, page.html, table.js, glossary.md
- *     cases/<case>/  index.html, figure-<name>.svg, and per variant rows-*.jsonl,
- *                    log-*.txt, data-*-<name>.dat; checks.csv, runs.csv,
+ *     cases/<case>/  index.html, figure-<name>.svg, picture-*.svg, and per variant
+ *                    rows-*.jsonl, log-*.txt, data-*-<name>.dat; picture-<variant>.json of the
+ *                    one whose run is shown; checks.csv, runs.csv,
  *                    comparison.html, comparison.csv and
  *                    its data-*.dat where a comparison is declared
  *

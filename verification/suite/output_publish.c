@@ -25,9 +25,10 @@ static const char *const folder_names_ours[] = {"cases", "style"};
 static const char *const style_names[] = {"style.gp",  "comparison.gp", "report.css",
                                           "page.html", "table.js",      "glossary.md",
                                           "filter.js", "equations.json"};
-static const char *const case_names[] = {"rows-*.jsonl",   "log-*.txt",  "data-*.dat",
-                                         "figure-*.svg",   "index.html", "comparison.html",
-                                         "comparison.csv", "checks.csv", "runs.csv"};
+static const char *const case_names[] = {"rows-*.jsonl", "log-*.txt",       "data-*.dat",
+                                         "figure-*.svg", "picture-*.json",  "picture-*.svg",
+                                         "index.html",   "comparison.html", "comparison.csv",
+                                         "checks.csv",   "runs.csv"};
 static const char *const source_names[] = {"*.gp", "*.dat", "*.csv"};
 
 static bool any_matches(const char *const *globs, size_t count, const char *name)

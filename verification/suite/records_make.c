@@ -4,6 +4,7 @@
 #include "verification/suite/records_make.h"
 
 #include "mpm_file.h"
+#include "verification/cases/case_picture.h"
 #include "verification/cases/methods.h"
 #include "verification/common/machine.h"
 #include "verification/common/record.h"
@@ -272,6 +273,26 @@ static json_t *case_record(const struct catalogue_case *entry)
     return object;
 }
 
+static json_t *optional_text(const char *text)
+{
+    return text == NULL ? json_null() : record_text_of(text);
+}
+
+/* Which run the pictures of the case show; null where there are none, for the reason stated. */
+static void set_picture(json_t *object, const struct case_file *file)
+{
+    const struct case_variant *const variant = case_picture_variant(file);
+    const struct case_picture picture = case_picture_of(file);
+    json_t *record = variant == NULL ? json_null() : json_object();
+    if (variant != NULL) {
+        json_object_set_new(record, "variant", record_text_of(variant->name));
+        json_object_set_new(record, "caption", optional_text(picture.caption));
+        json_object_set_new(record, "strip", json_boolean(picture.strip));
+    }
+    json_object_set_new(object, "picture", record);
+    json_object_set_new(object, "no_picture", optional_text(file->no_picture));
+}
+
 /* Jobs of one case follow each other. */
 static json_t *case_records(const struct plan *plan, const struct job_result *results,
                             const char *output)
@@ -281,17 +302,13 @@ static json_t *case_records(const struct plan *plan, const struct job_result *re
         const struct planned_job *job = &plan->jobs[i];
         if (i == 0 || plan->jobs[i - 1].entry != job->entry) {
             last = case_record(job->entry);
+            set_picture(last, job->entry->file);
             json_array_append_new(cases, last);
         }
         json_array_append_new(json_object_get(last, "variants"),
                               variant_record(job, &results[i], output));
     }
     return cases;
-}
-
-static json_t *optional_text(const char *text)
-{
-    return text == NULL ? json_null() : record_text_of(text);
 }
 
 static json_t *incomplete_record(const struct plan *plan, const struct job_result *results,

@@ -129,7 +129,7 @@ static enum mpm_status draw(struct drawing *drawing, const char *name,
     if (status == MPM_OK)
         status = take_picture(drawing, name, picture);
     if (made)
-        (void)mpm_folder_remove_all(drawing->home);
+        (void)mpm_folder_remove_all(drawing->home, NULL);
     g_string_free(drawing->settings, TRUE);
     g_free(drawing->home);
     return status;

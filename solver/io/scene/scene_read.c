@@ -88,22 +88,41 @@ static enum mpm_status take_bytes(const struct mpm_source *source, const struct 
     return MPM_OK;
 }
 
-static enum mpm_status read_scene(struct mpm_scene *scene, const struct mpm_bytes *text,
-                                  struct work *work, struct mpm_error *error)
+/* The tree of the scene's file with its settings and the defaults of what is missing. */
+static enum mpm_status read_tree(const struct mpm_scene *scene, const struct mpm_bytes *text,
+                                 struct work *work, struct mpm_error *error)
 {
     const struct mpm_source source = mpm_scene_source(scene);
     const struct mpm_origin origin = {.setting = MPM_FROM_FILE};
     struct mpm_bytes *const bytes = &work->bytes;
     MPM_TRY(take_bytes(&source, text, bytes, error));
-    hash_bytes(*bytes, scene);
     MPM_TRY(mpm_tree_parse(&source, origin, bytes->data, bytes->length, &work->root, error));
     MPM_TRY(mpm_tree_apply_settings(&source, scene->setting_count, work->root, error));
-    MPM_TRY(mpm_tree_check(&source, &mpm_scene_root, work->root, error));
+    return mpm_tree_check(&source, &mpm_scene_root, work->root, error);
+}
+
+static enum mpm_status read_scene(struct mpm_scene *scene, const struct mpm_bytes *text,
+                                  struct work *work, struct mpm_error *error)
+{
+    MPM_TRY(read_tree(scene, text, work, error));
+    hash_bytes(work->bytes, scene);
     work->raw = mpm_keys_fill(&mpm_scene_root, work->root);
     if (work->raw == NULL)
         return mpm_error_memory(error, sizeof *work->raw, "a scene's values");
     return build(&(struct mpm_reading){
         .scene = scene, .root = work->root, .raw = work->raw, .error = error});
+}
+
+enum mpm_status mpm_scene_tree(const struct mpm_scene *scene, struct mpm_tree_node **root,
+                               struct mpm_error *error)
+{
+    struct work work = {.root = NULL};
+    const enum mpm_status status = read_tree(scene, NULL, &work, error);
+    free(work.bytes.data);
+    *root = status == MPM_OK ? work.root : NULL;
+    if (status != MPM_OK)
+        mpm_tree_free(work.root);
+    return status;
 }
 
 static enum mpm_status make_scene(const char *path, const struct mpm_bytes *text,

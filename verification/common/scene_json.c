@@ -1,9 +1,8 @@
 /* A YAML file as JSON.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/score/scene_json.h"
+#include "verification/common/scene_json.h"
 
-#include "mpm_yaml.h"
 #include "verification/common/failure.h"
 #include "verification/common/rows.h"
 
@@ -25,16 +24,16 @@ static json_t *scalar_json(const struct mpm_tree_node *node)
 }
 
 /* NOLINTNEXTLINE(misc-no-recursion): the file nests a few levels */
-static json_t *node_json(const struct mpm_tree_node *node)
+json_t *scene_json_of(const struct mpm_tree_node *node)
 {
     if (node->kind == MPM_TREE_SCALAR)
         return scalar_json(node);
     json_t *json = node->kind == MPM_TREE_LIST ? json_array() : json_object();
     for (size_t i = 0; i < node->count; i++)
         if (node->kind == MPM_TREE_LIST)
-            json_array_append_new(json, node_json(node->entries[i].value));
+            json_array_append_new(json, scene_json_of(node->entries[i].value));
         else
-            json_object_set_new(json, node->entries[i].key, node_json(node->entries[i].value));
+            json_object_set_new(json, node->entries[i].key, scene_json_of(node->entries[i].value));
     return json;
 }
 
@@ -43,7 +42,7 @@ enum mpm_status scene_json_read(const char *path, json_t **json, struct mpm_erro
     struct mpm_tree_node *root;
     *json = NULL;
     TRY(mpm_tree_read(path, &root, error));
-    *json = node_json(root);
+    *json = scene_json_of(root);
     mpm_tree_free(root);
     if (json_is_object(*json))
         return MPM_OK;
