@@ -485,7 +485,7 @@ format: ## rewrite the sources in the house format
 SHARE := $(DESTDIR)$(PREFIX)/share/touchstone
 LIB   := $(DESTDIR)$(PREFIX)/lib
 # Calls on files and gnuplot are for the project's own programs: no interface for others.
-PUBLIC_HEADERS := $(filter-out $(patsubst %,solver/mpm_%.h,file gnuplot hdf5),$(sort $(wildcard solver/mpm*.h)))
+PUBLIC_HEADERS := $(filter-out $(patsubst %,solver/mpm_%.h,expression file gnuplot hdf5),$(sort $(wildcard solver/mpm*.h)))
 .PHONY: install help
 install: all ## programs, headers, libmpm (static, shared, touchstone.pc), man pages, catalogue, examples into PREFIX (/usr/local), under DESTDIR
 	install -d $(addprefix $(DESTDIR)$(PREFIX)/,bin include lib/pkgconfig share/man/man1) \

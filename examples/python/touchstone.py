@@ -43,7 +43,12 @@ class _Error(ctypes.Structure):
 
 
 class _SimulationOptions(ctypes.Structure):
-    _fields_ = [("threads", ctypes.c_int), ("kernels", ctypes.c_int), ("simd", ctypes.c_int)]
+    _fields_ = [
+        ("threads", ctypes.c_int),
+        ("kernels", ctypes.c_int),
+        ("simd", ctypes.c_int),
+        ("monitor", ctypes.c_void_p),
+    ]
 
 
 class _FieldInfo(ctypes.Structure):

@@ -140,8 +140,7 @@ static enum mpm_status read_launcher(const char *text, enum launcher *launcher,
 }
 
 static enum mpm_status run_with(const struct run_options *run, enum launcher launcher,
-                                const char *costs, struct command *command,
-                                struct mpm_error *error)
+                                const char *costs, struct command *command, struct mpm_error *error)
 {
     const struct suite_world *world = command->world;
     struct console console = {.out = world->out, .terminal = world->terminal};
@@ -149,8 +148,8 @@ static enum mpm_status run_with(const struct run_options *run, enum launcher lau
     enum mpm_status status;
     if (launcher == LAUNCHER_SLURM) {
         char *program = resources_program(command->argv[0], PROGRAM);
-        status = launch_slurm(run, world->programs, program, costs, &console,
-                              &counts, &command->signal_number, error);
+        status = launch_slurm(run, world->programs, program, costs, &console, &counts,
+                              &command->signal_number, error);
         g_free(program);
     } else {
         status = suite_run(run, world->programs, &console, &counts, &command->signal_number, error);
@@ -168,7 +167,8 @@ static enum mpm_status run_and_tables(const struct run_options *run, enum launch
     const enum mpm_status status = run_with(run, launcher, costs, command, error);
     if (status != MPM_OK && status != MPM_INTERRUPTED)
         return status;
-    const enum mpm_status written = command_study_tables(command, run->output, run->texts.catalogue, &later);
+    const enum mpm_status written =
+        command_study_tables(command, run->output, run->texts.catalogue, &later);
     if (written == MPM_OK || status != MPM_OK)
         return status;
     *error = later;
@@ -234,8 +234,7 @@ enum mpm_status command_collect(struct command *command, struct mpm_error *error
     struct record_counts counts;
     struct made_options made;
     TRY(run_options_make(command, &command->options, command->options.rest[0], true, &made, error));
-    enum mpm_status status =
-        campaign_collect(&made.run, world->programs, &console, &counts, error);
+    enum mpm_status status = campaign_collect(&made.run, world->programs, &console, &counts, error);
     command->checks_failed = counts.failed > 0;
     if (status == MPM_OK)
         status = command_study_tables(command, made.run.output, made.run.texts.catalogue, error);

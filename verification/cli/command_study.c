@@ -25,10 +25,11 @@ static enum mpm_status read_stored(const char *scene, const char *output, struct
     enum mpm_path kind;
     enum mpm_status status = input_kind(path, &kind, error);
     if (status == MPM_OK && kind != MPM_PATH_FILE)
-        status = failure_set(error, MPM_BAD_INPUT,
-                             "%s: no study was begun here that could go on: allowed is the --output "
-                             "of an earlier one",
-                             output);
+        status =
+            failure_set(error, MPM_BAD_INPUT,
+                        "%s: no study was begun here that could go on: allowed is the --output "
+                        "of an earlier one",
+                        output);
     if (status == MPM_OK)
         status = study_read(path, study, error);
     if (status == MPM_OK && strcmp((*study)->scene, whole) != 0) {
@@ -75,14 +76,15 @@ static enum mpm_status check_options(const struct command *command, const char *
     enum mpm_status status = MPM_OK;
     g_free(state);
     if (given->resume && !begun)
-        status = failure_set(error, MPM_BAD_INPUT,
-                             "%s: no study was begun here that could go on: allowed is the --output "
-                             "of an earlier one",
-                             output);
+        status =
+            failure_set(error, MPM_BAD_INPUT,
+                        "%s: no study was begun here that could go on: allowed is the --output "
+                        "of an earlier one",
+                        output);
     else if (given->launcher != NULL && strcmp(given->launcher, "local") != 0 &&
              strcmp(given->launcher, "slurm") != 0)
-        status = failure_set(error, MPM_BAD_INPUT,
-                             "--launcher \"%s\": allowed are local and slurm", given->launcher);
+        status = failure_set(error, MPM_BAD_INPUT, "--launcher \"%s\": allowed are local and slurm",
+                             given->launcher);
     else if (reports == NULL)
         status = failure_set(error, MPM_ENVIRONMENT_FAILED, RESOURCES_NO_REPORTS);
     else if (given->kernels != NULL)

@@ -45,7 +45,8 @@ static const char usage[] =
     "  study SCENE|STUDY [--refine N,N,...] [--vary PATH=V,...]... [--set PATH=V]... [--resume]\n"
     "      [--measure QUANTITY[:TAKE[@TIME or @X,Y]][=REFERENCE]]... [--timeout S] [--kernels K]\n"
     "      [--jobs N] [--output DIR] [--launcher local|slurm] [--costs DIR] [--tasks]\n"
-    "                                         a convergence study of your scene: tables, orders and\n"
+    "                                         a convergence study of your scene: tables, orders "
+    "and\n"
     "                                         pictures (docs/tutorial-study.md)\n"
     "  explain CHECK [--output DIR]           what CASE[/CHECK[/VARIANT]] (globs) states, its "
     "band\n"
@@ -217,7 +218,8 @@ int suite_command(int argc, char **argv, const struct suite_world *world)
          {"case", 0, 0, G_OPTION_ARG_STRING, &given->case_glob, NULL, NULL}},
         {TAKES_SELECTION, {"variant", 0, 0, G_OPTION_ARG_STRING, &given->variant_glob, NULL, NULL}},
         {TAKES_SELECTION, {"only", 0, 0, G_OPTION_ARG_FILENAME, &given->only, NULL, NULL}},
-        {TAKES_SELECTION | TAKES_STUDY, {"kernels", 0, 0, G_OPTION_ARG_STRING, &given->kernels, NULL, NULL}},
+        {TAKES_SELECTION | TAKES_STUDY,
+         {"kernels", 0, 0, G_OPTION_ARG_STRING, &given->kernels, NULL, NULL}},
         {TAKES_SELECTION | TAKES_STUDY, {"jobs", 0, 0, G_OPTION_ARG_INT, &given->jobs, NULL, NULL}},
         {TAKES_LAUNCHER, {"launcher", 0, 0, G_OPTION_ARG_STRING, &given->launcher, NULL, NULL}},
         {TAKES_LAUNCHER, {"costs", 0, 0, G_OPTION_ARG_FILENAME, &given->costs, NULL, NULL}},

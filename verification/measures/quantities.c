@@ -163,8 +163,7 @@ static double extent(const struct near *near, const double *places)
         for (size_t j = 0; j < i; j++) {
             const double *const a = &places[2 * near->index[i]], *const b =
                                                                      &places[2 * near->index[j]];
-            largest =
-                fmax(largest, (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
+            largest = fmax(largest, (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
         }
     return largest;
 }
@@ -192,8 +191,8 @@ static double plane_through(const struct near *near, const double *places, const
     const double determinant = xx * yy - xy * xy;
     if (!(determinant > 1e-9 * (xx + yy) * (xx + yy)))
         return NAN;
-    return mv + ((at[0] - mx) * (yy * xv - xy * yv) + (at[1] - my) * (xx * yv - xy * xv)) /
-                    determinant;
+    return mv +
+           ((at[0] - mx) * (yy * xv - xy * yv) + (at[1] - my) * (xx * yv - xy * xv)) / determinant;
 }
 
 double plane_at(size_t count, const double *places, const double *weight, const double *values,

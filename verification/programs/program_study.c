@@ -107,12 +107,11 @@ static void after_step(void *context, double fraction, const struct mpm_simulati
     struct mpm_rest rest;
     (void)fraction;
     study->particle_steps = mpm_simulation_step(simulation) * study->start.count;
-    study->ended = mpm_simulation_time(simulation) >= study->end ||
-                   mpm_simulation_at_rest(simulation, &rest);
+    study->ended =
+        mpm_simulation_time(simulation) >= study->end || mpm_simulation_at_rest(simulation, &rest);
     for (unsigned k = 0; study->ended && k < study->count; k++)
         if (study->measures[k].field != NULL)
-            study->numbers[k] =
-                study_measure_field(&study->measures[k], &study->start, simulation);
+            study->numbers[k] = study_measure_field(&study->measures[k], &study->start, simulation);
 }
 
 static void note_warning(void *context, const char *warning)
@@ -129,8 +128,8 @@ static enum mpm_status take_history(struct study *study, const char *folder,
     enum mpm_status status = table_named_read(path, &history, error);
     for (unsigned k = 0; status == MPM_OK && k < study->count; k++)
         if (study->measures[k].field == NULL)
-            status = study_measure_history(&study->measures[k], &history, &study->numbers[k],
-                                           error);
+            status =
+                study_measure_history(&study->measures[k], &history, &study->numbers[k], error);
     table_named_clear(&history);
     g_free(path);
     return status;
@@ -164,8 +163,7 @@ static enum mpm_status run_scene(struct study *study, const struct mpm_scene *sc
                                  const char *folder, struct mpm_error *error)
 {
     const struct mpm_run_options options = {.output = folder,
-                                            .simulation =
-                                                *measurement_options(study->measurement),
+                                            .simulation = *measurement_options(study->measurement),
                                             .overwrite = true,
                                             .progress = after_step,
                                             .warn = note_warning,

@@ -20,10 +20,11 @@ static enum mpm_status check_curve(const char *path, bool axisymmetric,
            strcmp(columns->pdata[0], names[reference->over]) != 0)
         reference->over++;
     if (columns->len != 2 || reference->over > OVER_TIME || reference->curve.rows == 0)
-        return failure_set(error, MPM_BAD_INPUT,
-                           "%s: allowed are two columns, %s, %s or time and the value, and a row at "
-                           "least",
-                           path, names[0], names[1]);
+        return failure_set(
+            error, MPM_BAD_INPUT,
+            "%s: allowed are two columns, %s, %s or time and the value, and a row at "
+            "least",
+            path, names[0], names[1]);
     const double *over = table_named_column(&reference->curve, names[reference->over]);
     for (size_t k = 1; k < reference->curve.rows; k++)
         if (!(over[k] > over[k - 1]))
@@ -67,8 +68,7 @@ double study_reference_value(const struct study_reference *reference, const doub
     const GPtrArray *columns = reference->curve.names;
     if (columns == NULL)
         return NAN;
-    return curve_at(reference->curve.rows,
-                    table_named_column(&reference->curve, columns->pdata[0]),
+    return curve_at(reference->curve.rows, table_named_column(&reference->curve, columns->pdata[0]),
                     table_named_column(&reference->curve, columns->pdata[1]),
                     reference->over == OVER_TIME ? time : place[reference->over]);
 }
@@ -81,7 +81,7 @@ static double *read_component(const struct field_quantity *quantity,
                               const struct mpm_simulation *simulation)
 {
     const size_t components = mpm_field_describe(quantity->field)->components;
-    double *all = g_new(double, components *start->count);
+    double *all = g_new(double, components * start->count);
     double *values = g_new(double, start->count);
     mpm_simulation_field(simulation, quantity->field, all);
     for (size_t p = 0; p < start->count; p++) {
@@ -98,10 +98,9 @@ static double field_norm(const struct study_measure *measure, const struct study
 {
     double *exact = g_new(double, start->count);
     for (size_t p = 0; p < start->count; p++)
-        exact[p] =
-            start->weight[p] > 0.0
-                ? study_reference_value(&measure->reference, &start->position[2 * p], time)
-                : 0.0;
+        exact[p] = start->weight[p] > 0.0
+                       ? study_reference_value(&measure->reference, &start->position[2 * p], time)
+                       : 0.0;
     const struct error_norms norms =
         error_norms(start->count, 1, NULL, start->weight, values, exact);
     g_free(exact);
@@ -134,8 +133,7 @@ struct study_number study_measure_field(const struct study_measure *measure,
     if (take_is_norm(measure->take))
         number.value = field_norm(measure, start, values, time);
     else if (measure->take == TAKE_AT)
-        number.value =
-            plane_at(start->count, start->position, start->weight, values, measure->at);
+        number.value = plane_at(start->count, start->position, start->weight, values, measure->at);
     else
         number.value = field_number(measure->take, start, values);
     if (!take_is_norm(measure->take))
@@ -161,8 +159,7 @@ enum mpm_status study_measure_history(const struct study_measure *measure,
     if (take_is_norm(measure->take)) {
         double *errors = g_new(double, rows);
         for (size_t k = 0; k < rows; k++)
-            errors[k] =
-                column[k] - study_reference_value(&measure->reference, nowhere, time[k]);
+            errors[k] = column[k] - study_reference_value(&measure->reference, nowhere, time[k]);
         number->value = curve_take(measure->take, rows, time, errors);
         g_free(errors);
         return MPM_OK;

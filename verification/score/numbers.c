@@ -3,9 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/score/numbers.h"
 
+#include "verification/common/csv.h"
 #include "verification/common/failure.h"
 #include "verification/common/rows.h"
-#include "verification/common/csv.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,9 +1,9 @@
 /* Results as CSV.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verification/common/csv.h"
 #include "verification/common/failure.h"
 #include "verification/common/rows.h"
-#include "verification/common/csv.h"
 #include "verification/score/readers.h"
 
 #include <math.h>

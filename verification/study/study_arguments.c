@@ -86,9 +86,9 @@ static enum mpm_status take_one_vary(const char *text, struct study_vary *vary,
 {
     const char *equals = strchr(text, '=');
     if (equals == NULL || equals == text || equals[1] == '\0')
-        return failure_set(error, MPM_BAD_INPUT,
-                           "--vary \"%s\": allowed is PATH=VALUE,VALUE,... with a path of the scene",
-                           text);
+        return failure_set(
+            error, MPM_BAD_INPUT,
+            "--vary \"%s\": allowed is PATH=VALUE,VALUE,... with a path of the scene", text);
     vary->path = g_strndup(text, (size_t)(equals - text));
     vary->values = take_parts(split(equals + 1), &vary->values_count);
     return MPM_OK;
@@ -158,9 +158,9 @@ static enum mpm_status take_measure(const char *text, struct study_entry *entry,
 
 static void entry_clear(struct study_entry *entry)
 {
-    char *const owned[] = {entry->name,       entry->quantity,      entry->take_text,
-                           entry->at_text[0], entry->at_text[1],    entry->instant_text,
-                           entry->reference,  entry->unit,          entry->order_text[0],
+    char *const owned[] = {entry->name,         entry->quantity,   entry->take_text,
+                           entry->at_text[0],   entry->at_text[1], entry->instant_text,
+                           entry->reference,    entry->unit,       entry->order_text[0],
                            entry->order_text[1]};
     for (size_t i = 0; i < G_N_ELEMENTS(owned); i++)
         free(owned[i]);

@@ -24,8 +24,7 @@ static enum mpm_status check_refine(const struct study *study, struct mpm_error 
     for (unsigned i = 0; i < study->refine_count; i++)
         if (study->refine[i] < 1 || (i > 0 && study->refine[i] <= study->refine[i - 1]))
             return failure_set(error, MPM_BAD_INPUT,
-                               "refine: %" PRId64
-                               ": allowed are whole numbers from 1 on that rise",
+                               "refine: %" PRId64 ": allowed are whole numbers from 1 on that rise",
                                study->refine[i]);
     return MPM_OK;
 }
@@ -74,9 +73,8 @@ static enum mpm_status check_take(struct study_entry *entry, struct mpm_error *e
     const bool needs_time = entry->take == TAKE_AT && !field;
     const bool needs_place = entry->take == TAKE_AT && field;
     if (needs_time != (entry->instant_text != NULL) || needs_place != (entry->at_text[0] != NULL))
-        return failure_set(error, MPM_BAD_INPUT,
-                           "measure of %s, take %s: allowed is %s", entry->quantity,
-                           entry->take_text,
+        return failure_set(error, MPM_BAD_INPUT, "measure of %s, take %s: allowed is %s",
+                           entry->quantity, entry->take_text,
                            needs_time    ? "a time and no place, as in energy:at@0.5"
                            : needs_place ? "a place and no time, as in velocity_x:at@3,4"
                                          : "neither a place nor a time");
@@ -101,7 +99,8 @@ static enum mpm_status check_reference(const struct study *study, struct study_e
         return failure_set(error, MPM_BAD_INPUT,
                            "measure of %s, take %s: is a norm of the error: allowed is a reference "
                            "that is an expression of %s and t, or a file *.csv",
-                           entry->quantity, entry->take_text, study->axisymmetric ? "r, z" : "x, y");
+                           entry->quantity, entry->take_text,
+                           study->axisymmetric ? "r, z" : "x, y");
     if (entry->against != AGAINST_EVALUATED)
         return MPM_OK;
     const enum mpm_status status =

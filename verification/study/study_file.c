@@ -8,8 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PAIR(key, type, member)                                                                    \
-    YAML_KEY(key, PAIR, false, type, member, YAML_KIND(number))
+#define PAIR(key, type, member) YAML_KEY(key, PAIR, false, type, member, YAML_KIND(number))
 
 static const struct mpm_key vary_keys[] = {YAML_TEXT("path", study_vary, path),
                                            YAML_TEXTS("values", study_vary, values, 1), YAML_END};
@@ -30,8 +29,7 @@ static const struct mpm_key study_keys[] = {
     YAML_OPTIONAL_TEXT("title", study, title),
     YAML_TEXT("scene", study, scene),
     YAML_KEY("refine", VALUES, true, study, refine, .value = &mpm_kind_integer,
-             .count_offset = offsetof(struct study, refine_count),
-             YAML_RANGE(1, STUDY_LEVELS_MAX)),
+             .count_offset = offsetof(struct study, refine_count), YAML_RANGE(1, STUDY_LEVELS_MAX)),
     YAML_LIST("vary", study, vary, study_vary, vary_keys, 0),
     YAML_TEXTS("settings", study, settings, 0),
     YAML_LIST("measures", study, measures, study_entry, measure_keys, 1),
@@ -115,10 +113,9 @@ static json_t *texts(char *const *list, unsigned count)
 static json_t *entry_json(const struct study_entry *entry)
 {
     json_t *object = json_object();
-    char *reference =
-        entry->reference != NULL && g_str_has_suffix(entry->reference, ".csv")
-            ? g_canonicalize_filename(entry->reference, NULL)
-            : g_strdup(entry->reference);
+    char *reference = entry->reference != NULL && g_str_has_suffix(entry->reference, ".csv")
+                          ? g_canonicalize_filename(entry->reference, NULL)
+                          : g_strdup(entry->reference);
     put(object, "measure", entry->name);
     put(object, "quantity", entry->quantity);
     put(object, "take", entry->take_text);
@@ -140,9 +137,9 @@ char *study_text(const struct study *study)
     for (unsigned i = 0; i < study->refine_count; i++)
         json_array_append_new(refine, json_integer(study->refine[i]));
     for (unsigned i = 0; i < study->vary_count; i++)
-        json_array_append_new(vary, json_pack("{s:s,s:o}", "path", study->vary[i].path, "values",
-                                              texts(study->vary[i].values,
-                                                    study->vary[i].values_count)));
+        json_array_append_new(vary,
+                              json_pack("{s:s,s:o}", "path", study->vary[i].path, "values",
+                                        texts(study->vary[i].values, study->vary[i].values_count)));
     for (unsigned i = 0; i < study->measures_count; i++)
         json_array_append_new(measures, entry_json(&study->measures[i]));
     json_object_set_new(object, "format", json_integer(1));

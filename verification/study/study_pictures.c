@@ -77,10 +77,9 @@ static double add_slopes(struct drawing *drawing, GString *axes)
     const double base = drawing->y[0] / (2.0 * width * width);
     if (!(width > 1.0))
         return drawing->y[0] / 2.0;
-    g_string_append_printf(drawing->data,
-                           "\n\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n",
-                           left, base, right, base, right, base * width * width, left, base, right,
-                           base * width);
+    g_string_append_printf(
+        drawing->data, "\n\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n", left, base,
+        right, base, right, base * width * width, left, base, right, base * width);
     for (int slope = 1; slope <= 2; slope++)
         g_string_append_printf(axes,
                                "set label '%d' at %.9g, %.9g left offset 0.4, 0 font ',11' "
@@ -154,8 +153,8 @@ static enum mpm_status picture(const struct study_results *results, unsigned k, 
                                drawing.x[0] / 1.2, drawing.x[1] * 1.2, low, drawing.y[1] * 2.0);
         status = output_write(folder, file, drawing.data->str, error);
         if (status == MPM_OK)
-            status = plot(results, k, over, folder, reports, stamp, axes->str, drawing.curves,
-                          error);
+            status =
+                plot(results, k, over, folder, reports, stamp, axes->str, drawing.curves, error);
     }
     g_free(file);
     g_string_free(axes, TRUE);

@@ -75,8 +75,9 @@ static void take_row(const struct study *study, const struct records *records,
         if (row->state != STUDY_DONE)
             continue;
         value->value = numbered(records, name, "measure", k);
-        value->reference = entry->against == AGAINST_NUMBER ? entry->number
-                                                            : numbered(records, name, "reference", k);
+        value->reference = entry->against == AGAINST_NUMBER
+                               ? entry->number
+                               : numbered(records, name, "reference", k);
         value->error = error_of(entry, value);
     }
 }

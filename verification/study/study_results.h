@@ -39,9 +39,9 @@ struct study_order {
 
 struct study_results {
     const struct study *study;
-    GArray *runs;             /* struct study_run */
-    struct study_row *rows;   /* of each run */
-    size_t groups;            /* variants */
+    GArray *runs;               /* struct study_run */
+    struct study_row *rows;     /* of each run */
+    size_t groups;              /* variants */
     struct study_order *orders; /* groups * measures */
     size_t failed, missing, out_of_order;
 };

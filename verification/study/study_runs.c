@@ -70,8 +70,8 @@ static enum mpm_status add_run(const struct study *study, size_t group, int64_t 
     for (unsigned i = 0; i < study->settings_count; i++)
         g_ptr_array_add(settings, g_strdup(study->settings[i]));
     for (unsigned i = 0; i < study->vary_count; i++)
-        g_ptr_array_add(settings, g_strconcat(study->vary[i].path, "=", value_of(study, group, i),
-                                              NULL));
+        g_ptr_array_add(settings,
+                        g_strconcat(study->vary[i].path, "=", value_of(study, group, i), NULL));
     const enum mpm_status status = study_scene_refine(study, level, settings, &run.cell, error);
     g_ptr_array_add(settings, NULL);
     run.settings = (char **)g_ptr_array_free(settings, FALSE);

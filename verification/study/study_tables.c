@@ -48,8 +48,7 @@ static void print_table(const struct table *table, GString *out)
         for (unsigned c = 0; c < table->columns; c++) {
             glong width = 3;
             for (unsigned i = 0; i < rows; i++)
-                width = MAX(width,
-                            g_utf8_strlen(table->cells->pdata[i * table->columns + c], -1));
+                width = MAX(width, g_utf8_strlen(table->cells->pdata[i * table->columns + c], -1));
             const char *text = table->cells->pdata[r * table->columns + c];
             const int padding = (int)(width - g_utf8_strlen(text, -1));
             g_string_append_printf(out, "%s %s%*s ", c == 0 ? "|" : "", text, padding, "");
@@ -77,12 +76,11 @@ static struct table table_begin(unsigned columns, const char *const *names)
 static void add_rows(const struct study_results *results, unsigned k, GString *out)
 {
     const struct study *study = results->study;
-    char *cell = g_strdup_printf("cell / %s",
-                                 study->length_unit == NULL || *study->length_unit == '\0'
-                                     ? "length"
-                                     : study->length_unit);
-    const char *const names[] = {"variant", "refine", cell,           "value",
-                                 "error",   "order",  "processor / s", "particle-steps"};
+    char *cell = g_strdup_printf(
+        "cell / %s",
+        study->length_unit == NULL || *study->length_unit == '\0' ? "length" : study->length_unit);
+    const char *const names[] = {"variant",       "refine",        cell, "value", "error", "order",
+                                 "processor / s", "particle-steps"};
     struct table table = table_begin(G_N_ELEMENTS(names), names);
     for (unsigned i = 0; i < results->runs->len; i++) {
         const struct study_row *row = &results->rows[i];
@@ -121,10 +119,9 @@ static void add_order(const struct study_results *results, size_t group, unsigne
         g_string_append_printf(out, " (fit over %zu levels%s, %s)", order->levels,
                                isfinite(order->half_width) ? ", 95 % confidence" : "", order->kind);
     else if (isfinite(order->order))
-        g_string_append_printf(out, " (differences of the last three levels%s)",
-                               isfinite(order->half_width)
-                                   ? "; ± is the change from the three levels before"
-                                   : "");
+        g_string_append_printf(
+            out, " (differences of the last three levels%s)",
+            isfinite(order->half_width) ? "; ± is the change from the three levels before" : "");
     if (isfinite(order->limit))
         g_string_append_printf(out,
                                "; limit %.9g, grid-convergence index of the finest level %.2g %%",
@@ -163,8 +160,9 @@ static void add_state(const struct study_results *results, GString *out)
     const size_t bad = results->failed + results->missing;
     if (bad == 0)
         return;
-    g_string_append_printf(out, "\nThis study is incomplete: of %u runs, %zu failed and %zu are "
-                                "missing.\n\n",
+    g_string_append_printf(out,
+                           "\nThis study is incomplete: of %u runs, %zu failed and %zu are "
+                           "missing.\n\n",
                            results->runs->len, results->failed, results->missing);
     for (unsigned i = 0; i < results->runs->len; i++) {
         const struct study_row *row = &results->rows[i];
@@ -188,8 +186,8 @@ char *study_markdown(const struct study_results *results, bool pictures)
 
 static void add_quoted(GString *csv, const char *text)
 {
-    char **parts = g_strsplit(text == NULL ? "" : text, "\"", -1), *doubled =
-                                                                       g_strjoinv("\"\"", parts);
+    char **parts = g_strsplit(text == NULL ? "" : text, "\"", -1),
+         *doubled = g_strjoinv("\"\"", parts);
     g_string_append_printf(csv, "\"%s\"", doubled);
     g_free(doubled);
     g_strfreev(parts);
@@ -247,15 +245,14 @@ static json_t *value_json(const struct study_results *results, unsigned i, unsig
 {
     const struct study_row *row = &results->rows[i];
     const struct study_value *value = &row->values[k];
-    return json_pack("{s:s,s:s,s:s,s:I,s:o,s:s,s:s,s:s,s:o,s:o,s:o,s:o,s:o,s:o,s:s}", "kind",
-                     "value", "run", row->run->name, "variant", row->run->variant, "refine",
-                     (json_int_t)row->run->level, "cell", number(row->run->cell), "state",
-                     study_state_name(row->state), "measure", results->study->measures[k].name,
-                     "unit", results->study->measures[k].unit, "value", number(value->value),
-                     "reference", number(value->reference), "error", number(value->error), "order",
-                     number(value->order), "cpu_seconds", number(row->cpu_seconds),
-                     "particle_steps", number(row->particle_steps), "reason",
-                     row->reason == NULL ? "" : row->reason);
+    return json_pack(
+        "{s:s,s:s,s:s,s:I,s:o,s:s,s:s,s:s,s:o,s:o,s:o,s:o,s:o,s:o,s:s}", "kind", "value", "run",
+        row->run->name, "variant", row->run->variant, "refine", (json_int_t)row->run->level, "cell",
+        number(row->run->cell), "state", study_state_name(row->state), "measure",
+        results->study->measures[k].name, "unit", results->study->measures[k].unit, "value",
+        number(value->value), "reference", number(value->reference), "error", number(value->error),
+        "order", number(value->order), "cpu_seconds", number(row->cpu_seconds), "particle_steps",
+        number(row->particle_steps), "reason", row->reason == NULL ? "" : row->reason);
 }
 
 static json_t *order_json(const struct study_results *results, size_t group, unsigned k)
@@ -265,10 +262,12 @@ static json_t *order_json(const struct study_results *results, size_t group, uns
     return json_pack("{s:s,s:s,s:s,s:o,s:o,s:I,s:s,s:o,s:o,s:s,s:s}", "kind", "order", "variant",
                      run->variant, "measure", results->study->measures[k].name, "order",
                      number(order->order), "half_width", number(order->half_width), "levels",
-                     (json_int_t)order->levels, "class", order->kind, "limit",
-                     number(order->limit), "grid_convergence_index", number(order->index),
-                     "verdict", !order->judged ? "none" : order->holds ? "pass" : "fail", "reason",
-                     order->reason);
+                     (json_int_t)order->levels, "class", order->kind, "limit", number(order->limit),
+                     "grid_convergence_index", number(order->index), "verdict",
+                     !order->judged ? "none"
+                     : order->holds ? "pass"
+                                    : "fail",
+                     "reason", order->reason);
 }
 
 char *study_jsonl(const struct study_results *results, const json_t *run)
@@ -279,9 +278,8 @@ char *study_jsonl(const struct study_results *results, const json_t *run)
                               "title", study->title, "version", record_text(run, "version"),
                               "revision", record_text(run, "revision"), "complete",
                               results->failed + results->missing == 0, "runs",
-                              (json_int_t)results->runs->len, "failed",
-                              (json_int_t)results->failed, "missing",
-                              (json_int_t)results->missing));
+                              (json_int_t)results->runs->len, "failed", (json_int_t)results->failed,
+                              "missing", (json_int_t)results->missing));
     for (unsigned i = 0; i < results->runs->len; i++)
         for (unsigned k = 0; k < study->measures_count; k++)
             add_line(lines, value_json(results, i, k));

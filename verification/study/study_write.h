@@ -9,8 +9,8 @@
 
 #include <stdio.h>
 
-char *study_markdown(const struct study_results *results, bool pictures); /* g_free */
-char *study_csv(const struct study_results *results);                    /* g_free */
+char *study_markdown(const struct study_results *results, bool pictures);  /* g_free */
+char *study_csv(const struct study_results *results);                      /* g_free */
 char *study_jsonl(const struct study_results *results, const json_t *run); /* g_free */
 
 /* Draws the pictures of a measure; MPM_ENVIRONMENT_FAILED. Those with fewer than two errors are

@@ -4,8 +4,8 @@
 #include "io/scene/scene_build.h"
 
 #include "base/status.h"
-#include "mpm_expression.h"
 #include "io/yaml/names.h"
+#include "mpm_expression.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/status.h"
-#include "mpm_expression.h"
 #include "io/yaml/keys.h"
+#include "mpm_expression.h"
 
 #include <glib.h>
 #include <math.h>

@@ -5,8 +5,8 @@
 #define MPM_METHOD_DAMPING_STATE_H
 
 #include "base/status.h"
-#include "mpm_expression.h"
 #include "model/scene.h"
+#include "mpm_expression.h"
 
 /* Values that a step adds to; part of the last good state. */
 struct mpm_damping_totals {

@@ -5,9 +5,9 @@
 #define MPM_METHOD_TRANSPORT_STATE_H
 
 #include "base/status.h"
-#include "mpm_expression.h"
 #include "model/scalar_conditions.h"
 #include "model/transport.h"
+#include "mpm_expression.h"
 
 #include <assert.h>
 

@@ -1,8 +1,8 @@
 /* Numbers and expressions of scenes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "mpm_expression.h"
 #include "base/strips.h"
+#include "mpm_expression.h"
 #include "suites.h"
 
 #include <locale.h>

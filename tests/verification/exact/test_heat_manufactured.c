@@ -2,8 +2,8 @@
  * their sources make these fields solutions, by differences; the vortices keep volumes and sides.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "mpm_expression.h"
 #include "model/scene.h"
+#include "mpm_expression.h"
 #include "suites.h"
 #include "support/near.h"
 #include "support/scene_files.h"

@@ -96,8 +96,7 @@ static double order_in(const struct place *place)
     char *text = test_folder_read(place->output, "study/study.jsonl");
     const char *line = strstr(text, "\"kind\":\"order\"");
     ck_assert_ptr_nonnull(line);
-    const char *order = strstr(line, "\"order\":");
-    order = strstr(order + 1, ",\"order\":");
+    const char *order = strstr(line, ",\"order\":");
     ck_assert_ptr_nonnull(order);
     const double value = g_ascii_strtod(order + strlen(",\"order\":"), NULL);
     g_free(text);
@@ -164,10 +163,11 @@ END_TEST
 START_TEST(a_run_that_fails_is_in_the_table_with_its_cause)
 {
     struct place place = place_create();
-    char *said = verify(&place,
-                        STUDY "--refine 1,2 --measure kinetic_energy --set time.allow_unstable=true "
-                              "--set time.end=400 --vary time.courant=0.4,5",
-                        1);
+    char *said =
+        verify(&place,
+               STUDY "--refine 1,2 --measure kinetic_energy --set time.allow_unstable=true "
+                     "--set time.end=400 --vary time.courant=0.4,5",
+               1);
     ck_assert_ptr_nonnull(strstr(said, "failed"));
     ck_assert_ptr_nonnull(strstr(said, "This study is incomplete"));
     g_free(said);
