@@ -486,10 +486,9 @@ void mpm_simulation_free(struct mpm_simulation *simulation)
         return;
     mpm_simulation_look(simulation, MPM_AT_END);
     struct mpm_state *const state = &simulation->state;
-    const struct mpm_scene *const scene = simulation->scene;
-    free_fields(state->conditions.boundary_velocity, scene->boundary_count);
-    free_fields(state->conditions.body_velocity, scene->body_count);
-    free_fields(state->edge_loads.value, scene->edge_load_count);
+    free_fields(state->conditions.boundary_velocity, simulation->scene->boundary_count);
+    free_fields(state->conditions.body_velocity, simulation->scene->body_count);
+    free_fields(state->edge_loads.value, simulation->scene->edge_load_count);
     mpm_vector_field_free(&state->body_force);
     free(state->symmetries.planes);
     mpm_damping_free(&state->damping);
