@@ -52,7 +52,7 @@ static size_t known_numbers(const struct series *series, size_t length)
 {
     size_t known = 0;
     for (size_t i = 0; i < length; i++)
-        known += isfinite(series->numbers[i]);
+        known += isfinite(series->numbers[i]) ? 1 : 0;
     return known;
 }
 

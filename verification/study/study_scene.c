@@ -58,7 +58,7 @@ static enum mpm_status effective_number(const struct mpm_tree_node *root, const 
                                         const char *path, double *value, struct mpm_error *error)
 {
     char *text = effective(root, settings, path);
-    *value = NAN;
+    *value = (double)NAN;
     enum mpm_status status = MPM_OK;
     if (text != NULL && !mpm_number_parse(text, value))
         status = failure_set(error, MPM_BAD_INPUT, "%s: \"%s\": allowed is a number", path, text);

@@ -180,7 +180,7 @@ static void append_domain(GString *data, double corners[4][2], double value)
 static enum mpm_status prepare_particles(const struct drawing *drawing, const void *what)
 {
     const struct mpm_picture *const picture = what;
-    struct limits range[3] = {{INFINITY, -INFINITY}, {INFINITY, -INFINITY}, {INFINITY, -INFINITY}};
+    struct limits range[3] = {{HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, -HUGE_VAL}};
     GString *const data = g_string_new(NULL);
     for (size_t p = 0; p < picture->count; p++) {
         append_domain(data, picture->corners[p], picture->values[p]);
@@ -249,7 +249,7 @@ static enum mpm_status draw_particles(const struct mpm_plot_options *options, ch
     MPM_TRY(find_snapshot(options, &name, error));
     char *const path = g_build_filename(options->folder, name, NULL);
     enum mpm_status status = mpm_picture_read(path, options->field, &read, error);
-    if (status == MPM_OK) {
+    if (status == MPM_OK && name != NULL) {
         const char *const digits = name + strlen(MPM_SERIES_PREFIX);
         char *const file = g_strdup_printf("plot-%s-%.*s.%s", options->field,
                                            (int)(strlen(digits) - strlen(MPM_SERIES_SUFFIX)),

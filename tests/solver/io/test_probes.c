@@ -7,6 +7,7 @@
 
 #include <glib.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* A block that moves as a whole, and one that is sheared evenly at the start. */
@@ -46,7 +47,8 @@ static double value_of(const char *text, const char *column, const char *name, i
     for (int row = 2; lines[row] != NULL && lines[row][0] != '\0'; row++) {
         char **const values = g_strsplit(lines[row], ",", -1);
         ck_assert_uint_eq(g_strv_length(values), g_strv_length(names));
-        if (strcmp(values[2], name) == 0 && atoi(values[3]) == point && found++ == n)
+        if (strcmp(values[2], name) == 0 && (int)strtol(values[3], NULL, 10) == point &&
+            found++ == n)
             value = g_ascii_strtod(values[k], NULL);
         g_strfreev(values);
     }
@@ -205,8 +207,8 @@ START_TEST(cracks_are_lines_beside_each_snapshot)
     char **const lines = g_strsplit(offsets, "\n", 4);
     char *const points = g_strdup_printf("NumberOfPoints=\"%s\"", lines[2]);
     ck_assert_msg(strstr(text, points) != NULL, "no %s", points);
-    ck_assert_int_gt(atoi(lines[1]), 1);
-    ck_assert_int_gt(atoi(lines[2]), atoi(lines[1]));
+    ck_assert_int_gt((int)strtol(lines[1], NULL, 10), 1);
+    ck_assert_int_gt((int)strtol(lines[2], NULL, 10), (int)strtol(lines[1], NULL, 10));
     g_free(points);
     g_strfreev(lines);
     g_free(text);
