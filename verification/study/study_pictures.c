@@ -15,6 +15,7 @@ static const char *const over_names[OVERS] = {"cell", "time"};
 /* What is drawn, and its extent. */
 struct drawing {
     GString *data; /* blocks: a name between quotes, then x and error of each level */
+    GString *axes; /* settings of gnuplot: ranges, slopes */
     unsigned curves, points;
     double x[2], y[2]; /* least and largest */
 };
@@ -105,7 +106,7 @@ static char *across_label(const struct study *study, enum over over)
 
 static enum mpm_status plot(const struct study_results *results, unsigned k, enum over over,
                             const char *folder, const char *reports, const char *stamp,
-                            const char *axes, unsigned curves, struct mpm_error *error)
+                            const struct drawing *drawing, struct mpm_error *error)
 {
     const struct study_entry *entry = &results->study->measures[k];
     char *what = g_strconcat("error of ", entry->name, NULL);
@@ -118,14 +119,14 @@ static enum mpm_status plot(const struct study_results *results, unsigned k, enu
     char *script = g_build_filename(reports, "study.gp", NULL);
     char *settings = g_strdup_printf("name='study'; data=%s; variants=''; stamp=%s; across=%s; "
                                      "up=%s; curves=%u; slopes=%d",
-                                     quoted, quoted_stamp, across, up, curves,
-                                     strstr(axes, "set label") != NULL);
+                                     quoted, quoted_stamp, across, up, drawing->curves,
+                                     strstr(drawing->axes->str, "set label") != NULL);
     char *const owned[] = {what,   across,       up,      name,  path,   whole,
                            quoted, quoted_stamp, picture, style, script, settings};
     const struct figure_result result = figure_plot(&(struct figure_plot){
         .script = script,
         .style = style,
-        .axes = axes,
+        .axes = drawing->axes->str,
         .settings = settings,
         .folder = folder,
         .output = picture,
@@ -145,6 +146,7 @@ static enum mpm_status picture(const struct study_results *results, unsigned k, 
     const char *name = results->study->measures[k].name;
     struct drawing drawing = draw(results, k, over);
     GString *axes = g_string_new(NULL);
+    drawing.axes = axes;
     char *file = g_strdup_printf("data-%s-%s.dat", name, over_names[over]);
     enum mpm_status status = MPM_OK;
     if (drawing.points >= 2) {
@@ -153,8 +155,7 @@ static enum mpm_status picture(const struct study_results *results, unsigned k, 
                                drawing.x[0] / 1.2, drawing.x[1] * 1.2, low, drawing.y[1] * 2.0);
         status = output_write(folder, file, drawing.data->str, error);
         if (status == MPM_OK)
-            status =
-                plot(results, k, over, folder, reports, stamp, axes->str, drawing.curves, error);
+            status = plot(results, k, over, folder, reports, stamp, &drawing, error);
     }
     g_free(file);
     g_string_free(axes, TRUE);

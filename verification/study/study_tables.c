@@ -33,11 +33,11 @@ static void add_cell(struct table *table, const char *text)
     g_strfreev(parts);
 }
 
-static void add_number(struct table *table, const char *format, double value)
+static void add_number(struct table *table, int digits, double value)
 {
     char text[64] = "-";
     if (isfinite(value))
-        g_snprintf(text, sizeof text, "%.*g", atoi(format), value);
+        g_snprintf(text, sizeof text, "%.*g", digits, value);
     add_cell(table, text);
 }
 
@@ -89,15 +89,15 @@ static void add_rows(const struct study_results *results, unsigned k, GString *o
         g_snprintf(level, sizeof level, "%" PRId64, row->run->level);
         add_cell(&table, *row->run->variant == '\0' ? "the scene" : row->run->variant);
         add_cell(&table, level);
-        add_number(&table, "6", row->run->cell);
+        add_number(&table, 6, row->run->cell);
         if (row->state == STUDY_DONE)
-            add_number(&table, "9", value->value);
+            add_number(&table, 9, value->value);
         else
             add_cell(&table, study_state_name(row->state));
-        add_number(&table, "4", value->error);
-        add_number(&table, "3", value->order);
-        add_number(&table, "3", row->cpu_seconds);
-        add_number(&table, "6", row->particle_steps);
+        add_number(&table, 4, value->error);
+        add_number(&table, 3, value->order);
+        add_number(&table, 3, row->cpu_seconds);
+        add_number(&table, 6, row->particle_steps);
     }
     print_table(&table, out);
     g_free(cell);

@@ -96,6 +96,7 @@ static enum mpm_status read_tree(const struct mpm_scene *scene, const struct mpm
     const struct mpm_origin origin = {.setting = MPM_FROM_FILE};
     struct mpm_bytes *const bytes = &work->bytes;
     MPM_TRY(take_bytes(&source, text, bytes, error));
+    /* the caller frees the bytes: NOLINTNEXTLINE(clang-analyzer-unix.Malloc) */
     MPM_TRY(mpm_tree_parse(&source, origin, bytes->data, bytes->length, &work->root, error));
     MPM_TRY(mpm_tree_apply_settings(&source, scene->setting_count, work->root, error));
     return mpm_tree_check(&source, &mpm_scene_root, work->root, error);

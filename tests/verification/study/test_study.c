@@ -219,7 +219,7 @@ START_TEST(a_plane_is_exact_for_a_linear_field_and_refuses_places_outside)
     double places[24], values[12], weight[12];
     for (size_t p = 0; p < 12; p++) {
         places[2 * p] = (double)(p % 4);
-        places[2 * p + 1] = (double)(p / 4);
+        places[2 * p + 1] = floor((double)p / 4.0);
         values[p] = 1.0 + 2.0 * places[2 * p] - 3.0 * places[2 * p + 1];
         weight[p] = 1.0;
     }
