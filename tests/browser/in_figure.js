@@ -103,7 +103,8 @@ function axisUnits(svg) {
 
 function figure() {
   const svg = document.documentElement;
-  return smallText().concat(legend(svg, svg.getBoundingClientRect()), axisUnits(svg));
+  const units = svg.classList.contains("free") ? [] : axisUnits(svg); // pictures of scenes have no axes
+  return smallText().concat(legend(svg, svg.getBoundingClientRect()), units);
 }
 
 const source = [smallText, pointsOf, curvesOf, legendsOf, legend, withoutUnit, axisUnits, figure].map(String).join("\n");
