@@ -6,6 +6,7 @@ set xlabel 'across the band (length)'
 set ylabel 'rise (temperature)'
 set xrange [0:8]
 set yrange [0:*]
+set lmargin 11 # numbers of many digits
 set key tmargin center horizontal maxcols 3 samplen 2.5
 file = data.'/data-band_ugimp-profile.dat'
 plot file using 1:($3 - 3) smooth unique with lines ls 1 title 'exact', \
