@@ -82,6 +82,7 @@ class Test {
 
   async accessibility(tab, page, scheme) {
     await tab.scheme(scheme);
+    await tab.ask(call("thin"));
     await tab.ask(`(() => { if (!window.axe) { ${this.axe} } })()`);
     const found = await tab.ask(`axe.run(document, ${JSON.stringify({ ...AXE_RULES[scheme], resultTypes: ["violations"] })})
       .then(({ violations }) => violations.map((v) =>
