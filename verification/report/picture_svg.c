@@ -348,6 +348,7 @@ static void add_key(const struct drawing *drawing, double left, double width)
 /* --------------------------------------------------------------------- whole */
 
 enum { WIDTH = 560, LEFT = 76, RIGHT = 22, TOP = 84, BOTTOM = 46, TALLEST = 400 };
+enum { TOP_PLAIN = 38 /* without a colour bar */ };
 
 static const char look[] =
     ".plain{stroke-width:6}.outlined{stroke:#000;stroke-opacity:.35;stroke-width:4}"
@@ -374,9 +375,10 @@ static void begin(struct drawing *drawing, const char *title, const char *descri
     drawing->svg = g_string_new(NULL);
     drawing->range = range_of(drawing->file, drawing->states);
     find_bounds(drawing, low, high);
-    drawing->view = svg_view_of(low, high, LEFT, TOP, WIDTH - LEFT - RIGHT, TALLEST);
+    const double top = is_uniform(&drawing->range) ? TOP_PLAIN : TOP;
+    drawing->view = svg_view_of(low, high, LEFT, top, WIDTH - LEFT - RIGHT, TALLEST);
     drawing->outlined = drawing->states->count <= OUTLINED_MAX && has_large_domains(drawing);
-    svg_begin(drawing->svg, WIDTH, TOP + svg_height(&drawing->view) + BOTTOM, "plot", title,
+    svg_begin(drawing->svg, WIDTH, top + svg_height(&drawing->view) + BOTTOM, "plot", title,
               description, style);
     add_clip(drawing);
     add_key(drawing, LEFT, WIDTH - LEFT - RIGHT);
