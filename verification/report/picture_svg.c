@@ -7,8 +7,8 @@
 #include "verification/pages/svg.h"
 #include "verification/report/region_svg.h"
 
+#include <gsl/gsl_sort.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { LEVELS = 64, FINE = 10 /* parts of a pixel */ };
@@ -31,12 +31,6 @@ struct drawing {
 
 /* -------------------------------------------------------------------- colours */
 
-static int compare_numbers(const void *a, const void *b)
-{
-    const double one = *(const double *)a, other = *(const double *)b;
-    return (one > other) - (one < other);
-}
-
 static bool is_rigid(const struct picture_file *file, size_t body)
 {
     const json_t *const bodies = json_object_get(file->scene, "bodies");
@@ -51,7 +45,7 @@ static GArray *sorted_values(const struct picture_file *file, const struct pictu
         for (size_t p = 0; p < states->count; p++)
             if (isfinite(states->frames[i].value[p]) && !is_rigid(file, states->body[p]))
                 g_array_append_val(values, states->frames[i].value[p]);
-    qsort(values->data, values->len, sizeof(double), compare_numbers);
+    gsl_sort((double *)(void *)values->data, 1, values->len);
     return values;
 }
 

@@ -10,8 +10,8 @@
 #include "verification/report/comparison_view.h"
 #include "verification/report/report_site.h"
 
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* What a user comes with, and the tag of the cases that are about it. */
@@ -184,20 +184,6 @@ static void take_costs(struct decision *decision, const json_t *entry)
     g_hash_table_unref(settings);
 }
 
-static int compare_numbers(const void *a, const void *b)
-{
-    const double one = *(const double *)a, other = *(const double *)b;
-    return (one > other) - (one < other);
-}
-
-static double median(GArray *numbers)
-{
-    const double *const sorted = (const double *)numbers->data;
-    const unsigned count = numbers->len;
-    g_array_sort(numbers, compare_numbers);
-    return count == 0 ? (double)NAN : 0.5 * (sorted[(count - 1) / 2] + sorted[count / 2]);
-}
-
 /* Share of the checks that it does not hold, then cost. Of methods with fewer than half of the
  * cases of the most measured one a share says little: they come last. */
 static int compare_methods(const void *a, const void *b, void *data)
@@ -242,7 +228,9 @@ static struct decision decide(const struct records *records, const char *tag)
             g_ptr_array_remove_index(decision.methods, i - 1);
             continue;
         }
-        method->cost = median(method->costs);
+        if (method->costs->len > 0)
+            method->cost =
+                gsl_stats_median((double *)(void *)method->costs->data, 1, method->costs->len);
     }
     g_ptr_array_sort_with_data(decision.methods, compare_methods, &decision);
     return decision;
