@@ -1,5 +1,5 @@
 /* The report in a browser: pages load without complaints, links and pictures resolve, tables sort,
- * no text is clipped or on another at three widths, axe finds nothing in light or dark.
+ * no text is clipped or on another at four widths, axe finds nothing in light or dark.
  *
  *     node run.js REPORT AXE PICTURES     the test; screenshots go to the folder PICTURES
  *     node run.js --top REPORT AXE PICTURES   of the pages in the top folder alone
