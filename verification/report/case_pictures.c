@@ -150,8 +150,9 @@ static enum mpm_status add_pictures(const char *home, const json_t *entry,
     g_string_append(html, "<div class=\"scene\">\n");
     TRY(add_sketch(home, entry, file, html, error));
     TRY(add_state(home, entry, file, html, error));
+    TRY(add_motion(home, entry, file, html, error));
     g_string_append(html, "</div>\n");
-    return add_motion(home, entry, file, html, error);
+    return MPM_OK;
 }
 
 enum mpm_status case_pictures(const char *home, const json_t *entry, GString *html,

@@ -3,7 +3,7 @@
 load style
 set output output
 set xlabel 'across the band (length)'
-set ylabel 'rise (temperature)'
+set ylabel 'rise (temperature)' offset 1.5, 0
 set xrange [0:8]
 set yrange [0:*]
 set lmargin 11 # numbers of many digits
