@@ -123,9 +123,10 @@ static void add_order(const struct study_results *results, size_t group, unsigne
             out, " (differences of the last three levels%s)",
             isfinite(order->half_width) ? "; ± is the change from the three levels before" : "");
     if (isfinite(order->limit))
-        g_string_append_printf(out,
-                               "; limit %.9g, grid-convergence index of the finest level %.2g %%",
-                               order->limit, 100.0 * order->index);
+        g_string_append_printf(out, "; limit %.9g", order->limit);
+    if (isfinite(order->index))
+        g_string_append_printf(out, ", grid-convergence index of the finest level %.2g %%",
+                               100.0 * order->index);
     if (order->judged)
         g_string_append_printf(out, "; %s %g .. %g%s", order->holds ? "within" : "NOT within",
                                entry->order[0], entry->order[1], order->holds ? "" : ": FAILS");
