@@ -109,7 +109,7 @@ static double order_in(const struct place *place)
 #define LONG                                                                                       \
     "--refine 1,2,4 --vary time.courant=0.1,0.2,0.3 --set time.end=40 --measure kinetic_energy"
 enum { LONG_RUNS = 9 };
-#define NORM  "--refine 1,2,4 --measure displacement_x:l2=" EXACT
+#define NORM "--refine 1,2,4 --measure displacement_x:l2=" EXACT
 
 START_TEST(a_bar_converges_with_second_order_against_its_exact_solution)
 {
@@ -215,9 +215,8 @@ START_TEST(a_study_goes_on_with_other_settings_to_the_table_of_these)
     g_free(verify(&whole, STUDY "--refine 1,2 --measure kinetic_energy --set time.courant=0.2", 0));
     g_free(verify(&place, STUDY "--refine 1,2 --measure kinetic_energy", 0));
     char *before = table_of(&place);
-    g_free(verify(&place,
-                  STUDY "--refine 1,2 --measure kinetic_energy --set time.courant=0.2 --resume",
-                  0));
+    g_free(verify(
+        &place, STUDY "--refine 1,2 --measure kinetic_energy --set time.courant=0.2 --resume", 0));
     char *expected = table_of(&whole), *found = table_of(&place);
     ck_assert_str_ne(before, found);
     ck_assert_str_eq(expected, found);

@@ -34,9 +34,9 @@ static void add_records(struct records *records, const char *run, double value)
     json_array_append_new(records->measurements, json_pack("{s:s,s:s,s:f}", "case", run, "quantity",
                                                            "cpu_seconds", "value", 0.25));
     if (done)
-        json_array_append_new(records->measurements,
-                              json_pack("{s:s,s:s,s:f}", "case", run, "quantity", "measure_1",
-                                        "value", value));
+        json_array_append_new(
+            records->measurements,
+            json_pack("{s:s,s:s,s:f}", "case", run, "quantity", "measure_1", "value", value));
 }
 
 /* A study of one measure whose runs have these values; `within`: two ends of an interval. */
