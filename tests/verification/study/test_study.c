@@ -165,6 +165,25 @@ START_TEST(a_study_whose_result_is_lost_goes_on_to_the_same_table)
 }
 END_TEST
 
+START_TEST(tables_are_of_the_scene_that_ran_whatever_it_has_become)
+{
+    struct place place = place_create();
+    g_free(verify(&place, STUDY "--refine 1,2 --measure kinetic_energy", 0));
+    char *before = table_of(&place), *changed = g_strdup(bar);
+    memcpy(strstr(changed, "cell: [4"), "cell: [2", strlen("cell: [2"));
+    ck_assert(g_file_set_contents(place.scene, changed, -1, NULL));
+    g_free(verify(&place, "mpm-verify collect %", 0));
+    char *after = table_of(&place);
+    ck_assert_str_eq(before, after);
+    ck_assert_int_eq(remove(place.scene), 0);
+    g_free(verify(&place, "mpm-verify collect %", 0));
+    g_free(after);
+    g_free(changed);
+    g_free(before);
+    place_remove(&place);
+}
+END_TEST
+
 static int run_long_study(const char *scene, const char *output)
 {
     char *line = g_strdup_printf("mpm-verify study @ --output %% --jobs 1 %s", LONG);
@@ -321,6 +340,7 @@ Suite *suite_study(void)
     tcase_add_test(tests, a_bar_converges_with_second_order_against_its_exact_solution);
     tcase_add_test(tests, a_wrong_reference_loses_the_order_and_an_interval_reports_it);
     tcase_add_test(tests, a_study_whose_result_is_lost_goes_on_to_the_same_table);
+    tcase_add_test(tests, tables_are_of_the_scene_that_ran_whatever_it_has_become);
     tcase_add_test(tests, a_study_that_is_killed_goes_on_to_the_same_table);
     tcase_add_test(tests, a_study_goes_on_with_other_settings_to_the_table_of_these);
     tcase_add_test(tests, a_run_that_fails_is_in_the_table_with_its_cause);
