@@ -184,6 +184,25 @@ START_TEST(tables_are_of_the_scene_that_ran_whatever_it_has_become)
 }
 END_TEST
 
+START_TEST(a_fixed_step_falls_with_the_cells_and_folders_may_have_blanks)
+{
+    struct place place = place_create();
+    g_free(place.output);
+    place.output = test_folder_path(place.folder, "it's an \"output\"");
+    g_free(verify(&place, STUDY "--refine 1,2,4 --measure kinetic_energy --set time.step=0.05", 0));
+    char *table = table_of(&place);
+    /* 80, 160 and 320 steps with 32, 128 and 512 particles */
+    ck_assert_ptr_nonnull(strstr(table, ",2560,\"\"\nr2,"));
+    ck_assert_ptr_nonnull(strstr(table, ",20480,\"\"\nr4,"));
+    ck_assert_ptr_nonnull(strstr(table, ",163840,\"\"\n"));
+    g_free(table);
+    char *picture = test_folder_read(place.output, "study/error-kinetic_energy_last-cell.svg");
+    ck_assert_ptr_nonnull(strstr(picture, "slope 1"));
+    g_free(picture);
+    place_remove(&place);
+}
+END_TEST
+
 static int run_long_study(const char *scene, const char *output)
 {
     char *line = g_strdup_printf("mpm-verify study @ --output %% --jobs 1 %s", LONG);
@@ -341,6 +360,7 @@ Suite *suite_study(void)
     tcase_add_test(tests, a_wrong_reference_loses_the_order_and_an_interval_reports_it);
     tcase_add_test(tests, a_study_whose_result_is_lost_goes_on_to_the_same_table);
     tcase_add_test(tests, tables_are_of_the_scene_that_ran_whatever_it_has_become);
+    tcase_add_test(tests, a_fixed_step_falls_with_the_cells_and_folders_may_have_blanks);
     tcase_add_test(tests, a_study_that_is_killed_goes_on_to_the_same_table);
     tcase_add_test(tests, a_study_goes_on_with_other_settings_to_the_table_of_these);
     tcase_add_test(tests, a_run_that_fails_is_in_the_table_with_its_cause);
