@@ -159,17 +159,19 @@ static void add_measure(const struct study_results *results, unsigned k, bool pi
 static void add_state(const struct study_results *results, GString *out)
 {
     const size_t bad = results->failed + results->missing;
-    if (bad == 0)
-        return;
-    g_string_append_printf(out,
-                           "\nThis study is incomplete: of %u runs, %zu failed and %zu are "
-                           "missing.\n\n",
-                           results->runs->len, results->failed, results->missing);
+    if (bad > 0)
+        g_string_append_printf(out,
+                               "\nThis study is incomplete: of %u runs, %zu failed and %zu are "
+                               "missing.\n",
+                               results->runs->len, results->failed, results->missing);
+    bool begun = false;
     for (unsigned i = 0; i < results->runs->len; i++) {
         const struct study_row *row = &results->rows[i];
-        if (row->state != STUDY_DONE)
-            g_string_append_printf(out, "- %s %s: %s\n", row->run->name,
-                                   study_state_name(row->state), row->reason);
+        if (row->reason == NULL)
+            continue;
+        g_string_append_printf(out, "%s- %s %s: %s\n", begun ? "" : "\n", row->run->name,
+                               study_state_name(row->state), row->reason);
+        begun = true;
     }
 }
 

@@ -184,6 +184,16 @@ START_TEST(tables_are_of_the_scene_that_ran_whatever_it_has_become)
 }
 END_TEST
 
+START_TEST(a_place_outside_of_the_body_is_the_reason_that_a_number_is_missing)
+{
+    struct place place = place_create();
+    char *said = verify(&place, STUDY "--refine 1,2 --measure velocity_x:at@500,2", 0);
+    ck_assert_ptr_nonnull(strstr(said, "\n- r2 done: velocity_x: is not finite, or its place"));
+    g_free(said);
+    place_remove(&place);
+}
+END_TEST
+
 START_TEST(a_fixed_step_falls_with_the_cells_and_folders_may_have_blanks)
 {
     struct place place = place_create();
@@ -360,6 +370,7 @@ Suite *suite_study(void)
     tcase_add_test(tests, a_wrong_reference_loses_the_order_and_an_interval_reports_it);
     tcase_add_test(tests, a_study_whose_result_is_lost_goes_on_to_the_same_table);
     tcase_add_test(tests, tables_are_of_the_scene_that_ran_whatever_it_has_become);
+    tcase_add_test(tests, a_place_outside_of_the_body_is_the_reason_that_a_number_is_missing);
     tcase_add_test(tests, a_fixed_step_falls_with_the_cells_and_folders_may_have_blanks);
     tcase_add_test(tests, a_study_that_is_killed_goes_on_to_the_same_table);
     tcase_add_test(tests, a_study_goes_on_with_other_settings_to_the_table_of_these);
