@@ -15,16 +15,30 @@ const char *study_state_name(enum study_state state)
 
 /* ---------------------------------------------------------------------- records */
 
-/* A number that the run of that name has left; NaN: none. */
-static double number_of(const struct records *records, const char *run, const char *quantity)
+/* What the run of that name has left of a quantity; NULL: nothing. */
+static const json_t *line_of(const struct records *records, const char *run, const char *quantity)
 {
     for (size_t i = 0; i < json_array_size(records->measurements); i++) {
         const json_t *line = json_array_get(records->measurements, i);
         if (strcmp(record_text(line, "case"), run) == 0 &&
             strcmp(record_text(line, "quantity"), quantity) == 0)
-            return record_number(line, "value");
+            return line;
     }
-    return (double)NAN;
+    return NULL;
+}
+
+/* NaN: none. */
+static double number_of(const struct records *records, const char *run, const char *quantity)
+{
+    return record_number(line_of(records, run, quantity), "value");
+}
+
+/* Why a run that is done has no number for the measure. */
+static char *missing_reason(const struct records *records, const char *run, unsigned k)
+{
+    char quantity[32];
+    g_snprintf(quantity, sizeof quantity, "measure_%u", k + 1);
+    return g_strdup(record_text(line_of(records, run, quantity), "reason"));
 }
 
 static double numbered(const struct records *records, const char *run, const char *name, unsigned k)
@@ -79,6 +93,8 @@ static void take_row(const struct study *study, const struct records *records,
                                ? entry->number
                                : numbered(records, name, "reference", k);
         value->error = error_of(entry, value);
+        if (isnan(value->value) && row->reason == NULL)
+            row->reason = missing_reason(records, name, k);
     }
 }
 

@@ -123,9 +123,10 @@ static void add_order(const struct study_results *results, size_t group, unsigne
             out, " (differences of the last three levels%s)",
             isfinite(order->half_width) ? "; ± is the change from the three levels before" : "");
     if (isfinite(order->limit))
-        g_string_append_printf(out,
-                               "; limit %.9g, grid-convergence index of the finest level %.2g %%",
-                               order->limit, 100.0 * order->index);
+        g_string_append_printf(out, "; limit %.9g", order->limit);
+    if (isfinite(order->index))
+        g_string_append_printf(out, ", grid-convergence index of the finest level %.2g %%",
+                               100.0 * order->index);
     if (order->judged)
         g_string_append_printf(out, "; %s %g .. %g%s", order->holds ? "within" : "NOT within",
                                entry->order[0], entry->order[1], order->holds ? "" : ": FAILS");
@@ -158,17 +159,19 @@ static void add_measure(const struct study_results *results, unsigned k, bool pi
 static void add_state(const struct study_results *results, GString *out)
 {
     const size_t bad = results->failed + results->missing;
-    if (bad == 0)
-        return;
-    g_string_append_printf(out,
-                           "\nThis study is incomplete: of %u runs, %zu failed and %zu are "
-                           "missing.\n\n",
-                           results->runs->len, results->failed, results->missing);
+    if (bad > 0)
+        g_string_append_printf(out,
+                               "\nThis study is incomplete: of %u runs, %zu failed and %zu are "
+                               "missing.\n",
+                               results->runs->len, results->failed, results->missing);
+    bool begun = false;
     for (unsigned i = 0; i < results->runs->len; i++) {
         const struct study_row *row = &results->rows[i];
-        if (row->state != STUDY_DONE)
-            g_string_append_printf(out, "- %s %s: %s\n", row->run->name,
-                                   study_state_name(row->state), row->reason);
+        if (row->reason == NULL)
+            continue;
+        g_string_append_printf(out, "%s- %s %s: %s\n", begun ? "" : "\n", row->run->name,
+                               study_state_name(row->state), row->reason);
+        begun = true;
     }
 }
 
