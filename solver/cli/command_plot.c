@@ -19,7 +19,9 @@ int cli_plot(struct cli_arguments *arguments)
         .format = arguments->format != NULL ? arguments->format : "svg",
     };
     if (arguments->list) {
-        (void)fputs(mpm_plot_fields(), stdout);
+        char *const fields = mpm_plot_fields();
+        (void)fputs(fields, stdout);
+        g_free(fields);
         return MPM_OK;
     }
     if (arguments->scene == NULL)
