@@ -18,7 +18,7 @@
     groups.forEach(function (group) {
       var before = shown;
       group.rows.forEach(function (row) {
-        var text = group.heading + " " + textOf(row);
+        var text = wanted.length === 0 ? "" : group.heading + " " + textOf(row);
         var fits = wanted.every(function (word) { return text.includes(word); });
         row.hidden = !fits;
         if (fits) shown += 1;

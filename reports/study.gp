@@ -7,11 +7,10 @@
 load style
 set logscale xy
 load axes
-set xlabel across noenhanced
-set ylabel up noenhanced
+set xlabel across
+set ylabel up
 set format y '%.0e'
-set key outside bottom center horizontal noenhanced
-set bmargin 6
+set key above center horizontal noenhanced
 if (slopes) {
     plot for [i=0:curves-1] data index i using 1:2 title columnheader(1) \
              with linespoints ls 2+i%6 pt 4+i, \

@@ -8,6 +8,7 @@
 #   source    folder of the case's own scripts and reference data (*.gp, *.dat, *.csv)
 #   variants  names of the variants that have data, separated by blanks
 #   stamp     version and revision, drawn small in the corner
+#   height    pixels, where 470 are too few for the legend
 #
 # A script looks like this:
 #   load style
@@ -28,7 +29,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 set encoding utf8
-set terminal svg size 760,470 dynamic enhanced font 'Helvetica,Arial,sans-serif,14' name name linewidth 1 rounded
+if (!exists('height')) height = 470
+set terminal svg size 760,height dynamic enhanced font 'Helvetica,Arial,sans-serif,14' name name linewidth 1 rounded
 set output output
 
 set style line 1 lc rgb '#000000' lw 2   dt 1         pt 1  ps 0.7

@@ -84,8 +84,10 @@ int mpm_file_remove(const char *path);
 
 /* Its parents included; one that is there is no failure. */
 int mpm_folder_make(const char *path);
-/* mkdtemp: the last six characters of `path` are XXXXXX, and replaced. */
-int mpm_folder_make_new(char *path);
+/* A new, empty folder in the system's folder for temporary files; the caller removes it
+ * (mpm_folder_remove_all) and frees its path (g_free). On failure *path is NULL:
+ * MPM_ENVIRONMENT_FAILED, with the path that cannot be made. */
+enum mpm_status mpm_folder_make_temporary(char **path, struct mpm_error *error);
 int mpm_folder_remove(const char *path); /* an empty one */
 /* Brings its names to the disk. */
 int mpm_folder_sync(const char *path);

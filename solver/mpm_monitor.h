@@ -1,5 +1,7 @@
-/* Looking at simulations that other code makes and advances. Part of the public interface: mpm.h
- * includes it.
+/* Looking at simulations that other code makes and advances, with or without a run: a monitor sees
+ * every step, and has no effect on the time step or on whether the simulation goes on. For a
+ * caller of mpm_scene_run that needs states at certain times, there is mpm_observe.h. Part of the
+ * public interface: mpm.h includes it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_MONITOR_H

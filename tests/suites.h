@@ -33,6 +33,7 @@
     SUITE(crack_ends)                                                                              \
     SUITE(score)                                                                                   \
     SUITE(study)                                                                                   \
+    SUITE(study_results)                                                                           \
     SUITE(user_force)                                                                              \
     SUITE(loads)                                                                                   \
     SUITE(cohesive)                                                                                \

@@ -98,6 +98,83 @@ START_TEST(the_tutorial_on_scores_does_what_it_says)
 }
 END_TEST
 
+/* The lines of a block that begins with "format: 1" go to the file that the text before names, as
+ * in "Save it as `build/bar.yaml`". */
+static void save_files(char *const *lines, const char *folder)
+{
+    char *name = NULL;
+    GString *file = NULL;
+    size_t files = 0;
+    for (char *const *line = lines; *line != NULL; line++) {
+        const char *as = strstr(*line, "as `build/");
+        if (as != NULL) {
+            g_free(name);
+            name = g_strndup(as + strlen("as `build/"), strcspn(as + strlen("as `build/"), "`"));
+        }
+        if (name != NULL && strcmp(*line, "    format: 1") == 0)
+            file = g_string_new(NULL);
+        if (file != NULL && g_str_has_prefix(*line, "    ")) {
+            g_string_append_printf(file, "%s\n", *line + 4);
+        } else if (file != NULL) {
+            char *path = test_folder_path(folder, name);
+            ck_assert(g_file_set_contents(path, file->str, -1, NULL));
+            g_free(path);
+            g_string_free(file, TRUE);
+            file = NULL;
+            files++;
+        }
+    }
+    ck_assert_uint_eq(files, 2);
+    g_free(name);
+}
+
+/* A row of the table of files: "| `study.csv` | ..." */
+static void assert_made(const char *row, const char *folder)
+{
+    char **parts = g_strsplit(row, "`", 3);
+    char *name = replaced(g_strconcat("bar/study/", parts[1], NULL), "<measure>", "velocity_x_at");
+    char *path = test_folder_path(folder, name);
+    ck_assert_msg(g_file_test(path, G_FILE_TEST_EXISTS), "%s", path);
+    g_free(path);
+    g_free(name);
+    g_strfreev(parts);
+}
+
+START_TEST(the_tutorial_on_studies_does_what_it_says)
+{
+    if (g_getenv("MPM_BIN") == NULL)
+        TEST_SKIP("needs MPM_BIN");
+    char *folder = test_folder_create(), *said = g_strdup("");
+    char *text = replaced(test_file_read("docs/tutorial-study.md"), "\\\n", "");
+    char **lines = g_strsplit(text, "\n", -1);
+    size_t commands = 0, results = 0;
+    save_files(lines, folder);
+    for (char **line = lines; *line != NULL; line++) {
+        if (is_command(*line)) {
+            struct test_command command = run_line(*line, folder);
+            ck_assert_msg(command.exit_status == 0, "%s: %s%s", *line, command.output,
+                          command.errors);
+            g_free(said);
+            said = command.output;
+            g_free(command.errors);
+            commands++;
+        } else if (g_str_has_prefix(*line, "    method.shape=")) {
+            ck_assert_msg(strstr(said, *line + 4) != NULL, "\"%s\" is not in: %s", *line + 4, said);
+            results++;
+        } else if (g_str_has_prefix(*line, "| `") && results < 10) {
+            assert_made(*line, folder);
+            results++;
+        }
+    }
+    ck_assert_uint_eq(commands, 3);
+    ck_assert_uint_eq(results, 10);
+    g_free(said);
+    g_strfreev(lines);
+    g_free(text);
+    test_folder_remove(folder);
+}
+END_TEST
+
 /* --------------------------------------------------------------------------- links */
 
 static const char *const documents[] = {
@@ -110,6 +187,7 @@ static const char *const documents[] = {
     "docs/tutorial-case.md",
     "docs/tutorial-material.md",
     "docs/tutorial-score.md",
+    "docs/tutorial-study.md",
     "docs/tutorial-variant.md",
 };
 
@@ -380,6 +458,7 @@ Suite *suite_docs(void)
     tcase_add_test(docs, checks_that_fail_are_annotated_at_their_cases);
     tcase_add_test(docs, the_document_on_scenes_has_a_row_for_each_law);
     tcase_add_test(docs, the_tutorial_on_scores_does_what_it_says);
+    tcase_add_test(docs, the_tutorial_on_studies_does_what_it_says);
     tcase_add_loop_test(docs, links_of_the_documents_lead_to_files, 0,
                         (int)G_N_ELEMENTS(documents));
     tcase_add_loop_test(docs, man_pages_have_the_options_and_commands_of_the_help, 0, 3);

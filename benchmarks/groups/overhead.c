@@ -6,10 +6,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/common/findings.h"
-#include "benchmarks/common/scratch.h"
 #include "benchmarks/groups/overhead_features.h"
 #include "benchmarks/measuring/instructions.h"
 #include "benchmarks/measuring/timing.h"
+#include "mpm_file.h"
 #include "verification/common/failure.h"
 #include "verification/common/resources.h"
 
@@ -70,10 +70,12 @@ static enum mpm_status run_feature(const void *context, struct bench_sample *sam
     settings[count++] = steps;
     enum mpm_status status = mpm_scene_read(probe->scene, settings, count, &scene, error);
     if (status == MPM_OK)
-        status = scratch_create(&folder, error);
+        status = mpm_folder_make_temporary(&folder, error);
     if (status == MPM_OK)
         status = time_run(scene, probe, folder, sample, error);
-    scratch_remove(folder);
+    if (folder != NULL)
+        (void)mpm_folder_remove_all(folder, NULL);
+    g_free(folder);
     mpm_scene_free(scene);
     g_free(steps);
     return status;

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/measuring/instructions.h"
 
-#include "benchmarks/common/scratch.h"
+#include "mpm_file.h"
 #include "verification/common/failure.h"
 #include "verification/common/input.h"
 
@@ -197,7 +197,7 @@ enum mpm_status instructions_count(const struct instructions_request *request,
     char *folder = NULL, *valgrind = find_valgrind(error);
     enum mpm_status status = valgrind != NULL ? MPM_OK : MPM_ENVIRONMENT_FAILED;
     if (status == MPM_OK)
-        status = scratch_create(&folder, error);
+        status = mpm_folder_make_temporary(&folder, error);
     if (status == MPM_OK)
         status = link_into(folder, PROGRAM, request->program, error);
     if (status == MPM_OK)
@@ -206,7 +206,9 @@ enum mpm_status instructions_count(const struct instructions_request *request,
         status = run_in(folder, valgrind, request, error);
     if (status == MPM_OK)
         status = read_counts(folder, counted, error);
-    scratch_remove(folder);
+    if (folder != NULL)
+        (void)mpm_folder_remove_all(folder, NULL);
+    g_free(folder);
     g_free(valgrind);
     return status;
 }

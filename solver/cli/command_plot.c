@@ -22,7 +22,9 @@ enum mpm_status cli_plot(struct command *command, struct mpm_error *error)
         .format = given->format != NULL ? given->format : "svg",
     };
     if (given->list) {
-        (void)fputs(mpm_plot_fields(), stdout);
+        char *const fields = mpm_plot_fields();
+        (void)fputs(fields, stdout);
+        g_free(fields);
         return MPM_OK;
     }
     if (folder == NULL)

@@ -89,7 +89,8 @@ function legend(svg, frame) {
  * ("over", "/"), a count, an angle of the paper's own, or one of those that have no unit by definition. */
 function withoutUnit(words) {
   const NUMBERS = /\b(over|number|turns|cells|count|order|weight|ratio|share|of particles|times|coefficient|refinement)\b|\/|\|/;
-  return !/\([^()]*\)|%/.test(words) && !NUMBERS.test(words);
+  const COORDINATE = /^[xyzr]$/; // of a scene that declares no unit
+  return !COORDINATE.test(words) && !/\([^()]*\)|%/.test(words) && !NUMBERS.test(words);
 }
 
 function axisUnits(svg) {
@@ -103,7 +104,8 @@ function axisUnits(svg) {
 
 function figure() {
   const svg = document.documentElement;
-  return smallText().concat(legend(svg, svg.getBoundingClientRect()), axisUnits(svg));
+  const units = svg.classList.contains("free") ? [] : axisUnits(svg); // pictures of scenes have no axes
+  return smallText().concat(legend(svg, svg.getBoundingClientRect()), units);
 }
 
 const source = [smallText, pointsOf, curvesOf, legendsOf, legend, withoutUnit, axisUnits, figure].map(String).join("\n");

@@ -1,5 +1,5 @@
 /* The report in a browser: pages load without complaints, links and pictures resolve, tables sort,
- * no text is clipped or on another at three widths, axe finds nothing in light or dark.
+ * no text is clipped or on another at four widths, axe finds nothing in light or dark.
  *
  *     node run.js REPORT AXE PICTURES     the test; screenshots go to the folder PICTURES
  *     node run.js --top REPORT AXE PICTURES   of the pages in the top folder alone
@@ -82,6 +82,7 @@ class Test {
 
   async accessibility(tab, page, scheme) {
     await tab.scheme(scheme);
+    await tab.ask(call("thin"));
     await tab.ask(`(() => { if (!window.axe) { ${this.axe} } })()`);
     const found = await tab.ask(`axe.run(document, ${JSON.stringify({ ...AXE_RULES[scheme], resultTypes: ["violations"] })})
       .then(({ violations }) => violations.map((v) =>

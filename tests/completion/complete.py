@@ -7,15 +7,18 @@ usage: complete.py PROGRAMS bash|zsh|fish
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 
+import fcntl
 import os
 import pathlib
 import pty
 import re
 import select
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
+import termios
 import time
 
 PROGRAMS = ("mpm", "mpm-verify", "mpm-bench")
@@ -62,9 +65,11 @@ class Shell:
         self.process, self.terminal = pty.fork()
         if self.process == 0:
             os.chdir(folder)
-            own = {"PATH": path, "HOME": folder, "TERM": "dumb", "LC_ALL": "C.UTF-8",
+            own = {"PATH": path, "HOME": folder, "TERM": "xterm", "LC_ALL": "C.UTF-8",
                    "XDG_CONFIG_HOME": folder, "XDG_DATA_HOME": folder}
             os.execvpe(arguments[0], arguments, own)
+        # without a size fish has no room for a list of several words
+        fcntl.ioctl(self.terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
         self.screen = ""
 
     def type(self, text):

@@ -17,11 +17,12 @@ HARMLESS = ("EINTR", "short")  # change nothing
 
 def plain_name(path):
     """A name without numbers; of files that there are many of, the kind alone."""
-    name = re.sub(r"\d\d+", "#", path.rsplit("/", 1)[-1])
-    if re.fullmatch(r"touchstone-\w{6}", name):  # a temporary folder
+    last = path.rsplit("/", 1)[-1]
+    if re.fullmatch(r"touchstone-\w{6}", last):  # a temporary folder
         return "touchstone-?"
-    if re.match(r"(particles|checkpoint|history|run|scene|case|problem|reference|checks\.jsonl|"
-                r"measurements|bench)[.-]", name):
+    name = re.sub(r"\d\d+", "#", last)
+    if re.match(r"(particles|checkpoint|history|probes|run|scene|case|problem|reference|"
+                r"checks\.jsonl|measurements|bench)[.-]", name):
         return name
     return re.sub(r"^[^.]+(?=\.)", "*", name)
 

@@ -35,6 +35,7 @@ IGNORED = (
     ("", ".txt", "a page has the end of a log where it can be read"),
     ("rmdir", "", "an empty folder is no result"),
     ("ftruncate", "history.csv", "the file is cut after a failure, which is reported"),
+    ("ftruncate", "probes.csv", "the file is cut after a failure, which is reported"),
 )
 
 
@@ -127,9 +128,12 @@ WHOLE = (
     (r"\.jsonl$", is_json_lines),
     (r"\.html$", lambda content: content.rstrip().endswith(b"</html>")),
     (r"\.svg$|\.xml$", lambda content: xml.dom.minidom.parseString(content) is not None),
-    (r"(^|/)(history|table-[a-z]*|checks|runs|reference)\.csv$|\.dat$|\.md$|\.tap$",
+    (r"(^|/)(history|probes|table-[a-z]*|checks|runs|reference)\.csv$|\.dat$|\.md$|\.tap$",
      lambda content: content.endswith(b"\n")),
 )
+
+# Rows are added to these: those that are there are whole.
+GROWING = ("history.csv", "probes.csv")
 
 # These are appended to: a program that ends early leaves whole lines, or, of its log, any bytes.
 APPENDED = re.compile(r"(^|/)(rows-[^/]*\.jsonl|log-[^/]*\.txt)$")
@@ -154,7 +158,7 @@ def half_written(found, before, reference, steady):
         known = [files[name] for files in (before, reference) if name in files]
         if any(same(name, content, other, steady) for other in known):
             continue
-        if name == "history.csv" and any(other.startswith(content) for other in known) and \
+        if name in GROWING and any(other.startswith(content) for other in known) and \
                 (content == b"" or content.endswith(b"\n")):
             continue
         if name.endswith(".hdf") or not is_whole(name, content) or content == b"":

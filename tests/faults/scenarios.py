@@ -38,6 +38,12 @@ def has_checkpoint(folder):
                for name in ("checkpoint.h5", "checkpoint-previous.h5"))
 
 
+def finished(mpm, folder):
+    """The results of a run."""
+    run(mpm_run(mpm), folder)
+    return folder / "out"
+
+
 def interrupted(mpm, folder):
     """Leaves a run that the disk has ended after its second checkpoint."""
     calls = run(mpm_run(mpm), folder).calls
@@ -50,9 +56,13 @@ def interrupted(mpm, folder):
 
 
 def of_solver(mpm):
-    """mpm run: anew, over old results, and resumed."""
+    """mpm: run anew, over old results, and resumed; a scene to begin with; pictures."""
     def mend(folder):
         return mpm_run(mpm, "--resume" if has_checkpoint(folder) else "--overwrite")
+
+    def anew(folder):
+        (folder / "out/bar.yaml").unlink(missing_ok=True)  # it is never overwritten
+        return [mpm, "new", "bar", "--output", "out/bar.yaml"]
 
     return [
         Scenario("run", mpm_run(mpm), mend=mend),
@@ -60,6 +70,10 @@ def of_solver(mpm):
                  prepare=lambda folder: run(mpm_run(mpm, "--set", "time.end=0.05"), folder)),
         Scenario("resume", mpm_run(mpm, "--resume"), mend=mend,
                  prepare=lambda folder: interrupted(mpm, folder)),
+        Scenario("new", [mpm, "new", "bar", "--output", "out/bar.yaml"], mend=anew,
+                 prepare=lambda folder: (folder / "out").mkdir()),
+        Scenario("plot", [mpm, "plot", "run", "--output", "out"],
+                 prepare=lambda folder: shutil.move(finished(mpm, folder), folder / "run")),
     ]
 
 

@@ -16,7 +16,7 @@ ROOT = HERE.parent.parent
 CURATED = HERE / "curated"
 ROOMS = ("solver/base", "solver/model", "solver/method", "solver/simulation", "solver/io",
          "solver/cli", "verification/exact", "verification/measures", "verification/programs",
-         "verification/suite", "verification/score")
+         "verification/suite", "verification/score", "verification/study")
 FEWEST = 60
 KINDS = ("wrong sign", "lost term", "lost rule", "swapped index", "stale field", "wrong time level",
          "missing truncation", "missing condition", "unlocked race", "wrong norm", "oracle typo",

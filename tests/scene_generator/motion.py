@@ -156,7 +156,8 @@ def smooth_contact(contact, softest, slowest):
 def smooth(scene):
     """The scene without what is not smooth in the time step: cracks, which a line from a particle to a
     node crosses or not, contact that opens and closes, and mixtures of velocities, which take out
-    energy in each step, or of temperatures."""
+    energy in each step, or of temperatures, among them held ones beside heat of deformation, which
+    particles take in each step (docs/heat.md)."""
     new = copy.deepcopy(scene)
     new.pop("cracks", None)
     if "contact" in new:
@@ -174,6 +175,8 @@ def smooth(scene):
         new.get("transport", {}).pop(name, None)
     for given in scalars_of(new).values():
         given.pop("transfer", None), given.pop("order", None)
+        if given.get("heating"):
+            given.pop("conditions", None)
     return new
 
 
@@ -186,7 +189,7 @@ def half_the_step_halves_the_error(case):
     terms cancel in the first change, the third one, with dt/8, is held against the second. What is
     added once a step instead of once a time changes as much again, or more; a term that is wrong by
     less than the rest of the change is not seen. Without classic functions, which feel every cell
-    border, and without cracks and mixtures of velocities, which are not smooth in the step."""
+    border, and without what is not smooth in the step (see smooth)."""
     if case.plain.status != 0 or case.method["shape"] == "classic":
         return False
     speed = case.wave + compare.largest(case.base.start.velocity)

@@ -8,7 +8,7 @@ struct grid_convergence grid_convergence(double coarse, double medium, double fi
                                          double safety)
 {
     const double quotient = (coarse - medium) / (medium - fine);
-    if (!(quotient > 1.0) || !(ratio > 1.0))
+    if (!(quotient > 1.0) || isinf(quotient) || !(ratio > 1.0))
         return (struct grid_convergence){(double)NAN, (double)NAN, (double)NAN};
     /* ratio^order is the quotient itself */
     const double correction = (fine - medium) / (quotient - 1.0);

@@ -76,7 +76,7 @@ bool take_is_norm(enum take take)
 double curve_at(size_t count, const double *time, const double *values, double at)
 {
     if (count == 0 || !(at >= time[0] && at <= time[count - 1]))
-        return NAN;
+        return (double)NAN;
     size_t next = 0;
     while (time[next] < at)
         next++;
@@ -106,7 +106,7 @@ static double curve_mean(enum take take, size_t count, const double *time, const
 double curve_take(enum take take, size_t count, const double *time, const double *values)
 {
     if (count == 0)
-        return NAN;
+        return (double)NAN;
     double low = values[0], high = values[0];
     for (size_t k = 1; k < count; k++) {
         low = -field_larger(-low, -values[k]);
@@ -190,7 +190,7 @@ static double plane_through(const struct near *near, const double *places, const
     }
     const double determinant = xx * yy - xy * xy;
     if (!(determinant > 1e-9 * (xx + yy) * (xx + yy)))
-        return NAN;
+        return (double)NAN;
     return mv +
            ((at[0] - mx) * (yy * xv - xy * yv) + (at[1] - my) * (xx * yv - xy * xv)) / determinant;
 }
@@ -205,6 +205,6 @@ double plane_at(size_t count, const double *places, const double *weight, const 
             take_near(&near, p, x * x + y * y);
     }
     if (near.count < NEAREST || near.distance[0] > extent(&near, places))
-        return NAN;
+        return (double)NAN;
     return plane_through(&near, places, values, at);
 }

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/run_change.h"
 
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
-#include <stdlib.h>
 
 static int badness(enum verdict_status status)
 {
@@ -36,18 +36,6 @@ enum run_change run_change_margin(double before, double after)
     return after < before ? RUN_WORSE : RUN_BETTER;
 }
 
-static int compare_numbers(const void *a, const void *b)
-{
-    const double one = *(const double *)a, other = *(const double *)b;
-    return (one > other) - (one < other);
-}
-
-static double median(double *values, size_t count)
-{
-    qsort(values, count, sizeof *values, compare_numbers);
-    return 0.5 * (values[(count - 1) / 2] + values[count / 2]);
-}
-
 struct run_noise run_change_noise(const double *before, const double *after, size_t count,
                                   double *work)
 {
@@ -57,11 +45,11 @@ struct run_noise run_change_noise(const double *before, const double *after, siz
         return (struct run_noise){1.0, 2.0};
     for (size_t i = 0; i < count; i++)
         work[i] = log(after[i] / before[i]);
-    const double middle = median(work, count);
+    const double middle = gsl_stats_median(work, 1, count);
     for (size_t i = 0; i < count; i++)
         work[i] = fabs(log(after[i] / before[i]) - middle);
-    return (struct run_noise){exp(middle),
-                              fmax(least, exp(deviations * normal * median(work, count)))};
+    return (struct run_noise){
+        exp(middle), fmax(least, exp(deviations * normal * gsl_stats_median(work, 1, count)))};
 }
 
 enum run_change run_change_time(const struct run_noise *noise, double before, double after)

@@ -5,14 +5,8 @@
 
 #include "verification/measures/run_change.h"
 
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
-#include <stdlib.h>
-
-static int compare(const void *a, const void *b)
-{
-    const double one = *(const double *)a, other = *(const double *)b;
-    return (one > other) - (one < other);
-}
 
 /* The next finite number after `place`; `count` if there is none. */
 static size_t next_finite(const double *values, size_t count, size_t place)
@@ -31,10 +25,7 @@ double series_noise(const double *values, size_t count, double *work)
             work[changes++] = run_change_relative(values[from], values[to]);
         from = to;
     }
-    if (changes < SERIES_CHANGES)
-        return 0;
-    qsort(work, changes, sizeof *work, compare);
-    return changes % 2 == 1 ? work[changes / 2] : 0.5 * (work[changes / 2 - 1] + work[changes / 2]);
+    return changes < SERIES_CHANGES ? 0 : gsl_stats_median(work, 1, changes);
 }
 
 size_t series_steps(const double *values, size_t count, double noise, double least,

@@ -182,11 +182,10 @@ struct figure_result figure_plot(const struct figure_plot *plot)
     struct mpm_error error = {.status = MPM_OK};
     char *old = g_build_filename(plot->folder, plot->output, NULL);
     char *script = g_path_get_basename(plot->script);
-    char *home = g_build_filename(g_get_tmp_dir(), "touchstone-XXXXXX", NULL);
-    const bool made = mpm_folder_make_new(home) == 0;
-    enum mpm_status status = made ? stage(home, script, plot, &error)
-                                  : failure_set(&error, MPM_ENVIRONMENT_FAILED,
-                                                "%s: cannot be made: %s", home, g_strerror(errno));
+    char *home = NULL;
+    enum mpm_status status = mpm_folder_make_temporary(&home, &error);
+    if (status == MPM_OK)
+        status = stage(home, script, plot, &error);
     /* or an old picture could stand for a new one */
     if (status == MPM_OK && mpm_file_remove(old) != 0 && errno != ENOENT)
         status = mpm_file_failed(old, errno, &error);
@@ -196,7 +195,7 @@ struct figure_result figure_plot(const struct figure_plot *plot)
         result.state = FIGURE_DRAWN;
     else
         g_strlcpy(result.reason, error.message, sizeof result.reason);
-    if (made)
+    if (home != NULL)
         (void)mpm_folder_remove_all(home, NULL);
     g_free(home);
     g_free(script);

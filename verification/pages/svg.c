@@ -12,9 +12,15 @@
 struct svg_view svg_view_of(const double low[2], const double high[2], double left, double top,
                             double width, double height)
 {
+    static const double least = 1e-9; /* of the coordinates: less has no digits left for tics */
     struct svg_view view = {.low = {low[0], low[1]}, .high = {high[0], high[1]}, .top = top};
-    view.scale = fmin(width / (high[0] - low[0]), height / (high[1] - low[1]));
-    view.left = left + 0.5 * (width - view.scale * (high[0] - low[0]));
+    for (int axis = 0; axis < 2; axis++) {
+        const double extent = least * fmax(fabs(low[axis]), fabs(high[axis]));
+        if (high[axis] - low[axis] < extent)
+            view.high[axis] = low[axis] + extent;
+    }
+    view.scale = fmin(width / (view.high[0] - view.low[0]), height / (view.high[1] - view.low[1]));
+    view.left = left + 0.5 * (width - svg_width(&view));
     return view;
 }
 
@@ -152,13 +158,15 @@ char *svg_tic_text(double value, double step, double largest)
     enum { DIGITS_MAX = 9 };
     static const double small = 1e-3, large = 1e5; /* powers of ten are written out beyond */
     char format[8];
-    const double number = fabs(value) < 1e-9 * step ? 0 : value;
     const int decimals = (int)-floor(log10(step) + 1e-9);
+    const double number = fabs(value) < 1e-9 * step ? 0 : value;
     if (largest >= small && largest < large && decimals <= DIGITS_MAX)
         g_snprintf(format, sizeof format, "%%.%df", MAX(decimals, 0));
+    else if (fabs(number) > 0) /* every one: 0.0001 beside 5·10⁻⁵ is hard to compare */
+        g_snprintf(format, sizeof format, "%%.%de",
+                   CLAMP((int)floor(log10(fabs(number)) + 1e-9) + decimals, 0, DIGITS_MAX));
     else
-        g_snprintf(format, sizeof format, "%%.%dg",
-                   CLAMP((int)floor(log10(largest)) + decimals + 1, 1, DIGITS_MAX));
+        return g_strdup("0");
     return number_text(number, format);
 }
 

@@ -15,7 +15,8 @@ struct svg_view {
 };
 
 /* The part from low to high, as large as fits into width by height; a margin of so many pixels is
- * left around it. It is in the middle of the width. */
+ * left around it. It is in the middle of the width. A part that is tiny beside its coordinates is
+ * made wider, so that tics have different numbers. */
 struct svg_view svg_view_of(const double low[2], const double high[2], double left, double top,
                             double width, double height);
 double svg_x(const struct svg_view *view, double x);

@@ -11,7 +11,6 @@
 #include "verification/programs/programs.h"
 #include "verification/programs/study_measure.h"
 
-#include <errno.h>
 #include <math.h>
 #include <string.h>
 
@@ -184,15 +183,14 @@ static enum mpm_status run_scene(struct study *study, const struct mpm_scene *sc
 static enum mpm_status run_in_folder(struct study *study, struct mpm_error *error)
 {
     struct mpm_scene *scene = NULL;
-    char *folder = g_build_filename(g_get_tmp_dir(), "touchstone-XXXXXX", NULL);
-    const bool made = mpm_folder_make_new(folder) == 0;
-    enum mpm_status status = made ? MPM_OK : mpm_file_failed(folder, errno, error);
+    char *folder = NULL;
+    enum mpm_status status = mpm_folder_make_temporary(&folder, error);
     if (status == MPM_OK)
         status = measurement_scene(study->measurement, NULL, 0, &scene, error);
     if (status == MPM_OK)
         status = run_scene(study, scene, folder, error);
     mpm_scene_free(scene);
-    if (made)
+    if (folder != NULL)
         (void)mpm_folder_remove_all(folder, NULL);
     g_free(folder);
     return status;

@@ -67,7 +67,7 @@ double study_reference_value(const struct study_reference *reference, const doub
         return mpm_expression_value(reference->formula, 0, place, time);
     const GPtrArray *columns = reference->curve.names;
     if (columns == NULL)
-        return NAN;
+        return (double)NAN;
     return curve_at(reference->curve.rows, table_named_column(&reference->curve, columns->pdata[0]),
                     table_named_column(&reference->curve, columns->pdata[1]),
                     reference->over == OVER_TIME ? time : place[reference->over]);
@@ -111,7 +111,7 @@ static double field_norm(const struct study_measure *measure, const struct study
 static double field_number(enum take take, const struct study_particles *start,
                            const double *values)
 {
-    double sum = 0.0, weight = 0.0, extreme = NAN;
+    double sum = 0.0, weight = 0.0, extreme = (double)NAN;
     for (size_t p = 0; p < start->count; p++) {
         if (!(start->weight[p] > 0.0))
             continue;
@@ -129,7 +129,7 @@ struct study_number study_measure_field(const struct study_measure *measure,
 {
     const double time = mpm_simulation_time(simulation);
     double *values = read_component(measure->field, start, simulation);
-    struct study_number number = {.reference = NAN};
+    struct study_number number = {.reference = (double)NAN};
     if (take_is_norm(measure->take))
         number.value = field_norm(measure, start, values, time);
     else if (measure->take == TAKE_AT)
@@ -155,7 +155,7 @@ enum mpm_status study_measure_history(const struct study_measure *measure,
     if (column == NULL || time == NULL || rows == 0)
         return failure_set(error, MPM_BAD_INPUT, "history.csv has no column \"%s\"",
                            measure->quantity);
-    *number = (struct study_number){.reference = NAN};
+    *number = (struct study_number){.reference = (double)NAN};
     if (take_is_norm(measure->take)) {
         double *errors = g_new(double, rows);
         for (size_t k = 0; k < rows; k++)

@@ -10,6 +10,7 @@
 #include "verification/report/picture_svg.h"
 #include "verification/report/sketch_svg.h"
 
+#include <errno.h>
 #include <string.h>
 
 static const char sketch_name[] = "picture-sketch.svg", still_name[] = "picture-state.svg",
@@ -133,14 +134,17 @@ static void add_notice(GString *html, const char *reason)
 }
 
 /* Pictures of another run must not stand for those of this one. */
-static void remove_old(const char *home)
+static enum mpm_status remove_old(const char *home, struct mpm_error *error)
 {
     const char *const names[] = {sketch_name, still_name, motion_name, small_name};
-    for (size_t i = 0; i < G_N_ELEMENTS(names); i++) {
+    enum mpm_status status = MPM_OK;
+    for (size_t i = 0; i < G_N_ELEMENTS(names) && status == MPM_OK; i++) {
         char *path = g_build_filename(home, names[i], NULL);
-        (void)mpm_file_remove(path);
+        if (mpm_file_remove(path) != 0 && errno != ENOENT)
+            status = mpm_file_failed(path, errno, error);
         g_free(path);
     }
+    return status;
 }
 
 static enum mpm_status add_pictures(const char *home, const json_t *entry,
@@ -150,8 +154,9 @@ static enum mpm_status add_pictures(const char *home, const json_t *entry,
     g_string_append(html, "<div class=\"scene\">\n");
     TRY(add_sketch(home, entry, file, html, error));
     TRY(add_state(home, entry, file, html, error));
+    TRY(add_motion(home, entry, file, html, error));
     g_string_append(html, "</div>\n");
-    return add_motion(home, entry, file, html, error);
+    return MPM_OK;
 }
 
 enum mpm_status case_pictures(const char *home, const json_t *entry, GString *html,
@@ -162,7 +167,7 @@ enum mpm_status case_pictures(const char *home, const json_t *entry, GString *ht
     struct picture_file file;
     struct mpm_error own = {.status = MPM_OK};
     enum mpm_status status = MPM_OK;
-    remove_old(home);
+    TRY(remove_old(home, error));
     if (*variant == '\0') {
         if (*reason != '\0')
             add_notice(html, reason);

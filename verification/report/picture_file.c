@@ -13,20 +13,30 @@ enum { FORMAT = 1, COUNT_MAX = 100000, FRAMES_MAX = 100, BODIES_MAX = 10000 };
 /* Larger numbers are none of a scene, and would not fit into a picture's coordinates. */
 static const double LARGEST = 1e100;
 
-bool picture_pair(const json_t *object, const char *key, double pair[2])
+static bool is_number(const json_t *value)
 {
-    const json_t *const list = json_object_get(object, key);
+    return json_is_number(value) && fabs(json_number_value(value)) < LARGEST;
+}
+
+bool picture_point(const json_t *list, double point[2])
+{
     bool good = json_array_size(list) == 2;
     for (size_t i = 0; good && i < 2; i++) {
-        pair[i] = json_number_value(json_array_get(list, i));
-        good = json_is_number(json_array_get(list, i)) && fabs(pair[i]) < LARGEST;
+        point[i] = json_number_value(json_array_get(list, i));
+        good = is_number(json_array_get(list, i));
     }
     return good;
 }
 
-static bool is_number(const json_t *value)
+bool picture_pair(const json_t *object, const char *key, double pair[2])
 {
-    return json_is_number(value) && fabs(json_number_value(value)) < LARGEST;
+    return picture_point(json_object_get(object, key), pair);
+}
+
+bool picture_number(const json_t *object, const char *key, double *number)
+{
+    *number = json_number_value(json_object_get(object, key));
+    return is_number(json_object_get(object, key));
 }
 
 /* `count` numbers, or NULL; those that are missing are not numbers where that is allowed. */

@@ -41,7 +41,10 @@ enum mpm_status picture_file_read(const char *path, struct picture_file *file,
                                   struct mpm_error *error);
 void picture_file_clear(struct picture_file *file);
 
-/* Two numbers at the key of an object; false: it has none. */
+/* A number or two numbers of a scene, small enough to be drawn, in a list or at the key of an
+ * object; false: there are none. */
+bool picture_point(const json_t *list, double point[2]);
 bool picture_pair(const json_t *object, const char *key, double pair[2]);
+bool picture_number(const json_t *object, const char *key, double *number);
 
 #endif

@@ -7,8 +7,8 @@
 #include "verification/pages/svg.h"
 #include "verification/report/region_svg.h"
 
+#include <gsl/gsl_sort.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { LEVELS = 64, FINE = 10 /* parts of a pixel */ };
@@ -31,12 +31,6 @@ struct drawing {
 
 /* -------------------------------------------------------------------- colours */
 
-static int compare_numbers(const void *a, const void *b)
-{
-    const double one = *(const double *)a, other = *(const double *)b;
-    return (one > other) - (one < other);
-}
-
 static bool is_rigid(const struct picture_file *file, size_t body)
 {
     const json_t *const bodies = json_object_get(file->scene, "bodies");
@@ -51,7 +45,7 @@ static GArray *sorted_values(const struct picture_file *file, const struct pictu
         for (size_t p = 0; p < states->count; p++)
             if (isfinite(states->frames[i].value[p]) && !is_rigid(file, states->body[p]))
                 g_array_append_val(values, states->frames[i].value[p]);
-    qsort(values->data, values->len, sizeof(double), compare_numbers);
+    gsl_sort((double *)(void *)values->data, 1, values->len);
     return values;
 }
 
@@ -348,6 +342,7 @@ static void add_key(const struct drawing *drawing, double left, double width)
 /* --------------------------------------------------------------------- whole */
 
 enum { WIDTH = 560, LEFT = 76, RIGHT = 22, TOP = 84, BOTTOM = 46, TALLEST = 400 };
+enum { TOP_PLAIN = 38 /* without a colour bar */ };
 
 static const char look[] =
     ".plain{stroke-width:6}.outlined{stroke:#000;stroke-opacity:.35;stroke-width:4}"
@@ -374,9 +369,10 @@ static void begin(struct drawing *drawing, const char *title, const char *descri
     drawing->svg = g_string_new(NULL);
     drawing->range = range_of(drawing->file, drawing->states);
     find_bounds(drawing, low, high);
-    drawing->view = svg_view_of(low, high, LEFT, TOP, WIDTH - LEFT - RIGHT, TALLEST);
+    const double top = is_uniform(&drawing->range) ? TOP_PLAIN : TOP;
+    drawing->view = svg_view_of(low, high, LEFT, top, WIDTH - LEFT - RIGHT, TALLEST);
     drawing->outlined = drawing->states->count <= OUTLINED_MAX && has_large_domains(drawing);
-    svg_begin(drawing->svg, WIDTH, TOP + svg_height(&drawing->view) + BOTTOM, "plot", title,
+    svg_begin(drawing->svg, WIDTH, top + svg_height(&drawing->view) + BOTTOM, "plot", title,
               description, style);
     add_clip(drawing);
     add_key(drawing, LEFT, WIDTH - LEFT - RIGHT);

@@ -41,20 +41,11 @@ static void append_box(GString *svg, const struct svg_view *view, const double f
     g_string_append_c(svg, 'z');
 }
 
-static bool point_at(const json_t *points, size_t i, double point[2])
-{
-    json_t *holder = json_object();
-    json_object_set(holder, "p", json_array_get(points, i));
-    const bool good = picture_pair(holder, "p", point);
-    json_decref(holder);
-    return good;
-}
-
 static void append_polygon(GString *svg, const struct svg_view *view, const json_t *points)
 {
     double point[2];
     for (size_t i = 0; i < json_array_size(points); i++)
-        if (point_at(points, i, point))
+        if (picture_point(json_array_get(points, i), point))
             append_point(svg, view, i == 0 ? "M" : "L", point[0], point[1]);
     g_string_append_c(svg, 'z');
 }
@@ -63,7 +54,7 @@ void region_path(GString *svg, const struct svg_view *view, const json_t *region
                  const char *attributes)
 {
     static const char *const boxes[] = {"rectangle", "line"};
-    double a[2], b[2];
+    double a[2], b[2], outer, inner;
     GString *path = g_string_new(NULL);
     for (size_t i = 0; i < G_N_ELEMENTS(boxes); i++) {
         const json_t *const box = json_object_get(region, boxes[i]);
@@ -71,13 +62,13 @@ void region_path(GString *svg, const struct svg_view *view, const json_t *region
             append_box(path, view, a, b);
     }
     const json_t *const disk = json_object_get(region, "disk");
-    if (picture_pair(disk, "center", a) && isfinite(record_number(disk, "radius")))
-        append_circle(path, view, a, record_number(disk, "radius"));
+    if (picture_pair(disk, "center", a) && picture_number(disk, "radius", &outer))
+        append_circle(path, view, a, outer);
     const json_t *const ring = json_object_get(region, "annulus");
-    if (picture_pair(ring, "center", a) && isfinite(record_number(ring, "outer")) &&
-        isfinite(record_number(ring, "inner"))) {
-        append_circle(path, view, a, record_number(ring, "outer"));
-        append_circle(path, view, a, record_number(ring, "inner"));
+    if (picture_pair(ring, "center", a) && picture_number(ring, "outer", &outer) &&
+        picture_number(ring, "inner", &inner)) {
+        append_circle(path, view, a, outer);
+        append_circle(path, view, a, inner);
     }
     const json_t *const polygon = json_object_get(json_object_get(region, "polygon"), "points");
     if (json_array_size(polygon) > 0)
@@ -102,7 +93,7 @@ bool region_box(const json_t *region, double low[2], double high[2])
 {
     static const char *const boxes[] = {"rectangle", "line"};
     static const char *const rounds[][2] = {{"disk", "radius"}, {"annulus", "outer"}};
-    double a[2], b[2];
+    double a[2], b[2], radius;
     low[0] = low[1] = HUGE_VAL;
     high[0] = high[1] = -HUGE_VAL;
     for (size_t i = 0; i < G_N_ELEMENTS(boxes); i++) {
@@ -114,13 +105,12 @@ bool region_box(const json_t *region, double low[2], double high[2])
     }
     for (size_t i = 0; i < G_N_ELEMENTS(rounds); i++) {
         const json_t *const body = json_object_get(region, rounds[i][0]);
-        const double radius = record_number(body, rounds[i][1]);
-        if (picture_pair(body, "center", a) && fabs(radius) < HUGE_VAL)
+        if (picture_pair(body, "center", a) && picture_number(body, rounds[i][1], &radius))
             take(low, high, a, radius);
     }
     const json_t *const polygon = json_object_get(json_object_get(region, "polygon"), "points");
     for (size_t i = 0; i < json_array_size(polygon); i++)
-        if (point_at(polygon, i, a))
+        if (picture_point(json_array_get(polygon, i), a))
             take(low, high, a, 0);
     return low[0] <= high[0];
 }

@@ -48,7 +48,7 @@ static GPtrArray *gather(const json_t *checks)
             declared = g_new0(struct declared, 1);
             declared->checks = g_ptr_array_new();
             declared->worst = record_status(check);
-            declared->margin = (double)NAN;
+            declared->least = declared->margin = (double)NAN;
             g_ptr_array_add(all, declared);
         }
         const double margin = record_number(check, "margin");
@@ -97,7 +97,7 @@ void report_checks_page(struct report_site *site)
 {
     static const struct report_column columns[] = {
         {"Check", NULL, CELLS_TEXT, false},      {"Worst status", NULL, CELLS_TEXT, false},
-        {"What it is", NULL, CELLS_WIDE, false}, {"Variants", NULL, CELLS_WIDE, false},
+        {"What it is", NULL, CELLS_WIDE, false}, {"Variants", NULL, CELLS_TEXT, false},
         {"Value", NULL, CELLS_NUMBER, false},    {"Band", NULL, CELLS_BAND, false},
         {"Margin", NULL, CELLS_TEXT, false},     {"Band from", NULL, CELLS_TEXT, false},
         {"Evidence", NULL, CELLS_TEXT, false},

@@ -10,8 +10,8 @@
 #include "verification/report/comparison_view.h"
 #include "verification/report/report_site.h"
 
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* What a user comes with, and the tag of the cases that are about it. */
@@ -136,39 +136,52 @@ static void take_check(struct decision *decision, json_t *check)
     decision->most_cases = MAX(decision->most_cases, method->cases->len);
 }
 
-/* Seconds of each variant of a case over the least of the same setting. */
+/* The runs of one setting of a case. */
+struct setting {
+    const struct method *first;
+    double least;  /* seconds */
+    bool compared; /* are there runs of another method as well? */
+};
+
+static struct setting *find_setting(GHashTable *settings, char *name, const struct method *method)
+{
+    struct setting *setting = g_hash_table_lookup(settings, name);
+    if (setting != NULL) {
+        g_free(name);
+        return setting;
+    }
+    setting = g_new(struct setting, 1);
+    *setting = (struct setting){.first = method, .least = HUGE_VAL};
+    g_hash_table_insert(settings, name, setting);
+    return setting;
+}
+
+/* Seconds of each variant of a case over the least of the same setting, if several methods ran it:
+ * one that is alone in its setting would be the cheapest. */
 static void take_costs(struct decision *decision, const json_t *entry)
 {
     const json_t *variants = json_object_get(entry, "variants");
-    GHashTable *least = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free);
+    GHashTable *settings = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free);
     for (int pass = 0; pass < 2; pass++)
         for (size_t i = 0; i < json_array_size(variants); i++) {
             const json_t *variant = json_array_get(variants, i);
             const char *name = record_text(variant, "variant");
             const double seconds = record_number(variant, "seconds");
-            char *method = method_of(decision->parts, name);
-            char *setting = setting_of(decision->parts, name);
-            double *known = g_hash_table_lookup(least, setting);
-            const bool counts = method != NULL && seconds > 0;
-            if (counts && pass == 0 && (known == NULL || seconds < *known)) {
-                double *fresh = g_new(double, 1);
-                *fresh = seconds;
-                g_hash_table_insert(least, g_strdup(setting), fresh);
-            } else if (counts && pass == 1) {
-                const double ratio = seconds / *known;
-                struct method *own = find_method(decision, g_strdup(method));
-                g_array_append_val(own->costs, ratio);
+            char *known = method_of(decision->parts, name);
+            if (known == NULL || !(seconds > 0)) {
+                g_free(known);
+                continue;
             }
-            g_free(setting);
-            g_free(method);
+            struct method *method = find_method(decision, known);
+            struct setting *setting =
+                find_setting(settings, setting_of(decision->parts, name), method);
+            const double ratio = seconds / setting->least;
+            setting->least = fmin(setting->least, seconds);
+            setting->compared = setting->compared || setting->first != method;
+            if (pass == 1 && setting->compared)
+                g_array_append_val(method->costs, ratio);
         }
-    g_hash_table_unref(least);
-}
-
-static int compare_numbers(const void *a, const void *b)
-{
-    const double one = *(const double *)a, other = *(const double *)b;
-    return (one > other) - (one < other);
+    g_hash_table_unref(settings);
 }
 
 /* Share of the checks that it does not hold, then cost. Of methods with fewer than half of the
@@ -215,10 +228,9 @@ static struct decision decide(const struct records *records, const char *tag)
             g_ptr_array_remove_index(decision.methods, i - 1);
             continue;
         }
-        GArray *costs = method->costs;
-        g_array_sort(costs, compare_numbers);
-        if (costs->len > 0)
-            method->cost = g_array_index(costs, double, costs->len / 2);
+        if (method->costs->len > 0)
+            method->cost =
+                gsl_stats_median((double *)(void *)method->costs->data, 1, method->costs->len);
     }
     g_ptr_array_sort_with_data(decision.methods, compare_methods, &decision);
     return decision;
@@ -414,13 +426,15 @@ void report_decision_page(struct report_site *site)
         return;
     GString *html = g_string_new(
         "<h1>Which method for what</h1>\n<p class=\"lead\">For each purpose: what each method "
-        "holds, what it costs, and where it falls short. Every number is of this run, and names "
-        "its case.</p>\n<p class=\"about\">A method is a family of shape functions with an order "
+        "holds, what it costs, and where it falls short. All numbers are measured in this "
+        "run.</p>\n<p class=\"about\">A method is a family of shape functions with an order "
         "of the stress update, over all its variants in the cases of that purpose. Methods come "
-        "in the order of the share of checks that they hold, then of cost; those with fewer than "
-        "half of the cases of the most measured one come last. Cost: time over the least of "
-        "the same case and setting, the median. A check that is expected to fail is one that the "
-        "method does not hold.</p>\n<nav aria-label=\"Purposes\"><ul class=\"here\">");
+        "in the order of the share of checks that they hold, then of cost. Methods that run fewer "
+        "than "
+        "half as many cases as the method with most cases come last. Cost is time over the least "
+        "time of any method in the same case and setting: the median over all settings that two "
+        "methods or more ran. A check that is expected to fail counts as not held.</p>\n<nav "
+        "aria-label=\"Purposes\"><ul class=\"here\">");
     for (size_t i = 0; i < G_N_ELEMENTS(purposes); i++)
         text_markup(html, "<li><a href=\"#%s\">%s</a></li>", purposes[i].tag, purposes[i].title);
     g_string_append(html, "</ul></nav>\n");

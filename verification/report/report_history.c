@@ -52,7 +52,7 @@ static size_t known_numbers(const struct series *series, size_t length)
 {
     size_t known = 0;
     for (size_t i = 0; i < length; i++)
-        known += isfinite(series->numbers[i]);
+        known += isfinite(series->numbers[i]) ? 1 : 0;
     return known;
 }
 
@@ -149,11 +149,13 @@ static void add_place(GString *html, const char *format, double x, double y)
 static GString *course(const struct history_view *view, const struct series *series)
 {
     GString *html = g_string_new(NULL);
+    char *steps = text_count(series->step_count, "step");
     g_string_append_printf(html,
                            "<svg class=\"course\" role=\"img\" viewBox=\"0 0 %d %d\" width=\"%d\" "
-                           "height=\"%d\" aria-label=\"%zu runs, %zu steps\"><polyline points=\"",
+                           "height=\"%d\" aria-label=\"%zu runs, %s\"><polyline points=\"",
                            COURSE_WIDTH, COURSE_HEIGHT, COURSE_WIDTH, COURSE_HEIGHT, view->length,
-                           series->step_count);
+                           steps);
+    g_free(steps);
     for (size_t i = 0; i < view->length; i++)
         if (isfinite(series->numbers[i]))
             add_place(html, "%s,%s ", place_across(view, i),
@@ -192,6 +194,14 @@ static void add_percent(struct report_table *table, double part)
 
 /* ------------------------------------------------------------------------ tables */
 
+static size_t known_values(const struct records *records)
+{
+    size_t known = 0;
+    for (size_t i = 0; i < json_array_size(records->checks); i++)
+        known += json_is_number(json_object_get(json_array_get(records->checks, i), "value"));
+    return known;
+}
+
 static void add_runs(GString *html, struct report_site *site, const struct history_view *view)
 {
     static const struct report_column columns[] = {
@@ -208,7 +218,8 @@ static void add_runs(GString *html, struct report_site *site, const struct histo
         const json_t *run = own ? site->records->run : json_array_get(view->runs, i);
         const size_t failed =
             own ? counts.failed : (size_t)json_integer_value(json_object_get(run, "failed"));
-        const size_t values = own ? counts.total : json_object_size(json_object_get(run, "values"));
+        const size_t values =
+            own ? known_values(site->records) : json_object_size(json_object_get(run, "values"));
         const size_t benchmarks =
             json_object_size(json_object_get(own ? site->history : run, "benchmarks"));
         report_table_number(table, (double)i + 1, g_strdup_printf("%zu", i + 1));

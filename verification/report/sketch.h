@@ -41,7 +41,8 @@ char *sketch_value(const json_t *value);
 /* Direction of a component: -1, 0 or 1; of an expression by its first sign, of `free` 0. */
 int sketch_sign(const json_t *component);
 
-/* "mm", "mm/ms" and the unit of stress; the scene's names, "" without. g_free. */
+/* Of a length, velocity or acceleration: "mm", "mm/ms", "mm/ms²"; "" in a scene without units.
+ * g_free. */
 char *sketch_unit(const struct sketch *sketch, const char *what);
 
 /* sketch_frame.c: keeps the upper left corner free, before any number is drawn; lines of the grid

@@ -16,7 +16,7 @@ struct segment {
     int normal;            /* axis that it is across */
 };
 
-/* Lines, and the inner edges of thin rectangles, cut to what is seen and a little more. */
+/* A line, cut to what is seen and a little more; false: the region is none, or is not seen. */
 static bool find_segment(const struct sketch *sketch, const json_t *region, struct segment *segment)
 {
     const struct svg_view *const view = &sketch->view;

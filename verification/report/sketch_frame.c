@@ -32,9 +32,11 @@ void sketch_grid(struct sketch *sketch)
         const double step = cell[axis] / refine;
         if (!(step * view->scale >= LEAST))
             continue;
-        for (double k = ceil((view->low[axis] - origin[axis]) / step - 1e-9);
-             origin[axis] + k * step <= view->high[axis] + 1e-9 * step; k++) {
-            const double at = origin[axis] + k * step;
+        const double first =
+            origin[axis] + step * ceil((view->low[axis] - origin[axis]) / step - 1e-9);
+        const int most = (int)((view->high[axis] - view->low[axis]) / step) + 1;
+        for (int i = 0; i <= most && first + i * step <= view->high[axis] + 1e-9 * step; i++) {
+            const double at = first + i * step;
             const double x = svg_x(view, at), y = svg_y(view, at);
             if (axis == 0)
                 svg_line(sketch->svg, "grid", x, view->top, x, view->top + svg_height(view));

@@ -124,21 +124,24 @@ static char *region_text(const json_t *region, const char *unit)
 {
     double low[2], high[2];
     const char *const gap = *unit == '\0' ? "" : " ";
-    const bool boxed = region_box(region, low, high);
-    const double x = (low[0] + high[0]) / 2, y = (low[1] + high[1]) / 2;
-    if (!boxed)
+    const json_t *const disk = json_object_get(region, "disk"), *const ring = json_object_get(
+                                                                    region, "annulus");
+    if (!region_box(region, low, high))
         return g_strdup("");
-    if (json_is_object(json_object_get(region, "disk")))
-        return g_strdup_printf("disk of radius %g%s%s about (%g, %g)", (high[0] - low[0]) / 2, gap,
-                               unit, x, y);
-    if (json_is_object(json_object_get(region, "annulus")))
-        return g_strdup_printf("ring of radii %g and %g%s%s about (%g, %g)",
-                               record_number(json_object_get(region, "annulus"), "inner"),
-                               (high[0] - low[0]) / 2, gap, unit, x, y);
-    return g_strdup_printf("%s, %g by %g%s%s",
-                           json_is_object(json_object_get(region, "polygon")) ? "polygon"
-                                                                              : "rectangle",
-                           high[0] - low[0], high[1] - low[1], gap, unit);
+    const double width = high[0] - low[0], height = high[1] - low[1];
+    char *centre = sketch_vector(json_object_get(json_is_object(disk) ? disk : ring, "center"), "");
+    char *text =
+        json_is_object(disk)
+            ? g_strdup_printf("disk of radius %g%s%s about %s", width / 2, gap, unit, centre)
+        : json_is_object(ring)
+            ? g_strdup_printf("ring of radii %g and %g%s%s about %s", record_number(ring, "inner"),
+                              width / 2, gap, unit, centre)
+            : g_strdup_printf("%s, %g by %g%s%s",
+                              json_is_object(json_object_get(region, "polygon")) ? "polygon"
+                                                                                 : "rectangle",
+                              width, height, gap, unit);
+    g_free(centre);
+    return text;
 }
 
 static const json_t *material_of(const json_t *scene, const char *name, size_t *index)
@@ -192,11 +195,7 @@ static void add_velocity(struct sketch *sketch, const json_t *body, double x, do
     enum { LENGTH = 34 };
     const json_t *const velocity = body_velocity(body);
     double v[2];
-    json_t *holder = json_object();
-    json_object_set(holder, "v", (json_t *)(uintptr_t)velocity);
-    const bool known = picture_pair(holder, "v", v);
-    json_decref(holder);
-    const double size = known ? hypot(v[0], v[1]) : 0;
+    const double size = picture_point(velocity, v) ? hypot(v[0], v[1]) : 0;
     if (size > 0)
         sketch_arrow(sketch, "moves", x + (LENGTH + 14) * v[0] / size,
                      y - (LENGTH + 14) * v[1] / size, LENGTH * v[0] / size, -LENGTH * v[1] / size);
@@ -255,10 +254,12 @@ static void add_crack(struct sketch *sketch, const json_t *crack)
     double last[2] = {0, 0};
     GString *path = g_string_new(NULL);
     for (size_t i = 0; i < json_array_size(points); i++) {
-        const json_t *const point = json_array_get(points, i);
-        last[0] = svg_x(&sketch->view, json_number_value(json_array_get(point, 0)));
-        last[1] = svg_y(&sketch->view, json_number_value(json_array_get(point, 1)));
-        g_string_append(path, i == 0 ? "M" : "L");
+        double point[2];
+        if (!picture_point(json_array_get(points, i), point))
+            continue;
+        last[0] = svg_x(&sketch->view, point[0]);
+        last[1] = svg_y(&sketch->view, point[1]);
+        g_string_append(path, path->len == 0 ? "M" : "L");
         svg_number(path, last[0]);
         g_string_append_c(path, ' ');
         svg_number(path, last[1]);

@@ -21,6 +21,11 @@ char *study_file_path(const char *output)
     return g_build_filename(output, "study", "study.yaml", NULL);
 }
 
+char *study_scene_path(const char *output)
+{
+    return g_build_filename(output, "study", "scene.yaml", NULL);
+}
+
 char *study_catalogue(const char *output)
 {
     return g_build_filename(output, "study", "catalogue", NULL);
@@ -154,6 +159,8 @@ static enum mpm_status write_all(const struct study *study, const GArray *runs, 
     enum mpm_status status = folder_make(folder, error);
     if (status == MPM_OK)
         status = output_write(folder, "study.yaml", text, error);
+    if (status == MPM_OK)
+        status = output_write(folder, "scene.yaml", study->scene_text, error);
     if (status == MPM_OK)
         status = folder_remove(catalogue, error);
     for (unsigned i = 0; status == MPM_OK && i < runs->len; i++)

@@ -15,6 +15,7 @@ static const char *const over_names[OVERS] = {"cell", "time"};
 /* What is drawn, and its extent. */
 struct drawing {
     GString *data; /* blocks: a name between quotes, then x and error of each level */
+    GString *axes; /* settings of gnuplot: ranges, slopes */
     unsigned curves, points;
     double x[2], y[2]; /* least and largest */
 };
@@ -82,18 +83,55 @@ static double add_slopes(struct drawing *drawing, GString *axes)
         right, base, right, base * width * width, left, base, right, base * width);
     for (int slope = 1; slope <= 2; slope++)
         g_string_append_printf(axes,
-                               "set label '%d' at %.9g, %.9g left offset 0.4, 0 font ',11' "
+                               "set label 'slope %d' at %.9g, %.9g left offset 0.4, 0 font ',11' "
                                "textcolor rgb '#606060'\n",
                                slope, right, base * pow(width, slope));
     return base / 1.5;
 }
 
+/* For gnuplot's enhanced texts: "ms^-2" is raised, a name stays as it is. */
 static char *label(const char *what, const char *unit)
 {
     char *text = strcmp(unit, "1") == 0 ? g_strdup(what) : g_strconcat(what, " / ", unit, NULL);
-    char *quoted = figure_quoted(text);
+    GRegex *special = g_regex_new("[_{}@&~\\\\]", 0, 0, NULL);
+    GRegex *power = g_regex_new("\\^(-?[0-9]+)", 0, 0, NULL);
+    char *plain = g_regex_replace(special, text, -1, 0, "\\\\\\0", 0, NULL);
+    char *raised = g_regex_replace(power, plain, -1, 0, "^{\\1}", 0, NULL);
+    char *quoted = figure_quoted(raised);
+    g_free(raised);
+    g_free(plain);
+    g_regex_unref(power);
+    g_regex_unref(special);
     g_free(text);
     return quoted;
+}
+
+/* What the axis has labels at, as tenths of a power of ten: 1, 2, 5; all digits; all tenths. */
+static bool has_label(int fineness, int tenths)
+{
+    const bool few = tenths == 10 || tenths == 20 || tenths == 50;
+    return fineness == 0 ? few : fineness == 1 ? tenths % 10 == 0 : true;
+}
+
+/* Powers of ten alone are too few labels on a short axis: the first list with three of them. */
+static void add_tics(GString *axes, char axis, double low, double high)
+{
+    GString *tics = g_string_new(NULL);
+    unsigned count = 0;
+    for (int fineness = 0; high < 1000.0 * low && count < 3 && fineness < 3; fineness++) {
+        count = 0;
+        g_string_printf(tics, "set %ctics (", axis);
+        for (int power = (int)floor(log10(low)); power <= (int)floor(log10(high)); power++)
+            for (int tenths = 10; tenths < 100; tenths++) {
+                const double value = tenths * pow(10.0, power - 1);
+                if (has_label(fineness, tenths) && value >= low && value <= high)
+                    g_string_append_printf(tics, "%s'%.2g' %.9g", count++ == 0 ? "" : ", ", value,
+                                           value);
+            }
+        g_string_append(tics, ")\n");
+    }
+    g_string_append(axes, tics->str);
+    g_string_free(tics, TRUE);
 }
 
 static char *across_label(const struct study *study, enum over over)
@@ -103,9 +141,12 @@ static char *across_label(const struct study *study, enum over over)
                              : label("processor time", "s");
 }
 
+/* Pixels, without the legend and of a line of it. */
+enum { BARE_HEIGHT = 440, LEGEND_HEIGHT = 22 };
+
 static enum mpm_status plot(const struct study_results *results, unsigned k, enum over over,
                             const char *folder, const char *reports, const char *stamp,
-                            const char *axes, unsigned curves, struct mpm_error *error)
+                            const struct drawing *drawing, struct mpm_error *error)
 {
     const struct study_entry *entry = &results->study->measures[k];
     char *what = g_strconcat("error of ", entry->name, NULL);
@@ -117,15 +158,16 @@ static enum mpm_status plot(const struct study_results *results, unsigned k, enu
     char *style = g_build_filename(reports, "style.gp", NULL);
     char *script = g_build_filename(reports, "study.gp", NULL);
     char *settings = g_strdup_printf("name='study'; data=%s; variants=''; stamp=%s; across=%s; "
-                                     "up=%s; curves=%u; slopes=%d",
-                                     quoted, quoted_stamp, across, up, curves,
-                                     strstr(axes, "set label") != NULL);
+                                     "up=%s; curves=%u; slopes=%d; height=%u",
+                                     quoted, quoted_stamp, across, up, drawing->curves,
+                                     strstr(drawing->axes->str, "set label") != NULL,
+                                     BARE_HEIGHT + LEGEND_HEIGHT * drawing->curves);
     char *const owned[] = {what,   across,       up,      name,  path,   whole,
                            quoted, quoted_stamp, picture, style, script, settings};
     const struct figure_result result = figure_plot(&(struct figure_plot){
         .script = script,
         .style = style,
-        .axes = axes,
+        .axes = drawing->axes->str,
         .settings = settings,
         .folder = folder,
         .output = picture,
@@ -145,16 +187,20 @@ static enum mpm_status picture(const struct study_results *results, unsigned k, 
     const char *name = results->study->measures[k].name;
     struct drawing drawing = draw(results, k, over);
     GString *axes = g_string_new(NULL);
+    drawing.axes = axes;
     char *file = g_strdup_printf("data-%s-%s.dat", name, over_names[over]);
     enum mpm_status status = MPM_OK;
     if (drawing.points >= 2) {
         const double low = over == OVER_CELL ? add_slopes(&drawing, axes) : drawing.y[0] / 2.0;
-        g_string_append_printf(axes, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n",
-                               drawing.x[0] / 1.2, drawing.x[1] * 1.2, low, drawing.y[1] * 2.0);
+        const double x[2] = {drawing.x[0] / 1.2, drawing.x[1] * 1.2};
+        const double high = drawing.y[1] * 2.0;
+        g_string_append_printf(axes, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", x[0], x[1],
+                               low, high);
+        add_tics(axes, 'x', x[0], x[1]);
+        add_tics(axes, 'y', low, high);
         status = output_write(folder, file, drawing.data->str, error);
         if (status == MPM_OK)
-            status =
-                plot(results, k, over, folder, reports, stamp, axes->str, drawing.curves, error);
+            status = plot(results, k, over, folder, reports, stamp, &drawing, error);
     }
     g_free(file);
     g_string_free(axes, TRUE);

@@ -15,16 +15,30 @@ const char *study_state_name(enum study_state state)
 
 /* ---------------------------------------------------------------------- records */
 
-/* A number that the run of that name has left; NaN: none. */
-static double number_of(const struct records *records, const char *run, const char *quantity)
+/* What the run of that name has left of a quantity; NULL: nothing. */
+static const json_t *line_of(const struct records *records, const char *run, const char *quantity)
 {
     for (size_t i = 0; i < json_array_size(records->measurements); i++) {
         const json_t *line = json_array_get(records->measurements, i);
         if (strcmp(record_text(line, "case"), run) == 0 &&
             strcmp(record_text(line, "quantity"), quantity) == 0)
-            return record_number(line, "value");
+            return line;
     }
-    return NAN;
+    return NULL;
+}
+
+/* NaN: none. */
+static double number_of(const struct records *records, const char *run, const char *quantity)
+{
+    return record_number(line_of(records, run, quantity), "value");
+}
+
+/* Why a run that is done has no number for the measure. */
+static char *missing_reason(const struct records *records, const char *run, unsigned k)
+{
+    char quantity[32];
+    g_snprintf(quantity, sizeof quantity, "measure_%u", k + 1);
+    return g_strdup(record_text(line_of(records, run, quantity), "reason"));
 }
 
 static double numbered(const struct records *records, const char *run, const char *name, unsigned k)
@@ -71,7 +85,7 @@ static void take_row(const struct study *study, const struct records *records,
     for (unsigned k = 0; k < study->measures_count; k++) {
         const struct study_entry *entry = &study->measures[k];
         struct study_value *value = &row->values[k];
-        *value = (struct study_value){NAN, NAN, NAN, NAN};
+        *value = (struct study_value){(double)NAN, (double)NAN, (double)NAN, (double)NAN};
         if (row->state != STUDY_DONE)
             continue;
         value->value = numbered(records, name, "measure", k);
@@ -79,6 +93,8 @@ static void take_row(const struct study *study, const struct records *records,
                                ? entry->number
                                : numbered(records, name, "reference", k);
         value->error = error_of(entry, value);
+        if (isnan(value->value) && row->reason == NULL)
+            row->reason = missing_reason(records, name, k);
     }
 }
 
@@ -119,8 +135,8 @@ static struct study_order order_of_errors(const struct levels *levels)
         .order = fit.order,
         .half_width = fit.half_width,
         .levels = levels->count,
-        .limit = NAN,
-        .index = NAN,
+        .limit = (double)NAN,
+        .index = (double)NAN,
         .kind = order_class_name(order_classify(levels->count, levels->cell, levels->error)),
         .reason = isfinite(fit.order) ? ""
                   : levels->count < 2 ? "fewer than two levels have a number"
@@ -143,11 +159,11 @@ static bool triple(const struct levels *levels, size_t last, struct grid_converg
 /* Without an exact number: order and limit of the last three levels. */
 static struct study_order order_of_differences(const struct levels *levels)
 {
-    struct study_order order = {.order = NAN,
-                                .half_width = NAN,
+    struct study_order order = {.order = (double)NAN,
+                                .half_width = (double)NAN,
                                 .levels = 3,
-                                .limit = NAN,
-                                .index = NAN,
+                                .limit = (double)NAN,
+                                .index = (double)NAN,
                                 .kind = "",
                                 .reason = "fewer than three levels have a number"};
     struct grid_convergence found, before;
@@ -177,7 +193,7 @@ static void set_errors(const struct study_entry *entry, const struct study_order
         levels->at[j]->reference = reference;
         levels->error[j] = fabs(levels->value[j] - reference);
         if (entry->against == AGAINST_FINEST && j + 1 == levels->count)
-            levels->error[j] = NAN; /* it is its own reference */
+            levels->error[j] = (double)NAN; /* it is its own reference */
         levels->at[j]->error = levels->error[j];
     }
 }

@@ -19,7 +19,7 @@ struct study_value {
 struct study_row {
     const struct study_run *run;
     enum study_state state;
-    char *reason; /* of one that is not done */
+    char *reason; /* of one that is not done, or has no number for a measure; NULL: none */
     double cpu_seconds, particle_steps;
     struct study_value *values; /* of each measure */
 };

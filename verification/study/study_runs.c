@@ -78,9 +78,10 @@ static enum mpm_status add_run(const struct study *study, size_t group, int64_t 
     run.variant = variant_of(study, group);
     char *prefix = group_name(study, group);
     run.name = g_strdup_printf("%sr%" PRId64, prefix, level);
-    if (!name_is_sound(run.name) || name_is_taken(runs, run.name)) {
+    for (size_t number = group + 1; !name_is_sound(run.name) || name_is_taken(runs, run.name);
+         number += STUDY_RUNS_MAX) {
         g_free(run.name);
-        run.name = g_strdup_printf("v%zu-r%" PRId64, group + 1, level);
+        run.name = g_strdup_printf("v%zu-r%" PRId64, number, level);
     }
     g_free(prefix);
     g_array_append_val(runs, run);

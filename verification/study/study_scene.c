@@ -6,7 +6,6 @@
 #include "verification/common/input.h"
 #include "verification/programs/table_named.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -58,7 +57,7 @@ static enum mpm_status effective_number(const struct mpm_tree_node *root, const 
                                         const char *path, double *value, struct mpm_error *error)
 {
     char *text = effective(root, settings, path);
-    *value = NAN;
+    *value = (double)NAN;
     enum mpm_status status = MPM_OK;
     if (text != NULL && !mpm_number_parse(text, value))
         status = failure_set(error, MPM_BAD_INPUT, "%s: \"%s\": allowed is a number", path, text);
@@ -207,15 +206,14 @@ enum mpm_status study_scene_try(struct study *study, const struct study_run *run
     const char **settings = g_new(const char *, count + 1);
     memcpy(settings, run->settings, count * sizeof *settings);
     settings[count] = "time.steps=1";
-    char *folder = g_build_filename(g_get_tmp_dir(), "touchstone-XXXXXX", NULL);
-    const bool made = mpm_folder_make_new(folder) == 0;
-    enum mpm_status status = made ? MPM_OK : mpm_file_failed(folder, errno, error);
+    char *folder = NULL;
+    enum mpm_status status = mpm_folder_make_temporary(&folder, error);
     if (status == MPM_OK)
         status = mpm_scene_read(study->scene, settings, count + 1, &scene, error);
     if (status == MPM_OK)
         status = try_in(study, scene, folder, error);
     mpm_scene_free(scene);
-    if (made)
+    if (folder != NULL)
         (void)mpm_folder_remove_all(folder, NULL);
     g_free(folder);
     g_free(settings);

@@ -33,11 +33,11 @@ static void add_cell(struct table *table, const char *text)
     g_strfreev(parts);
 }
 
-static void add_number(struct table *table, const char *format, double value)
+static void add_number(struct table *table, int digits, double value)
 {
     char text[64] = "-";
     if (isfinite(value))
-        g_snprintf(text, sizeof text, "%.*g", atoi(format), value);
+        g_snprintf(text, sizeof text, "%.*g", digits, value);
     add_cell(table, text);
 }
 
@@ -89,15 +89,15 @@ static void add_rows(const struct study_results *results, unsigned k, GString *o
         g_snprintf(level, sizeof level, "%" PRId64, row->run->level);
         add_cell(&table, *row->run->variant == '\0' ? "the scene" : row->run->variant);
         add_cell(&table, level);
-        add_number(&table, "6", row->run->cell);
+        add_number(&table, 6, row->run->cell);
         if (row->state == STUDY_DONE)
-            add_number(&table, "9", value->value);
+            add_number(&table, 9, value->value);
         else
             add_cell(&table, study_state_name(row->state));
-        add_number(&table, "4", value->error);
-        add_number(&table, "3", value->order);
-        add_number(&table, "3", row->cpu_seconds);
-        add_number(&table, "6", row->particle_steps);
+        add_number(&table, 4, value->error);
+        add_number(&table, 3, value->order);
+        add_number(&table, 3, row->cpu_seconds);
+        add_number(&table, 6, row->particle_steps);
     }
     print_table(&table, out);
     g_free(cell);
@@ -123,9 +123,10 @@ static void add_order(const struct study_results *results, size_t group, unsigne
             out, " (differences of the last three levels%s)",
             isfinite(order->half_width) ? "; ± is the change from the three levels before" : "");
     if (isfinite(order->limit))
-        g_string_append_printf(out,
-                               "; limit %.9g, grid-convergence index of the finest level %.2g %%",
-                               order->limit, 100.0 * order->index);
+        g_string_append_printf(out, "; limit %.9g", order->limit);
+    if (isfinite(order->index))
+        g_string_append_printf(out, ", grid-convergence index of the finest level %.2g %%",
+                               100.0 * order->index);
     if (order->judged)
         g_string_append_printf(out, "; %s %g .. %g%s", order->holds ? "within" : "NOT within",
                                entry->order[0], entry->order[1], order->holds ? "" : ": FAILS");
@@ -158,17 +159,19 @@ static void add_measure(const struct study_results *results, unsigned k, bool pi
 static void add_state(const struct study_results *results, GString *out)
 {
     const size_t bad = results->failed + results->missing;
-    if (bad == 0)
-        return;
-    g_string_append_printf(out,
-                           "\nThis study is incomplete: of %u runs, %zu failed and %zu are "
-                           "missing.\n\n",
-                           results->runs->len, results->failed, results->missing);
+    if (bad > 0)
+        g_string_append_printf(out,
+                               "\nThis study is incomplete: of %u runs, %zu failed and %zu are "
+                               "missing.\n",
+                               results->runs->len, results->failed, results->missing);
+    bool begun = false;
     for (unsigned i = 0; i < results->runs->len; i++) {
         const struct study_row *row = &results->rows[i];
-        if (row->state != STUDY_DONE)
-            g_string_append_printf(out, "- %s %s: %s\n", row->run->name,
-                                   study_state_name(row->state), row->reason);
+        if (row->reason == NULL)
+            continue;
+        g_string_append_printf(out, "%s- %s %s: %s\n", begun ? "" : "\n", row->run->name,
+                               study_state_name(row->state), row->reason);
+        begun = true;
     }
 }
 

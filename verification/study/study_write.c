@@ -39,17 +39,25 @@ static enum mpm_status write_results(const struct study_results *results, const 
     return status;
 }
 
+/* With the scene that the runs had: the user's may have changed since. */
+static enum mpm_status read_own(const char *output, struct study **study, struct mpm_error *error)
+{
+    char *path = study_file_path(output);
+    const enum mpm_status status = study_read(path, study, error);
+    g_free(path);
+    TRY(status);
+    g_free((*study)->scene);
+    (*study)->scene = study_scene_path(output);
+    return study_complete(*study, error);
+}
+
 enum mpm_status study_write(const char *output, const char *reports, FILE *out, bool *holds,
                             struct mpm_error *error)
 {
     struct study *study;
     struct records records;
     struct study_results results;
-    char *path = study_file_path(output);
-    enum mpm_status status = study_read(path, &study, error);
-    g_free(path);
-    TRY(status);
-    status = study_complete(study, error);
+    enum mpm_status status = read_own(output, &study, error);
     if (status == MPM_OK)
         status = records_read(output, &records, error);
     if (status != MPM_OK) {

@@ -102,9 +102,15 @@ int mpm_folder_make(const char *path)
     return failed == 0 ? make_one(path) : failed;
 }
 
-int mpm_folder_make_new(char *path)
+enum mpm_status mpm_folder_make_temporary(char **path, struct mpm_error *error)
 {
-    return system_mkdtemp(path) != NULL ? 0 : -1;
+    *path = g_build_filename(g_get_tmp_dir(), "touchstone-XXXXXX", NULL);
+    if (system_mkdtemp(*path) != NULL)
+        return MPM_OK;
+    const enum mpm_status status = mpm_file_failed(*path, errno, error);
+    g_free(*path);
+    *path = NULL;
+    return status;
 }
 
 int mpm_folder_remove(const char *path)

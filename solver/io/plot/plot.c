@@ -114,10 +114,8 @@ static enum mpm_status draw(struct drawing *drawing, const char *name,
                             enum mpm_status (*prepare)(const struct drawing *, const void *),
                             const void *what, char **picture)
 {
-    drawing->home = g_build_filename(g_get_tmp_dir(), "touchstone-XXXXXX", NULL);
     drawing->settings = g_string_new(NULL);
-    const bool made = mpm_folder_make_new(drawing->home) == 0;
-    enum mpm_status status = made ? MPM_OK : mpm_file_failed(drawing->home, errno, drawing->error);
+    enum mpm_status status = mpm_folder_make_temporary(&drawing->home, drawing->error);
     set_text(drawing, "output", "picture");
     set_text(drawing, "format", drawing->options->format);
     if (status == MPM_OK)
@@ -128,7 +126,7 @@ static enum mpm_status draw(struct drawing *drawing, const char *name,
         status = run_gnuplot(drawing);
     if (status == MPM_OK)
         status = take_picture(drawing, name, picture);
-    if (made)
+    if (drawing->home != NULL)
         (void)mpm_folder_remove_all(drawing->home, NULL);
     g_string_free(drawing->settings, TRUE);
     g_free(drawing->home);
@@ -180,7 +178,7 @@ static void append_domain(GString *data, double corners[4][2], double value)
 static enum mpm_status prepare_particles(const struct drawing *drawing, const void *what)
 {
     const struct mpm_picture *const picture = what;
-    struct limits range[3] = {{INFINITY, -INFINITY}, {INFINITY, -INFINITY}, {INFINITY, -INFINITY}};
+    struct limits range[3] = {{HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, -HUGE_VAL}};
     GString *const data = g_string_new(NULL);
     for (size_t p = 0; p < picture->count; p++) {
         append_domain(data, picture->corners[p], picture->values[p]);
@@ -212,20 +210,19 @@ static enum mpm_status find_snapshot(const struct mpm_plot_options *options, cha
     if (names == NULL)
         return mpm_file_unread(options->folder, errno, "a folder of results", error);
     *name = NULL;
+    uint64_t last = 0, number = 0;
     for (size_t k = 0; names[k] != NULL; k++) {
-        if (!g_str_has_prefix(names[k], MPM_SERIES_PREFIX) ||
-            !g_str_has_suffix(names[k], MPM_SERIES_SUFFIX))
+        if (!mpm_series_number(names[k], MPM_SERIES_PREFIX, MPM_SERIES_SUFFIX, &number))
             continue;
-        char *end = NULL;
-        const char *const digits = names[k] + strlen(MPM_SERIES_PREFIX);
-        const guint64 number = g_ascii_strtoull(digits, &end, 10);
-        char *const text = g_strdup_printf("%" G_GUINT64_FORMAT, number);
-        if (end != digits && strcmp(end, MPM_SERIES_SUFFIX) == 0 &&
-            (options->snapshot == NULL || strcmp(options->snapshot, text) == 0)) {
-            g_free(*name);
-            *name = g_strdup(names[k]);
-        }
+        char *const text = g_strdup_printf("%" G_GUINT64_FORMAT, (guint64)number);
+        const bool wanted = options->snapshot != NULL ? strcmp(options->snapshot, text) == 0
+                                                      : *name == NULL || number > last;
         g_free(text);
+        if (!wanted)
+            continue;
+        last = number;
+        g_free(*name);
+        *name = g_strdup(names[k]);
     }
     mpm_folder_list_free(names);
     if (*name != NULL)
@@ -249,7 +246,7 @@ static enum mpm_status draw_particles(const struct mpm_plot_options *options, ch
     MPM_TRY(find_snapshot(options, &name, error));
     char *const path = g_build_filename(options->folder, name, NULL);
     enum mpm_status status = mpm_picture_read(path, options->field, &read, error);
-    if (status == MPM_OK) {
+    if (status == MPM_OK && name != NULL) {
         const char *const digits = name + strlen(MPM_SERIES_PREFIX);
         char *const file = g_strdup_printf("plot-%s-%.*s.%s", options->field,
                                            (int)(strlen(digits) - strlen(MPM_SERIES_SUFFIX)),
@@ -270,11 +267,6 @@ static const char *const energies[] = {
     "total_energy",        "kinetic_energy",      "strain_energy", "external_work",
     "damping_dissipation", "plastic_dissipation", "thermal_energy"};
 
-static bool is_plain(const char *text)
-{
-    return strspn(text, "abcdefghijklmnopqrstuvwxyz0123456789_") == strlen(text);
-}
-
 static char *unit_at(char **units, guint column)
 {
     if (units == NULL || column >= g_strv_length(units))
@@ -289,7 +281,7 @@ static void set_columns(const struct drawing *drawing, char **names, char **unit
     char *energy = NULL;
     for (size_t k = 0; k < G_N_ELEMENTS(energies); k++)
         for (guint c = 0; names[c] != NULL; c++)
-            if (strcmp(names[c], energies[k]) == 0 && is_plain(names[c])) {
+            if (strcmp(names[c], energies[k]) == 0) {
                 g_string_append_printf(columns, "%s%s", columns->len > 0 ? " " : "", names[c]);
                 if (energy == NULL)
                     energy = unit_at(units, c);
@@ -346,9 +338,8 @@ static enum mpm_status draw_history(const struct mpm_plot_options *options, char
 
 /* ---------------------------------------------------------------------- both */
 
-const char *mpm_plot_fields(void)
+char *mpm_plot_fields(void)
 {
-    static char text[4096];
     GString *const list = g_string_new(NULL);
     for (size_t k = 0; k < mpm_derived_field_count; k++)
         g_string_append_printf(list, "%-22s %s\n", mpm_derived_fields[k].name,
@@ -359,9 +350,7 @@ const char *mpm_plot_fields(void)
         g_string_append_printf(list, "%-22s %s\n", name, info->description);
         g_free(name);
     }
-    (void)g_strlcpy(text, list->str, sizeof text);
-    g_string_free(list, TRUE);
-    return text;
+    return g_string_free(list, FALSE);
 }
 
 enum mpm_status mpm_plot(const struct mpm_plot_options *options, char *pictures[MPM_PLOT_COUNT],

@@ -23,7 +23,8 @@ enum { MPM_PLOT_PARTICLES, MPM_PLOT_HISTORY, MPM_PLOT_COUNT };
 enum mpm_status mpm_plot(const struct mpm_plot_options *options, char *pictures[MPM_PLOT_COUNT],
                          struct mpm_error *error);
 
-/* A line for each field that can be drawn: those of snapshots, and what is computed from them. */
-const char *mpm_plot_fields(void);
+/* A line for each field that can be drawn: those of snapshots, and what is computed from them;
+ * g_free. */
+char *mpm_plot_fields(void);
 
 #endif

@@ -206,7 +206,7 @@ static int component_of(const char *wanted, const char *names, size_t components
 {
     char **const list = g_strsplit(names, ", ", -1);
     int found = -1;
-    for (int k = 0; list[k] != NULL && k < (int)components; k++)
+    for (int k = 0; k < (int)components && list[k] != NULL; k++)
         if (strcmp(list[k], wanted) == 0 ||
             (strcmp(list[k], "θθ") == 0 && strcmp(wanted, "tt") == 0))
             found = k;

@@ -1,11 +1,15 @@
 /* Fields at places: probes.csv, a row for each place of output.probes and output.lines.
  *
  * At a place x, a field f of the particles is the mean
- *     f(x) = sum_p w_p f_p / sum_p w_p,   w_p = m_p h(dx/cell_x) h(dy/cell_y),   h(s) = max(0, 1 -
- * |s|) over the deformable particles within a cell of x: exact for a field that is constant, and
- * for one that is linear where the particles lie symmetrically about x; at a body's edge it is that
- * of the particles inside. Of all bodies and both sides of a crack. The column `weight` is the sum
- * of w_p; where no particle is within a cell it is 0, and the fields are not numbers.
+ *
+ *     f(x) = sum_p w_p f_p / sum_p w_p,
+ *     w_p = m_p h(dx/cell_x) h(dy/cell_y),
+ *     h(s) = max(0, 1 - |s|)
+ *
+ * over the deformable particles within a cell of x, of all bodies and of both sides of a crack. It
+ * is exact for a field that is constant, and for one that is linear where the particles lie
+ * symmetrically about x; at a body's edge it is the mean of the particles inside. The column
+ * `weight` is the sum of w_p; where no particle is within a cell it is 0, and the fields are nan.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_IO_PROBES_H

@@ -14,21 +14,11 @@
 #include <string.h>
 #include <unistd.h>
 
-/* particles-123456.hdf or cracks-123456.vtp, with as many digits as it likes; *number is that. */
+/* particles-123456.hdf or cracks-123456.vtp; *number is that. */
 static bool is_snapshot_name(const char *name, uint64_t *number)
 {
-    static const struct {
-        const char *prefix, *suffix;
-    } kinds[] = {{MPM_SERIES_PREFIX, MPM_SERIES_SUFFIX}, {MPM_CRACKS_PREFIX, MPM_CRACKS_SUFFIX}};
-    for (size_t k = 0; k < G_N_ELEMENTS(kinds); k++) {
-        if (!g_str_has_prefix(name, kinds[k].prefix))
-            continue;
-        const char *const start = name + strlen(kinds[k].prefix);
-        const size_t digits = strspn(start, "0123456789");
-        *number = g_ascii_strtoull(start, NULL, 10);
-        return digits > 0 && strcmp(start + digits, kinds[k].suffix) == 0;
-    }
-    return false;
+    return mpm_series_number(name, MPM_SERIES_PREFIX, MPM_SERIES_SUFFIX, number) ||
+           mpm_series_number(name, MPM_CRACKS_PREFIX, MPM_CRACKS_SUFFIX, number);
 }
 
 /* Also what an interrupted run may leave: the name with MPM_PARTIAL_SUFFIX. */

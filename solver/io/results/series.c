@@ -8,6 +8,7 @@
 #include <glib.h>
 #include <jansson.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct mpm_series {
     const char *folder;
@@ -116,6 +117,16 @@ size_t mpm_series_count(const struct mpm_series *series)
 enum mpm_status mpm_series_write_list(const struct mpm_series *series, struct mpm_error *error)
 {
     return mpm_file_write_json(series->folder, MPM_SERIES_LIST, series->list, 1, error);
+}
+
+bool mpm_series_number(const char *name, const char *prefix, const char *suffix, uint64_t *number)
+{
+    if (!g_str_has_prefix(name, prefix))
+        return false;
+    const char *const start = name + strlen(prefix);
+    const size_t digits = strspn(start, "0123456789");
+    *number = g_ascii_strtoull(start, NULL, 10);
+    return digits > 0 && strcmp(start + digits, suffix) == 0;
 }
 
 /* The list of the cracks' files names one for each snapshot, at the same times. */

@@ -39,6 +39,9 @@ size_t mpm_series_count(const struct mpm_series *series);
 /* Writes the list as it is, after it was read. */
 enum mpm_status mpm_series_write_list(const struct mpm_series *series, struct mpm_error *error);
 
+/* Is it a name of `prefix`, digits and `suffix`, as particles-000012.hdf? *number is that. */
+bool mpm_series_number(const char *name, const char *prefix, const char *suffix, uint64_t *number);
+
 /* Bytes of working space held. */
 size_t mpm_series_bytes(const struct mpm_series *series);
 

@@ -113,8 +113,10 @@ static void write_domains(struct mpm_snapshot *snapshot, hid_t object)
 {
     const struct mpm_scene *const scene = snapshot->scene;
     double *const sizes = g_new(double, 2 * scene->body_count);
-    for (size_t i = 0; i < 2 * scene->body_count; i++)
-        sizes[i] = scene->cell[i % 2] / scene->bodies[i / 2].particles_per_cell[i % 2];
+    for (size_t body = 0; body < scene->body_count; body++)
+        for (size_t axis = 0; axis < 2; axis++)
+            sizes[2 * body + axis] =
+                scene->cell[axis] / scene->bodies[body].particles_per_cell[axis];
     mpm_snapshot_attribute(snapshot, object, "body_domains", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE,
                            2 * scene->body_count, 1, sizes);
     g_free(sizes);

@@ -2,12 +2,19 @@
  *
  * /mpm            attributes: format, title, geometry, thickness, units_*, time, step,
  *                 staggered, body_names, body_domains, settings and the facts of
- * io/results/provenance.h /mpm/particles  one dataset per field of mpm_field_describe, with
- * attributes unit, description and components; integers are int64, the rest double; fringe only
- * where the scene selects it /mpm/cracks     in scenes with cracks: position and crack of the
- * points of mpm_simulation_crack_point, with the same attributes /VTKHDF         version 1.0,
- * UnstructuredGrid of vertices: Points is a dataset of its own (three components), PointData holds
- * hard links to /mpm/particles, FieldData holds TimeValue and step
+ *                 io/results/provenance.h
+ *
+ * /mpm/particles  one dataset per field of mpm_field_describe, with attributes unit,
+ *                 description and components; integers are int64, the rest double; fringe
+ *                 only where the scene selects it; with output.derived also a dataset for
+ *                 each component of the stress and the deformation gradient
+ *
+ * /mpm/cracks     in scenes with cracks: position and crack of the points of
+ *                 mpm_simulation_crack_point, with the same attributes
+ *
+ * /VTKHDF         version 1.0, UnstructuredGrid of vertices: Points is a dataset of its
+ *                 own (three components), PointData holds hard links to /mpm/particles,
+ *                 FieldData holds TimeValue and step
  *
  * Data is chunked, shuffled and carries Fletcher-32 checksums. Particle data is not
  * compressed: deflate at level 1 halves the file of a moving body (163 MB for 10^6

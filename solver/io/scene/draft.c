@@ -97,6 +97,20 @@ static enum mpm_status refuse_path(const struct mpm_draft *draft, const char *pa
                          draft->name, mpm_excerpt(path, excerpt));
 }
 
+/* A setting that was refused may have left entries and groups on its way: the tree is made again,
+ * of what has been parsed and applied before. */
+static enum mpm_status make_tree_again(struct mpm_draft *draft, struct mpm_error *error)
+{
+    const struct mpm_origin origin = {.setting = MPM_FROM_FILE};
+    const struct mpm_source source = source_of(draft);
+    struct mpm_tree_node *tree = NULL;
+    struct mpm_faults faults = {.count = 0};
+    MPM_TRY(mpm_tree_parse(&source, origin, draft->text, draft->length, &tree, error));
+    mpm_tree_free(draft->tree);
+    draft->tree = tree;
+    return mpm_tree_apply_settings(&source, draft->settings->len, tree, &faults, error);
+}
+
 enum mpm_status mpm_draft_set(struct mpm_draft *draft, const char *path, const char *value,
                               struct mpm_error *error)
 {
@@ -112,6 +126,8 @@ enum mpm_status mpm_draft_set(struct mpm_draft *draft, const char *path, const c
     if (status == MPM_OK)
         return MPM_OK;
     g_ptr_array_remove_index(draft->settings, (guint)index);
+    if (make_tree_again(draft, &draft->failure) != MPM_OK)
+        own = draft->failure; /* of memory */
     if (error != NULL)
         *error = own;
     else if (draft->failure.status == MPM_OK)

@@ -25,7 +25,7 @@ static enum mpm_status check_place(const struct mpm_reading *reading, const char
 static enum mpm_status check_name(const struct mpm_reading *reading, const char *path,
                                   const struct mpm_probe_spec *own)
 {
-    if (strpbrk(own->name, ",\"\n") != NULL)
+    if (strpbrk(own->name, ",\"") != NULL)
         return mpm_reading_fault(reading, path,
                                  "the name has a comma or a quote; allowed: others, "
                                  "for a column of probes.csv");

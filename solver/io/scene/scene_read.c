@@ -102,6 +102,7 @@ static enum mpm_status read_tree(const struct mpm_scene *scene, const struct mpm
     const struct mpm_origin origin = {.setting = MPM_FROM_FILE};
     struct mpm_bytes *const bytes = &work->bytes;
     MPM_TRY(take_bytes(&source, text, bytes, error));
+    /* the caller frees the bytes: NOLINTNEXTLINE(clang-analyzer-unix.Malloc) */
     MPM_TRY(mpm_tree_parse(&source, origin, bytes->data, bytes->length, &work->root, error));
     MPM_TRY(mpm_tree_apply_settings(&source, scene->setting_count, work->root, faults, error));
     return mpm_tree_check(&source, &mpm_scene_root, work->root, faults, error);
@@ -125,11 +126,15 @@ enum mpm_status mpm_scene_tree(const struct mpm_scene *scene, struct mpm_tree_no
 {
     struct work work = {.root = NULL};
     struct mpm_faults faults = {.count = 0};
-    const enum mpm_status status = read_tree(scene, NULL, &work, &faults, error);
+    struct mpm_error own = {.status = MPM_OK}; /* `error` may be NULL, mistakes are kept */
+    const enum mpm_status status = read_tree(scene, NULL, &work, &faults, &own);
     free(work.bytes.data);
     *root = status == MPM_OK ? work.root : NULL;
-    if (status != MPM_OK)
-        mpm_tree_free(work.root);
+    if (status == MPM_OK)
+        return MPM_OK;
+    mpm_tree_free(work.root);
+    if (error != NULL)
+        *error = own;
     return status;
 }
 

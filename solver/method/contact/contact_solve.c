@@ -201,8 +201,10 @@ static void go_ahead(struct solution *of, const struct parts *parts, struct part
     const double ahead = (of->momentum - 1.0) / next;
     of->momentum = next;
     for (int k = 0; k < of->count; k++) {
+        /* cppcheck-suppress uninitvar ; the loop above has set as many */
         changes[k].pressed += ahead * gone[k].pressed;
         changes[k].dragged += ahead * gone[k].dragged;
+        /* cppcheck-suppress uninitvar ; the loop above has set as many */
         of->before[k] = made[k];
     }
 }

@@ -91,6 +91,7 @@ MPM_INLINE void update_by_particle(enum mpm_geometry geometry, const struct fast
             h[i] = k->stress_step * (*gradient)[i];
         deform_vector(h, k->deformation_terms, geometry == MPM_AXISYMMETRIC, f);
         for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+            /* cppcheck-suppress uninitvar ; it is written to */
             mpm_store(next.f[i] + (p - first), f[i]);
         gradient++;
     }

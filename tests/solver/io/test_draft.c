@@ -115,6 +115,19 @@ START_TEST(a_wrong_value_is_refused_at_once_and_left_out)
 }
 END_TEST
 
+/* An entry whose key is refused is none: neither a position nor a name reaches it. */
+START_TEST(a_refused_setting_leaves_no_entry)
+{
+    struct mpm_draft *const draft = draft_of(block);
+    struct mpm_error error = {.message = ""};
+    ck_assert_int_eq(mpm_draft_set(draft, "bodies.+.nosuch", "1", &error), MPM_BAD_INPUT);
+    ck_assert_int_eq(mpm_draft_set(draft, "bodies.1.velocity", "[0, 0]", &error), MPM_BAD_INPUT);
+    ck_assert_msg(strstr(error.message, "no entry \"1\" in the list of 1") != NULL, "%s",
+                  error.message);
+    mpm_scene_free(build_and_free(draft));
+}
+END_TEST
+
 START_TEST(a_failure_that_nobody_saw_fails_the_build)
 {
     struct mpm_draft *const draft = draft_of(block);
@@ -266,6 +279,7 @@ Suite *suite_draft(void)
     tcase_add_test(drafts, a_draft_can_start_from_nothing);
     tcase_add_loop_test(drafts, a_wrong_value_is_refused_at_once_and_left_out, 0,
                         (int)(sizeof mistakes / sizeof *mistakes));
+    tcase_add_test(drafts, a_refused_setting_leaves_no_entry);
     tcase_add_test(drafts, a_failure_that_nobody_saw_fails_the_build);
     tcase_add_test(drafts, a_text_is_read_as_a_file_is);
     tcase_add_test(drafts, fields_are_found_by_name);

@@ -164,6 +164,23 @@ START_TEST(folders_are_made_with_their_parents)
 }
 END_TEST
 
+START_TEST(each_temporary_folder_is_a_new_one)
+{
+    struct mpm_error error = {.message = ""};
+    char *paths[2];
+    for (size_t k = 0; k < 2; k++) {
+        ck_assert_int_eq(mpm_folder_make_temporary(&paths[k], &error), MPM_OK);
+        ck_assert(mpm_path_is_folder(paths[k]));
+        ck_assert(g_str_has_prefix(paths[k], g_get_tmp_dir()));
+    }
+    ck_assert_str_ne(paths[0], paths[1]);
+    for (size_t k = 0; k < 2; k++) {
+        ck_assert_int_eq(mpm_folder_remove_all(paths[k], NULL), 0);
+        g_free(paths[k]);
+    }
+}
+END_TEST
+
 START_TEST(a_folder_is_listed_in_order_and_removed_with_what_is_in_it)
 {
     char *const deep = g_build_filename(folder, "top", "deep", NULL), *const top = test_folder_path(
@@ -271,6 +288,7 @@ Suite *suite_file(void)
     tcase_add_test(files, those_who_save_one_file_wait_for_each_other);
     tcase_add_test(files, a_disk_that_fails_is_no_bad_input);
     tcase_add_test(files, folders_are_made_with_their_parents);
+    tcase_add_test(files, each_temporary_folder_is_a_new_one);
     tcase_add_test(files, a_folder_is_listed_in_order_and_removed_with_what_is_in_it);
     tcase_add_test(files, parts_of_files_are_read_written_and_cut);
     tcase_add_test(files, a_lock_is_for_one);

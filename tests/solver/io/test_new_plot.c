@@ -106,6 +106,24 @@ START_TEST(every_kind_is_listed_and_tested)
 }
 END_TEST
 
+START_TEST(a_scene_that_cannot_be_written_is_reported_with_the_reason)
+{
+    char *const folder = test_folder_create();
+    char *const file = test_folder_write(folder, "file", "");
+    char *const paths[] = {g_build_filename(folder, "none", "scene.yaml", NULL),
+                           g_build_filename(file, "scene.yaml", NULL)};
+    for (size_t k = 0; k < G_N_ELEMENTS(paths); k++) {
+        char *const said = RUN(4, "new", "bar", "--output", paths[k]);
+        ck_assert_msg(strstr(said, "scene.yaml: cannot be written: ") != NULL, "%s", said);
+        ck_assert(!test_file_exists(paths[k]));
+        g_free(said);
+        g_free(paths[k]);
+    }
+    g_free(file);
+    test_folder_remove(folder);
+}
+END_TEST
+
 START_TEST(nothing_is_overwritten_and_an_unknown_kind_lists_those_allowed)
 {
     char *const folder = test_folder_create();
@@ -278,6 +296,12 @@ START_TEST(what_is_no_folder_of_results_is_refused)
     said = RUN(2, "plot", folder);
     ck_assert_ptr_nonnull(strstr(said, "no snapshot; allowed: "));
     g_free(said);
+    g_free(test_folder_write(folder, "particles-999999.hdf", "no HDF5"));
+    g_free(test_folder_write(folder, "particles-1000000.hdf", "no HDF5"));
+    g_free(test_folder_write(folder, "particles- 2000000.hdf", "no HDF5"));
+    said = RUN(2, "plot", folder); /* the last one by its number */
+    ck_assert_msg(strstr(said, "/particles-1000000.hdf: no snapshot") != NULL, "%s", said);
+    g_free(said);
     said = RUN(2, "plot", "no-such-folder");
     ck_assert_ptr_nonnull(strstr(said, "no-such-folder: cannot be read"));
     g_free(said);
@@ -292,6 +316,7 @@ Suite *suite_new_plot(void)
     tcase_set_timeout(scenes, 60.0);
     tcase_add_loop_test(scenes, a_new_scene_runs_at_once, 0, (int)G_N_ELEMENTS(kinds));
     tcase_add_test(scenes, every_kind_is_listed_and_tested);
+    tcase_add_test(scenes, a_scene_that_cannot_be_written_is_reported_with_the_reason);
     tcase_add_test(scenes, nothing_is_overwritten_and_an_unknown_kind_lists_those_allowed);
     suite_add_tcase(suite, scenes);
     TCase *plots = tcase_create("plot");

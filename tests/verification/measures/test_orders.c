@@ -198,6 +198,7 @@ START_TEST(a_series_that_turns_or_does_not_settle_has_no_index)
     ck_assert_double_nan(grid_convergence(1, 2, 3, 2, 1.25).index);
     ck_assert_double_nan(grid_convergence(1, 2, 4, 2, 1.25).index);
     ck_assert_double_nan(grid_convergence(1, 1, 1, 2, 1.25).index);
+    ck_assert_double_nan(grid_convergence(2, 1, 1, 2, 1.25).index);
     ck_assert_double_nan(grid_convergence((double)NAN, 2, 3, 2, 1.25).order);
 }
 END_TEST

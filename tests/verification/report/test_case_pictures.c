@@ -247,6 +247,9 @@ START_TEST(values_that_are_no_numbers_and_odd_scenes_are_drawn_without_them)
         {"\"cracks\":[[0.5,0.5,1.5,0.5]]", "\"cracks\":[[0.5],7,[]]"},
         {"\"grid\":{", "\"grid\":{\"refine\":1e-9,"},
         {"\"velocity\":[1,0]", "\"velocity\":[1e-300,\"<script>\"]"},
+        {"\"origin\":[0,0]", "\"origin\":[1e50,0]"},
+        {"\"rectangle\":{\"from\":[0,0],\"to\":[2,1]}",
+         "\"disk\":{\"center\":[0,0],\"radius\":1e308}"},
     };
     for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
         char **parts = g_strsplit(good, table[i].from, 2);
@@ -306,15 +309,30 @@ START_TEST(colours_are_ordered_by_lightness)
 }
 END_TEST
 
+/* A step that is less than the last digit of its numbers would never reach the end. */
+START_TEST(axes_far_from_zero_have_an_end)
+{
+    static const double low[2] = {1e17, -1e17}, high[2] = {1e17 + 32, -1e17 + 32};
+    char *const names[2] = {"x", "y"};
+    const struct svg_view view = svg_view_of(low, high, 0, 0, 400, 400);
+    GString *svg = g_string_new(NULL);
+    svg_axes(svg, &view, names);
+    ck_assert(strstr(svg->str, "<text") != NULL && svg->len < 10000);
+    ck_assert(svg_width(&view) <= 400.1 && svg_height(&view) <= 400.1);
+    g_string_free(svg, TRUE);
+}
+END_TEST
+
 START_TEST(numbers_of_tics_are_short_and_told_apart)
 {
     static const struct {
         double value, step, largest;
         const char *text;
     } table[] = {
-        {20, 10, 30, "20"},           {-0.4, 0.2, 1, "−0.4"},     {0, 0.1, 1, "0.0"},
-        {2e-7, 1e-7, 5e-7, "2·10⁻⁷"}, {1e-6, 1e-6, 1e-6, "10⁻⁶"}, {1.5e6, 5e5, 2e6, "1.5·10⁶"},
-        {2500, 500, 3000, "2500"},
+        {20, 10, 30, "20"},           {-0.4, 0.2, 1, "−0.4"},       {0, 0.1, 1, "0.0"},
+        {2e-7, 1e-7, 5e-7, "2·10⁻⁷"}, {1e-6, 1e-6, 1e-6, "10⁻⁶"},   {1.5e6, 5e5, 2e6, "1.5·10⁶"},
+        {2500, 500, 3000, "2500"},    {5e-5, 5e-5, 3e-4, "5·10⁻⁵"}, {1e-4, 5e-5, 3e-4, "1.0·10⁻⁴"},
+        {0, 5e-5, 3e-4, "0"},
     };
     for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
         char *text = svg_tic_text(table[i].value, table[i].step, table[i].largest);
@@ -340,6 +358,7 @@ Suite *suite_case_pictures(void)
     suite_add_tcase(suite, page);
     TCase *parts = tcase_create("parts");
     tcase_add_test(parts, colours_are_ordered_by_lightness);
+    tcase_add_test(parts, axes_far_from_zero_have_an_end);
     tcase_add_test(parts, numbers_of_tics_are_short_and_told_apart);
     suite_add_tcase(suite, parts);
     return suite;

@@ -100,7 +100,7 @@ START_TEST(a_value_and_a_benchmark_that_step_are_marked_and_stay_in_the_folder)
         expect("table-history-steps.csv", "\"Q/short/ninth\"");
         expect("table-history-steps.csv", "\"throughput/disk: rate (1/s)\",\"abc\",5,7,");
         expect("table-history-runs.csv", "\"~");
-        expect("history.html", "aria-label=\"5 runs, 1 steps\"");
+        expect("history.html", "aria-label=\"5 runs, 1 step\"");
         expect("index.html", "href=\"history.html\"");
         char *page = test_folder_read(folders.now, "history.html");
         test_assert_well_formed(page, "history.html");

@@ -10,6 +10,7 @@
 
 #include <glib.h>
 #include <math.h>
+#include <signal.h>
 #include <string.h>
 
 /* A bar that swings in its first mode with a small amplitude, one cell high: plane waves of speed
@@ -104,7 +105,11 @@ static double order_in(const struct place *place)
 }
 
 #define STUDY "mpm-verify study @ --output % --jobs 2 "
-#define NORM  "--refine 1,2,4 --measure displacement_x:l2=" EXACT
+/* Nine runs, of which the finest take longest. */
+#define LONG                                                                                       \
+    "--refine 1,2,4 --vary time.courant=0.1,0.2,0.3 --set time.end=40 --measure kinetic_energy"
+enum { LONG_RUNS = 9 };
+#define NORM "--refine 1,2,4 --measure displacement_x:l2=" EXACT
 
 START_TEST(a_bar_converges_with_second_order_against_its_exact_solution)
 {
@@ -160,6 +165,117 @@ START_TEST(a_study_whose_result_is_lost_goes_on_to_the_same_table)
 }
 END_TEST
 
+START_TEST(tables_are_of_the_scene_that_ran_whatever_it_has_become)
+{
+    struct place place = place_create();
+    g_free(verify(&place, STUDY "--refine 1,2 --measure kinetic_energy", 0));
+    char *before = table_of(&place), *changed = g_strdup(bar);
+    memcpy(strstr(changed, "cell: [4"), "cell: [2", strlen("cell: [2"));
+    ck_assert(g_file_set_contents(place.scene, changed, -1, NULL));
+    g_free(verify(&place, "mpm-verify collect %", 0));
+    char *after = table_of(&place);
+    ck_assert_str_eq(before, after);
+    ck_assert_int_eq(remove(place.scene), 0);
+    g_free(verify(&place, "mpm-verify collect %", 0));
+    g_free(after);
+    g_free(changed);
+    g_free(before);
+    place_remove(&place);
+}
+END_TEST
+
+START_TEST(a_place_outside_of_the_body_is_the_reason_that_a_number_is_missing)
+{
+    struct place place = place_create();
+    char *said = verify(&place, STUDY "--refine 1,2 --measure velocity_x:at@500,2", 0);
+    ck_assert_ptr_nonnull(strstr(said, "\n- r2 done: velocity_x: is not finite, or its place"));
+    g_free(said);
+    place_remove(&place);
+}
+END_TEST
+
+START_TEST(a_fixed_step_falls_with_the_cells_and_folders_may_have_blanks)
+{
+    struct place place = place_create();
+    g_free(place.output);
+    place.output = test_folder_path(place.folder, "it's an \"output\"");
+    g_free(verify(&place, STUDY "--refine 1,2,4 --measure kinetic_energy --set time.step=0.05", 0));
+    char *table = table_of(&place);
+    /* 80, 160 and 320 steps with 32, 128 and 512 particles */
+    ck_assert_ptr_nonnull(strstr(table, ",2560,\"\"\nr2,"));
+    ck_assert_ptr_nonnull(strstr(table, ",20480,\"\"\nr4,"));
+    ck_assert_ptr_nonnull(strstr(table, ",163840,\"\"\n"));
+    g_free(table);
+    char *picture = test_folder_read(place.output, "study/error-kinetic_energy_last-cell.svg");
+    ck_assert_ptr_nonnull(strstr(picture, "slope 1"));
+    g_free(picture);
+    place_remove(&place);
+}
+END_TEST
+
+static int run_long_study(const char *scene, const char *output)
+{
+    char *line = g_strdup_printf("mpm-verify study @ --output %% --jobs 1 %s", LONG);
+    const struct place place = {.scene = (char *)(uintptr_t)scene,
+                                .output = (char *)(uintptr_t)output};
+    g_free(verify(&place, line, 0));
+    g_free(line);
+    return 0;
+}
+
+static size_t results_in(const struct place *place)
+{
+    char *path = test_folder_path(place->output, ".run/results");
+    GDir *directory = g_dir_open(path, 0, NULL);
+    size_t count = 0;
+    while (directory != NULL && g_dir_read_name(directory) != NULL)
+        count++;
+    if (directory != NULL)
+        g_dir_close(directory);
+    g_free(path);
+    return count;
+}
+
+START_TEST(a_study_that_is_killed_goes_on_to_the_same_table)
+{
+    struct place whole = place_create(), place = place_create();
+    g_free(verify(&whole, "mpm-verify study @ --output % --jobs 2 " LONG, 0));
+    const pid_t process = test_in_process(run_long_study, place.scene, place.output);
+    for (int i = 0; i < 6000 && results_in(&place) < 2; i++)
+        g_usleep(5000);
+    ck_assert_int_eq(kill(process, SIGKILL), 0);
+    ck_assert_int_eq(test_exit_status(process), 128 + SIGKILL);
+    const size_t kept = results_in(&place);
+    ck_assert_msg(kept >= 2 && kept < LONG_RUNS, "%zu results", kept);
+    g_free(verify(&place, "mpm-verify study @ --output % --jobs 2 --resume", 0));
+    char *expected = table_of(&whole), *found = table_of(&place);
+    ck_assert_str_eq(expected, found);
+    g_free(found);
+    g_free(expected);
+    place_remove(&place);
+    place_remove(&whole);
+}
+END_TEST
+
+START_TEST(a_study_goes_on_with_other_settings_to_the_table_of_these)
+{
+    struct place whole = place_create(), place = place_create();
+    g_free(verify(&whole, STUDY "--refine 1,2 --measure kinetic_energy --set time.courant=0.2", 0));
+    g_free(verify(&place, STUDY "--refine 1,2 --measure kinetic_energy", 0));
+    char *before = table_of(&place);
+    g_free(verify(
+        &place, STUDY "--refine 1,2 --measure kinetic_energy --set time.courant=0.2 --resume", 0));
+    char *expected = table_of(&whole), *found = table_of(&place);
+    ck_assert_str_ne(before, found);
+    ck_assert_str_eq(expected, found);
+    g_free(found);
+    g_free(expected);
+    g_free(before);
+    place_remove(&place);
+    place_remove(&whole);
+}
+END_TEST
+
 START_TEST(a_run_that_fails_is_in_the_table_with_its_cause)
 {
     struct place place = place_create();
@@ -168,8 +284,9 @@ START_TEST(a_run_that_fails_is_in_the_table_with_its_cause)
                STUDY "--refine 1,2 --measure kinetic_energy --set time.allow_unstable=true "
                      "--set time.end=400 --vary time.courant=0.4,5",
                1);
-    ck_assert_ptr_nonnull(strstr(said, "failed"));
-    ck_assert_ptr_nonnull(strstr(said, "This study is incomplete"));
+    ck_assert(g_regex_match_simple("courant=5 +\\| 2 +\\| 2 +\\| failed +\\|", said, 0, 0));
+    ck_assert(g_regex_match_simple("^- 5-r2 failed: [a-z]", said, G_REGEX_MULTILINE, 0));
+    ck_assert_ptr_nonnull(strstr(said, "This study is incomplete: of 4 runs, 2 failed and 0 are"));
     g_free(said);
     place_remove(&place);
 }
@@ -220,7 +337,7 @@ START_TEST(a_plane_is_exact_for_a_linear_field_and_refuses_places_outside)
     double places[24], values[12], weight[12];
     for (size_t p = 0; p < 12; p++) {
         places[2 * p] = (double)(p % 4);
-        places[2 * p + 1] = (double)(p / 4);
+        places[2 * p + 1] = floor((double)p / 4.0);
         values[p] = 1.0 + 2.0 * places[2 * p] - 3.0 * places[2 * p + 1];
         weight[p] = 1.0;
     }
@@ -253,6 +370,11 @@ Suite *suite_study(void)
     tcase_add_test(tests, a_bar_converges_with_second_order_against_its_exact_solution);
     tcase_add_test(tests, a_wrong_reference_loses_the_order_and_an_interval_reports_it);
     tcase_add_test(tests, a_study_whose_result_is_lost_goes_on_to_the_same_table);
+    tcase_add_test(tests, tables_are_of_the_scene_that_ran_whatever_it_has_become);
+    tcase_add_test(tests, a_place_outside_of_the_body_is_the_reason_that_a_number_is_missing);
+    tcase_add_test(tests, a_fixed_step_falls_with_the_cells_and_folders_may_have_blanks);
+    tcase_add_test(tests, a_study_that_is_killed_goes_on_to_the_same_table);
+    tcase_add_test(tests, a_study_goes_on_with_other_settings_to_the_table_of_these);
     tcase_add_test(tests, a_run_that_fails_is_in_the_table_with_its_cause);
     tcase_add_loop_test(tests, bad_input_is_refused_with_a_line_and_nothing_is_written, 0,
                         G_N_ELEMENTS(refused));

@@ -234,8 +234,10 @@ START_TEST(a_kept_result_that_is_damaged_is_run_again)
     char *good = test_folder_read(folder, name);
     for (int i = 0; i < 3; i++) {
         char *text = g_strndup(good, i == 0 ? strlen(good) / 2 : i == 1 ? 0 : strlen(good));
-        if (i == 2)
-            *strstr(text, "returned") = 'R';
+        if (i == 2) { /* another number, which only the sum shows */
+            char *digit = strpbrk(strstr(text, "\"seconds\""), "0123456789");
+            *digit = *digit == '7' ? '8' : '7';
+        }
         g_free(test_folder_write(folder, name, text));
         struct test_said said = test_verify_with("mpm-verify run --resume --catalogue @ --output @",
                                                  folders.catalogue, folders.output);
