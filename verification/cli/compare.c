@@ -60,22 +60,24 @@ static void print_runs(const struct comparison_runs *runs, const char *before, c
 
 static void print_worst(const struct comparison_runs *runs)
 {
-    const struct records *both[] = {&runs->before, &runs->after};
-    char *names[2], *margins[2];
-    for (size_t i = 0; i < G_N_ELEMENTS(both); i++) {
-        const json_t *worst = records_worst(both[i], NULL);
-        names[i] = worst == NULL ? g_strdup("none") : text_check_name(worst);
-        margins[i] = text_number(record_number(worst, "margin"));
+    const json_t *const worst[] = {records_worst(&runs->before, NULL),
+                                   records_worst(&runs->after, NULL)};
+    GString *const rows[] = {g_string_new(NULL), g_string_new(NULL)};
+    for (size_t i = 0; i < G_N_ELEMENTS(rows); i++) {
+        char *const name = worst[i] == NULL ? NULL : text_check_name(worst[i]);
+        char *const margin = text_number(record_number(worst[i], "margin"));
+        if (name != NULL)
+            g_string_printf(rows[i], "%-*s %s", NAME_WIDTH, name, margin);
+        else
+            g_string_assign(rows[i], "no check has a margin");
+        g_free(margin);
+        g_free(name);
     }
-    if (strcmp(names[0], names[1]) != 0 || strcmp(margins[0], margins[1]) != 0) {
-        fprintf(runs->out, "\nWorst margins\n");
-        for (size_t i = 0; i < G_N_ELEMENTS(both); i++)
-            print_row(runs, i == 0 ? "before" : "after", names[i], margins[i]);
-    }
-    for (size_t i = 0; i < G_N_ELEMENTS(both); i++) {
-        g_free(margins[i]);
-        g_free(names[i]);
-    }
+    if (!g_string_equal(rows[0], rows[1]))
+        fprintf(runs->out, "\nWorst margins\n  %-8s %s\n  %-8s %s\n", "before", rows[0]->str,
+                "after", rows[1]->str);
+    g_string_free(rows[0], TRUE);
+    g_string_free(rows[1], TRUE);
 }
 
 /* ----------------------------------------------------------------------- time */
