@@ -39,6 +39,7 @@ struct mpm_command_entry {
     const char *summary;     /* one line */
     const char *description; /* end of its help, or NULL */
     enum mpm_status (*run)(struct command *command, struct mpm_error *error);
+    const char *names; /* as those of an option, for the first operand; or NULL */
 };
 
 struct mpm_command_line {

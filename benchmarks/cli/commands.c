@@ -39,11 +39,11 @@ struct command {
 /* Which options a command takes; bits of `takes` in the table of commands. */
 enum { TAKES_RUN = 1, TAKES_BUDGET = 2, TAKES_LIST = 4 };
 
-/* The place of `text`, one of some names; the first one if NULL. */
-static size_t place_of(const char *text, const char *const *names)
+/* The place of `text`, one of `count` names; the first one if NULL. */
+static size_t place_of(const char *text, const char *const *names, size_t count)
 {
     size_t place = 0;
-    while (text != NULL && strcmp(text, names[place]) != 0)
+    while (text != NULL && place + 1 < count && strcmp(text, names[place]) != 0)
         place++;
     return place;
 }
@@ -79,10 +79,12 @@ static enum mpm_status command_run(struct command *command, struct mpm_error *er
         .command = text,
         .output = options->output,
         .groups = options->groups,
-        .tier = place_of(options->tier, tiers) == 0 ? BENCH_STANDARD : BENCH_QUICK,
+        .tier =
+            place_of(options->tier, tiers, G_N_ELEMENTS(tiers)) == 0 ? BENCH_STANDARD : BENCH_QUICK,
         .simulation = {.threads = 1,
-                       .kernels = (enum mpm_kernels)place_of(options->kernels, kernels),
-                       .simd = (enum mpm_simd)place_of(options->simd, simd)},
+                       .kernels = (enum mpm_kernels)place_of(options->kernels, kernels,
+                                                             G_N_ELEMENTS(kernels)),
+                       .simd = (enum mpm_simd)place_of(options->simd, simd, G_N_ELEMENTS(simd))},
     };
     const enum mpm_status status = bench_run(&run, &console, error);
     g_free(text);
@@ -127,15 +129,15 @@ static enum mpm_status command_budget(struct command *command, struct mpm_error 
 /* -------------------------------------------------------------------- table */
 
 static const struct mpm_command_entry commands[] = {
-    {"list", TAKES_LIST, "", "the groups of benchmarks", NULL, command_list},
-    {"run", TAKES_RUN, "", "measure, and write results and report", NULL, command_run},
+    {"list", TAKES_LIST, "", "the groups of benchmarks", NULL, command_list, NULL},
+    {"run", TAKES_RUN, "", "measure, and write results and report", NULL, command_run, NULL},
     {"report", 0, "DIR", "render the report of DIR again from its result lines", NULL,
-     command_report},
+     command_report, NULL},
     {"compare", 0, "DIR_A DIR_B", "what differs between two runs, beyond noise and 5 %", NULL,
-     command_compare},
+     command_compare, NULL},
     {"budget", TAKES_BUDGET, "",
      "instructions, branches and bytes of some small runs against the stored ones", NULL,
-     command_budget},
+     command_budget, NULL},
 };
 
 #define OPTION(who, key, member, form, what, text)                                                 \

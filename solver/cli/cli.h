@@ -15,7 +15,7 @@ struct cli_arguments {
     char *field, *snapshot, *format;
     char **settings; /* texts of --set; ends with NULL, or is NULL */
     char **operands;
-    bool overwrite, resume, quiet, json, list;
+    bool overwrite, resume, quiet, json, list, names;
 };
 
 struct command {

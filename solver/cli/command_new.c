@@ -18,10 +18,13 @@ static const struct scene {
 #include "scenes.inc"
 };
 
-static enum mpm_status list(void)
+static enum mpm_status list(bool names_alone)
 {
     for (size_t k = 0; k < G_N_ELEMENTS(scenes); k++)
-        (void)printf("%-12s %s\n", scenes[k].name, scenes[k].summary);
+        if (names_alone)
+            (void)printf("%s\n", scenes[k].name);
+        else
+            (void)printf("%-12s %s\n", scenes[k].name, scenes[k].summary);
     return MPM_OK;
 }
 
@@ -81,8 +84,8 @@ enum mpm_status cli_new(struct command *command, struct mpm_error *error)
 {
     const struct cli_arguments *const given = &command->arguments;
     const char *const kind = given->operands != NULL ? given->operands[0] : NULL;
-    if (given->list)
-        return list();
+    if (given->list || given->names)
+        return list(given->names);
     const struct scene *const scene = kind != NULL ? find(kind) : NULL;
     if (scene == NULL)
         return refuse_kind(kind, error);

@@ -59,6 +59,7 @@ static const struct mpm_option options[] = {
            "print a JSON Schema (draft 7) of scenes, for editors"),
     OPTION(TAKES_SCHEMA, "list", list, FLAG, NULL, "print the keys and laws as JSON, for programs"),
     OPTION(TAKES_NEW, "list", list, FLAG, NULL, "list the kinds"),
+    OPTION(TAKES_NEW, "names", names, FLAG, NULL, "print the names of the kinds alone"),
     OPTION(TAKES_PLOT, "list", list, FLAG, NULL, "list the fields"),
     OPTION(TAKES_PLOT, "field", field, TEXT, "FIELD",
            "what to draw: a field, or one component of it, as stress.xx; von_mises unless given"),
@@ -72,7 +73,7 @@ static const struct mpm_command_entry commands[] = {
     {.name = "run",
      .takes = TAKES_SCENE | TAKES_RUN | TAKES_QUIET,
      .operands = "SCENE",
-     .summary = "Run a scene and write its results.",
+     .summary = "run a scene and write its results",
      .description =
          "The results go to the folder DIR, or to NAME-results in the current folder for a scene "
          "NAME.yaml: run.json, history.csv, particles-NNNNNN.hdf and particles.hdf.series, which "
@@ -82,7 +83,7 @@ static const struct mpm_command_entry commands[] = {
          "states which kernels and how many threads a scene gets, and why. PATH is a place in the "
          "scene, such as grid.refine, materials.polymer.bulk or bodies.0.velocity.1; VALUE is "
          "YAML. PATH= without a value takes the key, or the entry of a list, out of the scene. "
-         "SCENE - is read from standard input, and needs --output.\n\n"
+         "SCENE - is read from standard input, and requires --output.\n\n"
          "With output.checkpoint (an interval of the scene's time) or output.checkpoint_seconds "
          "(of the clock) a run leaves checkpoint.h5 and the one before it, "
          "checkpoint-previous.h5. SIGINT, SIGTERM and SIGXCPU end a run after the step at hand, "
@@ -94,18 +95,18 @@ static const struct mpm_command_entry commands[] = {
     {.name = "check",
      .takes = TAKES_SCENE,
      .operands = "SCENE",
-     .summary = "Validate a scene and print what running it costs.",
+     .summary = "validate a scene and print what running it costs",
      .description = "All mistakes of a scene are listed, up to ten. SCENE - is read from standard "
                     "input.",
      .run = cli_check},
     {.name = "info",
      .operands = "",
-     .summary = "Print version, git revision, compiler, flags, libraries, SIMD in use.",
+     .summary = "print version, git revision, compiler, flags, libraries, SIMD in use",
      .run = cli_info},
     {.name = "schema",
      .takes = TAKES_SCHEMA,
      .operands = "",
-     .summary = "Print every scene key: type, unit, default, range, one line of help.",
+     .summary = "print every scene key: type, unit, default, range, one line of help",
      .description = "An editor that knows YAML completes and checks scenes by 'mpm schema --json > "
                     "scene.schema.json', with a first line '# yaml-language-server: "
                     "$schema=scene.schema.json' in a scene.",
@@ -113,15 +114,16 @@ static const struct mpm_command_entry commands[] = {
     {.name = "new",
      .takes = TAKES_NEW | TAKES_QUIET,
      .operands = "[KIND]",
-     .summary = "Write a commented scene to begin with, which runs at once.",
+     .summary = "write a commented scene to begin with, which runs at once",
      .description = "The scene goes to the file KIND.yaml in the current folder, or to that of "
                     "--output. A file that is there is never overwritten. 'mpm new --list' lists "
                     "the kinds.",
-     .run = cli_new},
+     .run = cli_new,
+     .names = "new --names"},
     {.name = "plot",
      .takes = TAKES_PLOT | TAKES_QUIET,
      .operands = "[DIR]",
-     .summary = "Draw a field of the particles, and the history, with gnuplot.",
+     .summary = "draw a field of the particles, and the history, with gnuplot",
      .description =
          "DIR is a folder that 'mpm run' has written. The pictures go there too, or to the folder "
          "of --output: plot-FIELD-NNNNNN.svg has the particles with their domains, "

@@ -91,50 +91,51 @@ static enum mpm_status command_compare(struct command *command, struct mpm_error
 
 static const struct mpm_command_entry commands[] = {
     {"list", TAKES_TAG | TAKES_CATALOGUE, "", "the cases, their variants and checks", NULL,
-     command_list},
+     command_list, NULL},
     {"run",
      TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME |
          TAKES_LAUNCHER | TAKES_STATUS | TAKES_VERBOSE,
-     "", "run, judge, and write results and reports", NULL, command_run},
+     "", "run, judge, and write results and reports", NULL, command_run, NULL},
     {"tasks", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME, "",
      "begin a run for any other engine: print a command line for each program that has no result",
-     NULL, command_tasks},
+     NULL, command_tasks, NULL},
     {"task", 0, "DIR CASE/VARIANT",
      "such a line: run its program, and keep the result in the folder DIR",
-     "Exit status: 0 the result is there; else the task is to be run again.", command_task},
+     "Exit status: 0 the result is there; else the task is to be run again.", command_task, NULL},
     {"collect", TAKES_VERBOSE, "DIR", "write the report of the results in DIR; run nothing", NULL,
-     command_collect},
+     command_collect, NULL},
     {"study", TAKES_STUDY | TAKES_RESUME | TAKES_LAUNCHER | TAKES_VERBOSE, "SCENE",
      "a convergence study of your scene: tables, orders and pictures",
      "SCENE is a scene, or the file of a study (docs/tutorial-study.md). With --resume and no "
      "other option of the study, a scene goes on with the study in the output folder.",
-     command_study},
+     command_study, NULL},
     {"explain", TAKES_LAST_RUN | TAKES_CATALOGUE, "CHECK",
      "what a check states, its band and why, last values, the command to reproduce it",
      "CHECK is CASE[/CHECK[/VARIANT]], with globs. Of a CASE alone all is printed.",
-     command_explain},
+     command_explain, "list --names"},
     {"report", TAKES_BASELINE | TAKES_ADDITIONS | TAKES_CATALOGUE, "DIR",
      "render the reports of DIR again from its result lines",
      "What --baseline, --mutants, --headroom and --history name is stored in DIR, and in each "
      "report of it from then on.",
-     command_report},
+     command_report, NULL},
     {"headroom", 0, "DIR",
      "whether every check of DIR is within 1.5 to 100 times its deviation from its band's end, "
      "over the builds stored there, or states why not",
-     "Exit status: 1 a band or its reason is at fault, or a value is missing.", command_headroom},
+     "Exit status: 1 a band or its reason is at fault, or a value is missing.", command_headroom,
+     NULL},
     {"compare", TAKES_CHANGE, "DIR DIR",
      "what changed from the first run to the second: statuses, checks, values, margins, times "
      "beyond noise",
      "Exit status: 0 nothing got worse; 1 a status did, a check failed that is new or vanished "
      "from the same selection, or a margin shrank by more than 0.1. Time is shown, never judged: "
      "mpm-bench compares speed.",
-     command_compare},
+     command_compare, NULL},
     {"export", TAKES_CASE | TAKES_OUTPUT | TAKES_CATALOGUE, "",
      "write bundles for other solvers: problem, reference, criteria", "--output is required.",
-     command_export},
+     command_export, NULL},
     {"score", TAKES_NAME | TAKES_OUTPUT, "BUNDLE RESULTS",
      "judge another solver's results (CSV, HDF5, VTK) against a bundle, and write the same report",
-     NULL, command_score},
+     NULL, command_score, NULL},
 };
 
 /* ------------------------------------------------------------------- options */

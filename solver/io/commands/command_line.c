@@ -25,16 +25,21 @@ static enum mpm_status check_operands(const struct mpm_command_line *line,
     char **const rest = *line->rest;
     const size_t given = rest == NULL ? 0 : g_strv_length(rest);
     const size_t most = mpm_operands_count(entry);
+    size_t sound = 0;
+    while (sound < given && rest[sound][0] != '\0')
+        sound++;
     if (given > most)
         return mpm_error_set(error, MPM_BAD_INPUT,
                              "%s: unexpected argument \"%s\"; see '%s %s --help'", entry->name,
                              rest[most], line->program, entry->name);
-    if (given == most || entry->operands[0] == '[')
+    if (sound == given && (given == most || entry->operands[0] == '['))
         return MPM_OK;
     char **const names = g_strsplit(entry->operands, " ", -1);
+    const char *const name = names[sound] + (names[sound][0] == '[');
     const enum mpm_status status =
-        mpm_error_set(error, MPM_BAD_INPUT, "%s: %s is missing; see '%s %s --help'", entry->name,
-                      names[given], line->program, entry->name);
+        mpm_error_set(error, MPM_BAD_INPUT, "%s: %.*s is %s; see '%s %s --help'", entry->name,
+                      (int)strcspn(name, "]"), name, sound < given ? "empty" : "missing",
+                      line->program, entry->name);
     g_strfreev(names);
     return status;
 }
@@ -79,7 +84,9 @@ static enum mpm_status refuse_command(const struct mpm_command_line *line, const
     struct mpm_error error = {.status = MPM_OK};
     GString *const names = g_string_new(NULL);
     for (size_t i = 0; i < line->command_count; i++)
-        g_string_append_printf(names, "%s%s", i > 0 ? ", " : "", line->commands[i].name);
+        g_string_append_printf(names, "%s, ", line->commands[i].name);
+    for (size_t i = 0; i < MPM_HELP_OWN_COUNT; i++)
+        g_string_append_printf(names, "%s%s", i > 0 ? ", " : "", mpm_help_own[i].name);
     struct mpm_nearest nearest = {.word = name};
     for (size_t i = 0; name != NULL && i < line->command_count; i++)
         mpm_nearest_offer(&nearest, line->commands[i].name);
@@ -98,12 +105,17 @@ static enum mpm_status refuse_command(const struct mpm_command_line *line, const
     return MPM_BAD_INPUT;
 }
 
+static bool is_help(const char *word)
+{
+    return g_strcmp0(word, "--help") == 0 || g_strcmp0(word, "-h") == 0;
+}
+
 /* `help`, `help COMMAND`. */
 static enum mpm_status run_help(const struct mpm_command_line *line, const char *name)
 {
     const struct mpm_command_entry *const entry = find_command(line, name);
     for (size_t i = 0; i < MPM_HELP_OWN_COUNT; i++)
-        if (g_strcmp0(name, mpm_help_own[i].name) == 0) {
+        if (g_strcmp0(is_help(name) ? "help" : name, mpm_help_own[i].name) == 0) {
             mpm_help_own_command(line, &mpm_help_own[i]);
             return MPM_OK;
         }
@@ -119,7 +131,7 @@ static enum mpm_status run_help(const struct mpm_command_line *line, const char 
 static enum mpm_status run_completion(const struct mpm_command_line *line, const char *shell)
 {
     struct mpm_error error = {.status = MPM_OK};
-    if (g_strcmp0(shell, "--help") == 0)
+    if (is_help(shell))
         return run_help(line, "completion");
     if (mpm_completion_print(line, shell))
         return MPM_OK;
@@ -129,26 +141,50 @@ static enum mpm_status run_completion(const struct mpm_command_line *line, const
     return MPM_BAD_INPUT;
 }
 
-static bool is_one_of(const char *name, const char *word, const char *other)
+static enum mpm_status run_version(const struct mpm_command_line *line, const char *nothing)
 {
-    return g_strcmp0(name, word) == 0 || g_strcmp0(name, other) == 0;
+    (void)nothing;
+    (void)fprintf(line->out, "%s %s (%s)\n", line->program, mpm_build_info()->version,
+                  mpm_build_info()->revision);
+    return MPM_OK;
+}
+
+static enum mpm_status run_list(const struct mpm_command_line *line, const char *nothing)
+{
+    (void)nothing;
+    mpm_help_program(line);
+    return MPM_OK;
+}
+
+/* What each program has of its own accord, with so many words at most. */
+static const struct own {
+    const char *name;
+    int words;
+    enum mpm_status (*run)(const struct mpm_command_line *line, const char *word);
+} own[] = {
+    {"help", 1, run_help}, {"completion", 1, run_completion}, {"--help", 0, run_list},
+    {"-h", 0, run_list},   {"--version", 0, run_version},
+};
+
+static enum mpm_status run_own(const struct mpm_command_line *line, const struct own *command,
+                               int count, char **words)
+{
+    struct mpm_error error = {.status = MPM_OK};
+    if (count <= command->words)
+        return command->run(line, count > 0 ? words[0] : NULL);
+    (void)mpm_error_set(&error, MPM_BAD_INPUT, "%s: unexpected argument \"%s\"; see '%s --help'",
+                        command->name, words[command->words], line->program);
+    print_error(line, &error);
+    return MPM_BAD_INPUT;
 }
 
 enum mpm_status mpm_command_line_run(const struct mpm_command_line *line, int argc, char **argv,
                                      struct command *command)
 {
     const char *const name = argc > 1 ? argv[1] : NULL;
-    if (g_strcmp0(name, "help") == 0)
-        return run_help(line, argc > 2 ? argv[2] : NULL);
-    if (g_strcmp0(name, "completion") == 0)
-        return run_completion(line, argc > 2 ? argv[2] : NULL);
-    if (is_one_of(name, "--help", "-h"))
-        return run_help(line, NULL);
-    if (g_strcmp0(name, "--version") == 0) {
-        (void)fprintf(line->out, "%s %s (%s)\n", line->program, mpm_build_info()->version,
-                      mpm_build_info()->revision);
-        return MPM_OK;
-    }
+    for (size_t i = 0; i < G_N_ELEMENTS(own); i++)
+        if (g_strcmp0(name, own[i].name) == 0)
+            return run_own(line, &own[i], argc - 2, argv + 2);
     const struct mpm_command_entry *const entry = find_command(line, name);
     return entry != NULL ? dispatch(line, entry, argc, argv, command) : refuse_command(line, name);
 }

@@ -117,7 +117,7 @@ static void bash_options(const struct mpm_command_line *line, const struct mpm_c
     /* where operands are of two kinds, files stand for both */
     const bool alike =
         operands[1] == NULL || kind_of(operands[0], NULL) == kind_of(operands[1], NULL);
-    bash_value(line, alike ? operands[0] : "FILE", NULL);
+    bash_value(line, alike ? operands[0] : "FILE", entry->names);
     (void)fputs(" ;;\n", line->out);
     g_strfreev(operands);
 }
@@ -232,7 +232,7 @@ static void zsh_command(const struct mpm_command_line *line, const struct mpm_co
     }
     for (char **operand = operands; *operand != NULL; operand++) {
         (void)fputs(" \\\n            '", line->out);
-        zsh_value(line, *operand, NULL);
+        zsh_value(line, *operand, operand == operands ? entry->names : NULL);
         (void)fputs("'", line->out);
     }
     (void)fputs(" ;;\n", line->out);
@@ -328,12 +328,14 @@ static void fish_command(const struct mpm_command_line *line, const struct mpm_c
         g_free(help);
     }
     (void)fprintf(line->out, "%s -l help -s h -d 'this help'\n", start);
-    for (char **operand = operands; *operand != NULL; operand++)
-        if (kind_of(*operand, NULL) != VALUE_ANY) {
-            (void)fputs(start, line->out);
-            fish_value(line, *operand, NULL);
-            (void)fputc('\n', line->out);
-        }
+    for (char **operand = operands; *operand != NULL; operand++) {
+        const char *const names = operand == operands ? entry->names : NULL;
+        if (kind_of(*operand, names) == VALUE_ANY)
+            continue;
+        (void)fputs(start, line->out);
+        fish_value(line, *operand, names);
+        (void)fputc('\n', line->out);
+    }
     g_free(start);
     g_strfreev(operands);
 }

@@ -154,8 +154,16 @@ static enum mpm_status refuse_unknown(const struct reading *reading, const char 
     return status;
 }
 
-/* What GLib has no words for, or words of the locale: an option that there is not, and a flag with
- * a value. */
+static enum mpm_status refuse_missing(const struct reading *reading,
+                                      const struct mpm_option *option, struct mpm_error *error)
+{
+    return mpm_error_set(error, MPM_BAD_INPUT, "%s: --%s: %s is missing; see '%s %s --help'",
+                         reading->entry->name, option->name, option->value, reading->line->program,
+                         reading->entry->name);
+}
+
+/* What GLib has no words for, or words of the locale: an option that there is not, a flag with a
+ * value, an option at the end without one. */
 static enum mpm_status check_options(const struct reading *reading, int argc, char **argv,
                                      struct mpm_error *error)
 {
@@ -166,15 +174,19 @@ static enum mpm_status check_options(const struct reading *reading, int argc, ch
         char *const name = g_strndup(argv[i], strcspn(argv[i], "="));
         const struct mpm_option *const option = find_option(reading, name);
         const bool with_value = strchr(argv[i], '=') != NULL;
-        const enum mpm_status status =
-            option == NULL ? refuse_unknown(reading, argv[i], name, error)
-            : option->value == NULL && with_value
-                ? refuse_option(reading, "no value is allowed:", argv[i], "", error)
-                : MPM_OK;
+        const bool takes_next = option != NULL && option->value != NULL && !with_value &&
+                                (argv[i][1] == '-' || argv[i][2] == '\0');
+        enum mpm_status status = MPM_OK;
+        if (option == NULL)
+            status = refuse_unknown(reading, argv[i], name, error);
+        else if (option->value == NULL && with_value)
+            status = refuse_option(reading, "no value is allowed:", argv[i], "", error);
+        else if (takes_next && i + 1 == argc)
+            status = refuse_missing(reading, option, error);
         g_free(name);
         if (status != MPM_OK)
             return status;
-        i += option->value != NULL && !with_value && (argv[i][1] == '-' || argv[i][2] == '\0');
+        i += takes_next;
     }
     return MPM_OK;
 }

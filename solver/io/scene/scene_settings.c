@@ -72,6 +72,29 @@ static const char *entry_hint(const struct mpm_tree_node *list, const char *segm
     return mpm_nearest_hint(&nearest, hint);
 }
 
+/* The slot of an entry that there is; NULL: a mistake. `more`: what else is allowed. */
+static struct mpm_tree_node **known_entry(const struct setting *setting,
+                                          const struct mpm_tree_node *list, const char *segment,
+                                          const char *more)
+{
+    char name[MPM_EXCERPT_SIZE], hint[MPM_HINT_SIZE];
+    struct mpm_tree_node **const slot =
+        list->kind == MPM_TREE_LIST ? entry_slot(list, segment) : NULL;
+    if (slot != NULL)
+        return slot;
+    if (list->kind != MPM_TREE_LIST)
+        (void)mpm_tree_fault(setting->error, setting->source, setting->origin, "",
+                             "%s names an entry, but the scene has no list there",
+                             mpm_excerpt(segment, name));
+    else
+        (void)mpm_tree_fault(setting->error, setting->source, setting->origin, "",
+                             "no entry %s in the list of %zu; allowed: a position from 0, or the "
+                             "`name` of an entry%s%s",
+                             mpm_excerpt(segment, name), list->count, more,
+                             entry_hint(list, segment, hint));
+    return NULL;
+}
+
 /* A new entry at the end: an empty mapping until it has its value. */
 static enum mpm_status append_entry(const struct setting *setting, struct mpm_tree_node *list,
                                     struct mpm_tree_node ***slot)
@@ -85,20 +108,10 @@ static enum mpm_status append_entry(const struct setting *setting, struct mpm_tr
 static enum mpm_status find_entry(const struct setting *setting, struct mpm_tree_node *list,
                                   const char *segment, struct mpm_tree_node ***slot)
 {
-    char name[MPM_EXCERPT_SIZE], hint[MPM_HINT_SIZE];
-    if (list->kind != MPM_TREE_LIST)
-        return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
-                              "%s names an entry, but the scene has no list there",
-                              mpm_excerpt(segment, name));
-    if (strcmp(segment, new_entry) == 0)
+    if (list->kind == MPM_TREE_LIST && strcmp(segment, new_entry) == 0)
         return append_entry(setting, list, slot);
-    *slot = entry_slot(list, segment);
-    if (*slot != NULL)
-        return MPM_OK;
-    return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
-                          "no entry %s in the list of %zu; allowed: a position from 0, the "
-                          "`name` of an entry, or + for a new one at the end%s",
-                          mpm_excerpt(segment, name), list->count, entry_hint(list, segment, hint));
+    *slot = known_entry(setting, list, segment, ", or + for a new one at the end");
+    return *slot != NULL ? MPM_OK : MPM_BAD_INPUT;
 }
 
 /* A key that the scene does not have is made: the last of the path by the value itself,
@@ -121,32 +134,37 @@ static enum mpm_status add_missing(const struct setting *setting, const struct m
     return mpm_tree_append(group, key->name, value) ? MPM_OK : no_memory(setting);
 }
 
-/* The key of the table, where the scene has a mapping. */
-static enum mpm_status know_key(const struct setting *setting, const struct mpm_key *group,
-                                const struct mpm_tree_node *node, const char *segment,
-                                const struct mpm_key **key)
+/* The key of the table, where the scene has a mapping, or nothing (NULL); NULL: a mistake. */
+static const struct mpm_key *known_key(const struct setting *setting, const struct mpm_key *group,
+                                       const struct mpm_tree_node *node, const char *segment)
 {
     char name[MPM_EXCERPT_SIZE], allowed[MPM_ALLOWED_SIZE], hint[MPM_HINT_SIZE];
-    *key = mpm_key_find(group, segment);
-    if (*key == NULL)
-        return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
-                              "unknown key %s; allowed: %s%s", mpm_excerpt(segment, name),
-                              mpm_key_children(group, allowed), mpm_key_hint(group, segment, hint));
-    if (node->kind != MPM_TREE_MAPPING)
-        return mpm_tree_fault(setting->error, setting->source, setting->origin, "",
-                              "%s names a key, but the scene has no mapping there",
-                              mpm_excerpt(segment, name));
-    return MPM_OK;
+    const struct mpm_key *const key = mpm_key_find(group, segment);
+    const bool is_mapping = node == NULL || node->kind == MPM_TREE_MAPPING;
+    if (key != NULL && is_mapping)
+        return key;
+    if (key == NULL)
+        (void)mpm_tree_fault(setting->error, setting->source, setting->origin, "",
+                             "unknown key %s; allowed: %s%s", mpm_excerpt(segment, name),
+                             mpm_key_children(group, allowed), mpm_key_hint(group, segment, hint));
+    else
+        (void)mpm_tree_fault(setting->error, setting->source, setting->origin, "",
+                             "%s names a key, but the scene has no mapping there",
+                             mpm_excerpt(segment, name));
+    return NULL;
 }
 
-static enum mpm_status find_key(const struct setting *setting, const struct mpm_key *group,
+static enum mpm_status find_key(const struct setting *setting, struct mpm_key *group,
                                 struct mpm_tree_node *node, const char *segment,
-                                const struct mpm_key **key, struct mpm_tree_node ***slot)
+                                struct mpm_tree_node ***slot)
 {
-    MPM_TRY(know_key(setting, group, node, segment, key));
+    const struct mpm_key *const key = known_key(setting, group, node, segment);
+    if (key == NULL)
+        return MPM_BAD_INPUT;
     if (mpm_tree_entry(node, segment) == NULL)
-        MPM_TRY(add_missing(setting, *key, node));
+        MPM_TRY(add_missing(setting, key, node));
     *slot = &mpm_tree_entry(node, segment)->value;
+    *group = *key;
     return MPM_OK;
 }
 
@@ -164,6 +182,32 @@ static bool has_parts(const struct mpm_key *key)
     return key->shape != MPM_KEY_ONE && key->shape != MPM_KEY_CHOICE;
 }
 
+/* One segment further down; *node is NULL where the scene gives nothing. */
+static enum mpm_status descend(const struct setting *setting, const char *segment,
+                               struct mpm_key *key, struct mpm_tree_node **node)
+{
+    if (!has_parts(key))
+        return refuse_part(setting, key, segment);
+    if (key->shape == MPM_KEY_GROUP) {
+        const struct mpm_key *const next = known_key(setting, key, *node, segment);
+        if (next == NULL)
+            return MPM_BAD_INPUT;
+        const struct mpm_tree_entry *const given =
+            *node != NULL ? mpm_tree_entry(*node, segment) : NULL;
+        *node = given != NULL ? given->value : NULL;
+        *key = *next;
+        return MPM_OK;
+    }
+    if (*node != NULL) {
+        struct mpm_tree_node *const *const entry = known_entry(setting, *node, segment, "");
+        if (entry == NULL)
+            return MPM_BAD_INPUT;
+        *node = *entry;
+    }
+    *key = mpm_key_entry(key);
+    return MPM_OK;
+}
+
 /* `PATH=`: takes the key, or the entry of a list, out of the scene. What the scene does not give
  * needs no taking out, but has to be a key. */
 static enum mpm_status unset(struct setting *setting, struct mpm_tree_node *root)
@@ -171,25 +215,8 @@ static enum mpm_status unset(struct setting *setting, struct mpm_tree_node *root
     struct mpm_key key = mpm_scene_root;
     struct mpm_tree_node *node = root, *parent = NULL;
     for (char *segment = next_segment(setting); segment != NULL; segment = next_segment(setting)) {
-        struct mpm_tree_node **entry = NULL;
-        if (!has_parts(&key))
-            return refuse_part(setting, &key, segment);
         parent = node;
-        if (key.shape == MPM_KEY_GROUP) {
-            const struct mpm_key *next = NULL;
-            const struct mpm_tree_node nothing = {.kind = MPM_TREE_MAPPING};
-            MPM_TRY(know_key(setting, &key, node != NULL ? node : &nothing, segment, &next));
-            const struct mpm_tree_entry *const given =
-                node != NULL ? mpm_tree_entry(node, segment) : NULL;
-            node = given != NULL ? given->value : NULL;
-            key = *next;
-        } else if (node != NULL) {
-            MPM_TRY(find_entry(setting, node, segment, &entry));
-            node = *entry;
-            key = mpm_key_entry(&key);
-        } else {
-            key = mpm_key_entry(&key);
-        }
+        MPM_TRY(descend(setting, segment, &key, &node));
     }
     if (node != NULL && parent != NULL)
         mpm_tree_remove(parent, node);
@@ -203,9 +230,7 @@ static enum mpm_status find_slot(struct setting *setting, struct mpm_tree_node *
     struct mpm_key key = mpm_scene_root;
     for (char *segment = next_segment(setting); segment != NULL; segment = next_segment(setting)) {
         if (key.shape == MPM_KEY_GROUP) {
-            const struct mpm_key *next = NULL;
-            MPM_TRY(find_key(setting, &key, *slot, segment, &next, &slot));
-            key = *next;
+            MPM_TRY(find_key(setting, &key, *slot, segment, &slot));
         } else if (!has_parts(&key)) {
             return refuse_part(setting, &key, segment);
         } else {

@@ -82,9 +82,16 @@ static const struct bad_line {
     {{"info", "--threads", "1"}, "--threads"},
     {{"check", "SCENE", "--threads", "0"}, "'0' is not a whole number from 1 to 1024"},
     {{"info", "--set", "a=1"}, "--set"},
-    {{"run", "SCENE", "--output"}, "--output"},
-    {{"run", "SCENE", "--threads"}, "--threads"},
-    {{"run", "SCENE", "--set"}, "--set"},
+    {{"run", "SCENE", "--output"}, "run: --output: DIR is missing; see 'mpm run --help'"},
+    {{"run", "SCENE", "-q", "-o"}, "run: --output: DIR is missing; see"},
+    {{"run", "SCENE", "--threads"}, "run: --threads: N is missing; see"},
+    {{"run", "SCENE", "--set"}, "run: --set: PATH=VALUE is missing; see"},
+    {{"run", ""}, "run: SCENE is empty; see 'mpm run --help'"},
+    {{"new", ""}, "new: KIND is empty; see 'mpm new --help'"},
+    {{"help", "run", "more"}, "help: unexpected argument \"more\"; see 'mpm --help'"},
+    {{"completion", "bash", "more"}, "completion: unexpected argument \"more\""},
+    {{"--version", "more"}, "--version: unexpected argument \"more\""},
+    {{"--help", "more"}, "--help: unexpected argument \"more\""},
     {{"run", "SCENE", "--output", ""}, "empty"},
     {{"run", "SCENE", "--output", "SCENE"}, "is a file"},
     {{"run", "SCENE", "--threads", "0"}, "'0' is not a whole number from 1 to 1024"},
@@ -148,12 +155,14 @@ START_TEST(help_and_version_end_well)
     static const struct {
         const char *arguments[2], *said;
     } lines[] = {
-        {{"--help", NULL}, "Exit status"}, {{"-h", NULL}, "Usage"},
-        {{"--version", NULL}, "mpm "},     {{"run", "--help"}, "--overwrite"},
-        {{"run", "--help"}, "--kernels"},  {{"check", "--help"}, "--simd"},
-        {{"check", "--help"}, "--set"},    {{"info", "-h"}, "Usage"},
-        {{"schema", "--help"}, "Usage"},   {{"help", NULL}, "Exit status"},
-        {{"help", "run"}, "--overwrite"},
+        {{"--help", NULL}, "Exit status"},  {{"-h", NULL}, "Usage"},
+        {{"--version", NULL}, "mpm "},      {{"run", "--help"}, "--overwrite"},
+        {{"run", "--help"}, "--kernels"},   {{"check", "--help"}, "--simd"},
+        {{"check", "--help"}, "--set"},     {{"info", "-h"}, "Usage"},
+        {{"schema", "--help"}, "Usage"},    {{"help", NULL}, "Exit status"},
+        {{"help", "run"}, "--overwrite"},   {{"help", "--help"}, "mpm help [COMMAND]"},
+        {{"help", "-h"}, "this list"},      {{"completion", "-h"}, "mpm completion SHELL"},
+        {{"completion", "--help"}, "bash"},
     };
     for (size_t i = 0; i < G_N_ELEMENTS(lines); i++) {
         struct test_command command =

@@ -170,7 +170,7 @@ START_TEST(tables_are_of_the_scene_that_ran_whatever_it_has_become)
     struct place place = place_create();
     g_free(verify(&place, STUDY "--refine 1,2 --measure kinetic_energy", 0));
     char *before = table_of(&place), *changed = g_strdup(bar);
-    memcpy(strstr(changed, "cell: [4"), "cell: [2", strlen("cell: [2"));
+    strstr(changed, "cell: [4")[strlen("cell: [")] = '2';
     ck_assert(g_file_set_contents(place.scene, changed, -1, NULL));
     g_free(verify(&place, "mpm-verify collect %", 0));
     char *after = table_of(&place);
