@@ -355,10 +355,10 @@ coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gc
 
 # ------------------------------------------------------------- verification
 .PHONY: verify verify-full
-verify: all ## the catalogue at CI size; report in build/reports/verify
-	$(BUILD)/bin/mpm-verify run --tier ci --output build/reports/verify
+verify: all ## the catalogue at CI size; report in build/reports/verify; V=1: a line for each check
+	$(BUILD)/bin/mpm-verify run --tier ci $(if $(V),--verbose) --output build/reports/verify
 verify-full: all ## the catalogue at full size; report in build/reports/verify-full
-	$(BUILD)/bin/mpm-verify run --tier full --output build/reports/verify-full
+	$(BUILD)/bin/mpm-verify run --tier full $(if $(V),--verbose) --output build/reports/verify-full
 
 .PHONY: test-browser
 test-browser: all ## the report of `make verify` in headless Chromium: links, sorting, layout, axe
@@ -401,7 +401,7 @@ headroom: all ## how far values keep from their bands over builds (half an hour)
 
 # --------------------------------------------------------------- benchmarks
 .PHONY: bench
-bench: all ## speed, memory, scaling, error against run time (about 9 min); build/reports/bench
+bench: all ## speed, memory, scaling, error against run time (9 to 14 min); build/reports/bench
 	$(BUILD)/bin/mpm-bench run --output build/reports/bench
 
 # ------------------------------------------------------------------- checks
@@ -483,11 +483,13 @@ format: ## rewrite the sources in the house format
 
 # ------------------------------------------------------------ install, help
 SHARE := $(DESTDIR)$(PREFIX)/share/touchstone
+# Where the shells look for completion, below share/.
+COMPLETIONS := bash-completion/completions zsh/site-functions fish/vendor_completions.d
 LIB   := $(DESTDIR)$(PREFIX)/lib
-# Calls on files and gnuplot are for the project's own programs: no interface for others.
-PUBLIC_HEADERS := $(filter-out $(patsubst %,solver/mpm_%.h,expression file gnuplot hdf5),$(sort $(wildcard solver/mpm*.h)))
+# Command lines, calls on files and gnuplot are for the project's own programs: no interface for others.
+PUBLIC_HEADERS := $(filter-out $(patsubst %,solver/mpm_%.h,commands expression file gnuplot hdf5 words),$(sort $(wildcard solver/mpm*.h)))
 .PHONY: install help
-install: all ## programs, headers, libmpm (static, shared, touchstone.pc), man pages, catalogue, examples into PREFIX (/usr/local), under DESTDIR
+install: all ## programs, headers, libmpm (static, shared, touchstone.pc), man pages, completion, catalogue, examples into PREFIX (/usr/local), under DESTDIR
 	install -d $(addprefix $(DESTDIR)$(PREFIX)/,bin include lib/pkgconfig share/man/man1) \
 	  $(SHARE)/benchmarks
 	install $(PROGRAMS) $(DESTDIR)$(PREFIX)/bin
@@ -499,6 +501,11 @@ install: all ## programs, headers, libmpm (static, shared, touchstone.pc), man p
 	ln -sf $(SONAME) $(LIB)/libmpm.$(if $(MACOS),dylib,so)
 	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@PACKAGES@|$(PACKAGES_SOLVER)|' \
 	  solver/touchstone.pc.in > $(LIB)/pkgconfig/touchstone.pc
+	install -d $(addprefix $(DESTDIR)$(PREFIX)/share/,$(COMPLETIONS))
+	$(foreach name,$(notdir $(PROGRAMS)),\
+	  $(BUILD)/bin/$(name) completion bash > $(DESTDIR)$(PREFIX)/share/bash-completion/completions/$(name) && \
+	  $(BUILD)/bin/$(name) completion zsh > $(DESTDIR)$(PREFIX)/share/zsh/site-functions/_$(name) && \
+	  $(BUILD)/bin/$(name) completion fish > $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d/$(name).fish &&) true
 	$(foreach folder,$(wildcard verification/catalogue reports reference_data examples),cp -R $(folder) $(SHARE)/ &&) true
 	cp -R benchmarks/scenes benchmarks/budget.json $(SHARE)/benchmarks/
 

@@ -35,10 +35,9 @@ MPM_API_BEGIN
 
 struct mpm_scene; /* read-only once read; any number of simulations can use it */
 
-/* Reads and validates a scene file. `settings` are `PATH=VALUE` texts applied in
- * order before validation (the last wins). Errors name file, line, key, value
- * and what is allowed: MPM_BAD_INPUT; out of memory: MPM_ENVIRONMENT_FAILED.
- * On failure *scene is NULL. */
+/* Reads and validates a scene file; "-" is standard input. `settings` are `PATH=VALUE` texts
+ * applied in order before validation (the last wins); `PATH=` unsets. MPM_BAD_INPUT names file,
+ * line, key, value and what is allowed; MPM_ENVIRONMENT_FAILED: no memory; *scene is NULL then. */
 enum mpm_status mpm_scene_read(const char *path, const char *const *settings, size_t setting_count,
                                struct mpm_scene **scene, struct mpm_error *error);
 /* The same of a text in memory. `name` is what messages and records call it by, as a file's path.

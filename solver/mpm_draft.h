@@ -35,10 +35,10 @@ enum mpm_status mpm_draft_create(const char *name, const char *text, size_t leng
 void mpm_draft_free(struct mpm_draft *draft);
 
 /* Sets the value at a path: keys joined by points, entries of lists by position, by their `name`,
- * or + for a new one at the end: "bodies.+", "bodies.disk.velocity". `value` is YAML. The last
- * value of a path wins. MPM_BAD_INPUT: no such key or entry, no YAML, and, for a key that is no
- * group of others, a value of another kind or out of range; the message has path, value and what is
- * allowed. */
+ * or + for a new one at the end: "bodies.+", "bodies.disk.velocity". `value` is YAML; an empty one
+ * takes the key or entry out. The last value of a path wins. MPM_BAD_INPUT: no such key or entry,
+ * no YAML, and, for a key that is no group of others, a value of another kind or out of range; the
+ * message has path, value and what is allowed. */
 enum mpm_status mpm_draft_set(struct mpm_draft *draft, const char *path, const char *value,
                               struct mpm_error *error);
 

@@ -54,6 +54,7 @@ enum { MPM_MESSAGE_SIZE = 1024 };
 struct mpm_error {
     enum mpm_status status;
     enum mpm_cause cause;
+    int line;                       /* of the file that is at fault; 0 where there is none */
     char message[MPM_MESSAGE_SIZE]; /* one line: what, where, value, what is allowed */
 };
 

@@ -11,6 +11,22 @@
 
 MPM_API_BEGIN
 
+/* ---------------------------------------------------------------- mistakes */
+
+/* The first mistakes of a file, sorted by line: of a --set before those of the file. */
+enum { MPM_FAULTS_MAX = 10 };
+struct mpm_faults {
+    size_t count; /* of all; those beyond MPM_FAULTS_MAX are counted only */
+    struct mpm_error list[MPM_FAULTS_MAX];
+};
+
+/* As mpm_scene_read, with all mistakes of one kind: of the settings; else of keys and values by
+ * themselves; else of grid, time and method together; else of materials, bodies and boundaries; and
+ * so on with what needs those before. */
+enum mpm_status mpm_scene_read_all(const char *path, const char *const *settings,
+                                   size_t setting_count, struct mpm_scene **scene,
+                                   struct mpm_faults *faults);
+
 /* -------------------------------------------------------------------- tree */
 
 enum { MPM_TREE_DEPTH_MAX = 64 };

@@ -12,6 +12,7 @@
 #define SUITES(SUITE, APART)                                                                       \
     SUITE(install)                                                                                 \
     SUITE(docs)                                                                                    \
+    SUITE(completion)                                                                              \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
     SUITE(new_plot)                                                                                \
@@ -46,6 +47,7 @@
     SUITE(forms)                                                                                   \
     SUITE(accuracy)                                                                                \
     SUITE(support)                                                                                 \
+    SUITE(words)                                                                                   \
     SUITE(status)                                                                                  \
     SUITE(base)                                                                                    \
     APART(workers)                                                                                 \
@@ -62,6 +64,7 @@
     SUITE(parting)                                                                                 \
     SUITE(particles)                                                                               \
     SUITE(property)                                                                                \
+    SUITE(scene_faults)                                                                            \
     SUITE(scene)                                                                                   \
     SUITE(energy)                                                                                  \
     SUITE(guard)                                                                                   \
@@ -142,6 +145,7 @@
     SUITE(draft)                                                                                   \
     SUITE(scene_settings)                                                                          \
     SUITE(schema)                                                                                  \
+    SUITE(console)                                                                                 \
     SUITE(suite)                                                                                   \
     SUITE(resume)                                                                                  \
     SUITE(bench)                                                                                   \

@@ -12,39 +12,19 @@
 #include "verification/common/failure.h"
 #include "verification/common/resources.h"
 
+#include "mpm_commands.h"
+
 #include <glib.h>
+#include <stddef.h>
 #include <string.h>
 
 #define PROGRAM "mpm-bench"
-
-static const char usage[] =
-    "usage: " PROGRAM " COMMAND\n"
-    "\n"
-    "  list                            the groups of benchmarks\n"
-    "  run [--group NAME]... [--tier quick|standard] [--output DIR]\n"
-    "      [--kernels auto|reference|fast] [--simd auto|baseline|x86-64-v3]\n"
-    "                                  measure, and write results and report\n"
-    "  report DIR                      render the report of DIR again from its result lines\n"
-    "  compare DIR_A DIR_B             what differs between two runs, beyond noise and 5 %\n"
-    "  budget [--functions] [--update] instructions, branches and bytes of some small runs "
-    "against\n"
-    "                                  the stored ones; --functions names the costliest "
-    "functions,\n"
-    "                                  --update stores the figures instead\n"
-    "  help, --help, --version\n"
-    "\n"
-    "--tier is standard unless given: all groups take about 9 minutes on two processors, and "
-    "under\n"
-    "10.\n"
-    "--output is build/reports/bench in the repository and bench-report elsewhere.\n"
-    "Exit status: 0 done; 1 a budget is exceeded; 2 bad usage or bad input; 3 a run failed;\n"
-    "4 the environment failed.\n";
 
 /* ---------------------------------------------------------------- arguments */
 
 struct options {
     char *tier, *output, *kernels, *simd;
-    gboolean update, functions;
+    bool update, functions, names;
     char **groups, **rest; /* rest: the arguments beside the options */
 };
 
@@ -56,35 +36,16 @@ struct command {
     int verdict; /* exit status of a command that was done */
 };
 
-static void options_clear(struct options *options)
-{
-    g_free(options->tier);
-    g_free(options->output);
-    g_free(options->kernels);
-    g_free(options->simd);
-    g_strfreev(options->groups);
-    g_strfreev(options->rest);
-}
-
 /* Which options a command takes; bits of `takes` in the table of commands. */
-enum { TAKES_RUN = 1, TAKES_BUDGET = 2 };
+enum { TAKES_RUN = 1, TAKES_BUDGET = 2, TAKES_LIST = 4 };
 
-/* The place of `text` in a list of names; the first one if NULL. */
-static enum mpm_status choose(const char *option, const char *text, const char *const *names,
-                              size_t count, size_t *choice, struct mpm_error *error)
+/* The place of `text`, one of `count` names; the first one if NULL. */
+static size_t place_of(const char *text, const char *const *names, size_t count)
 {
-    GString *allowed = g_string_new(NULL);
-    for (*choice = 0; *choice < count; ++*choice) {
-        if (text == NULL || strcmp(text, names[*choice]) == 0)
-            break;
-        g_string_append_printf(allowed, "%s%s", *choice == 0 ? "" : ", ", names[*choice]);
-    }
-    const enum mpm_status status =
-        *choice < count ? MPM_OK
-                        : failure_set(error, MPM_BAD_INPUT, "--%s \"%s\": allowed are %s", option,
-                                      text, allowed->str);
-    g_string_free(allowed, TRUE);
-    return status;
+    size_t place = 0;
+    while (text != NULL && place + 1 < count && strcmp(text, names[place]) != 0)
+        place++;
+    return place;
 }
 
 /* ----------------------------------------------------------------- commands */
@@ -95,7 +56,10 @@ static enum mpm_status command_list(struct command *command, struct mpm_error *e
     const struct bench_group *groups = bench_groups(&count);
     (void)error;
     for (size_t i = 0; i < count; i++)
-        fprintf(command->world->out, "%-12s %s\n", groups[i].name, groups[i].description);
+        if (command->options.names)
+            fprintf(command->world->out, "%s\n", groups[i].name);
+        else
+            fprintf(command->world->out, "%-12s %s\n", groups[i].name, groups[i].description);
     return MPM_OK;
 }
 
@@ -105,12 +69,8 @@ static enum mpm_status command_run(struct command *command, struct mpm_error *er
     static const char *const kernels[] = {"auto", "reference", "fast"};
     const char *simd[MPM_SIMD_COUNT];
     const struct options *options = &command->options;
-    size_t tier, kernel, instructions;
     for (int i = 0; i < MPM_SIMD_COUNT; i++)
         simd[i] = mpm_simd_name((enum mpm_simd)i);
-    TRY(choose("tier", options->tier, tiers, G_N_ELEMENTS(tiers), &tier, error));
-    TRY(choose("kernels", options->kernels, kernels, G_N_ELEMENTS(kernels), &kernel, error));
-    TRY(choose("simd", options->simd, simd, G_N_ELEMENTS(simd), &instructions, error));
     char *text = command_line_typed(PROGRAM, command->argc, command->argv);
     struct bench_console console = {.out = command->world->out,
                                     .terminal = command->world->terminal};
@@ -119,10 +79,12 @@ static enum mpm_status command_run(struct command *command, struct mpm_error *er
         .command = text,
         .output = options->output,
         .groups = options->groups,
-        .tier = tier == 0 ? BENCH_STANDARD : BENCH_QUICK,
+        .tier =
+            place_of(options->tier, tiers, G_N_ELEMENTS(tiers)) == 0 ? BENCH_STANDARD : BENCH_QUICK,
         .simulation = {.threads = 1,
-                       .kernels = (enum mpm_kernels)kernel,
-                       .simd = (enum mpm_simd)instructions},
+                       .kernels = (enum mpm_kernels)place_of(options->kernels, kernels,
+                                                             G_N_ELEMENTS(kernels)),
+                       .simd = (enum mpm_simd)place_of(options->simd, simd, G_N_ELEMENTS(simd))},
     };
     const enum mpm_status status = bench_run(&run, &console, error);
     g_free(text);
@@ -166,39 +128,65 @@ static enum mpm_status command_budget(struct command *command, struct mpm_error 
 
 /* -------------------------------------------------------------------- table */
 
-static const struct command_entry commands[] = {
-    {"list", 0, 0, "", command_list},
-    {"run", TAKES_RUN, 0, "", command_run},
-    {"report", 0, 1, "report: the folder DIR", command_report},
-    {"compare", 0, 2, "compare: a folder", command_compare},
-    {"budget", TAKES_BUDGET, 0, "", command_budget},
+static const struct mpm_command_entry commands[] = {
+    {"list", TAKES_LIST, "", "the groups of benchmarks", NULL, command_list, NULL},
+    {"run", TAKES_RUN, "", "measure, and write results and report", NULL, command_run, NULL},
+    {"report", 0, "DIR", "render the report of DIR again from its result lines", NULL,
+     command_report, NULL},
+    {"compare", 0, "DIR_A DIR_B", "what differs between two runs, beyond noise and 5 %", NULL,
+     command_compare, NULL},
+    {"budget", TAKES_BUDGET, "",
+     "instructions, branches and bytes of some small runs against the stored ones", NULL,
+     command_budget, NULL},
+};
+
+#define OPTION(who, key, member, form, what, text)                                                 \
+    {                                                                                              \
+        .takes = (who), .name = (key), .kind = MPM_OPTION_##form,                                  \
+        .offset = offsetof(struct options, member), .value = (what), .help = (text)                \
+    }
+
+static const struct mpm_option option_table[] = {
+    {.takes = TAKES_RUN,
+     .name = "group",
+     .kind = MPM_OPTION_LIST,
+     .offset = offsetof(struct options, groups),
+     .value = "NAME",
+     .help = "only that group",
+     .names = "list --names"},
+    OPTION(TAKES_LIST, "names", names, FLAG, NULL, "print the names of the groups alone"),
+    OPTION(TAKES_RUN, "tier", tier, TEXT, "quick|standard",
+           "how long to measure; standard, 9 to 14 minutes on two processors, unless given"),
+    OPTION(TAKES_RUN, "output", output, TEXT, "DIR",
+           "folder of results and report; build/reports/bench in the repository and bench-report "
+           "elsewhere unless given"),
+    OPTION(TAKES_RUN, "kernels", kernels, TEXT, "auto|reference|fast", "kernels of the solver"),
+    OPTION(TAKES_RUN, "simd", simd, TEXT, "auto|baseline|x86-64-v3",
+           "instructions of the fast kernels"),
+    OPTION(TAKES_BUDGET, "functions", functions, FLAG, NULL,
+           "name the costliest functions of each run"),
+    OPTION(TAKES_BUDGET, "update", update, FLAG, NULL,
+           "store the figures instead of comparing with them"),
 };
 
 int bench_command(int argc, char **argv, const struct bench_world *world)
 {
     struct command command = {.argc = argc, .argv = argv, .world = world};
-    struct options *const given = &command.options;
-    const struct command_option options[] = {
-        {TAKES_RUN, {"group", 0, 0, G_OPTION_ARG_STRING_ARRAY, &given->groups, NULL, NULL}},
-        {TAKES_RUN, {"tier", 0, 0, G_OPTION_ARG_STRING, &given->tier, NULL, NULL}},
-        {TAKES_RUN, {"output", 0, 0, G_OPTION_ARG_FILENAME, &given->output, NULL, NULL}},
-        {TAKES_RUN, {"kernels", 0, 0, G_OPTION_ARG_STRING, &given->kernels, NULL, NULL}},
-        {TAKES_RUN, {"simd", 0, 0, G_OPTION_ARG_STRING, &given->simd, NULL, NULL}},
-        {TAKES_BUDGET, {"functions", 0, 0, G_OPTION_ARG_NONE, &given->functions, NULL, NULL}},
-        {TAKES_BUDGET, {"update", 0, 0, G_OPTION_ARG_NONE, &given->update, NULL, NULL}},
-    };
-    const struct command_line line = {
+    const struct mpm_command_line line = {
         .program = PROGRAM,
-        .usage = usage,
+        .about = "Speed, memory and scaling of the solver on this machine.",
+        .notes = "Exit status: 0 done; 1 a budget is exceeded; 2 bad usage or bad input; 3 a run "
+                 "failed; 4 the environment failed.",
         .commands = commands,
         .command_count = G_N_ELEMENTS(commands),
-        .options = options,
-        .option_count = G_N_ELEMENTS(options),
-        .rest = &given->rest,
+        .options = option_table,
+        .option_count = G_N_ELEMENTS(option_table),
+        .values = &command.options,
+        .rest = &command.options.rest,
         .out = world->out,
         .err = world->err,
     };
-    const enum mpm_status status = command_line_run(&line, argc, argv, &command);
-    options_clear(given);
+    const enum mpm_status status = mpm_command_line_run(&line, argc, argv, &command);
+    mpm_command_line_clear(&line);
     return status == MPM_OK ? command.verdict : (int)status;
 }

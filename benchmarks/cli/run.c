@@ -10,6 +10,8 @@
 #include "verification/common/machine.h"
 #include "verification/common/resources.h"
 
+#include "mpm_words.h"
+
 #include <errno.h>
 #include <glib.h>
 #include <glib/gstdio.h>
@@ -27,12 +29,15 @@ static enum mpm_status check_groups(const struct bench_run *run, struct mpm_erro
     size_t count;
     const struct bench_group *groups = bench_groups(&count);
     for (char *const *name = run->groups; name != NULL && *name != NULL; name++) {
+        struct mpm_nearest nearest = {.word = *name};
+        char hint[MPM_HINT_SIZE];
         size_t i = 0;
-        while (i < count && strcmp(*name, groups[i].name) != 0)
-            i++;
+        for (; i < count && strcmp(*name, groups[i].name) != 0; i++)
+            mpm_nearest_offer(&nearest, groups[i].name);
         if (i == count)
             return failure_set(error, MPM_BAD_INPUT,
-                               "--group \"%s\": allowed are those of mpm-bench list", *name);
+                               "--group \"%s\": allowed are those of mpm-bench list%s", *name,
+                               mpm_nearest_hint(&nearest, hint));
     }
     return MPM_OK;
 }

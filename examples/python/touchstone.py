@@ -39,7 +39,12 @@ class Error(Exception):
 
 
 class _Error(ctypes.Structure):
-    _fields_ = [("status", ctypes.c_int), ("cause", ctypes.c_int), ("message", ctypes.c_char * 1024)]
+    _fields_ = [
+        ("status", ctypes.c_int),
+        ("cause", ctypes.c_int),
+        ("line", ctypes.c_int),
+        ("message", ctypes.c_char * 1024),
+    ]
 
 
 class _SimulationOptions(ctypes.Structure):

@@ -64,6 +64,7 @@ __attribute__((format(printf, 4, 0))) static void set(struct mpm_error *error,
             *c = '?';
     error->status = status;
     error->cause = cause;
+    error->line = 0;
 }
 
 enum mpm_status mpm_error_set(struct mpm_error *error, enum mpm_status status, const char *format,

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"
 
+#include "base/status.h"
 #include "io/units.h"
 
 #include <stdio.h>
@@ -51,17 +52,15 @@ static void print_plan(const struct mpm_scene *scene, const struct mpm_plan *pla
                  1e-6 * (double)plan->checkpoint_bytes);
 }
 
-int cli_check(struct cli_arguments *arguments)
+enum mpm_status cli_check(struct command *command, struct mpm_error *error)
 {
     struct mpm_scene *scene = NULL;
-    const int read = cli_scene_read(arguments, &scene);
-    if (read != MPM_OK)
-        return read;
     struct mpm_plan plan = {.particles = 0};
-    struct mpm_error error = {.status = MPM_OK};
-    const enum mpm_status status = mpm_scene_plan(scene, &arguments->simulation, &plan, &error);
+    MPM_TRY(cli_take_simulation(command, "check", error));
+    MPM_TRY(cli_scene_read(command, &scene, error));
+    const enum mpm_status status = mpm_scene_plan(scene, &command->simulation, &plan, error);
     if (status == MPM_OK)
         print_plan(scene, &plan);
     mpm_scene_free(scene);
-    return status == MPM_OK ? MPM_OK : cli_fail(status, "%s", error.message);
+    return status;
 }

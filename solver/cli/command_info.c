@@ -3,14 +3,17 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"
 
+#include "base/status.h"
 #include "io/scene/schema.h"
 
+#include <glib.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-int cli_info(struct cli_arguments *arguments)
+enum mpm_status cli_info(struct command *command, struct mpm_error *error)
 {
-    (void)arguments;
+    (void)command;
+    (void)error;
     const struct mpm_build_info *build = mpm_build_info();
     const struct {
         const char *name, *value;
@@ -23,12 +26,26 @@ int cli_info(struct cli_arguments *arguments)
     return MPM_OK;
 }
 
-int cli_schema(struct cli_arguments *arguments)
+enum mpm_status cli_schema(struct command *command, struct mpm_error *error)
 {
-    char *text = arguments->json ? mpm_schema_json() : mpm_schema_text();
+    const struct cli_arguments *const given = &command->arguments;
+    const bool json = given->json || given->list;
+    size_t count = 1;
+    if (given->json + given->list + (given->filter != NULL) > 1)
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "schema: allowed: one of --filter, --json and --list; see "
+                             "'mpm schema --help'");
+    char *text = given->json   ? mpm_schema_document()
+                 : given->list ? mpm_schema_list()
+                               : mpm_schema_text(given->filter, &count);
     if (text == NULL)
-        return cli_fail(MPM_ENVIRONMENT_FAILED, "out of memory for the schema");
-    (void)printf("%s%s", text, arguments->json ? "\n" : "");
+        return mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "out of memory for the schema");
+    if (count > 0)
+        (void)printf("%s%s", text, json ? "\n" : "");
     free(text);
-    return MPM_OK;
+    return count > 0 ? MPM_OK
+                     : mpm_error_set(error, MPM_BAD_INPUT,
+                                     "schema: no key has \"%s\" in its name, type, range or "
+                                     "meaning; 'mpm schema' lists all",
+                                     given->filter);
 }

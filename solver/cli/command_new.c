@@ -3,7 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"
 
+#include "base/status.h"
 #include "mpm_file.h"
+#include "mpm_words.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -16,10 +18,13 @@ static const struct scene {
 #include "scenes.inc"
 };
 
-static int list(void)
+static enum mpm_status list(bool names_alone)
 {
     for (size_t k = 0; k < G_N_ELEMENTS(scenes); k++)
-        (void)printf("%-12s %s\n", scenes[k].name, scenes[k].summary);
+        if (names_alone)
+            (void)printf("%s\n", scenes[k].name);
+        else
+            (void)printf("%-12s %s\n", scenes[k].name, scenes[k].summary);
     return MPM_OK;
 }
 
@@ -31,54 +36,63 @@ static const struct scene *find(const char *name)
     return NULL;
 }
 
-static int refuse_kind(const char *name)
+static enum mpm_status refuse_kind(const char *name, struct mpm_error *error)
 {
     GString *const names = g_string_new(NULL);
-    for (size_t k = 0; k < G_N_ELEMENTS(scenes); k++)
+    struct mpm_nearest nearest = {.word = name};
+    char hint[MPM_HINT_SIZE];
+    for (size_t k = 0; k < G_N_ELEMENTS(scenes); k++) {
         g_string_append_printf(names, "%s%s", k > 0 ? ", " : "", scenes[k].name);
-    const int status = name == NULL ? cli_fail(MPM_BAD_INPUT,
-                                               "new: a kind is missing; allowed: %s; see "
-                                               "'mpm new --list'",
-                                               names->str)
-                                    : cli_fail(MPM_BAD_INPUT,
-                                               "new: unknown kind '%s'; allowed: %s; see "
-                                               "'mpm new --list'",
-                                               name, names->str);
+        if (name != NULL)
+            mpm_nearest_offer(&nearest, scenes[k].name);
+    }
+    const enum mpm_status status =
+        name == NULL
+            ? mpm_error_set(error, MPM_BAD_INPUT,
+                            "new: a kind is missing; allowed: %s; see 'mpm new --list'", names->str)
+            : mpm_error_set(error, MPM_BAD_INPUT,
+                            "new: unknown kind '%s'; allowed: %s%s; see 'mpm new --list'", name,
+                            names->str, mpm_nearest_hint(&nearest, hint));
     g_string_free(names, TRUE);
     return status;
 }
 
 /* Only where there is nothing of that name: a scene may be the work of days. */
-static int write_scene(const struct scene *scene, const char *path)
+static enum mpm_status write_scene(const struct scene *scene, const char *path,
+                                   struct mpm_error *error)
 {
     char *const text = g_strjoinv("", (char **)(uintptr_t)scene->lines);
     const enum mpm_path kind = mpm_path_own_kind(path);
-    struct mpm_error error = {.status = MPM_OK};
-    int status = MPM_OK;
+    struct mpm_error cause = {.status = MPM_OK};
+    enum mpm_status status = MPM_OK;
     if (kind == MPM_PATH_UNKNOWN)
-        status = cli_fail(MPM_ENVIRONMENT_FAILED, "new: %s: %s", path, g_strerror(errno));
+        status =
+            mpm_error_set(error, MPM_ENVIRONMENT_FAILED, "new: %s: %s", path, g_strerror(errno));
     else if (kind != MPM_PATH_NONE)
-        status = cli_fail(MPM_BAD_INPUT,
-                          "new: %s: is there already, and not overwritten; allowed: another name, "
-                          "by --output",
-                          path);
+        status = mpm_error_set(error, MPM_BAD_INPUT,
+                               "new: %s: is there already, and not overwritten; allowed: another "
+                               "name, by --output",
+                               path);
     else if (mpm_file_save(path, text, strlen(text)) != 0)
-        status = cli_fail(mpm_file_failed(path, errno, &error), "new: %s", error.message);
+        status =
+            mpm_error_set(error, mpm_file_failed(path, errno, &cause), "new: %s", cause.message);
     g_free(text);
     return status;
 }
 
-int cli_new(struct cli_arguments *arguments)
+enum mpm_status cli_new(struct command *command, struct mpm_error *error)
 {
-    if (arguments->list)
-        return list();
-    const struct scene *const scene = arguments->scene != NULL ? find(arguments->scene) : NULL;
+    const struct cli_arguments *const given = &command->arguments;
+    const char *const kind = given->operands != NULL ? given->operands[0] : NULL;
+    if (given->list || given->names)
+        return list(given->names);
+    const struct scene *const scene = kind != NULL ? find(kind) : NULL;
     if (scene == NULL)
-        return refuse_kind(arguments->scene);
-    char *const path = arguments->output != NULL ? g_strdup(arguments->output)
-                                                 : g_strconcat(scene->name, ".yaml", NULL);
-    const int status = write_scene(scene, path);
-    if (status == MPM_OK && !arguments->quiet)
+        return refuse_kind(kind, error);
+    char *const path =
+        given->output != NULL ? g_strdup(given->output) : g_strconcat(scene->name, ".yaml", NULL);
+    const enum mpm_status status = write_scene(scene, path, error);
+    if (status == MPM_OK && !given->quiet)
         (void)printf("%s: %s\nnext: mpm run %s\n", path, scene->summary, path);
     g_free(path);
     return status;

@@ -3,35 +3,38 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"
 
+#include "base/status.h"
 #include "io/plot/plot.h"
 
 #include <stdio.h>
 
-int cli_plot(struct cli_arguments *arguments)
+enum mpm_status cli_plot(struct command *command, struct mpm_error *error)
 {
+    const struct cli_arguments *const given = &command->arguments;
+    const char *const folder = given->operands != NULL ? given->operands[0] : NULL;
     char *pictures[MPM_PLOT_COUNT] = {NULL};
-    struct mpm_error error = {.status = MPM_OK};
+    struct mpm_error cause = {.status = MPM_OK};
     const struct mpm_plot_options options = {
-        .folder = arguments->scene,
-        .output = arguments->output != NULL ? arguments->output : arguments->scene,
-        .field = arguments->field != NULL ? arguments->field : "von_mises",
-        .snapshot = arguments->snapshot,
-        .format = arguments->format != NULL ? arguments->format : "svg",
+        .folder = folder,
+        .output = given->output != NULL ? given->output : folder,
+        .field = given->field != NULL ? given->field : "von_mises",
+        .snapshot = given->snapshot,
+        .format = given->format != NULL ? given->format : "svg",
     };
-    if (arguments->list) {
+    if (given->list) {
         char *const fields = mpm_plot_fields();
         (void)fputs(fields, stdout);
         g_free(fields);
         return MPM_OK;
     }
-    if (arguments->scene == NULL)
-        return cli_fail(MPM_BAD_INPUT,
-                        "plot: a folder of results is missing; see 'mpm plot --help'");
-    const enum mpm_status status = mpm_plot(&options, pictures, &error);
+    if (folder == NULL)
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "plot: a folder of results is missing; see 'mpm plot --help'");
+    const enum mpm_status status = mpm_plot(&options, pictures, &cause);
     for (size_t k = 0; k < MPM_PLOT_COUNT; k++) {
-        if (pictures[k] != NULL && !arguments->quiet)
+        if (pictures[k] != NULL && !given->quiet)
             (void)printf("%s\n", pictures[k]);
         g_free(pictures[k]);
     }
-    return status == MPM_OK ? MPM_OK : cli_fail(status, "plot: %s", error.message);
+    return status == MPM_OK ? MPM_OK : mpm_error_set(error, status, "plot: %s", cause.message);
 }

@@ -5,6 +5,9 @@
 #include "cli/progress.h"
 #include "cli/signals.h"
 
+#include "base/status.h"
+
+#include <glib.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
@@ -34,40 +37,50 @@ static void print_summary(const struct cli_progress *progress, const char *outpu
                   progress->step, progress->particles, speed, output);
 }
 
-int cli_run(struct cli_arguments *arguments)
+static enum mpm_status run_scene(struct command *command, const struct mpm_scene *scene,
+                                 struct mpm_error *error)
 {
-    struct mpm_scene *scene = NULL;
-    if (arguments->output == NULL)
-        arguments->output = default_output(arguments->scene);
-    if (arguments->resume && arguments->overwrite)
-        return cli_fail(MPM_BAD_INPUT, "run: --resume and --overwrite: allowed: one of them; see "
-                                       "'mpm run --help'");
-    const int status = cli_scene_read(arguments, &scene);
-    if (status != MPM_OK)
-        return status;
-    cli_signals_await();
+    const struct cli_arguments *const given = &command->arguments;
     struct cli_progress progress;
-    cli_progress_start(&progress, arguments->quiet);
+    cli_signals_await();
+    cli_progress_start(&progress, given->quiet);
     const struct mpm_run_options options = {
-        .output = arguments->output,
-        .simulation = arguments->simulation,
-        .overwrite = arguments->overwrite,
-        .resume = arguments->resume,
-        .scene_path = arguments->scene,
+        .output = given->output,
+        .simulation = command->simulation,
+        .overwrite = given->overwrite,
+        .resume = given->resume,
+        .scene_path = command->scene,
         .progress = cli_progress_step,
         .warn = cli_progress_warn,
         .progress_context = &progress,
         .interrupted = cli_signals_received,
     };
-    struct mpm_error error = {.status = MPM_OK};
-    const enum mpm_status ran = mpm_scene_run(scene, &options, &error);
+    const enum mpm_status status = mpm_scene_run(scene, &options, error);
     cli_progress_end(&progress);
+    command->signal_number = cli_signals_received();
+    if (status == MPM_OK && !given->quiet)
+        print_summary(&progress, given->output);
+    return status;
+}
+
+enum mpm_status cli_run(struct command *command, struct mpm_error *error)
+{
+    struct cli_arguments *const given = &command->arguments;
+    struct mpm_scene *scene = NULL;
+    MPM_TRY(cli_take_simulation(command, "run", error));
+    if (given->resume && given->overwrite)
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "run: --resume and --overwrite: allowed: one of them; see "
+                             "'mpm run --help'");
+    if (given->output == NULL && strcmp(command->scene, "-") == 0)
+        return mpm_error_set(
+            error, MPM_BAD_INPUT,
+            "run: --output DIR is missing: standard input has no name that results "
+            "could have; see 'mpm run --help'");
+    if (given->output == NULL)
+        given->output = default_output(command->scene);
+    MPM_TRY(cli_scene_read(command, &scene, error));
+    const enum mpm_status status = run_scene(command, scene, error);
     mpm_scene_free(scene);
-    if (ran == MPM_INTERRUPTED)
-        return cli_fail(ran, "%s", error.message) + cli_signals_received();
-    if (ran != MPM_OK)
-        return cli_fail(ran, "%s", error.message);
-    if (!arguments->quiet)
-        print_summary(&progress, arguments->output);
-    return MPM_OK;
+    return status;
 }

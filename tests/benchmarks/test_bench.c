@@ -331,15 +331,16 @@ START_TEST(bad_usage_is_exit_status_2_with_a_reason)
     static const struct {
         const char *line, *message;
     } rows[] = {
-        {"mpm-bench", "no command"},
-        {"mpm-bench dance", "unknown command dance"},
+        {"mpm-bench", "a command is missing: list, run"},
+        {"mpm-bench dance", "unknown command \"dance\""},
         {"mpm-bench list more", "unexpected argument"},
-        {"mpm-bench run --tier huge", "allowed are standard, quick"},
-        {"mpm-bench run --group speed", "--group \"speed\""},
-        {"mpm-bench run --kernels quick", "allowed are auto, reference, fast"},
+        {"mpm-bench run --tier huge", "--tier \"huge\"; allowed: quick, standard"},
+        {"mpm-bench run --group speed", "--group \"speed\": allowed are those of mpm-bench list"},
+        {"mpm-bench run --simd auto --simd auto", "run: --simd is given twice; allowed: once"},
+        {"mpm-bench run --kernels quick", "allowed: auto, reference, fast"},
         {"mpm-bench run --simd mmx", "--simd \"mmx\""},
         {"mpm-bench run --rounds 3", "--rounds"},
-        {"mpm-bench compare only_one", "a folder is missing"},
+        {"mpm-bench compare only_one", "compare: DIR_B is missing"},
         {"mpm-bench compare nowhere nowhere", "nowhere/bench.jsonl: cannot be read"},
         {"mpm-bench report nowhere", "nowhere/bench.jsonl: cannot be read"},
         {"mpm-bench run --output Makefile", "is a file"},

@@ -68,7 +68,7 @@ def dictionary(target):
     if target != "scene":
         return own if own.exists() else None
     words = set()
-    schema = subprocess.run([BUILD / "bin" / "mpm", "schema", "--json"], capture_output=True, check=True)
+    schema = subprocess.run([BUILD / "bin" / "mpm", "schema", "--list"], capture_output=True, check=True)
     words_of_schema(json.loads(schema.stdout), words)
     made = BUILD / "scene.dict"
     made.write_text("".join(f'"{word}: "\n"{word}"\n' for word in sorted(words))

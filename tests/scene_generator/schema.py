@@ -1,4 +1,4 @@
-"""The schema of scenes, as `mpm schema --json` prints it.
+"""The schema of scenes, as `mpm schema --list` prints it.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -45,7 +45,7 @@ def unit_exponents(unit):
 
 def read_schema(mpm):
     """The root of the schema of the program `mpm`, and all keys by path."""
-    text = subprocess.run([mpm, "schema", "--json"], check=True, capture_output=True).stdout
+    text = subprocess.run([mpm, "schema", "--list"], check=True, capture_output=True).stdout
     schema = json.loads(text)
     rows = schema["keys"]
     root = Key({"key": "", "shape": "group", "value": None, "geometry": None, "required": True,

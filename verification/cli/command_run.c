@@ -54,8 +54,8 @@ static enum mpm_status read_options(struct run_options *run, const struct comman
     const struct run_texts *texts = &run->texts;
     TRY(read_tier(texts->tier, &run->selection.tier, error));
     TRY(read_kernels(texts->kernels, &run->kernels, error));
-    run->selection.case_glob = texts->case_glob;
-    run->selection.variant_glob = texts->variant_glob;
+    run->selection.case_globs = texts->case_globs;
+    run->selection.variant_globs = texts->variant_globs;
     run->selection.only_file = texts->only;
     if (texts->only != NULL)
         TRY(plan_read_only(texts->only, &run->selection.only, error));
@@ -73,8 +73,8 @@ static struct run_texts texts_of(const struct command_options *given)
 {
     return (struct run_texts){
         .tier = g_strdup(given->tier),
-        .case_glob = g_strdup(given->case_glob),
-        .variant_glob = g_strdup(given->variant_glob),
+        .case_globs = g_strdup(given->case_globs),
+        .variant_globs = g_strdup(given->variant_globs),
         .only = g_strdup(given->only),
         .kernels = g_strdup(given->kernels),
         .baseline = g_strdup(given->baseline),
@@ -143,7 +143,8 @@ static enum mpm_status run_with(const struct run_options *run, enum launcher lau
                                 const char *costs, struct command *command, struct mpm_error *error)
 {
     const struct suite_world *world = command->world;
-    struct console console = {.out = world->out, .terminal = world->terminal};
+    struct console console = {
+        .out = world->out, .terminal = world->terminal, .verbose = command->options.verbose};
     struct record_counts counts = {.total = 0};
     enum mpm_status status;
     if (launcher == LAUNCHER_SLURM) {
@@ -154,6 +155,7 @@ static enum mpm_status run_with(const struct run_options *run, enum launcher lau
     } else {
         status = suite_run(run, world->programs, &console, &counts, &command->signal_number, error);
     }
+    console_clear(&console);
     command->checks_failed = counts.failed > 0;
     return status;
 }
@@ -230,11 +232,13 @@ enum mpm_status command_task(struct command *command, struct mpm_error *error)
 enum mpm_status command_collect(struct command *command, struct mpm_error *error)
 {
     const struct suite_world *world = command->world;
-    struct console console = {.out = world->out, .terminal = world->terminal};
+    struct console console = {
+        .out = world->out, .terminal = world->terminal, .verbose = command->options.verbose};
     struct record_counts counts;
     struct made_options made;
     TRY(run_options_make(command, &command->options, command->options.rest[0], true, &made, error));
     enum mpm_status status = campaign_collect(&made.run, world->programs, &console, &counts, error);
+    console_clear(&console);
     command->checks_failed = counts.failed > 0;
     if (status == MPM_OK)
         status = command_study_tables(command, made.run.output, made.run.texts.catalogue, error);

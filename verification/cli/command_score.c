@@ -8,6 +8,7 @@
 #include "verification/common/resources.h"
 #include "verification/score/numbers.h"
 #include "verification/score/score.h"
+#include "verification/suite/plan.h"
 
 #include <glib.h>
 
@@ -18,9 +19,10 @@ static enum mpm_status export_cases(const struct command *command,
     const struct command_options *options = &command->options;
     FILE *out = command->world->out;
     size_t matched = 0, written = 0;
+    TRY(plan_check_globs(catalogue, options->case_globs, NULL, error));
     for (size_t i = 0; i < catalogue->count; i++) {
         const struct case_file *file = catalogue->cases[i].file;
-        if (options->case_glob != NULL && !glob_matches(options->case_glob, file->name))
+        if (!glob_list_matches(options->case_globs, file->name))
             continue;
         matched++;
         if (file->bundle == NULL && file->numbers == NULL) {
@@ -33,9 +35,6 @@ static enum mpm_status export_cases(const struct command *command,
         fprintf(out, "%-8s exported to %s/%s\n", file->name, options->output, file->name);
         written++;
     }
-    if (matched == 0)
-        return failure_set(error, MPM_BAD_INPUT, "--case \"%s\" matches no case",
-                           options->case_glob == NULL ? "*" : options->case_glob);
     fprintf(out, "%zu exported, %zu not exportable\n", written, matched - written);
     return MPM_OK;
 }
@@ -54,7 +53,8 @@ enum mpm_status command_export(struct command *command, struct mpm_error *error)
 enum mpm_status command_score(struct command *command, struct mpm_error *error)
 {
     const struct command_options *given = &command->options;
-    struct console console = {.out = command->world->out, .terminal = command->world->terminal};
+    struct console console = {
+        .out = command->world->out, .terminal = command->world->terminal, .verbose = true};
     struct record_counts counts = {.total = 0};
     char *reports = resources_reports(command->argv[0]);
     char *typed = command_line_typed("mpm-verify", command->argc, command->argv);
@@ -70,6 +70,7 @@ enum mpm_status command_score(struct command *command, struct mpm_error *error)
         status = failure_set(error, MPM_ENVIRONMENT_FAILED, RESOURCES_NO_REPORTS);
     else
         status = score_run(&options, &console, &counts, error);
+    console_clear(&console);
     command->checks_failed = status == MPM_OK && counts.failed > 0;
     g_free(reports);
     g_free(typed);

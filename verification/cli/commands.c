@@ -5,118 +5,19 @@
 
 #include "verification/cases/catalogue.h"
 #include "verification/cli/compare.h"
-#include "verification/common/command_line.h"
 #include "verification/common/failure.h"
 #include "verification/common/resources.h"
 #include "verification/common/rows.h"
 #include "verification/report/report.h"
 #include "verification/report/report_stored.h"
 
+#include "mpm_commands.h"
+
 #include <glib.h>
 #include <math.h>
+#include <stddef.h>
 
 enum { CHECKS_FAILED = 1 };
-
-static const char usage[] =
-    "usage: " PROGRAM " COMMAND\n"
-    "\n"
-    "  list [--tag T]                         the cases, their variants and checks\n"
-    "  run [--tier ci|full] [--case GLOB] [--variant GLOB] [--only FILE] [--baseline DIR]\n"
-    "      [--kernels auto|reference|fast] [--jobs N] [--output DIR] [--resume]\n"
-    "      [--launcher local|slurm] [--costs DIR] [--status]\n"
-    "                                         run, judge, and write results and reports; --only: "
-    "those\n"
-    "                                         of the file's lines CASE/VARIANT; --baseline: what\n"
-    "                                         changed since that run, in the report; --resume: "
-    "goes\n"
-    "                                         on with the run in DIR: runs only what is missing "
-    "or\n"
-    "                                         whose binary, case or scene has changed; "
-    "--launcher:\n"
-    "                                         on Slurm, with time and memory by the costs of the "
-    "run in\n"
-    "                                         --costs DIR; --status: how far the run in DIR is\n"
-    "  tasks [selection] [--output DIR] [--resume]\n"
-    "                                         begins a run for any other engine: prints a command "
-    "line\n"
-    "                                         for each program that has no result\n"
-    "  task DIR CASE/VARIANT                  such a line: runs it, and keeps its result in DIR\n"
-    "  collect DIR                            the report of the results in DIR; runs nothing\n"
-    "  study SCENE|STUDY [--refine N,N,...] [--vary PATH=V,...]... [--set PATH=V]... [--resume]\n"
-    "      [--measure QUANTITY[:TAKE[@TIME or @X,Y]][=REFERENCE]]... [--timeout S] [--kernels K]\n"
-    "      [--jobs N] [--output DIR] [--launcher local|slurm] [--costs DIR] [--tasks]\n"
-    "                                         a convergence study of your scene: tables, orders "
-    "and\n"
-    "                                         pictures (docs/tutorial-study.md)\n"
-    "  explain CHECK [--output DIR]           what CASE[/CHECK[/VARIANT]] (globs) states, its "
-    "band\n"
-    "                                         and why, last values, the command to reproduce it\n"
-    "  report DIR [--baseline DIR]            render the reports of DIR again from its result "
-    "lines;\n"
-    "      [--mutants FILE]                   stores there, and shows, what changed since a "
-    "baseline,\n"
-    "      [--headroom NAME=DIR]...           a run of mutants, the values of other builds' runs,\n"
-    "      [--history DIR]...                 the course of each value over earlier runs and\n"
-    "                                         benchmarks, oldest first\n"
-    "  headroom DIR                           whether every check of DIR is within 1.5 to 100 "
-    "times\n"
-    "                                         its deviation from its band's end, over the builds "
-    "stored\n"
-    "                                         there, or states why not\n"
-    "  compare DIR DIR [--change X]           what changed from the first run to the second: "
-    "statuses,\n"
-    "                                         checks, values by more than X (relative, 0.001 "
-    "unless\n"
-    "                                         given), margins, times beyond noise\n"
-    "  export --output DIR [--case GLOB]      bundles for other solvers: problem, reference, "
-    "criteria\n"
-    "  score BUNDLE RESULTS [--name SOLVER] [--output DIR]\n"
-    "                                         judges another solver's results (CSV, HDF5, VTK) "
-    "against\n"
-    "                                         a bundle, and writes the same report\n"
-    "  help, --help, --version\n"
-    "\n"
-    "list, run, tasks, explain, report and export take --catalogue DIR. --tier is ci unless "
-    "given;\n"
-    "--kernels is auto, fast wherever a scene allows; --jobs the number of processors; --output\n"
-    "build/reports/verify in the repository and verify-report elsewhere (score: "
-    "build/reports/score\n"
-    "and score-report; study: mpm-study).\n"
-    "Exit status: 0 every check holds (or shows its known weakness); 1 one does not; 2 bad usage\n"
-    "or a bad catalogue; 4 the environment failed; 128 + n ended by signal n. headroom: 1 a band "
-    "or its reason is at fault, "
-    "or\n"
-    "a value is missing. compare: 0 nothing got worse; 1 a status did,\n"
-    "a check failed that is new or vanished from the same selection, or a margin shrank by more\n"
-    "than 0.1. Time is shown, never judged: mpm-bench compares speed.\n";
-
-/* ----------------------------------------------------------------- arguments */
-
-static void options_clear(struct command_options *options)
-{
-    g_free(options->tier);
-    g_free(options->case_glob);
-    g_free(options->variant_glob);
-    g_free(options->only);
-    g_free(options->kernels);
-    g_free(options->output);
-    g_free(options->catalogue);
-    g_free(options->tag);
-    g_free(options->change);
-    g_free(options->name);
-    g_free(options->baseline);
-    g_free(options->launcher);
-    g_free(options->costs);
-    g_free(options->mutants);
-    g_free(options->refine);
-    g_free(options->timeout);
-    g_strfreev(options->vary);
-    g_strfreev(options->settings);
-    g_strfreev(options->measures);
-    g_strfreev(options->headroom);
-    g_strfreev(options->history);
-    g_strfreev(options->rest);
-}
 
 /* Which options a command takes; bits of `takes` in the table of commands. */
 enum {
@@ -131,8 +32,10 @@ enum {
     TAKES_ADDITIONS = 256,
     TAKES_RESUME = 512,
     TAKES_LAUNCHER = 1024,
-    TAKES_STUDY = 2048,
-    TAKES_STATUS = 4096
+    TAKES_LAST_RUN = 2048,
+    TAKES_VERBOSE = 4096,
+    TAKES_STUDY = 8192,
+    TAKES_STATUS = 16384
 };
 
 enum mpm_status command_catalogue(const struct command *command, struct catalogue **catalogue,
@@ -186,77 +89,149 @@ static enum mpm_status command_compare(struct command *command, struct mpm_error
 
 /* --------------------------------------------------------------------- table */
 
-static const struct command_entry commands[] = {
-    {"list", TAKES_TAG | TAKES_CATALOGUE, 0, "", command_list},
+static const struct mpm_command_entry commands[] = {
+    {"list", TAKES_TAG | TAKES_CATALOGUE, "", "the cases, their variants and checks", NULL,
+     command_list, NULL},
     {"run",
      TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME |
-         TAKES_LAUNCHER | TAKES_STATUS,
-     0, "", command_run},
-    {"tasks", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME, 0,
-     "", command_tasks},
-    {"task", 0, 2, "task: DIR or CASE/VARIANT", command_task},
-    {"collect", 0, 1, "collect: the folder DIR", command_collect},
-    {"study", TAKES_STUDY | TAKES_OUTPUT | TAKES_RESUME | TAKES_LAUNCHER, 1,
-     "study: SCENE or STUDY", command_study},
-    {"explain", TAKES_OUTPUT | TAKES_CATALOGUE, 1, "explain: CHECK", command_explain},
-    {"report", TAKES_BASELINE | TAKES_ADDITIONS | TAKES_CATALOGUE, 1, "report: the folder DIR",
-     command_report},
-    {"headroom", 0, 1, "headroom: the folder DIR", command_headroom},
-    {"compare", TAKES_CHANGE, 2, "compare: a folder DIR", command_compare},
-    {"export", TAKES_CASE | TAKES_OUTPUT | TAKES_CATALOGUE, 0, "", command_export},
-    {"score", TAKES_NAME | TAKES_OUTPUT, 2, "score: BUNDLE or RESULTS", command_score},
+         TAKES_LAUNCHER | TAKES_STATUS | TAKES_VERBOSE,
+     "", "run, judge, and write results and reports", NULL, command_run, NULL},
+    {"tasks", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME, "",
+     "begin a run for any other engine: print a command line for each program that has no result",
+     NULL, command_tasks, NULL},
+    {"task", 0, "DIR CASE/VARIANT",
+     "such a line: run its program, and keep the result in the folder DIR",
+     "Exit status: 0 the result is there; else the task is to be run again.", command_task, NULL},
+    {"collect", TAKES_VERBOSE, "DIR", "write the report of the results in DIR; run nothing", NULL,
+     command_collect, NULL},
+    {"study", TAKES_STUDY | TAKES_RESUME | TAKES_LAUNCHER | TAKES_VERBOSE, "SCENE",
+     "a convergence study of your scene: tables, orders and pictures",
+     "SCENE is a scene, or the file of a study (docs/tutorial-study.md). With --resume and no "
+     "other option of the study, a scene goes on with the study in the output folder.",
+     command_study, NULL},
+    {"explain", TAKES_LAST_RUN | TAKES_CATALOGUE, "CHECK",
+     "what a check states, its band and why, last values, the command to reproduce it",
+     "CHECK is CASE[/CHECK[/VARIANT]], with globs. Of a CASE alone all is printed.",
+     command_explain, "list --names"},
+    {"report", TAKES_BASELINE | TAKES_ADDITIONS | TAKES_CATALOGUE, "DIR",
+     "render the reports of DIR again from its result lines",
+     "What --baseline, --mutants, --headroom and --history name is stored in DIR, and in each "
+     "report of it from then on.",
+     command_report, NULL},
+    {"headroom", 0, "DIR",
+     "whether every check of DIR is within 1.5 to 100 times its deviation from its band's end, "
+     "over the builds stored there, or states why not",
+     "Exit status: 1 a band or its reason is at fault, or a value is missing.", command_headroom,
+     NULL},
+    {"compare", TAKES_CHANGE, "DIR DIR",
+     "what changed from the first run to the second: statuses, checks, values, margins, times "
+     "beyond noise",
+     "Exit status: 0 nothing got worse; 1 a status did, a check failed that is new or vanished "
+     "from the same selection, or a margin shrank by more than 0.1. Time is shown, never judged: "
+     "mpm-bench compares speed.",
+     command_compare, NULL},
+    {"export", TAKES_CASE | TAKES_OUTPUT | TAKES_CATALOGUE, "",
+     "write bundles for other solvers: problem, reference, criteria", "--output is required.",
+     command_export, NULL},
+    {"score", TAKES_NAME | TAKES_OUTPUT, "BUNDLE RESULTS",
+     "judge another solver's results (CSV, HDF5, VTK) against a bundle, and write the same report",
+     NULL, command_score, NULL},
+};
+
+/* ------------------------------------------------------------------- options */
+
+#define OPTION(who, key, member, form, what, text)                                                 \
+    {                                                                                              \
+        .takes = (who), .name = (key), .kind = MPM_OPTION_##form,                                  \
+        .offset = offsetof(struct command_options, member), .value = (what), .help = (text)        \
+    }
+
+static const struct mpm_option options[] = {
+    OPTION(TAKES_TAG, "tag", tags, JOINED, "T", "only cases with that tag"),
+    OPTION(TAKES_TAG, "names", names, FLAG, NULL, "print the names of the cases alone"),
+    OPTION(TAKES_SELECTION, "tier", tier, TEXT, "ci|full", "the size of the run; ci unless given"),
+    {.takes = TAKES_SELECTION | TAKES_CASE,
+     .name = "case",
+     .kind = MPM_OPTION_JOINED,
+     .offset = offsetof(struct command_options, case_globs),
+     .value = "GLOB",
+     .help = "only cases whose names match; GLOB,GLOB for several",
+     .names = "list --names"},
+    OPTION(TAKES_SELECTION, "variant", variant_globs, JOINED, "GLOB",
+           "only variants whose names match; GLOB,GLOB for several"),
+    OPTION(TAKES_SELECTION, "only", only, TEXT, "FILE",
+           "only the variants of FILE, a line CASE/VARIANT each"),
+    OPTION(TAKES_SELECTION | TAKES_STUDY, "kernels", kernels, TEXT, "auto|reference|fast",
+           "auto, fast wherever a scene allows, unless given"),
+    OPTION(TAKES_SELECTION | TAKES_STUDY, "jobs", jobs, INTEGER, "N",
+           "processes at a time; the number of processors unless given"),
+    OPTION(TAKES_RESUME, "resume", resume, FLAG, NULL,
+           "go on with the run in the output folder: only what is missing there or whose binary, "
+           "case or scene has changed"),
+    OPTION(TAKES_LAUNCHER, "launcher", launcher, TEXT, "local|slurm",
+           "where the programs run; local unless given"),
+    OPTION(TAKES_LAUNCHER, "costs", costs, TEXT, "DIR",
+           "folder of an earlier run: time and memory asked of Slurm follow from it"),
+    OPTION(TAKES_STATUS, "status", status, FLAG, NULL,
+           "print how far the run in the output folder is, and run nothing"),
+    {.takes = TAKES_VERBOSE,
+     .name = "verbose",
+     .letter = 'v',
+     .kind = MPM_OPTION_FLAG,
+     .offset = offsetof(struct command_options, verbose),
+     .help = "print a line for each check, not for each case"},
+    OPTION(TAKES_BASELINE, "baseline", baseline, TEXT, "DIR",
+           "folder of an earlier run: what changed since then, in the report"),
+    OPTION(TAKES_ADDITIONS, "mutants", mutants, TEXT, "FILE",
+           "mutants.json of a run of planted bugs, for a page of the report"),
+    OPTION(TAKES_ADDITIONS, "headroom", headroom, LIST, "NAME=DIR",
+           "results of another build, for a page of the report"),
+    OPTION(TAKES_ADDITIONS, "history", history, LIST, "DIR",
+           "earlier run, or benchmarks, oldest first: the course of each value"),
+    OPTION(TAKES_STUDY, "refine", refine, TEXT, "N,N,...", "refinements of the grid"),
+    OPTION(TAKES_STUDY, "vary", vary, LIST, "PATH=V,...", "values of a setting of the scene"),
+    OPTION(TAKES_STUDY, "set", settings, LIST, "PATH=V", "set a value of the scene in all runs"),
+    OPTION(TAKES_STUDY, "measure", measures, LIST, "QUANTITY[:TAKE[@TIME]][=REFERENCE]",
+           "what is measured, at a time, or at a place by @X,Y"),
+    OPTION(TAKES_STUDY, "timeout", timeout, TEXT, "S", "the seconds that one run may take"),
+    OPTION(TAKES_STUDY, "tasks", tasks, FLAG, NULL,
+           "print a command line for each run, for any other engine; run nothing"),
+    OPTION(TAKES_STUDY, "output", output, TEXT, "DIR",
+           "folder of the study; mpm-study unless given"),
+    OPTION(TAKES_CHANGE, "change", change, TEXT, "X",
+           "relative change of a value that counts; 0.001 unless given"),
+    OPTION(TAKES_NAME, "name", name, TEXT, "SOLVER",
+           "name of the scored solver in the report; that of the results unless given"),
+    OPTION(TAKES_OUTPUT, "output", output, TEXT, "DIR",
+           "folder of results and report; build/reports/verify in the repository and verify-report "
+           "elsewhere unless given, of score build/reports/score and score-report"),
+    OPTION(TAKES_LAST_RUN, "output", output, TEXT, "DIR",
+           "folder of the run whose values are shown; that of the last run unless given"),
+    OPTION(TAKES_CATALOGUE, "catalogue", catalogue, TEXT, "DIR",
+           "the catalogue; the suite's own unless given"),
 };
 
 int suite_command(int argc, char **argv, const struct suite_world *world)
 {
     struct command command = {
         .argc = argc, .argv = argv, .world = world, .options = {.jobs = JOBS_DEFAULT}};
-    struct command_options *const given = &command.options;
-    const struct command_option options[] = {
-        {TAKES_SELECTION, {"tier", 0, 0, G_OPTION_ARG_STRING, &given->tier, NULL, NULL}},
-        {TAKES_SELECTION | TAKES_CASE,
-         {"case", 0, 0, G_OPTION_ARG_STRING, &given->case_glob, NULL, NULL}},
-        {TAKES_SELECTION, {"variant", 0, 0, G_OPTION_ARG_STRING, &given->variant_glob, NULL, NULL}},
-        {TAKES_SELECTION, {"only", 0, 0, G_OPTION_ARG_FILENAME, &given->only, NULL, NULL}},
-        {TAKES_SELECTION | TAKES_STUDY,
-         {"kernels", 0, 0, G_OPTION_ARG_STRING, &given->kernels, NULL, NULL}},
-        {TAKES_SELECTION | TAKES_STUDY, {"jobs", 0, 0, G_OPTION_ARG_INT, &given->jobs, NULL, NULL}},
-        {TAKES_LAUNCHER, {"launcher", 0, 0, G_OPTION_ARG_STRING, &given->launcher, NULL, NULL}},
-        {TAKES_LAUNCHER, {"costs", 0, 0, G_OPTION_ARG_FILENAME, &given->costs, NULL, NULL}},
-        {TAKES_STATUS, {"status", 0, 0, G_OPTION_ARG_NONE, &given->status, NULL, NULL}},
-        {TAKES_STUDY, {"tasks", 0, 0, G_OPTION_ARG_NONE, &given->tasks, NULL, NULL}},
-        {TAKES_STUDY, {"refine", 0, 0, G_OPTION_ARG_STRING, &given->refine, NULL, NULL}},
-        {TAKES_STUDY, {"timeout", 0, 0, G_OPTION_ARG_STRING, &given->timeout, NULL, NULL}},
-        {TAKES_STUDY, {"vary", 0, 0, G_OPTION_ARG_STRING_ARRAY, &given->vary, NULL, NULL}},
-        {TAKES_STUDY, {"set", 0, 0, G_OPTION_ARG_STRING_ARRAY, &given->settings, NULL, NULL}},
-        {TAKES_STUDY, {"measure", 0, 0, G_OPTION_ARG_STRING_ARRAY, &given->measures, NULL, NULL}},
-        {TAKES_RESUME, {"resume", 0, 0, G_OPTION_ARG_NONE, &given->resume, NULL, NULL}},
-        {TAKES_OUTPUT, {"output", 0, 0, G_OPTION_ARG_FILENAME, &given->output, NULL, NULL}},
-        {TAKES_CATALOGUE,
-         {"catalogue", 0, 0, G_OPTION_ARG_FILENAME, &given->catalogue, NULL, NULL}},
-        {TAKES_TAG, {"tag", 0, 0, G_OPTION_ARG_STRING, &given->tag, NULL, NULL}},
-        {TAKES_BASELINE, {"baseline", 0, 0, G_OPTION_ARG_FILENAME, &given->baseline, NULL, NULL}},
-        {TAKES_ADDITIONS, {"mutants", 0, 0, G_OPTION_ARG_FILENAME, &given->mutants, NULL, NULL}},
-        {TAKES_ADDITIONS,
-         {"headroom", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &given->headroom, NULL, NULL}},
-        {TAKES_ADDITIONS,
-         {"history", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &given->history, NULL, NULL}},
-        {TAKES_CHANGE, {"change", 0, 0, G_OPTION_ARG_STRING, &given->change, NULL, NULL}},
-        {TAKES_NAME, {"name", 0, 0, G_OPTION_ARG_STRING, &given->name, NULL, NULL}},
-    };
-    const struct command_line line = {
+    const struct mpm_command_line line = {
         .program = PROGRAM,
-        .usage = usage,
+        .about = "The suite that verifies the Material Point Method: cases, checks, reports.",
+        .notes = "Exit status: 0 every check holds (or shows its known weakness); 1 one does not; "
+                 "2 bad usage or a bad catalogue; 4 the environment failed; 128 + n ended by "
+                 "signal n.",
         .commands = commands,
         .command_count = G_N_ELEMENTS(commands),
         .options = options,
         .option_count = G_N_ELEMENTS(options),
-        .rest = &given->rest,
+        .values = &command.options,
+        .rest = &command.options.rest,
         .out = world->out,
         .err = world->err,
     };
-    const enum mpm_status status = command_line_run(&line, argc, argv, &command);
-    options_clear(given);
+    const enum mpm_status status = mpm_command_line_run(&line, argc, argv, &command);
+    mpm_command_line_clear(&line);
     if (status == MPM_INTERRUPTED)
         return (int)status + command.signal_number;
     /* results that could not be written or drawn come before their verdict */

@@ -29,12 +29,14 @@ int suite_command(int argc, char **argv, const struct suite_world *world);
 /* ------------------------------------------- shared by the files of commands */
 
 struct command_options {
-    char *tier, *case_glob, *variant_glob, *only, *kernels, *output, *catalogue, *tag, *change;
+    char *case_globs, *variant_globs, *tags; /* joined by commas where several are given */
+    char *tier, *only, *kernels, *output, *catalogue, *change;
     char *name; /* of a solver */
     char *baseline, *mutants, **headroom, **history;
     char *launcher, *costs;
     char *refine, *timeout, **vary, **settings, **measures; /* of a study */
-    int jobs, resume, status, tasks;
+    int jobs;
+    bool resume, status, verbose, names, tasks;
     char **rest; /* the arguments beside the options */
 };
 

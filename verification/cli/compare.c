@@ -60,16 +60,24 @@ static void print_runs(const struct comparison_runs *runs, const char *before, c
 
 static void print_worst(const struct comparison_runs *runs)
 {
-    const struct records *both[] = {&runs->before, &runs->after};
-    fprintf(runs->out, "\nWorst margins\n");
-    for (size_t i = 0; i < G_N_ELEMENTS(both); i++) {
-        const json_t *worst = records_worst(both[i], NULL);
-        char *name = worst == NULL ? g_strdup("none") : text_check_name(worst);
-        char *margin = text_number(record_number(worst, "margin"));
-        print_row(runs, "", name, margin);
+    const json_t *const worst[] = {records_worst(&runs->before, NULL),
+                                   records_worst(&runs->after, NULL)};
+    GString *const rows[] = {g_string_new(NULL), g_string_new(NULL)};
+    for (size_t i = 0; i < G_N_ELEMENTS(rows); i++) {
+        char *const name = worst[i] == NULL ? NULL : text_check_name(worst[i]);
+        char *const margin = text_number(record_number(worst[i], "margin"));
+        if (name != NULL)
+            g_string_printf(rows[i], "%-*s %s", NAME_WIDTH, name, margin);
+        else
+            g_string_assign(rows[i], "no check has a margin");
         g_free(margin);
         g_free(name);
     }
+    if (!g_string_equal(rows[0], rows[1]))
+        fprintf(runs->out, "\nWorst margins\n  %-8s %s\n  %-8s %s\n", "before", rows[0]->str,
+                "after", rows[1]->str);
+    g_string_free(rows[0], TRUE);
+    g_string_free(rows[1], TRUE);
 }
 
 /* ----------------------------------------------------------------------- time */
@@ -81,6 +89,29 @@ struct times {
     GArray *before, *after; /* double */
     GPtrArray *lines;       /* of the second run */
 };
+
+static void print_slow(const struct comparison_runs *runs, const struct run_noise *noise,
+                       const struct times *times)
+{
+    const double *before = (const double *)(const void *)times->before->data;
+    const double *after = (const double *)(const void *)times->after->data;
+    size_t shown = 0;
+    for (unsigned i = 0; i < times->lines->len; i++) {
+        if (run_change_time(noise, before[i], after[i]) == RUN_SAME)
+            continue;
+        if (shown++ == 0)
+            fprintf(runs->out,
+                    "\nProcessor time of %u programs: %.3g times as long in the middle; beyond "
+                    "the noise, a factor of %.3g about that, are\n",
+                    times->lines->len, noise->middle, noise->factor);
+        const json_t *line = times->lines->pdata[i];
+        char *name =
+            g_strdup_printf("%s [%s]", record_text(line, "case"), record_text(line, "variant"));
+        fprintf(runs->out, "  %-8s %-*s %.3g s, then %.3g s\n",
+                after[i] > before[i] ? "slower" : "faster", NAME_WIDTH, name, before[i], after[i]);
+        g_free(name);
+    }
+}
 
 static void compare_times(const struct comparison_runs *runs)
 {
@@ -102,24 +133,7 @@ static void compare_times(const struct comparison_runs *runs)
     const double *after = (const double *)(const void *)times.after->data;
     double *work = g_new0(double, times.lines->len + 1);
     const struct run_noise noise = run_change_noise(before, after, times.lines->len, work);
-    fprintf(runs->out,
-            "\nProcessor time of %u programs: %.3g times as long in the middle; beyond "
-            "the noise, a factor of %.3g about that, are\n",
-            times.lines->len, noise.middle, noise.factor);
-    size_t shown = 0;
-    for (unsigned i = 0; i < times.lines->len; i++) {
-        if (run_change_time(&noise, before[i], after[i]) == RUN_SAME)
-            continue;
-        const json_t *line = times.lines->pdata[i];
-        char *name =
-            g_strdup_printf("%s [%s]", record_text(line, "case"), record_text(line, "variant"));
-        fprintf(runs->out, "  %-8s %-*s %.3g s, then %.3g s\n",
-                after[i] > before[i] ? "slower" : "faster", NAME_WIDTH, name, before[i], after[i]);
-        g_free(name);
-        shown++;
-    }
-    if (shown == 0)
-        fprintf(runs->out, "  none\n");
+    print_slow(runs, &noise, &times);
     g_free(work);
     g_hash_table_unref(index);
     g_array_unref(times.before);

@@ -20,6 +20,16 @@ bool globs_match(char *const *globs, unsigned count, const char *name)
     return false;
 }
 
+bool glob_list_matches(const char *globs, const char *name)
+{
+    if (globs == NULL)
+        return true;
+    char **const list = g_strsplit(globs, ",", -1);
+    const bool matches = globs_match(list, g_strv_length(list), name);
+    g_strfreev(list);
+    return matches;
+}
+
 /* Names become parts of file names, links and globs. */
 bool name_is_sound(const char *text)
 {

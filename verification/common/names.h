@@ -9,6 +9,8 @@
 /* Whether the shell pattern (*, ?, [...]) matches the whole name; whether any does. */
 bool glob_matches(const char *glob, const char *name);
 bool globs_match(char *const *globs, unsigned count, const char *name);
+/* The same for patterns in one text, joined by commas; NULL matches all. */
+bool glob_list_matches(const char *globs, const char *name);
 
 /* Whether a text can be the name of a case, a variant, ...: part of file names, links and
  * globs; the rule for messages. */

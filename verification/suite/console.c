@@ -46,12 +46,31 @@ void console_begin(struct console *console, const struct plan *plan)
         g_free(value);
         json_decref(record);
     }
+    console->cases = console_cases_make(plan);
+    if (!console->verbose)
+        return;
     print_padded(console->out, "status", STATUS_WIDTH);
     print_padded(console->out, "check", console->name_width);
     print_padded(console->out, "value", console->value_width);
     print_padded(console->out, "band", console->band_width);
     fprintf(console->out, "time\n");
     fflush(console->out);
+}
+
+void console_expect(const struct console *console, const json_t *measurements)
+{
+    console_cases_expect(console->cases, console->plan, measurements);
+}
+
+void console_start(const struct console *console)
+{
+    console_cases_start(console->cases);
+}
+
+void console_clear(struct console *console)
+{
+    console_cases_free(console->cases);
+    console->cases = NULL;
 }
 
 static void clear_progress(const struct console *console)
@@ -70,6 +89,11 @@ void console_progress(const struct console *console, size_t done, size_t total)
     for (size_t i = 0; i < BAR_WIDTH; i++)
         fputc(i < filled ? '#' : '-', console->out);
     fprintf(console->out, "] %zu of %zu programs", done, total);
+    if (console->cases != NULL) { /* NULL while Slurm works */
+        char *cases = console_cases_text(console->cases);
+        fprintf(console->out, ", %s", cases);
+        g_free(cases);
+    }
     fflush(console->out);
 }
 
@@ -113,18 +137,45 @@ void console_say(const struct console *console, const char *format, ...)
     fflush(console->out);
 }
 
+/* "pass  R1  36 checks  3.4 s  12 of 80 cases, 2:10 to go" */
+static void print_case(const struct console *console, const struct console_case *row)
+{
+    const enum verdict_status status = row->red > 0 ? VERDICT_FAIL : VERDICT_PASS;
+    const char *start = colour(console, status);
+    char *seconds = text_seconds(row->seconds), *checks = text_count(row->checks, "check");
+    char *cases = console_cases_text(console->cases);
+    fprintf(console->out, "%s%-6s%s %-8s %-11s %-12s %s", start, verdict_status_name(status),
+            *start == '\0' ? "" : "\033[0m", row->name, checks, seconds, cases);
+    if (row->red > 0)
+        fprintf(console->out, "; %zu failed", row->red);
+    if (row->skipped > 0)
+        fprintf(console->out, "; %zu skipped", row->skipped);
+    fputc('\n', console->out);
+    g_free(cases);
+    g_free(checks);
+    g_free(seconds);
+}
+
 void console_finished(const struct console *console, size_t job, const struct job_result *result)
 {
     const struct plan *plan = console->plan;
+    struct console_case *const row = &console->cases->rows[console->cases->row_of[job]];
     clear_progress(console);
     for (size_t i = 0; i < plan->check_count; i++) {
         if (plan->checks[i].job != job)
             continue;
         const struct check_verdict judged = judge_check(plan->checks[i].check, result);
         json_t *record = record_of(plan, &plan->checks[i], &judged, result->seconds);
-        print_check(console, record);
+        const bool red = verdict_is_red(record_status(record));
+        if (console->verbose || red)
+            print_check(console, record);
+        row->checks++;
+        row->red += red;
+        row->skipped += record_status(record) == VERDICT_SKIP;
         json_decref(record);
     }
+    if (console_cases_finish(console->cases, job, result->seconds) != NULL && !console->verbose)
+        print_case(console, row);
     fflush(console->out);
 }
 

@@ -7,10 +7,7 @@
 #include "verification/common/input.h"
 #include "verification/common/names.h"
 
-static bool matches(const char *glob, const char *name)
-{
-    return glob == NULL || glob_matches(glob, name);
-}
+#include "mpm_words.h"
 
 enum mpm_status plan_read_only(const char *path, GHashTable **only, struct mpm_error *error)
 {
@@ -35,10 +32,63 @@ enum mpm_status plan_read_only(const char *path, GHashTable **only, struct mpm_e
     return MPM_OK;
 }
 
+/* Offers a name to the search for what a pattern means; true if the pattern matches it. */
+static bool offer(struct mpm_nearest *nearest, const char *name)
+{
+    mpm_nearest_offer(nearest, name);
+    return glob_matches(nearest->word, name);
+}
+
+static enum mpm_status check_case_glob(const struct catalogue *catalogue, const char *glob,
+                                       struct mpm_error *error)
+{
+    struct mpm_nearest nearest = {.word = glob};
+    char hint[MPM_HINT_SIZE];
+    for (size_t c = 0; c < catalogue->count; c++)
+        if (offer(&nearest, catalogue->cases[c].file->name))
+            return MPM_OK;
+    return failure_set(error, MPM_BAD_INPUT, "--case \"%s\" matches no case%s; see mpm-verify list",
+                       glob, mpm_nearest_hint(&nearest, hint));
+}
+
+static enum mpm_status check_variant_glob(const struct catalogue *catalogue, const char *glob,
+                                          const char *case_globs, struct mpm_error *error)
+{
+    struct mpm_nearest nearest = {.word = glob};
+    char hint[MPM_HINT_SIZE];
+    for (size_t c = 0; c < catalogue->count; c++) {
+        const struct case_file *const file = catalogue->cases[c].file;
+        if (!glob_list_matches(case_globs, file->name))
+            continue;
+        for (unsigned v = 0; v < file->variants_count; v++)
+            if (offer(&nearest, file->variants[v].name))
+                return MPM_OK;
+    }
+    return failure_set(error, MPM_BAD_INPUT,
+                       "--variant \"%s\" matches no variant of the cases%s; see mpm-verify list",
+                       glob, mpm_nearest_hint(&nearest, hint));
+}
+
+enum mpm_status plan_check_globs(const struct catalogue *catalogue, const char *case_globs,
+                                 const char *variant_globs, struct mpm_error *error)
+{
+    enum mpm_status status = MPM_OK;
+    char **const cases = g_strsplit(case_globs == NULL ? "" : case_globs, ",", -1);
+    char **const variants = g_strsplit(variant_globs == NULL ? "" : variant_globs, ",", -1);
+    for (char **glob = cases; status == MPM_OK && *glob != NULL; glob++)
+        status = check_case_glob(catalogue, *glob, error);
+    for (char **glob = variants; status == MPM_OK && *glob != NULL; glob++)
+        status = check_variant_glob(catalogue, *glob, case_globs, error);
+    g_strfreev(cases);
+    g_strfreev(variants);
+    return status;
+}
+
 static bool is_selected(const struct plan_selection *selection, const struct catalogue_case *entry,
                         const struct case_variant *variant)
 {
-    if (variant->tier > selection->tier || !matches(selection->variant_glob, variant->name))
+    if (variant->tier > selection->tier ||
+        !glob_list_matches(selection->variant_globs, variant->name))
         return false;
     if (selection->only == NULL)
         return true;
@@ -73,11 +123,13 @@ static void plan_variant(const struct catalogue_case *entry, const struct case_v
 enum mpm_status plan_make(const struct catalogue *catalogue, const struct plan_selection *selection,
                           struct plan *plan, struct mpm_error *error)
 {
+    *plan = (struct plan){.jobs = NULL};
+    TRY(plan_check_globs(catalogue, selection->case_globs, selection->variant_globs, error));
     GArray *jobs = g_array_new(FALSE, FALSE, sizeof(struct planned_job));
     GArray *checks = g_array_new(FALSE, FALSE, sizeof(struct planned_check));
     for (size_t c = 0; c < catalogue->count; c++) {
         const struct catalogue_case *entry = &catalogue->cases[c];
-        if (!matches(selection->case_glob, entry->file->name))
+        if (!glob_list_matches(selection->case_globs, entry->file->name))
             continue;
         for (unsigned v = 0; v < entry->file->variants_count; v++) {
             const struct case_variant *variant = &entry->file->variants[v];
@@ -96,8 +148,8 @@ enum mpm_status plan_make(const struct catalogue *catalogue, const struct plan_s
                        "no check matches --tier %s --case \"%s\" --variant \"%s\"%s; see "
                        "mpm-verify list",
                        tier_name(selection->tier),
-                       selection->case_glob == NULL ? "*" : selection->case_glob,
-                       selection->variant_glob == NULL ? "*" : selection->variant_glob,
+                       selection->case_globs == NULL ? "*" : selection->case_globs,
+                       selection->variant_globs == NULL ? "*" : selection->variant_globs,
                        selection->only == NULL ? "" : " and the list --only");
 }
 

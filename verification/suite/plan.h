@@ -28,14 +28,19 @@ struct plan {
 
 struct plan_selection {
     enum tier tier;
-    const char *case_glob, *variant_glob; /* NULL selects all */
-    const char *only_file;                /* that `only` was read from */
-    GHashTable *only;                     /* texts CASE/VARIANT; NULL selects all */
+    const char *case_globs, *variant_globs; /* joined by commas; NULL selects all */
+    const char *only_file;                  /* that `only` was read from */
+    GHashTable *only;                       /* texts CASE/VARIANT; NULL selects all */
 };
 
 /* The pairs CASE/VARIANT of a file, one a line; empty lines are passed over. MPM_BAD_INPUT if it
  * cannot be read or has none. Release with g_hash_table_unref. */
 enum mpm_status plan_read_only(const char *path, GHashTable **only, struct mpm_error *error);
+
+/* MPM_BAD_INPUT with the nearest name if a pattern of a list joined by commas (NULL: none) matches
+ * no case, or no variant of the cases. */
+enum mpm_status plan_check_globs(const struct catalogue *catalogue, const char *case_globs,
+                                 const char *variant_globs, struct mpm_error *error);
 
 /* MPM_BAD_INPUT if the selection holds no check. Release with plan_clear. */
 enum mpm_status plan_make(const struct catalogue *catalogue, const struct plan_selection *selection,

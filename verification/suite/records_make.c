@@ -343,8 +343,8 @@ static json_t *run_record(const struct record_context *context)
     json_object_set_new(run, "gnuplot", record_text_of(gnuplot));
     json_object_set_new(run, "tier", json_string(tier_name(context->selection->tier)));
     json_object_set_new(run, "only", optional_text(context->selection->only_file));
-    json_object_set_new(run, "case_glob", optional_text(context->selection->case_glob));
-    json_object_set_new(run, "variant_glob", optional_text(context->selection->variant_glob));
+    json_object_set_new(run, "case_glob", optional_text(context->selection->case_globs));
+    json_object_set_new(run, "variant_glob", optional_text(context->selection->variant_globs));
     json_object_set_new(run, "kernels", json_string(mpm_kernels_name(context->kernels)));
     json_object_set_new(run, "jobs", json_integer((json_int_t)context->jobs));
     json_object_set_new(run, "command", record_text_of(context->command));

@@ -49,7 +49,9 @@ static enum mpm_status run_programs(struct session *session, struct record_count
     };
     struct interruption interruption;
     console_begin(session->console, &session->plan);
+    session_expect_costs(session);
     TRY(session_take_kept(session, error));
+    console_start(session->console);
     interruption_await(&interruption);
     const enum mpm_status status = schedule_run(&session->plan, &schedule, session->results, error);
     *signal_number = interruption_received();

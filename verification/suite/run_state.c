@@ -20,8 +20,8 @@ static const struct {
     const char *otherwise; /* what not giving it means; NULL: nothing */
 } texts_table[] = {
     {"tier", "--tier", offsetof(struct run_texts, tier), false, "ci"},
-    {"case", "--case", offsetof(struct run_texts, case_glob), false, NULL},
-    {"variant", "--variant", offsetof(struct run_texts, variant_glob), false, NULL},
+    {"case", "--case", offsetof(struct run_texts, case_globs), false, NULL},
+    {"variant", "--variant", offsetof(struct run_texts, variant_globs), false, NULL},
     {"only", "--only", offsetof(struct run_texts, only), true, NULL},
     {"kernels", "--kernels", offsetof(struct run_texts, kernels), false, "auto"},
     {"baseline", "--baseline", offsetof(struct run_texts, baseline), true, NULL},

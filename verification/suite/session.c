@@ -86,6 +86,17 @@ bool session_has(const struct session *session, size_t job)
     return status == MPM_OK && state == KEPT_SOUND;
 }
 
+void session_expect_costs(const struct session *session)
+{
+    struct records records;
+    struct mpm_error none;
+    if (records_read(session->options->output, &records, &none) != MPM_OK)
+        return;
+    if (records.measurements != NULL)
+        console_expect(session->console, records.measurements);
+    records_clear(&records);
+}
+
 enum mpm_status session_take_kept(const struct session *session, struct mpm_error *error)
 {
     const struct plan *plan = &session->plan;

@@ -33,6 +33,9 @@ enum mpm_status session_take_folder(struct session *session, struct mpm_error *e
 /* Has the job a sound result? */
 bool session_has(const struct session *session, size_t job);
 
+/* By the results that the output folder has from an earlier run, if any: how long programs take. */
+void session_expect_costs(const struct session *session);
+
 /* Takes the results that are kept, with their files, into `results`, and prints their checks. */
 enum mpm_status session_take_kept(const struct session *session, struct mpm_error *error);
 

@@ -79,10 +79,11 @@ static enum mpm_status check_value(const struct mpm_source *source, size_t index
     const struct mpm_key key = key_at(path);
     const struct mpm_origin origin = {.setting = (int)index + 1};
     struct mpm_tree_node *tree = NULL;
-    if (key.shape == MPM_KEY_GROUP || key.shape == MPM_KEY_LIST)
+    struct mpm_faults faults = {.count = 0};
+    if (value[0] == '\0' || key.shape == MPM_KEY_GROUP || key.shape == MPM_KEY_LIST)
         return MPM_OK;
     MPM_TRY(mpm_tree_parse(source, origin, value, strlen(value), &tree, error));
-    const enum mpm_status status = mpm_tree_check(source, &key, tree, error);
+    const enum mpm_status status = mpm_tree_check(source, &key, tree, &faults, error);
     mpm_tree_free(tree);
     return status;
 }
@@ -103,10 +104,11 @@ static enum mpm_status make_tree_again(struct mpm_draft *draft, struct mpm_error
     const struct mpm_origin origin = {.setting = MPM_FROM_FILE};
     const struct mpm_source source = source_of(draft);
     struct mpm_tree_node *tree = NULL;
+    struct mpm_faults faults = {.count = 0};
     MPM_TRY(mpm_tree_parse(&source, origin, draft->text, draft->length, &tree, error));
     mpm_tree_free(draft->tree);
     draft->tree = tree;
-    return mpm_tree_apply_settings(&source, draft->settings->len, tree, error);
+    return mpm_tree_apply_settings(&source, draft->settings->len, tree, &faults, error);
 }
 
 enum mpm_status mpm_draft_set(struct mpm_draft *draft, const char *path, const char *value,

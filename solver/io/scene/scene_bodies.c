@@ -93,15 +93,18 @@ static enum mpm_status build_deformable(const struct mpm_reading *reading, const
                                         const struct mpm_raw_body *raw, struct mpm_body_spec *body)
 {
     const struct mpm_scene *const scene = reading->scene;
-    char name[MPM_EXCERPT_SIZE];
+    char name[MPM_EXCERPT_SIZE], hint[MPM_HINT_SIZE];
+    struct mpm_nearest nearest = {.word = raw->material};
     double place[2];
-    while (body->material < scene->material_count &&
-           strcmp(scene->materials[body->material].name, raw->material) != 0)
-        body->material++;
+    for (; body->material < scene->material_count &&
+           strcmp(scene->materials[body->material].name, raw->material) != 0;
+         body->material++)
+        mpm_nearest_offer(&nearest, scene->materials[body->material].name);
     if (body->material == scene->material_count)
         return mpm_reading_fault(reading, mpm_path_join(path, "material").text,
-                                 "no such material, got %s; allowed: a name in materials",
-                                 mpm_excerpt(raw->material, name));
+                                 "no such material, got %s; allowed: a name in materials%s",
+                                 mpm_excerpt(raw->material, name),
+                                 mpm_nearest_hint(&nearest, hint));
     mpm_region_sample(scene, &body->region, place);
     return mpm_build_expressions(reading, mpm_path_join(path, "velocity").text, raw->velocity,
                                  false, place, &body->velocity);
@@ -127,15 +130,16 @@ enum mpm_status mpm_build_bodies(const struct mpm_reading *reading)
 {
     struct mpm_scene *scene = reading->scene;
     const size_t count = reading->raw->bodies_count;
+    const size_t faults = reading->faults->count;
     bool deformable = false;
     MPM_TRY(mpm_reading_allocate(reading, count, sizeof *scene->bodies, "bodies", &scene->bodies));
     scene->body_count = count;
     for (size_t i = 0; i < count; i++) {
-        MPM_TRY(build_body(reading, mpm_path_entry("bodies", i).text, &reading->raw->bodies[i],
-                           &scene->bodies[i]));
+        MPM_TRY(mpm_reading_note(reading, build_body(reading, mpm_path_entry("bodies", i).text,
+                                                     &reading->raw->bodies[i], &scene->bodies[i])));
         deformable |= !scene->bodies[i].rigid;
     }
-    if (!deformable)
+    if (!deformable && reading->faults->count == faults)
         return mpm_reading_fault(reading, "bodies",
                                  "no deformable body; allowed: one at least with a material");
     return mpm_reading_check_names(reading, "bodies", count, scene->bodies[0].name,
@@ -171,7 +175,8 @@ enum mpm_status mpm_build_boundaries(const struct mpm_reading *reading)
                                  &scene->boundaries));
     scene->boundary_count = count;
     for (size_t i = 0; i < count; i++)
-        MPM_TRY(build_boundary(reading, mpm_path_entry("boundary", i).text,
-                               &reading->raw->boundary[i], &scene->boundaries[i]));
+        MPM_TRY(mpm_reading_note(
+            reading, build_boundary(reading, mpm_path_entry("boundary", i).text,
+                                    &reading->raw->boundary[i], &scene->boundaries[i])));
     return MPM_OK;
 }

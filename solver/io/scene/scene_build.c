@@ -185,8 +185,8 @@ enum mpm_status mpm_build_general(const struct mpm_reading *reading)
     (void)snprintf(scene->units_time, MPM_NAME_SIZE, "%s", raw->units->time);
     (void)snprintf(scene->units_temperature, MPM_NAME_SIZE, "%s", raw->units->temperature);
     scene->thickness = mpm_raw_double(raw->thickness);
-    MPM_TRY(build_grid(reading));
-    MPM_TRY(build_time(reading));
-    MPM_TRY(build_method(reading));
+    MPM_TRY(mpm_reading_note(reading, build_grid(reading)));
+    MPM_TRY(mpm_reading_note(reading, build_time(reading)));
+    MPM_TRY(mpm_reading_note(reading, build_method(reading)));
     return build_output(reading);
 }

@@ -14,7 +14,8 @@ struct mpm_reading {
     struct mpm_scene *scene;
     const struct mpm_tree_node *root; /* checked, with defaults: knows the lines */
     const struct mpm_raw_scene *raw;
-    struct mpm_error *error;
+    struct mpm_faults *faults;
+    struct mpm_error *error; /* the mistake in hand */
 };
 
 /* What messages call the scene's places by. */
@@ -109,6 +110,9 @@ enum mpm_status mpm_build_expression(const struct mpm_reading *reading, const ch
  * --set, if one gave a part of it. */
 enum mpm_status mpm_reading_fault(const struct mpm_reading *reading, const char *path,
                                   const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* A mistake is noted and MPM_OK returned: the next part can be built all the same. */
+enum mpm_status mpm_reading_note(const struct mpm_reading *reading, enum mpm_status status);
 
 /* Does the scene or a --set give this key, not only a default? */
 bool mpm_reading_given(const struct mpm_reading *reading, const char *path);

@@ -305,6 +305,6 @@ enum mpm_status mpm_build_cracks(const struct mpm_reading *reading)
     MPM_TRY(mpm_reading_allocate(reading, count, sizeof *scene->cracks, "cracks", &scene->cracks));
     scene->crack_count = count;
     for (size_t i = 0; i < count; i++)
-        MPM_TRY(build_crack(reading, i));
+        MPM_TRY(mpm_reading_note(reading, build_crack(reading, i)));
     return MPM_OK;
 }

@@ -67,7 +67,8 @@ static enum mpm_status build_edge_loads(const struct mpm_reading *reading)
             struct mpm_edge_load_spec *const load = &scene->edge_loads[scene->edge_load_count++];
             load->on_particles = list == 1;
             (void)snprintf(load->key, sizeof load->key, "%s.%zu", lists[list].path, i);
-            MPM_TRY(build_load(reading, load->key, &lists[list].entries[i], load));
+            MPM_TRY(mpm_reading_note(
+                reading, build_load(reading, load->key, &lists[list].entries[i], load)));
         }
     return MPM_OK;
 }

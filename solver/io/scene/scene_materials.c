@@ -208,7 +208,7 @@ enum mpm_status mpm_build_materials(const struct mpm_reading *reading)
                                  &scene->materials));
     scene->material_count = count;
     for (size_t i = 0; i < count; i++)
-        MPM_TRY(build_material(reading, i));
+        MPM_TRY(mpm_reading_note(reading, build_material(reading, i)));
     return mpm_reading_check_names(reading, "materials", count, scene->materials[0].name,
                                    sizeof scene->materials[0]);
 }

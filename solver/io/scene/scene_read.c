@@ -44,16 +44,21 @@ struct work {
 
 static enum mpm_status build(const struct mpm_reading *reading)
 {
-    MPM_TRY(mpm_build_general(reading));
-    MPM_TRY(mpm_build_materials(reading));
-    MPM_TRY(mpm_build_bodies(reading));
-    MPM_TRY(mpm_build_boundaries(reading));
-    MPM_TRY(mpm_build_loads(reading));
-    MPM_TRY(mpm_build_cracks(reading));
-    MPM_TRY(mpm_build_contact(reading));
-    MPM_TRY(mpm_build_j_integrals(reading));
-    MPM_TRY(mpm_build_damping(reading));
-    return mpm_build_transport(reading);
+    static const struct {
+        enum mpm_status (*build)(const struct mpm_reading *reading);
+        bool goes_on; /* the next one needs nothing of it but names */
+    } stages[] = {
+        {mpm_build_general, false},    {mpm_build_materials, true},    {mpm_build_bodies, true},
+        {mpm_build_boundaries, false}, {mpm_build_loads, false},       {mpm_build_cracks, false},
+        {mpm_build_contact, false},    {mpm_build_j_integrals, false}, {mpm_build_damping, false},
+        {mpm_build_transport, false},
+    };
+    for (size_t i = 0; i < sizeof stages / sizeof stages[0]; i++) {
+        MPM_TRY(mpm_reading_note(reading, stages[i].build(reading)));
+        if (!stages[i].goes_on && reading->faults->count > 0)
+            return MPM_BAD_INPUT;
+    }
+    return MPM_OK;
 }
 
 static enum mpm_status copy_arguments(struct mpm_scene *scene, const char *path,
@@ -90,7 +95,8 @@ static enum mpm_status take_bytes(const struct mpm_source *source, const struct 
 
 /* The tree of the scene's file with its settings and the defaults of what is missing. */
 static enum mpm_status read_tree(const struct mpm_scene *scene, const struct mpm_bytes *text,
-                                 struct work *work, struct mpm_error *error)
+                                 struct work *work, struct mpm_faults *faults,
+                                 struct mpm_error *error)
 {
     const struct mpm_source source = mpm_scene_source(scene);
     const struct mpm_origin origin = {.setting = MPM_FROM_FILE};
@@ -98,46 +104,52 @@ static enum mpm_status read_tree(const struct mpm_scene *scene, const struct mpm
     MPM_TRY(take_bytes(&source, text, bytes, error));
     /* the caller frees the bytes: NOLINTNEXTLINE(clang-analyzer-unix.Malloc) */
     MPM_TRY(mpm_tree_parse(&source, origin, bytes->data, bytes->length, &work->root, error));
-    MPM_TRY(mpm_tree_apply_settings(&source, scene->setting_count, work->root, error));
-    return mpm_tree_check(&source, &mpm_scene_root, work->root, error);
+    MPM_TRY(mpm_tree_apply_settings(&source, scene->setting_count, work->root, faults, error));
+    return mpm_tree_check(&source, &mpm_scene_root, work->root, faults, error);
 }
 
 static enum mpm_status read_scene(struct mpm_scene *scene, const struct mpm_bytes *text,
-                                  struct work *work, struct mpm_error *error)
+                                  struct work *work, struct mpm_faults *faults,
+                                  struct mpm_error *error)
 {
-    MPM_TRY(read_tree(scene, text, work, error));
+    MPM_TRY(read_tree(scene, text, work, faults, error));
     hash_bytes(work->bytes, scene);
     work->raw = mpm_keys_fill(&mpm_scene_root, work->root);
     if (work->raw == NULL)
         return mpm_error_memory(error, sizeof *work->raw, "a scene's values");
     return build(&(struct mpm_reading){
-        .scene = scene, .root = work->root, .raw = work->raw, .error = error});
+        .scene = scene, .root = work->root, .raw = work->raw, .faults = faults, .error = error});
 }
 
 enum mpm_status mpm_scene_tree(const struct mpm_scene *scene, struct mpm_tree_node **root,
                                struct mpm_error *error)
 {
     struct work work = {.root = NULL};
-    const enum mpm_status status = read_tree(scene, NULL, &work, error);
+    struct mpm_faults faults = {.count = 0};
+    struct mpm_error own = {.status = MPM_OK}; /* `error` may be NULL, mistakes are kept */
+    const enum mpm_status status = read_tree(scene, NULL, &work, &faults, &own);
     free(work.bytes.data);
     *root = status == MPM_OK ? work.root : NULL;
-    if (status != MPM_OK)
-        mpm_tree_free(work.root);
+    if (status == MPM_OK)
+        return MPM_OK;
+    mpm_tree_free(work.root);
+    if (error != NULL)
+        *error = own;
     return status;
 }
 
 static enum mpm_status make_scene(const char *path, const struct mpm_bytes *text,
                                   const char *const *settings, size_t setting_count,
-                                  struct mpm_scene **scene, struct mpm_error *error)
+                                  struct mpm_scene **scene, struct mpm_faults *faults,
+                                  struct mpm_error *error)
 {
-    *scene = NULL;
     struct mpm_scene *made = calloc(1, sizeof *made);
     if (made == NULL)
         return mpm_error_memory(error, sizeof *made, "a scene");
     struct work work = {.root = NULL};
     enum mpm_status status = copy_arguments(made, path, settings, setting_count, error);
     if (status == MPM_OK)
-        status = read_scene(made, text, &work, error);
+        status = read_scene(made, text, &work, faults, error);
     mpm_keys_free(&mpm_scene_root, work.raw);
     mpm_tree_free(work.root);
     free(work.bytes.data);
@@ -149,10 +161,47 @@ static enum mpm_status make_scene(const char *path, const struct mpm_bytes *text
     return MPM_OK;
 }
 
+/* All mistakes of the file, or of a text in memory. */
+static enum mpm_status read_all(const char *path, const struct mpm_bytes *text,
+                                const char *const *settings, size_t setting_count,
+                                struct mpm_scene **scene, struct mpm_faults *faults)
+{
+    struct mpm_error error = {.status = MPM_OK};
+    *scene = NULL;
+    faults->count = 0;
+    const enum mpm_status status =
+        make_scene(path, text, settings, setting_count, scene, faults, &error);
+    /* what ends the reading at once is no list of mistakes */
+    if (status != MPM_OK && (status != MPM_BAD_INPUT || faults->count == 0)) {
+        faults->list[0] = error;
+        faults->count = 1;
+    }
+    return status;
+}
+
+/* The first mistake. */
+static enum mpm_status read_first(const char *path, const struct mpm_bytes *text,
+                                  const char *const *settings, size_t setting_count,
+                                  struct mpm_scene **scene, struct mpm_error *error)
+{
+    struct mpm_faults faults;
+    const enum mpm_status status = read_all(path, text, settings, setting_count, scene, &faults);
+    if (status != MPM_OK && error != NULL)
+        *error = faults.list[0];
+    return status;
+}
+
+enum mpm_status mpm_scene_read_all(const char *path, const char *const *settings,
+                                   size_t setting_count, struct mpm_scene **scene,
+                                   struct mpm_faults *faults)
+{
+    return read_all(path, NULL, settings, setting_count, scene, faults);
+}
+
 enum mpm_status mpm_scene_read(const char *path, const char *const *settings, size_t setting_count,
                                struct mpm_scene **scene, struct mpm_error *error)
 {
-    return make_scene(path, NULL, settings, setting_count, scene, error);
+    return read_first(path, NULL, settings, setting_count, scene, error);
 }
 
 enum mpm_status mpm_scene_parse(const char *name, const char *text, size_t length,
@@ -160,7 +209,7 @@ enum mpm_status mpm_scene_parse(const char *name, const char *text, size_t lengt
                                 struct mpm_scene **scene, struct mpm_error *error)
 {
     const struct mpm_bytes bytes = {.data = (char *)(uintptr_t)text, .length = length};
-    return make_scene(name, &bytes, settings, setting_count, scene, error);
+    return read_first(name, &bytes, settings, setting_count, scene, error);
 }
 
 /* ------------------------------------------------------------------- scene */

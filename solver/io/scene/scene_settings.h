@@ -9,9 +9,11 @@
 /* Applies the source's `count` settings in order. A path is keys joined by points; entries of lists
  * are named by position (from 0) or by their `name`, and + is a new one at the end. A valid key
  * that the scene does not have is added; a path that the schema does not know, or an entry that the
- * list does not have, is MPM_BAD_INPUT. The value is YAML. */
+ * list does not have, is MPM_BAD_INPUT, the first of all in `faults`. The value is YAML; without
+ * one the key or entry is taken out. */
 enum mpm_status mpm_tree_apply_settings(const struct mpm_source *source, size_t count,
-                                        struct mpm_tree_node *root, struct mpm_error *error);
+                                        struct mpm_tree_node *root, struct mpm_faults *faults,
+                                        struct mpm_error *error);
 /* The one of that index alone. On failure, parts of its path may have been added. */
 enum mpm_status mpm_tree_apply_setting(const struct mpm_source *source, size_t index,
                                        struct mpm_tree_node *root, struct mpm_error *error);

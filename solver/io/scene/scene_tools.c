@@ -41,6 +41,11 @@ enum mpm_status mpm_reading_fault(const struct mpm_reading *reading, const char 
                           "%s", message);
 }
 
+enum mpm_status mpm_reading_note(const struct mpm_reading *reading, enum mpm_status status)
+{
+    return mpm_faults_note(reading->faults, status, reading->error);
+}
+
 bool mpm_reading_given(const struct mpm_reading *reading, const char *path)
 {
     const struct mpm_tree_node *node = mpm_tree_find(reading->root, path, NULL);

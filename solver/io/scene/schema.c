@@ -5,14 +5,16 @@
 
 #include "io/scene/scene_schema.h"
 #include "io/units.h"
+#include "mpm_words.h"
 
+#include <glib.h>
 #include <jansson.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLUMNS = 6, CELL_SIZE = 256 };
+enum { CELL_SIZE = 256, HELP_SIZE = 1024 };
 
 /* Calls visit(context, key, path) for the keys of a group, each before its children. */
 static void visit_keys(const struct mpm_key *group, const char *prefix,
@@ -32,70 +34,95 @@ static void visit_keys(const struct mpm_key *group, const char *prefix,
 
 /* -------------------------------------------------------------------- table */
 
+enum { TABLE_WIDTH = 80, KEY_WIDTH = 32, FACTS_SIZE = 4 * MPM_ALLOWED_SIZE };
+
 struct table {
-    size_t width[COLUMNS];
-    FILE *out; /* NULL: rows are only measured */
+    FILE *out;
+    char *filter; /* in lower case, or NULL */
+    size_t count;
 };
 
-static void put_row(struct table *table, const char *const cells[COLUMNS])
+/* "number, length; default 1; above 0" */
+static void put_facts(const struct mpm_key *key, char facts[FACTS_SIZE])
 {
-    for (size_t i = 0; i < COLUMNS; i++) {
-        const size_t length = strlen(cells[i]);
-        const bool last = i + 1 == COLUMNS;
-        if (table->out == NULL && length > table->width[i])
-            table->width[i] = length;
-        if (table->out != NULL)
-            (void)fprintf(table->out, "%-*s%s", last ? 0 : (int)table->width[i] + 2, cells[i],
-                          last ? "\n" : "");
+    char range[MPM_ALLOWED_SIZE], unit[MPM_UNIT_SIZE];
+    (void)mpm_key_range(key, range);
+    mpm_dimension_text(key->dimension, unit);
+    (void)snprintf(facts, FACTS_SIZE, "%s%s%s%s%s%s%s", mpm_key_type(key),
+                   unit[0] != '\0' ? ", " : "", unit,
+                   key->required           ? "; required"
+                   : key->fallback != NULL ? "; default "
+                                           : "",
+                   !key->required && key->fallback != NULL ? key->fallback : "",
+                   range[0] != '\0' ? "; " : "", range);
+}
+
+static bool is_chosen(const struct table *table, const char *path, const char *facts,
+                      const char *help)
+{
+    if (table->filter == NULL)
+        return true;
+    const char *const texts[] = {path, facts, help};
+    bool found = false;
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        char *const text = g_utf8_strdown(texts[i], -1);
+        found = found || strstr(text, table->filter) != NULL;
+        g_free(text);
     }
+    return found;
 }
 
-static const char *default_text(const struct mpm_key *key)
+static void put_row(FILE *out, const char *path, const char *facts, const char *help)
 {
-    if (key->required)
-        return "required";
-    return key->fallback != NULL ? key->fallback : "-";
+    const size_t length = strlen(path);
+    (void)fputs(path, out);
+    if (length + 1 > KEY_WIDTH)
+        (void)fputc('\n', out);
+    (void)fprintf(out, "%*s", (int)(KEY_WIDTH - (length + 1 > KEY_WIDTH ? 0 : length)), "");
+    mpm_words_wrap(out, facts, KEY_WIDTH, KEY_WIDTH, TABLE_WIDTH);
+    (void)fprintf(out, "%*s", KEY_WIDTH, "");
+    mpm_words_wrap(out, help, KEY_WIDTH, KEY_WIDTH, TABLE_WIDTH);
 }
 
-static void put_key(void *table, const struct mpm_key *key, const char *path)
+static void put_key(void *context, const struct mpm_key *key, const char *path)
 {
     static const char *const places[] = {
         [MPM_ANYWHERE] = "",
         [MPM_ONLY_PLANAR] = " (planar scenes only)",
         [MPM_ONLY_AXISYMMETRIC] = " (axisymmetric scenes only)",
     };
-    char help[CELL_SIZE], range[MPM_ALLOWED_SIZE], unit[MPM_UNIT_SIZE];
+    struct table *const table = context;
+    char help[HELP_SIZE], facts[FACTS_SIZE];
     (void)snprintf(help, sizeof help, "%s%s", key->help, places[key->where]);
-    mpm_dimension_text(key->dimension, unit);
-    put_row(table, (const char *const[COLUMNS]){path, mpm_key_type(key), unit, default_text(key),
-                                                mpm_key_range(key, range), help});
+    put_facts(key, facts);
+    if (!is_chosen(table, path, facts, help))
+        return;
+    put_row(table->out, path, facts, help);
+    table->count++;
 }
 
-static void put_table(struct table *table)
+char *mpm_schema_text(const char *filter, size_t *count)
 {
-    put_row(table,
-            (const char *const[COLUMNS]){"KEY", "TYPE", "UNIT", "DEFAULT", "RANGE", "MEANING"});
-    visit_keys(&mpm_scene_root, "", put_key, table);
-}
-
-char *mpm_schema_text(void)
-{
-    struct table table = {.out = NULL};
     char *text = NULL;
     size_t size;
-    put_table(&table);
-    table.out = open_memstream(&text, &size);
-    if (table.out == NULL)
-        return NULL;
-    put_table(&table);
-    const bool written = ferror(table.out) == 0;
-    if (fclose(table.out) == 0 && written)
+    struct table table = {.out = open_memstream(&text, &size),
+                          .filter = filter != NULL ? g_utf8_strdown(filter, -1) : NULL};
+    bool written = table.out != NULL;
+    if (written) {
+        put_row(table.out, "KEY", "TYPE, UNIT; DEFAULT; RANGE", "MEANING");
+        visit_keys(&mpm_scene_root, "", put_key, &table);
+        written = ferror(table.out) == 0;
+        written = fclose(table.out) == 0 && written;
+    }
+    *count = table.count;
+    g_free(table.filter);
+    if (written)
         return text;
     free(text);
     return NULL;
 }
 
-/* --------------------------------------------------------------------- JSON */
+/* ---------------------------------------------------------- a list, as JSON */
 
 enum { JSON_FORMAT = 1 };
 
@@ -195,7 +222,7 @@ static json_t *describe_laws(void)
     return list;
 }
 
-char *mpm_schema_json(void)
+char *mpm_schema_list(void)
 {
     json_t *list = json_array();
     visit_keys(&mpm_scene_root, "", append_key, list);

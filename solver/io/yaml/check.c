@@ -12,7 +12,8 @@ enum { PATH_SIZE = 320 };
 
 struct checking {
     const struct mpm_source *source;
-    struct mpm_error *error;
+    struct mpm_faults *faults;
+    struct mpm_error *error; /* the mistake in hand */
     bool geometry_known;
     enum mpm_geometry geometry;
     char path[PATH_SIZE]; /* of the key in hand, for messages */
@@ -39,19 +40,26 @@ static void leave(struct checking *checking, size_t length)
     checking->path[length] = '\0';
 }
 
+/* A mistake is noted, and the check goes on with the next value. */
+static enum mpm_status note(const struct checking *checking, enum mpm_status status)
+{
+    return mpm_faults_note(checking->faults, status, checking->error);
+}
+
 static enum mpm_status no_memory(struct checking *checking)
 {
     return mpm_error_memory(checking->error, sizeof(struct mpm_tree_node), "the defaults of keys");
 }
 
-/* "WHAT, got VALUE; allowed: ..." */
+/* "WHAT, got VALUE; allowed: ...; did you mean ...?" */
 static enum mpm_status refuse(struct checking *checking, const struct mpm_key *key,
                               const struct mpm_tree_node *node, const char *what)
 {
-    char value[MPM_EXCERPT_SIZE], allowed[MPM_ALLOWED_SIZE];
+    char value[MPM_EXCERPT_SIZE], allowed[MPM_ALLOWED_SIZE], hint[MPM_HINT_SIZE];
+    const char *const word = node->kind == MPM_TREE_SCALAR ? node->text : "";
     return mpm_tree_fault(checking->error, checking->source, node->origin, checking->path,
-                          "%s, got %s; allowed: %s", what, mpm_tree_excerpt(node, value),
-                          mpm_key_allowed(key, allowed));
+                          "%s, got %s; allowed: %s%s", what, mpm_tree_excerpt(node, value),
+                          mpm_key_allowed(key, allowed), mpm_choice_hint(key, word, hint));
 }
 
 /* ------------------------------------------------------------------ shapes */
@@ -98,7 +106,7 @@ static enum mpm_status check_list(struct checking *checking, const struct mpm_ke
     const struct mpm_key entry = mpm_key_entry(key);
     for (size_t i = 0; i < node->count; i++) {
         const size_t length = enter_position(checking, i);
-        MPM_TRY(check_node(checking, &entry, node->entries[i].value));
+        MPM_TRY(note(checking, check_node(checking, &entry, node->entries[i].value)));
         leave(checking, length);
     }
     return MPM_OK;
@@ -106,17 +114,15 @@ static enum mpm_status check_list(struct checking *checking, const struct mpm_ke
 
 /* ------------------------------------------------------------------ groups */
 
-static enum mpm_status refuse_unknown(struct checking *checking, const struct mpm_key *group,
-                                      const struct mpm_tree_node *node)
+static enum mpm_status check_known(struct checking *checking, const struct mpm_key *group,
+                                   const struct mpm_tree_entry *entry)
 {
-    for (size_t i = 0; i < node->count; i++) {
-        const struct mpm_tree_entry *entry = &node->entries[i];
-        if (mpm_key_find(group, entry->key) != NULL)
-            continue;
-        char name[MPM_EXCERPT_SIZE], allowed[MPM_ALLOWED_SIZE];
+    if (mpm_key_find(group, entry->key) == NULL) {
+        char name[MPM_EXCERPT_SIZE], allowed[MPM_ALLOWED_SIZE], hint[MPM_HINT_SIZE];
         return mpm_tree_fault(checking->error, checking->source, entry->value->origin,
-                              checking->path, "unknown key %s; allowed: %s",
-                              mpm_excerpt(entry->key, name), mpm_key_children(group, allowed));
+                              checking->path, "unknown key %s; allowed: %s%s",
+                              mpm_excerpt(entry->key, name), mpm_key_children(group, allowed),
+                              mpm_key_hint(group, entry->key, hint));
     }
     return MPM_OK;
 }
@@ -181,14 +187,15 @@ static enum mpm_status check_key(struct checking *checking, const struct mpm_key
     return MPM_OK;
 }
 
-/* `region: all` is short for `region: {all: true}`: a group that has a boolean of that name. */
+/* `region: all` is short for `region: {all: true}`: a group that has a boolean of that name. In
+ * quotes it is the same word. */
 static enum mpm_status expand_short_form(struct checking *checking, const struct mpm_key *group,
                                          struct mpm_tree_node *node)
 {
     if (node->kind != MPM_TREE_SCALAR)
         return MPM_OK;
     const struct mpm_key *key = mpm_key_find(group, node->text);
-    if (key == NULL || key->value != &mpm_kind_boolean || node->quoted)
+    if (key == NULL || key->value != &mpm_kind_boolean)
         return MPM_OK;
     struct mpm_tree_node *yes = mpm_tree_new(MPM_TREE_SCALAR, node->origin);
     if (yes != NULL)
@@ -203,6 +210,17 @@ static enum mpm_status expand_short_form(struct checking *checking, const struct
     return mpm_tree_append(node, key->name, yes) ? MPM_OK : no_memory(checking);
 }
 
+/* An unknown key that means this one is the mistake, not that this one is missing. */
+static bool is_misspelt(const struct mpm_key *group, const struct mpm_key *key,
+                        const struct mpm_tree_node *node)
+{
+    for (size_t i = 0; i < node->count; i++)
+        if (mpm_key_find(group, node->entries[i].key) == NULL &&
+            mpm_key_nearest(group, node->entries[i].key) == key->name)
+            return true;
+    return false;
+}
+
 static enum mpm_status check_group(struct checking *checking, const struct mpm_key *group,
                                    struct mpm_tree_node *node)
 {
@@ -213,10 +231,13 @@ static enum mpm_status check_group(struct checking *checking, const struct mpm_k
                               "not a mapping, got %s; allowed: a mapping with keys %s",
                               mpm_tree_excerpt(node, value), mpm_key_children(group, allowed));
     }
-    MPM_TRY(refuse_unknown(checking, group, node));
+    for (size_t i = 0; i < node->count; i++)
+        MPM_TRY(note(checking, check_known(checking, group, &node->entries[i])));
     for (const struct mpm_key *key = group->children; key->name != NULL; key++) {
+        if (mpm_tree_entry(node, key->name) == NULL && is_misspelt(group, key, node))
+            continue;
         const size_t length = enter(checking, key->name);
-        MPM_TRY(check_key(checking, key, node));
+        MPM_TRY(note(checking, check_key(checking, key, node)));
         leave(checking, length);
     }
     return MPM_OK;
@@ -235,17 +256,26 @@ static enum mpm_status check_node(struct checking *checking, const struct mpm_ke
 }
 
 enum mpm_status mpm_tree_check(const struct mpm_source *source, const struct mpm_key *root,
-                               struct mpm_tree_node *tree, struct mpm_error *error)
+                               struct mpm_tree_node *tree, struct mpm_faults *faults,
+                               struct mpm_error *error)
 {
-    struct checking checking = {.source = source, .error = error};
+    struct mpm_error fault = {.status = MPM_OK};
+    struct checking checking = {.source = source, .faults = faults, .error = &fault};
     /* Another format would have other keys: say so before calling them unknown. */
     const struct mpm_key *const format =
         root->shape == MPM_KEY_GROUP ? mpm_key_find(root, "format") : NULL;
     const struct mpm_tree_entry *const entry = mpm_tree_entry(tree, "format");
+    enum mpm_status status = MPM_OK;
     if (format != NULL && entry != NULL) {
         const size_t length = enter(&checking, "format");
-        MPM_TRY(check_node(&checking, format, entry->value));
+        status = note(&checking, check_node(&checking, format, entry->value));
         leave(&checking, length);
     }
-    return check_node(&checking, root, tree);
+    if (status == MPM_OK && faults->count == 0)
+        status = note(&checking, check_node(&checking, root, tree));
+    if (status == MPM_OK)
+        return mpm_faults_status(faults, error);
+    if (error != NULL)
+        *error = fault;
+    return status;
 }

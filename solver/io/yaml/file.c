@@ -9,6 +9,8 @@
 #include <fcntl.h>
 #include <glib.h>
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 static enum mpm_status refuse_file(const struct mpm_source *source, const char *fault,
                                    struct mpm_error *error)
@@ -61,10 +63,27 @@ static enum mpm_status read_bytes(const struct mpm_source *source, int file,
                                  : refuse_file(source, "the file grows while it is read", error);
 }
 
+/* What a pipe will bring is not known before its end. */
+static enum mpm_status read_stream(const struct mpm_source *source, struct mpm_bytes *bytes,
+                                   struct mpm_error *error)
+{
+    const size_t capacity = (size_t)MPM_SOURCE_SIZE_MAX + 1;
+    bytes->data = malloc(capacity);
+    if (bytes->data == NULL)
+        return mpm_error_memory(error, capacity, "standard input");
+    const ssize_t got = mpm_file_read(STDIN_FILENO, bytes->data, capacity);
+    if (got < 0)
+        return refuse_read(source, error);
+    bytes->length = (size_t)got;
+    return bytes->length < capacity ? MPM_OK : refuse_file(source, "the file is too big", error);
+}
+
 enum mpm_status mpm_source_read(const struct mpm_source *source, struct mpm_bytes *bytes,
                                 struct mpm_error *error)
 {
     *bytes = (struct mpm_bytes){.data = NULL};
+    if (strcmp(source->path, "-") == 0)
+        return read_stream(source, bytes, error);
     /* A named pipe must not make the program wait. */
     const int file = mpm_file_open(source->path, O_RDONLY | O_NONBLOCK);
     if (file < 0)
@@ -95,7 +114,8 @@ enum mpm_status mpm_keys_read(const char *path, const struct mpm_key *root, void
     struct mpm_tree_node *tree = NULL;
     *data = NULL;
     MPM_TRY(mpm_tree_read(path, &tree, error));
-    enum mpm_status status = mpm_tree_check(&source, root, tree, error);
+    struct mpm_faults faults = {.count = 0};
+    enum mpm_status status = mpm_tree_check(&source, root, tree, &faults, error);
     if (status == MPM_OK && (*data = mpm_keys_fill(root, tree)) == NULL)
         status = mpm_error_memory(error, root->size, "what a file says");
     mpm_tree_free(tree);

@@ -23,6 +23,44 @@ const struct mpm_choice *mpm_key_choice(const struct mpm_key *key, const char *n
     return NULL;
 }
 
+static struct mpm_nearest nearest_key(const struct mpm_key *group, const char *word)
+{
+    struct mpm_nearest nearest = {.word = word};
+    for (const struct mpm_key *key = group->children; key->name != NULL; key++)
+        mpm_nearest_offer(&nearest, key->name);
+    return nearest;
+}
+
+const char *mpm_key_nearest(const struct mpm_key *group, const char *word)
+{
+    return nearest_key(group, word).best;
+}
+
+const char *mpm_key_hint(const struct mpm_key *group, const char *word, char hint[MPM_HINT_SIZE])
+{
+    const struct mpm_nearest nearest = nearest_key(group, word);
+    return mpm_nearest_hint(&nearest, hint);
+}
+
+/* Names are "a, b": each of them is ended where its comma is. */
+const char *mpm_choice_hint(const struct mpm_key *key, const char *word, char hint[MPM_HINT_SIZE])
+{
+    struct mpm_nearest nearest = {.word = word};
+    char names[MPM_ALLOWED_SIZE] = "";
+    for (size_t i = 0; i < key->choice_count; i++)
+        mpm_nearest_offer(&nearest, key->choices[i].name);
+    if (key->value != NULL && key->value->names != NULL)
+        (void)snprintf(names, sizeof names, "%s", key->value->names());
+    for (char *name = names; *name != '\0';) {
+        char *const end = name + strcspn(name, ",");
+        const bool last = *end == '\0';
+        *end = '\0';
+        mpm_nearest_offer(&nearest, name);
+        name = last ? end : end + 1 + strspn(end + 1, " ");
+    }
+    return mpm_nearest_hint(&nearest, hint);
+}
+
 struct mpm_key mpm_key_entry(const struct mpm_key *list)
 {
     struct mpm_key entry = *list;

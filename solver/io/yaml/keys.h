@@ -5,6 +5,7 @@
 #define MPM_IO_YAML_KEYS_H
 
 #include "io/yaml/tree.h"
+#include "mpm_words.h"
 
 enum {
     MPM_TITLE_LENGTH_MAX = 4096,
@@ -13,10 +14,11 @@ enum {
 };
 
 /* Checks a tree against the table, or a value against its key, and fills in the defaults.
- * MPM_BAD_INPUT with the place of the key: keys that are unknown, missing or of another geometry,
- * values of another kind or out of range. */
+ * MPM_BAD_INPUT with the place of the key, the first of all in `faults`: keys that are unknown,
+ * missing or of another geometry, values of another kind or out of range. */
 enum mpm_status mpm_tree_check(const struct mpm_source *source, const struct mpm_key *root,
-                               struct mpm_tree_node *tree, struct mpm_error *error);
+                               struct mpm_tree_node *tree, struct mpm_faults *faults,
+                               struct mpm_error *error);
 
 /* The default of a key as a tree. */
 enum mpm_status mpm_tree_default(const struct mpm_source *source, const struct mpm_key *key,
@@ -31,6 +33,14 @@ const struct mpm_key *mpm_key_find(const struct mpm_key *group, const char *name
 
 /* The choice of that name, or NULL. */
 const struct mpm_choice *mpm_key_choice(const struct mpm_key *key, const char *name);
+
+/* The name of the key of a group that a word is near to, or NULL. */
+const char *mpm_key_nearest(const struct mpm_key *group, const char *word);
+
+/* "; did you mean NAME?" of the keys of a group, or of the names that a key's value may be; ""
+ * where none is near. */
+const char *mpm_key_hint(const struct mpm_key *group, const char *word, char hint[MPM_HINT_SIZE]);
+const char *mpm_choice_hint(const struct mpm_key *key, const char *word, char hint[MPM_HINT_SIZE]);
 
 /* What an entry of a list is: a GROUP of a LIST, a PAIR of POINTS, ONE value of the others. */
 struct mpm_key mpm_key_entry(const struct mpm_key *list);

@@ -50,6 +50,18 @@ static bool grow(struct mpm_tree_node *parent)
     return true;
 }
 
+void mpm_tree_remove(struct mpm_tree_node *parent, const struct mpm_tree_node *value)
+{
+    size_t at = 0;
+    while (parent->entries[at].value != value)
+        at++;
+    free(parent->entries[at].key);
+    mpm_tree_free(parent->entries[at].value);
+    parent->count--;
+    memmove(&parent->entries[at], &parent->entries[at + 1],
+            (parent->count - at) * sizeof parent->entries[at]);
+}
+
 bool mpm_tree_append(struct mpm_tree_node *parent, const char *key, struct mpm_tree_node *value)
 {
     char *copy = key != NULL ? strdup(key) : NULL;
@@ -103,6 +115,11 @@ const struct mpm_tree_node *mpm_tree_find(const struct mpm_tree_node *root, cons
 
 /* ---------------------------------------------------------------- messages */
 
+static const char *source_name(const struct mpm_source *source)
+{
+    return strcmp(source->path, "-") == 0 ? "standard input" : source->path;
+}
+
 enum mpm_status mpm_tree_fault(struct mpm_error *error, const struct mpm_source *source,
                                struct mpm_origin origin, const char *key, const char *format, ...)
 {
@@ -112,16 +129,46 @@ enum mpm_status mpm_tree_fault(struct mpm_error *error, const struct mpm_source 
     (void)vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     /* The end of a long path says more than its start, and the message must fit. */
-    const size_t length = strlen(source->path);
+    const char *const name = source_name(source);
+    const size_t length = strlen(name);
     const bool cut = length > PATH_SHOWN_MAX;
     if (origin.setting > 0)
         (void)snprintf(place, sizeof place, ": --set %s",
                        mpm_excerpt(source->settings[origin.setting - 1], quoted));
     else if (origin.line > 0)
         (void)snprintf(place, sizeof place, ":%d", origin.line);
-    return mpm_error_set(error, MPM_BAD_INPUT, "%s%s%s: %s%s%s", cut ? "..." : "",
-                         source->path + (cut ? length - PATH_SHOWN_MAX : 0), place, key,
-                         *key != '\0' ? ": " : "", message);
+    (void)mpm_error_set(error, MPM_BAD_INPUT, "%s%s%s: %s%s%s", cut ? "..." : "",
+                        name + (cut ? length - PATH_SHOWN_MAX : 0), place, key,
+                        *key != '\0' ? ": " : "", message);
+    if (error != NULL)
+        error->line = origin.setting > 0 ? 0 : origin.line;
+    return MPM_BAD_INPUT;
+}
+
+enum mpm_status mpm_faults_note(struct mpm_faults *faults, enum mpm_status status,
+                                const struct mpm_error *error)
+{
+    if (status != MPM_BAD_INPUT)
+        return status;
+    const size_t kept = faults->count < MPM_FAULTS_MAX ? faults->count : MPM_FAULTS_MAX;
+    size_t place = kept;
+    while (place > 0 && faults->list[place - 1].line > error->line)
+        place--;
+    for (size_t i = kept < MPM_FAULTS_MAX ? kept : MPM_FAULTS_MAX - 1; i > place; i--)
+        faults->list[i] = faults->list[i - 1];
+    if (place < MPM_FAULTS_MAX)
+        faults->list[place] = *error;
+    faults->count++;
+    return MPM_OK;
+}
+
+enum mpm_status mpm_faults_status(const struct mpm_faults *faults, struct mpm_error *error)
+{
+    if (faults->count == 0)
+        return MPM_OK;
+    if (error != NULL)
+        *error = faults->list[0];
+    return MPM_BAD_INPUT;
 }
 
 const char *mpm_excerpt(const char *text, char buffer[MPM_EXCERPT_SIZE])

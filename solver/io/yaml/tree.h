@@ -22,7 +22,8 @@ struct mpm_bytes {
     size_t length;
 };
 
-/* Reads all of a file; the caller frees bytes->data, also on failure. */
+/* Reads all of a file, or of standard input for the path "-"; the caller frees bytes->data, also on
+ * failure. */
 enum mpm_status mpm_source_read(const struct mpm_source *source, struct mpm_bytes *bytes,
                                 struct mpm_error *error);
 
@@ -38,6 +39,9 @@ struct mpm_tree_node *mpm_tree_new(enum mpm_tree_kind kind, struct mpm_origin or
 /* Takes `value` over, also on failure; copies `key` (NULL for a list). False without memory. */
 bool mpm_tree_append(struct mpm_tree_node *parent, const char *key, struct mpm_tree_node *value);
 
+/* Takes away and frees the entry with that value. */
+void mpm_tree_remove(struct mpm_tree_node *parent, const struct mpm_tree_node *value);
+
 /* The entry of a mapping, or NULL. */
 struct mpm_tree_entry *mpm_tree_entry(const struct mpm_tree_node *mapping, const char *key);
 
@@ -46,6 +50,13 @@ struct mpm_tree_entry *mpm_tree_entry(const struct mpm_tree_node *mapping, const
 enum mpm_status mpm_tree_fault(struct mpm_error *error, const struct mpm_source *source,
                                struct mpm_origin origin, const char *key, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
+
+/* Whether to go on after `status`: a mistake of the input is added to `faults`, and MPM_OK is
+ * returned; any other failure is returned. */
+enum mpm_status mpm_faults_note(struct mpm_faults *faults, enum mpm_status status,
+                                const struct mpm_error *error);
+/* What comes of it in the end: the first mistake, if there is one. */
+enum mpm_status mpm_faults_status(const struct mpm_faults *faults, struct mpm_error *error);
 
 /* A value for messages, in quotes, cut to the buffer at whole characters. */
 const char *mpm_excerpt(const char *text, char buffer[MPM_EXCERPT_SIZE]);

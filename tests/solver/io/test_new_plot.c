@@ -271,7 +271,7 @@ static const struct {
     {{"--field", "mass.x"}, "has no such field"},
     {{"--snapshot", "77"}, "--snapshot 77: "},
     {{"--snapshot", "last"}, "--snapshot last: "},
-    {{"--format", "pdf"}, "--format pdf: allowed: svg, png"},
+    {{"--format", "pdf"}, "--format \"pdf\"; allowed: svg, png"},
 };
 
 START_TEST(a_mistake_is_reported_with_what_is_allowed)

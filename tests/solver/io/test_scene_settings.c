@@ -147,7 +147,12 @@ static const struct {
     {"bodies.99999999999999999999.name=a", "no entry \"99999999999999999999\""},
     {"bodies.0.rigid.velocity.0=1", "the scene has no velocity whose part could be set"},
     {"boundary.0.velocity=[0, 0]", "no entry \"0\" in the list of 0"},
-    {"time.end=", "--set \"time.end=\": empty"},
+    {"time.end.0=", "end is one value and has no part \"0\""},
+    {"tme.end=", "unknown key \"tme\"; allowed: format, title"},
+    {"bodies.1=", "no entry \"1\" in the list of 1; allowed: a position from 0, or the `name` of "
+                  "an entry"},
+    {"bodies.+=", "no entry \"+\" in the list of 1"},
+    {"bodies.blok=", "`name` of an entry; did you mean block?"},
     {"time.end=~", "time.end: not a number"},
     {"time.end=[1", "not YAML: "},
     {"time.end=1\n---\n2", "a second YAML document"},

@@ -14,7 +14,7 @@
 /* The objects of the JSON, by their `key`. */
 static json_t *schema_objects(void)
 {
-    char *text = mpm_schema_json();
+    char *text = mpm_schema_list();
     json_t *schema = json_loads(text, 0, NULL);
     ck_assert_ptr_nonnull(schema);
     free(text);
@@ -33,17 +33,80 @@ static json_t *schema_objects(void)
 START_TEST(the_schema_as_json_has_every_key_of_the_table)
 {
     json_t *objects = schema_objects();
-    char *text = mpm_schema_text();
+    size_t count = 0, found = 0;
+    char *text = mpm_schema_text(NULL, &count);
     char **rows = g_strsplit(g_strchomp(text), "\n", -1);
-    ck_assert_uint_eq(json_object_size(objects), g_strv_length(rows) - 1);
+    ck_assert_uint_eq(json_object_size(objects), count);
     for (size_t i = 1; rows[i] != NULL; i++) {
+        ck_assert_msg(g_utf8_strlen(rows[i], -1) <= 80, "%s", rows[i]);
+        if (rows[i][0] == ' ')
+            continue;
         char *key = g_strndup(rows[i], strcspn(rows[i], " "));
         ck_assert_msg(json_object_get(objects, key) != NULL, "%s", key);
         g_free(key);
+        found++;
     }
+    ck_assert_uint_eq(found, count);
     g_strfreev(rows);
     free(text);
     json_decref(objects);
+}
+END_TEST
+
+START_TEST(a_filter_leaves_the_keys_that_have_its_word)
+{
+    static const struct {
+        const char *filter, *first;
+        size_t least, most;
+    } rows[] = {
+        {"REFINE", "\ngrid.refine ", 1, 3},       {"bspline2", "\nmethod.shape ", 1, 2},
+        {"damping.pic", "\ndamping.pic ", 1, 1},  {"conductance", "\ncracks[].heat ", 3, 30},
+        {"planar scenes", "\nthickness ", 2, 10}, {"no such word", "", 0, 0},
+    };
+    for (size_t i = 0; i < G_N_ELEMENTS(rows); i++) {
+        size_t count = 0;
+        char *text = mpm_schema_text(rows[i].filter, &count);
+        ck_assert_msg(count >= rows[i].least && count <= rows[i].most, "%s: %zu", rows[i].filter,
+                      count);
+        ck_assert_msg(strstr(text, rows[i].first) != NULL, "%s: %s", rows[i].filter, text);
+        free(text);
+    }
+}
+END_TEST
+
+/* What an editor is told of some keys. */
+START_TEST(the_schema_for_editors_has_types_ranges_choices_and_defaults)
+{
+    static const char *const expected[][2] = {
+        {"geometry", "{'enum': ['plane_strain', 'plane_stress', 'axisymmetric']}"},
+        {"thickness", "{'type': 'number', 'exclusiveMinimum': 0, 'default': 1}"},
+        {"title", "{'maxLength': 4096, 'minLength': 0, 'default': ''}"},
+        {"grid",
+         "{'type': 'object', 'additionalProperties': false, 'required': ['cell', 'cells']}"},
+        {"bodies", "{'type': 'array', 'minItems': 1}"},
+        {"boundary", "{'type': 'array', 'default': []}"},
+        {"output", "{'default': {}}"},
+    };
+    char *text = mpm_schema_document();
+    json_t *schema = json_loads(text, 0, NULL);
+    const json_t *properties = json_object_get(schema, "properties");
+    for (size_t i = 0; i < G_N_ELEMENTS(expected); i++) {
+        char *wanted = g_strdelimit(g_strdup(expected[i][1]), "'", '"');
+        json_t *members = json_loads(wanted, 0, NULL);
+        const json_t *key = json_object_get(properties, expected[i][0]);
+        ck_assert_ptr_nonnull(members);
+        for (void *at = json_object_iter(members); at != NULL;
+             at = json_object_iter_next(members, at)) {
+            const char *name = json_object_iter_key(at);
+            ck_assert_msg(json_equal(json_object_get(key, name), json_object_iter_value(at)),
+                          "%s: %s", expected[i][0], name);
+        }
+        ck_assert_ptr_nonnull(json_object_get(key, "description"));
+        json_decref(members);
+        g_free(wanted);
+    }
+    json_decref(schema);
+    free(text);
 }
 END_TEST
 
@@ -89,7 +152,7 @@ END_TEST
 
 START_TEST(the_schema_as_json_lists_the_laws_with_their_parameters)
 {
-    char *text = mpm_schema_json();
+    char *text = mpm_schema_list();
     json_t *schema = json_loads(text, 0, NULL);
     const json_t *const laws = json_object_get(schema, "laws");
     const struct mpm_material_law *law;
@@ -146,6 +209,8 @@ Suite *suite_schema(void)
     Suite *suite = suite_create("schema");
     TCase *json = tcase_create("JSON");
     tcase_add_test(json, the_schema_as_json_has_every_key_of_the_table);
+    tcase_add_test(json, a_filter_leaves_the_keys_that_have_its_word);
+    tcase_add_test(json, the_schema_for_editors_has_types_ranges_choices_and_defaults);
     tcase_add_test(json, the_schema_as_json_says_kind_range_choices_and_default);
     tcase_add_test(json, the_schema_as_json_lists_the_laws_with_their_parameters);
     tcase_add_test(json, dimensions_are_written_as_quotients);

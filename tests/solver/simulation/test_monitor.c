@@ -107,6 +107,8 @@ START_TEST(the_tree_of_a_scene_has_its_settings_and_defaults)
     g_free(test_folder_write(folder, "scene.yaml", "format: 1\n"));
     ck_assert_int_eq(mpm_scene_tree(scene, &root, &error), MPM_BAD_INPUT);
     ck_assert_ptr_null(root);
+    ck_assert_msg(strstr(error.message, "missing") != NULL, "%s", error.message);
+    ck_assert_int_eq(mpm_scene_tree(scene, &root, NULL), MPM_BAD_INPUT);
     mpm_scene_free(scene);
     test_folder_remove(folder);
 }

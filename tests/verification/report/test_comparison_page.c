@@ -302,9 +302,10 @@ START_TEST(compare_tells_what_changed_and_whether_anything_got_worse)
         {"pass", "1.2", "0.3", "7", "1", 1, "worse    A/c [v]"},
         {"pass", "0.8", "0.7", "7", "1", 0, "better   A/c [v]"},
         {"pass", "null", "null", "7", "1", 0, "1 m, then none"},
+        {"pass", "null", "null", "7", "1", 0, "  after    no check has a margin\n"},
         {"pass", "1", "0.5", "8", "1", 0, "A/free [v]"},
         {"pass", "1", "0.5", "7", "9", 0, "slower   A [v]"},
-        {"pass", "1", "0.5", "7", "1.5", 0, "  none"},
+        {"pass", "1", "0.5", "7", "1.5", 0, "\n\n0 worse, 0 better, 0 changed otherwise\n"},
     };
     char *before = run_before();
     for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {
@@ -315,6 +316,7 @@ START_TEST(compare_tells_what_changed_and_whether_anything_got_worse)
                       said.exit_status, said.out, said.err);
         ck_assert_msg(strstr(said.out, table[i].said) != NULL, "row %zu: %s", i, said.out);
         ck_assert_ptr_nonnull(strstr(said.out, "one, then two"));
+        ck_assert_ptr_null(strstr(said.out, "  none\n")); /* no section is empty */
         test_said_free(&said);
         test_folder_remove(after);
     }
@@ -361,8 +363,8 @@ START_TEST(compare_refuses_what_is_no_run)
         {"mpm-verify compare @/none @", "none/checks.jsonl: cannot be read"},
         {"mpm-verify compare @ @ --change much", "--change \"much\": allowed is a number"},
         {"mpm-verify compare @ @ --change -1", "--change \"-1\": allowed is a number"},
-        {"mpm-verify compare @ @ --tier ci", "Unknown option --tier"},
-        {"mpm-verify report @ --change 1", "Unknown option --change"},
+        {"mpm-verify compare @ @ --tier ci", "compare: unknown option --tier"},
+        {"mpm-verify report @ --change 1", "report: unknown option --change"},
     };
     char *folder = run_before();
     for (size_t i = 0; i < G_N_ELEMENTS(table); i++) {

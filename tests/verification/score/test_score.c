@@ -336,6 +336,23 @@ START_TEST(an_export_replaces_bundles_of_the_case_alone)
 }
 END_TEST
 
+START_TEST(an_export_of_several_cases_is_of_each)
+{
+    static const char *const ways[][3] = {
+        {"--case=E3", "--case", "R1"}, {"--case=E3,R1", "--catalogue", "verification/catalogue"}};
+    for (size_t i = 0; i < G_N_ELEMENTS(ways); i++) {
+        char *folder = test_folder_create();
+        struct test_command command = test_command_run("mpm-verify", "export", "--output", folder,
+                                                       ways[i][0], ways[i][1], ways[i][2], NULL);
+        ck_assert_msg(command.exit_status == 0, "%s", command.errors);
+        ck_assert_msg(strstr(command.output, "\n2 exported, 0 not exportable\n") != NULL, "%s",
+                      command.output);
+        test_command_free(&command);
+        test_folder_remove(folder);
+    }
+}
+END_TEST
+
 /* Snapshots of `mpm run` carry their units. */
 static const struct {
     const char *scene, *end, *unit, *bundle, *message;
@@ -405,6 +422,7 @@ Suite *suite_score(void)
     tcase_add_test(scores, bad_results_end_with_status_2_and_touch_nothing);
     tcase_add_test(scores, too_few_points_are_refused);
     tcase_add_test(scores, an_export_replaces_bundles_of_the_case_alone);
+    tcase_add_test(scores, an_export_of_several_cases_is_of_each);
     tcase_add_loop_test(scores, snapshots_in_other_units_are_refused, 0, G_N_ELEMENTS(OTHER_UNITS));
     tcase_add_test(scores, snapshots_with_temperatures_are_scored);
     suite_add_tcase(suite, scores);

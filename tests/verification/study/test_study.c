@@ -170,7 +170,7 @@ START_TEST(tables_are_of_the_scene_that_ran_whatever_it_has_become)
     struct place place = place_create();
     g_free(verify(&place, STUDY "--refine 1,2 --measure kinetic_energy", 0));
     char *before = table_of(&place), *changed = g_strdup(bar);
-    memcpy(strstr(changed, "cell: [4"), "cell: [2", strlen("cell: [2"));
+    strstr(changed, "cell: [4")[strlen("cell: [")] = '2';
     ck_assert(g_file_set_contents(place.scene, changed, -1, NULL));
     g_free(verify(&place, "mpm-verify collect %", 0));
     char *after = table_of(&place);
@@ -312,7 +312,8 @@ static const struct {
     {"--refine 1 --measure kinetic_energy --set time.steps=3", "time.steps"},
     {"--refine 1 --measure kinetic_energy --timeout 0", "timeout \"0\": allowed are seconds"},
     {"--refine 1 --measure kinetic_energy --resume", "no study was begun here"},
-    {"--refine 1 --measure kinetic_energy --launcher cloud", "allowed are local and slurm"},
+    {"--refine 1 --measure kinetic_energy --launcher cloud",
+     "--launcher \"cloud\"; allowed: local, slurm"},
 };
 
 START_TEST(bad_input_is_refused_with_a_line_and_nothing_is_written)

@@ -41,10 +41,14 @@ START_TEST(the_plan_owes_every_check_of_every_variant_of_the_size)
     } table[] = {
         {{.tier = TIER_CI}, 2, 2},
         {{.tier = TIER_FULL}, 3, 3},
-        {{.tier = TIER_FULL, .case_glob = "Q", .variant_glob = "f*"}, 1, 1},
-        {{.tier = TIER_FULL, .case_glob = "[P-R]", .variant_glob = "?????"}, 2, 2},
-        {{.tier = TIER_CI, .variant_glob = "fine"}, 0, 0},
-        {{.tier = TIER_FULL, .case_glob = "X"}, 0, 0},
+        {{.tier = TIER_FULL, .case_globs = "Q", .variant_globs = "f*"}, 1, 1},
+        {{.tier = TIER_FULL, .case_globs = "[P-R]", .variant_globs = "?????"}, 2, 2},
+        {{.tier = TIER_CI, .variant_globs = "fine"}, 0, 0},
+        {{.tier = TIER_FULL, .case_globs = "X"}, 0, 0},
+        {{.tier = TIER_FULL, .case_globs = "Q,X"}, 0, 0},
+        {{.tier = TIER_FULL, .variant_globs = "f*,X"}, 0, 0},
+        {{.tier = TIER_FULL, .case_globs = "[X-Z]*,Q"}, 0, 0},
+        {{.tier = TIER_FULL, .case_globs = "Q*,Q", .variant_globs = "f*,cubi?"}, 2, 2},
     };
     char *folder = test_folder_create();
     test_case_write_quadrature(folder);

@@ -200,23 +200,33 @@ START_TEST(bad_usage_ends_with_2_and_says_why)
     const struct {
         const char *line, *message;
     } table[] = {
-        {"mpm-verify", "no command"},
-        {"mpm-verify fly", "unknown command fly"},
-        {"mpm-verify run --catalogue @ --tier big", "--tier \"big\": allowed are ci and full"},
+        {"mpm-verify", "a command is missing: list, run"},
+        {"mpm-verify fly", "unknown command \"fly\"; allowed: list, run"},
+        {"mpm-verify help fly", "unknown command \"fly\""},
+        {"mpm-verify run --catalogue @ --tier big", "--tier \"big\"; allowed: ci, full;"},
+        {"mpm-verify run --catalogue @ --tier fulll", "allowed: ci, full; did you mean full?"},
         {"mpm-verify run --catalogue @ --jobs none", "none"},
         {"mpm-verify run --catalogue @ --jobs -1", "--jobs -1: allowed are 1 to 1024"},
         {"mpm-verify run --catalogue @ --kernels quick",
-         "--kernels: 'quick' is no set of kernels; allowed: auto, reference, fast"},
-        {"mpm-verify list --catalogue @ --kernels fast", "Unknown option --kernels"},
-        {"mpm-verify run --catalogue @ --case X", "no check matches"},
+         "--kernels \"quick\"; allowed: auto, reference, fast;"},
+        {"mpm-verify list --catalogue @ --kernels fast", "list: unknown option --kernels"},
+        {"mpm-verify run --catalogue @ --case X", "--case \"X\" matches no case; see"},
+        {"mpm-verify run --catalogue @ --variant cubik",
+         "--variant \"cubik\" matches no variant of the cases; did you mean cubic?"},
+        {"mpm-verify rum", "did you mean run?"},
+        {"mpm-verify run --kernel fast", "unknown option --kernel; did you mean --kernels?"},
+        {"mpm-verify explain --catalogue @ Q/exakt", "did you mean exact?"},
+        {"mpm-verify run --catalogue @ --variant fine", "no check matches"},
         {"mpm-verify run --catalogue @ --only @/none", "none: cannot be read"},
         {"mpm-verify run --catalogue @ --only @/empty", "empty; allowed: lines CASE/VARIANT"},
         {"mpm-verify run --catalogue @ --only @/strangers", "and the list --only"},
-        {"mpm-verify run --catalogue @ --speed", "Unknown option --speed"},
-        {"mpm-verify run --catalogue @ extra", "\"extra\": unexpected argument"},
+        {"mpm-verify run --catalogue @ --speed", "run: unknown option --speed"},
+        {"mpm-verify run --catalogue @ --tier ci --tier full", "run: --tier is given twice"},
+        {"mpm-verify run --catalogue @ --resume --resume", "run: --resume is given twice"},
+        {"mpm-verify run --catalogue @ extra", "run: unexpected argument \"extra\""},
         {"mpm-verify run --catalogue @/none", "no such folder of a catalogue"},
         {"mpm-verify list --catalogue @ --tag none", "no case has the tag none"},
-        {"mpm-verify list --catalogue @ --tier ci", "Unknown option --tier"},
+        {"mpm-verify list --catalogue @ --tier ci", "list: unknown option --tier"},
         {"mpm-verify explain --catalogue @", "CHECK is missing"},
         {"mpm-verify explain --catalogue @ Q/none", "matches no check"},
         {"mpm-verify explain --catalogue @ Q/exact/cubic/more", "matches no check"},
@@ -274,7 +284,6 @@ END_TEST
 START_TEST(list_names_the_cases_and_explain_says_all_of_a_check)
 {
     static const char *const parts[] = {"Q/short/ninth: too few points",
-                                        "Let x < y",
                                         "degree 9 needs 5 points",
                                         "from theory",
                                         "evidence   not stated",
@@ -295,6 +304,10 @@ START_TEST(list_names_the_cases_and_explain_says_all_of_a_check)
     for (size_t i = 0; i < G_N_ELEMENTS(parts); i++)
         ck_assert_msg(strstr(said.out, parts[i]) != NULL, "%s: %s", parts[i], said.out);
     ck_assert_ptr_null(strstr(said.out, "Q/exact"));
+    ck_assert_ptr_null(strstr(said.out, "Let x < y")); /* of the case */
+    test_said_free(&said);
+    said = test_verify_with("mpm-verify explain Q --catalogue @ --output @", catalogue, output);
+    ck_assert_ptr_nonnull(strstr(said.out, "Let x < y"));
     test_said_free(&said);
     test_folder_remove(output);
     test_folder_remove(catalogue);
