@@ -277,10 +277,13 @@ static void add_steps(GString *html, struct report_site *site, const struct hist
     const size_t count =
         add_steps_of(table, view, view->checks) + add_steps_of(table, view, view->benchmarks);
     g_string_append(html, "<h2 id=\"steps\">Steps</h2>\n");
-    if (count == 0)
-        g_string_append(html, "<p class=\"notice good\">No value and no benchmark steps.</p>\n");
-    report_site_table(site, table, "Every step, and the revision at which it is first seen",
-                      "history-steps.csv", html);
+    if (count > 0) {
+        report_site_table(site, table, "Every step, and the revision at which it is first seen",
+                          "history-steps.csv", html);
+        return;
+    }
+    g_string_append(html, "<p class=\"notice good\">No value and no benchmark steps.</p>\n");
+    report_table_free(table);
 }
 
 static void add_courses(GString *html, struct report_site *site, const struct history_view *view,
@@ -304,6 +307,26 @@ static void add_courses(GString *html, struct report_site *site, const struct hi
         add_course(table, view, series);
     }
     report_site_table(site, table, caption, csv, html);
+}
+
+static void add_all_courses(GString *html, struct report_site *site,
+                            const struct history_view *view)
+{
+    if (view->benchmarks->len > 0) {
+        g_string_append(html, "<h2 id=\"benchmarks\">Benchmarks</h2>\n");
+        add_courses(html, site, view, view->benchmarks, "Every benchmark over the runs",
+                    "history-benchmarks.csv");
+    }
+    if (view->checks->len == 0)
+        return;
+    /* thousands of rows: closed, they cost a reader and a browser nothing */
+    g_string_append_printf(html,
+                           "<h2 id=\"values\">Values of checks</h2>\n<details>"
+                           "<summary>The course of each of %u values</summary>\n",
+                           view->checks->len);
+    add_courses(html, site, view, view->checks, "Every check’s value over the runs",
+                "history-checks.csv");
+    g_string_append(html, "</details>\n");
 }
 
 static void add_rule(GString *html)
@@ -338,17 +361,7 @@ void report_history_page(struct report_site *site)
     add_rule(html);
     add_runs(html, site, &view);
     add_steps(html, site, &view);
-    g_string_append(html, "<h2 id=\"benchmarks\">Benchmarks</h2>\n");
-    add_courses(html, site, &view, view.benchmarks, "Every benchmark over the runs",
-                "history-benchmarks.csv");
-    /* thousands of rows: closed, they cost a reader and a browser nothing */
-    g_string_append_printf(html,
-                           "<h2 id=\"values\">Values of checks</h2>\n<details>"
-                           "<summary>The course of each of %u values</summary>\n",
-                           view.checks->len);
-    add_courses(html, site, &view, view.checks, "Every check’s value over the runs",
-                "history-checks.csv");
-    g_string_append(html, "</details>\n");
+    add_all_courses(html, site, &view);
     g_array_unref(view.benchmarks);
     g_array_unref(view.checks);
     report_site_page(site, "history.html", "History", html);

@@ -118,6 +118,11 @@ START_TEST(runs_that_are_the_same_have_no_step)
     char *line = g_strdup_printf("mpm-verify report %s --history %s", folders.now, folders.old);
     expect_report(line, 0, NULL);
     expect("history.html", "No value and no benchmark steps");
+    char *page = test_folder_read(folders.now, "history.html");
+    ck_assert_msg(strstr(page, "<caption>Every step") == NULL &&
+                      strstr(page, "id=\"benchmarks\"") == NULL,
+                  "a table without rows: %s", page);
+    g_free(page);
     g_free(line);
 }
 END_TEST
