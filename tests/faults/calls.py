@@ -108,7 +108,7 @@ def disorder(calls):
         path = call.paths[0]
         if waiting is not None and call.name not in ("open", "close"):
             if call.name != "fsync" or path != os.path.dirname(waiting):
-                return f"{waiting} has its new name, then comes {call.name} {path}, not its folder's fsync"
+                return f"{waiting} has its new name, and no fsync of its folder follows, but {call.name}"
             waiting = None
         if call.name in ("write", "pwrite", "ftruncate", "create"):
             dirty[path] = call

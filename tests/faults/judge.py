@@ -82,8 +82,8 @@ def without_times(name, content):
         return json.dumps(record).encode()
     if name.endswith(".md"):
         content = re.sub(rb" +", b" ", content)  # columns are as wide as their numbers
-    content = re.sub(rb"[-+]?[0-9]((\xe2\x80\xaf)?[0-9.])*(e[-+]?[0-9]+| \xc3\x97 10<sup>[^<]*</sup>)?"
-                     rb"( (ms|s|min)\b)?", b"#", content)
+    content = re.sub(rb"[-+]?[0-9]((\xe2\x80\xaf)?[0-9.])*"
+                     rb"(e[-+]?[0-9]+| \xc3\x97 10<sup>[^<]*</sup>)?( (ms|s|min)\b)?", b"#", content)
     # only some intervals have a width
     return re.sub(rb'#(, # \.\. #|<span class="about"># \.\. #</span>)', b"#", content)
 

@@ -129,7 +129,7 @@ def of_suite(verify, mpm):
 
 
 def small_blocks(folder):
-    """The scenes of mpm-bench, with a 25th of their particles: timings are as short as they can be."""
+    """The scenes of mpm-bench, with a 25th of their particles, so that no timing is long."""
     home = folder / "benchmarks/scenes"
     shutil.copytree(ROOT / "benchmarks/scenes", home)
     for scene in home.glob("*.yaml"):

@@ -5,9 +5,10 @@
 
 Kills runs with SIGKILL, or ends some with SIGTERM, while they step, write checkpoints, snapshots or
 results, and lets them go on with --resume, or start anew where there is no checkpoint yet, until
-they end; their files must be those of a run without interruption. Then starts two runs into one folder at a time: one of them
-must end well, with those files, and the other with exit status 2, or they must have run one after
-the other. The last line is `N passed, N failed, N skipped`: scenes and races.
+they end; their files must be those of a run without interruption. Then starts two runs into one
+folder at a time: one of them must end well, with those files, and the other with exit status 2, or
+they must have run one after the other. The last line is `N passed, N failed, N skipped`: scenes and
+races.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -26,7 +27,7 @@ import time
 SETTINGS = ("output.checkpoint_seconds=0.01",)  # seconds: a kill often meets a checkpoint
 KILLS_IN_A_ROW = 12  # of one run, before it may end
 SIGNALS = (signal.SIGKILL, signal.SIGKILL, signal.SIGTERM)
-ENDED = (-signal.SIGKILL, -signal.SIGTERM, 128 + signal.SIGTERM)  # SIGTERM before it is awaited, too
+ENDED = (-signal.SIGKILL, -signal.SIGTERM, 128 + signal.SIGTERM)  # before SIGTERM is awaited, too
 
 
 def command(mpm, scene, folder, *options):
