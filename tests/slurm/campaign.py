@@ -332,6 +332,7 @@ class Campaign:
         local, remote = self.folder / "study", self.folder / "study on Slurm"
         command = [self.verify, "study", str(SCENE), "--output"]
         grid = ["--refine", "1,2", "--vary", "method.shape=ugimp,cpdi", "--set", "time.end=0.6",
+                "--set", "output.checkpoint_seconds=0.05",
                 "--measure", "kinetic_energy:max", "--measure", "displacement_x:at@25,5=finest"]
         words = {"env": self.cluster.environment, "text": True, "stdout": subprocess.PIPE,
                  "stderr": subprocess.STDOUT}

@@ -161,7 +161,7 @@ static void explain_case(struct explanation *explanation, const struct catalogue
     for (unsigned c = 0; c < entry->file->checks_count; c++)
         for (unsigned v = 0; v < entry->file->variants_count; v++) {
             const struct case_check *check = &entry->file->checks[c];
-            const struct planned_job job = {entry, &entry->file->variants[v]};
+            const struct planned_job job = {.entry = entry, .variant = &entry->file->variants[v]};
             if (!globs_match(check->variants, check->variants_count, job.variant->name) ||
                 !part_matches(explanation, 1, check->name) ||
                 !part_matches(explanation, 2, job.variant->name))
