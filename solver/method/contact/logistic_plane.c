@@ -7,7 +7,8 @@
 static const double LAMBDA = 1e-7;
 /* The change of c at which steps end. */
 static const double CONVERGED = 1e-10;
-/* The longest step: of steeper planes the sums are round-off. */
+/* The longest first guess, and the longest step of less: of steeper planes the sums are round-off.
+ * Three points make a first guess of thousands. */
 static const double LONGEST = 8.0;
 /* Of what the slope promises, the part by which f must become less. */
 static const double ENOUGH = 1e-4;
@@ -27,14 +28,24 @@ bool mpm_solve_plane(const double m[6], const double r[3], double singular, doub
     return true;
 }
 
+static double largest_of(const double c[3])
+{
+    return fmax(fabs(c[0]), fmax(fabs(c[1]), fabs(c[2])));
+}
+
+static void shorten(double c[3], double longest)
+{
+    const double largest = largest_of(c);
+    for (int k = 0; k < 3 && largest > longest; k++)
+        c[k] *= longest / largest;
+}
+
 struct mpm_logistic_plane mpm_logistic_begin(const double c[3])
 {
-    return (struct mpm_logistic_plane){
-        .used = true,
-        .moves = true,
-        .c = {c[0], c[1], c[2]},
-        .least = HUGE_VAL,
-    };
+    struct mpm_logistic_plane plane = {
+        .used = true, .moves = true, .c = {c[0], c[1], c[2]}, .least = HUGE_VAL};
+    shorten(plane.c, LONGEST);
+    return plane;
 }
 
 void mpm_logistic_add(struct mpm_logistic_plane *plane, const double t[3], double sign,
@@ -70,11 +81,6 @@ static double along_step(const struct mpm_logistic_plane *plane)
            plane->slope[2] * plane->step[2];
 }
 
-static double largest_of(const double step[3])
-{
-    return fmax(fabs(step[0]), fmax(fabs(step[1]), fabs(step[2])));
-}
-
 /* Newton's; that of each component alone where the matrix is singular to round-off. */
 static void find_step(struct mpm_logistic_plane *plane)
 {
@@ -85,9 +91,7 @@ static void find_step(struct mpm_logistic_plane *plane)
             const double bend = plane->curvature[diagonal[k]];
             plane->step[k] = bend > 0.0 ? down[k] / bend : 0.0;
         }
-    const double largest = largest_of(plane->step);
-    for (int k = 0; k < 3 && largest > LONGEST; k++)
-        plane->step[k] *= LONGEST / largest;
+    shorten(plane->step, fmax(LONGEST, largest_of(plane->c)));
     plane->falls = along_step(plane);
 }
 
