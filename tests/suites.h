@@ -129,6 +129,7 @@
     SUITE(contact_solve)                                                                           \
     SUITE(contact_edges)                                                                           \
     SUITE(cracked_bodies)                                                                          \
+    SUITE(logistic_plane)                                                                          \
     SUITE(contact_points)                                                                          \
     SUITE(rigid_contact)                                                                           \
     SUITE(body_contact)                                                                            \
