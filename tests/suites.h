@@ -12,6 +12,7 @@
 #define SUITES(SUITE, APART)                                                                       \
     SUITE(install)                                                                                 \
     SUITE(docs)                                                                                    \
+    SUITE(walkthroughs)                                                                            \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
     SUITE(new_plot)                                                                                \
