@@ -156,6 +156,7 @@ static const char *const documents[] = {
     "docs/tutorial-variant.md",
     "docs/walkthroughs/README.md",
     "docs/walkthroughs/bar-on-wall.md",
+    "docs/walkthroughs/basics.md",
     "docs/walkthroughs/edge-crack.md",
     "docs/walkthroughs/heated-cylinder.md",
     "docs/walkthroughs/rod-on-plate.md",

@@ -70,8 +70,11 @@ static const struct page {
     double (*theory)(size_t row);
     size_t commands, shown, rows, pictures;
 } pages[] = {
-    {"two-disks", two_disks, 8, 16, 4, 1},       {"bar-on-wall", bar_on_wall, 10, 17, 5, 1},
-    {"edge-crack", edge_crack, 8, 8, 4, 1},      {"heated-cylinder", heated_cylinder, 9, 15, 4, 1},
+    {"basics", NULL, 7, 9, 0, 1},
+    {"two-disks", two_disks, 8, 16, 4, 1},
+    {"bar-on-wall", bar_on_wall, 10, 17, 5, 1},
+    {"edge-crack", edge_crack, 8, 8, 4, 1},
+    {"heated-cylinder", heated_cylinder, 9, 15, 4, 1},
     {"rod-on-plate", rod_on_plate, 6, 13, 3, 1},
 };
 
