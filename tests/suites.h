@@ -42,6 +42,7 @@
     SUITE(tractions)                                                                               \
     SUITE(transfers)                                                                               \
     SUITE(score_numbers)                                                                           \
+    SUITE(score_times)                                                                             \
     SUITE(stability)                                                                               \
     SUITE(law_state)                                                                               \
     SUITE(forms)                                                                                   \
