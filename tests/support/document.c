@@ -73,9 +73,11 @@ bool test_words_agree(const char *one, const char *other, double tolerance)
 
 static const char *drawing(const char *picture, char **version)
 {
-    const char *from = strstr(picture, "<desc>"), *to = strstr(picture, "</desc>");
-    *version = from != NULL && to > from ? g_strndup(from, (gsize)(to - from)) : g_strdup("");
-    return to != NULL ? to : picture;
+    static const char begin[] = "<desc>", end[] = "</desc>";
+    const char *from = strstr(picture, begin);
+    const char *to = from == NULL ? NULL : strstr(from, end);
+    *version = to == NULL ? g_strdup("") : g_strndup(from, (gsize)(to - from));
+    return to == NULL ? picture : to;
 }
 
 static const char *past_blanks(const char *text)
