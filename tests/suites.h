@@ -13,6 +13,7 @@
     SUITE(install)                                                                                 \
     SUITE(docs)                                                                                    \
     SUITE(completion)                                                                              \
+    SUITE(walkthroughs)                                                                            \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
     SUITE(new_plot)                                                                                \
@@ -42,6 +43,7 @@
     SUITE(tractions)                                                                               \
     SUITE(transfers)                                                                               \
     SUITE(score_numbers)                                                                           \
+    SUITE(score_times)                                                                             \
     SUITE(stability)                                                                               \
     SUITE(law_state)                                                                               \
     SUITE(forms)                                                                                   \
