@@ -450,9 +450,8 @@ MPM_INLINE void conduct_vector(const struct fast_spec *spec, const struct fast_b
         turned_flow(scalar->conduction.k, f, gradient, gift.flow);
     for (int axis = 0; axis < 2; axis++)
         gift.flow[axis] *= -volume;
-    gift.value = mpm_splat(0.0);
-    if (has_source)
-        gift.value = volume * (scalar->inverse_density * mpm_load(particles->source + p));
+    gift.value = has_source ? volume * (scalar->inverse_density * mpm_load(particles->source + p))
+                            : mpm_splat(0.0);
     spread_gift(spec, block->k, stencil, scalar->nodes[FAST_INFLOW], &gift);
     block->sums->diffusivity =
         mpm_larger(j * scalar->conduction.diffusivity, block->sums->diffusivity);
