@@ -158,8 +158,7 @@ MEANING = {
     "materials[].gruneisen": heat.draw_of_fluid([2, 0, 1]),
     "materials[].pressure_cutoff": heat.draw_cutoff,
     "materials[].adiabatic_index": heat.draw_of_fluid([4.4, 1.4]),
-    # free of stress at the start, as solids are; gases at pressure have case P5
-    "materials[].start_pressure": heat.draw_of_fluid([0]),
+    "materials[].start_pressure": heat.draw_of_fluid([0, 0.1, 0.3]),
     "materials[].stiffening_pressure": heat.draw_of_fluid([1, 0.3]),
     "materials[].heat_capacity": heat.draw_capacity,
     "materials[].heat_capacity_table": heat.draw_capacity_table,
