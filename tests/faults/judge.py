@@ -17,6 +17,7 @@ IN_TEMPORARY = re.compile(r"/touchstone-\w{6}(/|$)")
 KEPT_FOLDER = "/.run/results/"
 READS = ("stat", "open", "fstat", "read")
 REMOVES = ("opendir", "readdir", "lstat", "unlink", "rmdir")
+UNFINISHED = ".run/unfinished/"  # from which a run may go on: from a checkpoint with a right sum
 KEPT = re.compile(r"^\.run/results/[^/]*\.json$")  # what one program of the suite has found
 LOCKS = ("run.lock", ".mpm-verify")
 
@@ -157,7 +158,7 @@ def is_whole(name, content):
 def half_written(found, before, reference, steady):
     """The first name of a file that is neither old, nor as it should be, nor whole; or None."""
     for name, content in sorted(found.items()):
-        if name.endswith(SUFFIX) or APPENDED.search(name):
+        if name.endswith(SUFFIX) or name.startswith(UNFINISHED) or APPENDED.search(name):
             continue
         known = [files[name] for files in (before, reference) if name in files]
         if any(same(name, content, other, steady) for other in known):
@@ -221,7 +222,7 @@ class Judge:
         bad = half_written(found, before, self.files, self.steady)
         if bad is not None:
             return f"{bad} is not whole (exit {outcome.status}: {outcome.errors.strip()[-SHOWN:]})"
-        left = [name for name in found if name.endswith(SUFFIX)]
+        left = [name for name in found if name.endswith(SUFFIX) and not name.startswith(UNFINISHED)]
         if left and not lasting and fired[0].name not in LEAVES:
             return f"{left[0]} is left (exit {outcome.status})"
         return self.of_status(outcome, kind, found, fired[0], lasting)
