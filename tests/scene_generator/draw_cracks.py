@@ -8,6 +8,10 @@ import math
 from draw import ABSENT, short
 from draw_bodies import PAST_ROOM, SIDES, place
 
+# From where boxes are cut into parts: no end is then on a line from a particle to a node, where
+# round-off would decide whether that passes the crack. Not equal: such lines are diagonals too.
+OFF = (0.0837, 0.0491)
+
 
 # ------------------------------------------------------------------------- cracks
 def draw_crack_count(canvas):
@@ -66,7 +70,7 @@ def draw_crack_points(canvas, _):
     else:
         angle = math.radians(canvas.integer(0, 11) * 30 + 7)
         half = canvas.number(0.8, 0.7 * min(width) / 2, 4)
-        middle = [low[k] + width[k] * canvas.number(0.4, 0.6, 4) + 0.0837 for k in range(2)]
+        middle = [low[k] + width[k] * canvas.number(0.4, 0.6, 4) + OFF[k] for k in range(2)]
         arm = [half * math.cos(angle), half * math.sin(angle)]
         chain = [[middle[k] - arm[k] for k in range(2)], [middle[k] + arm[k] for k in range(2)]]
         if canvas.chance(25):
@@ -80,7 +84,7 @@ def chain_in_one_body(canvas, low, high):
     """A chain within the body, or from one of its faces, which another body may touch."""
     width = [high[k] - low[k] for k in range(2)]
     reach = 0.3 * min(width)
-    middle = [low[k] + width[k] * canvas.number(0.4, 0.6, 4) + 0.0837 for k in range(2)]
+    middle = [low[k] + width[k] * canvas.number(0.4, 0.6, 4) + OFF[k] for k in range(2)]
     if canvas.chance(50):
         axis, at_end = SIDES[canvas.pick(["left", "bottom", "right", "top"])]
         mouth = [middle[k] + reach * canvas.number(-0.7, 0.7, 4) for k in range(2)]
@@ -107,7 +111,7 @@ def chain_past(canvas, low, high):
     inside and outside as particles reach; with a point on the plane, which a cohesive crack needs."""
     axis, at_end = SIDES[canvas.notes["past"]]
     along, inward = (high, -1) if at_end else (low, 1)
-    across = low[1 - axis] + (high[1 - axis] - low[1 - axis]) * canvas.number(0.4, 0.6, 4) + 0.0837
+    across = low[1 - axis] + (high[1 - axis] - low[1 - axis]) * canvas.number(0.4, 0.6, 4) + OFF[1 - axis]
     chain = [[0, 0], [0, 0], [0, 0]]
     for point, depth in zip(chain, (0.3 - PAST_ROOM, 0, canvas.pick([3.6, 4.2]))):
         point[axis], point[1 - axis] = along[axis] + inward * depth, across

@@ -4,7 +4,6 @@
 #ifndef MPM_METHOD_BODY_CONTACT_STATE_H
 #define MPM_METHOD_BODY_CONTACT_STATE_H
 
-#include "method/contact/logistic_plane.h"
 #include "method/fields/fields_state.h"
 #include "model/contact.h"
 
@@ -86,6 +85,7 @@ struct mpm_contact_near {
 
 struct mpm_state;
 struct mpm_contact_side;
+struct mpm_logistic_plane;
 struct mpm_exchange_touch;
 
 struct mpm_body_contact {

@@ -96,6 +96,8 @@ static void share_planes(struct mpm_state *state, int axis, const struct mpm_con
             continue;
         other->moves = one->moves;
         one->value += back ? 0.0 : other->value;
+        for (int n = 0; n < 2 && !back; n++)
+            one->seen[n] = one->seen[n] || other->seen[n];
         for (int n = 0; n < 3 && back; n++)
             other->c[n] = n == 1 + axis ? -one->c[n] : one->c[n];
         for (int n = 0; n < 3 && !back; n++)

@@ -6,6 +6,7 @@
 #ifndef MPM_METHOD_CONTACT_REGRESSION_H
 #define MPM_METHOD_CONTACT_REGRESSION_H
 
+#include "method/contact/logistic_plane.h"
 #include "method/contact/shared_nodes.h"
 
 /* By linear regression; false: all particles are on one line. */

@@ -5,7 +5,7 @@
 #include <string.h>
 
 static const double LAMBDA = 1e-7;
-/* The change of c at which steps end. */
+/* The change of c, over c where that is above 1, at which steps end. */
 static const double CONVERGED = 1e-10;
 /* The longest first guess, and the longest step of less: of steeper planes the sums are round-off.
  * Three points make a first guess of thousands. */
@@ -54,6 +54,7 @@ void mpm_logistic_add(struct mpm_logistic_plane *plane, const double t[3], doubl
     const double phi = plane->c[0] * t[0] + plane->c[1] * t[1] + plane->c[2] * t[2];
     const double missed = 1.0 / (1.0 + exp(sign * phi));
     const double bend = weight * missed * (1.0 - missed);
+    plane->seen[sign > 0.0] = true;
     plane->value += weight * (fmax(-sign * phi, 0.0) + log1p(exp(-fabs(phi))));
     for (int k = 0; k < 3; k++)
         plane->slope[k] -= weight * sign * missed * t[k];
@@ -95,10 +96,20 @@ static void find_step(struct mpm_logistic_plane *plane)
     plane->falls = along_step(plane);
 }
 
+/* Of one set alone: f becomes less as c_0 goes on for ever. */
+static void stay(struct mpm_logistic_plane *plane)
+{
+    memset(plane->step, 0, sizeof plane->step);
+    memcpy(plane->from, plane->c, sizeof plane->from);
+    plane->from[1] = plane->from[2] = 0.0;
+}
+
 void mpm_logistic_step(struct mpm_logistic_plane *plane)
 {
     add_penalty(plane);
-    if (plane->value <= plane->least + ENOUGH * plane->falls + LEVEL * plane->least) {
+    if (!plane->seen[0] || !plane->seen[1]) {
+        stay(plane);
+    } else if (plane->value <= plane->least + ENOUGH * plane->falls + LEVEL * plane->least) {
         plane->least = plane->value;
         memcpy(plane->from, plane->c, sizeof plane->from);
         find_step(plane);
@@ -113,5 +124,5 @@ void mpm_logistic_step(struct mpm_logistic_plane *plane)
     }
     plane->value = 0.0;
     memset(plane->curvature, 0, sizeof plane->curvature);
-    plane->moves = largest_of(plane->step) > CONVERGED;
+    plane->moves = largest_of(plane->step) > CONVERGED * fmax(1.0, largest_of(plane->c));
 }

@@ -9,7 +9,7 @@
  *     f(c + d) <= f(c) + 1e-4 d . f'(c),
  * but for round-off of f; so f becomes less from step to step, and near its least whole steps
  * double the right digits (Boyd, Vandenberghe, Convex Optimization, 9.5). It ends when no
- * component of a step is above 1e-10.
+ * component of a step is above 1e-10, or that part of a steep plane.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_LOGISTIC_PLANE_H
@@ -19,6 +19,7 @@
 
 struct mpm_logistic_plane {
     bool used, moves; /* moves: not at the least of f yet */
+    bool seen[2];     /* are there points of the first, and of the second set? */
     double c[3];
     double value, slope[3], curvature[6]; /* f, f', f'' (00, 01, 02, 11, 12, 22) at c: sums */
     /* where the step to c began, f there, and what f' there says of the step */
@@ -35,7 +36,7 @@ struct mpm_logistic_plane mpm_logistic_begin(const double c[3]);
 void mpm_logistic_add(struct mpm_logistic_plane *plane, const double t[3], double sign,
                       double weight);
 /* The points have been added: another c, and empty sums. `moves` says whether points must be
- * added again. */
+ * added again. Of one set alone phi is constant, c_1 = c_2 = 0. */
 void mpm_logistic_step(struct mpm_logistic_plane *plane);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/contact/shared_nodes.h"
 
+#include "method/contact/logistic_plane.h"
 #include "method/grid/conditions.h"
 #include "method/grid/grid_update.h"
 

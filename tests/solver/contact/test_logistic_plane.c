@@ -154,6 +154,19 @@ START_TEST(steps_that_would_go_round_in_circles_are_halved)
 }
 END_TEST
 
+/* A body that reaches a node by round-off alone has mass there, and no particle. */
+START_TEST(points_of_one_set_have_no_plane)
+{
+    struct mpm_logistic_plane plane = mpm_logistic_begin((const double[3]){-1.0, 1e-16, 2e-16});
+    for (int k = 0; k < POINTS; k++)
+        mpm_logistic_add(&plane, (const double[3]){1.0, 0.25 * (k % 8), 0.25 * (k / 8)},
+                         _i == 0 ? -1.0 : 1.0, 0.0625);
+    mpm_logistic_step(&plane);
+    ck_assert(!plane.moves && plane.c[1] == 0.0 && plane.c[2] == 0.0);
+    ck_assert(plane.value == 0.0 && plane.slope[0] == 0.0); /* as after any step */
+}
+END_TEST
+
 /* Points in rows: the line in the middle between those nearest is the one with the widest gap. */
 START_TEST(between_rows_of_points_the_plane_is_in_the_middle)
 {
@@ -179,6 +192,7 @@ Suite *suite_logistic_plane(void)
     tcase_add_loop_test(planes, the_plane_has_the_least_sum_wherever_the_points_are, 0, LAYOUTS);
     tcase_add_loop_test(planes, the_plane_does_not_depend_on_the_first_guess, 0, LAYOUTS);
     tcase_add_loop_test(planes, steps_that_would_go_round_in_circles_are_halved, 0, 2);
+    tcase_add_loop_test(planes, points_of_one_set_have_no_plane, 0, 2);
     tcase_add_loop_test(planes, between_rows_of_points_the_plane_is_in_the_middle, 0, 3);
     suite_add_tcase(suite, planes);
     return suite;
