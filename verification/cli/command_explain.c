@@ -16,7 +16,7 @@
 #include <string.h>
 
 /* With the longest reasons of the catalogue that many rows fit into 24 lines. */
-enum { LABEL_COLUMN = 13, LINE_WIDTH = 80, ROWS_SHOWN = 4 };
+enum { LABEL_COLUMN = 13, LINE_WIDTH = 80, ROWS_SHOWN = 2 };
 
 struct explanation {
     FILE *out;
@@ -71,15 +71,33 @@ static gint by_margin(gconstpointer a, gconstpointer b)
     return (left > right) - (left < right);
 }
 
+/* The reason of a known weakness repeats its value and band. */
 static char *value_text(const json_t *record)
 {
-    const char *reason = record_text(record, "reason");
+    const char *status = record_text(record, "status");
+    const char *reason = strcmp(status, "expected-fail") == 0 ? "" : record_text(record, "reason");
     char *value = text_value(record), *margin = text_number(record_number(record, "margin"));
-    char *text = g_strdup_printf("%s, %s, margin %s%s%s", value, record_text(record, "status"),
-                                 margin, *reason == '\0' ? "" : ": ", reason);
+    char *text = g_strdup_printf("%s, %s, margin %s%s%s", value, status, margin,
+                                 *reason == '\0' ? "" : ": ", reason);
     g_free(value);
     g_free(margin);
     return text;
+}
+
+/* Rows of the variants that have a value; how many are printed. */
+static unsigned print_rows(FILE *out, const GArray *values)
+{
+    unsigned count = 0;
+    for (; count < MIN(values->len, (unsigned)ROWS_SHOWN); count++) {
+        const struct last_value *value = &g_array_index(values, struct last_value, count);
+        if (value->record == NULL)
+            break;
+        char *text = value_text(value->record);
+        print_label(out, count == 0 ? "last run" : "",
+                    g_strdup_printf("%s: %s", value->variant->name, text));
+        g_free(text);
+    }
+    return count;
 }
 
 static void print_values(const struct explanation *explanation, const GArray *values)
@@ -96,19 +114,11 @@ static void print_values(const struct explanation *explanation, const GArray *va
         g_free(text);
         return;
     }
-    print_label(out, "last run",
-                g_strdup_printf("%s, the least margins first", explanation->output));
-    for (unsigned i = 0; i < MIN(values->len, (unsigned)ROWS_SHOWN); i++) {
-        const struct last_value *value = &g_array_index(values, struct last_value, i);
-        char *text = value->record == NULL ? g_strdup("none") : value_text(value->record);
-        char *row = g_strdup_printf("%s: %s", value->variant->name, text);
-        fprintf(out, "%*s", LABEL_COLUMN, "");
-        mpm_words_wrap(out, row, LABEL_COLUMN, LABEL_COLUMN + 2, LINE_WIDTH);
-        g_free(row);
-        g_free(text);
-    }
-    if (values->len > ROWS_SHOWN)
-        fprintf(out, "%*sand %u more variants\n", LABEL_COLUMN, "", values->len - ROWS_SHOWN);
+    const unsigned left = values->len - print_rows(out, values);
+    char *more = left == 0 ? g_strdup("") : g_strdup_printf("; %u more", left);
+    print_label(out, "", g_strdup_printf("(%s; least margins first%s)", explanation->output,
+                                         more));
+    g_free(more);
 }
 
 /* --------------------------------------------------------------- declaration */
