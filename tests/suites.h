@@ -13,6 +13,7 @@
     SUITE(install)                                                                                 \
     SUITE(docs)                                                                                    \
     SUITE(completion)                                                                              \
+    SUITE(walkthroughs)                                                                            \
     SUITE(kernels)                                                                                 \
     SUITE(kernel_table)                                                                            \
     SUITE(new_plot)                                                                                \
@@ -42,6 +43,7 @@
     SUITE(tractions)                                                                               \
     SUITE(transfers)                                                                               \
     SUITE(score_numbers)                                                                           \
+    SUITE(score_times)                                                                             \
     SUITE(stability)                                                                               \
     SUITE(law_state)                                                                               \
     SUITE(forms)                                                                                   \
@@ -129,6 +131,7 @@
     SUITE(contact_solve)                                                                           \
     SUITE(contact_edges)                                                                           \
     SUITE(cracked_bodies)                                                                          \
+    SUITE(logistic_plane)                                                                          \
     SUITE(contact_points)                                                                          \
     SUITE(rigid_contact)                                                                           \
     SUITE(body_contact)                                                                            \

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/command.h"
+#include "support/document.h"
 #include "support/folder.h"
 #include "support/skip.h"
 
@@ -14,50 +15,13 @@
 
 /* ------------------------------------------------------------------------ tutorial */
 
-/* The same with every `from` replaced; frees the text. */
-static char *replaced(char *text, const char *from, const char *to)
-{
-    char **parts = g_strsplit(text, from, -1), *joined = g_strjoinv(to, parts);
-    g_strfreev(parts);
-    g_free(text);
-    return joined;
-}
-
-/* Blanks between words do not count. */
-static char *squeezed(const char *text)
-{
-    char **words = g_strsplit_set(text, " \t", -1);
-    GString *joined = g_string_new(NULL);
-    for (char **word = words; *word != NULL; word++)
-        if (**word != '\0')
-            g_string_append_printf(joined, "%s%s", joined->len > 0 ? " " : "", *word);
-    g_strfreev(words);
-    return g_string_free(joined, FALSE);
-}
-
-static bool is_command(const char *line)
-{
-    return g_str_has_prefix(line, "    build/release/bin/") ||
-           g_str_has_prefix(line, "    python3 ");
-}
-
-/* The command in a line of the tutorial, with the build under test, in `folder`. */
+/* The command in a line of a tutorial; where the report of a score goes by itself is not ours. */
 static struct test_command run_line(const char *line, const char *folder)
 {
-    static const char BIN[] = "@bin@/";
-    char *bin = g_strconcat(g_getenv("MPM_BIN"), "/", NULL), *work = g_strconcat(folder, "/", NULL);
-    char *text = replaced(g_strdup(line), "build/release/bin/", BIN);
-    text = replaced(text, "build/", work);
-    text = replaced(text, BIN, bin);
-    if (strstr(text, " score ") != NULL) { /* where the report goes by itself is not ours */
-        char *with = g_strconcat(text, " --output ", work, "report", NULL);
-        g_free(text);
-        text = with;
-    }
-    struct test_command command = test_command_run("/bin/sh", "-c", text, NULL);
-    g_free(text);
-    g_free(work);
-    g_free(bin);
+    char *report = g_strconcat(" --output ", folder, "/report", NULL);
+    const bool scores = strstr(line, " score ") != NULL;
+    struct test_command command = test_document_run(line, folder, scores ? report : "");
+    g_free(report);
     return command;
 }
 
@@ -72,18 +36,18 @@ START_TEST(the_tutorial_on_scores_does_what_it_says)
     char **lines = g_strsplit(text, "\n", -1), *said = g_strdup("");
     size_t commands = 0, results = 0;
     for (char **line = lines; *line != NULL; line++) {
-        if (is_command(*line)) {
+        if (test_document_command(*line)) {
             struct test_command command = run_line(*line, folder);
             const bool fails =
                 strstr(*line, "bar-T4.csv") != NULL && strstr(*line, "score ") != NULL;
             ck_assert_msg(command.exit_status == (fails && strstr(*line, "mpm-verify") != NULL),
                           "%s: %s%s", *line, command.output, command.errors);
             g_free(said);
-            said = squeezed(command.output);
+            said = test_text_squeezed(command.output);
             test_command_free(&command);
             commands++;
         } else if (g_str_has_prefix(*line, "    pass ") || g_str_has_prefix(*line, "    fail ")) {
-            char *result = squeezed(*line);
+            char *result = test_text_squeezed(*line);
             ck_assert_msg(strstr(said, result) != NULL, "\"%s\" is not in: %s", result, said);
             g_free(result);
             results++;
@@ -132,7 +96,8 @@ static void save_files(char *const *lines, const char *folder)
 static void assert_made(const char *row, const char *folder)
 {
     char **parts = g_strsplit(row, "`", 3);
-    char *name = replaced(g_strconcat("bar/study/", parts[1], NULL), "<measure>", "velocity_x_at");
+    char *name =
+        test_text_replaced(g_strconcat("bar/study/", parts[1], NULL), "<measure>", "velocity_x_at");
     char *path = test_folder_path(folder, name);
     ck_assert_msg(g_file_test(path, G_FILE_TEST_EXISTS), "%s", path);
     g_free(path);
@@ -145,12 +110,12 @@ START_TEST(the_tutorial_on_studies_does_what_it_says)
     if (g_getenv("MPM_BIN") == NULL)
         TEST_SKIP("needs MPM_BIN");
     char *folder = test_folder_create(), *said = g_strdup("");
-    char *text = replaced(test_file_read("docs/tutorial-study.md"), "\\\n", "");
+    char *text = test_text_replaced(test_file_read("docs/tutorial-study.md"), "\\\n", "");
     char **lines = g_strsplit(text, "\n", -1);
     size_t commands = 0, results = 0;
     save_files(lines, folder);
     for (char **line = lines; *line != NULL; line++) {
-        if (is_command(*line)) {
+        if (test_document_command(*line)) {
             struct test_command command = run_line(*line, folder);
             ck_assert_msg(command.exit_status == 0, "%s: %s%s", *line, command.output,
                           command.errors);
@@ -189,6 +154,13 @@ static const char *const documents[] = {
     "docs/tutorial-score.md",
     "docs/tutorial-study.md",
     "docs/tutorial-variant.md",
+    "docs/walkthroughs/README.md",
+    "docs/walkthroughs/bar-on-wall.md",
+    "docs/walkthroughs/basics.md",
+    "docs/walkthroughs/edge-crack.md",
+    "docs/walkthroughs/heated-cylinder.md",
+    "docs/walkthroughs/rod-on-plate.md",
+    "docs/walkthroughs/two-disks.md",
 };
 
 START_TEST(links_of_the_documents_lead_to_files)
@@ -301,7 +273,7 @@ START_TEST(man_pages_have_the_options_and_commands_of_the_help)
                                               {"mpm-verify", "docs/man/mpm-verify.1"},
                                               {"mpm-bench", "docs/man/mpm-bench.1"}};
     const char *const program = programs[_i][0];
-    char *page = replaced(test_file_read(programs[_i][1]), "\\-", "-");
+    char *page = test_text_replaced(test_file_read(programs[_i][1]), "\\-", "-");
     char *help = help_of(program, NULL);
     GHashTable *in_help = options_of(help), *in_page = options_of(page);
     GPtrArray *commands = commands_of(help);
@@ -451,6 +423,60 @@ START_TEST(a_check_is_explained_in_a_screen)
 }
 END_TEST
 
+/* ------------------------------------------------------------------------ headings */
+
+static const char *const after_criterion[] = {"What it shows", "For other solvers",
+                                              "What is not so good", "Planted bugs",
+                                              "Details of the scene"};
+
+/* The place of a heading after the criterion's; the number of them if it is none. */
+static size_t place_of_heading(const char *heading)
+{
+    size_t place = 0;
+    while (place < G_N_ELEMENTS(after_criterion) && strcmp(after_criterion[place], heading) != 0)
+        place++;
+    return place;
+}
+
+static void assert_headings(const char *path)
+{
+    static const char *const first[] = {"Problem", "Source and reference", "Criterion"};
+    char *text = test_file_read(path), **lines = g_strsplit(text, "\n", -1);
+    size_t met = 0, next = 0;
+    for (char **line = lines; *line != NULL; line++) {
+        if (!g_str_has_prefix(*line, "## "))
+            continue;
+        if (met < G_N_ELEMENTS(first)) {
+            const bool is_next = strcmp(*line + 3, first[met]) == 0;
+            ck_assert_msg(is_next || met == 2, "%s: \"%s\" comes before \"%s\"", path, *line + 3,
+                          first[met]);
+            met += is_next ? 1 : 0;
+            continue;
+        }
+        const size_t place = place_of_heading(*line + 3);
+        ck_assert_msg(place >= next && place < G_N_ELEMENTS(after_criterion),
+                      "%s: \"%s\" is none of the headings after the criterion, or not in order",
+                      path, *line + 3);
+        next = place + 1;
+    }
+    ck_assert_msg(met == G_N_ELEMENTS(first), "%s: no \"%s\"", path, first[MIN(met, 2)]);
+    g_strfreev(lines);
+    g_free(text);
+}
+
+START_TEST(every_case_has_the_same_headings)
+{
+    struct test_command list =
+        test_command_run("/bin/sh", "-c", "ls verification/catalogue/*/*/README.md", NULL);
+    char **paths = g_strsplit(g_strstrip(list.output), "\n", -1);
+    ck_assert_uint_gt(g_strv_length(paths), 90);
+    for (char **path = paths; *path != NULL; path++)
+        assert_headings(*path);
+    g_strfreev(paths);
+    test_command_free(&list);
+}
+END_TEST
+
 Suite *suite_docs(void)
 {
     Suite *suite = suite_create("docs");
@@ -464,6 +490,7 @@ Suite *suite_docs(void)
     tcase_add_loop_test(docs, man_pages_have_the_options_and_commands_of_the_help, 0, 3);
     tcase_add_loop_test(docs, help_has_lines_of_80_characters, 0, 3);
     tcase_add_test(docs, a_check_is_explained_in_a_screen);
+    tcase_add_test(docs, every_case_has_the_same_headings);
     tcase_add_test(docs, every_check_of_the_catalogue_is_explained_whole);
     tcase_set_timeout(docs, 120);
     suite_add_tcase(suite, docs);

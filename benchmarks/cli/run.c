@@ -59,6 +59,15 @@ static enum mpm_status run_groups(const struct bench_run *run, struct bench_cont
 
 /* ------------------------------------------------------------------- folder */
 
+/* But for what a run has left that never came to its first results. */
+static bool is_empty(char **names)
+{
+    for (; names != NULL && *names != NULL; names++)
+        if (strcmp(*names, BENCH_RECORDS_FILE MPM_PARTIAL_SUFFIX) != 0)
+            return false;
+    return true;
+}
+
 /* A folder is ours if it is empty or holds results of an earlier run. */
 static enum mpm_status prepare(const char *folder, struct mpm_error *error)
 {
@@ -75,7 +84,7 @@ static enum mpm_status prepare(const char *folder, struct mpm_error *error)
     char **const names = mpm_folder_list(folder);
     if (names == NULL && errno != ENOENT)
         return mpm_file_unread(folder, errno, NULL, error);
-    const bool empty = names == NULL || names[0] == NULL;
+    const bool empty = is_empty(names);
     mpm_folder_list_free(names);
     if (!empty && kind_of_records != MPM_PATH_FILE)
         return failure_set(error, MPM_BAD_INPUT,

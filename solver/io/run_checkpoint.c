@@ -15,6 +15,7 @@ static void visit_results(struct mpm_run *run, struct mpm_piece_visitor *visitor
     double *const seconds[] = {&record->seconds_setup, &record->seconds_step,
                                &record->seconds_output, &record->seconds_checkpoint};
     mpm_history_visit(run->history, visitor);
+    mpm_probes_visit(run->probes, visitor);
     mpm_series_visit(run->series, visitor);
     for (int k = 0; k < (int)G_N_ELEMENTS(seconds); k++)
         mpm_piece_visit(visitor, MPM_PIECE_DOUBLE, seconds[k], 1, "run.seconds", k);
@@ -94,6 +95,7 @@ static enum mpm_status load(struct mpm_run *run, const struct mpm_checkpoint *ch
     MPM_TRY(mpm_series_create(run->options->output, run->scene,
                               mpm_simulation_particle_count(run->simulation), &run->series, error));
     MPM_TRY(mpm_history_reopen(run->options->output, run->scene, &run->history, error));
+    MPM_TRY(mpm_probes_reopen(run->options->output, run->scene, &run->probes, error));
     visit_results(run, &visitor);
     return refuse(checkpoint, visitor.status, error);
 }
@@ -103,8 +105,7 @@ static enum mpm_status rewind_results(struct mpm_run *run, struct mpm_error *err
 {
     const char *const folder = run->options->output;
     MPM_TRY(mpm_history_cut(run->history, error));
-    MPM_TRY(mpm_probes_reopen(folder, run->scene, mpm_simulation_step(run->simulation),
-                              &run->probes, error));
+    MPM_TRY(mpm_probes_cut(run->probes, error));
     MPM_TRY(mpm_results_folder_rewind(folder, mpm_series_count(run->series), error));
     return mpm_series_count(run->series) > 0 ? mpm_series_write_list(run->series, error) : MPM_OK;
 }

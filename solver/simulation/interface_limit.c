@@ -52,16 +52,23 @@ enum mpm_status mpm_interface_check(const struct mpm_simulation *simulation,
                          simulation->scene->contact.pairs[pair].key, kappa, MPM_KAPPA_MAX);
 }
 
+/* Of the round-off of a ratio. */
+static const double EVEN = 1e-12;
+
+double mpm_pair_unevenness(const struct mpm_pair_spec *pair)
+{
+    const double across = fmax(pair->tension, pair->compression), along = pair->shear;
+    if (pair->law != MPM_PAIR_INTERFACE || pair->normal == MPM_NORMAL_LOGISTIC ||
+        pair->normal == MPM_NORMAL_GIVEN || !(fmin(across, along) > 0.0))
+        return 0.0;
+    return (1.0 - EVEN) * fmax(across / along, along / across);
+}
+
 double mpm_interface_unevenness(const struct mpm_scene *scene, size_t *pair)
 {
     double largest = 0.0;
     for (size_t k = 0; k < scene->contact.pair_count; k++) {
-        const struct mpm_pair_spec *const law = &scene->contact.pairs[k];
-        const double normal = fmax(law->tension, law->compression);
-        if (law->law != MPM_PAIR_INTERFACE || law->normal == MPM_NORMAL_LOGISTIC ||
-            law->normal == MPM_NORMAL_GIVEN || !(fmin(normal, law->shear) > 0.0))
-            continue;
-        const double ratio = fmax(normal / law->shear, law->shear / normal);
+        const double ratio = mpm_pair_unevenness(&scene->contact.pairs[k]);
         if (ratio > largest) {
             largest = ratio;
             *pair = k;

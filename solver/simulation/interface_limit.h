@@ -22,9 +22,18 @@ double mpm_interface_kappa(const struct mpm_simulation *simulation, size_t *pair
 enum mpm_status mpm_interface_check(const struct mpm_simulation *simulation,
                                     struct mpm_error *error);
 
-/* The largest ratio of D_t to D_n, or of D_n to D_t, of the scene's interfaces whose normals follow
- * the particles' stairs: an error of the normal takes a part of an opening for sliding, which makes
- * energy in bodies that turn. *pair: whose it is. 0: none. */
+/* The ratio of D_t to D_n, or of D_n to D_t, of an interface whose normal follows the particles'
+ * stairs; 0 of other pairs.
+ *
+ * With the jump u_n along the normal and u_t along the surface the interface holds the energy
+ * A (D_n u_n^2 + D_t u_t^2)/2. A normal that turns by dtheta against the bodies changes it by
+ * A (D_t - D_n) u_n u_t dtheta, which nobody works. Stairs turn with the bodies, but their normal
+ * on the grid goes to and fro by up to 8 degrees (case C10) as they pass its nodes: where D_t is
+ * far from D_n, interfaces make energy in bodies that turn, at any time step. */
+double mpm_pair_unevenness(const struct mpm_pair_spec *pair);
+
+/* The largest of the scene's interfaces; *pair: whose it is. 0: none. Scenes with more than this
+ * are refused, unless ratio_limit allows it; then the run warns. */
 #define MPM_UNEVEN_MAX 10.0
 double mpm_interface_unevenness(const struct mpm_scene *scene, size_t *pair);
 

@@ -99,7 +99,7 @@ def choose(calls, kind, stride):
 
 # ------------------------------------------------------------------------------ order
 
-def disorder(calls, folder):
+def disorder(calls):
     """What is wrong with the order of the calls, or None: what is written is synced before it gets
     its name; a checkpoint's name is brought to the disk before anything else happens."""
     dirty, synced = {}, set()
@@ -107,8 +107,8 @@ def disorder(calls, folder):
     for call in calls:
         path = call.paths[0]
         if waiting is not None and call.name not in ("open", "close"):
-            if call.name != "fsync" or path != str(folder):
-                return f"{waiting} has its new name, then comes {call.name} {path}, not fsync {folder}"
+            if call.name != "fsync" or path != os.path.dirname(waiting):
+                return f"{waiting} has its new name, and no fsync of its folder follows, but {call.name}"
             waiting = None
         if call.name in ("write", "pwrite", "ftruncate", "create"):
             dirty[path] = call
@@ -122,7 +122,7 @@ def disorder(calls, folder):
             new = call.paths[1].rsplit("/", 1)[-1]
             if new == "checkpoint.h5":
                 waiting = call.paths[1]
-                history = f"{folder}/history.csv"
+                history = os.path.dirname(waiting) + "/history.csv"
                 if history in dirty:
                     return f"rename {path} comes before the fsync of {history}"
-    return f"{waiting} has its new name, and no fsync of {folder} follows" if waiting else None
+    return f"{waiting} has its new name, and no fsync of its folder follows" if waiting else None

@@ -52,7 +52,7 @@ class Trial:
         self.wrong = None if same else "two runs make different calls"
         if self.plain.status not in (0, 1):
             self.wrong = f"exit {self.plain.status}: {self.plain.errors.strip()}"
-        self.wrong = self.wrong or calls.disorder(self.plain.calls, self.scratch / "plain/out")
+        self.wrong = self.wrong or calls.disorder(self.plain.calls)
 
     @staticmethod
     def sites(outcome):

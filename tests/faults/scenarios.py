@@ -90,6 +90,8 @@ def of_suite(verify, mpm):
     export = [verify, "export", "--catalogue", "catalogue", "--output"]
     score = [verify, "score", "bundle/" + SCORED.rsplit("/", 1)[-1], "results", "--name", "other",
              "--output", "out"]
+    study = [verify, "study", "scene.yaml", "--refine", "1,2", "--measure", "kinetic_energy",
+             "--measure", "displacement_x:at@25,5=finest", "--jobs", "1", "--output", "out"]
 
     def reported(folder):
         catalogue(folder, DRAWN)
@@ -111,7 +113,11 @@ def of_suite(verify, mpm):
         for snapshot in sorted((folder / "run").glob("*.hdf")):
             shutil.copy(snapshot, folder / "results")
 
+    def studied(folder):
+        shutil.copy(HERE / "scene.yaml", folder)
+
     return [
+        Scenario("study", study, prepare=studied, weight=16, timed=True),
         Scenario("verify", suite, prepare=lambda folder: catalogue(folder, CASE),
                  weight=4, timed=True),
         Scenario("verify-over", suite, prepare=reported, weight=8, timed=True),
@@ -122,11 +128,24 @@ def of_suite(verify, mpm):
     ]
 
 
+def small_blocks(folder):
+    """The scenes of mpm-bench, with a 25th of their particles, so that no timing is long."""
+    home = folder / "benchmarks/scenes"
+    shutil.copytree(ROOT / "benchmarks/scenes", home)
+    for scene in home.glob("*.yaml"):
+        scene.write_text(scene.read_text().replace("cell: [1, 1], cells: [5, 5]",
+                                                   "cell: [5, 5], cells: [1, 1]"))
+
+
 def of_benchmarks(bench):
     """mpm-bench: the quickest group, and the report of it."""
     measure = [bench, "run", "--group", "limit", "--tier", "quick", "--output", "out"]
+
+    def measured(folder):
+        small_blocks(folder)
+        run(measure, folder)
+
     return [
-        Scenario("bench", measure, weight=40, timed=True),
-        Scenario("bench-report", [bench, "report", "out"], weight=2,
-                 prepare=lambda folder: run(measure, folder)),
+        Scenario("bench", measure, prepare=small_blocks, weight=8, timed=True),
+        Scenario("bench-report", [bench, "report", "out"], prepare=measured, weight=2),
     ]

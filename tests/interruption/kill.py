@@ -3,11 +3,12 @@
 
     kill.py --mpm PROGRAM [--kills N] [--races N] [--seed N] SCENE...
 
-Kills runs with SIGKILL while they step, write checkpoints, snapshots or results, and lets them go on
-with --resume, or start anew where there is no checkpoint yet, until they end; their files must be
-those of a run without interruption. Then starts two runs into one folder at a time: one of them
-must end well, with those files, and the other with exit status 2, or they must have run one after
-the other. The last line is `N passed, N failed, N skipped`: scenes and races.
+Kills runs with SIGKILL, or ends some with SIGTERM, while they step, write checkpoints, snapshots or
+results, and lets them go on with --resume, or start anew where there is no checkpoint yet, until
+they end; their files must be those of a run without interruption. Then starts two runs into one
+folder at a time: one of them must end well, with those files, and the other with exit status 2, or
+they must have run one after the other. The last line is `N passed, N failed, N skipped`: scenes and
+races.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -25,6 +26,8 @@ import time
 
 SETTINGS = ("output.checkpoint_seconds=0.01",)  # seconds: a kill often meets a checkpoint
 KILLS_IN_A_ROW = 12  # of one run, before it may end
+SIGNALS = (signal.SIGKILL, signal.SIGKILL, signal.SIGTERM)
+ENDED = (-signal.SIGKILL, -signal.SIGTERM, 128 + signal.SIGTERM)  # before SIGTERM is awaited, too
 
 
 def command(mpm, scene, folder, *options):
@@ -62,7 +65,7 @@ class Kills:
     def __init__(self, mpm, scene, reference, folder, chance):
         self.mpm, self.scene, self.reference = mpm, scene, reference
         self.folder, self.chance = folder, chance
-        self.killed = self.resumed = 0
+        self.killed = self.asked = self.resumed = 0
 
     def one_run(self, most):
         """Kills a run up to so many times, lets it end; returns what is wrong, or None."""
@@ -76,11 +79,12 @@ class Kills:
                                            "--threads", threads), stderr=subprocess.PIPE, text=True)
             if kill < most:
                 time.sleep(self.reference.seconds * self.chance.random())
-                run.send_signal(signal.SIGKILL)
+                run.send_signal(self.chance.choice(SIGNALS))
             message = run.communicate()[1]
-            if run.returncode != -signal.SIGKILL:
+            if run.returncode not in ENDED:
                 break
             self.killed += 1
+            self.asked += run.returncode == 128 + signal.SIGTERM
         if run.returncode != self.reference.status:
             return f"exit {run.returncode}: {message.strip()}"
         found = results(self.folder)
@@ -115,7 +119,7 @@ def main():
     parser.add_argument("scenes", nargs="+", type=pathlib.Path)
     given = parser.parse_args()
     chance = random.Random(given.seed)
-    failures = passed = killed = resumed = 0
+    failures = passed = killed = asked = resumed = 0
     memory = pathlib.Path("/dev/shm")  # where a sync costs nothing
     where = memory if os.access(memory, os.W_OK) else None
     with tempfile.TemporaryDirectory(prefix="mpm-kill-", dir=where) as scratch:
@@ -133,6 +137,7 @@ def main():
             while kills.killed < share and wrong is None:
                 wrong = kills.one_run(min(KILLS_IN_A_ROW, share - kills.killed))
             killed += kills.killed
+            asked += kills.asked
             resumed += kills.resumed
             failures += wrong is not None
             passed += wrong is None
@@ -146,7 +151,7 @@ def main():
             passed += wrong is None
             if wrong is not None:
                 print(f"FAIL race of {given.scenes[k]}: {wrong}", flush=True)
-    print(f"{killed} kills, {resumed} resumes, {given.races} races of two runs")
+    print(f"{killed} kills, {asked} of them SIGTERM, {resumed} resumes, {given.races} races of two runs")
     print(f"{passed} passed, {failures} failed, 0 skipped")
     return 1 if failures else 0
 

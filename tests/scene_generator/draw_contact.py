@@ -60,6 +60,14 @@ def draw_law(canvas, key, law):
     return entry
 
 
+def allow_ratio(entry, usual):
+    """An interface whose stiffnesses differ by more than a factor of 10, with such a normal."""
+    across, along = max(entry.get("tension", 0), entry.get("compression", 0)), entry.get("shear", 0)
+    normal = entry.get("normal", usual.get("normal", "larger"))
+    if along * across > 0 and normal not in ("logistic", "given") and not 0.1 < along / across < 10:
+        entry["ratio_limit"] = short(1.01 * max(along / across, across / along))
+
+
 def draw_pair(canvas, key, law, usual, rigid=False):
     """A pair with its law, or contact itself, of which all pairs have what they do not give: `usual`."""
     entry = {"law": law, **draw_law(canvas, key, law)}
@@ -75,6 +83,7 @@ def draw_pair(canvas, key, law, usual, rigid=False):
     detection = entry.get("detection", usual.get("detection"))
     if law in HOLDS and detection == "volume" and canvas.chance(40):
         entry["touching"] = canvas.pick([0.9, 0.75, 1.2])
+    allow_ratio(entry, usual)
     if heat and usual:
         entry |= draw_heat_between(canvas, key)
         entry |= draw_gap(canvas, key, entry, usual)

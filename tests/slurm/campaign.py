@@ -3,12 +3,12 @@
 
     campaign.py --verify PROGRAM --folder DIR
 
-Starts munged, slurmctld and slurmd from a configuration made in DIR, runs programs with
-`mpm-verify run --launcher slurm` while it kills a task, requeues another, interrupts mpm-verify and
-kills the controller, and compares the report with that of a local run: all bytes of all files, once
-times and peak memory are set to zero and the pages are made again. All daemons end with it. The last
-line is `N passed, N failed, N skipped`; where Slurm is not installed, or does not start, it is
-skipped with the reason.
+Starts munged, slurmctld and slurmd from a configuration made in DIR, runs programs with `mpm-verify
+run --launcher slurm` while it kills a task, requeues another, interrupts mpm-verify and kills the
+controller, and compares the report with that of a local run: all bytes of all files, once times and
+peak memory are set to zero and the pages are made again. Then it kills a study on Slurm, lets it go
+on, and compares its tables and pictures. All daemons end with it. The last line is `N passed, N
+failed, N skipped`; where Slurm is not installed, or does not start, it is skipped with the reason.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -27,6 +27,7 @@ import tempfile
 import time
 
 LONGEST = 60  # seconds that anything here may take to happen
+SCENE = pathlib.Path(__file__).resolve().parent.parent / "interruption/disk.yaml"  # of the study
 
 CONFIGURATION = """ClusterName=touchstone
 SlurmctldHost={host}(127.0.0.1)
@@ -225,6 +226,41 @@ def normalize(verify, folder):
             if path.is_file() and ".run" not in path.parts and path.name != ".mpm-verify"}
 
 
+PROCESSOR = "processor / s"  # the column of study.md that a clock speaks in
+
+
+def without_column(text):
+    """The text of study.md without that column."""
+    kept, place = [], None
+    for line in text.splitlines():
+        cells = line.split("|")
+        if PROCESSOR in line:
+            place = next(i for i, cell in enumerate(cells) if cell.strip() == PROCESSOR)
+        elif len(cells) < 3:
+            place = None
+        if place is not None:
+            del cells[place]
+        kept.append("|".join(cells))
+    return "\n".join(kept)
+
+
+def study_files(folder):
+    """Tables and pictures of a study by name, without times."""
+    found = {}
+    for path in (folder / "study").iterdir():
+        if path.is_dir() or "-time." in path.name:
+            continue
+        text = path.read_text()
+        if path.name == "study.md":
+            text = without_column(text)
+        elif path.suffix == ".csv":
+            text = re.sub(r",[^,]*(,[^,]*,\"[^\"]*\")$", r"\1", text, flags=re.M)
+        elif path.suffix == ".jsonl":
+            text = re.sub(r'"cpu_seconds":[^,]*', "", text)
+        found[path.name] = text
+    return found
+
+
 # ------------------------------------------------------------------------- campaign
 
 class Campaign:
@@ -291,6 +327,33 @@ class Campaign:
         self.check("--status: all done", counts["done"] == sum(counts.values()), counts)
         self.compare()
 
+    def study(self):
+        """A study that is killed with one of its tasks goes on to the tables of a local one."""
+        local, remote = self.folder / "study", self.folder / "study on Slurm"
+        command = [self.verify, "study", str(SCENE), "--output"]
+        grid = ["--refine", "1,2", "--vary", "method.shape=ugimp,cpdi", "--set", "time.end=0.6",
+                "--set", "output.checkpoint_seconds=0.05",
+                "--measure", "kinetic_energy:max", "--measure", "displacement_x:at@25,5=finest"]
+        words = {"env": self.cluster.environment, "text": True, "stdout": subprocess.PIPE,
+                 "stderr": subprocess.STDOUT}
+        said = subprocess.run([*command, str(local), *grid], check=False, **words)
+        self.check("a local study ends well", said.returncode == 0, said.stdout)
+        run = subprocess.Popen([*command, str(remote), *grid, "--launcher", "slurm"], **words)
+        number = wait_until(lambda: tasks_at_work(remote), "no task of the study runs")[0]
+        run.kill()
+        os.kill(number, signal.SIGKILL)
+        run.communicate()
+        begun = not (remote / "study/study.csv").exists()
+        said = subprocess.run([*command, str(remote), "--resume", "--launcher", "slurm"],
+                              check=False, timeout=5 * LONGEST, **words)
+        self.check("a study that was killed with a task goes on",
+                   begun and said.returncode == 0, said.stdout)
+        ours, theirs = study_files(local), study_files(remote)
+        other = sorted(set(ours) ^ set(theirs)) + [name for name in ours if name in theirs and
+                                                   ours[name] != theirs[name]]
+        self.check(f"its tables and pictures are those of the local study: {len(ours)} files",
+                   not other and "study.csv" in ours, other)
+
     def job_of(self, number):
         """JOB_INDEX of a task's process."""
         try:
@@ -331,6 +394,7 @@ def main():
         programs = (pathlib.Path(__file__).parent / "programs").read_text()
         campaign = Campaign(given.verify, cluster, folder, programs)
         campaign.go()
+        campaign.study()
     except Missing as reason:
         print(f"skipped: {reason}")
         print("0 passed, 0 failed, 1 skipped")

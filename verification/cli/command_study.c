@@ -70,7 +70,7 @@ static enum mpm_status check_options(const struct command *command, const char *
 {
     const struct command_options *given = &command->options;
     char *state = g_build_filename(output, ".run", "run.json", NULL);
-    const bool begun = mpm_path_exists(state);
+    const bool begun = mpm_path_kind(state) != MPM_PATH_NONE; /* unknown: reading it gives why */
     char *reports = resources_reports(command->argv[0]);
     enum mpm_kernels kernels;
     enum mpm_status status = MPM_OK;

@@ -36,8 +36,9 @@ enum mpm_status report_style_read(const char *reports, struct report_style *styl
     if (status == MPM_OK) {
         char *path = g_build_filename(reports, "equations.json", NULL);
         status = input_json(path, JSON_REJECT_DUPLICATES, &style->equations, error);
-        if (status != MPM_OK)
-            status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s: cannot be read", path);
+        const struct mpm_error why = *error;
+        if (status != MPM_OK) /* it is the installation's, not the user's */
+            status = failure_set(error, MPM_ENVIRONMENT_FAILED, "%s", why.message);
         g_free(path);
     }
     if (status != MPM_OK)

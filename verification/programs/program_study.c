@@ -4,10 +4,14 @@
  * Parameters: `measures`, how many; of each, with its number from 1 on as suffix, `quantity`,
  * `take`, `at` (for take at: a place or a time), `reference` (optional: a formula, or a file *.csv
  * of the case's folder), `axisymmetric` (0, 1) and `folder`, that of the references. Reports
- * measure_<k>, reference_<k> where there is one, and completed.
+ * measure_<k>, reference_<k> where there is one, and completed. A scene with checkpoints goes on
+ * from the last one if the process before was killed; processor time is then that of the last
+ * process.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mpm_file.h"
+#include "mpm_yaml.h"
+#include "verification/common/folders.h"
 #include "verification/programs/programs.h"
 #include "verification/programs/study_measure.h"
 
@@ -159,16 +163,15 @@ static void report(struct study *study)
 }
 
 static enum mpm_status run_scene(struct study *study, const struct mpm_scene *scene,
-                                 const char *folder, struct mpm_error *error)
+                                 const char *folder, bool resume, struct mpm_error *error)
 {
     const struct mpm_run_options options = {.output = folder,
                                             .simulation = *measurement_options(study->measurement),
-                                            .overwrite = true,
+                                            .overwrite = !resume,
+                                            .resume = resume,
                                             .progress = after_step,
                                             .warn = note_warning,
                                             .progress_context = study};
-    study->end = mpm_scene_end_time(scene);
-    TRY(read_start(study, scene, error));
     const enum mpm_status status = mpm_scene_run(scene, &options, error);
     measurement_work(study->measurement, study->particle_steps);
     TRY(status);
@@ -180,19 +183,73 @@ static enum mpm_status run_scene(struct study *study, const struct mpm_scene *sc
     return MPM_OK;
 }
 
+static enum mpm_status run_in_temporary(struct study *study, const struct mpm_scene *scene,
+                                        struct mpm_error *error)
+{
+    char *folder;
+    TRY(mpm_folder_make_temporary(&folder, error));
+    const enum mpm_status status = run_scene(study, scene, folder, false, error);
+    (void)mpm_folder_remove_all(folder, NULL);
+    g_free(folder);
+    return status;
+}
+
+/* ------------------------------------------------------------------------ going on */
+
+static bool is_given(const struct mpm_tree_node *root, const char *path)
+{
+    const struct mpm_tree_node *const node = mpm_tree_find(root, path, NULL);
+    double value;
+    return node != NULL && node->kind == MPM_TREE_SCALAR && mpm_number_parse(node->text, &value);
+}
+
+static enum mpm_status has_checkpoints(const struct mpm_scene *scene, bool *has,
+                                       struct mpm_error *error)
+{
+    struct mpm_tree_node *root;
+    TRY(mpm_scene_tree(scene, &root, error));
+    *has = is_given(root, "output.checkpoint") || is_given(root, "output.checkpoint_seconds");
+    mpm_tree_free(root);
+    return MPM_OK;
+}
+
+/* In the folder that outlives this process, from its checkpoint if there is one. A checkpoint that
+ * cannot be taken, or a process that still runs there, is no failure: the run begins again apart.
+ */
+static enum mpm_status run_where_others_go_on(struct study *study, const struct mpm_scene *scene,
+                                              struct mpm_error *error)
+{
+    static const char *const names[] = {"checkpoint.h5", "checkpoint-previous.h5"};
+    const char *const folder = measurement_unfinished(study->measurement);
+    bool begun = false;
+    for (size_t i = 0; i < G_N_ELEMENTS(names); i++) {
+        char *path = g_build_filename(folder, names[i], NULL);
+        begun = begun || mpm_path_kind(path) != MPM_PATH_NONE;
+        g_free(path);
+    }
+    TRY(folder_make(folder, error));
+    const enum mpm_status status = run_scene(study, scene, folder, begun, error);
+    if (status == MPM_BAD_INPUT)
+        return run_in_temporary(study, scene, error);
+    if (status == MPM_OK || status == MPM_RUN_FAILED)
+        (void)mpm_folder_remove_all(folder, NULL);
+    return status;
+}
+
 static enum mpm_status run_in_folder(struct study *study, struct mpm_error *error)
 {
-    struct mpm_scene *scene = NULL;
-    char *folder = NULL;
-    enum mpm_status status = mpm_folder_make_temporary(&folder, error);
+    struct mpm_scene *scene;
+    bool lasting = false;
+    TRY(measurement_scene(study->measurement, NULL, 0, &scene, error));
+    study->end = mpm_scene_end_time(scene);
+    enum mpm_status status = has_checkpoints(scene, &lasting, error);
     if (status == MPM_OK)
-        status = measurement_scene(study->measurement, NULL, 0, &scene, error);
-    if (status == MPM_OK)
-        status = run_scene(study, scene, folder, error);
+        status = read_start(study, scene, error);
+    if (status == MPM_OK && lasting && measurement_unfinished(study->measurement) != NULL)
+        status = run_where_others_go_on(study, scene, error);
+    else if (status == MPM_OK)
+        status = run_in_temporary(study, scene, error);
     mpm_scene_free(scene);
-    if (folder != NULL)
-        (void)mpm_folder_remove_all(folder, NULL);
-    g_free(folder);
     return status;
 }
 

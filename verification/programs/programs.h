@@ -65,6 +65,10 @@ const char *measurement_variant(const struct measurement *measurement);
 /* Threads and kernels that this process should use. */
 const struct mpm_simulation_options *measurement_options(const struct measurement *measurement);
 
+/* A folder, which need not be there, that outlives this process: what a program leaves in it is
+ * found by the next process with the same inputs, if this one is killed. NULL: there is none. */
+const char *measurement_unfinished(const struct measurement *measurement);
+
 /* A parameter as a number or as text: the variant's own, or else the case's. One that
  * is missing or is no finite number is MPM_BAD_INPUT naming case, variant, parameter. */
 enum mpm_status measurement_number(const struct measurement *measurement, const char *name,

@@ -62,10 +62,11 @@ static const struct result_format bench_format = {
 
 /* ---------------------------------------------------------------------- reading */
 
+/* One of which the system does not say whether it is there, is: opening it gives the reason. */
 static bool has_file(const char *folder, const char *name)
 {
     char *path = g_build_filename(folder, name, NULL);
-    const bool there = mpm_path_exists(path);
+    const bool there = mpm_path_kind(path) != MPM_PATH_NONE;
     g_free(path);
     return there;
 }

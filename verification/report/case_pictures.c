@@ -175,7 +175,7 @@ enum mpm_status case_pictures(const char *home, const json_t *entry, GString *ht
     }
     char *name = g_strdup_printf("picture-%s.json", variant);
     char *path = g_build_filename(home, name, NULL);
-    if (!mpm_path_exists(path))
+    if (mpm_path_kind(path) == MPM_PATH_NONE)
         own.status = failure_set(&own, MPM_BAD_INPUT,
                                  "variant %s, whose run it shows, has left none here", variant);
     if (own.status == MPM_OK)
@@ -183,6 +183,8 @@ enum mpm_status case_pictures(const char *home, const json_t *entry, GString *ht
     if (own.status == MPM_OK) {
         status = add_pictures(home, entry, &file, html, error);
         picture_file_clear(&file);
+    } else if (own.status == MPM_ENVIRONMENT_FAILED) {
+        status = failure_set(error, own.status, "%s", own.message);
     } else {
         add_notice(html, own.message);
     }
@@ -212,7 +214,7 @@ void case_pictures_strip(GString *html, const struct records *records, const cha
         const json_t *const picture = json_object_get(entry, "picture");
         char *file = g_strdup_printf("picture-%s.json", record_text(picture, "variant"));
         char *path = g_build_filename(folder, "cases", record_text(entry, "case"), file, NULL);
-        if (json_is_true(json_object_get(picture, "strip")) && mpm_path_exists(path))
+        if (json_is_true(json_object_get(picture, "strip")) && mpm_path_kind(path) != MPM_PATH_NONE)
             add_small(list, entry);
         g_free(path);
         g_free(file);

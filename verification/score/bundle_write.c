@@ -6,14 +6,16 @@
 #include "verification/common/record.h"
 #include "verification/common/scene_json.h"
 #include "verification/score/bundle.h"
+#include "verification/score/bundle_convert.h"
 #include "verification/score/bundle_folder.h"
+#include "verification/score/lateness.h"
 #include "verification/score/references.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { FORCE_PER_INSTANT = 4, NUMBER_SIZE = 32 };
+enum { FORCE_PER_INSTANT = 4, NUMBER_SIZE = 32, LATE_PART = 20 };
 
 /* What is being written. */
 struct writing {
@@ -103,6 +105,25 @@ static char *table_text(const struct writing *writing, const enum score_column *
     return g_string_free(text, FALSE);
 }
 
+/* ------------------------------------------------------------------- time levels */
+
+/* A part of the time between two instants; 0 at rest. */
+static double late_by(const struct case_bundle *bundle)
+{
+    return bundle->rest ? 0.0 : bundle->end / ((double)bundle->instants * LATE_PART);
+}
+
+/* What a criterion has of the reference read late. */
+static double late_agreement(const struct writing *writing, const struct case_criterion *criterion)
+{
+    enum score_column columns[SCORE_COLUMNS];
+    const struct lateness lateness = {&writing->problem, &writing->lattice, writing->bundle->end,
+                                      late_by(writing->bundle), (size_t)writing->bundle->instants};
+    for (unsigned c = 0; c < criterion->columns_count; c++)
+        columns[c] = score_column_find(criterion->columns[c], writing->format.geometry);
+    return lateness_agreement(&lateness, columns, criterion->columns_count, criterion->norm);
+}
+
 /* -------------------------------------------------------------------------- JSON */
 
 static json_t *numbers_json(const double pair[2])
@@ -130,7 +151,7 @@ static json_t *points_json(const struct writing *writing)
     return points;
 }
 
-static json_t *criterion_json(const struct case_criterion *criterion)
+static json_t *criterion_json(const struct writing *writing, const struct case_criterion *criterion)
 {
     json_t *object = json_object(), *columns = json_array();
     for (unsigned i = 0; i < criterion->columns_count; i++)
@@ -146,6 +167,10 @@ static json_t *criterion_json(const struct case_criterion *criterion)
     json_object_set_new(object, "low", json_real(100 - criterion->within));
     json_object_set_new(object, "high", json_real(100 + criterion->within));
     json_object_set_new(object, "why", record_text_of(criterion->why));
+    if (!writing->bundle->rest)
+        json_object_set_new(object, "late",
+                            json_pack("{s: f, s: f}", "by", late_by(writing->bundle), "agreement",
+                                      late_agreement(writing, criterion)));
     return object;
 }
 
@@ -183,7 +208,7 @@ static json_t *bundle_json(const struct writing *writing)
     json_t *object = bundle_facts(writing->entry, writing->scene, bundle->about, "fields");
     json_t *criteria = json_array();
     for (unsigned i = 0; i < bundle->criteria_count; i++)
-        json_array_append_new(criteria, criterion_json(&bundle->criteria[i]));
+        json_array_append_new(criteria, criterion_json(writing, &bundle->criteria[i]));
     json_object_set_new(object, "body", json_integer(bundle->body));
     json_object_set_new(object, "at_rest", json_boolean(bundle->rest));
     json_object_set_new(object, "end", json_real(bundle->end));
@@ -207,14 +232,19 @@ static void add_columns(GString *text, const json_t *json)
     }
 }
 
-static void add_criteria(GString *text, const struct case_bundle *bundle)
+static void add_criteria(GString *text, const struct writing *writing)
 {
+    const struct case_bundle *bundle = writing->bundle;
     for (unsigned i = 0; i < bundle->criteria_count; i++) {
         const struct case_criterion *criterion = &bundle->criteria[i];
-        g_string_append_printf(text, "- **%s** (`%s`), norm %s: 100 %% to within %s %%. %s\n",
+        g_string_append_printf(text, "- **%s** (`%s`), norm %s: 100 %% to within %s %%. %s",
                                criterion->title, criterion->name,
                                agreement_norm_names[criterion->norm], criterion->within_text,
                                criterion->why);
+        if (!bundle->rest)
+            g_string_append_printf(text, " Read %g %s late: %.4g %%.", late_by(bundle),
+                                   writing->format.units.time, late_agreement(writing, criterion));
+        g_string_append_c(text, '\n');
     }
 }
 
@@ -252,7 +282,8 @@ static char *words_text(const struct writing *writing, const json_t *json)
                     "\nas CSV, HDF5 or VTK files: docs/tutorial-score.md has the layouts. Then\n\n"
                     "    mpm-verify score BUNDLE RESULTS\n\n## Criteria\n\nAgreement with the "
                     "reference, taken between its points at yours.\n\n");
-    add_criteria(text, writing->bundle);
+    add_criteria(text, writing);
+    bundle_words_of_conversion(text, json, late_by(writing->bundle));
     return bundle_words_end(writing->entry, text);
 }
 

@@ -27,6 +27,9 @@ static const struct {
     [SCORE_STRESS_XY] = {"stress_xy", "stress_rz", MPM_DIMENSION_STRESS},
     [SCORE_RELATIVE_VOLUME] = {"relative_volume", "relative_volume", MPM_DIMENSION_NONE},
     [SCORE_TEMPERATURE] = {"temperature", "temperature", MPM_DIMENSION_TEMPERATURE},
+    [SCORE_POSITION_TIME] = {"time_of_positions", "time_of_positions", MPM_DIMENSION_TIME},
+    [SCORE_VELOCITY_TIME] = {"time_of_velocities", "time_of_velocities", MPM_DIMENSION_TIME},
+    [SCORE_STRESS_TIME] = {"time_of_stress", "time_of_stress", MPM_DIMENSION_TIME},
     [SCORE_FORCE_X] = {"body_force_x", "body_force_r", MPM_DIMENSION_ACCELERATION},
     [SCORE_FORCE_Y] = {"body_force_y", "body_force_z", MPM_DIMENSION_ACCELERATION},
 };

@@ -28,6 +28,9 @@ enum score_column {
     SCORE_STRESS_XY,
     SCORE_RELATIVE_VOLUME,
     SCORE_TEMPERATURE,
+    SCORE_POSITION_TIME, /* of what results have at a row's time, if it is another, time_level.h */
+    SCORE_VELOCITY_TIME,
+    SCORE_STRESS_TIME,
     SCORE_FORCE_X, /* body force per unit mass; of bundles alone */
     SCORE_FORCE_Y,
     SCORE_COLUMNS

@@ -7,6 +7,7 @@
 #include "verification/common/record.h"
 #include "verification/common/resources.h"
 #include "verification/common/scene_json.h"
+#include "verification/score/bundle_convert.h"
 #include "verification/score/bundle_folder.h"
 #include "verification/score/numbers.h"
 
@@ -74,6 +75,7 @@ static char *words_text(const struct catalogue_case *entry, const json_t *json)
                                number->low_text, number->high_text, *unit == '\0' ? "" : " ", unit,
                                number->why);
     }
+    bundle_words_of_conversion(text, json, 0.0);
     return bundle_words_end(entry, text);
 }
 

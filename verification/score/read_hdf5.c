@@ -145,12 +145,12 @@ static enum mpm_status take_dataset(const char *path, const struct score_format 
     return status;
 }
 
-static double read_time(hid_t group)
+static double read_time(hid_t group, const char *name)
 {
     double time = (double)NAN;
-    if (H5Aexists(group, "time") > 0) {
+    if (H5Aexists(group, name) > 0) {
         hid_t type;
-        const hid_t attribute = H5Aopen(group, "time", H5P_DEFAULT);
+        const hid_t attribute = H5Aopen(group, name, H5P_DEFAULT);
         const bool single = is_single(attribute, &type);
         const H5T_class_t class = H5Tget_class(type);
         if (!single || (class != H5T_FLOAT && class != H5T_INTEGER) ||
@@ -160,6 +160,25 @@ static double read_time(hid_t group)
         (void)H5Aclose(attribute);
     }
     return time;
+}
+
+/* The attributes that state other times of positions, velocities and stress, as columns. */
+static enum mpm_status read_levels(const char *path, const struct score_format *format, hid_t mpm,
+                                   struct score_table *table, struct mpm_error *error)
+{
+    for (int c = SCORE_POSITION_TIME; c <= SCORE_STRESS_TIME; c++) {
+        const char *name = score_column_name((enum score_column)c, format->geometry);
+        if (H5Aexists(mpm, name) <= 0)
+            continue;
+        const double time = read_time(mpm, name);
+        if (!isfinite(time))
+            return failure_set(error, MPM_BAD_INPUT,
+                               "%s: /mpm: attribute %s: allowed is one finite number", path, name);
+        double *const values = score_table_add(table, (enum score_column)c);
+        for (size_t p = 0; p < table->rows; p++)
+            values[p] = time;
+    }
+    return MPM_OK;
 }
 
 static enum mpm_status read_groups(const char *path, const struct score_format *format, hid_t mpm,
@@ -177,7 +196,8 @@ static enum mpm_status read_groups(const char *path, const struct score_format *
         (void)H5Dclose(dataset);
         TRY(status);
     }
-    const double time = read_time(mpm);
+    TRY(read_levels(path, format, mpm, table, error));
+    const double time = read_time(mpm, "time");
     if (!isfinite(time))
         return failure_set(error, MPM_BAD_INPUT,
                            "%s: /mpm: attribute time: allowed is one finite number", path);

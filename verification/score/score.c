@@ -5,6 +5,7 @@
 
 #include "verification/common/failure.h"
 #include "verification/common/rows.h"
+#include "verification/score/time_level.h"
 
 #include <math.h>
 
@@ -127,6 +128,7 @@ static enum mpm_status locate(const struct bundle *bundle, const struct score_ta
     for (guint i = 0; i < instant->rows->len; i++) {
         const size_t row = g_array_index(instant->rows, size_t, i);
         double place[2];
+        TRY(time_level_check(bundle, results, row, instant->number, error));
         place_of(bundle, results, row, place);
         if (!lattice_locate(&bundle->lattice, place, &weights[i]))
             return failure_set(
@@ -148,16 +150,14 @@ static void add_points(const struct bundle *bundle, const struct bundle_criterio
                        const struct lattice_weights *weights, struct agreement *agreement)
 {
     double multiple[CRITERION_COLUMNS], computed[CRITERION_COLUMNS], exact[CRITERION_COLUMNS];
-    const double *reference[CRITERION_COLUMNS];
-    for (size_t c = 0; c < criterion->column_count; c++) {
+    for (size_t c = 0; c < criterion->column_count; c++)
         multiple[c] = criterion->columns[c] == SCORE_STRESS_XY ? 2.0 : 1.0;
-        reference[c] = bundle_reference(bundle, criterion->columns[c], instant->number);
-    }
     for (guint i = 0; i < instant->rows->len; i++) {
         const size_t row = g_array_index(instant->rows, size_t, i);
         for (size_t c = 0; c < criterion->column_count; c++) {
             computed[c] = score_table_value(results, criterion->columns[c], row);
-            exact[c] = lattice_value(&bundle->lattice, &weights[i], reference[c]);
+            exact[c] = time_level_reference(bundle, &weights[i], criterion->columns[c], results,
+                                            row, instant->number);
         }
         agreement_add(agreement, criterion->column_count, multiple, computed, exact);
     }

@@ -34,7 +34,7 @@ static void scored_open(const struct bundle *bundle, char *name, struct scored *
         .variant = {.name = name, .tier = TIER_CI},
     };
     scored->entry.file = &scored->file;
-    scored->job = (struct planned_job){&scored->entry, &scored->variant};
+    scored->job = (struct planned_job){.entry = &scored->entry, .variant = &scored->variant};
     scored->plan =
         (struct plan){&scored->job, 1, g_new0(struct planned_check, bundle->criterion_count),
                       bundle->criterion_count};

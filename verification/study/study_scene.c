@@ -136,10 +136,9 @@ enum mpm_status study_scene_refine(const struct study *study, int64_t level, GPt
 /* -------------------------------------------------------------------------- trying */
 
 /* Units are a comment below the names of history.csv. */
-static char *unit_of_column(const char *folder, const struct table_named *table, const char *name)
+static char *unit_of_column(const char *text, const struct table_named *table, const char *name)
 {
-    char *path = g_build_filename(folder, "history.csv", NULL), *text = mpm_file_load(path, NULL);
-    char **lines = g_strsplit(text == NULL ? "" : text, "\n", 3);
+    char **lines = g_strsplit(text, "\n", 3);
     char **units = NULL, *unit = NULL;
     if (g_strv_length(lines) >= 2 && lines[1][0] == '#')
         units = g_strsplit(lines[1] + 1, ",", -1);
@@ -148,13 +147,11 @@ static char *unit_of_column(const char *folder, const struct table_named *table,
             unit = g_strdup(g_strstrip(units[i]));
     g_strfreev(units);
     g_strfreev(lines);
-    g_free(text);
-    g_free(path);
     return unit == NULL ? g_strdup("1") : unit;
 }
 
 static enum mpm_status try_measure(struct study_entry *entry, const struct mpm_scene *scene,
-                                   const char *folder, const struct table_named *table,
+                                   const char *history, const struct table_named *table,
                                    struct mpm_error *error)
 {
     const struct field_quantity *field = field_quantity_find(entry->quantity);
@@ -174,7 +171,7 @@ static enum mpm_status try_measure(struct study_entry *entry, const struct mpm_s
         mpm_scene_field_unit(scene, field->field, unit);
         entry->unit = g_strdup(unit);
     } else if (entry->unit == NULL) {
-        entry->unit = unit_of_column(folder, table, entry->quantity);
+        entry->unit = unit_of_column(history, table, entry->quantity);
     }
     return MPM_OK;
 }
@@ -189,11 +186,14 @@ static enum mpm_status try_in(struct study *study, const struct mpm_scene *scene
     /* what a run comes to is a result of the study, not of its input */
     if (status != MPM_RUN_FAILED)
         TRY(status);
-    char *path = g_build_filename(folder, "history.csv", NULL);
+    char *path = g_build_filename(folder, "history.csv", NULL), *text = NULL;
     status = table_named_read(path, &table, error);
+    if (status == MPM_OK)
+        status = input_text(path, NULL, &text, NULL, error);
     for (unsigned k = 0; status == MPM_OK && k < study->measures_count; k++)
-        status = try_measure(&study->measures[k], scene, folder, &table, error);
+        status = try_measure(&study->measures[k], scene, text, &table, error);
     table_named_clear(&table);
+    g_free(text);
     g_free(path);
     return status;
 }

@@ -42,6 +42,11 @@ const struct mpm_simulation_options *measurement_options(const struct measuremen
     return &measurement->setup.simulation;
 }
 
+const char *measurement_unfinished(const struct measurement *measurement)
+{
+    return measurement->setup.unfinished;
+}
+
 static const char *find(const struct case_parameter *parameters, unsigned count, const char *name)
 {
     for (unsigned i = 0; i < count; i++)

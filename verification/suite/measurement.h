@@ -11,7 +11,8 @@ struct measurement_setup {
     const struct case_variant *variant;
     const char *data_folder; /* for data-<variant>-<name>.dat */
     struct mpm_simulation_options simulation;
-    int rows; /* file descriptor that the rows are written to */
+    int rows;               /* file descriptor that the rows are written to */
+    const char *unfinished; /* measurement_unfinished(); may be NULL */
 };
 
 /* Runs the program of the case for the variant and writes its rows. A failure's message

@@ -12,8 +12,8 @@
  *
  *     .mpm-verify    marks the folder; the process that writes to it holds a lock on this file
  *     .run/          run.json: what was selected; results/: what programs have left
- * (kept_result.h); report/: the report that is being made; publish: its files, while they are moved
- * into their places
+ * (kept_result.h); unfinished/: checkpoints of programs that were killed; report/: the report that
+ * is being made; publish: its files, while they are moved into their places
  *
  * Files that are not of this list are never touched; a folder that holds one of these
  * names but no .mpm-verify is refused. A new report is made in .run/report, beside the old one,

@@ -101,7 +101,7 @@ static bool is_selected(const struct plan_selection *selection, const struct cat
 static void plan_variant(const struct catalogue_case *entry, const struct case_variant *variant,
                          GArray *jobs, GArray *checks)
 {
-    const struct planned_job job = {entry, variant};
+    const struct planned_job job = {.entry = entry, .variant = variant};
     const size_t before = checks->len;
     for (unsigned i = 0; i < entry->file->checks_count; i++) {
         const struct case_check *check = &entry->file->checks[i];
@@ -174,6 +174,8 @@ enum mpm_status plan_check_methods(const struct plan *plan, struct mpm_error *er
 
 void plan_clear(struct plan *plan)
 {
+    for (size_t i = 0; i < plan->job_count; i++)
+        g_free(plan->jobs[i].unfinished);
     g_free(plan->jobs);
     g_free(plan->checks);
     *plan = (struct plan){.jobs = NULL};

@@ -12,6 +12,7 @@
 struct planned_job {
     const struct catalogue_case *entry;
     const struct case_variant *variant;
+    char *unfinished; /* folder for what a later process may go on from; NULL: none */
 };
 
 struct planned_check {

@@ -71,8 +71,12 @@ static void child_run(const struct planned_job *job, const struct schedule_optio
 {
     child_detach(log, parent);
     char *folder = g_build_filename(options->output, "cases", job->entry->file->name, NULL);
-    const struct measurement_setup setup = {job->entry, job->variant, folder, options->simulation,
-                                            rows};
+    const struct measurement_setup setup = {.entry = job->entry,
+                                            .variant = job->variant,
+                                            .data_folder = folder,
+                                            .simulation = options->simulation,
+                                            .rows = rows,
+                                            .unfinished = job->unfinished};
     struct mpm_error error = {.status = MPM_OK};
     const enum mpm_status status = measurement_run(&setup, &error);
     if (status != MPM_OK)

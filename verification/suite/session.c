@@ -51,6 +51,9 @@ enum mpm_status session_open(const struct run_options *options, struct program_t
     session->results = g_new0(struct job_result, session->plan.job_count);
     session->output = output_names(options->output);
     session->place = (struct kept_place){session->output.results, session->output.stage};
+    for (size_t i = 0; i < session->plan.job_count; i++)
+        session->plan.jobs[i].unfinished =
+            g_build_filename(session->output.state, "unfinished", session->keys[i], NULL);
     return MPM_OK;
 }
 

@@ -1,7 +1,8 @@
 # Particles with their domains, coloured by a field.
 #
 # Set before: output, format, title_text, unit (of the field), length (unit), axes ('x y' or 'r z');
-# particles.dat: for each particle two rows of two corners and the value.
+# particles.dat: for each particle two rows of two corners and the value, and one of undefined points;
+# outlines.dat: for each particle its corners, the first one again, and an undefined point.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set encoding utf8
@@ -25,7 +26,9 @@ set xrange [left:right]
 set yrange [bottom:top]
 set size ratio (top - bottom)/(right - left)
 set view map
-set pm3d corners2color c1 border lc rgb '#ffffff' lw 0.2
+set pm3d corners2color c1 noborder
 unset key
-splot 'particles.dat' using 1:2:3 with pm3d
+# half transparent, since thin domains are hidden by their outlines
+splot 'particles.dat' using 1:2:3 with pm3d, \
+      'outlines.dat' using 1:2:3 with lines lw 0.3 lc rgb '#80ffffff'
 unset output

@@ -160,28 +160,44 @@ static void set_limits(const struct drawing *drawing, const char *low, const cha
     set_number(drawing, high, limits.high + more);
 }
 
-/* A block of four corners, which gnuplot takes as a surface of its own. */
+static void append_point(GString *data, const double corner[2], double value)
+{
+    char digits[3][G_ASCII_DTOSTR_BUF_SIZE];
+    const double numbers[3] = {corner[0], corner[1], value};
+    for (int n = 0; n < 3; n++)
+        (void)g_ascii_formatd(digits[n], sizeof digits[n], "%.7g", numbers[n]);
+    g_string_append_printf(data, "%s %s %s\n", digits[0], digits[1], digits[2]);
+}
+
+/* Two rows of two corners, and a row of undefined points, across which gnuplot draws nothing: all
+ * domains are one surface, since a surface for each makes pictures 2.5 times as large. */
 static void append_domain(GString *data, double corners[4][2], double value)
 {
     static const int order[4] = {0, 1, 3, 2};
-    char digits[3][G_ASCII_DTOSTR_BUF_SIZE];
     for (int k = 0; k < 4; k++) {
-        const double numbers[3] = {corners[order[k]][0], corners[order[k]][1], value};
-        for (int n = 0; n < 3; n++)
-            (void)g_ascii_formatd(digits[n], sizeof digits[n], "%.7g", numbers[n]);
-        g_string_append_printf(data, "%s %s %s\n%s", digits[0], digits[1], digits[2],
-                               k == 1 ? "\n" : "");
+        append_point(data, corners[order[k]], value);
+        if (k % 2 == 1)
+            g_string_append_c(data, '\n');
     }
-    g_string_append(data, "\n\n");
+    g_string_append(data, "nan nan nan\nnan nan nan\n\n");
+}
+
+/* One line with breaks: lines of equally many points would be a mesh to gnuplot. */
+static void append_outline(GString *data, double corners[4][2])
+{
+    for (int k = 0; k <= 4; k++)
+        append_point(data, corners[k % 4], 0.0);
+    g_string_append(data, "nan nan nan\n");
 }
 
 static enum mpm_status prepare_particles(const struct drawing *drawing, const void *what)
 {
     const struct mpm_picture *const picture = what;
     struct limits range[3] = {{HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, -HUGE_VAL}};
-    GString *const data = g_string_new(NULL);
+    GString *const data = g_string_new(NULL), *const outlines = g_string_new(NULL);
     for (size_t p = 0; p < picture->count; p++) {
         append_domain(data, picture->corners[p], picture->values[p]);
+        append_outline(outlines, picture->corners[p]);
         widen(&range[2], picture->values[p]);
         for (int k = 0; k < 8; k++)
             widen(&range[k % 2], picture->corners[p][k / 2][k % 2]);
@@ -196,7 +212,10 @@ static enum mpm_status prepare_particles(const struct drawing *drawing, const vo
     set_limits(drawing, "left", "right", range[0], 0.05);
     set_limits(drawing, "bottom", "top", range[1], 0.05);
     set_limits(drawing, "low", "high", range[2], 0.0);
-    const enum mpm_status status = save(drawing, "particles.dat", data->str, data->len);
+    enum mpm_status status = save(drawing, "particles.dat", data->str, data->len);
+    if (status == MPM_OK)
+        status = save(drawing, "outlines.dat", outlines->str, outlines->len);
+    g_string_free(outlines, TRUE);
     g_string_free(data, TRUE);
     g_free(title);
     return status;

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/history.h"
 
+#include "io/results/rows.h"
 #include "io/units.h"
-#include "mpm_file.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <glib.h>
 #include <math.h>
 #include <stddef.h>
@@ -66,13 +64,9 @@ static const struct {
 
 struct mpm_history {
     const struct mpm_scene *scene;
-    char *path;
-    int file;
-    int64_t size;                                        /* of the complete rows, in bytes */
+    struct mpm_rows rows;
     const struct column *columns[G_N_ELEMENTS(columns)]; /* of this scene */
     size_t column_count;                                 /* of these */
-    bool has_row;
-    uint64_t last_step;
 };
 
 static void append_number(GString *row, double value)
@@ -88,18 +82,6 @@ static void append_value(GString *row, const struct column *column, const struct
         g_string_append_printf(row, "%" G_GUINT64_FORMAT, *(const uint64_t *)(const void *)value);
     else
         append_number(row, *(const double *)(const void *)value);
-}
-
-static enum mpm_status append_line(struct mpm_history *history, const GString *line,
-                                   struct mpm_error *error)
-{
-    if (mpm_file_write_at(history->file, line->str, line->len, history->size) == 0) {
-        history->size += (int64_t)line->len;
-        return MPM_OK;
-    }
-    const int failure = errno;
-    (void)mpm_file_cut(history->file, history->size); /* the first failure is the one to report */
-    return mpm_file_failed(history->path, failure, error);
 }
 
 static void append_head(GString *names, GString *units, const struct mpm_scene *scene,
@@ -147,8 +129,7 @@ static void append_integrals_head(GString *names, GString *units, const struct m
     }
 }
 
-static enum mpm_status write_head(struct mpm_history *history, const struct mpm_scene *scene,
-                                  struct mpm_error *error)
+static GString *head_of(const struct mpm_history *history, const struct mpm_scene *scene)
 {
     GString *head = g_string_new(NULL), *units = g_string_new(NULL);
     for (size_t i = 0; i < history->column_count; i++) {
@@ -162,10 +143,8 @@ static enum mpm_status write_head(struct mpm_history *history, const struct mpm_
         }
     append_integrals_head(head, units, scene);
     g_string_append_printf(head, "\n%s\n", units->str);
-    const enum mpm_status status = append_line(history, head, error);
     g_string_free(units, TRUE);
-    g_string_free(head, TRUE);
-    return status;
+    return head;
 }
 
 static void choose_columns(struct mpm_history *history, const struct mpm_scene *scene)
@@ -175,25 +154,17 @@ static void choose_columns(struct mpm_history *history, const struct mpm_scene *
             history->columns[history->column_count++] = &columns[i];
 }
 
-/* Its file is open, or `file` is below 0 and errno has the reason. */
-static struct mpm_history *history_open(const char *folder, const struct mpm_scene *scene,
-                                        int flags)
+static struct mpm_history *history_of(const struct mpm_scene *scene)
 {
-    struct mpm_history *const opened = g_new0(struct mpm_history, 1);
-    opened->scene = scene;
-    opened->path = g_build_filename(folder, MPM_HISTORY_NAME, NULL);
-    choose_columns(opened, scene);
-    opened->file = mpm_file_open(opened->path, flags | O_WRONLY);
-    return opened;
+    struct mpm_history *const history = g_new0(struct mpm_history, 1);
+    history->scene = scene;
+    choose_columns(history, scene);
+    return history;
 }
 
-enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *scene,
-                                   struct mpm_history **history, struct mpm_error *error)
+/* Frees it after a failure. */
+static enum mpm_status opened(enum mpm_status status, struct mpm_history **history)
 {
-    *history = history_open(folder, scene, O_CREAT | O_TRUNC);
-    const enum mpm_status status = (*history)->file < 0
-                                       ? mpm_file_failed((*history)->path, errno, error)
-                                       : write_head(*history, scene, error);
     if (status == MPM_OK)
         return MPM_OK;
     mpm_history_free(*history);
@@ -201,54 +172,45 @@ enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *s
     return status;
 }
 
+enum mpm_status mpm_history_create(const char *folder, const struct mpm_scene *scene,
+                                   struct mpm_history **history, struct mpm_error *error)
+{
+    *history = history_of(scene);
+    GString *const head = head_of(*history, scene);
+    const enum mpm_status status =
+        mpm_rows_create(folder, MPM_HISTORY_NAME, head, &(*history)->rows, error);
+    g_string_free(head, TRUE);
+    return opened(status, history);
+}
+
 enum mpm_status mpm_history_reopen(const char *folder, const struct mpm_scene *scene,
                                    struct mpm_history **history, struct mpm_error *error)
 {
-    *history = history_open(folder, scene, 0);
-    if ((*history)->file >= 0)
-        return MPM_OK;
-    struct mpm_error own = {.status = MPM_OK};
-    const enum mpm_status status = mpm_file_unread((*history)->path, errno, NULL, &own);
-    mpm_history_free(*history);
-    *history = NULL;
-    return mpm_error_set(error, status, "--resume: %s", own.message);
+    *history = history_of(scene);
+    return opened(mpm_rows_reopen(folder, MPM_HISTORY_NAME, &(*history)->rows, error), history);
 }
 
 void mpm_history_visit(struct mpm_history *history, struct mpm_piece_visitor *visitor)
 {
-    mpm_piece_visit(visitor, MPM_PIECE_INT64, &history->size, 1, "history.size", -1);
-    mpm_piece_visit(visitor, MPM_PIECE_BOOL, &history->has_row, 1, "history.has_row", -1);
-    mpm_piece_visit(visitor, MPM_PIECE_UINT64, &history->last_step, 1, "history.last_step", -1);
+    static const char *const names[] = {"history.size", "history.has_row", "history.last_step"};
+    mpm_rows_visit(&history->rows, names, visitor);
 }
 
 enum mpm_status mpm_history_cut(struct mpm_history *history, struct mpm_error *error)
 {
-    struct stat facts;
-    if (mpm_file_facts(history->file, &facts) != 0)
-        return mpm_file_failed(history->path, errno, error);
-    if (history->size < 0 || history->size > facts.st_size)
-        return mpm_error_set(error, MPM_BAD_INPUT,
-                             "--resume: %s has %lld bytes, fewer than when the checkpoint was "
-                             "written; allowed: from %lld on",
-                             history->path, (long long)facts.st_size, (long long)history->size);
-    return mpm_file_cut(history->file, history->size) == 0
-               ? MPM_OK
-               : mpm_file_failed(history->path, errno, error);
+    return mpm_rows_cut(&history->rows, error);
 }
 
 enum mpm_status mpm_history_sync(const struct mpm_history *history, struct mpm_error *error)
 {
-    return mpm_file_sync(history->file) == 0 ? MPM_OK
-                                             : mpm_file_failed(history->path, errno, error);
+    return mpm_rows_sync(&history->rows, error);
 }
 
 void mpm_history_free(struct mpm_history *history)
 {
     if (history == NULL)
         return;
-    if (history->file >= 0)
-        (void)mpm_file_close(history->file);
-    g_free(history->path);
+    mpm_rows_close(&history->rows);
     g_free(history);
 }
 
@@ -281,7 +243,7 @@ static enum mpm_status append_integrals(const struct mpm_history *history, GStri
 enum mpm_status mpm_history_write(struct mpm_history *history, const struct mpm_ledger *ledger,
                                   const struct mpm_simulation *simulation, struct mpm_error *error)
 {
-    if (history->has_row && history->last_step == ledger->step)
+    if (mpm_rows_have(&history->rows, ledger->step))
         return MPM_OK;
     GString *row = g_string_new(NULL);
     for (size_t i = 0; i < history->column_count; i++) {
@@ -296,11 +258,7 @@ enum mpm_status mpm_history_write(struct mpm_history *history, const struct mpm_
         }
     const enum mpm_status found = append_integrals(history, row, simulation, error);
     g_string_append_c(row, '\n');
-    const enum mpm_status status = append_line(history, row, error);
+    const enum mpm_status status = mpm_rows_append(&history->rows, row, ledger->step, error);
     g_string_free(row, TRUE);
-    if (status == MPM_OK) {
-        history->has_row = true;
-        history->last_step = ledger->step;
-    }
     return status != MPM_OK ? status : found;
 }

@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/results/probes.h"
 
-#include "base/status.h"
+#include "io/results/rows.h"
 #include "io/units.h"
-#include "mpm_file.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <glib.h>
 #include <math.h>
 #include <string.h>
@@ -15,11 +12,7 @@ enum { BLOCK = 4096, COMPONENTS_MAX = 5 };
 
 struct mpm_probes {
     const struct mpm_scene *scene;
-    char *path;
-    int file;
-    int64_t size; /* of the complete rows, in bytes */
-    bool has_rows;
-    uint64_t last_step;
+    struct mpm_rows rows;
 };
 
 /* --------------------------------------------------------------------- head */
@@ -83,37 +76,19 @@ static GString *head_of(const struct mpm_scene *scene)
 
 /* --------------------------------------------------------------------- file */
 
-static enum mpm_status append(struct mpm_probes *probes, const GString *text,
-                              struct mpm_error *error)
-{
-    if (mpm_file_write_at(probes->file, text->str, text->len, probes->size) == 0) {
-        probes->size += (int64_t)text->len;
-        return MPM_OK;
-    }
-    const int failure = errno;
-    (void)mpm_file_cut(probes->file, probes->size); /* the first failure is the one to report */
-    return mpm_file_failed(probes->path, failure, error);
-}
-
-static struct mpm_probes *open_file(const char *folder, const struct mpm_scene *scene, int flags)
-{
-    struct mpm_probes *const made = g_new0(struct mpm_probes, 1);
-    made->scene = scene;
-    made->path = g_build_filename(folder, MPM_PROBES_NAME, NULL);
-    made->file = mpm_file_open(made->path, flags);
-    return made;
-}
-
-enum mpm_status mpm_probes_create(const char *folder, const struct mpm_scene *scene,
-                                  struct mpm_probes **probes, struct mpm_error *error)
+/* Without places there is nothing to open. Frees it after a failure. */
+static enum mpm_status open_probes(const char *folder, const struct mpm_scene *scene, bool anew,
+                                   struct mpm_probes **probes, struct mpm_error *error)
 {
     *probes = NULL;
     if (scene->probe_count == 0)
         return MPM_OK;
-    struct mpm_probes *const made = open_file(folder, scene, O_CREAT | O_TRUNC | O_WRONLY);
+    struct mpm_probes *const made = g_new0(struct mpm_probes, 1);
     GString *const head = head_of(scene);
+    made->scene = scene;
     const enum mpm_status status =
-        made->file < 0 ? mpm_file_failed(made->path, errno, error) : append(made, head, error);
+        anew ? mpm_rows_create(folder, MPM_PROBES_NAME, head, &made->rows, error)
+             : mpm_rows_reopen(folder, MPM_PROBES_NAME, &made->rows, error);
     g_string_free(head, TRUE);
     if (status == MPM_OK)
         *probes = made;
@@ -122,66 +97,41 @@ enum mpm_status mpm_probes_create(const char *folder, const struct mpm_scene *sc
     return status;
 }
 
-/* Where the rows of later steps begin: behind the last whole row that has no later step. *last is
- * the step of that row. */
-static int64_t kept_size(const char *text, uint64_t step, uint64_t *last)
-{
-    int64_t kept = 0;
-    for (const char *row = text, *end; (end = strchr(row, '\n')) != NULL; row = end + 1) {
-        const char *const comma = strchr(row, ',');
-        const bool is_row = kept > 0 && row[0] != '#';
-        const uint64_t its = comma != NULL ? g_ascii_strtoull(comma + 1, NULL, 10) : UINT64_MAX;
-        if (is_row && (comma > end || its > step))
-            break;
-        *last = is_row ? its : *last;
-        kept = end + 1 - text;
-    }
-    return kept;
-}
-
-enum mpm_status mpm_probes_reopen(const char *folder, const struct mpm_scene *scene, uint64_t step,
+enum mpm_status mpm_probes_create(const char *folder, const struct mpm_scene *scene,
                                   struct mpm_probes **probes, struct mpm_error *error)
 {
-    *probes = NULL;
-    if (scene->probe_count == 0)
-        return MPM_OK;
-    struct mpm_probes *const made = open_file(folder, scene, O_RDWR);
-    struct mpm_error own = {.status = MPM_OK};
-    char *const text = made->file < 0 ? NULL : mpm_file_load(made->path, NULL);
-    enum mpm_status status = MPM_OK;
-    if (text == NULL) {
-        status = mpm_file_unread(made->path, errno, NULL, &own);
-        status = mpm_error_set(error, status, "--resume: %s", own.message);
-    } else {
-        made->last_step = UINT64_MAX; /* without rows */
-        made->size = kept_size(text, step, &made->last_step);
-        made->has_rows = made->last_step != UINT64_MAX;
-        if (mpm_file_cut(made->file, made->size) != 0)
-            status = mpm_file_failed(made->path, errno, error);
-    }
-    g_free(text);
-    if (status == MPM_OK)
-        *probes = made;
-    else
-        mpm_probes_free(made);
-    return status;
+    return open_probes(folder, scene, true, probes, error);
+}
+
+enum mpm_status mpm_probes_reopen(const char *folder, const struct mpm_scene *scene,
+                                  struct mpm_probes **probes, struct mpm_error *error)
+{
+    return open_probes(folder, scene, false, probes, error);
+}
+
+void mpm_probes_visit(struct mpm_probes *probes, struct mpm_piece_visitor *visitor)
+{
+    static const char *const names[] = {"probes.size", "probes.has_row", "probes.last_step"};
+    if (probes != NULL)
+        mpm_rows_visit(&probes->rows, names, visitor);
+}
+
+enum mpm_status mpm_probes_cut(struct mpm_probes *probes, struct mpm_error *error)
+{
+    return probes == NULL ? MPM_OK : mpm_rows_cut(&probes->rows, error);
 }
 
 void mpm_probes_free(struct mpm_probes *probes)
 {
     if (probes == NULL)
         return;
-    if (probes->file >= 0)
-        (void)mpm_file_close(probes->file);
-    g_free(probes->path);
+    mpm_rows_close(&probes->rows);
     g_free(probes);
 }
 
 enum mpm_status mpm_probes_sync(const struct mpm_probes *probes, struct mpm_error *error)
 {
-    return probes == NULL || mpm_file_sync(probes->file) == 0
-               ? MPM_OK
-               : mpm_file_failed(probes->path, errno, error);
+    return probes == NULL ? MPM_OK : mpm_rows_sync(&probes->rows, error);
 }
 
 /* ------------------------------------------------------------------- values */
@@ -274,17 +224,15 @@ enum mpm_status mpm_probes_write(struct mpm_probes *probes, const struct mpm_sim
     if (probes == NULL)
         return MPM_OK;
     const uint64_t step = mpm_simulation_step(simulation);
-    if (probes->has_rows && probes->last_step == step)
+    if (mpm_rows_have(&probes->rows, step))
         return MPM_OK;
     GString *const rows = g_string_new(NULL);
     GArray *const shares = g_array_new(FALSE, FALSE, sizeof(struct share));
     for (size_t i = 0; i < probes->scene->probe_count; i++)
         for (int64_t k = 0; k < probes->scene->probes[i].points; k++)
             append_row(rows, probes->scene, simulation, &probes->scene->probes[i], k, shares);
-    const enum mpm_status status = append(probes, rows, error);
+    const enum mpm_status status = mpm_rows_append(&probes->rows, rows, step, error);
     g_array_free(shares, TRUE);
     g_string_free(rows, TRUE);
-    probes->has_rows = probes->has_rows || status == MPM_OK;
-    probes->last_step = status == MPM_OK ? step : probes->last_step;
     return status;
 }

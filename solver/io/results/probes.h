@@ -15,6 +15,7 @@
 #ifndef MPM_IO_PROBES_H
 #define MPM_IO_PROBES_H
 
+#include "base/piece.h"
 #include "model/scene.h"
 
 #define MPM_PROBES_NAME "probes.csv"
@@ -24,9 +25,12 @@ struct mpm_probes;
 /* NULL in scenes without. `folder` and `scene` must outlive it. */
 enum mpm_status mpm_probes_create(const char *folder, const struct mpm_scene *scene,
                                   struct mpm_probes **probes, struct mpm_error *error);
-/* The same for a run that goes on after `step`: rows of later steps are cut off. */
-enum mpm_status mpm_probes_reopen(const char *folder, const struct mpm_scene *scene, uint64_t step,
+/* That of a run that was interrupted; mpm_probes_cut puts into force what mpm_probes_visit reads,
+ * as for the history. */
+enum mpm_status mpm_probes_reopen(const char *folder, const struct mpm_scene *scene,
                                   struct mpm_probes **probes, struct mpm_error *error);
+void mpm_probes_visit(struct mpm_probes *probes, struct mpm_piece_visitor *visitor);
+enum mpm_status mpm_probes_cut(struct mpm_probes *probes, struct mpm_error *error);
 void mpm_probes_free(struct mpm_probes *probes);
 
 /* The rows of a state; nothing if those of its step are there. Cost: each place looks at all

@@ -21,6 +21,8 @@
       "law: interface: D_n where the bodies overlap; tension if missing")                          \
     X(S, ONE, shear, NUMBER, ANYWHERE, OPTIONAL, STIFFNESS, NULL, AT_LEAST(0),                     \
       "law: interface: D_t, traction per sliding")                                                 \
+    X(S, ONE, ratio_limit, NUMBER, ANYWHERE, OPTIONAL, NONE, NULL, AT_LEAST(1),                      \
+      "law: interface, normals other than logistic and given: largest ratio of shear to tension or compression, either way; 10 if missing: their errors take opening for sliding, and make energy where bodies turn") \
     X(S, ONE, conductance, NUMBER, ANYWHERE, OPTIONAL, FILM, NULL, AT_LEAST(0),                      \
       "heat: conductance, and only there: heat per area, time and difference of temperatures")     \
     X(S, ONE, heat_gap, NUMBER, ANYWHERE, OPTIONAL, LENGTH, NULL, AT_LEAST(0),                       \

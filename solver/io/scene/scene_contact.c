@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/scene/scene_build.h"
+#include "simulation/interface_limit.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -110,6 +111,7 @@ static enum mpm_status check_keys(const struct mpm_reading *reading, const char 
         {path, "tension", raw->tension, interface, "law: interface"},
         {path, "compression", raw->compression, interface, "law: interface"},
         {path, "shear", raw->shear, interface, "law: interface"},
+        {path, "ratio_limit", raw->ratio_limit, interface, "law: interface"},
         {path, "direction", raw->direction[0], pair->normal == MPM_NORMAL_GIVEN, "normal: given"},
     };
     for (size_t k = 0; k < sizeof given / sizeof given[0]; k++)
@@ -127,6 +129,22 @@ static enum mpm_status check_keys(const struct mpm_reading *reading, const char 
                                  "given without direction; allowed: direction: a vector from the "
                                  "first to the second");
     return MPM_OK;
+}
+
+static enum mpm_status check_ratio(const struct mpm_reading *reading, const char *path,
+                                   const struct mpm_raw_contact_pair *raw,
+                                   const struct mpm_pair_spec *pair)
+{
+    const double ratio = mpm_pair_unevenness(pair);
+    const double limit =
+        raw->ratio_limit == NULL ? MPM_UNEVEN_MAX : mpm_raw_double(raw->ratio_limit);
+    if (ratio <= limit)
+        return MPM_OK;
+    return mpm_reading_fault(reading, mpm_path_join(path, "shear").text,
+                             "stiffnesses along and across the surface differ by a factor of %.3g, "
+                             "and errors of this normal make energy of it where bodies turn; "
+                             "allowed: up to %g (ratio_limit), or normal: logistic or given",
+                             ratio, limit);
 }
 
 static enum mpm_status fill_direction(const struct mpm_reading *reading, const char *path,
@@ -165,6 +183,7 @@ static enum mpm_status fill_law(const struct mpm_reading *reading, const char *p
     pair->tension = mpm_raw_double(raw->tension);
     pair->compression = raw->compression == NULL ? pair->tension : mpm_raw_double(raw->compression);
     pair->shear = mpm_raw_double(raw->shear);
+    MPM_TRY(check_ratio(reading, path, raw, pair));
     if (pair->static_friction < pair->friction)
         return mpm_reading_fault(reading, mpm_path_join(path, "static_friction").text,
                                  "got %g; allowed: at least friction, %g", pair->static_friction,
@@ -201,6 +220,7 @@ static enum mpm_status fill_defaults(const struct mpm_reading *reading, const st
         .tension = raw->tension,
         .compression = raw->compression,
         .shear = raw->shear,
+        .ratio_limit = raw->ratio_limit,
         .heat = raw->heat,
         .conductance = raw->conductance,
         .heat_gap = raw->heat_gap,

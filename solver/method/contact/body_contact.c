@@ -38,7 +38,7 @@ enum mpm_status mpm_body_contact_begin(struct mpm_state *state, int workers,
     if (state->contact.node_count > 0)
         mpm_contact_particles_find(state, workers);
     mpm_contact_sums_find(state, workers);
-    mpm_contact_normals_find(state, workers);
+    MPM_TRY(mpm_contact_normals_find(state, workers, error));
     if (mpm_contact_needs_edges(mpm_contact_spec(state)))
         mpm_contact_edges_find(state, workers);
     mpm_contact_detect(state);

@@ -4,6 +4,7 @@
 #ifndef MPM_METHOD_BODY_CONTACT_STATE_H
 #define MPM_METHOD_BODY_CONTACT_STATE_H
 
+#include "method/contact/logistic_plane.h"
 #include "method/fields/fields_state.h"
 #include "model/contact.h"
 
@@ -52,12 +53,6 @@ struct mpm_contact_pair {
     double area;      /* of contact at the node */
     double jump[2];   /* of the displacement, normal and tangential: second less first */
     double rate[2];   /* of the particles' velocity */
-};
-
-/* Of a pair with logistic regression: its plane, and what Newton's method needs. */
-struct mpm_contact_plane {
-    bool logistic, moves;
-    double c[3], slope[3], curvature[6];
 };
 
 /* A node of the grid that several fields reach. */
@@ -115,7 +110,7 @@ struct mpm_body_contact {
     size_t field_count;
     struct mpm_contact_pair *pairs;
     size_t pair_count;
-    struct mpm_contact_plane *planes; /* per pair, of scenes with logistic regression; or NULL */
+    struct mpm_logistic_plane *planes; /* per pair, of scenes with logistic regression; or NULL */
     uint32_t *node_of;         /* per node of the grid: one more than its place in `nodes`, or 0 */
     uint8_t *rigid_at;         /* per node of the grid: bits of the rigid fields; or NULL */
     struct mpm_bands rigid_in; /* nodes in rigid_at */

@@ -28,11 +28,11 @@ double mpm_node_seen_length(const struct mpm_state *state, int64_t node, int axi
                              : first;
     const int64_t low = zero > first ? zero : first;
     const double past = state->family->past_next;
+    if (place <= low || place >= last) /* on a plane of symmetry too */
+        return 0.5 + 2.0 * past;
     for (size_t k = 0; k < state->symmetries.count; k++)
         if (state->symmetries.planes[k].axis == axis && state->symmetries.planes[k].line == place)
             return 0.5;
-    if (place <= low || place >= last)
-        return 0.5 + 2.0 * past;
     return place == low + 1 || place == last - 1 ? 1.0 - 2.0 * past : 1.0;
 }
 

@@ -131,16 +131,17 @@ static void take_planes(struct mpm_state *state)
     for (size_t k = 0; k < state->contact.node_count; k++) {
         const struct mpm_contact_node *const node = &state->contact.nodes[k];
         for (uint32_t i = node->first_pair; i < node->first_pair + node->pairs; i++) {
-            const struct mpm_contact_plane *const plane = &state->contact.planes[i];
+            const struct mpm_logistic_plane *const plane = &state->contact.planes[i];
             struct mpm_contact_pair *const pair = &state->contact.pairs[i];
-            if (plane->logistic)
+            if (plane->used)
                 scale(state, node, pair,
                       mpm_contact_plane_normal(&state->grid, plane->c, pair->normal));
         }
     }
 }
 
-void mpm_contact_normals_find(struct mpm_state *state, int workers)
+enum mpm_status mpm_contact_normals_find(struct mpm_state *state, int workers,
+                                         struct mpm_error *error)
 {
     for (size_t k = 0; k < state->contact.node_count; k++) {
         const struct mpm_contact_node *const node = &state->contact.nodes[k];
@@ -148,7 +149,8 @@ void mpm_contact_normals_find(struct mpm_state *state, int workers)
             find_normal(state, node, &state->contact.pairs[i]);
     }
     if (state->contact.planes != NULL) {
-        mpm_contact_logistic_find(state, workers);
+        MPM_TRY(mpm_contact_logistic_find(state, workers, error));
         take_planes(state);
     }
+    return MPM_OK;
 }

@@ -27,7 +27,9 @@
 #include "method/contact/shared_nodes.h"
 
 /* Finds the normals of all pairs from their sums; has_normal is false where there is none, both
- * gradients being zero. `workers` for logistic regression, which visits particles. */
-void mpm_contact_normals_find(struct mpm_state *state, int workers);
+ * gradients being zero. `workers` for logistic regression, which visits particles, and fails where
+ * it does not converge. */
+enum mpm_status mpm_contact_normals_find(struct mpm_state *state, int workers,
+                                         struct mpm_error *error);
 
 #endif

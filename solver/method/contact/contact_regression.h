@@ -15,10 +15,10 @@ bool mpm_contact_linear_plane(const struct mpm_contact_sums *first,
 /* Sets the gradient of phi; returns a length to compare it with. */
 double mpm_contact_plane_normal(const struct mpm_grid *grid, const double c[3], double normal[2]);
 
-/* By logistic regression, of all pairs that have it: Newton's method, from the plane of linear
- * regression on. Its sum of logarithms is convex, with a penalty of LAMBDA |c|^2/2 on all but c_0
- * that makes the plane between two separate sets of particles, which any steep phi fits, the one
- * with the widest gap. Cost: about 20 visits of the particles near contact. */
-void mpm_contact_logistic_find(struct mpm_state *state, int workers);
+/* By logistic regression (logistic_plane.h), of all pairs that have it, from the plane of linear
+ * regression on. Fails where one has not converged after 200 steps. Cost: about 20 visits of the
+ * particles near contact. */
+enum mpm_status mpm_contact_logistic_find(struct mpm_state *state, int workers,
+                                          struct mpm_error *error);
 
 #endif

@@ -269,8 +269,21 @@ static bool settle(struct solution *of, struct parts parts[PAIRS], int most)
     return settled;
 }
 
-/* How much of its own need each pair may take at once: with the pairs of both its fields the need
- * of a pair is up to 1/share of what its own parts do, so that sweeps converge. */
+/* By how much a pair's two parts together do more than each for itself, where fields are held along
+ * one axis: both move them along the other one. 0 where they are as mobile along both. */
+static double overlap(const struct mpm_solve_pair *pair, const struct mpm_contact_side *sides)
+{
+    const double *const n = pair->normal, along[2] = {-n[1], n[0]};
+    const struct approach approach = approach_of(pair, sides);
+    const double x = approach.mobility[0], y = approach.mobility[1], most = fmax(x, y);
+    const double press = mobility_along(&approach, n), drag = mobility_along(&approach, along);
+    if (!(press > HELD_ALONG * most && drag > HELD_ALONG * most))
+        return 0.0;
+    return fabs(n[0] * n[1] * (y - x)) / sqrt(press * drag);
+}
+
+/* How much of its own need each pair may take at once: with the pairs of both its fields, and both
+ * its parts, the need of a pair is up to 1/share of what a part does, so that sweeps converge. */
 static void find_shares(struct solution *solution)
 {
     const struct mpm_contact_side *const sides = solution->sides;
@@ -287,7 +300,7 @@ static void find_shares(struct solution *solution)
             if (one + other > 0.0)
                 need = fmax(need, (of[on[0]] * one + of[on[1]] * other) / (one + other));
         }
-        solution->shares[k] = 1.0 / need;
+        solution->shares[k] = 1.0 / (need * (1.0 + overlap(&pairs[k], sides)));
         solution->mobility[k] = fmax(sides[on[0]].mobility[0] + sides[on[1]].mobility[0],
                                      sides[on[0]].mobility[1] + sides[on[1]].mobility[1]);
     }

@@ -31,7 +31,7 @@ void mpm_shared_nodes_layout(struct mpm_state *state, struct mpm_arena *arena)
     contact->fields = MPM_TAKE(arena, struct mpm_contact_field, contact->field_capacity);
     contact->pairs = MPM_TAKE(arena, struct mpm_contact_pair, contact->pair_capacity);
     if (needs_planes(spec))
-        contact->planes = MPM_TAKE(arena, struct mpm_contact_plane, contact->pair_capacity);
+        contact->planes = MPM_TAKE(arena, struct mpm_logistic_plane, contact->pair_capacity);
     contact->node_of = MPM_TAKE(arena, uint32_t, all);
     contact->beside = mpm_bands_layout(state, arena);
     if (spec->field_count > spec->deformable_fields) {

@@ -249,6 +249,15 @@ MPM_INLINE void update_stress_block(const struct fast_spec *spec, const struct f
                   (const mpm_vector(*)[MPM_GRADIENT_SIZE])gradient);
 }
 
+/* Without `affine`, which passes of APIC set: zeros there take a loop for each vector. */
+MPM_INLINE void begin_load(const struct mpm_particles *particles, size_t p, struct fast_load *load)
+{
+    load->mass = mpm_load(particles->mass + p);
+    load->momentum[0] = load->momentum[1] = mpm_splat(0.0);
+    for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        load->stress[k] = mpm_splat(0.0);
+}
+
 /* Momentum and mass */
 MPM_INLINE void spread_sums(const struct fast_spec *spec, const struct fast_constants *k,
                             const union fast_stencil *stencil, const struct fast_load *load)
@@ -267,7 +276,8 @@ MPM_INLINE void block_to_grid(const struct fast_spec *spec, const struct fast_bl
     evaluate_block(spec, block, stencil);
     FOR_VECTORS(block, p, v)
     {
-        struct fast_load load = {.mass = mpm_load(block->particles->mass + p)};
+        struct fast_load load;
+        begin_load(block->particles, p, &load);
         for (int axis = 0; axis < 2; axis++)
             load.momentum[axis] = load.mass * mpm_load(block->particles->velocity[axis] + p);
         if (spec->affine)
@@ -294,7 +304,8 @@ MPM_INLINE void block_stress_before(const struct fast_spec *spec, const struct f
     update_stress_block(spec, block, stencil);
     FOR_VECTORS(block, p, v)
     {
-        struct fast_load load = {.mass = mpm_load(block->particles->mass + p)};
+        struct fast_load load;
+        begin_load(block->particles, p, &load);
         load_stress(block->particles, p, &load);
         spread(spec, block->k, &stencil[v], &load);
     }

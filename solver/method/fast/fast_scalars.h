@@ -434,7 +434,7 @@ MPM_INLINE void conduct_vector(const struct fast_spec *spec, const struct fast_b
 {
     const struct fast_scalar *const scalar = &block->k->scalar;
     const struct mpm_particles *const particles = block->particles;
-    struct fast_gift gift = {.value = mpm_splat(0.0)};
+    struct fast_gift gift; /* set part by part: zeros of all of it are a loop */
     mpm_vector f[MPM_GRADIENT_SIZE], gradient[2], j = mpm_splat(1.0);
     if (!spec->undeformed) {
         load_deformation(particles, p, f);
@@ -450,8 +450,8 @@ MPM_INLINE void conduct_vector(const struct fast_spec *spec, const struct fast_b
         turned_flow(scalar->conduction.k, f, gradient, gift.flow);
     for (int axis = 0; axis < 2; axis++)
         gift.flow[axis] *= -volume;
-    if (has_source)
-        gift.value = volume * (scalar->inverse_density * mpm_load(particles->source + p));
+    gift.value = has_source ? volume * (scalar->inverse_density * mpm_load(particles->source + p))
+                            : mpm_splat(0.0);
     spread_gift(spec, block->k, stencil, scalar->nodes[FAST_INFLOW], &gift);
     block->sums->diffusivity =
         mpm_larger(j * scalar->conduction.diffusivity, block->sums->diffusivity);

@@ -95,10 +95,14 @@ static void check_same_results(const char *one, const char *other, const char *w
     g_strfreev(others);
 }
 
+/* What they conduct differs from place to place. */
+#define CONDUCTING                                                                                 \
+    TEST_BLOCKS_CONDUCTING, "transport.temperature.start=x", "transport.concentration.start=y/10"
+
 /* Scenes of which each has a state of its own kind. */
 static const struct kind {
     const char *name;
-    const char *settings[10];
+    const char *settings[12];
 } kinds[] = {
     {"two blocks", {NULL}},
     /* the order after a sort is another than that of creation, and strips reach other nodes */
@@ -112,19 +116,52 @@ static const struct kind {
     {"plastic strain",
      {"materials.rubber={name: rubber, law: von_mises, density: 1, bulk: 200, shear: 100, "
       "yield_stress: 1}"}},
-    {"conduction", {TEST_BLOCKS_CONDUCTING}},
+    {"conduction", {CONDUCTING}},
     {"conduction that waits",
-     {TEST_BLOCKS_CONDUCTING, "transport.every=7", "materials.rubber.thermal_expansion=1e-3",
+     {CONDUCTING, "transport.every=7", "materials.rubber.thermal_expansion=1e-3",
       "materials.rubber.stress_free_temperature=0"}},
     /* F_zz is found by iteration, from the one before it: stress does not follow from F again */
     {"plane stress that follows temperature",
-     {"geometry=plane_stress", TEST_BLOCKS_CONDUCTING, "materials.rubber.thermal_expansion=1e-3",
+     {"geometry=plane_stress", CONDUCTING, "materials.rubber.thermal_expansion=1e-3",
       "materials.rubber.stress_free_temperature=-3"}},
     {"contact",
      {"bodies.left.velocity=[4, 0]", "contact={fields: bodies, law: friction, friction: 0.3}"}},
     {"an interface",
      {"bodies.left.velocity=[4, 0]",
       "contact={fields: bodies, law: interface, tension: 10, compression: 10, shear: 5}"}},
+    {"plastic work that heats and softens",
+     {"materials.rubber={name: rubber, law: johnson_cook, density: 1, bulk: 200, shear: 100, "
+      "yield_stress: 1, hardening_coefficient: 2, hardening_exponent: 0.5, rate_coefficient: 0.1, "
+      "reference_rate: 1, softening_exponent: 1, reference_temperature: 300, "
+      "melting_temperature: 310, start_temperature: 300, specific_heat: 0.1, taylor_quinney: 0.9}",
+      "output.energy_balance=true"}},
+    {"plastic work and friction that heat what conducts",
+     {"bodies.left.velocity=[4, 0]", "bodies.left.temperature=300+x",
+      "materials.rubber={name: rubber, law: johnson_cook, density: 1, bulk: 200, shear: 100, "
+      "yield_stress: 1, softening_exponent: 1, reference_temperature: 300, "
+      "melting_temperature: 310, taylor_quinney: 0.9, heat_capacity: 0.1, conductivity: 0.1, "
+      "thermal_expansion: 1e-5, stress_free_temperature: 300}",
+      "transport={temperature: {start: '300', heating: true}}", "output.energy_balance=true",
+      "contact={fields: bodies, law: friction, friction: 0.3, heat: conductance, conductance: 1}"}},
+    {"shocks, with a pressure that breaks",
+     {"bodies.left.velocity=[\"x<3.5 ? 3 : -3\", 0]", "bodies.right.velocity=[\"3*(x-8)\", 0]",
+      "materials.rubber={name: rubber, law: von_mises_gruneisen, density: 1, sound_speed: 14, "
+      "hugoniot_slope: 1.5, gruneisen: 2, shear: 100, yield_stress: 1, pressure_cutoff: 5, "
+      "start_temperature: 300, specific_heat: 0.1, "
+      "viscosity: {linear: 0.1, quadratic: 1}}"}},
+    {"plastic bodies in plane stress",
+     {"geometry=plane_stress",
+      "materials.rubber={name: rubber, law: von_mises, density: 1, bulk: 200, shear: 100, "
+      "hardening_table: [[0, 1], [0.01, 1.5], [1, 2]], kinematic_modulus: 5}"}},
+    {"probes and lines, of a crack too",
+     {"cracks=[{points: [[1, 3.25], [4, 3.25]], opening: true, contact: friction, friction: 0.2}]",
+      "bodies.left.velocity=[0, \"2*(y-3.25)*(4.5-x)\"]", "output.derived=true",
+      "output.probes=[{name: a, at: [3, 4]}, {name: outside, at: [6, 6]}]",
+      "output.lines=[{name: b, from: [2, 2.5], to: [9, 2.5], points: 15}]"}},
+    {"a cohesive crack",
+     {"cracks=[{points: [[1, 3.25], [6, 3.25]], contact: none, cohesive: {law: trilinear, "
+      "strength: 2, toughness: 0.5, stiffness: 100, knee_opening: 0.1, knee_traction: 1}}]",
+      "bodies.left.velocity=[0, \"0.8*(y-3.25)\"]"}},
     {"rest", {"time.rest={residual: 1e-9, kinetic_energy: 1e-9}", "damping={grid: 10}"}},
 };
 

@@ -178,6 +178,19 @@ static size_t occurrences(const char *text, const char *part)
     return count;
 }
 
+/* White lines that begin anew. */
+static size_t outlines(const char *text)
+{
+    static const char white[] = "<path stroke='rgb(255, 255, 255)'";
+    size_t count = 0;
+    for (const char *at = text; (at = strstr(at, white)) != NULL; at += strlen(white)) {
+        char *const path = g_strndup(at, strcspn(at, ">"));
+        count += occurrences(path, "M");
+        g_free(path);
+    }
+    return count;
+}
+
 /* Four columns of four particles, the first in the lowest colour, the last in the highest; the
  * colour bar begins with the lowest. */
 START_TEST(a_picture_has_every_domain_the_unit_and_the_title)
@@ -190,6 +203,7 @@ START_TEST(a_picture_has_every_domain_the_unit_and_the_title)
     char *const text = test_file_read(path);
     ck_assert_uint_eq(occurrences(text, "<polygon fill = 'rgb(253, 231,  37)'"), 4 + 1);
     ck_assert_uint_eq(occurrences(text, "<polygon fill = 'rgb( 68,   1,  84)'"), 4);
+    ck_assert_uint_eq(outlines(text), 16);
     ck_assert_ptr_nonnull(strstr(text, "it’s `date` $HOME"));
     ck_assert_ptr_nonnull(strstr(text, "µs^-1"));
     g_free(text);

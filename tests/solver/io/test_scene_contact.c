@@ -39,6 +39,24 @@ START_TEST(contact_says_what_its_file_says)
 }
 END_TEST
 
+START_TEST(stiffnesses_may_differ_as_far_as_the_normal_bears_it)
+{
+    static const char *const allowed[] = {
+        "contact={law: interface, tension: 1, shear: 10}",
+        "contact={law: interface, tension: 1, compression: 10, shear: 1}",
+        "contact={law: interface, tension: 1, shear: 200, ratio_limit: 200}",
+        "contact={law: interface, tension: 1, shear: 200, normal: logistic}",
+        "contact={pairs: [{of: [soft, hard], law: interface, tension: 200, shear: 1, normal: "
+        "given, "
+        "direction: [0, 1]}]}",
+        "contact={law: interface, tension: 1, shear: 0}",
+        "contact={law: interface, tension: 0, shear: 1}",
+    };
+    for (size_t k = 0; k < sizeof allowed / sizeof *allowed; k++)
+        mpm_scene_free(test_scene_read(TOUCHING, allowed[k]));
+}
+END_TEST
+
 START_TEST(bodies_between_which_there_is_no_law_share_a_field)
 {
     struct mpm_scene *scene =
@@ -68,6 +86,16 @@ static const char *const refused[][2] = {
     {"contact={law: stick, touching: 0.5}", "contact.touching: got 0.5, which this pair does not"},
     {"contact={law: interface, tension: 1}", "contact.law: an interface without stiffness"},
     {"contact={law: interface, tension: -1, shear: 1}", "contact.tension: out of range"},
+    {"contact={law: interface, tension: 1, shear: 10.1}",
+     "contact.shear: stiffnesses along and across the surface differ by a factor of 10.1"},
+    {"contact={law: interface, tension: 2, compression: 11, shear: 1}",
+     "allowed: up to 10 (ratio_limit), or normal: logistic or given"},
+    {"contact={law: interface, tension: 1, shear: 200, ratio_limit: 199}",
+     "allowed: up to 199 (ratio_limit)"},
+    {"contact={law: stick, ratio_limit: 20}",
+     "contact.ratio_limit: got 20, which this pair does not use"},
+    {"contact={law: interface, tension: 1, shear: 1, ratio_limit: 0.5}",
+     "contact.ratio_limit: out of range"},
     {"contact={law: stick, tension: 1}", "contact.tension: got 1, which this pair does not use"},
     {"contact={law: stick, normal: given}", "contact.normal: given for all pairs"},
     {"contact={pairs: [{of: [soft, glass], law: stick}]}",
@@ -153,6 +181,7 @@ Suite *suite_scene_contact(void)
     TCase *content = tcase_create("content");
     tcase_add_test(content, contact_says_what_its_file_says);
     tcase_add_test(content, bodies_between_which_there_is_no_law_share_a_field);
+    tcase_add_test(content, stiffnesses_may_differ_as_far_as_the_normal_bears_it);
     tcase_add_loop_test(content, contact_that_cannot_be_is_refused_with_its_place, 0,
                         G_N_ELEMENTS(refused));
     tcase_add_test(content, rigid_bodies_in_contact_are_driven_along_both_axes);

@@ -94,11 +94,16 @@ START_TEST(a_stiff_interface_is_told_of_and_one_beyond_all_numbers_refused)
         const char *d, *says;
     } cases[] = {
         {"contact={law: interface, tension: 0.01, shear: 0.01}", ""},
-        {"contact={law: interface, tension: 0.01, shear: 100}", "times as stiff as an explicit"},
-        {"contact={law: interface, tension: 0.01, compression: 1e11, shear: 1}", "contact"},
+        {"contact={law: interface, tension: 0.01, shear: 100, normal: logistic}",
+         "times as stiff as an explicit"},
+        {"contact={law: interface, tension: 0.01, compression: 1e11, shear: 1, "
+         "ratio_limit: 1e11}",
+         "contact"},
         {"contact={law: interface, tension: 0.001, shear: 0.01}", ""},
-        {"contact={law: interface, tension: 0.001, shear: 0.011}", "differ by a factor of 11"},
-        {"contact={law: interface, tension: 0.011, shear: 0.001}", "differ by a factor of 11"},
+        {"contact={law: interface, tension: 0.001, shear: 0.011, ratio_limit: 11}",
+         "differ by a factor of 11"},
+        {"contact={law: interface, tension: 0.011, shear: 0.001, ratio_limit: 11}",
+         "differ by a factor of 11"},
         {"contact={law: interface, tension: 0.001, shear: 0.011, normal: logistic}", ""},
     };
     for (size_t k = 0; k < G_N_ELEMENTS(cases); k++) {
@@ -109,9 +114,9 @@ START_TEST(a_stiff_interface_is_told_of_and_one_beyond_all_numbers_refused)
         test_run_close(&run);
     }
     static const char *const beyond[] = {
-        "contact={law: interface, tension: 1e14, shear: 1}",
-        "contact={law: interface, tension: 1, shear: 1e200}",
-        "contact={law: interface, tension: 1, compression: 1e308, shear: 1}"};
+        "contact={law: interface, tension: 1e14, shear: 1e14}",
+        "contact={law: interface, tension: 1, shear: 1e200, normal: logistic}",
+        "contact={law: interface, tension: 1, compression: 1e308, shear: 1, normal: logistic}"};
     for (size_t k = 0; k < G_N_ELEMENTS(beyond); k++)
         expect_refused(LAYERS, beyond[k], "allowed: up to 1e+12 times, or law: bonded");
 }

@@ -268,7 +268,8 @@ START_TEST(energy_that_contact_makes_is_not_balanced_by_a_negative_dissipation)
         "bodies=[{name: a, material: a, region: {rectangle: {from: [-6, -2], to: [0, 2]}}, "
         "velocity: ['-0.02*y', '0.02*x']}, {name: b, material: b, "
         "region: {rectangle: {from: [0, -2], to: [6, 2]}}, velocity: ['-0.02*y', '0.02*x']}]",
-        "contact={law: interface, tension: 0.05, compression: 0.05, shear: 500, normal: average}",
+        "contact={law: interface, tension: 0.05, compression: 0.05, shear: 500, normal: average, "
+        "ratio_limit: 10000}",
         NULL};
     struct mpm_error error = {0};
     struct test_run run = test_run_open(BLOCK, settings, 1);

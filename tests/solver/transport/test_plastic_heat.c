@@ -126,6 +126,87 @@ START_TEST(held_nodes_take_the_heat_of_the_particles_beside_them)
 }
 END_TEST
 
+/* Of the first row of particles, after some steps at rest beside a side held at 0, from 1. One
+ * particle in a cell across: S = 1/2 at the side and at the row of nodes above it. */
+static double beside_a_cold_side(bool heating, double step, int steps)
+{
+    char *const time = g_strdup_printf("time={end: 1000, step: %g}", step);
+    char *const transport = g_strdup_printf(
+        "transport={temperature: {start: 1%s, conditions: [{region: {line: {from: [0, 3.2], to: "
+        "[14, 3.2]}}, value: 0}]}}",
+        heating ? ", heating: true" : "");
+    struct settings settings = {.count = 0};
+    settings_add_formatted(&settings,
+                           "materials=[{name: soft, law: von_mises, density: 2, bulk: 3, "
+                           "shear: 1, yield_stress: 0.05, heat_capacity: 0.5, "
+                           "conductivity: 1e-14%s}]",
+                           heating ? ", taylor_quinney: 0.6" : "");
+    settings_add(&settings, time);
+    settings_add(&settings, transport);
+    struct test_run run = heat_block_open(&settings, MPM_KERNELS_REFERENCE);
+    test_run_steps(&run, steps);
+    const struct mpm_particles *const particles = &run.simulation->state.particles;
+    double beside = NAN;
+    for (size_t p = 0; p < particles->count; p++) {
+        if (particles->position[1][p] > 4.0)
+            ck_assert_near(particles->temperature[p], 1.0, 1e-12);
+        else
+            beside = particles->temperature[p];
+    }
+    test_run_close(&run);
+    settings_clear(&settings);
+    g_free(time);
+    g_free(transport);
+    return beside;
+}
+
+/* docs/heat.md: D is -1 in the first step and a quarter of the last one in each further step, and
+ * moves the row by half of it; no matter how long a step is. Without heat of deformation the first
+ * step does it all. */
+START_TEST(held_nodes_settle_by_steps_and_not_by_time)
+{
+    static const double lengths[] = {1e-2, 1e-5};
+    for (int k = 0; k < 2; k++)
+        for (int steps = 1; steps <= 6; steps++) {
+            const double moved = 2.0 / 3.0 * (1.0 - pow(0.25, steps));
+            ck_assert_near(beside_a_cold_side(true, lengths[k], steps), 1.0 - moved, 1e-12);
+            ck_assert_near(beside_a_cold_side(false, lengths[k], steps), 0.5, 1e-12);
+        }
+}
+END_TEST
+
+/* The coldest particle's rise over that of a particle far from the held side, by the step. */
+static double coldest_beside_held_nodes(int parts)
+{
+    char *const time = g_strdup_printf("time={end: 1000, step: %g}", 0.02 / parts);
+    const char *const more[] = {
+        time,
+        "transport={temperature: {start: 2, heating: true, conditions: [{region: {line: {from: [0, "
+        "3.2], to: [14, 3.2]}}, value: 2}]}}",
+        NULL};
+    struct test_run run = run_even(VON_MISES, more, 20 * parts);
+    const struct mpm_particles *const particles = &run.simulation->state.particles;
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (size_t p = 0; p < particles->count; p++) {
+        least = fmin(least, particles->temperature[p] - 2.0);
+        most = fmax(most, particles->temperature[p] - 2.0);
+    }
+    test_run_close(&run);
+    g_free(time);
+    ck_assert_double_gt(most, 0.005);
+    return least / most;
+}
+
+/* What is heated at a rate leaves beside held nodes what is of first order in the step. */
+START_TEST(half_the_step_halves_what_heat_leaves_beside_held_nodes)
+{
+    const double coarse = coldest_beside_held_nodes(1), fine = coldest_beside_held_nodes(2),
+                 finest = coldest_beside_held_nodes(4);
+    ck_assert_double_gt(fabs(coarse - fine), 1e-6);
+    ck_assert_double_lt(fabs(fine - finest), 0.6 * fabs(coarse - fine));
+}
+END_TEST
+
 Suite *suite_plastic_heat(void)
 {
     Suite *suite = suite_create("plastic_heat");
@@ -134,6 +215,8 @@ Suite *suite_plastic_heat(void)
     tcase_add_test(heating, a_conducted_temperature_melts);
     tcase_add_test(heating, the_first_law_closes_with_the_step_beside_thermoelastic_heat);
     tcase_add_test(heating, held_nodes_take_the_heat_of_the_particles_beside_them);
+    tcase_add_test(heating, held_nodes_settle_by_steps_and_not_by_time);
+    tcase_add_test(heating, half_the_step_halves_what_heat_leaves_beside_held_nodes);
     suite_add_tcase(suite, heating);
     return suite;
 }

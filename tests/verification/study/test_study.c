@@ -213,14 +213,19 @@ START_TEST(a_fixed_step_falls_with_the_cells_and_folders_may_have_blanks)
 }
 END_TEST
 
-static int run_long_study(const char *scene, const char *output)
+static int run_study(const char *scene, const char *output, const char *options)
 {
-    char *line = g_strdup_printf("mpm-verify study @ --output %% --jobs 1 %s", LONG);
+    char *line = g_strdup_printf("mpm-verify study @ --output %% --jobs 1 %s", options);
     const struct place place = {.scene = (char *)(uintptr_t)scene,
                                 .output = (char *)(uintptr_t)output};
     g_free(verify(&place, line, 0));
     g_free(line);
     return 0;
+}
+
+static int run_long_study(const char *scene, const char *output)
+{
+    return run_study(scene, output, LONG);
 }
 
 static size_t results_in(const struct place *place)
@@ -252,6 +257,74 @@ START_TEST(a_study_that_is_killed_goes_on_to_the_same_table)
     ck_assert_str_eq(expected, found);
     g_free(found);
     g_free(expected);
+    place_remove(&place);
+    place_remove(&whole);
+}
+END_TEST
+
+/* One run of some seconds, with checkpoints. */
+#define LASTING                                                                                    \
+    "--refine 4 --set time.end=2000 --set output.history=20 "                                      \
+    "--set output.checkpoint_seconds=0.01 --measure kinetic_energy:max"
+
+static int run_lasting_study(const char *scene, const char *output)
+{
+    return run_study(scene, output, LASTING);
+}
+
+/* The folder of the run that is not finished, once it has two checkpoints. */
+static char *unfinished_run(const struct place *place)
+{
+    char *folder = test_folder_path(place->output, ".run/unfinished"), *found = NULL;
+    for (int i = 0; i < 6000 && found == NULL; i++) {
+        GDir *directory = g_dir_open(folder, 0, NULL);
+        const char *name = directory != NULL ? g_dir_read_name(directory) : NULL;
+        char *run = name != NULL ? test_folder_path(folder, name) : NULL;
+        char *path = run != NULL ? test_folder_path(run, "checkpoint-previous.h5") : NULL;
+        if (path != NULL && test_file_exists(path))
+            found = g_steal_pointer(&run);
+        g_free(path);
+        g_free(run);
+        if (directory != NULL)
+            g_dir_close(directory);
+        g_usleep(5000);
+    }
+    ck_assert_ptr_nonnull(found);
+    g_free(folder);
+    return found;
+}
+
+/* A millionfold of what a run has written before its checkpoint can come from there alone. */
+static void raise_first_energy(const char *run)
+{
+    char *text = test_folder_read(run, "history.csv"), *field = strstr(text, "\n0,0,");
+    for (int column = 0; column < 6; column++)
+        field = strchr(field + 1, ',');
+    char *const exponent = strstr(field, "e-05");
+    ck_assert(exponent != NULL && exponent < strchr(field + 1, ','));
+    exponent[1] = '+';
+    g_free(test_folder_write(run, "history.csv", text));
+    g_free(text);
+}
+
+START_TEST(a_run_of_a_study_with_checkpoints_goes_on_from_them)
+{
+    struct place whole = place_create(), place = place_create();
+    g_free(verify(&whole, STUDY LASTING, 0));
+    const pid_t process = test_in_process(run_lasting_study, place.scene, place.output);
+    char *run = unfinished_run(&place);
+    ck_assert_int_eq(kill(process, SIGKILL), 0);
+    ck_assert_int_eq(test_exit_status(process), 128 + SIGKILL);
+    if (_i == 1)
+        raise_first_energy(run);
+    g_free(verify(&place, STUDY "--resume", 0));
+    ck_assert(!test_file_exists(run));
+    char *expected = table_of(&whole), *found = table_of(&place);
+    ck_assert_msg((strcmp(expected, found) == 0) == (_i == 0), "%s", found);
+    ck_assert((strstr(found, ",3.") == NULL) == (_i == 1));
+    g_free(found);
+    g_free(expected);
+    g_free(run);
     place_remove(&place);
     place_remove(&whole);
 }
@@ -374,6 +447,7 @@ Suite *suite_study(void)
     tcase_add_test(tests, a_place_outside_of_the_body_is_the_reason_that_a_number_is_missing);
     tcase_add_test(tests, a_fixed_step_falls_with_the_cells_and_folders_may_have_blanks);
     tcase_add_test(tests, a_study_that_is_killed_goes_on_to_the_same_table);
+    tcase_add_loop_test(tests, a_run_of_a_study_with_checkpoints_goes_on_from_them, 0, 2);
     tcase_add_test(tests, a_study_goes_on_with_other_settings_to_the_table_of_these);
     tcase_add_test(tests, a_run_that_fails_is_in_the_table_with_its_cause);
     tcase_add_loop_test(tests, bad_input_is_refused_with_a_line_and_nothing_is_written, 0,

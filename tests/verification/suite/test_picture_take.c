@@ -113,8 +113,11 @@ static enum mpm_status run_case(const struct place *place, struct mpm_error *err
     const struct catalogue_case *const entry = &place->catalogue->cases[0];
     char *path = test_folder_path(place->folder, "rows");
     const int rows = open(path, O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0600);
-    const struct measurement_setup setup = {
-        entry, &entry->file->variants[0], place->folder, {.threads = 1}, rows};
+    const struct measurement_setup setup = {.entry = entry,
+                                            .variant = &entry->file->variants[0],
+                                            .data_folder = place->folder,
+                                            .simulation = {.threads = 1},
+                                            .rows = rows};
     const enum mpm_status status = measurement_run(&setup, error);
     close(rows);
     g_free(path);
