@@ -5,6 +5,7 @@
 #include "base/tensor.h"
 #include "mpm_file.h"
 #include "mpm_hdf5.h"
+#include "mpm_words.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -214,10 +215,25 @@ static int component_of(const char *wanted, const char *names, size_t components
     return found;
 }
 
+/* The nearest name, unless it is the one given: such a field the scene does not have. */
+static const char *field_hint(const char *field, char hint[MPM_HINT_SIZE])
+{
+    char **const parts = g_strsplit(field, ".", 2);
+    struct mpm_nearest nearest = {.word = parts[0] != NULL ? parts[0] : ""};
+    for (size_t k = 0; k < mpm_derived_field_count; k++)
+        mpm_nearest_offer(&nearest, mpm_derived_fields[k].name);
+    for (int k = 0; k < MPM_FIELD_COUNT; k++)
+        mpm_nearest_offer(&nearest, mpm_field_describe((enum mpm_field)k)->name);
+    const bool is_known = nearest.best != NULL && strcmp(nearest.best, nearest.word) == 0;
+    const char *const said = is_known ? "" : mpm_nearest_hint(&nearest, hint);
+    g_strfreev(parts);
+    return said;
+}
+
 static enum mpm_status refuse_field(const struct reading *reading, const char *field,
                                     const char *names)
 {
-    char excerpt[64];
+    char excerpt[64], hint[MPM_HINT_SIZE];
     (void)g_snprintf(excerpt, sizeof excerpt, "%s", field);
     if (names != NULL)
         return mpm_error_set(reading->error, MPM_BAD_INPUT,
@@ -226,8 +242,8 @@ static enum mpm_status refuse_field(const struct reading *reading, const char *f
                              excerpt, names);
     return mpm_error_set(reading->error, MPM_BAD_INPUT,
                          "--field %s: %s has no such field; allowed: those of 'mpm plot --list' "
-                         "that the scene has",
-                         excerpt, reading->path);
+                         "that the scene has%s",
+                         excerpt, reading->path, field_hint(field, hint));
 }
 
 static const struct mpm_derived_field *find_derived(const char *name)

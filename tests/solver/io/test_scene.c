@@ -429,7 +429,7 @@ static char *schema_entry(const char *text, const char *key)
         at = strstr(at + 1, start);
     ck_assert_msg(at != NULL, "no row %s", key);
     GString *entry = g_string_new(NULL);
-    char **words = g_strsplit_set(at + 1, " \n", -1);
+    char **words = g_strsplit_set(at != NULL ? at + 1 : "", " \n", -1);
     for (char **word = words; *word != NULL && entry->len < 200; word++)
         if (**word != '\0')
             g_string_append_printf(entry, "%s%s", entry->len > 0 ? " " : "", *word);

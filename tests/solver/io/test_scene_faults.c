@@ -215,6 +215,8 @@ START_TEST(a_bad_scene_from_a_pipe_is_refused_with_its_line)
         {"\"$1\" run - < \"$2\"", "mpm: run: --output DIR is missing: standard input has no name"},
         {"head -c 17000000 /dev/zero | \"$1\" check -", "standard input: the file is too big"},
         {"\"$1\" check - <&-", "standard input"},
+        {"\"$1\" check - < /",
+         "mpm: standard input: Is a directory; allowed: a readable scene file"},
         {"printf 'a: 1\\nb: 2\\n' | \"$1\" check -", "mpm: standard input: 8 mistakes\n"},
     };
     for (size_t i = 0; i < G_N_ELEMENTS(rows); i++) {
