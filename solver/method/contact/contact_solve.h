@@ -16,8 +16,8 @@
  * part of what would do for it alone, until nothing changes; so the result does not depend on the
  * order of fields or pairs, but for round-off. With k pairs at each field the part is
  * (S_1 + S_2)/(k_1 S_1 + k_2 S_2), which makes the sweeps converge: pairs of a rigid body do not
- * hinder each other. Where fields are held along one axis, p and q both act along the other one; the
- * part is less by up to a half then, 1/(1 + |n.St|/sqrt(n.Sn t.St)).
+ * hinder each other. Where fields are held along one axis, p and q both act along the other one;
+ * the part is less by up to a half then, 1/(1 + |n.St|/sqrt(n.Sn t.St)).
  *
  * Stick with p near 0 is friction without a limit, so more than one set of impulses can obey these
  * laws, and sweeps can go round in circles between them. Where 200 sweeps have not settled and are

@@ -33,8 +33,8 @@
  *
  * Heat of deformation changes particles and not nodes. Beside a held node it would stay for ever in
  * the part that S_bp has of it, so that with it held nodes move their particles in each step.
- * What a start that does not fit leaves of D in the next step, C_hf M_f^-1 C_fh L^-1 - C_hh L^-1 + 1
- * times it, has no dt in it (docs/heat.md).
+ * What a start that does not fit leaves of D in the next step, C_hf M_f^-1 C_fh L^-1 - C_hh L^-1 +
+ * 1 times it, has no dt in it (docs/heat.md).
  *
  * With PIC, v_p = sum S_ip (v_i + dt dv_i/dt), Notes (142): conserves too, and conducts of itself.
  * XPIC and FMPM are between both: transport_smoothing.h.
