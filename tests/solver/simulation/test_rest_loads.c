@@ -159,7 +159,7 @@ END_TEST
     "         {name: upper, material: glass, region: {rectangle: {from: [0, 3], to: [4, 6]}}}]\n"
 static const char *const pressed[] = {
     PRESSED TWO_BLOCKS "contact: {fields: bodies, law: interface, tension: 9, shear: 9,\n"
-                       "          compression: 800}\n",
+                       "          compression: 800, ratio_limit: 100}\n",
     PRESSED TWO_BLOCKS "contact: {fields: bodies, law: frictionless}\n",
     PRESSED TWO_BLOCKS "contact: {fields: bodies, law: bonded}\n",
     PRESSED "bodies: [{name: upper, material: glass,\n"
