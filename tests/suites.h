@@ -12,6 +12,7 @@
 #define SUITES(SUITE, APART)                                                                       \
     SUITE(install)                                                                                 \
     SUITE(docs)                                                                                    \
+    SUITE(headings)                                                                                \
     SUITE(completion)                                                                              \
     SUITE(walkthroughs)                                                                            \
     SUITE(kernels)                                                                                 \

@@ -116,8 +116,7 @@ static void print_values(const struct explanation *explanation, const GArray *va
     }
     const unsigned left = values->len - print_rows(out, values);
     char *more = left == 0 ? g_strdup("") : g_strdup_printf("; %u more", left);
-    print_label(out, "", g_strdup_printf("(%s; least margins first%s)", explanation->output,
-                                         more));
+    print_label(out, "", g_strdup_printf("(%s; least margins first%s)", explanation->output, more));
     g_free(more);
 }
 

@@ -158,9 +158,11 @@ END_TEST
 START_TEST(points_of_one_set_have_no_plane)
 {
     struct mpm_logistic_plane plane = mpm_logistic_begin((const double[3]){-1.0, 1e-16, 2e-16});
-    for (int k = 0; k < POINTS; k++)
-        mpm_logistic_add(&plane, (const double[3]){1.0, 0.25 * (k % 8), 0.25 * (k / 8)},
+    for (int k = 0; k < POINTS; k++) {
+        const int column = k % 8, row = k / 8;
+        mpm_logistic_add(&plane, (const double[3]){1.0, 0.25 * column, 0.25 * row},
                          _i == 0 ? -1.0 : 1.0, 0.0625);
+    }
     mpm_logistic_step(&plane);
     ck_assert(!plane.moves && plane.c[1] == 0.0 && plane.c[2] == 0.0);
     ck_assert(plane.value == 0.0 && plane.slope[0] == 0.0); /* as after any step */
@@ -173,11 +175,12 @@ START_TEST(between_rows_of_points_the_plane_is_in_the_middle)
     static const double half_gaps[] = {0.2, 1e-3, 1e-6};
     const double half = half_gaps[_i];
     struct point points[POINTS];
-    for (int k = 0; k < POINTS; k++)
-        points[k] = (struct point){
-            {1.0, 0.25 * (k / 2 % 8), 0.4 + (k % 2 == 1 ? 1.0 : -1.0) * (half + 0.25 * (k / 16))},
-            k % 2 == 1 ? 1.0 : -1.0,
-            0.0625};
+    for (int k = 0; k < POINTS; k++) {
+        const int column = k / 2 % 8, row = k / 16;
+        const double side = k % 2 == 1 ? 1.0 : -1.0;
+        points[k] =
+            (struct point){{1.0, 0.25 * column, 0.4 + side * (half + 0.25 * row)}, side, 0.0625};
+    }
     const struct mpm_logistic_plane plane = find(points, (const double[3]){0.0, 0.4, 0.5});
     ck_assert(!plane.moves);
     ck_assert_near(plane.c[1] / plane.c[2], 0.0, 1e-9);

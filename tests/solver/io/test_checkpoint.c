@@ -137,10 +137,10 @@ static const struct kind {
       "output.energy_balance=true"}},
     {"plastic work and friction that heat what conducts",
      {"bodies.left.velocity=[4, 0]", "bodies.left.temperature=300+x",
-      "materials.rubber={name: rubber, law: johnson_cook, density: 1, bulk: 200, shear: 100, "
-      "yield_stress: 1, softening_exponent: 1, reference_temperature: 300, "
-      "melting_temperature: 310, taylor_quinney: 0.9, heat_capacity: 0.1, conductivity: 0.1, "
-      "thermal_expansion: 1e-5, stress_free_temperature: 300}",
+      ("materials.rubber={name: rubber, law: johnson_cook, density: 1, bulk: 200, shear: 100, "
+       "yield_stress: 1, softening_exponent: 1, reference_temperature: 300, "
+       "melting_temperature: 310, taylor_quinney: 0.9, heat_capacity: 0.1, conductivity: 0.1, "
+       "thermal_expansion: 1e-5, stress_free_temperature: 300}"),
       "transport={temperature: {start: '300', heating: true}}", "output.energy_balance=true",
       "contact={fields: bodies, law: friction, friction: 0.3, heat: conductance, conductance: 1}"}},
     {"shocks, with a pressure that breaks",

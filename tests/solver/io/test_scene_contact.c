@@ -46,9 +46,8 @@ START_TEST(stiffnesses_may_differ_as_far_as_the_normal_bears_it)
         "contact={law: interface, tension: 1, compression: 10, shear: 1}",
         "contact={law: interface, tension: 1, shear: 200, ratio_limit: 200}",
         "contact={law: interface, tension: 1, shear: 200, normal: logistic}",
-        "contact={pairs: [{of: [soft, hard], law: interface, tension: 200, shear: 1, normal: "
-        "given, "
-        "direction: [0, 1]}]}",
+        ("contact={pairs: [{of: [soft, hard], law: interface, tension: 200, shear: 1, "
+         "normal: given, direction: [0, 1]}]}"),
         "contact={law: interface, tension: 1, shear: 0}",
         "contact={law: interface, tension: 0, shear: 1}",
     };

@@ -146,7 +146,7 @@ static double beside_a_cold_side(bool heating, double step, int steps)
     struct test_run run = heat_block_open(&settings, MPM_KERNELS_REFERENCE);
     test_run_steps(&run, steps);
     const struct mpm_particles *const particles = &run.simulation->state.particles;
-    double beside = NAN;
+    double beside = (double)NAN;
     for (size_t p = 0; p < particles->count; p++) {
         if (particles->position[1][p] > 4.0)
             ck_assert_near(particles->temperature[p], 1.0, 1e-12);

@@ -213,6 +213,7 @@ START_TEST(runs_have_names_of_their_own_whatever_the_values_are)
 {
     struct made made = make("1,2", (char[]){"kinetic_energy"}, (char[]){"method.shape=v3,a b,a_b"},
                             NULL, (const double[]){1, 2, 3, 4, 5, 6});
+    ck_assert_ptr_nonnull(made.results.rows);
     for (unsigned i = 0; i < 6; i++) {
         ck_assert_double_eq(made.results.rows[i].values[0].value, i + 1.0);
         for (unsigned k = 0; k < i; k++)
