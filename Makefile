@@ -150,12 +150,12 @@ FAST_FLAGS_baseline := $(if $(filter v3,$(FAST_LEVELS)),-O2 \
 FAST_FLAGS_v3       := -march=x86-64-v3
 # Manufactured solutions are evaluated for each particle and step: for v3 as well.
 WIDE_OBJECTS := $(if $(filter v3,$(FAST_LEVELS)),$(patsubst verification/exact/%.c,\
-                  $(BUILD)/objects/wide/%.o,$(filter verification/exact/field_%.c \
-                  verification/exact/manufactured_motion.c,$(VERIFY_SOURCES))))
+                  $(BUILD)/objects/wide/%.o,$(filter verification/exact/manufactured/field_%.c \
+                  verification/exact/manufactured/manufactured_motion.c,$(VERIFY_SOURCES))))
 VERIFY_OBJECTS = $(call objects,$(VERIFY_SOURCES)) $(WIDE_OBJECTS)
 
 ifneq ($(filter v3,$(FAST_LEVELS)),)
-$(BUILD)/objects/solver/method/fast/fast.o $(BUILD)/objects/verification/exact/manufactured.o: \
+$(BUILD)/objects/solver/method/fast/fast.o $(BUILD)/objects/verification/exact/manufactured/manufactured.o: \
   CODE_FLAGS += -DMPM_FAST_V3
 endif
 

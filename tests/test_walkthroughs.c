@@ -8,7 +8,7 @@
 #include "support/folder.h"
 #include "support/skip.h"
 
-#include "verification/exact/heat.h"
+#include "verification/exact/heat/heat.h"
 
 #include <glib.h>
 #include <math.h>

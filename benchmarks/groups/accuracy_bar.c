@@ -11,7 +11,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/groups/accuracy.h"
 
-#include "verification/exact/vibrating_bar.h"
+#include "verification/exact/waves/vibrating_bar.h"
 
 /* As in scenes/bar.yaml: M = K + 4/3 G. */
 #define LENGTH  100.0

@@ -7,7 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/groups/accuracy.h"
 
-#include "verification/exact/compression.h"
+#include "verification/exact/plastic/compression.h"
 
 #include <math.h>
 

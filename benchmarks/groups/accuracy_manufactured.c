@@ -6,7 +6,7 @@
 #include "benchmarks/groups/accuracy.h"
 
 #include "verification/common/failure.h"
-#include "verification/exact/manufactured.h"
+#include "verification/exact/manufactured/manufactured.h"
 
 #include <math.h>
 

@@ -5,7 +5,7 @@
 #include "benchmarks/report/report_sections.h"
 
 #include "verification/common/record.h"
-#include "verification/measures/pareto.h"
+#include "verification/measures/comparison/pareto.h"
 
 #include <math.h>
 #include <string.h>

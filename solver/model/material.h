@@ -204,7 +204,7 @@ struct mpm_material_law {
      * they have no plane stress. */
     double (*thickness_stretch)(const struct mpm_material *material,
                                 const double f[MPM_GRADIENT_SIZE]);
-    /* Of a law of the path: does model/plane_stress.h find F_zz? */
+    /* Of a law of the path: does model/laws/plane_stress.h find F_zz? */
     bool plane_stress;
 
     /* Its yield stress may be a table over the equivalent plastic strain instead of parameters. */

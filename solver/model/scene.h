@@ -8,11 +8,11 @@
 #define MPM_MODEL_SCENE_H
 
 #include "base/status.h"
-#include "model/cohesive.h"
 #include "model/contact.h"
+#include "model/laws/cohesive.h"
+#include "model/laws/viscosity.h"
 #include "model/material.h"
 #include "model/transport.h"
-#include "model/viscosity.h"
 
 enum { MPM_NAME_SIZE = 257 }; /* names up to 64 characters of UTF-8 */
 

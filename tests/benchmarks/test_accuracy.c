@@ -5,7 +5,7 @@
 #include "suites.h"
 
 #include "benchmarks/groups/accuracy.h"
-#include "verification/exact/vibrating_bar.h"
+#include "verification/exact/waves/vibrating_bar.h"
 
 #include <math.h>
 #include <string.h>

@@ -5,7 +5,7 @@
 #define TESTS_SUPPORT_MANUFACTURED_H
 
 #include "support/combinations.h"
-#include "verification/exact/manufactured.h"
+#include "verification/exact/manufactured/manufactured.h"
 
 enum {
     TEST_FIELDS = 5,

@@ -6,9 +6,9 @@
 #ifndef VERIFICATION_CASES_CATALOGUE_H
 #define VERIFICATION_CASES_CATALOGUE_H
 
-#include "verification/measures/agreement.h"
-#include "verification/measures/comparison.h"
-#include "verification/measures/evidence.h"
+#include "verification/measures/comparison/agreement.h"
+#include "verification/measures/comparison/comparison.h"
+#include "verification/measures/comparison/evidence.h"
 #include "verification/measures/verdict.h"
 #include "verification/programs/programs.h"
 

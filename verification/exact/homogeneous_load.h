@@ -15,7 +15,7 @@
 #ifndef VERIFICATION_EXACT_HOMOGENEOUS_LOAD_H
 #define VERIFICATION_EXACT_HOMOGENEOUS_LOAD_H
 
-#include "verification/exact/compression.h"
+#include "verification/exact/plastic/compression.h"
 
 #include <stdbool.h>
 

@@ -4,7 +4,7 @@
 #ifndef VERIFICATION_PROGRAMS_MANUFACTURED_LEVEL_H
 #define VERIFICATION_PROGRAMS_MANUFACTURED_LEVEL_H
 
-#include "verification/exact/manufactured.h"
+#include "verification/exact/manufactured/manufactured.h"
 #include "verification/measures/error_norms.h"
 #include "verification/programs/programs.h"
 

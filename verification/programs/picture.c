@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/programs/picture.h"
 
-#include "verification/measures/raster.h"
+#include "verification/measures/shapes/raster.h"
 
 #include <glib.h>
 #include <math.h>

@@ -4,7 +4,7 @@
  * that of the start by more than a stated part.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/exact/linear_step.h"
+#include "verification/exact/waves/linear_step.h"
 #include "verification/measures/bisection.h"
 #include "verification/programs/programs.h"
 

@@ -5,7 +5,7 @@
 #ifndef VERIFICATION_RECORDS_CHANGES_H
 #define VERIFICATION_RECORDS_CHANGES_H
 
-#include "verification/measures/run_change.h"
+#include "verification/measures/comparison/run_change.h"
 #include "verification/records/records.h"
 
 #include <glib.h>

@@ -5,7 +5,7 @@
 #define VERIFICATION_RECORDS_HEADROOM_TABLE_H
 
 #include "verification/common/record.h"
-#include "verification/measures/headroom.h"
+#include "verification/measures/comparison/headroom.h"
 
 #include <glib.h>
 

@@ -6,8 +6,8 @@
 #include "mpm_file.h"
 #include "verification/common/output.h"
 #include "verification/common/text.h"
-#include "verification/measures/axis_tics.h"
-#include "verification/measures/label_places.h"
+#include "verification/measures/comparison/axis_tics.h"
+#include "verification/measures/comparison/label_places.h"
 #include "verification/pages/figure.h"
 
 #include <math.h>

@@ -4,7 +4,7 @@
 #ifndef VERIFICATION_REPORT_COMPARISON_VIEW_H
 #define VERIFICATION_REPORT_COMPARISON_VIEW_H
 
-#include "verification/measures/comparison.h"
+#include "verification/measures/comparison/comparison.h"
 #include "verification/records/records.h"
 
 #include <glib.h>

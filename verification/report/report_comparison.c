@@ -2,8 +2,8 @@
  * loses.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/measures/comparison_guide.h"
-#include "verification/measures/comparison_words.h"
+#include "verification/measures/comparison/comparison_guide.h"
+#include "verification/measures/comparison/comparison_words.h"
 #include "verification/pages/html.h"
 #include "verification/report/comparison_plot.h"
 #include "verification/report/comparison_view.h"

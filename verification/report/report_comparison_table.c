@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/common/record.h"
 #include "verification/common/text.h"
-#include "verification/measures/comparison_words.h"
+#include "verification/measures/comparison/comparison_words.h"
 #include "verification/pages/html.h"
 #include "verification/report/comparison_view.h"
 #include "verification/report/report.h"

@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/common/record.h"
-#include "verification/measures/evidence.h"
+#include "verification/measures/comparison/evidence.h"
 #include "verification/report/comparison_view.h"
 #include "verification/report/report_site.h"
 

@@ -3,8 +3,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/common/text.h"
-#include "verification/measures/comparison_guide.h"
-#include "verification/measures/comparison_words.h"
+#include "verification/measures/comparison/comparison_guide.h"
+#include "verification/measures/comparison/comparison_words.h"
 #include "verification/pages/html.h"
 #include "verification/records/check_text.h"
 #include "verification/report/comparison_view.h"

@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/common/text.h"
-#include "verification/measures/series_steps.h"
+#include "verification/measures/comparison/series_steps.h"
 #include "verification/pages/html.h"
 #include "verification/records/history.h"
 #include "verification/report/report_site.h"

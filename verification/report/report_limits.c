@@ -6,7 +6,7 @@
 #include "verification/report/report_site.h"
 
 #include "verification/common/text.h"
-#include "verification/measures/comparison_words.h"
+#include "verification/measures/comparison/comparison_words.h"
 #include "verification/records/check_text.h"
 
 #include <string.h>

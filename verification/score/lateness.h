@@ -4,7 +4,7 @@
 #ifndef VERIFICATION_SCORE_LATENESS_H
 #define VERIFICATION_SCORE_LATENESS_H
 
-#include "verification/measures/agreement.h"
+#include "verification/measures/comparison/agreement.h"
 #include "verification/score/lattice.h"
 #include "verification/score/references.h"
 

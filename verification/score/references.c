@@ -4,17 +4,17 @@
 #include "verification/score/references.h"
 
 #include "verification/common/rows.h"
-#include "verification/exact/compression.h"
 #include "verification/exact/contact/laminate.h"
 #include "verification/exact/contact/struck_bars.h"
-#include "verification/exact/heat.h"
-#include "verification/exact/hill_sphere.h"
+#include "verification/exact/heat/heat.h"
 #include "verification/exact/homogeneous_load.h"
 #include "verification/exact/lame_cylinder.h"
-#include "verification/exact/radial_mode.h"
+#include "verification/exact/plastic/compression.h"
+#include "verification/exact/plastic/hill_sphere.h"
 #include "verification/exact/self_weight.h"
-#include "verification/exact/step_wave.h"
-#include "verification/exact/vibrating_bar.h"
+#include "verification/exact/waves/radial_mode.h"
+#include "verification/exact/waves/step_wave.h"
+#include "verification/exact/waves/vibrating_bar.h"
 
 #include <glib.h>
 #include <math.h>

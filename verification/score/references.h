@@ -8,7 +8,7 @@
 #define VERIFICATION_SCORE_REFERENCES_H
 
 #include "verification/cases/catalogue.h"
-#include "verification/exact/manufactured.h"
+#include "verification/exact/manufactured/manufactured.h"
 #include "verification/score/columns.h"
 
 enum { REFERENCE_NUMBERS = 8 };

@@ -3,7 +3,7 @@
 
 #include "method/transfer/extent.h"
 #include "method/transfer/stress_work.h"
-#include "model/plane_stress.h"
+#include "model/laws/plane_stress.h"
 #include "mpm_transport.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/exponential.h"
-#include "model/cohesive.h"
+#include "model/laws/cohesive.h"
 #include "suites.h"
 #include "support/near.h"
 

@@ -2,7 +2,7 @@
  * sound, temperature, the cut-off and the pole.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "model/mie_gruneisen.h"
+#include "model/laws/mie_gruneisen.h"
 #include "suites.h"
 #include "support/near.h"
 

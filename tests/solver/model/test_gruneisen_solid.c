@@ -4,7 +4,7 @@
  * stress.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "model/mie_gruneisen.h"
+#include "model/laws/mie_gruneisen.h"
 #include "model/particles.h"
 #include "suites.h"
 #include "support/near.h"

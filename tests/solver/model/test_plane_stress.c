@@ -2,8 +2,8 @@
  * law, rotations, thickness without a step, laws without an answer.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "model/laws/plane_stress.h"
 #include "model/particles.h"
-#include "model/plane_stress.h"
 #include "suites.h"
 #include "support/near.h"
 

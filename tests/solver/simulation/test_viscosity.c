@@ -2,7 +2,7 @@
  * runs that end at the pole, scenes that are refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "model/viscosity.h"
+#include "model/laws/viscosity.h"
 #include "mpm.h"
 #include "suites.h"
 #include "support/near.h"

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/near.h"
-#include "verification/exact/damped_bar.h"
-#include "verification/exact/damped_flight.h"
+#include "verification/exact/waves/damped_bar.h"
+#include "verification/exact/waves/damped_flight.h"
 #include "verification/measures/oscillation.h"
 
 #include <check.h>

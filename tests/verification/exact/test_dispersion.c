@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/near.h"
-#include "verification/exact/bar_dispersion.h"
+#include "verification/exact/waves/bar_dispersion.h"
 
 #include <glib.h>
 #include <gsl/gsl_blas.h>

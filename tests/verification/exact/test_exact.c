@@ -3,13 +3,13 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
-#include "verification/exact/compression.h"
-#include "verification/exact/shape_quadrature.h"
+#include "verification/exact/plastic/compression.h"
+#include "verification/exact/shapes/shape_quadrature.h"
 #include "verification/measures/fields.h"
-#include "verification/measures/shape_comparison.h"
-#include "verification/measures/shape_identities.h"
-#include "verification/measures/shape_lines.h"
-#include "verification/measures/shape_samples.h"
+#include "verification/measures/shapes/shape_comparison.h"
+#include "verification/measures/shapes/shape_identities.h"
+#include "verification/measures/shapes/shape_lines.h"
+#include "verification/measures/shapes/shape_samples.h"
 
 #include <math.h>
 

@@ -4,10 +4,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/near.h"
-#include "verification/exact/heat.h"
-#include "verification/exact/heat_edges.h"
+#include "verification/exact/heat/heat.h"
+#include "verification/exact/heat/heat_edges.h"
+#include "verification/exact/heat/uptake.h"
 #include "verification/exact/kirchhoff.h"
-#include "verification/exact/uptake.h"
 
 #include <glib.h>
 #include <math.h>

@@ -7,7 +7,7 @@
 #include "suites.h"
 #include "support/near.h"
 #include "support/scene_files.h"
-#include "verification/exact/heat.h"
+#include "verification/exact/heat/heat.h"
 
 #include <math.h>
 

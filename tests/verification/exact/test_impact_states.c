@@ -4,8 +4,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/near.h"
-#include "verification/exact/alekseevskii_tate.h"
-#include "verification/exact/hugoniot.h"
+#include "verification/exact/plastic/alekseevskii_tate.h"
+#include "verification/exact/plastic/hugoniot.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/near.h"
-#include "verification/exact/jet.h"
+#include "verification/exact/manufactured/jet.h"
 
 #include <complex.h>
 #include <float.h>

@@ -6,7 +6,7 @@
 #include "support/manufactured.h"
 #include "support/near.h"
 #include "support/scenes.h"
-#include "verification/exact/manufactured_field.h"
+#include "verification/exact/manufactured/manufactured_field.h"
 
 #include <glib.h>
 #include <math.h>

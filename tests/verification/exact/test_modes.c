@@ -3,9 +3,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
-#include "verification/exact/radial_mode.h"
 #include "verification/exact/spinning_disk.h"
-#include "verification/exact/step_wave.h"
+#include "verification/exact/waves/radial_mode.h"
+#include "verification/exact/waves/step_wave.h"
 
 #include <glib.h>
 #include <math.h>

@@ -3,10 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/near.h"
-#include "verification/exact/hill_sphere.h"
 #include "verification/exact/lame_cylinder.h"
-#include "verification/exact/plastic_tube.h"
-#include "verification/exact/plastic_wave.h"
+#include "verification/exact/plastic/hill_sphere.h"
+#include "verification/exact/plastic/plastic_tube.h"
+#include "verification/exact/plastic/plastic_wave.h"
 
 #include <math.h>
 

@@ -4,8 +4,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 
-#include "verification/exact/linear_step.h"
 #include "verification/exact/stretched_column.h"
+#include "verification/exact/waves/linear_step.h"
 #include "verification/measures/bisection.h"
 
 #include <math.h>

@@ -3,10 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/near.h"
+#include "verification/exact/heat/thermal_disk.h"
 #include "verification/exact/homogeneous_load.h"
 #include "verification/exact/lame_cylinder.h"
 #include "verification/exact/self_weight.h"
-#include "verification/exact/thermal_disk.h"
 
 #include <glib.h>
 #include <math.h>

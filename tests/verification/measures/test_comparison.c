@@ -3,10 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 
-#include "verification/measures/comparison.h"
-#include "verification/measures/comparison_guide.h"
-#include "verification/measures/comparison_words.h"
-#include "verification/measures/label_places.h"
+#include "verification/measures/comparison/comparison.h"
+#include "verification/measures/comparison/comparison_guide.h"
+#include "verification/measures/comparison/comparison_words.h"
+#include "verification/measures/comparison/label_places.h"
 
 #include <glib.h>
 #include <math.h>

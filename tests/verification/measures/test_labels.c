@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 
-#include "verification/measures/axis_tics.h"
-#include "verification/measures/label_places.h"
+#include "verification/measures/comparison/axis_tics.h"
+#include "verification/measures/comparison/label_places.h"
 
 #include <glib.h>
 #include <math.h>

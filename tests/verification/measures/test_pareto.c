@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 
-#include "verification/measures/pareto.h"
+#include "verification/measures/comparison/pareto.h"
 
 #include <math.h>
 

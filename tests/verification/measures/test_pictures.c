@@ -5,7 +5,7 @@
 #include "suites.h"
 #include "support/near.h"
 #include "verification/measures/crack_faces.h"
-#include "verification/measures/raster.h"
+#include "verification/measures/shapes/raster.h"
 
 #include <math.h>
 #include <stddef.h>

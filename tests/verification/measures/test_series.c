@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 
-#include "verification/measures/series_steps.h"
+#include "verification/measures/comparison/series_steps.h"
 
 #include <math.h>
 

@@ -7,7 +7,7 @@
 #include "support/verify.h"
 
 #include "verification/cases/catalogue.h"
-#include "verification/measures/run_change.h"
+#include "verification/measures/comparison/run_change.h"
 
 #include <glib.h>
 #include <math.h>

@@ -8,7 +8,7 @@
 #include "support/folder.h"
 
 #include "verification/common/rows.h"
-#include "verification/exact/vibrating_bar.h"
+#include "verification/exact/waves/vibrating_bar.h"
 #include "verification/score/readers.h"
 #include "verification/score/results.h"
 #include "verification/score/score.h"

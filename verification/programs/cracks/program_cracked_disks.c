@@ -6,7 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/programs/follow.h"
-#include "verification/programs/impact.h"
+#include "verification/programs/motion/impact.h"
 
 #include <glib.h>
 #include <math.h>

@@ -2,7 +2,7 @@
  * at points.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "verification/measures/shape_lines.h"
+#include "verification/measures/shapes/shape_lines.h"
 #include "verification/programs/shapes/program_shape_kind.h"
 
 #include <math.h>

@@ -2,9 +2,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/orders.h"
-#include "verification/measures/shape_identities.h"
-#include "verification/measures/shape_lines.h"
-#include "verification/measures/shape_samples.h"
+#include "verification/measures/shapes/shape_identities.h"
+#include "verification/measures/shapes/shape_lines.h"
+#include "verification/measures/shapes/shape_samples.h"
 #include "verification/programs/shapes/program_shape_kind.h"
 
 #include <math.h>

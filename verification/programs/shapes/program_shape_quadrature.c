@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/measures/fields.h"
-#include "verification/measures/shape_comparison.h"
-#include "verification/measures/shape_samples.h"
+#include "verification/measures/shapes/shape_comparison.h"
+#include "verification/measures/shapes/shape_samples.h"
 #include "verification/programs/shapes/program_shape_kind.h"
 
 #include <math.h>
