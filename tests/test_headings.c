@@ -42,12 +42,14 @@ static void assert_headings(const char *path)
                       path, *line + 3);
         next = place + 1;
     }
-    const char *problem = strstr(text, "\n## Problem\n\n") + strlen("\n## Problem\n\n");
-    char *question = g_strndup(problem, strcspn(problem, "?"));
+    ck_assert_msg(met == G_N_ELEMENTS(first), "%s: no \"%s\"", path, first[MIN(met, 2)]);
+    const char *const heading = "\n## Problem\n\n", *const problem = strstr(text, heading);
+    ck_assert_msg(problem != NULL, "%s: no empty line after \"Problem\"", path);
+    const char *const begin = problem + strlen(heading);
+    char *question = g_strndup(begin, strcspn(begin, "?"));
     ck_assert_msg(strstr(question, "\n\n") == NULL, "%s: the problem begins with no question",
                   path);
     g_free(question);
-    ck_assert_msg(met == G_N_ELEMENTS(first), "%s: no \"%s\"", path, first[MIN(met, 2)]);
     g_strfreev(lines);
     g_free(text);
 }

@@ -14,8 +14,7 @@ static const struct line {
 } lines[] = {
     {"", false, false, false,
      "**Particles as VTK** (`.vtu`, `.vtp`, `.vtk`, one file for each instant, with a `.pvd`): "
-     "read "
-     "as they are if arrays have the names of docs/tutorial-score.md; rename `disp`, `vel`, "
+     "read as they are if arrays have the names of docs/tutorial-score.md; rename `disp`, `vel`, "
      "`sigma` and the like. Without an array of displacements, give `id` and the file of time 0, "
      "or `initial_position`."},
     {"", false, false, false,
@@ -59,8 +58,7 @@ static const struct line {
      "time levels swings with each vibration, though nothing is lost."},
     {NULL, false, true, false,
      "**Sums** are of all bodies that move, without rigid ones; in plane problems for the "
-     "thickness "
-     "1 unless the problem has one. Stress is Cauchy's, tension positive."},
+     "thickness 1 unless the problem has one. Stress is Cauchy's, tension positive."},
     {"", false, false, false,
      "**Units** are those of `problem.json`: a column in brackets, `velocity_x [m s^-1]`, is "
      "refused if it is in another one, and not converted."},
